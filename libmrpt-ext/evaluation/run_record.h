@@ -1,0 +1,144 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mrpt_ext/geometry/gaussian_pose.h"
+#include "mrpt_ext/geometry/landmark_table.h"
+#include "mrpt_ext/geometry/trajectory.h"
+
+namespace mrpt_ext
+{
+/// How sure the filter is, judged from its own consistency, never from ground truth.
+enum class Verdict
+{
+  ok,
+  ambiguous,
+  lost
+};
+
+/// One estimate of one method (a row of steps.csv).
+struct TrackPoint
+{
+  double time = 0;  ///< [s]
+  GaussianPose pose;
+  bool heading_known = true;
+  int modes = 1;
+  double best_weight = 1;                   ///< weight of the reported mode
+  std::optional<double> effective_samples;  ///< share in [0, 1], filters only
+  Verdict verdict = Verdict::ok;
+};
+
+/// Everything one method said during one trial.
+struct MethodTrack
+{
+  std::string name;         ///< key in summary.json, file name part of trajectory_<name>.tum
+  bool continuous = false;  ///< lives between frames by odometry (odometry, EKF, filter); closed forms do not
+  bool oracle = false;      ///< its choice among candidates used the truth
+  std::vector<TrackPoint> points;
+  std::size_t frames_offered = 0;    ///< frames with any detection
+  std::size_t frames_answered = 0;   ///< ... that it gave an estimate for
+  std::size_t frames_ambiguous = 0;  ///< ... with candidates it could not rank: no row
+  std::vector<double> step_milliseconds;
+};
+
+/// A row of hypotheses.csv.
+struct HypothesisRow
+{
+  double time = 0;
+  int rank = 0;  ///< 0 is the best
+  Pose2 pose;
+  double weight = 0;
+  std::string source;
+};
+
+/// A mode of the filter's posterior.
+struct ModeSummary
+{
+  GaussianPose pose;
+  double weight = 0;
+};
+
+/// The filter's account of itself.
+struct FilterRecord
+{
+  std::vector<std::size_t> particle_counts;  ///< one per frame
+  std::optional<double> effective_sample_ratio_min;
+  std::size_t lost_steps = 0;        ///< frames with verdict lost
+  std::vector<double> reseed_times;  ///< [s]
+  std::vector<ModeSummary> modes_at_end;
+};
+
+/// How a landmark behaved under the filter's posterior.
+struct LandmarkRecord
+{
+  std::size_t seen = 0;      ///< detections that could belong to it
+  double associated = 0;     ///< expected number of detections that were it
+  double inlier_rate = 1;    ///< learned reliability, in [0, 1]
+  double residual_mean = 0;  ///< of the inliers, in units of their standard deviation
+  double residual_std = 0;
+};
+
+/// A seen thing that is not a landmark, placed in the map (a row of objects.csv).
+struct ObjectRow
+{
+  double time = 0;
+  std::string label;
+  Vector2d position{0, 0};  ///< [m] map frame
+  Matrix2d covariance = Matrix2d::Zero();
+  Vector2d position_robot{0, 0};  ///< [m] robot frame
+};
+
+/// Counts of one observation class in the log.
+struct ObservationCount
+{
+  std::size_t total = 0, used = 0, ignored = 0;
+};
+
+/// What one trial leaves behind before it is judged.
+struct RunRecord
+{
+  int trial = 0;
+  std::uint64_t seed = 0;
+  std::vector<MethodTrack> methods;
+  Trajectory odometry;  ///< dead-reckoned, own frame: carries continuous methods to the scoring stamps
+  std::vector<HypothesisRow> hypotheses;
+  FilterRecord filter;
+  std::map<std::string, LandmarkRecord> landmarks;  ///< by id as text
+  std::vector<ObjectRow> objects;
+  Verdict verdict = Verdict::lost;
+  std::string verdict_reason;
+  bool interrupted = false;
+  double cpu_s = 0, wall_s = 0, peak_memory_mb = 0;
+};
+
+/// What is the same for all trials of a run.
+struct RunContext
+{
+  std::string version, config_path, command_line;
+  std::string rawlog_path, rawlog_sha256;
+  std::size_t rawlog_entries = 0;
+  double start_time = 0, duration_s = 0;
+  std::map<std::string, ObservationCount> observations;
+  LandmarkTable map;
+  Trajectory truth;  ///< empty: nothing to judge against
+  bool truth_is_sparse = false;
+};
+
+[[nodiscard]] constexpr const char* toString(Verdict verdict)
+{
+  switch (verdict)
+  {
+    case Verdict::ok:
+      return "ok";
+    case Verdict::ambiguous:
+      return "ambiguous";
+    case Verdict::lost:
+      return "lost";
+  }
+  return "unknown";
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "mrpt_ext/geometry/measurement.h"
+#include "mrpt_ext/geometry/recording.h"
+
+namespace mrpt_ext
+{
+/// Motion by odometry between two moments, with what the noise model needs to know about the way between them.
+struct OdometryMotion
+{
+  Pose2 increment;         ///< later pose in the frame of the earlier one
+  double path_length = 0;  ///< [m] along the path
+  double turned = 0;       ///< [rad] sum of absolute heading changes
+  double duration = 0;     ///< [s]
+};
+
+/// The detections of all sensors at (nearly) one time: what every localizer is given, one after the other.
+/// Readings taken before `time` had their sensor pose carried to `time` by odometry.
+struct Frame
+{
+  double time = 0;        ///< [s] stamp of the last reading
+  OdometryMotion motion;  ///< since the previous frame (identity for the first)
+  std::vector<Reading> readings;
+  std::vector<RunningFixReading> fixes;
+  std::optional<CompassRecord> compass;
+};
+}  // namespace mrpt_ext

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mrpt_ext/geometry/landmark_table.h"
+#include "mrpt_ext/geometry/pose.h"
+
+namespace mrpt_ext
+{
+/// One seen feature: a bearing, a range, or both, with or without a name.
+struct Detection
+{
+  int id = kNoId;                 ///< landmark id, kNoId when the sensor cannot tell
+  std::string category;           ///< kind of feature, empty when the sensor cannot tell
+  std::optional<double> bearing;  ///< [rad] CCW from the sensor's forward axis
+  std::optional<double> range;    ///< [m] from the sensor origin
+  double std_bearing = 0;         ///< [rad], meaningful with a bearing
+  double std_range = 0;           ///< [m], meaningful with a range
+};
+
+/// What the likelihood needs to know about a sensor.
+struct SensorModel
+{
+  double field_of_view = kTwoPi;                ///< [rad], full angle, centred on the forward axis
+  std::optional<double> max_range;              ///< [m]
+  double clutter_probability = 0.05;            ///< share of detections that show no mapped landmark
+  std::optional<double> detection_probability;  ///< of a landmark in view; absent: missed ones are not scored
+  bool has_field_of_view = false;               ///< true when declared by the log or the configuration
+};
+
+/// All detections that one sensor made at one time, ready for solving and scoring.
+struct Reading
+{
+  double time = 0;                ///< [s] when the light or radio wave arrived (sensor delay already taken off)
+  std::string sensor;             ///< label, never empty
+  Pose2 T_robot_sensor;           ///< sensor pose in the robot frame *of the frame the reading belongs to*
+  double sensor_height = 0;       ///< [m] above the floor, for slant ranges
+  bool horizontal_range = false;  ///< ranges are measured in the plane, not as a slant
+  Matrix2d offset_covariance =
+      Matrix2d::Zero();  ///< of the sensor position when it was carried by odometry, robot axes
+  SensorModel model;
+  std::vector<Detection> detections;
+};
+
+/// Two ranges to one landmark from two places (paper 004), as logged by CObservationRunningFix.
+struct RunningFixReading
+{
+  double time = 0;        ///< [s] of the second range
+  double first_time = 0;  ///< [s] of the first range
+  std::string sensor;
+  Pose2 T_robot_sensor;
+  double sensor_height = 0;
+  bool horizontal_range = false;
+  SensorModel model;
+  int id = kNoId;
+  double first_range = 0, first_std = 0;    ///< [m]
+  double second_range = 0, second_std = 0;  ///< [m]
+  Pose2 displacement;                       ///< second robot pose in the frame of the first
+  Matrix3d displacement_covariance = Matrix3d::Zero();
+  std::optional<double> second_bearing;  ///< [rad] at the second pose
+  double second_bearing_std = 0;
+};
+}  // namespace mrpt_ext
