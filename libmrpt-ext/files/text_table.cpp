@@ -1,0 +1,152 @@
+#include "mrpt_ext/files/text_table.h"
+
+#include <algorithm>
+
+#include "mrpt_ext/files/number_format.h"
+#include "mrpt_ext/files/text_file.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr std::string_view kBlanks = " \t\r";
+
+std::string_view trimmed(std::string_view text)
+{
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+std::vector<std::string> splitAtCommas(std::string_view text)
+{
+  std::vector<std::string> fields;
+  while (true)
+  {
+    const std::size_t comma = text.find(',');
+    fields.emplace_back(trimmed(text.substr(0, comma)));
+    if (comma == std::string_view::npos) return fields;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+std::vector<std::string> splitAtBlanks(std::string_view text)
+{
+  std::vector<std::string> fields;
+  std::size_t begin = 0;
+  while ((begin = text.find_first_not_of(kBlanks, begin)) != std::string_view::npos)
+  {
+    const std::size_t end = std::min(text.find_first_of(kBlanks, begin), text.size());
+    fields.emplace_back(text.substr(begin, end - begin));
+    begin = end;
+  }
+  return fields;
+}
+
+template <typename Names>
+std::string joined(const Names& names)
+{
+  std::string text;
+  for (const auto& name : names) (text += text.empty() ? "" : ",") += name;
+  return text;
+}
+
+std::string_view withoutByteOrderMark(std::string_view text)
+{
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
+}
+}  // namespace
+
+TextTable::TextTable(const std::filesystem::path& path, TextTableFormat format)
+    : path_(path), format_(std::move(format))
+{
+  const std::string content = readTextFile(path);
+  std::string_view rest = withoutByteOrderMark(content);
+  for (int line = 1; !rest.empty(); ++line)
+  {
+    const std::size_t end = rest.find('\n');
+    addLine(rest.substr(0, end), line);
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+  }
+  if (format_.columns.empty()) throw errorAtLine(1, "the file is empty, expected a header line with column names");
+}
+
+void TextTable::addLine(std::string_view line_text, int line)
+{
+  line_text = trimmed(line_text);
+  if (line_text.empty()) return;
+  if (!format_.comment_prefix.empty() && line_text.starts_with(format_.comment_prefix)) return;
+  auto fields = format_.delimiter == Delimiter::comma ? splitAtCommas(line_text) : splitAtBlanks(line_text);
+  if (format_.columns.empty())
+  {
+    header_line_ = line;
+    format_.columns = std::move(fields);
+    for (std::size_t i = 0; i < columns().size(); ++i)
+      if (findColumn(columns()[i]) != i) throw errorAtLine(line, "column '" + columns()[i] + "' occurs twice");
+    return;
+  }
+  if (fields.size() != columns().size())
+    throw errorAtLine(line, std::to_string(fields.size()) + " fields, expected " + std::to_string(columns().size()) +
+                                " (" + joined(columns()) + ")");
+  rows_.push_back({line, std::move(fields)});
+}
+
+std::optional<std::size_t> TextTable::findColumn(std::string_view name) const
+{
+  const auto found = std::find(columns().begin(), columns().end(), name);
+  if (found == columns().end()) return std::nullopt;
+  return static_cast<std::size_t>(found - columns().begin());
+}
+
+std::size_t TextTable::column(std::string_view name) const
+{
+  if (const auto found = findColumn(name)) return *found;
+  throw errorAtLine(header_line_, "no column '" + std::string(name) + "', the header line has " + joined(columns()));
+}
+
+const std::string& TextTable::text(std::size_t row, std::size_t column) const
+{
+  return rows_.at(row).fields.at(column);
+}
+
+double TextTable::number(std::size_t row, std::size_t column) const
+{
+  if (const auto value = parseNumber(text(row, column))) return *value;
+  throw wrongField(row, column, "a number");
+}
+
+std::optional<double> TextTable::optionalNumber(std::size_t row, std::size_t column) const
+{
+  if (text(row, column).empty()) return std::nullopt;
+  return number(row, column);
+}
+
+int TextTable::integer(std::size_t row, std::size_t column) const
+{
+  if (const auto value = parseInteger(text(row, column))) return *value;
+  throw wrongField(row, column, "an integer");
+}
+
+InputError TextTable::errorAt(std::size_t row, const std::string& message) const
+{
+  return errorAtLine(rows_.at(row).line, message);
+}
+
+void TextTable::expectOnlyColumns(const std::vector<std::string_view>& known) const
+{
+  for (const std::string& name : columns())
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw errorAtLine(header_line_, "unknown column '" + name + "', expected only " + joined(known));
+}
+
+InputError TextTable::errorAtLine(int line, const std::string& message) const
+{
+  return dataError(path_.string() + ":" + std::to_string(line) + ": " + message);
+}
+
+InputError TextTable::wrongField(std::size_t row, std::size_t column, std::string_view kind) const
+{
+  return errorAt(row, "'" + text(row, column) + "' is not " + std::string(kind) + ", expected " + columns()[column]);
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mrpt_ext/geometry/input_error.h"
+
+namespace mrpt_ext
+{
+enum class Delimiter
+{
+  comma,       ///< every comma separates; fields are trimmed and may be empty
+  white_space  ///< runs of blanks and tabs separate
+};
+
+/// How a table file is laid out.
+struct TextTableFormat
+{
+  Delimiter delimiter = Delimiter::comma;
+  std::string comment_prefix = "#";  ///< lines that begin with it are skipped; empty: no comments
+  std::vector<std::string> columns;  ///< names, in file order; empty: the first row is a header that names them
+};
+
+/// A delimited text file in memory. Every row has one field per column: a row of another length is an error, so that a
+/// cut-off line is never taken for data. Errors are InputError (data), `file:line: what is wrong, what is expected`.
+class TextTable
+{
+ public:
+  /// Reads a file, plain or gzip. Empty lines and comments are skipped, line ends may be LF or CRLF.
+  TextTable(const std::filesystem::path& path, TextTableFormat format);
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] std::size_t size() const { return rows_.size(); }
+  [[nodiscard]] bool empty() const { return rows_.empty(); }
+  [[nodiscard]] const std::vector<std::string>& columns() const { return format_.columns; }
+  [[nodiscard]] std::optional<std::size_t> findColumn(std::string_view name) const;
+  /// Column of that name, or an error on the header line.
+  [[nodiscard]] std::size_t column(std::string_view name) const;
+
+  [[nodiscard]] const std::string& text(std::size_t row, std::size_t column) const;
+  /// A finite number, or an error.
+  [[nodiscard]] double number(std::size_t row, std::size_t column) const;
+  /// Nothing for an empty field.
+  [[nodiscard]] std::optional<double> optionalNumber(std::size_t row, std::size_t column) const;
+  [[nodiscard]] int integer(std::size_t row, std::size_t column) const;
+
+  /// `file:line: <message>` for this row, to be thrown by readers that check the meaning of a value.
+  [[nodiscard]] InputError errorAt(std::size_t row, const std::string& message) const;
+  /// Throws an error on the header line when a column is not among `known`: a misspelt one must not be lost silently.
+  void expectOnlyColumns(const std::vector<std::string_view>& known) const;
+
+ private:
+  struct Row
+  {
+    int line = 0;
+    std::vector<std::string> fields;
+  };
+  void addLine(std::string_view line_text, int line);
+  [[nodiscard]] InputError errorAtLine(int line, const std::string& message) const;
+  [[nodiscard]] InputError wrongField(std::size_t row, std::size_t column, std::string_view kind) const;
+
+  std::filesystem::path path_;
+  TextTableFormat format_;
+  int header_line_ = 1;
+  std::vector<Row> rows_;
+};
+}  // namespace mrpt_ext
