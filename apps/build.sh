@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# Installs what is missing, configures and builds into build/. With --tests: the test programs too.
+# An existing build/ keeps its generator and its other settings, and both forms share its object files.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build=$root/build
+
+settings=()
+if [ "${1:-}" = --tests ]; then
+  bash "$root/apps/install_dependencies.sh" --tests
+  settings+=(-DMRPT_EXT_BUILD_TESTS=ON)
+else
+  bash "$root/apps/install_dependencies.sh"
+  [ -f "$build/CMakeCache.txt" ] || settings+=(-DMRPT_EXT_BUILD_TESTS=OFF)
+fi
+if [ ! -f "$build/CMakeCache.txt" ]; then
+  settings+=(-G Ninja -DCMAKE_BUILD_TYPE=Release)
+fi
+# Warnings are errors with the compiler we test with; another one may have new warnings, which are no reason to stop.
+[ "$("${CXX:-g++}" -dumpversion | cut -d. -f1)" = 12 ] && settings+=(-DMRPT_EXT_WARNINGS_AS_ERRORS=ON)
+
+cmake -S "$root" -B "$build" "${settings[@]}"
+cmake --build "$build" --parallel "$(nproc)"

@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that are missing (Debian 12 has all of them); does nothing when nothing is missing.
+#   install_dependencies.sh            what the build needs
+#   install_dependencies.sh --tests    ... and what the tests need
+#   install_dependencies.sh --lint     ... and the formatter and the static analyser
+set -euo pipefail
+
+build=(g++ cmake ninja-build libeigen3-dev libmrpt-obs-dev libmrpt-maps-dev libmrpt-slam-dev libcli11-dev
+  nlohmann-json3-dev libtbb-dev)
+tests=(libgtest-dev librapidcheck-dev mrpt-apps mrpt-common xvfb xauth libxml2-utils)
+lint=(clang-format-14 clang-tidy-14)
+
+wanted=("${build[@]}")
+for option in "$@"; do
+  case "$option" in
+    --tests) wanted+=("${tests[@]}") ;;
+    --lint) wanted+=("${lint[@]}") ;;
+    *)
+      echo "install_dependencies.sh: unknown option '$option', expected --tests or --lint" >&2
+      exit 2
+      ;;
+  esac
+done
+
+if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+  echo "install_dependencies.sh: no apt-get here; install what corresponds to: ${wanted[*]}" >&2
+  exit 1
+fi
+
+installed() { dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null | grep -qx installed; }
+missing=()
+for package in "${wanted[@]}"; do
+  installed "$package" || missing+=("$package")
+done
+[ ${#missing[@]} -gt 0 ] || exit 0
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  if ! command -v sudo >/dev/null; then
+    echo "install_dependencies.sh: neither root nor sudo; run as root: apt-get install ${missing[*]}" >&2
+    exit 1
+  fi
+  as_root=(sudo)
+fi
+
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+apt_get() { "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -y "$@" >"$log" 2>&1; }
+echo "Installing ${#missing[@]} Debian packages: ${missing[*]}"
+# A failing update is not yet an error: the lists on the machine may do.
+apt_get update || true
+if ! apt_get install --no-install-recommends "${missing[@]}"; then
+  grep '^E:' "$log" >&2 || tail -n 5 "$log" >&2
+  echo "install_dependencies.sh: apt-get could not install: ${missing[*]}" >&2
+  exit 1
+fi
