@@ -1,0 +1,57 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace mrpt_ext::testing
+{
+/// A folder of its own for one test, removed when the test ends.
+class ScratchFolder
+{
+ public:
+  ScratchFolder()
+  {
+    const ::testing::TestInfo* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    path_ = std::filesystem::path(::testing::TempDir()) /
+            (std::string("mrpt_ext_") + test->test_suite_name() + "_" + test->name());
+    std::filesystem::remove_all(path_);
+    std::filesystem::create_directories(path_);
+  }
+  ~ScratchFolder()
+  {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// Writes a file into the folder and returns its path.
+  std::filesystem::path write(const std::string& name, const std::string& content) const
+  {
+    std::ofstream(path_ / name, std::ios::binary) << content;
+    return path_ / name;
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// The message of the Error that `action` throws; a note when it throws nothing.
+template <typename Error, typename Action>
+std::string messageOf(Action&& action)
+{
+  try
+  {
+    action();
+  }
+  catch (const Error& error)
+  {
+    return error.what();
+  }
+  return "(nothing was thrown)";
+}
+}  // namespace mrpt_ext::testing

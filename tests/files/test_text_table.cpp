@@ -1,0 +1,60 @@
+#include "mrpt_ext/files/text_table.h"
+
+#include <gtest/gtest.h>
+
+#include "scratch_folder.h"
+
+namespace mrpt_ext
+{
+using testing::messageOf;
+using testing::ScratchFolder;
+
+TEST(TextTable, ReadsCommaTableWithHeaderCommentsAndEmptyFields)
+{
+  const ScratchFolder folder;
+  const TextTable table(folder.write("t.csv", "\xEF\xBB\xBF# note\r\n a , b,c\r\n\r\n1,,x y\r\n 2 ,3.5,\r\n"), {});
+  ASSERT_EQ(table.size(), 2u);
+  EXPECT_EQ(table.columns(), (std::vector<std::string>{"a", "b", "c"}));
+  EXPECT_EQ(table.integer(1, table.column("a")), 2);
+  EXPECT_FALSE(table.optionalNumber(0, 1));
+  EXPECT_EQ(table.optionalNumber(1, 1), 3.5);
+  EXPECT_EQ(table.text(0, 2), "x y");
+  EXPECT_EQ(table.text(1, 2), "");
+}
+
+TEST(TextTable, ReadsWhiteSpaceTableWithoutHeader)
+{
+  const ScratchFolder folder;
+  const TextTable table(folder.write("t.dat", "# f\n10 \t  0.5\t-1 \n11 0.25 2"),
+                        {Delimiter::white_space, "#", {"t", "v", "w"}});
+  ASSERT_EQ(table.size(), 2u);
+  EXPECT_EQ(table.number(0, 2), -1);
+  EXPECT_EQ(table.number(1, 1), 0.25);
+}
+
+TEST(TextTable, ErrorsNameFileLineAndColumn)
+{
+  const ScratchFolder folder;
+  const TextTable table(folder.write("t.csv", "a,b\n# note\n1,abc\n1.5,nan\n"), {});
+  const std::string path = (folder.path() / "t.csv").string();
+  EXPECT_EQ(messageOf<InputError>([&] { (void)table.number(0, 1); }), path + ":3: 'abc' is not a number, expected b");
+  EXPECT_EQ(messageOf<InputError>([&] { (void)table.number(1, 1); }), path + ":4: 'nan' is not a number, expected b");
+  EXPECT_EQ(messageOf<InputError>([&] { (void)table.integer(1, 0); }),
+            path + ":4: '1.5' is not an integer, expected a");
+  EXPECT_EQ(messageOf<InputError>([&] { (void)table.column("c"); }),
+            path + ":1: no column 'c', the header line has a,b");
+  EXPECT_EQ(messageOf<InputError>([&] { table.expectOnlyColumns({"a"}); }),
+            path + ":1: unknown column 'b', expected only a");
+}
+
+TEST(TextTable, RowOfAnotherLengthIsAnError)
+{
+  const ScratchFolder folder;
+  const auto read = [&](const std::string& content)
+  { return messageOf<InputError>([&] { TextTable(folder.write("t.csv", content), {}); }); };
+  EXPECT_NE(read("a,b\n1,2\n3\n").find("t.csv:3: 1 fields, expected 2 (a,b)"), std::string::npos);
+  EXPECT_NE(read("a,b\n1,2,3\n").find("t.csv:2: 3 fields"), std::string::npos);
+  EXPECT_NE(read("a,a\n").find("t.csv:1: column 'a' occurs twice"), std::string::npos);
+  EXPECT_NE(read("# only a comment\n").find("the file is empty"), std::string::npos);
+}
+}  // namespace mrpt_ext
