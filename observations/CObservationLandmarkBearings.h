@@ -1,0 +1,40 @@
+#pragma once
+
+#include <mrpt/obs/CObservation.h>
+#include <mrpt/poses/CPose3D.h>
+
+#include <string>
+#include <vector>
+
+namespace mrpt_ext
+{
+/// Directions in which one camera saw landmarks at one time; one observation per camera.
+class CObservationLandmarkBearings : public mrpt::obs::CObservation
+{
+  DEFINE_SERIALIZABLE(CObservationLandmarkBearings, mrpt_ext)
+
+ public:
+  /// One seen landmark.
+  struct Detection
+  {
+    std::int32_t id = mrpt::obs::INVALID_LANDMARK_ID;  ///< -1: the sensor cannot tell
+    std::string category;                              ///< kind of landmark; empty: the sensor cannot tell
+    double bearing = 0;                                ///< [rad] CCW from the sensor's forward axis
+    double std_bearing = 0;                            ///< [rad]; 0: not declared
+  };
+
+  mrpt::poses::CPose3D sensor_pose;  ///< on the robot
+  double field_of_view = 0;          ///< [rad] full angle around the forward axis; 0: not declared
+  double max_range = 0;              ///< [m] landmarks farther away are not seen; 0: not declared
+  std::vector<Detection> detections;
+
+  void getSensorPose(mrpt::poses::CPose3D& pose) const override { pose = sensor_pose; }
+  void setSensorPose(const mrpt::poses::CPose3D& pose) override { sensor_pose = pose; }
+  void getDescriptionAsText(std::ostream& o) const override;
+
+  /// One row: N, then id, category, bearing [deg] and its deviation [deg] of the first 8 detections ("nan", "-": none).
+  bool exportTxtSupported() const override { return true; }
+  std::string exportTxtHeader() const override;
+  std::string exportTxtDataRow() const override;
+};
+}  // namespace mrpt_ext

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <mrpt/obs/CObservation.h>
+#include <mrpt/obs/obs_frwds.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mrpt_ext/geometry/measurement.h"
+#include "mrpt_ext/observations/CObservationLandmarkBearings.h"
+#include "mrpt_ext/observations/CObservationRunningFix.h"
+#include "mrpt_ext/observations/CObservationStereoRanges.h"
+
+/// Between the classes of a log and the plain values that solvers, likelihoods and filters work on.
+/// Sensor poses become planar: x, y, yaw and the height; pitch and roll are not used. A declared value of 0 (field of
+/// view, range limit, standard deviation) means "not declared" in the log and stays so. Nothing is judged here: see
+/// usable_detections.h.
+namespace mrpt_ext
+{
+[[nodiscard]] Reading toReading(const CObservationLandmarkBearings& observation);
+[[nodiscard]] Reading toReading(const CObservationStereoRanges& observation);
+
+/// MRPT's range and bearing. Its range has no "absent" mark: 0 is read as not measured. Its field of view counts as
+/// declared only together with a range limit, because the class presets 180 degrees and no limit.
+[[nodiscard]] Reading toReading(const mrpt::obs::CObservationBearingRange& observation);
+
+/// MRPT's ranges to beacons: one reading per antenna position.
+[[nodiscard]] std::vector<Reading> toReadings(const mrpt::obs::CObservationBeaconRanges& observation);
+
+[[nodiscard]] RunningFixReading toRunningFix(const CObservationRunningFix& observation);
+
+/// What an observation says about landmarks.
+struct LandmarkMeasurements
+{
+  std::vector<Reading> readings;
+  std::vector<RunningFixReading> fixes;
+};
+
+/// The measurements of any observation; nothing for a class that says nothing about landmarks.
+[[nodiscard]] std::optional<LandmarkMeasurements> toMeasurements(const mrpt::obs::CObservation& observation);
+
+/// Name of the class without its namespace.
+[[nodiscard]] std::string shortClassName(const mrpt::rtti::CObject& object);
+
+/// The observation's label, or, when it is empty, a stable one derived from its class ("beacons", "bearings", ...).
+[[nodiscard]] std::string labelOf(const mrpt::obs::CObservation& observation);
+
+/// The other way; detections without a bearing cannot be said by the first, see hasRange().
+[[nodiscard]] CObservationLandmarkBearings::Ptr toLandmarkBearings(const Reading& reading);
+[[nodiscard]] CObservationStereoRanges::Ptr toStereoRanges(const Reading& reading);
+[[nodiscard]] CObservationRunningFix::Ptr toObservation(const RunningFixReading& fix);
+
+/// True if any detection has a range.
+[[nodiscard]] bool hasRange(const Reading& reading);
+}  // namespace mrpt_ext

@@ -1,0 +1,80 @@
+// The half of observation_conversions.h that makes observations from plain values.
+#include <algorithm>
+
+#include "mrpt_ext/observations/observation_conversions.h"
+#include "mrpt_ext/observations/timestamps.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+template <typename Plain>
+void setHeader(mrpt::obs::CObservation& observation, const Plain& plain)
+{
+  observation.timestamp = timestampOf(plain.time);
+  observation.sensorLabel = plain.sensor;
+  const Pose2& mount = plain.T_robot_sensor;
+  observation.setSensorPose(mrpt::poses::CPose3D(mount.x, mount.y, plain.sensor_height, mount.phi, 0, 0));
+}
+
+template <typename Observation>
+void setSensorModel(Observation& observation, const SensorModel& model)
+{
+  observation.field_of_view = model.has_field_of_view ? model.field_of_view : 0;
+  observation.max_range = model.max_range.value_or(0);
+}
+}  // namespace
+
+CObservationLandmarkBearings::Ptr toLandmarkBearings(const Reading& reading)
+{
+  auto observation = CObservationLandmarkBearings::Create();
+  setHeader(*observation, reading);
+  setSensorModel(*observation, reading.model);
+  for (const Detection& d : reading.detections)
+    if (d.bearing)
+      observation->detections.push_back(
+          {.id = d.id, .category = d.category, .bearing = *d.bearing, .std_bearing = d.std_bearing});
+  return observation;
+}
+
+CObservationStereoRanges::Ptr toStereoRanges(const Reading& reading)
+{
+  auto observation = CObservationStereoRanges::Create();
+  setHeader(*observation, reading);
+  setSensorModel(*observation, reading.model);
+  observation->horizontal = reading.horizontal_range;
+  for (const Detection& d : reading.detections)
+    observation->detections.push_back({.id = d.id,
+                                       .category = d.category,
+                                       .range = d.range,
+                                       .std_range = d.std_range,
+                                       .std_disparity = 0,
+                                       .bearing = d.bearing,
+                                       .std_bearing = d.std_bearing});
+  return observation;
+}
+
+CObservationRunningFix::Ptr toObservation(const RunningFixReading& fix)
+{
+  auto observation = CObservationRunningFix::Create();
+  setHeader(*observation, fix);
+  observation->horizontal = fix.horizontal_range;
+  observation->id = fix.id;
+  observation->first_timestamp = timestampOf(fix.first_time);
+  observation->first_range = fix.first_range;
+  observation->first_std = fix.first_std;
+  observation->second_range = fix.second_range;
+  observation->second_std = fix.second_std;
+  observation->displacement = {fix.displacement.x, fix.displacement.y, fix.displacement.phi};
+  observation->displacement_covariance = mrpt::math::CMatrixDouble33(fix.displacement_covariance);
+  observation->second_bearing = fix.second_bearing;
+  observation->second_bearing_std = fix.second_bearing_std;
+  return observation;
+}
+
+bool hasRange(const Reading& reading)
+{
+  return std::any_of(reading.detections.begin(), reading.detections.end(),
+                     [](const Detection& d) { return d.range.has_value(); });
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,8 @@
+#pragma once
+
+namespace mrpt_ext
+{
+/// Makes our observation classes known to MRPT. Loading the library does so, too; but a program that names nothing of
+/// it would lose it at link time (--as-needed) and read no record: call this from every main and test.
+void registerAllObservationClasses();
+}  // namespace mrpt_ext

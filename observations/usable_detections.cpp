@@ -1,0 +1,61 @@
+#include "mrpt_ext/observations/usable_detections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace mrpt_ext
+{
+namespace
+{
+bool isDeviation(double value) { return std::isfinite(value) && value >= 0; }
+
+std::string whyRangeUnusable(double range, double deviation)
+{
+  if (!std::isfinite(range)) return "range not finite";
+  if (range <= 0) return "range not positive";
+  return isDeviation(deviation) ? "" : "range deviation negative or not finite";
+}
+
+std::string whyBearingUnusable(double bearing, double deviation)
+{
+  if (!std::isfinite(bearing)) return "bearing not finite";
+  return isDeviation(deviation) ? "" : "bearing deviation negative or not finite";
+}
+
+std::string whyUnusable(const Detection& d)
+{
+  if (!d.bearing && !d.range) return "neither bearing nor range";
+  const std::string range = d.range ? whyRangeUnusable(*d.range, d.std_range) : "";
+  return !range.empty() || !d.bearing ? range : whyBearingUnusable(*d.bearing, d.std_bearing);
+}
+}  // namespace
+
+void removeUnusable(Reading& reading, UnusableCounts& counts)
+{
+  std::vector<Detection> usable;
+  for (Detection& d : reading.detections)
+  {
+    const std::string reason = whyUnusable(d);
+    if (!reason.empty())
+    {
+      ++counts[reason];
+      continue;
+    }
+    if (d.bearing) d.bearing = wrap(*d.bearing);
+    usable.push_back(std::move(d));
+  }
+  reading.detections = std::move(usable);
+}
+
+std::string whyUnusable(const RunningFixReading& fix)
+{
+  for (const std::string& reason :
+       {whyRangeUnusable(fix.first_range, fix.first_std), whyRangeUnusable(fix.second_range, fix.second_std),
+        fix.second_bearing ? whyBearingUnusable(*fix.second_bearing, fix.second_bearing_std) : std::string()})
+    if (!reason.empty()) return reason;
+  if (!isFinite(fix.displacement) || !fix.displacement_covariance.allFinite()) return "displacement not finite";
+  if (!std::isfinite(fix.first_time)) return "time of the first range not finite";
+  return "";
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "mrpt_ext/geometry/measurement.h"
+
+namespace mrpt_ext
+{
+/// How many detections (or whole observations) could not be used, by reason.
+using UnusableCounts = std::map<std::string, std::size_t>;
+
+/// Removes the detections that measure nothing or are damaged, counts each with its reason, and wraps the bearings.
+void removeUnusable(Reading& reading, UnusableCounts& counts);
+
+/// Why the fix cannot be used; empty when it can.
+[[nodiscard]] std::string whyUnusable(const RunningFixReading& fix);
+}  // namespace mrpt_ext
