@@ -1,0 +1,51 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mrpt_ext
+{
+/// One `key = value` with the place where it was written.
+struct IniEntry
+{
+  std::string key;
+  std::string value;  ///< verbatim, without surrounding blanks and trailing comment
+  int line = 0;
+};
+
+struct IniSection
+{
+  std::string name;
+  int line = 0;
+  std::vector<IniEntry> entries;
+
+  [[nodiscard]] const IniEntry* find(std::string_view key) const;
+};
+
+/// An .ini file in MRPT's form, read strictly: `[Section]`, `key = value`, comments after ; # or // (at the start of a
+/// line or after a blank), a backslash at the end of a line continues the value. A key before the first section, a key
+/// or a section written twice, and a line that is none of these are InputErrors (configuration) with file and line.
+class IniFile
+{
+ public:
+  /// Throws InputError (configuration) when the file cannot be read.
+  static IniFile read(const std::filesystem::path& file);
+  /// `name` stands for the file in error messages.
+  static IniFile parse(std::string_view text, std::string name);
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] const std::vector<IniSection>& sections() const { return sections_; }
+  [[nodiscard]] const IniSection* find(std::string_view section) const;
+  [[nodiscard]] const IniEntry* find(std::string_view section, std::string_view key) const;
+  /// Adds or replaces an entry; line 0 marks it as not written in the file.
+  void set(const std::string& section, const std::string& key, const std::string& value);
+
+ private:
+  IniSection& sectionNamed(const std::string& section);
+
+  std::string name_;
+  std::vector<IniSection> sections_;
+};
+}  // namespace mrpt_ext

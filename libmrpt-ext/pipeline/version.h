@@ -1,0 +1,9 @@
+#pragma once
+
+#include <string_view>
+
+namespace mrpt_ext
+{
+/// Version of this project, as in CMakeLists.txt.
+[[nodiscard]] std::string_view version();
+}  // namespace mrpt_ext
