@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "source_tree.h"
+
+namespace mrpt_ext::architecture
+{
+/// What is wrong, one line each, starting with the path; empty when the rule holds.
+using Violations = std::vector<std::string>;
+
+// Who may use whom (include_rules.cpp).
+
+/// A folder includes only the folders that its place in the data flow allows, and always as
+/// "mrpt_ext/<folder>/<file>.h".
+[[nodiscard]] Violations checkIncludeDirections(const SourceTree& tree);
+/// A folder's CMakeLists.txt links only the folders that it may include.
+[[nodiscard]] Violations checkLinkDirections(const SourceTree& tree);
+/// The Eigen-only folders include neither MRPT nor OpenCV.
+[[nodiscard]] Violations checkEigenOnlyFolders(const SourceTree& tree);
+/// Estimators never name the truth, nor a type that carries it, nor more of `evaluation` than its plain rows.
+[[nodiscard]] Violations checkEstimatorsDoNotSeeTruth(const SourceTree& tree);
+
+// What the tree looks like (tree_rules.cpp).
+
+[[nodiscard]] Violations checkTopLevel(const std::vector<std::string>& entries);
+/// At most 400 lines per C++ file, at most 50 per apps/<name>/main.cpp.
+[[nodiscard]] Violations checkFileLengths(const SourceTree& tree);
+/// Every .cpp stands in the CMakeLists.txt of its folder; no globbing.
+[[nodiscard]] Violations checkSourceLists(const SourceTree& tree);
+/// Every third-party package that the libraries look up is looked up again for users of the installed library.
+[[nodiscard]] Violations checkPackageConfig(const SourceTree& tree);
+/// Every ini/<app>/<name>.ini is named by a test: one file under tests/ that names both the app and the file.
+[[nodiscard]] Violations checkConfigurationsAreTested(const SourceTree& tree);
+/// No marks of unfinished work, no paths of one machine.
+[[nodiscard]] Violations checkText(const SourceTree& tree);
+}  // namespace mrpt_ext::architecture

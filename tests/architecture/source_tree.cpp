@@ -1,0 +1,79 @@
+#include "source_tree.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <sstream>
+
+namespace mrpt_ext::architecture
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+bool isIgnoredAtTop(const std::string& name) { return name.starts_with("build") || name == "out"; }
+
+bool isText(const fs::path& path)
+{
+  static const std::vector<std::string> kTextEndings{".cpp", ".h",   ".in",   ".txt", ".md",   ".sh",
+                                                     ".ini", ".csv", ".json", ".tum", ".cmake"};
+  const std::string ending = path.extension().string();
+  return std::find(kTextEndings.begin(), kTextEndings.end(), ending) != kTextEndings.end();
+}
+
+std::string readFile(const fs::path& path)
+{
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+}  // namespace
+
+SourceTree readTree(const fs::path& root)
+{
+  SourceTree tree;
+  for (auto entry = fs::recursive_directory_iterator(root); entry != fs::recursive_directory_iterator(); ++entry)
+  {
+    const std::string name = entry->path().filename().string();
+    if (entry->is_directory() && (name.starts_with('.') || (entry.depth() == 0 && isIgnoredAtTop(name))))
+      entry.disable_recursion_pending();
+    else if (entry->is_regular_file() && isText(entry->path()))
+      tree[entry->path().lexically_relative(root).generic_string()] = readFile(entry->path());
+  }
+  return tree;
+}
+
+std::vector<std::string> topLevelEntries(const fs::path& root)
+{
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(root))
+    if (const std::string name = entry.path().filename().string(); !isIgnoredAtTop(name)) names.push_back(name);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string folderOf(const std::string& path)
+{
+  const std::string library = "libmrpt-ext/";
+  const std::string inner = path.starts_with(library) ? path.substr(library.size()) : path;
+  const auto slash = inner.find('/');
+  return slash == std::string::npos ? "" : inner.substr(0, slash);
+}
+
+bool isHeader(const std::string& path) { return path.ends_with(".h"); }
+bool isCpp(const std::string& path) { return path.ends_with(".cpp") || isHeader(path); }
+
+std::vector<std::string> linesOf(const std::string& text)
+{
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+std::string codeOnly(const std::string& text)
+{
+  static const std::regex kNotCode(R"(//[^\n]*|/\*[^*]*\*+([^/*][^*]*\*+)*/|"(\\.|[^"\\\n])*")");
+  return std::regex_replace(text, kNotCode, " ");
+}
+}  // namespace mrpt_ext::architecture

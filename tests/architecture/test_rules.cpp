@@ -1,0 +1,132 @@
+#include <gtest/gtest.h>
+
+#include "rules.h"
+
+// Each rule is shown a small tree that breaks it, beside the nearest one that does not.
+namespace mrpt_ext::architecture
+{
+namespace
+{
+SourceTree file(const std::string& path, const std::string& text) { return {{path, text}}; }
+
+std::string include(const std::string& header) { return "#include \"mrpt_ext/" + header + "\"\n"; }
+}  // namespace
+
+TEST(IncludeDirections, LowerFoldersDoNotUseHigherOnes)
+{
+  EXPECT_EQ(checkIncludeDirections(file("libmrpt-ext/geometry/a.h", include("solvers/b.h"))).size(), 1U);
+  EXPECT_EQ(checkIncludeDirections(file("libmrpt-ext/filter/a.cpp", include("localizers/b.h"))).size(), 1U);
+  EXPECT_EQ(checkIncludeDirections(file("maps/a.h", include("filter/b.h"))).size(), 1U);
+  EXPECT_TRUE(checkIncludeDirections(file("libmrpt-ext/solvers/a.h", include("geometry/b.h"))).empty());
+  EXPECT_TRUE(checkIncludeDirections(file("libmrpt-ext/solvers/a.cpp", include("solvers/b.h"))).empty());
+}
+
+TEST(IncludeDirections, OnlyAppsAndTestsUsePipeline)
+{
+  EXPECT_EQ(checkIncludeDirections(file("libmrpt-ext/localizers/a.h", include("pipeline/b.h"))).size(), 1U);
+  EXPECT_EQ(checkIncludeDirections(file("libmrpt-ext/unlisted/a.h", include("pipeline/b.h"))).size(), 1U);
+  EXPECT_TRUE(checkIncludeDirections(file("apps/x/main.cpp", include("pipeline/b.h"))).empty());
+  EXPECT_TRUE(checkIncludeDirections(file("tests/pipeline/a.cpp", include("pipeline/b.h"))).empty());
+}
+
+TEST(IncludeDirections, OurHeadersAreNamedInFull)
+{
+  EXPECT_EQ(checkIncludeDirections(file("libmrpt-ext/solvers/a.cpp", "#include \"a.h\"\n")).size(), 1U);
+  EXPECT_TRUE(checkIncludeDirections(file("libmrpt-ext/solvers/a.cpp", "#include <vector>\n")).empty());
+}
+
+TEST(LinkDirections, FollowTheIncludeDirections)
+{
+  const std::string path = "libmrpt-ext/likelihood/CMakeLists.txt";
+  EXPECT_EQ(checkLinkDirections(file(path, "add(likelihood PUBLIC mrpt_ext::filter)")).size(), 1U);
+  EXPECT_TRUE(checkLinkDirections(file(path, "add(likelihood PUBLIC mrpt_ext::geometry)")).empty());
+}
+
+TEST(EigenOnlyFolders, RefuseFrameworkHeaders)
+{
+  EXPECT_EQ(checkEigenOnlyFolders(file("libmrpt-ext/filter/a.h", "#include <mrpt/poses/CPose2D.h>\n")).size(), 1U);
+  EXPECT_EQ(checkEigenOnlyFolders(file("libmrpt-ext/report/a.h", "#include <opencv2/core.hpp>\n")).size(), 1U);
+  EXPECT_TRUE(checkEigenOnlyFolders(file("libmrpt-ext/filter/a.h", "#include <Eigen/Core>\n")).empty());
+  EXPECT_TRUE(checkEigenOnlyFolders(file("maps/a.h", "#include <mrpt/maps/CMetricMap.h>\n")).empty());
+}
+
+TEST(EstimatorsDoNotSeeTruth, InCodeOfAnyCase)
+{
+  const std::string path = "libmrpt-ext/filter/a.cpp";
+  EXPECT_EQ(checkEstimatorsDoNotSeeTruth(file(path, "void f(const Trajectory& truth);")).size(), 1U);
+  EXPECT_EQ(checkEstimatorsDoNotSeeTruth(file(path, "auto g = log.groundTruth();")).size(), 1U);
+  EXPECT_EQ(checkEstimatorsDoNotSeeTruth(file(path, "void f(const RunContext& context);")).size(), 1U);
+  EXPECT_EQ(checkEstimatorsDoNotSeeTruth(file(path, include("evaluation/scoring.h"))).size(), 1U);
+  EXPECT_TRUE(checkEstimatorsDoNotSeeTruth(file(path, "int a; // never sees the truth\n")).empty());
+  EXPECT_TRUE(checkEstimatorsDoNotSeeTruth(file(path, "f(\"truth\"); /* ground_truth\n */")).empty());
+  EXPECT_TRUE(checkEstimatorsDoNotSeeTruth(file(path, include("evaluation/run_record.h"))).empty());
+  EXPECT_TRUE(checkEstimatorsDoNotSeeTruth(file("libmrpt-ext/evaluation/a.h", "int truth;")).empty());
+}
+
+TEST(TopLevel, RefusesAnotherEntry)
+{
+  EXPECT_EQ(checkTopLevel({"CMakeLists.txt", "docs", "apps", ".clang-format"}).size(), 1U);
+  EXPECT_TRUE(checkTopLevel({"CMakeLists.txt", "apps", ".clang-format"}).empty());
+}
+
+TEST(FileLengths, CountLines)
+{
+  const auto lines = [](int count)
+  {
+    std::string text;
+    for (int i = 0; i < count; ++i) text += "\n";
+    return text;
+  };
+  EXPECT_EQ(checkFileLengths(file("libmrpt-ext/solvers/a.cpp", lines(401))).size(), 1U);
+  EXPECT_EQ(checkFileLengths(file("apps/x/main.cpp", lines(51))).size(), 1U);
+  EXPECT_TRUE(checkFileLengths(file("libmrpt-ext/solvers/a.cpp", lines(400))).empty());
+  EXPECT_TRUE(checkFileLengths(file("apps/x/main.cpp", lines(50))).empty());
+  EXPECT_TRUE(checkFileLengths(file("README.md", lines(1000))).empty());
+}
+
+TEST(SourceLists, NameEverySource)
+{
+  const std::string list = "libmrpt-ext/solvers/CMakeLists.txt", source = "libmrpt-ext/solvers/a.cpp";
+  EXPECT_EQ(checkSourceLists({{list, "add(x SOURCES ba.cpp)"}, {source, ""}}).size(), 1U);
+  EXPECT_EQ(checkSourceLists({{source, ""}}).size(), 1U);
+  EXPECT_EQ(checkSourceLists({{list, "file(GLOB sources *.cpp)"}}).size(), 1U);
+  EXPECT_TRUE(checkSourceLists({{list, "add(x SOURCES a.cpp)"}, {source, ""}}).empty());
+  EXPECT_TRUE(checkSourceLists({{"apps/CMakeLists.txt", "add(x/main.cpp)"}, {"apps/x/main.cpp", ""}}).empty());
+}
+
+TEST(PackageConfig, LooksUpWhatTheLibrariesLookUp)
+{
+  const std::string config = "libmrpt-ext/mrpt_ext-config.cmake.in";
+  EXPECT_EQ(checkPackageConfig(file("CMakeLists.txt", "")).size(), 1U);
+  EXPECT_EQ(checkPackageConfig({{config, "find_dependency(ZLIB)"}, {"CMakeLists.txt", "find_package(TBB)"}}).size(),
+            1U);
+  EXPECT_TRUE(checkPackageConfig({{config, "find_dependency(TBB)"}, {"CMakeLists.txt", "find_package(TBB)"}}).empty());
+}
+
+TEST(Configurations, AreNamedByATest)
+{
+  const SourceTree untested{{"ini/some-app/room.ini", ""},
+                            {"tests/a.cpp", "run(\"some-app\", \"room-2\")"},
+                            {"tests/b.cpp", "run(\"other-app\", \"room\")"}};
+  EXPECT_EQ(checkConfigurationsAreTested(untested).size(), 1U);
+  const SourceTree tested{{"ini/some-app/room.ini", ""}, {"tests/a.cpp", "run(\"ini/some-app/room.ini\")"}};
+  EXPECT_TRUE(checkConfigurationsAreTested(tested).empty());
+}
+
+TEST(Text, RefusesUnfinishedWorkAndMachinePaths)
+{
+  const std::string slash = "/";
+  EXPECT_EQ(checkText(file("a.cpp", std::string("// TO") + "DO: later\n")).size(), 1U);
+  EXPECT_EQ(checkText(file("a.md", std::string("FIX") + "ME\n")).size(), 1U);
+  EXPECT_EQ(checkText(file("a.sh", "cd " + slash + "home/someone/data\n")).size(), 1U);
+  EXPECT_EQ(checkText(file("a.sh", slash + "tmp/x\n")).size(), 1U);
+  EXPECT_TRUE(checkText(file("a.sh", "ls out/tmp/x \"$HOME/data\" " + slash + "usr/share/mrpt\n")).empty());
+}
+
+TEST(CodeOnly, DropsCommentsAndStrings)
+{
+  EXPECT_EQ(codeOnly("a // b\nc"), "a  \nc");
+  EXPECT_EQ(codeOnly("a /* b\n * c */ d"), "a   d");
+  EXPECT_EQ(codeOnly(R"(f("a // \" b", c))"), "f( , c)");
+}
+}  // namespace mrpt_ext::architecture

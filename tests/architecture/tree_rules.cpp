@@ -1,0 +1,138 @@
+#include <algorithm>
+#include <regex>
+#include <set>
+
+#include "rules.h"
+
+namespace mrpt_ext::architecture
+{
+namespace
+{
+constexpr std::size_t kMaxLines = 400, kMaxMainLines = 50;
+
+const std::set<std::string> kTopLevel{"CMakeLists.txt",
+                                      "CMakePresets.json",
+                                      "LICENSE",
+                                      "README.md",
+                                      "CONTRIBUTING.md",
+                                      "CHANGELOG.md",
+                                      "apps",
+                                      "datasets",
+                                      "ini",
+                                      "libmrpt-ext",
+                                      "maps",
+                                      "observations",
+                                      "tests"};
+
+std::string parentOf(const std::string& path) { return path.substr(0, path.rfind('/')); }
+std::string nameOf(const std::string& path) { return path.substr(path.rfind('/') + 1); }
+
+/// The nearest CMakeLists.txt at or above the folder of `path`; empty when there is none below the root.
+std::string nearestCMakeLists(const SourceTree& tree, const std::string& path)
+{
+  for (std::string folder = parentOf(path);; folder = parentOf(folder))
+  {
+    if (tree.contains(folder + "/CMakeLists.txt")) return folder + "/CMakeLists.txt";
+    if (folder.find('/') == std::string::npos) return "";
+  }
+}
+
+bool namesWord(const std::string& text, const std::string& word)
+{
+  const auto is_part = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-'; };
+  for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+  {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || !is_part(text[at - 1])) && (end == text.size() || !is_part(text[end]))) return true;
+  }
+  return false;
+}
+}  // namespace
+
+Violations checkTopLevel(const std::vector<std::string>& entries)
+{
+  Violations found;
+  for (const std::string& entry : entries)
+    if (!entry.starts_with('.') && !kTopLevel.contains(entry))
+      found.push_back(entry + ": not a top-level entry of this project");
+  return found;
+}
+
+Violations checkFileLengths(const SourceTree& tree)
+{
+  Violations found;
+  for (const auto& [path, text] : tree)
+  {
+    if (!isCpp(path)) continue;
+    const std::size_t limit = path.starts_with("apps/") && nameOf(path) == "main.cpp" ? kMaxMainLines : kMaxLines;
+    if (const std::size_t lines = linesOf(text).size(); lines > limit)
+      found.push_back(path + ": " + std::to_string(lines) + " lines, at most " + std::to_string(limit));
+  }
+  return found;
+}
+
+Violations checkSourceLists(const SourceTree& tree)
+{
+  Violations found;
+  for (const auto& [path, text] : tree)
+  {
+    if (path.ends_with("CMakeLists.txt") && text.find("GLOB") != std::string::npos)
+      found.push_back(path + ": globbing, sources are listed by name");
+    if (!path.ends_with(".cpp")) continue;
+    const std::string list = nearestCMakeLists(tree, path);
+    if (list.empty() || !namesWord(tree.at(list), nameOf(path)))
+      found.push_back(path + ": in no CMakeLists.txt, so it is never built");
+  }
+  return found;
+}
+
+Violations checkPackageConfig(const SourceTree& tree)
+{
+  static const std::regex kFindPackage(R"(find_package\s*\(\s*([\w-]+))");
+  const auto config = tree.find("libmrpt-ext/mrpt_ext-config.cmake.in");
+  if (config == tree.end()) return {"libmrpt-ext/mrpt_ext-config.cmake.in: missing"};
+  Violations found;
+  for (const auto& [path, text] : tree)
+  {
+    if (!path.ends_with("CMakeLists.txt") || path.starts_with("tests/") || path.starts_with("apps/")) continue;
+    for (auto it = std::sregex_iterator(text.begin(), text.end(), kFindPackage); it != std::sregex_iterator(); ++it)
+      if (const std::string package = (*it)[1]; package != "mrpt_ext" && !namesWord(config->second, package))
+        found.push_back(path + ": " + package + " is not looked up in " + config->first);
+  }
+  return found;
+}
+
+Violations checkConfigurationsAreTested(const SourceTree& tree)
+{
+  Violations found;
+  for (const auto& [path, text] : tree)
+  {
+    if (!path.starts_with("ini/") || !path.ends_with(".ini")) continue;
+    const std::string app = nameOf(parentOf(path)), name = nameOf(path).substr(0, nameOf(path).size() - 4);
+    const bool tested = std::any_of(
+        tree.begin(), tree.end(),
+        [&](const auto& file)
+        { return file.first.starts_with("tests/") && namesWord(file.second, app) && namesWord(file.second, name); });
+    if (!tested) found.push_back(path + ": named by no test");
+  }
+  return found;
+}
+
+Violations checkText(const SourceTree& tree)
+{
+  static const std::regex kUnfinished(R"(\b(TO()DO|FIX()ME)\b)");
+  static const std::regex kMachinePath(R"((^|[^\w.}/])/(home|root|work|tmp|Users)/)");
+  Violations found;
+  for (const auto& [path, text] : tree)
+  {
+    std::size_t number = 0;
+    for (const std::string& line : linesOf(text))
+    {
+      const std::string place = path + ":" + std::to_string(++number);
+      if (std::regex_search(line, kUnfinished)) found.push_back(place + ": unfinished work");
+      if (std::regex_search(line, kMachinePath)) found.push_back(place + ": path of one machine");
+    }
+  }
+  return found;
+}
+}  // namespace mrpt_ext::architecture
