@@ -119,6 +119,7 @@ struct RunRecord
 struct RunContext
 {
   std::string version, config_path, command_line;
+  std::uint64_t seed = 0;  ///< random seed of the run; every trial derives its own from it
   std::string rawlog_path, rawlog_sha256;
   std::size_t rawlog_entries = 0;
   double start_time = 0, duration_s = 0;

@@ -1,0 +1,54 @@
+#include "mrpt_ext/evaluation/consistency.h"
+
+#include <Eigen/Cholesky>
+#include <boost/math/distributions/chi_squared.hpp>
+
+namespace mrpt_ext
+{
+namespace
+{
+/// e^T P^-1 e of the leading coordinates that P covers; nothing when P is not positive definite.
+template <typename Matrix, typename Vector>
+std::optional<double> normalisedSquare(const Matrix& P, const Vector& e)
+{
+  const Eigen::LLT<Matrix> factor(P);
+  if (factor.info() != Eigen::Success) return std::nullopt;
+  const double value = e.dot(factor.solve(e));
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+}  // namespace
+
+double chiSquareQuantile(double degrees_of_freedom, double probability)
+{
+  return boost::math::quantile(boost::math::chi_squared(degrees_of_freedom), probability);
+}
+
+Consistency consistency(const std::vector<JudgedEstimate>& judged)
+{
+  Consistency result;
+  double sum = 0, degrees_of_freedom = 0;
+  for (const JudgedEstimate& entry : judged)
+  {
+    Vector3d error = entry.estimate.pose.mean.vector() - entry.truth.pose.vector();
+    error.z() = wrap(error.z());
+    const Matrix3d& P = entry.estimate.pose.covariance;
+    const bool heading = entry.estimate.heading_known && entry.truth.heading_known;
+    const auto nees = heading ? normalisedSquare<Matrix3d, Vector3d>(P, error)
+                              : normalisedSquare<Matrix2d, Vector2d>(P.topLeftCorner<2, 2>(), error.head<2>());
+    if (!nees)
+    {
+      ++result.singular;
+      continue;
+    }
+    sum += *nees;
+    degrees_of_freedom += heading ? 3 : 2;
+    ++result.count;
+  }
+  if (result.count == 0) return result;
+  const auto n = static_cast<double>(result.count);
+  result.mean = sum / n;
+  result.band_low = chiSquareQuantile(degrees_of_freedom, 0.025) / n;
+  result.band_high = chiSquareQuantile(degrees_of_freedom, 0.975) / n;
+  return result;
+}
+}  // namespace mrpt_ext

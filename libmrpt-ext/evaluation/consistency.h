@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "mrpt_ext/evaluation/scoring.h"
+
+namespace mrpt_ext
+{
+/// Normalised estimation error squared, e^T P^-1 e, averaged over a run (Bar-Shalom, Li, Kirubarajan 2001, section
+/// 5.4): about the number of degrees of freedom for an honest covariance, larger for an overconfident one.
+struct Consistency
+{
+  std::optional<double> mean;                 ///< over the judged estimates
+  std::optional<double> band_low, band_high;  ///< 95 % of the means of as many *independent* estimates
+  std::size_t count = 0;                      ///< estimates that entered
+  std::size_t singular = 0;                   ///< left out: covariance not positive definite
+};
+
+/// Three degrees of freedom per estimate, two where truth or estimate have no heading. The errors of neighbouring
+/// estimates of a filter are correlated, so an honest filter leaves the band more often than in 5 % of runs.
+[[nodiscard]] Consistency consistency(const std::vector<JudgedEstimate>& judged);
+
+/// Value that a chi-square variable stays below with this probability.
+[[nodiscard]] double chiSquareQuantile(double degrees_of_freedom, double probability);
+}  // namespace mrpt_ext

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "mrpt_ext/geometry/measurement_jacobian.h"
+
+namespace mrpt_ext
+{
+/// Least covariance that an unbiased estimator can reach from given information (Cramer-Rao).
+struct InformationBound
+{
+  Eigen::MatrixXd covariance;
+  double position_rms = 0;  ///< sqrt(C_xx + C_yy), the limit of the position RMSE
+};
+
+/// Rank of an information matrix, judged after scaling its diagonal to one, so that units do not matter.
+[[nodiscard]] int informationRank(const Eigen::MatrixXd& information);
+
+/// Inverse of the information over (x, y) or (x, y, phi); nothing when it leaves a direction unseen.
+[[nodiscard]] std::optional<InformationBound> informationBound(const Eigen::MatrixXd& information);
+
+/// Information of a running fix about its second position (x, y), heading known: the second range, and the first
+/// with its variance enlarged by the displacement's along the line of sight, std^2 + u^T S u.
+/// `displacement` and `displacement_covariance` in world axes.
+[[nodiscard]] Matrix2d runningFixInformation(const Vector2d& second_position, const Vector2d& displacement,
+                                             const Matrix2d& displacement_covariance, const Vector2d& landmark,
+                                             double first_std, double second_std);
+}  // namespace mrpt_ext

@@ -1,0 +1,27 @@
+#include "mrpt_ext/evaluation/posterior_bound.h"
+
+#include <Eigen/LU>
+
+namespace mrpt_ext
+{
+std::vector<Matrix3d> posteriorBound(const Pose2& start, const Matrix3d& prior, const std::vector<BoundStep>& steps)
+{
+  std::vector<Matrix3d> bounds;
+  bounds.reserve(steps.size());
+  Pose2 pose = start;
+  Matrix3d P = prior;
+  for (const BoundStep& step : steps)
+  {
+    const Matrix3d F = composeJacobianFirst(pose, step.increment);
+    const Matrix3d G = composeJacobianSecond(pose);
+    const Matrix3d Q = G * step.odometry_std.cwiseAbs2().asDiagonal() * G.transpose();
+    const Matrix3d predicted = Q + F * P * F.transpose();
+    // (predicted^-1 + I)^-1 without inverting `predicted`: it may be close to singular along noise-free axes.
+    P = (Matrix3d::Identity() + predicted * step.measurement_information).partialPivLu().solve(predicted);
+    P = (0.5 * (P + P.transpose())).eval();
+    pose = compose(pose, step.increment);
+    bounds.push_back(P);
+  }
+  return bounds;
+}
+}  // namespace mrpt_ext

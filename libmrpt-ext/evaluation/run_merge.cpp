@@ -1,0 +1,163 @@
+#include "mrpt_ext/evaluation/run_merge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace mrpt_ext
+{
+namespace
+{
+/// Median over those parts that have the figure; `get` returns an optional<double>.
+template <typename Part, typename Get>
+Figure medianOf(const std::vector<const Part*>& parts, Get get)
+{
+  std::vector<double> values;
+  for (const Part* part : parts)
+    if (const Figure figure = std::invoke(get, *part)) values.push_back(*figure);
+  return median(std::move(values));
+}
+
+template <typename Part>
+ErrorStatistics mergeStatistics(const std::vector<const Part*>& parts, ErrorStatistics Part::*member)
+{
+  const auto over = [&](Figure ErrorStatistics::*figure)
+  { return medianOf(parts, [&](const Part& part) { return part.*member.*figure; }); };
+  ErrorStatistics merged;
+  merged.count = static_cast<std::size_t>(
+      std::llround(medianOf(parts, [&](const Part& part) { return Figure(static_cast<double>((part.*member).count)); })
+                       .value_or(0)));
+  merged.rmse = over(&ErrorStatistics::rmse);
+  merged.mean = over(&ErrorStatistics::mean);
+  merged.median = over(&ErrorStatistics::median);
+  merged.std = over(&ErrorStatistics::std);
+  merged.min = over(&ErrorStatistics::min);
+  merged.max = over(&ErrorStatistics::max);
+  merged.p95 = over(&ErrorStatistics::p95);
+  return merged;
+}
+
+MethodScore mergeMethod(const std::vector<const MethodScore*>& parts)
+{
+  MethodScore merged;
+  merged.name = parts.front()->name;
+  merged.continuous = parts.front()->continuous;
+  merged.oracle = parts.front()->oracle;
+  merged.estimates = medianOf(parts, &MethodScore::estimates);
+  merged.availability = medianOf(parts, &MethodScore::availability);
+  merged.ambiguous = medianOf(parts, &MethodScore::ambiguous);
+  merged.position_error_m = mergeStatistics(parts, &MethodScore::position_error_m);
+  merged.heading_error_deg = mergeStatistics(parts, &MethodScore::heading_error_deg);
+  merged.position_error_whole_run_m = mergeStatistics(parts, &MethodScore::position_error_whole_run_m);
+  merged.step_ms_median = medianOf(parts, &MethodScore::step_ms_median);
+  merged.step_ms_p95 = medianOf(parts, &MethodScore::step_ms_p95);
+  return merged;
+}
+
+std::vector<MethodScore> mergeMethods(const std::vector<RunScore>& trials)
+{
+  std::vector<std::vector<const MethodScore*>> groups;  // in order of first appearance
+  for (const RunScore& trial : trials)
+    for (const MethodScore& method : trial.methods)
+    {
+      const auto group = std::find_if(groups.begin(), groups.end(),
+                                      [&](const auto& members) { return members.front()->name == method.name; });
+      if (group == groups.end())
+        groups.push_back({&method});
+      else
+        group->push_back(&method);
+    }
+  std::vector<MethodScore> merged;
+  for (const auto& group : groups) merged.push_back(mergeMethod(group));
+  return merged;
+}
+
+template <typename Part>
+std::vector<const Part*> partsOf(const std::vector<RunScore>& trials, Part RunScore::*member)
+{
+  std::vector<const Part*> parts;
+  for (const RunScore& trial : trials) parts.push_back(&(trial.*member));
+  return parts;
+}
+
+FilterScore mergeFilter(const std::vector<const FilterScore*>& parts)
+{
+  FilterScore merged;
+  for (const auto figure : {&FilterScore::particles_min, &FilterScore::particles_median, &FilterScore::particles_max,
+                            &FilterScore::nees_mean, &FilterScore::nees_band_low, &FilterScore::nees_band_high,
+                            &FilterScore::effective_sample_ratio_min, &FilterScore::lost_steps, &FilterScore::reseeds})
+    merged.*figure = medianOf(parts, figure);
+  return merged;
+}
+
+std::map<std::string, LandmarkScore> mergeLandmarks(const std::vector<RunScore>& trials)
+{
+  std::map<std::string, std::vector<const LandmarkScore*>> groups;
+  for (const RunScore& trial : trials)
+    for (const auto& [id, landmark] : trial.landmarks) groups[id].push_back(&landmark);
+  std::map<std::string, LandmarkScore> merged;
+  for (const auto& [id, parts] : groups)
+    for (const auto figure : {&LandmarkScore::seen, &LandmarkScore::associated, &LandmarkScore::inlier_rate,
+                              &LandmarkScore::residual_mean, &LandmarkScore::residual_std})
+      merged[id].*figure = medianOf(parts, figure);
+  return merged;
+}
+
+CostScore mergeCost(const std::vector<const CostScore*>& parts)
+{
+  CostScore merged;
+  for (const auto figure :
+       {&CostScore::cpu_s, &CostScore::wall_s, &CostScore::peak_memory_mb, &CostScore::realtime_factor})
+    merged.*figure = medianOf(parts, figure);
+  return merged;
+}
+
+void mergeVerdict(RunScore& merged, const std::vector<RunScore>& trials)
+{
+  merged.verdict = Verdict::ok;
+  for (const RunScore& trial : trials) merged.verdict = std::max(merged.verdict, trial.verdict);
+  const auto is_worst = [&](const RunScore& trial) { return trial.verdict == merged.verdict; };
+  const auto count = std::count_if(trials.begin(), trials.end(), is_worst);
+  const RunScore& first = *std::find_if(trials.begin(), trials.end(), is_worst);
+  merged.verdict_reason = std::to_string(count) + " of " + std::to_string(trials.size()) + " trials " +
+                          toString(merged.verdict) + "; trial " + std::to_string(first.trials.front().trial) + ": " +
+                          first.verdict_reason;
+}
+
+void mergeTrials(RunScore& merged, const std::vector<RunScore>& trials)
+{
+  double judged = 0, successes = 0;
+  for (const RunScore& trial : trials)
+  {
+    merged.interrupted = merged.interrupted || trial.interrupted;
+    for (const TrialScore& detail : trial.trials)
+    {
+      merged.trials.push_back(detail);
+      judged += detail.success ? 1 : 0;
+      successes += detail.success.value_or(false) ? 1 : 0;
+    }
+  }
+  if (judged > 0) merged.success_rate = successes / judged;
+}
+}  // namespace
+
+RunScore mergeScores(const std::vector<RunScore>& trials)
+{
+  if (trials.empty()) return {};
+  if (trials.size() == 1) return trials.front();
+  RunScore merged;
+  merged.judged_method = trials.front().judged_method;
+  merged.methods = mergeMethods(trials);
+  merged.filter = mergeFilter(partsOf(trials, &RunScore::filter));
+  merged.landmarks = mergeLandmarks(trials);
+  const auto limits = partsOf(trials, &RunScore::limit);
+  merged.limit = {medianOf(limits, &LimitScore::position_rmse_m), medianOf(limits, &LimitScore::heading_rmse_deg)};
+  merged.cost = mergeCost(partsOf(trials, &RunScore::cost));
+  std::vector<const RunScore*> whole;
+  for (const RunScore& trial : trials) whole.push_back(&trial);
+  merged.converged_at_s = medianOf(whole, &RunScore::converged_at_s);
+  mergeTrials(merged, trials);
+  mergeVerdict(merged, trials);
+  return merged;
+}
+}  // namespace mrpt_ext

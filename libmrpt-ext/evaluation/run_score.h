@@ -1,0 +1,96 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mrpt_ext/evaluation/consistency.h"
+#include "mrpt_ext/evaluation/convergence.h"
+#include "mrpt_ext/evaluation/error_statistics.h"
+#include "mrpt_ext/evaluation/run_record.h"
+#include "mrpt_ext/evaluation/scoring.h"
+
+namespace mrpt_ext
+{
+/// Figures of a run; all are absent where they do not exist, and each is the median over trials in a merged score.
+using Figure = std::optional<double>;
+
+/// How one method did.
+struct MethodScore
+{
+  std::string name;
+  bool continuous = false;
+  bool oracle = false;
+  Figure estimates;                                     ///< rows of the track
+  Figure availability;                                  ///< frames with an estimate / frames with any detection
+  Figure ambiguous;                                     ///< frames with candidates that it could not rank
+  ErrorStatistics position_error_m, heading_error_deg;  ///< from the convergence of the judged method on
+  ErrorStatistics position_error_whole_run_m;
+  Figure step_ms_median, step_ms_p95;
+  std::vector<ErrorSample> errors;  ///< whole run; of one trial only, empty in a merged score
+};
+
+/// How the filter did by its own account, and how honest its covariance is.
+struct FilterScore
+{
+  Figure particles_min, particles_median, particles_max;
+  Figure nees_mean, nees_band_low, nees_band_high;
+  Figure effective_sample_ratio_min;
+  Figure lost_steps, reseeds;
+  std::optional<std::vector<ModeSummary>> modes_at_end;  ///< absent in a merged score: a list has no median
+};
+
+struct LandmarkScore
+{
+  Figure seen, associated, inlier_rate, residual_mean, residual_std;
+};
+
+/// Posterior Cramer-Rao bound of the run, where it was computed.
+struct LimitScore
+{
+  Figure position_rmse_m, heading_rmse_deg;
+};
+
+struct CostScore
+{
+  Figure cpu_s, wall_s, peak_memory_mb;
+  Figure realtime_factor;  ///< duration of the log / wall time
+};
+
+/// One line of trials_detail.
+struct TrialScore
+{
+  int trial = 0;
+  std::uint64_t seed = 0;
+  std::optional<bool> success;  ///< absent where convergence does not apply or there is no truth
+  Verdict verdict = Verdict::lost;
+  Figure rmse;            ///< position RMSE of the judged method after convergence [m]
+  Figure converged_at_s;  ///< [s] since the start of the log
+};
+
+/// A judged run: one trial, or several merged.
+struct RunScore
+{
+  std::optional<std::string> judged_method;  ///< whose convergence counts for all; see judgedMethod()
+  std::vector<MethodScore> methods;          ///< in the order of the record
+  FilterScore filter;
+  std::map<std::string, LandmarkScore> landmarks;
+  LimitScore limit;
+  CostScore cost;
+  Figure converged_at_s;
+  std::vector<TrialScore> trials;
+  Figure success_rate;  ///< share of the trials whose success could be judged
+  Verdict verdict = Verdict::lost;
+  std::string verdict_reason;
+  bool interrupted = false;
+};
+
+/// The method whose convergence is judged: particle_filter, else the first other method that carries its pose from
+/// frame to frame. Dead reckoning does not count, since its start is taken from the truth. Nothing when only closed
+/// forms ran: then convergence does not apply, all their estimates count, and success is absent.
+[[nodiscard]] const MethodTrack* judgedMethod(const RunRecord& record);
+
+/// Judges one trial. `record` as it comes from the run: dead reckoning is anchored here.
+[[nodiscard]] RunScore scoreRun(const RunContext& context, const RunRecord& record, const ConvergenceLimits& limits);
+}  // namespace mrpt_ext
