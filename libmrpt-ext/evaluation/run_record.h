@@ -9,17 +9,10 @@
 #include "mrpt_ext/geometry/gaussian_pose.h"
 #include "mrpt_ext/geometry/landmark_table.h"
 #include "mrpt_ext/geometry/trajectory.h"
+#include "mrpt_ext/geometry/verdict.h"
 
 namespace mrpt_ext
 {
-/// How sure the filter is, judged from its own consistency, never from ground truth.
-enum class Verdict
-{
-  ok,
-  ambiguous,
-  lost
-};
-
 /// One estimate of one method (a row of steps.csv).
 struct TrackPoint
 {
@@ -128,18 +121,4 @@ struct RunContext
   Trajectory truth;  ///< empty: nothing to judge against
   bool truth_is_sparse = false;
 };
-
-[[nodiscard]] constexpr const char* toString(Verdict verdict)
-{
-  switch (verdict)
-  {
-    case Verdict::ok:
-      return "ok";
-    case Verdict::ambiguous:
-      return "ambiguous";
-    case Verdict::lost:
-      return "lost";
-  }
-  return "unknown";
-}
 }  // namespace mrpt_ext

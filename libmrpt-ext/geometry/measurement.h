@@ -61,5 +61,6 @@ struct RunningFixReading
   Matrix3d displacement_covariance = Matrix3d::Zero();
   std::optional<double> second_bearing;  ///< [rad] at the second pose
   double second_bearing_std = 0;
+  bool ranges_logged_too = false;  ///< its single ranges are in the log as well: propose from it, do not score it
 };
 }  // namespace mrpt_ext

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "mrpt_ext/filter/particle_set.h"
+#include "mrpt_ext/geometry/frame.h"
+#include "mrpt_ext/geometry/random.h"
+
+namespace mrpt_ext
+{
+enum class MotionType
+{
+  odometry,    ///< measured displacement, noise along and across
+  velocity,    ///< commanded velocities integrated as arcs: noise along the path and in heading only
+  random_walk  ///< no odometry: the robot may go anywhere, slowly
+};
+
+/// How far odometry can be trusted. Every figure is a standard deviation *after one unit of way, turn or time*; the
+/// variances add up along the way, so the result does not depend on how often odometry is read.
+struct MotionModel
+{
+  MotionType type = MotionType::odometry;
+  double std_xy_per_m = 0.05;    ///< [m] after one metre
+  double std_phi_per_deg = 0.1;  ///< [deg] after turning one degree (grows with the square root of the turn)
+  double std_phi_per_m = 0.02;   ///< [rad] after one metre
+  double std_xy_per_s = 0.005;   ///< [m] after one second, also at standstill
+  double std_phi_per_s = 0.005;  ///< [rad] after one second, also at standstill
+};
+
+/// Standard deviations (x, y, phi) of the increment of `motion`, in the robot frame at its start.
+[[nodiscard]] Vector3d incrementStd(const MotionModel& model, const OdometryMotion& motion);
+
+/// Covariance of the increment: the square of incrementStd on the diagonal.
+[[nodiscard]] Matrix3d incrementCovariance(const MotionModel& model, const OdometryMotion& motion);
+
+/// Moves every particle by the increment plus its own noise (noise added to the increment, then composed).
+void moveParticles(ParticleSet& particles, const MotionModel& model, const OdometryMotion& motion,
+                   RandomStream& random);
+}  // namespace mrpt_ext

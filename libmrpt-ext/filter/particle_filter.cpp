@@ -1,0 +1,180 @@
+#include "mrpt_ext/filter/particle_filter.h"
+
+#include <tbb/parallel_for.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "mrpt_ext/hypotheses/seed_mixture.h"
+#include "mrpt_ext/likelihood/compass_likelihood.h"
+#include "mrpt_ext/likelihood/running_fix_likelihood.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kSeedInflation = 2.0;  // a proposal wider than the posterior it proposes for
+constexpr double kUniformShareStart = 0.5;
+constexpr double kUniformShareInjected = 0.3;
+constexpr std::size_t kBlock = 512;          // particles scored by one task
+constexpr double kOutsideRegionPenalty = 5;  // log-weight per frame: bounds are meant, but surveyed roughly
+
+/// All readings of a frame that carry evidence, running fixes taken apart.
+std::vector<Reading> scoredReadings(const Frame& frame)
+{
+  std::vector<Reading> readings = frame.readings;
+  for (const RunningFixReading& fix : frame.fixes)
+    if (!fix.ranges_logged_too)
+      for (Reading& reading : asReadings(fix)) readings.push_back(std::move(reading));
+  return readings;
+}
+}  // namespace
+
+ParticleFilter::ParticleFilter(const ParticleFilterOptions& options, const LandmarkTable& map, std::uint64_t seed,
+                               std::uint64_t stream)
+    : options_(options),
+      map_(map),
+      random_(seed, stream),
+      reliability_(map.size(), options.reliability_prior_strength, options.max_clutter),
+      monitor_(options.recovery)
+{
+}
+
+FilterStep ParticleFilter::process(const Frame& frame, const Proposer& propose)
+{
+  FilterStep step;
+  if (particles_.empty())
+    start(propose);
+  else
+  {
+    moveParticles(particles_, options_.motion, frame.motion, random_);
+    step.reseeded = monitor_.suspicious();
+    if (step.reseeded) inject(propose);
+  }
+  score(frame);
+  normalizeWeights(particles_);
+  step.effective_ratio = effectiveSampleRatio(particles_);
+  step.modes = findModes(particles_, options_.modes);
+  const bool converged =
+      judge(step.modes, monitor_.average(), monitor_.lost(), options_.verdict).verdict == Verdict::ok;
+  checkAgreement(frame, converged);
+  step.explained_share = monitor_.average();
+  const VerdictWithReason verdict = judge(step.modes, monitor_.average(), monitor_.lost(), options_.verdict);
+  step.verdict = verdict.verdict;
+  step.reason = verdict.reason;
+
+  const bool too_many = !options_.adaptive_size && particles_.size() > options_.particles;
+  if (step.effective_ratio < options_.resample_below || too_many) resample(step.modes);
+  step.particles = particles_.size();
+  return step;
+}
+
+void ParticleFilter::start(const Proposer& propose)
+{
+  if (options_.initial_mode == InitialMode::gaussian)
+  {
+    const Matrix3d factor = options_.initial_pose.covariance.llt().matrixL();
+    for (std::size_t i = 0; i < options_.particles; ++i)
+    {
+      const double a = random_.gaussian(), b = random_.gaussian(), c = random_.gaussian();
+      const Vector3d offset = factor * Vector3d(a, b, c);
+      const Pose2& mean = options_.initial_pose.mean;
+      particles_.add({mean.x + offset.x(), mean.y + offset.y(), wrap(mean.phi + offset.z())}, 0);
+    }
+  }
+  else
+  {
+    const bool analytic = options_.initial_mode == InitialMode::analytic;
+    const SeedMixture mixture(analytic ? propose() : HypothesisSet{}, options_.region, kUniformShareStart,
+                              kSeedInflation, options_.seed_min_std);
+    const std::size_t count = std::max(options_.initial_particles, options_.particles);
+    while (particles_.size() < count)
+    {
+      const Pose2 pose = mixture.sample(random_);
+      const double prior = options_.region.density(pose);
+      // A seed outside the region has no prior weight; another draw keeps the count, the weights stay proportional.
+      if (prior > 0) particles_.add(pose, std::log(prior / mixture.density(pose)));
+    }
+  }
+  normalizeWeights(particles_);
+}
+
+void ParticleFilter::inject(const Proposer& propose)
+{
+  const SeedMixture mixture(propose(), options_.region, kUniformShareInjected, kSeedInflation, options_.seed_min_std);
+  const double jump = options_.recovery.prior_of_jump;
+  for (double& log_w : particles_.log_weight) log_w += std::log1p(-jump);
+  const auto count =
+      static_cast<std::size_t>(std::ceil(options_.recovery.injected_share * static_cast<double>(options_.particles)));
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Pose2 pose = mixture.sample(random_);
+    const double prior = options_.region.density(pose);
+    if (prior > 0) particles_.add(pose, std::log(jump * prior / (mixture.density(pose) * static_cast<double>(count))));
+  }
+}
+
+void ParticleFilter::score(const Frame& frame)
+{
+  for (const Reading& reading : scoredReadings(frame)) scoreReading(reading);
+  if (frame.compass) addCompassLogLikelihood(*frame.compass, particles_.poses(), particles_.log_weight);
+  for (std::size_t i = 0; i < particles_.size(); ++i)
+    if (!options_.region.contains(particles_.pose(i))) particles_.log_weight[i] -= kOutsideRegionPenalty;
+}
+
+void ParticleFilter::scoreReading(const Reading& reading)
+{
+  const LandmarkClutter clutter =
+      options_.learn_reliability ? reliability_.clutter(reading.model.clutter_probability) : LandmarkClutter{};
+  const PoseBatch all = particles_.poses();
+  const std::span<double> out = particles_.log_weight;
+  const auto scoreBlock = [&](std::size_t first, std::size_t count)
+  {
+    const PoseBatch block{all.x.subspan(first, count), all.y.subspan(first, count), all.phi.subspan(first, count)};
+    addLogLikelihood(reading, map_, clutter, block, out.subspan(first, count));
+  };
+  if (options_.threads <= 1) return scoreBlock(0, all.size());
+  tbb::parallel_for(std::size_t{0}, (all.size() + kBlock - 1) / kBlock,
+                    [&](std::size_t block)
+                    { scoreBlock(block * kBlock, std::min(kBlock, all.size() - block * kBlock)); });
+}
+
+void ParticleFilter::checkAgreement(const Frame& frame, bool converged)
+{
+  double explained = 0, expected = 0;
+  std::size_t detections = 0;
+  for (const Reading& reading : scoredReadings(frame))
+  {
+    const double share = reliability_.observe(reading, map_, particles_, options_.learn_reliability && converged);
+    const auto count = static_cast<double>(reading.detections.size());
+    explained += share * count;
+    const LandmarkClutter clutter = reliability_.clutter(reading.model.clutter_probability);
+    for (const Detection& detection : reading.detections)
+    {
+      const auto known = map_.indexOf(detection.id);
+      expected += 1 - (known ? clutter[*known] : reading.model.clutter_probability);
+    }
+    detections += reading.detections.size();
+  }
+  if (detections > 0)
+    monitor_.observe(explained / static_cast<double>(detections), expected / static_cast<double>(detections),
+                     detections);
+}
+
+void ParticleFilter::resample(const ModeSet& modes)
+{
+  std::size_t count = options_.particles;
+  if (options_.adaptive_size)
+  {
+    // The bins that a resampled set of the present size would occupy decide how many are needed (Fox 2003).
+    const std::vector<std::size_t> trial =
+        drawIndices(options_.resampling, weights(particles_), particles_.size(), random_);
+    const double needed =
+        kldSampleSize(occupiedBins(select(particles_, trial), options_.kld), options_.kld.epsilon, options_.kld.delta);
+    count = static_cast<std::size_t>(
+        std::clamp(needed, static_cast<double>(options_.kld.min_size), static_cast<double>(options_.kld.max_size)));
+  }
+  particles_ = resampleByMode(particles_, modes.mode_of, options_.resampling, count, random_);
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "mrpt_ext/filter/filter_verdict.h"
+#include "mrpt_ext/filter/kld_size.h"
+#include "mrpt_ext/filter/landmark_reliability.h"
+#include "mrpt_ext/filter/modes.h"
+#include "mrpt_ext/filter/motion_model.h"
+#include "mrpt_ext/filter/particle_set.h"
+#include "mrpt_ext/filter/recovery_monitor.h"
+#include "mrpt_ext/filter/resampling.h"
+#include "mrpt_ext/geometry/frame.h"
+#include "mrpt_ext/hypotheses/pose_hypothesis.h"
+#include "mrpt_ext/hypotheses/pose_region.h"
+
+namespace mrpt_ext
+{
+/// Where the first particles come from.
+enum class InitialMode
+{
+  analytic,  ///< uniform over the region plus the hypotheses that the first frame gives
+  uniform,   ///< uniform over the region
+  gaussian   ///< around a known start
+};
+
+struct ParticleFilterOptions
+{
+  std::size_t particles = 2000;           ///< number held (with an adaptive size: only at the start, see kld)
+  std::size_t initial_particles = 20000;  ///< number drawn for the first frame of a lost robot
+  PoseRegion region;                      ///< where the robot can be
+  InitialMode initial_mode = InitialMode::analytic;
+  GaussianPose initial_pose;  ///< for InitialMode::gaussian
+  MotionModel motion;
+  ResamplingMethod resampling = ResamplingMethod::systematic;
+  double resample_below = 0.5;  ///< effective sample ratio
+  bool adaptive_size = false;   ///< KLD sample size
+  KldOptions kld;
+  ModeOptions modes;
+  RecoveryOptions recovery;
+  VerdictOptions verdict;
+  bool learn_reliability = true;
+  double reliability_prior_strength = 30;            ///< detections
+  double max_clutter = 0.7;                          ///< a landmark is never trusted less than this
+  Vector3d seed_min_std{0.03, 0.03, degToRad(1.0)};  ///< floor of the spread of seeds
+  unsigned threads = 1;                              ///< scoring threads; the result does not depend on it
+};
+
+/// What the filter says after one frame.
+struct FilterStep
+{
+  ModeSet modes;
+  double effective_ratio = 1;  ///< after scoring, before resampling
+  double explained_share = 1;  ///< of recent detections, relative to what is expected
+  bool reseeded = false;       ///< seeds were injected
+  std::size_t particles = 0;   ///< held after the step
+  Verdict verdict = Verdict::ambiguous;
+  std::string reason;
+};
+
+/// Monte Carlo localization against a landmark map, state as a structure of arrays, every reading scored for all
+/// particles in one call. Analytic hypotheses seed it at the start and when the detections stop agreeing with the
+/// posterior; seeds are importance-weighted against the uniform prior, so a wrong seed costs particles, not truth.
+class ParticleFilter
+{
+ public:
+  /// Asked for hypotheses only when the filter needs some: at the start and on recovery.
+  using Proposer = std::function<HypothesisSet()>;
+
+  ParticleFilter(const ParticleFilterOptions& options, const LandmarkTable& map, std::uint64_t seed,
+                 std::uint64_t stream);
+
+  FilterStep process(const Frame& frame, const Proposer& propose);
+
+  [[nodiscard]] const ParticleSet& particles() const { return particles_; }
+  [[nodiscard]] const LandmarkReliability& reliability() const { return reliability_; }
+
+ private:
+  void start(const Proposer& propose);
+  void inject(const Proposer& propose);
+  void score(const Frame& frame);
+  void scoreReading(const Reading& reading);
+  void checkAgreement(const Frame& frame, bool converged);
+  void resample(const ModeSet& modes);
+
+  ParticleFilterOptions options_;
+  LandmarkTable map_;
+  RandomStream random_;
+  ParticleSet particles_;
+  LandmarkReliability reliability_;
+  RecoveryMonitor monitor_;
+};
+}  // namespace mrpt_ext

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+namespace mrpt_ext
+{
+/// When the filter should look for the robot elsewhere.
+struct RecoveryOptions
+{
+  double suspicious_share = 0.5;  ///< below this explained share (relative to what is expected) seeds are injected
+  double lost_share = 0.3;        ///< below this the verdict is `lost`
+  double memory_detections = 12;  ///< the average forgets over about this many detections
+  double injected_share = 0.25;   ///< of the particle count, added per frame while suspicious
+  double prior_of_jump = 0.02;    ///< probability per frame, while suspicious, that the robot is somewhere else
+};
+
+/// Running share of detections that the posterior explains.
+/// A tracker that sits at the right place explains all but the clutter; one at the wrong place explains only what
+/// happens to fit by chance.
+class RecoveryMonitor
+{
+ public:
+  explicit RecoveryMonitor(const RecoveryOptions& options) : options_(options) {}
+
+  /// `explained_share` of `detections`, where `expected_share` would be normal (one minus the clutter probability).
+  void observe(double explained_share, double expected_share, std::size_t detections)
+  {
+    if (detections == 0) return;
+    const double relative = std::min(1.0, explained_share / std::max(expected_share, 0.05));
+    const double memory = std::max(1.0, std::min(options_.memory_detections, count_ + static_cast<double>(detections)));
+    const double gain = std::min(1.0, static_cast<double>(detections) / memory);
+    average_ += gain * (relative - average_);
+    count_ += static_cast<double>(detections);
+  }
+  /// Explained share over the last detections relative to what is expected, in [0, 1]; 1 before any.
+  [[nodiscard]] double average() const { return average_; }
+  [[nodiscard]] bool suspicious() const { return average_ < options_.suspicious_share; }
+  [[nodiscard]] bool lost() const { return average_ < options_.lost_share; }
+
+ private:
+  RecoveryOptions options_;
+  double average_ = 1;
+  double count_ = 0;
+};
+}  // namespace mrpt_ext
