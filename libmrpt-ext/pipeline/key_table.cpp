@@ -4,7 +4,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/files/number_format.h"
 #include "mrpt_ext/pipeline/closest_name.h"
 #include "mrpt_ext/pipeline/setting_value.h"
 
@@ -72,7 +72,7 @@ std::optional<std::string> KeySpec::complaintAbout(const std::string& value) con
   }
   else if (type == KeyType::integer)
   {
-    const auto integer = parseInteger(value);
+    const auto integer = parseWholeNumber(value);
     good = integer && inside(range, static_cast<double>(*integer));
   }
   else if (type == KeyType::flag)

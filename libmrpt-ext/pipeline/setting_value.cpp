@@ -2,31 +2,20 @@
 
 #include <cctype>
 #include <charconv>
-#include <cmath>
+
+#include "mrpt_ext/files/number_format.h"
 
 namespace mrpt_ext
 {
-namespace
-{
-template <class Number>
-std::optional<Number> parseWhole(const std::string& text)
+std::optional<std::int64_t> parseWholeNumber(const std::string& text)
 {
   const char* first = text.data() + (text.starts_with('+') ? 1 : 0);
   const char* last = text.data() + text.size();
-  Number value{};
+  std::int64_t value = 0;
   const auto [end, error] = std::from_chars(first, last, value);
   if (error != std::errc{} || end != last || first == last) return std::nullopt;
   return value;
 }
-}  // namespace
-
-std::optional<double> parseNumber(const std::string& text)
-{
-  const auto value = parseWhole<double>(text);
-  return value && !std::isnan(*value) ? value : std::nullopt;
-}
-
-std::optional<std::int64_t> parseInteger(const std::string& text) { return parseWhole<std::int64_t>(text); }
 
 std::optional<bool> parseFlag(const std::string& text)
 {
@@ -55,7 +44,7 @@ std::optional<std::vector<double>> parseNumbers(const std::string& text)
 
 std::optional<std::string> parseChoice(const std::string& text, const std::vector<Choice>& choices)
 {
-  const auto number = parseInteger(text);
+  const auto number = parseWholeNumber(text);
   for (const Choice& choice : choices)
     if (choice.name == text || (number && choice.number && *number == *choice.number)) return choice.name;
   return std::nullopt;

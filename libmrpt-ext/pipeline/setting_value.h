@@ -9,10 +9,10 @@
 
 namespace mrpt_ext
 {
-// Values of .ini files as types; nothing when the whole text is not such a value. Independent of the locale.
+// Values of .ini files as types, beside parseNumber() of files/number_format.h; nothing when the whole text is not such
+// a value.
 
-[[nodiscard]] std::optional<double> parseNumber(const std::string& text);  ///< finite; also inf and -inf
-[[nodiscard]] std::optional<std::int64_t> parseInteger(const std::string& text);
+[[nodiscard]] std::optional<std::int64_t> parseWholeNumber(const std::string& text);
 [[nodiscard]] std::optional<bool> parseFlag(const std::string& text);
 [[nodiscard]] std::optional<std::vector<double>> parseNumbers(const std::string& text);  ///< at least one
 /// The choice's name, from its name or its number.

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "mrpt_ext/files/number_format.h"
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/pipeline/setting_value.h"
 
@@ -120,7 +121,7 @@ double Settings::radians(const std::string& section, const std::string& key) con
 
 std::int64_t Settings::integer(const std::string& section, const std::string& key) const
 {
-  return parseInteger(required(section, key)).value();
+  return parseWholeNumber(required(section, key)).value();
 }
 
 bool Settings::flag(const std::string& section, const std::string& key) const
