@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mrpt_ext/geometry/pose.h"
+#include "mrpt_ext/geometry/solve_status.h"
+
+namespace mrpt_ext
+{
+/// A bearing to a landmark that is known by name.
+struct KnownBearing
+{
+  Vector2d landmark{0, 0};  ///< world frame [m]
+  double bearing = 0;       ///< [rad, CCW from the robot's forward axis], need not be wrapped
+  double std = 1;           ///< [rad], > 0; the default weighs all alike and leaves covariances without meaning
+};
+
+/// Pairs landmarks with bearings; nothing when the lists differ in length.
+[[nodiscard]] std::optional<std::vector<KnownBearing>> pairBearings(std::span<const Vector2d> landmarks,
+                                                                    std::span<const double> bearings, double std = 1);
+
+/// What the closed forms need before they can start: `bad_input` (not finite, std <= 0), `too_few` (less than three),
+/// `degenerate` (another landmark in the place of landmark 0), else `ok`.
+[[nodiscard]] SolveStatus checkBearings(std::span<const KnownBearing> bearings);
+
+/// Mean of the landmarks; iterations work relative to it, so that large map coordinates cost no digits.
+[[nodiscard]] Vector2d landmarkMean(std::span<const KnownBearing> bearings);
+
+/// Circular mean of the headings that the single bearings imply at `position`, weighted by 1 / variance.
+[[nodiscard]] double meanHeading(std::span<const KnownBearing> bearings, const Vector2d& position);
+
+/// Predicted minus measured bearing at `pose`, wrapped.
+[[nodiscard]] std::vector<double> bearingResiduals(std::span<const KnownBearing> bearings, const Pose2& pose);
+}  // namespace mrpt_ext
