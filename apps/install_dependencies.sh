@@ -50,7 +50,6 @@ echo "Installing ${#missing[@]} Debian packages: ${missing[*]}"
 # A failing update is not yet an error: the lists on the machine may do.
 apt_get update || true
 if ! apt_get install --no-install-recommends "${missing[@]}"; then
-  grep '^E:' "$log" >&2 || tail -n 5 "$log" >&2
-  echo "install_dependencies.sh: apt-get could not install: ${missing[*]}" >&2
+  echo "install_dependencies.sh: apt-get could not install ${missing[*]}: $(grep -m1 '^E:' "$log" || tail -n 1 "$log")" >&2
   exit 1
 fi
