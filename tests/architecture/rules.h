@@ -33,6 +33,8 @@ using Violations = std::vector<std::string>;
 [[nodiscard]] Violations checkPackageConfig(const SourceTree& tree);
 /// Every ini/<app>/<name>.ini is named by a test: one file under tests/ that names both the app and the file.
 [[nodiscard]] Violations checkConfigurationsAreTested(const SourceTree& tree);
+/// Every source file, script and configuration that README.md and CONTRIBUTING.md name exists.
+[[nodiscard]] Violations checkDocumentsNameFiles(const SourceTree& tree);
 /// No marks of unfinished work, no paths of one machine.
 [[nodiscard]] Violations checkText(const SourceTree& tree);
 }  // namespace mrpt_ext::architecture

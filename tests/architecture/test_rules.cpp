@@ -113,6 +113,16 @@ TEST(Configurations, AreNamedByATest)
   EXPECT_TRUE(checkConfigurationsAreTested(tested).empty());
 }
 
+TEST(Documents, NameExistingFiles)
+{
+  const auto documented = [](const std::string& text) {
+    return SourceTree{{"README.md", text}, {"libmrpt-ext/solvers/a.h", ""}, {"ini/app/room.ini", ""}};
+  };
+  EXPECT_EQ(checkDocumentsNameFiles(documented("see `b.h`")).size(), 1U);
+  EXPECT_EQ(checkDocumentsNameFiles(documented("    run ini/app/rooms.ini\n")).size(), 1U);
+  EXPECT_TRUE(checkDocumentsNameFiles(documented("`a.h`, `solvers/a.h`, ini/app/room.ini, `<name>.ini`")).empty());
+}
+
 TEST(Text, RefusesUnfinishedWorkAndMachinePaths)
 {
   const std::string slash = "/";

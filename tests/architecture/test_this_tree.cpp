@@ -35,5 +35,6 @@ TEST(ThisTree, FilesAreShort) { expectNone(checkFileLengths(thisTree())); }
 TEST(ThisTree, EverySourceIsBuilt) { expectNone(checkSourceLists(thisTree())); }
 TEST(ThisTree, PackageConfigNamesEveryDependency) { expectNone(checkPackageConfig(thisTree())); }
 TEST(ThisTree, EveryConfigurationIsTested) { expectNone(checkConfigurationsAreTested(thisTree())); }
+TEST(ThisTree, DocumentsNameExistingFiles) { expectNone(checkDocumentsNameFiles(thisTree())); }
 TEST(ThisTree, TextIsFinishedAndPortable) { expectNone(checkText(thisTree())); }
 }  // namespace mrpt_ext::architecture

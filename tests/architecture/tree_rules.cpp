@@ -118,6 +118,28 @@ Violations checkConfigurationsAreTested(const SourceTree& tree)
   return found;
 }
 
+Violations checkDocumentsNameFiles(const SourceTree& tree)
+{
+  // Configurations without a folder are placeholders or outputs.
+  static const std::regex kFile(R"([\w./-]*[\w-]\.(h|cpp)\b|[\w.-]+/[\w./-]*[\w-]\.(sh|ini)\b)");
+  Violations found;
+  for (const std::string document : {"README.md", "CONTRIBUTING.md"})
+  {
+    const auto entry = tree.find(document);
+    if (entry == tree.end()) continue;
+    const std::string& text = entry->second;
+    for (auto it = std::sregex_iterator(text.begin(), text.end(), kFile); it != std::sregex_iterator(); ++it)
+    {
+      const std::string file = it->str();
+      const bool exists =
+          std::any_of(tree.begin(), tree.end(),
+                      [&](const auto& known) { return known.first == file || known.first.ends_with("/" + file); });
+      if (!exists) found.push_back(document + ": names " + file + ", which does not exist");
+    }
+  }
+  return found;
+}
+
 Violations checkText(const SourceTree& tree)
 {
   static const std::regex kUnfinished(R"(\b(TO()DO|FIX()ME)\b)");
