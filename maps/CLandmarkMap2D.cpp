@@ -4,6 +4,7 @@
 #include <mrpt/serialization/CArchive.h>
 
 #include "mrpt_ext/files/landmark_csv.h"
+#include "mrpt_ext/maps/known_keys.h"
 #include "mrpt_ext/maps/landmark_archive.h"
 #include "mrpt_ext/maps/landmark_file.h"
 #include "mrpt_ext/maps/landmark_scene.h"
@@ -20,6 +21,9 @@ CLandmarkMap2D::TMapDefinition::TMapDefinition() = default;
 void CLandmarkMap2D::TMapDefinition::loadFromConfigFile_map_specific(const mrpt::config::CConfigFileBase& source,
                                                                      const std::string& prefix)
 {
+  refuseUnknownKeys(
+      source, prefix + "_creationOpts",
+      {"landmarks_file", "enableSaveAs3DObject", "enableObservationLikelihood", "enableObservationInsertion"});
   landmarks_file = source.read_string(prefix + "_creationOpts", "landmarks_file", landmarks_file);
   likelihood_options.loadFromConfigFile(source, prefix + "_likelihoodOpts");
 }

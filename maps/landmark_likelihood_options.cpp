@@ -1,24 +1,30 @@
 #include "mrpt_ext/maps/landmark_likelihood_options.h"
 
+#include "mrpt_ext/files/number_format.h"
 #include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/maps/known_keys.h"
 
 namespace mrpt_ext
 {
 namespace
 {
+/// The key's number, strictly: MRPT's own read_double() takes "nine" for 0.
 double readWithin(const mrpt::config::CConfigFileBase& source, const std::string& section, const std::string& key,
                   double preset, double low, double high)
 {
-  const double value = source.read_double(section, key, preset);
-  if (value >= low && value <= high) return value;
-  throw configurationError("[" + section + "] " + key + ": expected a number between " + std::to_string(low) + " and " +
-                           std::to_string(high) + ", found '" + source.read_string(section, key, "") + "'");
+  const std::string text = source.read_string(section, key, shortestText(preset));
+  const auto value = parseNumber(text);
+  if (value && *value >= low && *value <= high) return *value;
+  throw configurationError("[" + section + "] " + key + ": expected a number between " + shortestText(low) + " and " +
+                           shortestText(high) + ", found '" + text + "'");
 }
 }  // namespace
 
 void LandmarkLikelihoodOptions::loadFromConfigFile(const mrpt::config::CConfigFileBase& source,
                                                    const std::string& section)
 {
+  refuseUnknownKeys(source, section,
+                    {"clutter_probability", "detection_probability", "default_std_bearing_deg", "default_std_range_m"});
   clutter_probability = readWithin(source, section, "clutter_probability", clutter_probability, 1e-9, 1);
   detection_probability = readWithin(source, section, "detection_probability", detection_probability, 0, 1 - 1e-9);
   default_std_bearing =

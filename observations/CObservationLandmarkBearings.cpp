@@ -38,8 +38,8 @@ void CObservationLandmarkBearings::getDescriptionAsText(std::ostream& o) const
   describeSensor(o, sensor_pose, field_of_view, max_range);
   o << detections.size() << " bearings:\n  id category bearing [deg] std [deg]\n";
   for (const Detection& d : detections)
-    o << "  " << d.id << ' ' << textOrDash(d.category) << ' ' << fixedText(radToDeg(d.bearing), 4) << ' '
-      << fixedText(radToDeg(d.std_bearing), 4) << '\n';
+    o << "  " << d.id << ' ' << textOrDash(d.category) << ' ' << decimalText(radToDeg(d.bearing), 4) << ' '
+      << decimalText(radToDeg(d.std_bearing), 4) << '\n';
 }
 
 std::string CObservationLandmarkBearings::exportTxtHeader() const
@@ -54,8 +54,8 @@ std::string CObservationLandmarkBearings::exportTxtDataRow() const
                      {
                        const Detection& d = detections[i];
                        return std::vector<std::string>{std::to_string(d.id), textOrDash(d.category),
-                                                       fixedText(radToDeg(d.bearing), 6),
-                                                       fixedText(radToDeg(d.std_bearing), 6)};
+                                                       decimalText(radToDeg(d.bearing), 6),
+                                                       decimalText(radToDeg(d.std_bearing), 6)};
                      });
 }
 }  // namespace mrpt_ext

@@ -43,14 +43,14 @@ void CObservationRunningFix::getDescriptionAsText(std::ostream& o) const
   CObservation::getDescriptionAsText(o);
   describeSensor(o, sensor_pose, 0, 0);
   o << "Landmark: " << id << (horizontal ? ", ranges in the floor plane\n" : ", slant ranges\n");
-  o << "First range: " << fixedText(first_range, 4) << " +- " << fixedText(first_std, 4) << " m at "
-    << fixedText(secondsOf(first_timestamp), 3) << " s\n";
-  o << "Second range: " << fixedText(second_range, 4) << " +- " << fixedText(second_std, 4) << " m at "
-    << fixedText(secondsOf(timestamp), 3) << " s\n";
+  o << "First range: " << decimalText(first_range, 4) << " +- " << decimalText(first_std, 4) << " m at "
+    << decimalText(secondsOf(first_timestamp), 3) << " s\n";
+  o << "Second range: " << decimalText(second_range, 4) << " +- " << decimalText(second_std, 4) << " m at "
+    << decimalText(secondsOf(timestamp), 3) << " s\n";
   o << "Displacement: " << displacement.asString() << " with covariance\n" << displacement_covariance << '\n';
   if (second_bearing)
-    o << "Second bearing: " << fixedText(radToDeg(*second_bearing), 4) << " +- "
-      << fixedText(radToDeg(second_bearing_std), 4) << " deg\n";
+    o << "Second bearing: " << decimalText(radToDeg(*second_bearing), 4) << " +- "
+      << decimalText(radToDeg(second_bearing_std), 4) << " deg\n";
 }
 
 std::string CObservationRunningFix::exportTxtHeader() const
@@ -64,10 +64,10 @@ std::string CObservationRunningFix::exportTxtDataRow() const
   std::string row = std::to_string(id);
   for (double value : {secondsOf(first_timestamp), first_range, first_std, second_range, second_std, displacement.x(),
                        displacement.y(), radToDeg(displacement.phi())})
-    row += ' ' + fixedText(value, 6);
+    row += ' ' + decimalText(value, 6);
   for (int i = 0; i < 3; ++i)
-    for (int j = i; j < 3; ++j) row += ' ' + fixedText(displacement_covariance(i, j), 9);
-  row += ' ' + fixedText(second_bearing ? std::optional(radToDeg(*second_bearing)) : std::nullopt, 6);
-  return row + ' ' + fixedText(radToDeg(second_bearing_std), 6);
+    for (int j = i; j < 3; ++j) row += ' ' + decimalText(displacement_covariance(i, j), 9);
+  row += ' ' + decimalText(second_bearing ? std::optional(radToDeg(*second_bearing)) : std::nullopt, 6);
+  return row + ' ' + decimalText(radToDeg(second_bearing_std), 6);
 }
 }  // namespace mrpt_ext

@@ -67,13 +67,13 @@ void CObservationStereoRanges::getDescriptionAsText(std::ostream& o) const
 {
   CObservation::getDescriptionAsText(o);
   describeSensor(o, sensor_pose, field_of_view, max_range);
-  if (baseline_focal > 0) o << "Baseline times focal length: " << fixedText(baseline_focal, 3) << " m px\n";
+  if (baseline_focal > 0) o << "Baseline times focal length: " << decimalText(baseline_focal, 3) << " m px\n";
   o << detections.size() << (horizontal ? " ranges in the floor plane" : " slant ranges")
     << ":\n  id category range [m] std [m] bearing [deg] std [deg]\n";
   for (const Detection& d : detections)
-    o << "  " << d.id << ' ' << textOrDash(d.category) << ' ' << fixedText(d.range, 4) << ' '
-      << fixedText(rangeStd(d), 4) << ' ' << fixedText(degrees(d.bearing), 4) << ' '
-      << fixedText(radToDeg(d.std_bearing), 4) << '\n';
+    o << "  " << d.id << ' ' << textOrDash(d.category) << ' ' << decimalText(d.range, 4) << ' '
+      << decimalText(rangeStd(d), 4) << ' ' << decimalText(degrees(d.bearing), 4) << ' '
+      << decimalText(radToDeg(d.std_bearing), 4) << '\n';
 }
 
 std::string CObservationStereoRanges::exportTxtHeader() const
@@ -83,14 +83,16 @@ std::string CObservationStereoRanges::exportTxtHeader() const
 
 std::string CObservationStereoRanges::exportTxtDataRow() const
 {
-  return numberedRow(
-      detections.size(), 6,
-      [this](std::size_t i)
-      {
-        const Detection& d = detections[i];
-        return std::vector<std::string>{
-            std::to_string(d.id),      textOrDash(d.category),           fixedText(d.range, 6),
-            fixedText(rangeStd(d), 6), fixedText(degrees(d.bearing), 6), fixedText(radToDeg(d.std_bearing), 6)};
-      });
+  return numberedRow(detections.size(), 6,
+                     [this](std::size_t i)
+                     {
+                       const Detection& d = detections[i];
+                       return std::vector<std::string>{std::to_string(d.id),
+                                                       textOrDash(d.category),
+                                                       decimalText(d.range, 6),
+                                                       decimalText(rangeStd(d), 6),
+                                                       decimalText(degrees(d.bearing), 6),
+                                                       decimalText(radToDeg(d.std_bearing), 6)};
+                     });
 }
 }  // namespace mrpt_ext

@@ -7,7 +7,7 @@
 
 namespace mrpt_ext
 {
-std::string fixedText(double value, int decimals)
+std::string decimalText(double value, int decimals)
 {
   const int length = std::snprintf(nullptr, 0, "%.*f", decimals, value);
   std::string text(static_cast<std::size_t>(length) + 1, '\0');
@@ -16,9 +16,9 @@ std::string fixedText(double value, int decimals)
   return text;
 }
 
-std::string fixedText(const std::optional<double>& value, int decimals)
+std::string decimalText(const std::optional<double>& value, int decimals)
 {
-  return value ? fixedText(*value, decimals) : "nan";
+  return value ? decimalText(*value, decimals) : "nan";
 }
 
 std::string textOrDash(const std::string& text)
@@ -33,8 +33,8 @@ std::string textOrDash(const std::string& text)
 void describeSensor(std::ostream& out, const mrpt::poses::CPose3D& pose, double field_of_view, double max_range)
 {
   out << "Sensor pose on the robot: " << pose.asString() << '\n';
-  if (field_of_view > 0) out << "Field of view: " << fixedText(radToDeg(field_of_view), 2) << " deg\n";
-  if (max_range > 0) out << "Maximum range: " << fixedText(max_range, 3) << " m\n";
+  if (field_of_view > 0) out << "Field of view: " << decimalText(radToDeg(field_of_view), 2) << " deg\n";
+  if (max_range > 0) out << "Maximum range: " << decimalText(max_range, 3) << " m\n";
 }
 
 std::string numberedHeader(const std::vector<std::string>& names)

@@ -14,9 +14,9 @@ namespace mrpt_ext
 /// Detections written by exportTxt*: the format allows one row per observation with a fixed number of columns.
 inline constexpr std::size_t kExportedDetections = 8;
 
-[[nodiscard]] std::string fixedText(double value, int decimals);
-[[nodiscard]] std::string fixedText(const std::optional<double>& value, int decimals);  ///< "nan" without a value
-[[nodiscard]] std::string textOrDash(const std::string& text);                          ///< blanks become '_'
+[[nodiscard]] std::string decimalText(double value, int decimals);
+[[nodiscard]] std::string decimalText(const std::optional<double>& value, int decimals);  ///< "nan" without a value
+[[nodiscard]] std::string textOrDash(const std::string& text);                            ///< blanks become '_'
 
 /// Sensor pose and, where declared (not 0), field of view [rad] and maximum range [m].
 void describeSensor(std::ostream& out, const mrpt::poses::CPose3D& pose, double field_of_view, double max_range);

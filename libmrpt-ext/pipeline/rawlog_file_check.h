@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace mrpt_ext
+{
+/// What one pass over the bytes of a (usually gzip-compressed) rawlog tells before any record is read.
+struct RawlogFileCheck
+{
+  std::string sha256;         ///< of the file as it is on disk, lower-case hexadecimal
+  bool compressed = false;    ///< gzip
+  std::uint64_t content = 0;  ///< bytes after decompression, as far as they could be decompressed
+  std::string damage;         ///< what is wrong with the compression; empty: lengths and checksums are right
+};
+
+/// Reads the whole file once. Throws InputError (data) when it is missing, not readable or empty.
+/// MRPT's streams take the end of a truncated gzip file for its end; here the checksum behind the data must be there.
+[[nodiscard]] RawlogFileCheck checkRawlogFile(const std::filesystem::path& path);
+}  // namespace mrpt_ext

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "mrpt_ext/geometry/recording.h"
+
+namespace mrpt_ext
+{
+/// A record with where it came from.
+struct LoggedRecord
+{
+  Record record;
+  std::optional<std::size_t> step;  ///< index of the action/sensory-frame pair
+  std::uint64_t order = 0;          ///< records of the same time keep this order
+};
+
+/// Puts records that come nearly in time order exactly into it: a record leaves when no earlier one may come any more.
+class RawlogQueue
+{
+ public:
+  /// `window` [s]: how much earlier than the newest record a record may be.
+  explicit RawlogQueue(double window) : window_(window) {}
+
+  void push(LoggedRecord record);
+  /// The log has ended: everything may leave.
+  void close() { closed_ = true; }
+  [[nodiscard]] bool canPop() const;
+  [[nodiscard]] LoggedRecord pop();
+  [[nodiscard]] double newestTime() const { return newest_; }
+  /// True if a record of this time comes too late to be put in order.
+  [[nodiscard]] bool isTooLate(double time) const { return time < newest_ - window_; }
+
+ private:
+  double window_;
+  double newest_ = -std::numeric_limits<double>::infinity();
+  bool closed_ = false;
+  std::uint64_t pushed_ = 0;
+  std::vector<LoggedRecord> heap_;
+};
+}  // namespace mrpt_ext

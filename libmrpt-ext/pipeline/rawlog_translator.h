@@ -1,0 +1,80 @@
+#pragma once
+
+#include <mrpt/obs/CActionCollection.h>
+#include <mrpt/obs/CSensoryFrame.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mrpt_ext/evaluation/run_record.h"
+#include "mrpt_ext/geometry/recording.h"
+#include "mrpt_ext/observations/usable_detections.h"
+
+namespace mrpt_ext
+{
+/// Turns the entries of a log into plain records, in the order of the log, and counts what became of each observation.
+///
+/// Observation-only logs: CObservationOdometry (of one label), our observations, MRPT's CObservationBearingRange and
+/// CObservationBeaconRanges, and CObservationIMU with an absolute yaw become records; other classes are ignored.
+/// An IMU does not log its deviation: std_heading is 0 (not declared).
+///
+/// Logs of action/sensory-frame pairs: increments are accumulated to a dead-reckoned pose. An action is the way from
+/// one sensory frame to the next, so its pose is given at the time of the frame after it: the latest time in that
+/// frame, else the time of the action. Observations without a time of their own take that of their frame.
+/// Pair i is step i; a frame before the first action belongs to no step.
+class RawlogTranslator
+{
+ public:
+  struct Output
+  {
+    Record record;
+    std::optional<std::size_t> step;
+  };
+
+  /// Records of one entry; nothing (not even an empty list) when such an object is no part of a log.
+  [[nodiscard]] std::optional<std::vector<Output>> translate(const mrpt::serialization::CSerializable& entry);
+  /// What is left when the log has ended: actions after the last frame.
+  [[nodiscard]] std::vector<Output> finish();
+
+  /// By class, without namespace.
+  [[nodiscard]] const std::map<std::string, ObservationCount>& observations() const { return observations_; }
+  /// "<class>: <reason>": detections, or whole observations.
+  [[nodiscard]] const UnusableCounts& unusable() const { return unusable_; }
+  /// Time [s] of each action/sensory-frame pair, by step; empty for an observation-only log. A pair without any time
+  /// has that of the pair before it (0 for the first), and no records.
+  [[nodiscard]] const std::vector<double>& stepTimes() const { return step_times_; }
+
+ private:
+  struct PendingAction
+  {
+    std::string class_name;
+    std::optional<double> time;
+  };
+
+  void readAction(const mrpt::obs::CAction& action);
+  void readFrame(const mrpt::obs::CSensoryFrame& frame);
+  /// `frame_time`: for observations without a time of their own.
+  void readObservation(const mrpt::obs::CObservation& observation, std::optional<double> frame_time);
+  /// These give the reason why nothing of the observation is used; empty when something is.
+  std::string useObservation(const mrpt::obs::CObservation& observation, double time);
+  std::string useOdometry(const mrpt::obs::CObservation& observation, double time);
+  std::string useCompass(const mrpt::obs::CObservation& observation, double time);
+  std::string useLandmarks(const mrpt::obs::CObservation& observation, double time);
+  std::string useReading(Reading reading, const std::string& class_name);
+
+  void emit(Record record) { output_.push_back({std::move(record), step_}); }
+  void count(const std::string& class_name, const std::string& why_ignored);
+
+  std::vector<Output> output_;  // of the current entry
+  std::optional<std::size_t> step_;
+  std::map<std::string, ObservationCount> observations_;
+  UnusableCounts unusable_;
+  std::vector<double> step_times_;
+  std::string odometry_source_;  // label, or the name of actions; the first one seen is followed
+  std::optional<double> first_frame_time_;  // of a frame before any odometry
+  Pose2 dead_reckoned_;
+  std::vector<PendingAction> pending_actions_;  // since the last frame
+};
+}  // namespace mrpt_ext

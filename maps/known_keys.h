@@ -1,0 +1,13 @@
+#pragma once
+
+#include <mrpt/config/CConfigFileBase.h>
+
+#include <string>
+#include <vector>
+
+namespace mrpt_ext
+{
+/// Throws InputError (configuration) when the section holds a key that is not `known`; MRPT itself would ignore it.
+void refuseUnknownKeys(const mrpt::config::CConfigFileBase& source, const std::string& section,
+                       const std::vector<std::string>& known);
+}  // namespace mrpt_ext
