@@ -1,0 +1,105 @@
+#include "mrpt_ext/importers/csv_recording.h"
+
+#include <gtest/gtest.h>
+
+#include "mrpt_ext/geometry/input_error.h"
+#include "sample_data.h"
+
+namespace mrpt_ext
+{
+using testing::DamagedCopy;
+using testing::hasNote;
+using testing::recordsOf;
+
+namespace
+{
+Recording importFolder(const std::filesystem::path& folder) { return importCsv(findCsvFiles({folder})); }
+}  // namespace
+
+TEST(CsvRecording, RowsOfOneTimeAndSensorAreOneReading)
+{
+  const Recording recording = importFolder(testing::sampleFolder("csv"));
+  const auto readings = recordsOf<Reading>(recording);
+  ASSERT_EQ(readings.size(), 3u);
+  EXPECT_EQ(readings[0].sensor, "omni");
+  ASSERT_EQ(readings[0].detections.size(), 2u);
+  EXPECT_FALSE(readings[0].detections[0].range);
+  EXPECT_NEAR(*readings[0].detections[1].bearing, degToRad(100.5), 1e-12);
+  EXPECT_NEAR(readings[0].detections[1].std_bearing, degToRad(1), 1e-12);
+  EXPECT_EQ(readings[0].detections[1].std_range, 0.2);
+  EXPECT_EQ(readings[1].sensor, "stereo");
+  EXPECT_EQ(readings[1].detections[0].id, kNoId);
+  EXPECT_EQ(readings[1].detections[0].category, "pole");
+  EXPECT_FALSE(readings[1].detections[0].bearing);
+  EXPECT_NEAR(*readings[2].detections[0].bearing, degToRad(-170), 1e-12);
+}
+
+TEST(CsvRecording, VelocitiesAreIntegratedAndPosesTakenAsTheyAre)
+{
+  const auto arcs = recordsOf<OdometryRecord>(importFolder(testing::sampleFolder("csv")));
+  ASSERT_EQ(arcs.size(), 3u);
+  EXPECT_NEAR(arcs[2].pose.x, 1 + 2 / kPi, 1e-12);
+  EXPECT_NEAR(arcs[2].pose.phi, kPi / 2, 1e-12);
+
+  const DamagedCopy copy("csv");
+  copy.replace("odometry.csv", "phi_deg,t,x,y\n450,0,1,2\n0,0,3,4\n10,1,5,6\n");
+  const Recording recording = importFolder(copy.path());
+  const auto poses = recordsOf<OdometryRecord>(recording);
+  ASSERT_EQ(poses.size(), 2u);
+  EXPECT_EQ(poses[0].pose.vector(), Vector3d(3, 4, 0));
+  EXPECT_NEAR(poses[1].pose.phi, degToRad(10), 1e-12);
+  EXPECT_TRUE(hasNote(recording, "1 odometry rows share the stamp"));
+}
+
+TEST(CsvRecording, TruthIsOptionalAndThreePathsDoAsWell)
+{
+  const auto folder = testing::sampleFolder("csv");
+  EXPECT_EQ(importFolder(folder).truth.size(), 2u);
+  const Recording recording =
+      importCsv(findCsvFiles({folder / "landmarks.csv", folder / "odometry.csv", folder / "detections.csv"}));
+  EXPECT_TRUE(recording.truth.empty());
+  EXPECT_TRUE(hasNote(recording, "no truth file"));
+  EXPECT_INPUT_ERROR((void)findCsvFiles({folder, folder}), "2 inputs, expected a folder or LANDMARKS");
+  EXPECT_INPUT_ERROR((void)findCsvFiles({folder / "none"}), "none: no such folder");
+}
+
+TEST(CsvRecording, MistakesInDetectionsAreNamedWithTheirLine)
+{
+  const DamagedCopy copy("csv");
+  const auto import = [&](const std::string& rows)
+  {
+    copy.replace("detections.csv", "t,sensor,id,category,bearing_deg,range_m,std_bearing_deg,std_range_m\n" + rows);
+    (void)importFolder(copy.path());
+  };
+  EXPECT_INPUT_ERROR(import("1,a,,,10,,1\n"), "detections.csv:2: 7 fields, expected 8");
+  EXPECT_INPUT_ERROR(import("1,a,,,ten,,1,\n"), "detections.csv:2: 'ten' is not a number, expected bearing_deg");
+  EXPECT_INPUT_ERROR(import("1,a,,,361,,1,\n"), "detections.csv:2: bearing_deg 361 is out of range");
+  EXPECT_INPUT_ERROR(import("1,a,,,,-2,,1\n"), "detections.csv:2: range_m -2 is out of range, expected >= 0");
+  EXPECT_INPUT_ERROR(import("1,a,,,,2,,-1\n"), "detections.csv:2: std_range_m is '-1', expected");
+  EXPECT_INPUT_ERROR(import("1,a,,,10,,,\n"), "detections.csv:2: std_bearing_deg is '', expected");
+  EXPECT_INPUT_ERROR(import("1,a,,,,,1,1\n"), "detections.csv:2: neither bearing_deg nor range_m");
+  EXPECT_INPUT_ERROR(import("1,,,,10,,1,\n"), "detections.csv:2: no sensor");
+  EXPECT_INPUT_ERROR(import("1,a,p1,,10,,1,\n"), "detections.csv:2: 'p1' is not an integer, expected id");
+  EXPECT_INPUT_ERROR(import("1,a,-2,,10,,1,\n"), "detections.csv:2: id -2, expected >= 0");
+  EXPECT_INPUT_ERROR(import("2,a,,,10,,1,\n1,a,,,10,,1,\n"), "detections.csv:3: time 1 is before the row above");
+  copy.replace("detections.csv", "t,sensor,id,category,bearing,range_m,std_bearing_deg,std_range_m\n");
+  EXPECT_INPUT_ERROR((void)importFolder(copy.path()),
+                     "detections.csv:1: unknown column 'bearing', expected only t,sensor");
+  copy.remove("detections.csv");
+  EXPECT_INPUT_ERROR((void)importFolder(copy.path()), "detections.csv: no such file");
+}
+
+TEST(CsvRecording, MistakesInTheOtherFilesAreNamedWithTheirLine)
+{
+  const DamagedCopy copy("csv");
+  copy.replace("odometry.csv", "t,v,omega_rad_s\n");
+  EXPECT_INPUT_ERROR((void)importFolder(copy.path()), "odometry.csv:1: unknown column 'omega_rad_s'");
+  copy.replace("odometry.csv", "t,x,y\n");
+  EXPECT_INPUT_ERROR((void)importFolder(copy.path()), "odometry.csv:1: no column 'phi_deg'");
+  copy.replace("odometry.csv", "t,v,omega_deg_s\n1,0,0\n0,0,0\n");
+  EXPECT_INPUT_ERROR((void)importFolder(copy.path()), "odometry.csv:3: time 0 is before the row above");
+  copy.replace("odometry.csv", "t,v,omega_deg_s\n");
+  copy.replace("landmarks.csv", "id,x,y,z,category\n1,a,0,0,\n");
+  EXPECT_INPUT_ERROR((void)importFolder(copy.path()), "landmarks.csv:2: 'a' is not a number, expected x");
+}
+}  // namespace mrpt_ext
