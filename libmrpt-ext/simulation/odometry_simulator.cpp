@@ -1,0 +1,60 @@
+#include "mrpt_ext/simulation/odometry_simulator.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mrpt_ext/simulation/rounding.h"
+
+namespace mrpt_ext
+{
+DeadReckoning::DeadReckoning(const RobotPath& path, const OdometryNoise& noise, double duration, RandomStream& random)
+    : path_(path), noise_(noise)
+{
+  if (!(noise.rate_hz > 0)) return;
+  Pose2 reckoned;
+  records_.push_back({0, reckoned});
+  for (int tick = 1; records_.back().time < duration; ++tick)
+  {
+    const double begin = (tick - 1) / noise.rate_hz, end = tick / noise.rate_hz;
+    const Pose2 moved = between(path.poseAt(begin), path.poseAt(end));
+    const Vector3d std = incrementStd(begin, end);
+    const double scale = 1 + noise.scale_error;
+    const double dx = scale * moved.x + std.x() * random.gaussian();
+    const double dy = scale * moved.y + std.y() * random.gaussian();
+    const double dphi = moved.phi + std.z() * random.gaussian();
+    reckoned = compose(reckoned, {dx, dy, dphi});
+    records_.push_back({rounded(end), rounded(reckoned)});
+  }
+}
+
+Vector3d DeadReckoning::incrementStd(double begin, double end) const
+{
+  const double way = path_.lengthAt(end) - path_.lengthAt(begin);
+  const double turned_deg = radToDeg(path_.turnedAt(end) - path_.turnedAt(begin));
+  const double time = end - begin;
+  const double xy = std::sqrt(square(noise_.std_xy_per_m) * way + square(noise_.std_xy_min) * time);
+  const double phi_deg = std::sqrt(square(noise_.std_phi_deg_per_deg) * turned_deg +
+                                   square(noise_.std_phi_deg_per_m) * way + square(noise_.std_phi_min_deg) * time);
+  return {xy, xy, degToRad(phi_deg)};
+}
+
+std::optional<GaussianPose> DeadReckoning::displacement(double begin, double end) const
+{
+  const double gap = noise_.rate_hz > 0 ? 2 / noise_.rate_hz : 0;
+  const auto first = interpolate(records_, begin, gap), last = interpolate(records_, end, gap);
+  if (!first || !last) return std::nullopt;
+  GaussianPose sum{between(first->pose, last->pose), Matrix3d::Zero()};
+  Pose2 so_far;
+  for (double t = begin; t < end; t += 1 / noise_.rate_hz)
+  {
+    const double next = std::min(end, t + 1 / noise_.rate_hz);
+    const auto a = interpolate(records_, t, gap), b = interpolate(records_, next, gap);
+    const Pose2 step = between(a->pose, b->pose);
+    const Matrix3d before = composeJacobianFirst(so_far, step), own = composeJacobianSecond(so_far);
+    const Matrix3d noise = incrementStd(t, next).cwiseAbs2().asDiagonal();
+    sum.covariance = before * sum.covariance * before.transpose() + own * noise * own.transpose();
+    so_far = compose(so_far, step);
+  }
+  return sum;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+
+#include "mrpt_ext/geometry/gaussian_pose.h"
+#include "mrpt_ext/geometry/random.h"
+#include "mrpt_ext/geometry/trajectory.h"
+#include "mrpt_ext/simulation/robot_path.h"
+#include "mrpt_ext/simulation/scenario.h"
+
+namespace mrpt_ext
+{
+/// What a robot believes it has driven: the increments of its path, each with its own error, added up from (0, 0, 0).
+class DeadReckoning
+{
+ public:
+  /// Records from 0 to at least `duration` [s], `noise.rate_hz` of them per second; poses rounded to 1e-6.
+  DeadReckoning(const RobotPath& path, const OdometryNoise& noise, double duration, RandomStream& random);
+
+  [[nodiscard]] const Trajectory& records() const { return records_; }
+
+  /// Way from `begin` to `end` [s] as logged, later pose in the frame of the earlier, with the covariance of the
+  /// errors added up in between. Nothing outside the records.
+  [[nodiscard]] std::optional<GaussianPose> displacement(double begin, double end) const;
+
+ private:
+  [[nodiscard]] Vector3d incrementStd(double begin, double end) const;
+
+  RobotPath path_;
+  OdometryNoise noise_;
+  Trajectory records_;
+};
+}  // namespace mrpt_ext

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mrpt_ext/geometry/landmark_table.h"
+#include "mrpt_ext/simulation/map_generator.h"
+#include "mrpt_ext/simulation/path_planner.h"
+
+namespace mrpt_ext
+{
+/// Errors of dead reckoning. Every standard deviation is the one after one unit of way, turn or time; variances add up
+/// along the way, so the errors do not depend on how often odometry is logged.
+struct OdometryNoise
+{
+  double rate_hz = 10;             ///< 0: the robot has no odometry
+  double std_xy_per_m = 0;         ///< [m] after one metre, along and across alike
+  double std_phi_deg_per_deg = 0;  ///< [deg] after turning one degree
+  double std_phi_deg_per_m = 0;    ///< [deg] after one metre
+  double std_xy_min = 0;           ///< [m] after one second, also at standstill
+  double std_phi_min_deg = 0;      ///< [deg] after one second, also at standstill
+  double scale_error = 0;          ///< measured way / true way - 1
+};
+
+enum class SensorKind
+{
+  bearings,
+  ranges,
+  range_bearing,
+  running_fix,  ///< ranges, logged in pairs with the way between them
+  compass
+};
+
+/// What a sensor can tell about a landmark beside where it is.
+enum class Identity
+{
+  known,     ///< id and category
+  category,  ///< category only
+  anonymous
+};
+
+struct SimulatedSensor
+{
+  std::string label;
+  SensorKind kind = SensorKind::bearings;
+  double rate_hz = 5;
+  double phase_s = 0;               ///< time of the first reading after the start
+  Pose2 T_robot_sensor;             ///< yaw = direction of the forward axis
+  double height = 0;                ///< [m] above the floor
+  bool horizontal_range = false;    ///< ranges in the floor plane instead of slant ranges
+  double field_of_view = kTwoPi;    ///< [rad] full angle around the forward axis
+  std::optional<double> max_range;  ///< [m] horizontal
+  double min_range = 0;             ///< [m] horizontal
+
+  double std_bearing = 0, bias_bearing = 0;  ///< [rad]
+  double std_range = 0;                      ///< [m]
+  double std_range_per_m = 0;              ///< [m] after one metre, linear in the range; added to std_range in variance
+  double baseline_focal = 0;               ///< [m px] with std_disparity: range noise of a stereo pair
+  double std_disparity = 0;                ///< [px]
+  double bias_range = 0, scale_range = 1;  ///< measured = scale * true + bias + noise
+  double std_heading = 0, bias_heading = 0;  ///< [rad] of a compass
+
+  Identity identity = Identity::known;
+  double wrong_identity_probability = 0;  ///< share of landmarks reported as another one (or another category)
+  double detection_probability = 1;
+  double clutter_per_reading = 0;     ///< expected number of detections of nothing
+  std::optional<int> max_detections;  ///< a random choice when more are seen
+  bool sees_objects = true;
+
+  double fix_distance = 0.1;  ///< [m] way between the two ranges of a running fix
+  bool fix_bearing = false;   ///< the second range of a running fix comes with a bearing
+};
+
+/// A thing that is seen but is no landmark, still or moving on a path of its own.
+struct SimulatedObject
+{
+  std::string category;
+  double z = 0;  ///< [m]
+  PathPlan path;
+};
+
+/// At `time` the robot is put down at `pose`, unnoticed by its odometry; it then drives on as it would have.
+struct Kidnapping
+{
+  double time = 0;  ///< [s] after the start
+  Pose2 pose;
+};
+
+/// Everything the simulator needs to know.
+struct Scenario
+{
+  double start_time = 1000;  ///< [s] stamp of the first record
+  double duration = 60;      ///< [s]
+  double truth_rate_hz = 10;
+  std::uint64_t random_seed = 1;
+  MapPlan map;
+  PathPlan path;
+  OdometryNoise odometry;
+  std::vector<SimulatedSensor> sensors;
+  std::vector<SimulatedObject> objects;
+  std::vector<Kidnapping> kidnappings;  ///< ordered by time
+};
+}  // namespace mrpt_ext

@@ -1,0 +1,166 @@
+#include "mrpt_ext/simulation/sensor_simulator.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mrpt_ext/geometry/measurement_jacobian.h"
+#include "mrpt_ext/simulation/rounding.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+bool measuresBearings(const SimulatedSensor& sensor) { return sensor.kind != SensorKind::ranges; }
+bool measuresRanges(const SimulatedSensor& sensor) { return sensor.kind != SensorKind::bearings; }
+
+std::uint64_t landmarksIn(const std::vector<Feature>& features)
+{
+  const auto is_landmark = [](const Feature& feature) { return feature.is_landmark; };
+  return static_cast<std::uint64_t>(std::count_if(features.begin(), features.end(), is_landmark));
+}
+
+/// Index of another landmark, all with equal chances; itself when it is the only one.
+std::size_t otherLandmark(std::size_t itself, const std::vector<Feature>& features, RandomStream& random)
+{
+  const std::uint64_t count = landmarksIn(features);
+  return count > 1 ? (itself + 1 + random.below(count - 1)) % count : itself;
+}
+
+/// Names the detection as well as the sensor can.
+void identify(Detection& detection, const SimulatedSensor& sensor, const Feature& feature)
+{
+  if (sensor.identity == Identity::known) detection.id = feature.id;
+  if (sensor.identity != Identity::anonymous) detection.category = feature.category;
+}
+
+double declaredRangeStd(const SimulatedSensor& sensor, double range, double bearing)
+{
+  const double std_stereo =
+      sensor.std_disparity > 0 ? square(range) * std::cos(bearing) * sensor.std_disparity / sensor.baseline_focal : 0;
+  return rounded(std::hypot(sensor.std_range, sensor.std_range_per_m * range, std_stereo));
+}
+
+std::optional<Detection> detect(const SimulatedSensor& sensor, const Sighting& sighting,
+                                const std::vector<Feature>& features, RandomStream& random)
+{
+  if (!random.chance(sensor.detection_probability)) return std::nullopt;
+  Detection detection;
+  std::size_t named = sighting.feature;
+  if (features[named].is_landmark && random.chance(sensor.wrong_identity_probability))
+    named = otherLandmark(named, features, random);
+  identify(detection, sensor, features[named]);
+  if (measuresBearings(sensor))
+  {
+    detection.bearing = measureBearing(sensor, sighting, random);
+    detection.std_bearing = rounded(sensor.std_bearing);
+  }
+  if (measuresRanges(sensor))
+  {
+    const auto measured = measureRange(sensor, sighting, random);
+    if (!measured) return std::nullopt;
+    detection.range = measured->range;
+    detection.std_range = measured->std_range;
+  }
+  return detection;
+}
+
+/// A detection of nothing: anywhere in view, under the name of any landmark.
+Detection detectNothing(const SimulatedSensor& sensor, const std::vector<Feature>& features, RandomStream& random)
+{
+  Detection detection;
+  const std::uint64_t names = landmarksIn(features);
+  if (names > 0) identify(detection, sensor, features[random.below(names)]);
+  const double bearing = roundedAngle(random.uniform(-0.5, 0.5) * sensor.field_of_view);
+  const double range = rounded(random.uniform(sensor.min_range, sensor.max_range.value_or(sensor.min_range)));
+  if (measuresBearings(sensor))
+  {
+    detection.bearing = bearing;
+    detection.std_bearing = rounded(sensor.std_bearing);
+  }
+  if (measuresRanges(sensor))
+  {
+    detection.range = range;
+    detection.std_range = declaredRangeStd(sensor, range, bearing);
+  }
+  return detection;
+}
+
+void shuffle(std::vector<Detection>& detections, RandomStream& random)
+{
+  for (std::size_t i = detections.size(); i > 1; --i) std::swap(detections[i - 1], detections[random.below(i)]);
+}
+}  // namespace
+
+std::vector<Sighting> sightingsFrom(const SimulatedSensor& sensor, const Pose2& robot,
+                                    const std::vector<Feature>& features)
+{
+  std::vector<Sighting> sightings;
+  for (std::size_t i = 0; i < features.size(); ++i)
+  {
+    const Vector2d place = features[i].position.head<2>();
+    const double distance = predictRange(robot, place, sensor.T_robot_sensor);
+    const double bearing = predictBearing(robot, place, sensor.T_robot_sensor);
+    if (!features[i].is_landmark && !sensor.sees_objects) continue;
+    if (std::abs(bearing) > 0.5 * sensor.field_of_view || distance < sensor.min_range) continue;
+    if (sensor.max_range && distance > *sensor.max_range) continue;
+    const double rise = features[i].position.z() - sensor.height;
+    sightings.push_back({i, bearing, sensor.horizontal_range ? distance : std::hypot(distance, rise)});
+  }
+  return sightings;
+}
+
+std::optional<MeasuredRange> measureRange(const SimulatedSensor& sensor, const Sighting& sighting, RandomStream& random)
+{
+  double range = sighting.range;
+  if (sensor.std_disparity > 0)
+  {
+    const double cosine = std::cos(sighting.bearing);
+    const double disparity = sensor.baseline_focal / (range * cosine) + sensor.std_disparity * random.gaussian();
+    if (!(disparity > 0)) return std::nullopt;
+    range = sensor.baseline_focal / disparity / cosine;
+  }
+  const double std = std::hypot(sensor.std_range, sensor.std_range_per_m * sighting.range);
+  range = rounded(sensor.scale_range * range + sensor.bias_range + std * random.gaussian());
+  if (!(range > 0)) return std::nullopt;
+  return MeasuredRange{range, declaredRangeStd(sensor, range, sighting.bearing)};
+}
+
+double measureBearing(const SimulatedSensor& sensor, const Sighting& sighting, RandomStream& random)
+{
+  return roundedAngle(sighting.bearing + sensor.bias_bearing + sensor.std_bearing * random.gaussian());
+}
+
+SensorModel declaredModel(const SimulatedSensor& sensor)
+{
+  SensorModel model;
+  model.field_of_view = rounded(sensor.field_of_view);
+  model.has_field_of_view = true;
+  model.max_range = sensor.max_range;
+  return model;
+}
+
+Reading simulateReading(const SimulatedSensor& sensor, const Pose2& robot, const std::vector<Feature>& features,
+                        RandomStream& random)
+{
+  Reading reading;
+  reading.sensor = sensor.label;
+  reading.T_robot_sensor = rounded(sensor.T_robot_sensor);
+  reading.sensor_height = sensor.height;
+  reading.horizontal_range = sensor.horizontal_range;
+  reading.model = declaredModel(sensor);
+  for (const Sighting& sighting : sightingsFrom(sensor, robot, features))
+    if (const auto detection = detect(sensor, sighting, features, random)) reading.detections.push_back(*detection);
+  for (int left = random.poisson(sensor.clutter_per_reading); left > 0; --left)
+    reading.detections.push_back(detectNothing(sensor, features, random));
+  shuffle(reading.detections, random);
+  if (sensor.max_detections && reading.detections.size() > static_cast<std::size_t>(*sensor.max_detections))
+    reading.detections.resize(static_cast<std::size_t>(*sensor.max_detections));
+  return reading;
+}
+
+CompassRecord simulateCompass(const SimulatedSensor& sensor, const Pose2& robot, RandomStream& random)
+{
+  const double heading = robot.phi + sensor.bias_heading + sensor.std_heading * random.gaussian();
+  return {0, sensor.label, roundedAngle(heading), rounded(sensor.std_heading)};
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mrpt_ext/geometry/random.h"
+#include "mrpt_ext/geometry/recording.h"
+#include "mrpt_ext/simulation/scenario.h"
+
+namespace mrpt_ext
+{
+/// Something that a sensor may see: a landmark, or an object with its place at the moment. In lists landmarks come
+/// first.
+struct Feature
+{
+  int id = kNoId;
+  std::string category;
+  Vector3d position{0, 0, 0};
+  bool is_landmark = true;
+};
+
+/// A feature in view of a sensor, without errors.
+struct Sighting
+{
+  std::size_t feature = 0;  ///< index
+  double bearing = 0;       ///< [rad] from the sensor's forward axis
+  double range = 0;         ///< [m] as the sensor measures it: slant or horizontal
+};
+
+/// The features inside field of view and range limits, nothing hidden behind anything, in the order of the map.
+[[nodiscard]] std::vector<Sighting> sightingsFrom(const SimulatedSensor& sensor, const Pose2& robot,
+                                                  const std::vector<Feature>& features);
+
+/// A measured range and its declared standard deviation [m].
+struct MeasuredRange
+{
+  double range = 0;
+  double std_range = 0;
+};
+
+/// Range with bias, scale and noise. Of a stereo pair: disparity = baseline focal / (range cos(bearing)) with Gaussian
+/// noise, hence std = range^2 cos(bearing) std_disparity / (baseline focal). Nothing when noise leaves no positive
+/// range or disparity.
+[[nodiscard]] std::optional<MeasuredRange> measureRange(const SimulatedSensor& sensor, const Sighting& sighting,
+                                                        RandomStream& random);
+
+/// Bearing with bias and noise, rounded [rad].
+[[nodiscard]] double measureBearing(const SimulatedSensor& sensor, const Sighting& sighting, RandomStream& random);
+
+/// One reading of a sensor that measures bearings, ranges or both, clutter and misses included. The detections come in
+/// random order, so that an anonymous one does not give itself away. Values rounded to 1e-6; `time` is left 0.
+[[nodiscard]] Reading simulateReading(const SimulatedSensor& sensor, const Pose2& robot,
+                                      const std::vector<Feature>& features, RandomStream& random);
+
+[[nodiscard]] CompassRecord simulateCompass(const SimulatedSensor& sensor, const Pose2& robot, RandomStream& random);
+
+/// What a log says about the sensor itself.
+[[nodiscard]] SensorModel declaredModel(const SimulatedSensor& sensor);
+}  // namespace mrpt_ext

@@ -1,0 +1,82 @@
+#include "mrpt_ext/simulation/waypoint_route.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mrpt_ext/geometry/input_error.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+struct Leg
+{
+  double length = 0;
+  double heading = 0;
+};
+
+std::vector<Leg> legsOf(const WaypointRoute& route)
+{
+  const std::size_t n = route.waypoints.size();
+  if (n < 2) throw configurationError("path: " + std::to_string(n) + " waypoints, expected at least 2");
+  std::vector<Leg> legs;
+  for (std::size_t i = 0; i + (route.closed ? 0 : 1) < n; ++i)
+  {
+    const Vector2d way = route.waypoints[(i + 1) % n] - route.waypoints[i];
+    if (!(way.norm() > 0))
+      throw configurationError("path: waypoint " + std::to_string(i + 1) + " and the next one are the same place");
+    legs.push_back({way.norm(), std::atan2(way.y(), way.x())});
+  }
+  return legs;
+}
+
+/// Length of a leg that a rounded corner of this turn takes away on both sides.
+double cornerLength(const WaypointRoute& route, double turn)
+{
+  return route.turn_radius * std::tan(0.5 * std::abs(turn));
+}
+
+void checkCorner(const WaypointRoute& route, const Leg& before, const Leg& after, std::size_t waypoint)
+{
+  const double turn = wrap(after.heading - before.heading);
+  if (std::abs(turn) < kPi - 1e-9 && cornerLength(route, turn) <= 0.5 * std::min(before.length, after.length)) return;
+  throw configurationError("path: the corner at waypoint " + std::to_string(waypoint + 1) +
+                           " does not fit, expected a smaller turn radius (0: turn in place) or longer legs");
+}
+
+TwistSegment corner(const WaypointRoute& route, double turn)
+{
+  const double speed = route.turn_radius > 0 ? route.speed : 0;
+  const double rate = route.turn_radius > 0 ? route.speed / route.turn_radius : route.turn_rate;
+  return {std::abs(turn) / rate, speed, std::copysign(rate, turn)};
+}
+}  // namespace
+
+PlannedRoute followWaypoints(const WaypointRoute& route)
+{
+  const std::vector<Leg> legs = legsOf(route);
+  const bool rounded = route.turn_radius > 0;
+  const bool from_middle = route.closed && rounded;
+  const std::size_t corners = route.closed ? legs.size() : legs.size() - 1;
+
+  PlannedRoute planned;
+  planned.start = {route.waypoints[0].x(), route.waypoints[0].y(), legs[0].heading};
+  if (from_middle) planned.start = compose(planned.start, {0.5 * legs[0].length, 0, 0});
+  double cut_before = from_middle ? 0.5 * legs[0].length : 0;  // of the present leg, already behind
+  for (std::size_t i = 0; i < legs.size(); ++i)
+  {
+    const bool has_corner = i < corners;
+    const Leg& next = legs[(i + 1) % legs.size()];
+    const double turn = has_corner ? wrap(next.heading - legs[i].heading) : 0;
+    if (has_corner && rounded) checkCorner(route, legs[i], next, (i + 1) % route.waypoints.size());
+    const double cut_after = has_corner ? cornerLength(route, turn) : 0;
+    const double straight = legs[i].length - cut_before - cut_after;
+    if (straight > 0) planned.segments.push_back({straight / route.speed, route.speed, 0});
+    if (turn != 0) planned.segments.push_back(corner(route, turn));
+    cut_before = cut_after;
+  }
+  const double rest = 0.5 * legs[0].length - cut_before;  // back to the middle of the first leg
+  if (from_middle && rest > 0) planned.segments.push_back({rest / route.speed, route.speed, 0});
+  return planned;
+}
+}  // namespace mrpt_ext
