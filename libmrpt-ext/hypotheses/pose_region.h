@@ -1,34 +1,39 @@
 #pragma once
 
+#include <algorithm>
+
 #include "mrpt_ext/geometry/pose.h"
 #include "mrpt_ext/geometry/random.h"
 
 namespace mrpt_ext
 {
 /// Box of poses the robot may be in: position [m] and heading interval [rad] from phi_low over phi_span.
+/// A side without extent is taken as kMinExtent wide, so that the density exists.
 struct PoseRegion
 {
+  static constexpr double kMinExtent = 1e-3;  ///< [m] and [rad]
+
   Vector2d low{0, 0}, high{0, 0};
   double phi_low = -kPi;
   double phi_span = kTwoPi;
 
+  [[nodiscard]] Vector2d extent() const { return (high - low).cwiseMax(kMinExtent); }
+  [[nodiscard]] double turn() const { return std::clamp(phi_span, kMinExtent, kTwoPi); }
   [[nodiscard]] bool contains(const Pose2& pose) const
   {
-    const bool inside = pose.x >= low.x() && pose.x <= high.x() && pose.y >= low.y() && pose.y <= high.y();
+    const Vector2d top = low + extent();
+    const bool inside = pose.x >= low.x() && pose.x <= top.x() && pose.y >= low.y() && pose.y <= top.y();
     if (!inside || phi_span >= kTwoPi) return inside;
     const double turned = wrap(pose.phi - phi_low);
-    return (turned < 0 ? turned + kTwoPi : turned) <= phi_span;
+    return (turned < 0 ? turned + kTwoPi : turned) <= turn();
   }
-  [[nodiscard]] double volume() const
-  {
-    return (high.x() - low.x()) * (high.y() - low.y()) * std::min(phi_span, kTwoPi);
-  }
+  [[nodiscard]] double volume() const { return extent().prod() * turn(); }
   /// Probability density [1/(m^2 rad)] of the uniform distribution over the region.
   [[nodiscard]] double density(const Pose2& pose) const { return contains(pose) ? 1 / volume() : 0.0; }
   [[nodiscard]] Pose2 sample(RandomStream& random) const
   {
-    const double x = random.uniform(low.x(), high.x()), y = random.uniform(low.y(), high.y());
-    return {x, y, wrap(phi_low + std::min(phi_span, kTwoPi) * random.uniform())};
+    const double x = low.x() + extent().x() * random.uniform(), y = low.y() + extent().y() * random.uniform();
+    return {x, y, wrap(phi_low + turn() * random.uniform())};
   }
 };
 }  // namespace mrpt_ext

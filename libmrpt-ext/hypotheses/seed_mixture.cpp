@@ -10,6 +10,7 @@ namespace
 {
 constexpr double kReach2 = 64;      // squared Mahalanobis distance beyond which a component's density counts as zero
 constexpr double kMinShare = 0.02;  // even the least likely seed gets particles: the solvers' scores are not the judge
+constexpr double kVagueHeading = 2.0;  // [rad] a standard deviation above this is as good as no heading
 }  // namespace
 
 SeedMixture::SeedMixture(const HypothesisSet& hypotheses, const PoseRegion& region, double uniform_share,
@@ -21,9 +22,9 @@ SeedMixture::SeedMixture(const HypothesisSet& hypotheses, const PoseRegion& regi
   {
     Component component;
     component.mean = hypothesis.pose.mean;
-    component.heading_known = hypothesis.heading_known;
     Matrix3d covariance = inflation * hypothesis.pose.covariance;
     covariance.diagonal() += min_std.cwiseAbs2();
+    component.heading_known = hypothesis.heading_known && !(covariance(2, 2) > square(kVagueHeading));
     if (!component.heading_known)
     {
       covariance.row(2).setZero();
@@ -67,10 +68,21 @@ double SeedMixture::density(const Pose2& pose) const
   double sum = 0;
   for (const Component& component : components_)
   {
-    const double turned = component.heading_known ? wrap(pose.phi - component.mean.phi) : 0.0;
-    const Vector3d d(pose.x - component.mean.x, pose.y - component.mean.y, turned);
-    const double distance2 = d.dot(component.information * d);
-    if (distance2 < kReach2) sum += component.share * std::exp(component.log_norm - 0.5 * distance2);
+    Vector3d d(pose.x - component.mean.x, pose.y - component.mean.y, 0.0);
+    const auto add = [&](double turned)
+    {
+      d.z() = turned;
+      const double distance2 = d.dot(component.information * d);
+      if (distance2 < kReach2) sum += component.share * std::exp(component.log_norm - 0.5 * distance2);
+    };
+    if (!component.heading_known)
+    {
+      add(0);
+      continue;
+    }
+    // Samples are wrapped, so every full turn away counts at the same heading.
+    const double turned = wrap(pose.phi - component.mean.phi);
+    for (const double full_turn : {-kTwoPi, 0.0, kTwoPi}) add(turned + full_turn);
   }
   return uniform_share_ * region_.density(pose) + (1 - uniform_share_) * sum;
 }

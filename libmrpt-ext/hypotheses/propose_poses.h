@@ -1,0 +1,23 @@
+#pragma once
+
+#include "mrpt_ext/geometry/frame.h"
+#include "mrpt_ext/geometry/landmark_table.h"
+#include "mrpt_ext/hypotheses/pose_hypothesis.h"
+#include "mrpt_ext/hypotheses/pose_region.h"
+
+namespace mrpt_ext
+{
+struct ProposalOptions
+{
+  PoseRegion region;                 ///< poses outside are not proposed
+  std::size_t max_hypotheses = 100;  ///< best ones kept
+  std::size_t ring_points = 36;      ///< hypotheses that stand for a ring of unknown heading
+};
+
+/// All poses that the closed forms find in a frame, with covariance, scored by the likelihood of the whole frame and
+/// ranked. Which solver seeds what (equations.md sec. 5): three bearings -> linear form and ML; pairs of range and
+/// bearing -> rigid fit; three ranges -> position, heading from a bearing or free; one range and bearing, or a running
+/// fix -> ring; bearings without identity -> interpretation tree; points without identity -> pairs of equal distance.
+/// Measurements may be partly wrong: solvers work on minimal subsets and the whole frame judges.
+[[nodiscard]] HypothesisSet proposePoses(const Frame& frame, const LandmarkTable& map, const ProposalOptions& options);
+}  // namespace mrpt_ext

@@ -1,0 +1,33 @@
+#include "mrpt_ext/localizers/closed_form_localizer.h"
+
+#include <algorithm>
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kSameScore = 1e-6;                    // log-scores closer than this rank nothing
+constexpr double kAnyHeadingVariance = kPi * kPi / 3;  // of a uniform heading
+}  // namespace
+
+Estimate estimateFrom(ClosedFormAnswer answer, double time)
+{
+  Estimate estimate;
+  estimate.status = answer.status;
+  rankByScore(answer.candidates);
+  estimate.candidates = std::move(answer.candidates);
+  if (estimate.candidates.empty()) return estimate;
+  const PoseHypothesis& best = estimate.candidates.front();
+  estimate.ambiguous = estimate.candidates.size() > 1 && best.log_score - estimate.candidates[1].log_score < kSameScore;
+  if (estimate.ambiguous) return estimate;
+  TrackPoint point{.time = time, .pose = best.pose, .heading_known = best.heading_known};
+  if (!best.heading_known) point.pose.covariance(2, 2) = kAnyHeadingVariance;
+  point.modes = static_cast<int>(estimate.candidates.size());
+  point.best_weight = best.weight;
+  point.verdict = estimate.candidates.size() > 1 ? Verdict::ambiguous : Verdict::ok;
+  estimate.point = point;
+  return estimate;
+}
+
+Estimate ClosedFormLocalizer::process(const Frame& frame) { return estimateFrom(method_(frame), frame.time); }
+}  // namespace mrpt_ext

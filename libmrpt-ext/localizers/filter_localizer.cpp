@@ -1,0 +1,33 @@
+#include "mrpt_ext/localizers/filter_localizer.h"
+
+#include <cmath>
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kMinReportedWeight = 0.002;
+constexpr std::size_t kMaxReportedModes = 20;
+}  // namespace
+
+Estimate estimateFrom(const FilterStep& step, double time)
+{
+  Estimate estimate;
+  for (const Mode& mode : step.modes.modes)
+  {
+    if (mode.weight < kMinReportedWeight || estimate.candidates.size() == kMaxReportedModes) break;
+    estimate.candidates.push_back(
+        {.pose = mode.pose, .log_score = std::log(mode.weight), .weight = mode.weight, .source = "particles"});
+  }
+  if (estimate.candidates.empty()) return estimate;
+  estimate.status = SolveStatus::ok;
+  estimate.ambiguous = step.verdict == Verdict::ambiguous;
+  estimate.point = TrackPoint{.time = time,
+                              .pose = estimate.candidates.front().pose,
+                              .modes = static_cast<int>(estimate.candidates.size()),
+                              .best_weight = estimate.candidates.front().weight,
+                              .effective_samples = step.effective_ratio,
+                              .verdict = step.verdict};
+  return estimate;
+}
+}  // namespace mrpt_ext

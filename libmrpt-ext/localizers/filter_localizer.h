@@ -1,0 +1,24 @@
+#pragma once
+
+#include "mrpt_ext/filter/particle_filter.h"
+#include "mrpt_ext/localizers/localizer.h"
+
+namespace mrpt_ext
+{
+/// What every engine of the particle filter lets the report see.
+class FilterLocalizer : public Localizer
+{
+ public:
+  [[nodiscard]] std::string name() const override { return "particle_filter"; }
+  [[nodiscard]] bool continuous() const override { return true; }
+  [[nodiscard]] virtual const FilterStep& lastStep() const = 0;
+  [[nodiscard]] virtual const ParticleSet& particles() const = 0;
+  /// One entry per landmark of the map.
+  [[nodiscard]] virtual std::vector<LandmarkHistory> landmarkHistories() const = 0;
+  /// Learned share of good detections per landmark; empty when the engine does not learn it.
+  [[nodiscard]] virtual std::vector<double> inlierRates() const = 0;
+};
+
+/// A filter step as an estimate: the best mode, never the mean across modes; the others are its candidates.
+[[nodiscard]] Estimate estimateFrom(const FilterStep& step, double time);
+}  // namespace mrpt_ext

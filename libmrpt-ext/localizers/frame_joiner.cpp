@@ -1,0 +1,42 @@
+#include "mrpt_ext/localizers/frame_joiner.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+/// The reading as seen from a robot that has since moved by `motion`.
+void carry(Reading& reading, const OdometryMotion& motion, const MotionModel& model)
+{
+  const Matrix3d S = incrementCovariance(model, motion);
+  const Vector2d lever = reading.T_robot_sensor.position() - motion.increment.position();
+  const Vector2d swing(-lever.y(), lever.x());  // a heading error of the way turns the old place about the new one
+  const Matrix2d R = rotation(-motion.increment.phi);
+  const Matrix2d grown = reading.offset_covariance + S.topLeftCorner<2, 2>() + S(2, 2) * swing * swing.transpose();
+  reading.offset_covariance = R * grown * R.transpose();
+  reading.T_robot_sensor = compose(inverse(motion.increment), reading.T_robot_sensor);
+  reading.model.detection_probability.reset();  // what it did not report was not reported then, not now
+}
+}  // namespace
+
+void FrameJoiner::add(const Frame& frame)
+{
+  for (Reading& reading : newest_.readings) older_.push_back(std::move(reading));
+  while (!older_.empty() && older_.front().time < frame.time - window_) older_.pop_front();
+  for (Reading& reading : older_) carry(reading, frame.motion, motion_);
+  newest_ = frame;
+}
+
+std::vector<Reading> FrameJoiner::readings() const
+{
+  std::vector<Reading> all(older_.begin(), older_.end());
+  all.insert(all.end(), newest_.readings.begin(), newest_.readings.end());
+  return all;
+}
+
+Frame FrameJoiner::joined() const
+{
+  Frame frame = newest_;
+  frame.readings = readings();
+  return frame;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <deque>
+
+#include "mrpt_ext/filter/motion_model.h"
+#include "mrpt_ext/geometry/frame.h"
+
+namespace mrpt_ext
+{
+/// Carries the readings of the last seconds along by odometry, so that a method sees one constellation measured at
+/// several places. Sensor poses are expressed in the robot frame of the newest frame; the odometry noise on the way
+/// grows their offset covariance.
+class FrameJoiner
+{
+ public:
+  /// `window` [s]; 0 keeps nothing.
+  FrameJoiner(double window, const MotionModel& motion) : window_(window), motion_(motion) {}
+
+  /// Takes in the next frame.
+  void add(const Frame& frame);
+  /// The readings of the window, oldest first, seen from the newest frame.
+  [[nodiscard]] std::vector<Reading> readings() const;
+  /// The newest frame with the older readings of the window added.
+  [[nodiscard]] Frame joined() const;
+
+ private:
+  double window_;
+  MotionModel motion_;
+  Frame newest_;
+  std::deque<Reading> older_;
+};
+}  // namespace mrpt_ext

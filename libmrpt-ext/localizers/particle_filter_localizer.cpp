@@ -1,0 +1,30 @@
+#include "mrpt_ext/localizers/particle_filter_localizer.h"
+
+namespace mrpt_ext
+{
+ParticleFilterLocalizer::ParticleFilterLocalizer(const ParticleFilterOptions& options, const LandmarkTable& map,
+                                                 double seed_window, std::uint64_t seed, std::uint64_t stream)
+    : map_(map), region_(options.region), filter_(options, map, seed, stream), joiner_(seed_window, options.motion)
+{
+}
+
+Estimate ParticleFilterLocalizer::process(const Frame& frame)
+{
+  joiner_.add(frame);
+  step_ = filter_.process(frame, [&] { return proposePoses(joiner_.joined(), map_, {.region = region_}); });
+  return estimateFrom(step_, frame.time);
+}
+
+std::vector<LandmarkHistory> ParticleFilterLocalizer::landmarkHistories() const
+{
+  return filter_.reliability().histories();
+}
+
+std::vector<double> ParticleFilterLocalizer::inlierRates() const
+{
+  std::vector<double> rates;
+  for (const LandmarkHistory& history : filter_.reliability().histories())
+    rates.push_back(history.seen > 0 ? history.associated / history.seen : 1.0);
+  return rates;
+}
+}  // namespace mrpt_ext
