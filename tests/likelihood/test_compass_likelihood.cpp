@@ -1,0 +1,51 @@
+#include "mrpt_ext/likelihood/compass_likelihood.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace mrpt_ext
+{
+namespace
+{
+double density(double heading, double std, double phi)
+{
+  const double x = 0, y = 0;
+  double log_likelihood = 0;
+  addCompassLogLikelihood({.heading = heading, .std_heading = std}, {{&x, 1}, {&y, 1}, {&phi, 1}},
+                          {&log_likelihood, 1});
+  return std::exp(log_likelihood);
+}
+}  // namespace
+
+TEST(CompassLikelihood, IsNormalisedOverTheMeasuredHeading)
+{
+  const int n = 20000;
+  for (const double std : {0.01, 0.1, 0.5})
+    for (const double phi : {-3.1, 0.4, 3.1})
+    {
+      double sum = 0;
+      for (int i = 0; i < n; ++i) sum += density(-kPi + (i + 0.5) * kTwoPi / n, std, phi);
+      EXPECT_NEAR(sum * kTwoPi / n, 1, 1e-6) << std << " " << phi;
+    }
+}
+
+TEST(CompassLikelihood, ResidualsWrap)
+{
+  EXPECT_NEAR(density(kPi - 0.02, 0.1, -kPi + 0.03), density(0.0, 0.1, 0.05), 1e-9);
+}
+
+TEST(CompassLikelihood, AWrongCompassCannotRuleAPoseOut)
+{
+  EXPECT_NEAR(density(3.0, 0.001, 0.0), 0.05 / kTwoPi, 1e-12);
+}
+
+TEST(CompassLikelihood, AddsToWhatIsThere)
+{
+  const std::vector<double> x(2), y(2), phi{0.0, 0.5};
+  std::vector<double> log_likelihood{-1.0, -2.0};
+  addCompassLogLikelihood({.heading = 0.0, .std_heading = 0.1}, {x, y, phi}, log_likelihood);
+  EXPECT_NEAR(log_likelihood[0], -1.0 + std::log(density(0.0, 0.1, 0.0)), 1e-12);
+  EXPECT_NEAR(log_likelihood[1], -2.0 + std::log(density(0.0, 0.1, 0.5)), 1e-12);
+}
+}  // namespace mrpt_ext
