@@ -1,0 +1,106 @@
+#include "mrpt_ext/solvers/interpretation_paper_rule.h"
+
+#include <algorithm>
+
+#include "mrpt_ext/geometry/measurement_jacobian.h"
+#include "mrpt_ext/solvers/bearing_pose_linear.h"
+#include "mrpt_ext/solvers/pose_information.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+class PaperSearch
+{
+ public:
+  explicit PaperSearch(const InterpretationProblem& problem) : problem_(problem), used_(problem.landmarks.size(), false)
+  {
+    result_.tested.assign(problem.bearings.size() - 2, 0);
+    result_.valid.assign(problem.bearings.size() - 2, 0);
+  }
+
+  InterpretationCandidates run()
+  {
+    extend({});
+    return std::move(result_);
+  }
+
+ private:
+  /// Tries every free landmark for the next bearing; `prefix` is the pose of those matched so far.
+  void extend(const BearingPoseLinear& prefix)
+  {
+    const std::size_t next = matched_.size();
+    if (next == problem_.bearings.size())
+    {
+      record(prefix);
+      return;
+    }
+    for (const int landmark : problem_.allowed[next])
+    {
+      if (used_[static_cast<std::size_t>(landmark)] || !result_.finished) continue;
+      descend(prefix, landmark);
+    }
+  }
+
+  void descend(const BearingPoseLinear& prefix, int landmark)
+  {
+    const std::size_t index = static_cast<std::size_t>(landmark), depth = matched_.size() + 1;
+    const double bearing = problem_.bearings[matched_.size()];
+    const Vector2d& position = problem_.landmarks[index];
+    if (depth >= 3 && !count(result_.tested[depth - 3])) return;
+    if (depth > 3 && std::abs(wrap(predictBearing(prefix.pose, position) - bearing)) > problem_.options.max_residual)
+      return;
+    used_[index] = true;
+    matched_.push_back({position, bearing, problem_.std_bearing()});
+    assignment_.push_back(landmark);
+    const BearingPoseLinear pose = depth >= 3 ? solveBearingPoseLinear(matched_) : BearingPoseLinear{};
+    if (depth < 3 || pose.status == SolveStatus::ok)
+    {
+      if (depth >= 3) ++result_.valid[depth - 3];
+      extend(pose);
+    }
+    assignment_.pop_back();
+    matched_.pop_back();
+    used_[index] = false;
+  }
+
+  bool count(std::uint64_t& counter)
+  {
+    ++counter;
+    result_.finished = ++total_ <= problem_.options.max_tested;
+    return result_.finished;
+  }
+
+  void record(const BearingPoseLinear& fit)
+  {
+    Interpretation found;
+    found.assignment = assignment_;
+    found.matched = static_cast<int>(assignment_.size());
+    found.pose.mean = fit.pose;
+    Matrix3d information = Matrix3d::Zero();
+    const double sigma = problem_.std_bearing();
+    const double per_match =
+        std::log((1 - problem_.options.clutter_probability) / static_cast<double>(problem_.landmarks.size())) -
+        0.5 * std::log(kTwoPi) - std::log(sigma);
+    for (std::size_t i = 0; i < matched_.size(); ++i)
+    {
+      addInformation(information, bearingJacobian(fit.pose, matched_[i].landmark), sigma);
+      found.max_residual = std::max(found.max_residual, std::abs(fit.residuals[i]));
+      found.log_likelihood += per_match - 0.5 * square(fit.residuals[i] / sigma);
+    }
+    const std::optional<Matrix3d> covariance = covarianceFromInformation(information);
+    if (covariance) found.pose.covariance = *covariance;
+    result_.found.push_back(std::move(found));
+  }
+
+  const InterpretationProblem& problem_;
+  InterpretationCandidates result_;
+  std::vector<bool> used_;
+  std::vector<KnownBearing> matched_;
+  std::vector<int> assignment_;
+  std::uint64_t total_ = 0;
+};
+}  // namespace
+
+InterpretationCandidates searchByPaperRule(const InterpretationProblem& problem) { return PaperSearch(problem).run(); }
+}  // namespace mrpt_ext

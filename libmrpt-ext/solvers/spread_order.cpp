@@ -1,0 +1,77 @@
+#include <algorithm>
+#include <array>
+
+#include "mrpt_ext/solvers/interpretation_search.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kNearlyAsSpread = 0.6;  // of the best triple's gap
+
+double gapBetween(double a, double b) { return std::abs(wrap(a - b)); }
+
+struct Triple
+{
+  std::array<int, 3> index{0, 1, 2};
+  double gap = -1;
+  double combinations = 0;
+};
+
+/// The most spread triple, or a nearly as spread one with fewer combinations of landmarks.
+Triple firstTriple(const InterpretationProblem& problem)
+{
+  const int count = static_cast<int>(problem.bearings.size());
+  const auto bearing = [&](int i) { return problem.bearings[static_cast<std::size_t>(i)]; };
+  const auto choices = [&](int i) { return static_cast<double>(problem.allowed[static_cast<std::size_t>(i)].size()); };
+  std::vector<Triple> triples;
+  double widest = 0;
+  for (int i = 0; i < count; ++i)
+    for (int j = i + 1; j < count; ++j)
+    {
+      const double gap_ij = gapBetween(bearing(i), bearing(j));
+      if (gap_ij < kNearlyAsSpread * widest) continue;
+      for (int k = j + 1; k < count; ++k)
+      {
+        const double gap = std::min({gap_ij, gapBetween(bearing(i), bearing(k)), gapBetween(bearing(j), bearing(k))});
+        if (gap < kNearlyAsSpread * widest) continue;
+        widest = std::max(widest, gap);
+        triples.push_back({{i, j, k}, gap, choices(i) * choices(j) * choices(k)});
+      }
+    }
+  Triple best;
+  for (const Triple& t : triples)
+  {
+    if (t.gap < kNearlyAsSpread * widest) continue;
+    const bool fewer = t.combinations < best.combinations;
+    if (best.gap < 0 || fewer || (t.combinations == best.combinations && t.gap > best.gap)) best = t;
+  }
+  return best;
+}
+}  // namespace
+
+std::vector<int> spreadOrder(const InterpretationProblem& problem)
+{
+  const Triple first = firstTriple(problem);
+  std::vector<int> order(first.index.begin(), first.index.end());
+  std::vector<int> rest;
+  for (int i = 0; i < static_cast<int>(problem.bearings.size()); ++i)
+    if (std::find(order.begin(), order.end(), i) == order.end()) rest.push_back(i);
+  const auto isolation = [&](int i)
+  {
+    double gap = kPi;
+    for (const int chosen : order)
+      gap = std::min(gap, gapBetween(problem.bearings[static_cast<std::size_t>(i)],
+                                     problem.bearings[static_cast<std::size_t>(chosen)]));
+    return gap;
+  };
+  while (!rest.empty())
+  {
+    const auto next =
+        std::max_element(rest.begin(), rest.end(), [&](int a, int b) { return isolation(a) < isolation(b); });
+    order.push_back(*next);
+    rest.erase(next);
+  }
+  return order;
+}
+}  // namespace mrpt_ext
