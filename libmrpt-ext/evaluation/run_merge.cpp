@@ -147,6 +147,7 @@ RunScore mergeScores(const std::vector<RunScore>& trials)
   if (trials.size() == 1) return trials.front();
   RunScore merged;
   merged.judged_method = trials.front().judged_method;
+  merged.limits = trials.front().limits;
   merged.methods = mergeMethods(trials);
   merged.filter = mergeFilter(partsOf(trials, &RunScore::filter));
   merged.landmarks = mergeLandmarks(trials);

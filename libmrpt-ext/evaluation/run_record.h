@@ -120,5 +120,6 @@ struct RunContext
   LandmarkTable map;
   Trajectory truth;  ///< empty: nothing to judge against
   bool truth_is_sparse = false;
+  bool objects_wanted = false;  ///< the configuration names `objects`: objects.csv is written even when none was seen
 };
 }  // namespace mrpt_ext

@@ -153,6 +153,7 @@ RunScore scoreRun(const RunContext& context, const RunRecord& record, const Conv
   score.filter = describe(record.filter);
   score.landmarks = describe(record.landmarks);
   score.cost = describeCost(context, record);
+  score.limits = limits;
   score.verdict = record.verdict;
   score.verdict_reason = record.verdict_reason;
   score.interrupted = record.interrupted;

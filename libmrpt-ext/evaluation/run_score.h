@@ -78,6 +78,7 @@ struct RunScore
   std::map<std::string, LandmarkScore> landmarks;
   LimitScore limit;
   CostScore cost;
+  ConvergenceLimits limits;  ///< that the errors were judged by
   Figure converged_at_s;
   std::vector<TrialScore> trials;
   Figure success_rate;  ///< share of the trials whose success could be judged

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "mrpt_ext/evaluation/run_score.h"
+
+namespace mrpt_ext
+{
+/// HTML tables of a report; figures that do not exist show a dash.
+
+/// All methods side by side, the best marked, oracles marked as such.
+[[nodiscard]] std::string methodTable(const RunScore& score);
+/// Per landmark; doubtful ones highlighted with the reason. Empty without landmarks.
+[[nodiscard]] std::string landmarkTable(const RunScore& score);
+/// Observation classes with counts used and ignored. Empty without observations.
+[[nodiscard]] std::string observationTable(const RunContext& context);
+/// What the filter says about itself. Empty when no filter ran.
+[[nodiscard]] std::string filterTable(const RunScore& score);
+/// One row per trial, each linking to its own report `trial_NNN/report.html`.
+[[nodiscard]] std::string trialTable(const RunScore& score);
+/// How to get this run again: command, configuration, seed, version, input.
+[[nodiscard]] std::string provenanceTable(const RunContext& context, const RunScore& score);
+
+/// Name of the sub-folder of a trial.
+[[nodiscard]] std::string trialFolder(int trial);
+}  // namespace mrpt_ext

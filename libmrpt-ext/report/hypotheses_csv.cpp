@@ -1,0 +1,16 @@
+#include "mrpt_ext/report/hypotheses_csv.h"
+
+#include "mrpt_ext/report/csv_field.h"
+
+namespace mrpt_ext
+{
+std::string hypothesesCsv(const std::vector<HypothesisRow>& hypotheses)
+{
+  std::string text = "t,rank,x,y,phi_deg,weight,source\n";
+  for (const HypothesisRow& row : hypotheses)
+    text += timeField(row.time) + ',' + std::to_string(row.rank) + ',' + lengthField(row.pose.x) + ',' +
+            lengthField(row.pose.y) + ',' + angleField(row.pose.phi) + ',' + shareField(row.weight) + ',' +
+            textField(row.source) + '\n';
+  return text;
+}
+}  // namespace mrpt_ext

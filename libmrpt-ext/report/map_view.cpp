@@ -1,0 +1,45 @@
+#include "mrpt_ext/report/map_view.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kWidth = 720, kMinHeight = 240, kMaxHeight = 720;
+constexpr double kMargin = 36;           // drawing units, room for names and the scale bar
+constexpr double kSmallestExtent = 0.5;  // [m]
+}  // namespace
+
+MapView::MapView(const Vector2d& low, const Vector2d& high) : centre_(0.5 * (low + high)), width_(kWidth)
+{
+  const Vector2d extent = (high - low).cwiseMax(kSmallestExtent);
+  scale_ = std::min((kWidth - 2 * kMargin) / extent.x(), (kMaxHeight - 2 * kMargin) / extent.y());
+  height_ = std::clamp(extent.y() * scale_ + 2 * kMargin, kMinHeight, kMaxHeight);
+}
+
+Vector2d MapView::draw(const Vector2d& position) const
+{
+  const Vector2d offset = scale_ * (position - centre_);
+  return {0.5 * width_ + offset.x(), 0.5 * height_ - offset.y()};
+}
+
+bool MapView::contains(const Vector2d& drawn) const
+{
+  return drawn.x() >= 0 && drawn.x() <= width_ && drawn.y() >= 0 && drawn.y() <= height_;
+}
+
+MapView viewOf(const RunContext& context, const MethodTrack* path)
+{
+  Eigen::AlignedBox2d box;
+  for (const Landmark& landmark : context.map.all()) box.extend(Vector2d(landmark.position.head<2>()));
+  for (const TimedPose& truth : context.truth)
+    if (truth.time >= context.start_time && truth.time <= context.start_time + context.duration_s)
+      box.extend(truth.pose.position());
+  if (path)
+    for (const TrackPoint& point : path->points) box.extend(point.pose.mean.position());
+  if (box.isEmpty()) box.extend(Vector2d(0, 0));
+  return {box.min(), box.max()};
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "mrpt_ext/evaluation/run_record.h"
+
+namespace mrpt_ext
+{
+/// From map coordinates [m], y upwards, to drawing units, y downwards, with equal scale on both axes.
+class MapView
+{
+ public:
+  /// Shows the box from `low` to `high` with some space around it.
+  MapView(const Vector2d& low, const Vector2d& high);
+
+  [[nodiscard]] double width() const { return width_; }
+  [[nodiscard]] double height() const { return height_; }
+  [[nodiscard]] double scale() const { return scale_; }  ///< drawing units per metre
+  [[nodiscard]] Vector2d draw(const Vector2d& position) const;
+  [[nodiscard]] bool contains(const Vector2d& drawn) const;
+
+ private:
+  Vector2d centre_;
+  double width_ = 0, height_ = 0, scale_ = 1;
+};
+
+/// View of landmarks, truth within the log, and `path` (may be null); around the origin when there is nothing.
+[[nodiscard]] MapView viewOf(const RunContext& context, const MethodTrack* path);
+}  // namespace mrpt_ext

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+
+#include "mrpt_ext/evaluation/run_score.h"
+
+namespace mrpt_ext
+{
+/// Writes what a trial leaves into `folder`: summary.json, report.html, steps.csv, hypotheses.csv, objects.csv (only
+/// when objects were asked for or seen), trajectory_<method>.tum. Dead reckoning is anchored to the truth first, where
+/// there is one, so that the files agree with the score. Each file appears complete or not at all.
+/// Throws InputError (data) when a file cannot be written.
+void writeTrial(const std::filesystem::path& folder, const RunContext& context, const RunRecord& record,
+                const RunScore& score);
+
+/// Writes summary.json and report.html over several trials; the trials themselves lie in trial_NNN (trialFolder()).
+void writeMerged(const std::filesystem::path& folder, const RunContext& context, const RunScore& merged);
+}  // namespace mrpt_ext

@@ -1,0 +1,137 @@
+#include "mrpt_ext/report/summary_json.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace mrpt_ext
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+Json number(const Figure& figure) { return figure && std::isfinite(*figure) ? Json(*figure) : Json(nullptr); }
+
+/// A count is written without a decimal point, unless it is a median between two counts.
+Json count(const Figure& figure)
+{
+  if (figure && *figure == std::floor(*figure) && std::abs(*figure) < 1e15) return Json(std::llround(*figure));
+  return number(figure);
+}
+
+Json statistics(const ErrorStatistics& s)
+{
+  return {{"rmse", number(s.rmse)}, {"mean", number(s.mean)}, {"median", number(s.median)}, {"std", number(s.std)},
+          {"min", number(s.min)},   {"max", number(s.max)},   {"p95", number(s.p95)}};
+}
+
+Json trialsDetail(const std::vector<TrialScore>& trials)
+{
+  Json list = Json::array();
+  for (const TrialScore& trial : trials)
+    list.push_back({{"trial", trial.trial},
+                    {"seed", trial.seed},
+                    {"success", trial.success ? Json(*trial.success) : Json(nullptr)},
+                    {"verdict", toString(trial.verdict)},
+                    {"rmse", number(trial.rmse)},
+                    {"converged_at_s", number(trial.converged_at_s)}});
+  return list;
+}
+
+Json rawlog(const RunContext& context)
+{
+  return {{"path", context.rawlog_path},
+          {"sha256", context.rawlog_sha256.empty() ? Json(nullptr) : Json(context.rawlog_sha256)},
+          {"entries", context.rawlog_entries},
+          {"duration_s", number(context.duration_s)}};
+}
+
+Json observations(const RunContext& context)
+{
+  Json all = Json::object();
+  for (const auto& [name, entry] : context.observations)
+    all[name] = {{"total", entry.total}, {"used", entry.used}, {"ignored", entry.ignored}};
+  return all;
+}
+
+Json methods(const std::vector<MethodScore>& scores)
+{
+  Json all = Json::object();
+  for (const MethodScore& method : scores)
+    all[method.name] = {
+        {"estimates", count(method.estimates)},
+        {"availability", number(method.availability)},
+        {"position_error_m", statistics(method.position_error_m)},
+        {"heading_error_deg", statistics(method.heading_error_deg)},
+        {"position_error_whole_run_m", statistics(method.position_error_whole_run_m)},
+        {"time_per_step_ms", {{"median", number(method.step_ms_median)}, {"p95", number(method.step_ms_p95)}}}};
+  return all;
+}
+
+Json modes(const std::optional<std::vector<ModeSummary>>& modes_at_end)
+{
+  if (!modes_at_end) return nullptr;
+  Json list = Json::array();
+  for (const ModeSummary& mode : *modes_at_end)
+    list.push_back({{"x", number(mode.pose.mean.x)},
+                    {"y", number(mode.pose.mean.y)},
+                    {"phi_deg", number(radToDeg(mode.pose.mean.phi))},
+                    {"weight", number(mode.weight)}});
+  return list;
+}
+
+Json filter(const RunScore& score)
+{
+  const FilterScore& f = score.filter;
+  return {
+      {"particles",
+       {{"min", count(f.particles_min)}, {"median", count(f.particles_median)}, {"max", count(f.particles_max)}}},
+      {"nees",
+       {{"mean", number(f.nees_mean)}, {"band_low", number(f.nees_band_low)}, {"band_high", number(f.nees_band_high)}}},
+      {"effective_sample_ratio_min", number(f.effective_sample_ratio_min)},
+      {"converged_at_s", number(score.converged_at_s)},
+      {"lost_steps", count(f.lost_steps)},
+      {"reseeds", count(f.reseeds)},
+      {"modes_at_end", modes(f.modes_at_end)}};
+}
+
+Json landmarks(const std::map<std::string, LandmarkScore>& scores)
+{
+  Json all = Json::object();
+  for (const auto& [id, landmark] : scores)
+    all[id] = {{"seen", count(landmark.seen)},
+               {"associated", number(landmark.associated)},
+               {"inlier_rate", number(landmark.inlier_rate)},
+               {"residual_mean", number(landmark.residual_mean)},
+               {"residual_std", number(landmark.residual_std)}};
+  return all;
+}
+}  // namespace
+
+std::string summaryJson(const RunContext& context, const RunScore& score)
+{
+  const Json summary = {{"schema", 1},
+                        {"version", context.version},
+                        {"config", context.config_path},
+                        {"seed", context.seed},
+                        {"trials", score.trials.size()},
+                        {"success_rate", number(score.success_rate)},
+                        {"trials_detail", trialsDetail(score.trials)},
+                        {"rawlog", rawlog(context)},
+                        {"observations", observations(context)},
+                        {"methods", methods(score.methods)},
+                        {"filter", filter(score)},
+                        {"landmarks", landmarks(score.landmarks)},
+                        {"limit",
+                         {{"pcrlb_position_rmse_m", number(score.limit.position_rmse_m)},
+                          {"pcrlb_heading_rmse_deg", number(score.limit.heading_rmse_deg)}}},
+                        {"verdict", toString(score.verdict)},
+                        {"verdict_reason", score.verdict_reason},
+                        {"cost",
+                         {{"cpu_s", number(score.cost.cpu_s)},
+                          {"wall_s", number(score.cost.wall_s)},
+                          {"peak_memory_mb", number(score.cost.peak_memory_mb)},
+                          {"realtime_factor", number(score.cost.realtime_factor)}}}};
+  // A path or a label may hold bytes that are not UTF-8: they are replaced, the summary is still written.
+  return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,140 @@
+#include "synthetic_run.h"
+
+#include <cmath>
+#include <functional>
+
+namespace mrpt_ext::testing
+{
+namespace
+{
+constexpr double kStart = 1700000000;
+constexpr double kFrameStep = 0.5;
+
+Pose2 onTheOval(double t)
+{
+  const double a = 0.12 * t;
+  return {5 + 3.6 * std::cos(a), 3.5 + 2.2 * std::sin(a), wrap(std::atan2(2.2 * std::cos(a), -3.6 * std::sin(a)))};
+}
+
+/// Looks like noise, the same on every machine to all digits that matter.
+double wobble(double t, double phase) { return std::sin(12.9898 * t + phase) * std::cos(4.1414 * t + 2.7 * phase); }
+
+MethodTrack track(const std::string& name, bool continuous, double step, double duration,
+                  const std::function<TrackPoint(double)>& at)
+{
+  MethodTrack result;
+  result.name = name;
+  result.continuous = continuous;
+  for (int i = 0; i * step <= duration; ++i)
+  {
+    TrackPoint point = at(i * step);
+    point.time = kStart + i * step;
+    result.points.push_back(point);
+    result.step_milliseconds.push_back(0.2 + 0.1 * std::abs(wobble(i, 1)));
+  }
+  result.frames_offered = static_cast<std::size_t>(duration / kFrameStep) + 1;
+  result.frames_answered = result.points.size();
+  return result;
+}
+
+TrackPoint noisy(double t, double sigma, double phase)
+{
+  TrackPoint point;
+  const Pose2 truth = onTheOval(t);
+  point.pose.mean = {truth.x + sigma * wobble(t, phase), truth.y + sigma * wobble(t, phase + 1),
+                     wrap(truth.phi + 0.3 * sigma * wobble(t, phase + 2))};
+  point.pose.covariance = Vector3d(sigma * sigma, sigma * sigma, 0.1 * sigma * sigma).cwiseMax(1e-6).asDiagonal();
+  return point;
+}
+
+TrackPoint filterPoint(double t)
+{
+  TrackPoint point = noisy(t, 0.1, 3);
+  if (t < 8)
+  {
+    point.pose.mean = {10 - point.pose.mean.x, 7 - point.pose.mean.y, wrap(point.pose.mean.phi + kPi)};
+    point.verdict = Verdict::ambiguous;
+    point.modes = 2;
+  }
+  if (t > 70 && t < 74) point.verdict = Verdict::lost;
+  point.best_weight = t < 8 ? 0.5 + 0.02 * t : 0.99;
+  point.effective_samples = 0.55 + 0.4 * wobble(t, 5);
+  return point;
+}
+
+TrackPoint driftingOdometry(double t)
+{
+  TrackPoint point;
+  const Pose2 moved = between(onTheOval(0), onTheOval(t));
+  point.pose.mean = compose({0, 0, 0.003 * t}, moved);
+  return point;
+}
+}  // namespace
+
+RunContext syntheticContext(double duration)
+{
+  RunContext context;
+  context.version = "0.1.0";
+  context.config_path = "ini/landmark-localization/room.ini";
+  context.command_line = "landmark-localization room.ini --set 'Filter.note=<b>&\"x\"</b>' --seed 7";
+  context.seed = 7;
+  context.rawlog_path = "datasets/room/room.rawlog";
+  context.rawlog_sha256 = std::string(64, 'a');
+  context.rawlog_entries = 1234;
+  context.start_time = kStart;
+  context.duration_s = duration;
+  context.observations = {{"CObservationLandmarkBearings", {240, 240, 0}},
+                          {"CObservationOdometry", {1200, 1200, 0}},
+                          {"CObservationImage", {12, 0, 12}}};
+  std::vector<Landmark> landmarks;
+  const double corners[][2] = {{0, 0}, {10, 0}, {10, 7}, {0, 7}, {5, 0.3}, {9.5, 3.5}, {5, 6.8}, {0.4, 3.2}};
+  for (const auto& corner : corners)
+    landmarks.push_back({static_cast<int>(landmarks.size()) + 1, {corner[0], corner[1], 0}, "pole", {0, 0}});
+  context.map = LandmarkTable(std::move(landmarks));
+  for (int i = 0; i * 0.1 <= duration; ++i) context.truth.push_back({kStart + i * 0.1, onTheOval(i * 0.1), true});
+  return context;
+}
+
+RunRecord syntheticRecord(const RunContext& context, int trial)
+{
+  const double duration = context.duration_s;
+  RunRecord record;
+  record.trial = trial;
+  record.seed = 1000u + static_cast<unsigned>(trial);
+  record.methods.push_back(track("odometry", true, kFrameStep, duration, driftingOdometry));
+  record.methods.push_back(
+      track("bearing_least_squares", false, 1, duration, [](double t) { return noisy(t, 0.9, 1); }));
+  record.methods.push_back(
+      track("bearing_maximum_likelihood", false, 1, duration, [](double t) { return noisy(t, 0.3, 2); }));
+  record.methods.push_back(track("interpretation_tree", false, 4, duration, [](double t) { return noisy(t, 0.3, 7); }));
+  record.methods.push_back(
+      track("oracle_interpretation_tree", false, 2, duration, [](double t) { return noisy(t, 0.05, 8); }));
+  record.methods.back().oracle = true;
+  record.methods.push_back(
+      track("extended_kalman_filter", true, kFrameStep, duration, [](double t) { return noisy(t, 0.2, 4); }));
+  record.methods.push_back(track("particle_filter", true, kFrameStep, duration, filterPoint));
+  for (const TrackPoint& point : record.methods.front().points)
+    record.odometry.push_back({point.time, point.pose.mean, true});
+  record.hypotheses = {{kStart, 0, {1, 2, 0.5}, 0.6, "interpretation_tree"},
+                       {kStart, 1, {9, 5, -2.6}, 0.4, "particles"}};
+  record.filter.particle_counts = {4000, 900, 500};
+  record.filter.effective_sample_ratio_min = 0.08;
+  record.filter.lost_steps = 7;
+  record.filter.reseed_times = {kStart + 71, kStart + 73};
+  GaussianPose here, there;
+  here.mean = onTheOval(duration);
+  here.covariance = (Matrix3d() << 0.09, 0.05, 0, 0.05, 0.06, 0, 0, 0, 0.01).finished();
+  there.mean = {10 - here.mean.x, 7 - here.mean.y, wrap(here.mean.phi + kPi)};
+  there.covariance = Vector3d(0.04, 0.01, 0.02).asDiagonal();
+  record.filter.modes_at_end = {{here, 0.93}, {there, 0.07}};
+  for (int id = 1; id <= 8; ++id) record.landmarks[std::to_string(id)] = {100, 95.5, 0.96, 0.05, 1.02};
+  record.landmarks["3"] = {100, 31.0, 0.31, 0.9, 1.8};
+  record.objects = {{kStart + 2, "ball", {4, 3}, Matrix2d::Identity() * 0.01, {1, 0.5}}};
+  record.verdict = Verdict::ok;
+  record.verdict_reason = "one mode holds 0.93 of the weight, the evidence is as expected";
+  record.cpu_s = 3.2;
+  record.wall_s = 1.7;
+  record.peak_memory_mb = 85;
+  return record;
+}
+}  // namespace mrpt_ext::testing

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "mrpt_ext/evaluation/run_record.h"
+
+namespace mrpt_ext::testing
+{
+/// A run with everything a report can show: eight landmarks in a 10 x 7 m room (one of them doubtful), truth on an
+/// oval, dead reckoning in its own frame that drifts, a filter that is ambiguous for 8 s, three closed forms, an
+/// oracle, re-seeds, modes and an object. Deterministic.
+[[nodiscard]] RunContext syntheticContext(double duration = 120);
+[[nodiscard]] RunRecord syntheticRecord(const RunContext& context, int trial = 0);
+}  // namespace mrpt_ext::testing

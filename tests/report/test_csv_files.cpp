@@ -1,0 +1,95 @@
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "mrpt_ext/report/hypotheses_csv.h"
+#include "mrpt_ext/report/objects_csv.h"
+#include "mrpt_ext/report/steps_csv.h"
+#include "mrpt_ext/report/trajectory_tum.h"
+#include "synthetic_run.h"
+
+namespace mrpt_ext
+{
+using namespace testing;
+
+namespace
+{
+std::vector<std::string> linesOf(const std::string& text)
+{
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+}  // namespace
+
+TEST(StepsCsv, ColumnsAndValues)
+{
+  RunRecord record;
+  MethodTrack form, filter;
+  form.name = "running_fix";
+  filter.name = "particle_filter";
+  TrackPoint later, point;
+  later.time = 2.5;
+  later.heading_known = false;
+  point.time = 1.25;
+  point.pose.mean = {1, -2, kPi / 2};
+  point.pose.covariance = Vector3d(0.01, 0.02, 0.0025).asDiagonal();
+  point.modes = 2;
+  point.best_weight = 0.75;
+  point.effective_samples = 0.5;
+  point.verdict = Verdict::ambiguous;
+  form.points = {later};
+  filter.points = {point};
+  record.methods = {form, filter};
+  EXPECT_EQ(linesOf(stepsCsv(record)),
+            (std::vector<std::string>{
+                "t,method,x,y,phi_deg,cxx,cxy,cyy,cpp,modes,w_best,ess,verdict",
+                "1.250000,particle_filter,1.000000,-2.000000,90.000000,0.010000000,0.000000000,0.020000000,0.002500000,"
+                "2,0.750000,0.500000,ambiguous",
+                "2.500000,running_fix,0.000000,0.000000,,0.000000000,0.000000000,0.000000000,,1,1.000000,,ok"}));
+}
+
+TEST(StepsCsv, HasEveryEstimateInTheOrderOfTime)
+{
+  const RunRecord record = syntheticRecord(syntheticContext(20));
+  std::size_t estimates = 0;
+  for (const MethodTrack& method : record.methods) estimates += method.points.size();
+  const auto lines = linesOf(stepsCsv(record));
+  ASSERT_EQ(lines.size(), estimates + 1);
+  for (std::size_t i = 2; i < lines.size(); ++i) EXPECT_LE(std::stod(lines[i - 1]), std::stod(lines[i]));
+}
+
+TEST(HypothesesCsv, ColumnsAndValues)
+{
+  EXPECT_EQ(hypothesesCsv({{3, 1, {0.5, 1, -kPi / 4}, 0.25, "a,\"b\""}}),
+            "t,rank,x,y,phi_deg,weight,source\n"
+            "3.000000,1,0.500000,1.000000,-45.000000,0.250000,\"a,\"\"b\"\"\"\n");
+}
+
+TEST(ObjectsCsv, ColumnsAndValues)
+{
+  const Matrix2d covariance = (Matrix2d() << 0.04, 0.01, 0.01, 0.09).finished();
+  EXPECT_EQ(objectsCsv({{3, "ball", {1, 2}, covariance, {3, 4}}}),
+            "t,label,x,y,cxx,cxy,cyy,x_robot,y_robot\n"
+            "3.000000,ball,1.000000,2.000000,0.040000000,0.010000000,0.090000000,3.000000,4.000000\n");
+  EXPECT_EQ(objectsCsv({}), "t,label,x,y,cxx,cxy,cyy,x_robot,y_robot\n");
+}
+
+TEST(TrajectoryOf, TheLastEstimateOfAStampStays)
+{
+  MethodTrack track;
+  for (const double x : {1.0, 2.0, 3.0})
+  {
+    TrackPoint point;
+    point.time = x < 3 ? 5 : 6;
+    point.pose.mean.x = x;
+    point.heading_known = x < 3;
+    track.points.push_back(point);
+  }
+  const Trajectory trajectory = trajectoryOf(track);
+  ASSERT_EQ(trajectory.size(), 2u);
+  EXPECT_EQ(trajectory[0].pose.x, 2);
+  EXPECT_FALSE(trajectory[1].heading_known);
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,136 @@
+#include "mrpt_ext/report/summary_json.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "mrpt_ext/evaluation/run_merge.h"
+#include "synthetic_run.h"
+
+namespace mrpt_ext
+{
+using namespace testing;
+using Json = nlohmann::ordered_json;
+
+namespace
+{
+std::vector<std::string> keysOf(const Json& object)
+{
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : object.items()) keys.push_back(key);
+  return keys;
+}
+
+Json summaryOf(const RunContext& context, const RunRecord& record)
+{
+  return Json::parse(summaryJson(context, scoreRun(context, record, {})));
+}
+
+using Keys = std::vector<std::string>;
+const Keys kStatistics{"rmse", "mean", "median", "std", "min", "max", "p95"};
+}  // namespace
+
+TEST(SummaryJson, HasEveryKeyOfTheContractInItsOrder)
+{
+  const RunContext context = syntheticContext();
+  const Json json = summaryOf(context, syntheticRecord(context));
+  EXPECT_EQ(keysOf(json),
+            (Keys{"schema", "version", "config", "seed", "trials", "success_rate", "trials_detail", "rawlog",
+                  "observations", "methods", "filter", "landmarks", "limit", "verdict", "verdict_reason", "cost"}));
+  EXPECT_EQ(keysOf(json["trials_detail"][0]), (Keys{"trial", "seed", "success", "verdict", "rmse", "converged_at_s"}));
+  EXPECT_EQ(keysOf(json["rawlog"]), (Keys{"path", "sha256", "entries", "duration_s"}));
+  EXPECT_EQ(keysOf(json["observations"]["CObservationImage"]), (Keys{"total", "used", "ignored"}));
+  for (const auto& [name, method] : json["methods"].items())
+  {
+    EXPECT_EQ(keysOf(method), (Keys{"estimates", "availability", "position_error_m", "heading_error_deg",
+                                    "position_error_whole_run_m", "time_per_step_ms"}))
+        << name;
+    for (const char* error : {"position_error_m", "heading_error_deg", "position_error_whole_run_m"})
+      EXPECT_EQ(keysOf(method[error]), kStatistics) << name;
+    EXPECT_EQ(keysOf(method["time_per_step_ms"]), (Keys{"median", "p95"})) << name;
+  }
+  EXPECT_EQ(keysOf(json["filter"]), (Keys{"particles", "nees", "effective_sample_ratio_min", "converged_at_s",
+                                          "lost_steps", "reseeds", "modes_at_end"}));
+  EXPECT_EQ(keysOf(json["filter"]["particles"]), (Keys{"min", "median", "max"}));
+  EXPECT_EQ(keysOf(json["filter"]["nees"]), (Keys{"mean", "band_low", "band_high"}));
+  EXPECT_EQ(keysOf(json["filter"]["modes_at_end"][0]), (Keys{"x", "y", "phi_deg", "weight"}));
+  EXPECT_EQ(keysOf(json["landmarks"]["3"]),
+            (Keys{"seen", "associated", "inlier_rate", "residual_mean", "residual_std"}));
+  EXPECT_EQ(keysOf(json["limit"]), (Keys{"pcrlb_position_rmse_m", "pcrlb_heading_rmse_deg"}));
+  EXPECT_EQ(keysOf(json["cost"]), (Keys{"cpu_s", "wall_s", "peak_memory_mb", "realtime_factor"}));
+}
+
+TEST(SummaryJson, HoldsTheFigures)
+{
+  const RunContext context = syntheticContext();
+  const Json json = summaryOf(context, syntheticRecord(context));
+  EXPECT_EQ(json["schema"], 1);
+  EXPECT_EQ(json["seed"], 7);
+  EXPECT_EQ(json["trials"], 1);
+  EXPECT_EQ(json["success_rate"], 1.0);
+  EXPECT_EQ(json["trials_detail"][0]["seed"], 1000);
+  EXPECT_EQ(json["trials_detail"][0]["success"], true);
+  EXPECT_EQ(json["filter"]["converged_at_s"], 8.0);
+  EXPECT_EQ(json["filter"]["particles"]["median"], 900);
+  EXPECT_TRUE(json["filter"]["particles"]["median"].is_number_integer());
+  EXPECT_EQ(json["filter"]["reseeds"], 2);
+  EXPECT_EQ(json["verdict"], "ok");
+  EXPECT_LT(json["methods"]["particle_filter"]["position_error_m"]["rmse"], 0.2);
+  EXPECT_GT(json["methods"]["particle_filter"]["position_error_whole_run_m"]["max"], 1.0);
+  EXPECT_NEAR(json["cost"]["realtime_factor"].get<double>(), 120 / 1.7, 1e-9);
+}
+
+TEST(SummaryJson, WhatDoesNotExistIsNullNeverZero)
+{
+  RunContext context = syntheticContext(10);
+  context.truth.clear();
+  context.rawlog_sha256.clear();
+  RunRecord record;
+  record.methods.push_back({"running_fix"});
+  record.landmarks["4"] = {};  // never seen
+  const Json json = summaryOf(context, record);
+  EXPECT_TRUE(json["success_rate"].is_null());
+  EXPECT_TRUE(json["rawlog"]["sha256"].is_null());
+  for (const char* key : {"success", "rmse", "converged_at_s"}) EXPECT_TRUE(json["trials_detail"][0][key].is_null());
+  const Json& method = json["methods"]["running_fix"];
+  EXPECT_EQ(method["estimates"], 0);
+  EXPECT_TRUE(method["availability"].is_null());
+  for (const char* error : {"position_error_m", "heading_error_deg", "position_error_whole_run_m"})
+    for (const std::string& figure : kStatistics) EXPECT_TRUE(method[error][figure].is_null()) << error << figure;
+  EXPECT_TRUE(method["time_per_step_ms"]["median"].is_null());
+  for (const char* key : {"effective_sample_ratio_min", "converged_at_s", "lost_steps", "reseeds", "modes_at_end"})
+    EXPECT_TRUE(json["filter"][key].is_null()) << key;
+  EXPECT_TRUE(json["filter"]["particles"]["min"].is_null());
+  EXPECT_TRUE(json["filter"]["nees"]["mean"].is_null());
+  EXPECT_TRUE(json["landmarks"]["4"]["inlier_rate"].is_null());
+  EXPECT_TRUE(json["limit"]["pcrlb_position_rmse_m"].is_null());
+  EXPECT_TRUE(json["cost"]["realtime_factor"].is_null());
+}
+
+TEST(SummaryJson, OfSeveralTrialsListsThem)
+{
+  const RunContext context = syntheticContext(30);
+  std::vector<RunScore> scores;
+  for (int trial = 0; trial < 3; ++trial) scores.push_back(scoreRun(context, syntheticRecord(context, trial), {}));
+  const Json json = Json::parse(summaryJson(context, mergeScores(scores)));
+  EXPECT_EQ(json["trials"], 3);
+  ASSERT_EQ(json["trials_detail"].size(), 3u);
+  EXPECT_EQ(json["trials_detail"][2]["trial"], 2);
+  EXPECT_TRUE(json["filter"]["modes_at_end"].is_null());
+}
+
+TEST(SummaryJson, SameRunSameBytes)
+{
+  const RunContext context = syntheticContext();
+  const RunScore score = scoreRun(context, syntheticRecord(context), {});
+  EXPECT_EQ(summaryJson(context, score), summaryJson(context, scoreRun(context, syntheticRecord(context), {})));
+  EXPECT_EQ(summaryJson(context, score).back(), '\n');
+}
+
+TEST(SummaryJson, BytesThatAreNotUtf8DoNotStopIt)
+{
+  RunContext context = syntheticContext(10);
+  context.rawlog_path = "caf\xe9.rawlog";
+  EXPECT_EQ(summaryOf(context, syntheticRecord(context))["trials"], 1);
+}
+}  // namespace mrpt_ext
