@@ -1,22 +1,26 @@
 #include <cstdio>
-#include <vector>
 
-#include "mrpt_ext/solvers/pose_ml.h"
+#include "mrpt_ext/geometry/measurement_jacobian.h"
+#include "mrpt_ext/localizers/particle_filter_localizer.h"
 
-// Feeds bearings one at a time and reads the estimate. The robot stands at (2, 1) and looks 30 degrees to the left of
-// x.
+// A robot turns on the spot at (2, 1) and sees one landmark after the other; the filter is not told where it stands.
 int main()
 {
   using namespace mrpt_ext;
-  const std::vector<std::pair<Vector2d, double>> sightings{
-      {{0, 0}, 176.565}, {{6, 0}, -44.036}, {{6, 5}, 15.0}, {{0, 5}, 86.565}};
-  std::vector<PoseMeasurement> seen;
-  Pose2 estimate{3, 2, 0};
-  for (const auto& [landmark, bearing_deg] : sightings)
+  const LandmarkTable map({{1, {0, 0, 0}}, {2, {6, 0, 0}}, {3, {6, 5, 0}}, {4, {0, 5, 0}}});
+  ParticleFilterLocalizer filter({.region = {{0, 0}, {6, 5}}}, map, /*seed_window=*/5.0, /*seed=*/1);
+  Estimate estimate;
+  for (std::size_t k = 0; k < 20; ++k)
   {
-    seen.push_back({.landmark = landmark, .value = degToRad(bearing_deg), .std = degToRad(0.5)});
-    const PoseMl fit = refinePose(seen, estimate);
-    if (fit.status == SolveStatus::ok) estimate = fit.pose.mean;
+    const double time = static_cast<double>(k), turn = k > 0 ? degToRad(10) : 0;
+    const Landmark& seen = map[k % map.size()];
+    const double bearing = predictBearing({2, 1, degToRad(10) * time}, seen.position.head<2>());
+    Frame frame{.time = time, .motion = {.increment = {0, 0, turn}, .turned = turn, .duration = 1}};
+    frame.readings.push_back({.time = time, .sensor = "camera"});
+    frame.readings[0].detections.push_back({.id = seen.id, .bearing = bearing, .std_bearing = degToRad(1)});
+    estimate = filter.process(frame);
   }
-  std::printf("estimate: %.2f %.2f %.1f\n", estimate.x, estimate.y, radToDeg(estimate.phi));
+  if (!estimate.point) return 1;
+  const Pose2& pose = estimate.point->pose.mean;
+  std::printf("estimate: %.2f %.2f %.0f\n", pose.x, pose.y, radToDeg(pose.phi));
 }
