@@ -10,7 +10,8 @@ namespace
 {
 using Names = std::set<std::string>;
 
-/// Folder -> folders it may include. `pipeline` wires everything and is not listed; tests may use anything.
+/// Folder -> folders it may include. `pipeline` wires everything and is not listed; tests may use anything; apps use
+/// `maps` only to register our classes with MRPT.
 const std::map<std::string, Names> kAllowed{
     {"geometry", {}},
     {"files", {"geometry"}},
@@ -27,7 +28,7 @@ const std::map<std::string, Names> kAllowed{
     {"report", {"geometry", "files", "evaluation"}},
     {"observations", {"geometry"}},
     {"maps", {"geometry", "files", "likelihood", "observations"}},
-    {"apps", {"pipeline"}}};
+    {"apps", {"pipeline", "maps"}}};
 
 const Names kEigenOnly{"geometry",   "files",      "solvers",    "likelihood", "hypotheses", "filter",
                        "localizers", "evaluation", "simulation", "importers",  "report"};
