@@ -4,37 +4,67 @@
 #include <algorithm>
 
 #include "mrpt_ext/geometry/measurement_jacobian.h"
+#include "mrpt_ext/solvers/levenberg_marquardt.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr int kIterations = 6;
-constexpr double kLargestShift = 0.5;  // of the distance to the nearest matched landmark
+constexpr int kIterations = 20;
+constexpr double kLargestShift = 0.6;  // of the distance to the nearest matched landmark
 
-struct Normal
+// The rows of measurement_jacobian.h without a sensor offset: no trigonometry in the innermost loop of the search.
+JacobianRow rowTowards(const Vector2d& d)
 {
-  Matrix3d hessian = Matrix3d::Zero();
-  Vector3d gradient = Vector3d::Zero();
-  double sse = 0;
-};
+  const double inverse = 1 / d.squaredNorm();
+  return {d.y() * inverse, -d.x() * inverse, -1};
+}
 
-/// Of the sum of squared residuals, equal weights.
-Normal normalEquations(const std::vector<MatchedBearing>& matched, const Pose2& pose)
+double misfitAt(const MatchedBearing& m, const Pose2& pose, const Vector2d& to_landmark)
 {
-  Normal result;
+  return wrap(std::atan2(to_landmark.y(), to_landmark.x()) - pose.phi - m.bearing);
+}
+
+double sumOfSquares(const std::vector<MatchedBearing>& matched, const Pose2& pose)
+{
+  double sum = 0;
+  for (const MatchedBearing& m : matched) sum += square(misfitAt(m, pose, m.landmark - pose.position()));
+  return sum;
+}
+
+NormalEquations<3> normalEquations(const std::vector<MatchedBearing>& matched, const Pose2& pose)
+{
+  NormalEquations<3> result;
   for (const MatchedBearing& m : matched)
   {
-    const double e = wrap(predictBearing(pose, m.landmark) - m.bearing);
-    const JacobianRow row = bearingJacobian(pose, m.landmark);
+    const Vector2d d = m.landmark - pose.position();
+    const double e = misfitAt(m, pose, d);
+    const JacobianRow row = rowTowards(d);
     result.hessian += row.transpose() * row;
     result.gradient += e * row.transpose();
-    result.sse += e * e;
+    result.cost += e * e;
   }
   return result;
 }
 
-/// Relative to the size of its entries; a triple is never refined, its pose is exact.
+/// A triple needs no refinement, its pose is exact.
+void refine(Pose2& pose, const std::vector<MatchedBearing>& matched, double error)
+{
+  if (matched.size() <= 3) return;
+  DescentOptions options;
+  options.max_iterations = kIterations;
+  options.relative_step = 1e-3;
+  options.good_enough = 1e-4 * square(error);
+  descend<3>(
+      pose, [&](const Pose2& p) { return normalEquations(matched, p); },
+      [&](const Pose2& p) { return sumOfSquares(matched, p); },
+      [](const Pose2& p, const Vector3d& step) {
+        return Pose2{p.x + step.x(), p.y + step.y(), wrap(p.phi + step.z())};
+      },
+      options);
+}
+
+/// Relative to the size of its entries.
 bool wellConditioned(const Matrix3d& hessian)
 {
   const double size = square(0.5 * (hessian(0, 0) + hessian(1, 1))) * hessian(2, 2);
@@ -46,49 +76,37 @@ void updatePrefix(BearingPrefix& prefix, const std::vector<MatchedBearing>& matc
 {
   prefix.pose = start;
   prefix.reliable = false;
-  Normal normal = normalEquations(matched, start);
+  refine(prefix.pose, matched, error);
+  const NormalEquations<3> normal = normalEquations(matched, prefix.pose);
+  prefix.sse = normal.cost;
   if (!wellConditioned(normal.hessian)) return;
-  Matrix3d inverse = normal.hessian.inverse();
-  for (int k = 0; matched.size() > 3 && k < kIterations; ++k)
-  {
-    const Vector3d step = -inverse * normal.gradient;
-    const Pose2 next{prefix.pose.x + step.x(), prefix.pose.y + step.y(), prefix.pose.phi + step.z()};
-    const double gain = -normal.gradient.dot(step);
-    const Normal at_next = normalEquations(matched, next);
-    if (at_next.sse > normal.sse || !wellConditioned(at_next.hessian)) break;
-    prefix.pose = next;
-    normal = at_next;
-    inverse = normal.hessian.inverse();
-    if (gain < 1e-4 * square(error)) break;
-  }
-  prefix.sse = normal.sse;
-
+  const Matrix3d inverse = normal.hessian.inverse();
   prefix.sensitivity.resize(3, static_cast<Eigen::Index>(matched.size()));
   prefix.nearest = std::numeric_limits<double>::infinity();
   Vector2d reach = Vector2d::Zero();
   for (std::size_t i = 0; i < matched.size(); ++i)
   {
     const auto column = static_cast<Eigen::Index>(i);
-    prefix.sensitivity.col(column) = inverse * bearingJacobian(prefix.pose, matched[i].landmark).transpose();
+    const Vector2d d = matched[i].landmark - prefix.pose.position();
+    prefix.sensitivity.col(column) = inverse * rowTowards(d).transpose();
     reach += prefix.sensitivity.col(column).head<2>().cwiseAbs();
-    prefix.nearest = std::min(prefix.nearest, (matched[i].landmark - prefix.pose.position()).norm());
+    prefix.nearest = std::min(prefix.nearest, d.norm());
   }
   prefix.shift = error * reach.norm();
   prefix.reliable = prefix.shift <= kLargestShift * prefix.nearest;
 }
 
-double gateAt(const BearingPrefix& prefix, const Vector2d& landmark, double distance, double error,
-              InterpretationGate gate)
+double gateAt(const BearingPrefix& prefix, const Vector2d& to_landmark, double error, InterpretationGate gate)
 {
+  const double distance = to_landmark.norm();
   if (prefix.shift > 0.7 * distance) return kPi;
-  const JacobianRow row = bearingJacobian(prefix.pose, landmark);
+  const JacobianRow row = rowTowards(to_landmark);
+  double sum = 0;
   if (gate == InterpretationGate::covariance)
   {
-    double squares = 0;
-    for (Eigen::Index i = 0; i < prefix.sensitivity.cols(); ++i) squares += square(row * prefix.sensitivity.col(i));
-    return error * std::sqrt(1 + squares);
+    for (Eigen::Index i = 0; i < prefix.sensitivity.cols(); ++i) sum += square(row * prefix.sensitivity.col(i));
+    return error * std::sqrt(1 + sum);
   }
-  double sum = 0;
   for (Eigen::Index i = 0; i < prefix.sensitivity.cols(); ++i) sum += std::abs(row * prefix.sensitivity.col(i));
   const double stretch = distance / (distance - prefix.shift) * prefix.nearest / (prefix.nearest - prefix.shift);
   return error * (1 + sum * stretch);

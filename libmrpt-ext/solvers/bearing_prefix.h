@@ -29,12 +29,12 @@ struct BearingPrefix
   bool reliable = false;         ///< false: too close to singular, or to a landmark, for first order to hold
 };
 
-/// Gauss-Newton from `start` over `matched` (three or more), then the figures. A worst-case shift of more than half the
-/// distance to the nearest matched landmark makes the prefix unreliable.
+/// Least squares (guarded) from `start` over `matched` (three or more), then the figures. A worst-case shift of more
+/// than 0.6 of the distance to the nearest matched landmark makes the prefix unreliable.
 void updatePrefix(BearingPrefix& prefix, const std::vector<MatchedBearing>& matched, const Pose2& start, double error);
 
-/// Half-width of the gate for a bearing to `landmark` [rad]; pi or more when it says nothing. `distance` is that from
-/// the prefix pose to the landmark.
-[[nodiscard]] double gateAt(const BearingPrefix& prefix, const Vector2d& landmark, double distance, double error,
+/// Half-width of the gate [rad] for the bearing of a landmark at `to_landmark` from the prefix pose (world axes); pi
+/// when the prefix says nothing about it.
+[[nodiscard]] double gateAt(const BearingPrefix& prefix, const Vector2d& to_landmark, double error,
                             InterpretationGate gate);
 }  // namespace mrpt_ext

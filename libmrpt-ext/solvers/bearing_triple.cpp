@@ -22,10 +22,10 @@ BearingTriple solveBearingTriple(const std::array<Vector2d, 3>& landmarks, const
   const Vector2d a1 = times(times(unit_bearings[1], reference), b1);
   const Vector2d a2 = times(times(unit_bearings[2], reference), b2);
 
-  // f = r1 a1 - b1 = r2 a2 - b2. The direction of each a is wrong by two bearing errors at most, twice that between
-  // them; the safety factor of two covers what is not linear.
+  // f = r1 a1 - b1 = r2 a2 - b2. Three angles decide by their signs: between a1 and a2, and of w against each. Each
+  // depends on a difference of two bearings, so outside a margin of twice their error the sign is certain.
   const Vector2d w = b1 - b2;
-  const double margin = 4 * error;
+  const double margin = 2 * error;
   const double sine = cross(a1, a2);
   BearingTriple result;
   const double size2 = a1.squaredNorm() * a2.squaredNorm();

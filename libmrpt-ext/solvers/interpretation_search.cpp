@@ -176,9 +176,9 @@ class Search
     if (!here.prefix.reliable) return true;
     for (const MatchedBearing& m : matched_)
     {
-      const double distance = (m.landmark - here.prefix.pose.position()).norm();
-      const double gate = gateAt(here.prefix, m.landmark, distance, error_, options_.gate);
-      if (std::abs(wrap(predictBearing(here.prefix.pose, m.landmark) - m.bearing)) > gate) return false;
+      const Vector2d d = m.landmark - here.prefix.pose.position();
+      const double innovation = wrap(angleOf(d) - here.prefix.pose.phi - m.bearing);
+      if (std::abs(innovation) > gateAt(here.prefix, d, error_, options_.gate)) return false;
     }
     updatePrefix(here.prefix, matched_, here.prefix.pose, error_);
     return true;
@@ -216,15 +216,14 @@ class Search
 
   void predictAll(Node& here) const
   {
-    const double reach = options_.max_range.value_or(std::numeric_limits<double>::infinity()) + 2 * here.prefix.shift;
     for (std::size_t l = 0; l < problem_.landmarks.size(); ++l)
     {
       here.gate[l] = -1;
       if (used_[l]) continue;
-      const double distance = (problem_.landmarks[l] - here.prefix.pose.position()).norm();
-      if (distance > reach) continue;
-      here.predicted[l] = predictBearing(here.prefix.pose, problem_.landmarks[l]);
-      here.gate[l] = gateAt(here.prefix, problem_.landmarks[l], distance, error_, options_.gate);
+      const Vector2d d = problem_.landmarks[l] - here.prefix.pose.position();
+      if (options_.max_range && d.norm() > *options_.max_range + 2 * here.prefix.shift) continue;
+      here.predicted[l] = angleOf(d) - here.prefix.pose.phi;
+      here.gate[l] = gateAt(here.prefix, d, error_, options_.gate);
     }
   }
 

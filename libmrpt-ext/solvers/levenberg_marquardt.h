@@ -17,7 +17,8 @@ struct NormalEquations
 struct DescentOptions
 {
   int max_iterations = 50;
-  double relative_step = 1e-13;  ///< stop when a step lowers the cost, or moves, relatively less than this
+  double relative_step = 1e-13;  ///< stop when a step promises to lower the cost relatively less than this
+  double good_enough = 0;        ///< stop at a cost below this
 };
 
 struct DescentReport
@@ -46,7 +47,8 @@ DescentReport descend(State& state, const Model& model, const Cost& cost, const 
     const Vector step = -damped.ldlt().solve(now.gradient);
     // What the quadratic model promises; nothing left to gain means converged.
     const double promised = -(2 * now.gradient.dot(step) + step.dot(now.hessian * step));
-    if (!step.allFinite() || !(promised > options.relative_step * options.relative_step * now.cost))
+    const double least = options.relative_step * options.relative_step * now.cost;
+    if (!step.allFinite() || now.cost <= options.good_enough || !(promised > least))
     {
       report.converged = step.allFinite();
       return report;
