@@ -33,10 +33,17 @@ void identify(Detection& detection, const SimulatedSensor& sensor, const Feature
   if (sensor.identity != Identity::anonymous) detection.category = feature.category;
 }
 
+/// Depth / range: an ordinary stereo pair measures the depth along its axis, an omnidirectional one the range itself.
+double depthShare(const SimulatedSensor& sensor, double bearing)
+{
+  return sensor.field_of_view < degToRad(170) ? std::cos(bearing) : 1;
+}
+
 double declaredRangeStd(const SimulatedSensor& sensor, double range, double bearing)
 {
-  const double std_stereo =
-      sensor.std_disparity > 0 ? square(range) * std::cos(bearing) * sensor.std_disparity / sensor.baseline_focal : 0;
+  const double std_stereo = sensor.std_disparity > 0 ? square(range) * depthShare(sensor, bearing) *
+                                                           sensor.std_disparity / sensor.baseline_focal
+                                                     : 0;
   return rounded(std::hypot(sensor.std_range, sensor.std_range_per_m * range, std_stereo));
 }
 
@@ -114,10 +121,10 @@ std::optional<MeasuredRange> measureRange(const SimulatedSensor& sensor, const S
   double range = sighting.range;
   if (sensor.std_disparity > 0)
   {
-    const double cosine = std::cos(sighting.bearing);
-    const double disparity = sensor.baseline_focal / (range * cosine) + sensor.std_disparity * random.gaussian();
+    const double share = depthShare(sensor, sighting.bearing);
+    const double disparity = sensor.baseline_focal / (range * share) + sensor.std_disparity * random.gaussian();
     if (!(disparity > 0)) return std::nullopt;
-    range = sensor.baseline_focal / disparity / cosine;
+    range = sensor.baseline_focal / disparity / share;
   }
   const double std = std::hypot(sensor.std_range, sensor.std_range_per_m * sighting.range);
   range = rounded(sensor.scale_range * range + sensor.bias_range + std * random.gaussian());

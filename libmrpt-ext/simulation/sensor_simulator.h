@@ -40,8 +40,8 @@ struct MeasuredRange
 };
 
 /// Range with bias, scale and noise. Of a stereo pair: disparity = baseline focal / (range cos(bearing)) with Gaussian
-/// noise, hence std = range^2 cos(bearing) std_disparity / (baseline focal). Nothing when noise leaves no positive
-/// range or disparity.
+/// noise, hence std = range^2 cos(bearing) std_disparity / (baseline focal); with a field of view of 170 degrees and
+/// more the cosine is left out (omnidirectional stereo). Nothing when noise leaves no positive range or disparity.
 [[nodiscard]] std::optional<MeasuredRange> measureRange(const SimulatedSensor& sensor, const Sighting& sighting,
                                                         RandomStream& random);
 

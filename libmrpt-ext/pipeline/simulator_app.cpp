@@ -1,0 +1,66 @@
+#include "mrpt_ext/pipeline/simulator_app.h"
+
+#include <ostream>
+
+#include "mrpt_ext/files/landmark_csv.h"
+#include "mrpt_ext/files/tum.h"
+#include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/pipeline/app_shell.h"
+#include "mrpt_ext/pipeline/progress_line.h"
+#include "mrpt_ext/pipeline/rawlog_sink.h"
+#include "mrpt_ext/pipeline/simulator_config.h"
+#include "mrpt_ext/pipeline/simulator_keys.h"
+#include "mrpt_ext/simulation/simulator.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+fs::path beside(const fs::path& rawlog, const std::string& ending)
+{
+  return rawlog.parent_path() / (rawlog.stem().string() + ending);
+}
+
+void checkOutput(const fs::path& rawlog)
+{
+  if (rawlog.empty()) throw configurationError("landmark-simulator: -o/--output is missing, expected STEM.rawlog");
+  if (rawlog.extension() != ".rawlog")
+    throw configurationError("landmark-simulator: --output " + rawlog.string() + ": expected a name ending in .rawlog");
+}
+
+int simulateToFiles(const fs::path& config, const CommonOptions& options, std::ostream& out)
+{
+  Settings settings = Settings::load(config, simulatorKeys(), options.overrides);
+  if (options.seed)
+    settings.set("Simulation", "random_seed", std::to_string(*options.seed), "--seed " + std::to_string(*options.seed));
+  const Scenario scenario = readScenario(settings);
+  checkOutput(options.output);
+
+  ProgressLine progress(!options.quiet, "simulating");
+  const Recording recording = simulate(scenario, [&](double share) { progress.show(share); });
+  progress.clear();
+  const fs::path truth = beside(options.output, "_ground_truth.tum"), map = beside(options.output, "_map.csv");
+  writeRawlog(options.output, recording);
+  writeTum(truth, recording.truth);
+  writeLandmarkCsv(map, recording.map);
+  if (!options.quiet)
+    out << options.output.string() << ": " << recording.records.size() << " records, " << scenario.duration << " s\n"
+        << truth.string() << ": " << recording.truth.size() << " poses\n"
+        << map.string() << ": " << recording.map.size() << " landmarks\n";
+  return kExitDone;
+}
+}  // namespace
+
+int SimulatorApp::run(const std::vector<std::string>& arguments)
+{
+  AppShell shell("landmark-simulator",
+                 "Plays the scenario of an .ini file and writes STEM.rawlog, STEM_ground_truth.tum and STEM_map.csv.",
+                 out_, err_);
+  fs::path config;
+  shell.cli().add_option("CONFIG", config, "Scenario, e.g. ini/landmark-simulator/room.ini")->required();
+  shell.answerQuestionsAbout(simulatorKeys());
+  return shell.run(arguments, [&] { return simulateToFiles(config, shell.options(), out_); });
+}
+}  // namespace mrpt_ext
