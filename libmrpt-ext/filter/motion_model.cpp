@@ -1,7 +1,29 @@
 #include "mrpt_ext/filter/motion_model.h"
 
+#include <algorithm>
+
 namespace mrpt_ext
 {
+namespace
+{
+/// Where a small heading error moves the end of the way: the chord, turned by 90 degrees.
+Vector2d swingDirection(const MotionModel& model, const OdometryMotion& motion)
+{
+  if (model.type == MotionType::random_walk) return Vector2d::Zero();
+  return {-motion.increment.y, motion.increment.x};
+}
+
+/// Lower factor L of a positive semidefinite matrix L L^T.
+Matrix2d lowerFactor(const Matrix2d& matrix)
+{
+  Matrix2d factor = Matrix2d::Zero();
+  factor(0, 0) = std::sqrt(matrix(0, 0));
+  if (factor(0, 0) > 0) factor(1, 0) = matrix(1, 0) / factor(0, 0);
+  factor(1, 1) = std::sqrt(std::max(0.0, matrix(1, 1) - square(factor(1, 0))));
+  return factor;
+}
+}  // namespace
+
 Vector3d incrementStd(const MotionModel& model, const OdometryMotion& motion)
 {
   const double time_xy = square(model.std_xy_per_s) * motion.duration;
@@ -14,20 +36,30 @@ Vector3d incrementStd(const MotionModel& model, const OdometryMotion& motion)
 
 Matrix3d incrementCovariance(const MotionModel& model, const OdometryMotion& motion)
 {
-  return incrementStd(model, motion).cwiseAbs2().asDiagonal();
+  const Vector3d std = incrementStd(model, motion);
+  const Vector2d swing = swingDirection(model, motion);
+  Matrix3d covariance = std.cwiseAbs2().asDiagonal();
+  covariance.topLeftCorner<2, 2>() += square(std.z()) / 3 * swing * swing.transpose();
+  covariance.topRightCorner<2, 1>() = square(std.z()) / 2 * swing;
+  covariance.bottomLeftCorner<1, 2>() = covariance.topRightCorner<2, 1>().transpose();
+  return covariance;
 }
 
 void moveParticles(ParticleSet& particles, const MotionModel& model, const OdometryMotion& motion, RandomStream& random)
 {
   const Vector3d std = incrementStd(model, motion);
-  const bool measured = model.type != MotionType::random_walk;
-  const Pose2 mean = measured ? motion.increment : Pose2{};
+  const Vector2d swing = swingDirection(model, motion);
+  // Half of the final heading error swings the chord; what remains of the swing, std^2 (1/3 - 1/4), is independent.
+  Matrix2d independent = std.head<2>().cwiseAbs2().asDiagonal();
+  independent += square(std.z()) / 12 * swing * swing.transpose();
+  const Matrix2d factor = lowerFactor(independent);
+  const Pose2 mean = model.type == MotionType::random_walk ? Pose2{} : motion.increment;
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    const double dx = mean.x + std.x() * random.gaussian();
-    const double dy = mean.y + std.y() * random.gaussian();
-    const double dphi = mean.phi + std.z() * random.gaussian();
-    const Pose2 moved = compose(particles.pose(i), {dx, dy, dphi});
+    const double a = random.gaussian(), b = random.gaussian(), turn = std.z() * random.gaussian();
+    const double dx = mean.x + factor(0, 0) * a + 0.5 * turn * swing.x();
+    const double dy = mean.y + factor(1, 0) * a + factor(1, 1) * b + 0.5 * turn * swing.y();
+    const Pose2 moved = compose(particles.pose(i), {dx, dy, mean.phi + turn});
     particles.x[i] = moved.x;
     particles.y[i] = moved.y;
     particles.phi[i] = moved.phi;

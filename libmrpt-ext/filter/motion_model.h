@@ -25,13 +25,16 @@ struct MotionModel
   double std_phi_per_s = 0.005;  ///< [rad] after one second, also at standstill
 };
 
-/// Standard deviations (x, y, phi) of the increment of `motion`, in the robot frame at its start.
+/// Standard deviations (x, y, phi) that `motion` adds by itself, in the robot frame at its start.
 [[nodiscard]] Vector3d incrementStd(const MotionModel& model, const OdometryMotion& motion);
 
-/// Covariance of the increment: the square of incrementStd on the diagonal.
+/// Covariance of the increment: the square of incrementStd, and the heading error, which builds up evenly along the way
+/// and swings the rest of it: std_phi^2 / 3 across the chord, std_phi^2 / 2 between that and the heading, per metre of
+/// chord. So one long motion spreads like many short ones.
 [[nodiscard]] Matrix3d incrementCovariance(const MotionModel& model, const OdometryMotion& motion);
 
-/// Moves every particle by the increment plus its own noise (noise added to the increment, then composed).
+/// Moves every particle by the increment plus its own noise (noise of incrementCovariance added to the increment, then
+/// composed).
 void moveParticles(ParticleSet& particles, const MotionModel& model, const OdometryMotion& motion,
                    RandomStream& random);
 }  // namespace mrpt_ext

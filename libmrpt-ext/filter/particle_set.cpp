@@ -27,6 +27,12 @@ double normalizeWeights(ParticleSet& particles)
 {
   if (particles.empty()) return 0;
   const double best = *std::max_element(particles.log_weight.begin(), particles.log_weight.end());
+  if (!std::isfinite(best))  // no particle is possible: nothing tells them apart
+  {
+    std::fill(particles.log_weight.begin(), particles.log_weight.end(),
+              -std::log(static_cast<double>(particles.size())));
+    return best;
+  }
   double sum = 0;
   for (const double log_w : particles.log_weight) sum += std::exp(log_w - best);
   const double log_sum = best + std::log(sum);

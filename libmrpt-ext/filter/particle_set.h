@@ -20,7 +20,8 @@ struct ParticleSet
   void reserve(std::size_t count);
 };
 
-/// Scales the weights to sum 1 and returns the logarithm of what they summed to before.
+/// Scales the weights to sum 1 and returns the logarithm of what they summed to before. If that is not a positive
+/// number, all weights become equal.
 double normalizeWeights(ParticleSet& particles);
 
 /// Effective sample size 1 / sum w^2 of normalised weights, as a share of the particle count, in (0, 1].

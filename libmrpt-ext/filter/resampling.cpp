@@ -8,6 +8,8 @@ namespace mrpt_ext
 {
 namespace
 {
+constexpr double kRounding = 1e-9;  // a count this close below a whole number is meant to be whole
+
 /// Walks once through the cumulative weights: `points` ascending in [0, 1).
 void drawAt(const std::vector<double>& weights, double sum, const std::vector<double>& points,
             std::vector<std::size_t>& indices)
@@ -50,9 +52,9 @@ std::vector<std::size_t> drawResidual(const std::vector<double>& weights, double
   for (std::size_t i = 0; i < weights.size(); ++i)
   {
     const double expected = static_cast<double>(count) * weights[i] / sum;
-    const double whole = std::floor(expected);
+    const double whole = std::floor(expected + kRounding);
     indices.insert(indices.end(), static_cast<std::size_t>(whole), i);
-    rest_sum += rest[i] = expected - whole;
+    rest_sum += rest[i] = std::max(0.0, expected - whole);
   }
   if (indices.size() < count && rest_sum > 0)
     drawAt(rest, rest_sum, sortedUniforms(count - indices.size(), random), indices);
@@ -90,6 +92,7 @@ ParticleSet resampleByMode(const ParticleSet& particles, const std::vector<int>&
   std::vector<std::size_t> allotted(members.size(), 0);
   for (const std::size_t mode : drawIndices(ResamplingMethod::systematic, mode_weight, count, random)) ++allotted[mode];
 
+  const double total = std::accumulate(mode_weight.begin(), mode_weight.end(), 0.0);
   ParticleSet result;
   result.reserve(count);
   for (std::size_t mode = 0; mode < members.size(); ++mode)
@@ -97,7 +100,9 @@ ParticleSet resampleByMode(const ParticleSet& particles, const std::vector<int>&
     if (allotted[mode] == 0) continue;
     std::vector<double> member_weights;
     for (const std::size_t i : members[mode]) member_weights.push_back(w[i]);
-    const double log_w = std::log(mode_weight[mode] / static_cast<double>(allotted[mode]));
+    // A mode that expects less than one particle gets one now and then, and must then stand for the times it got none.
+    const double stands_for = std::max(mode_weight[mode], total / static_cast<double>(count));
+    const double log_w = std::log(stands_for / static_cast<double>(allotted[mode]));
     for (const std::size_t k : drawIndices(method, member_weights, allotted[mode], random))
       result.add(particles.pose(members[mode][k]), log_w);
   }

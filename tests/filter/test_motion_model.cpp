@@ -1,0 +1,152 @@
+#include "mrpt_ext/filter/motion_model.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr std::size_t kParticles = 40000;
+const MotionModel kModel{
+    .std_xy_per_m = 0.05, .std_phi_per_deg = 0.3, .std_phi_per_m = 0.04, .std_xy_per_s = 0.01, .std_phi_per_s = 0.02};
+
+struct Spread
+{
+  Vector3d mean = Vector3d::Zero();
+  Matrix3d covariance = Matrix3d::Zero();
+};
+
+/// Mean and covariance of many robots that start at `start` and make `steps` equal motions.
+Spread spreadAfter(const MotionModel& model, const OdometryMotion& motion, int steps, const Pose2& start = {})
+{
+  ParticleSet particles;
+  for (std::size_t i = 0; i < kParticles; ++i) particles.add(start, 0);
+  RandomStream random(11);
+  for (int k = 0; k < steps; ++k) moveParticles(particles, model, motion, random);
+  Spread spread;
+  for (std::size_t i = 0; i < kParticles; ++i) spread.mean += particles.pose(i).vector() / kParticles;
+  for (std::size_t i = 0; i < kParticles; ++i)
+  {
+    Vector3d d = particles.pose(i).vector() - spread.mean;
+    d.z() = wrap(d.z());
+    spread.covariance += d * d.transpose() / kParticles;
+  }
+  return spread;
+}
+
+OdometryMotion straight(double length, double duration) { return {{length, 0, 0}, length, 0, duration}; }
+
+/// Standard deviations agree within the sampling error of kParticles (0.35 % each) at four sigma.
+void expectSameStd(const Matrix3d& a, const Matrix3d& b, double tolerance = 0.02)
+{
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NEAR(std::sqrt(a(i, i)), std::sqrt(b(i, i)), tolerance * std::sqrt(b(i, i)) + 1e-12) << "axis " << i;
+}
+}  // namespace
+
+TEST(MotionModel, FiguresAreStandardDeviationsAfterOneUnit)
+{
+  const MotionModel way{
+      .std_xy_per_m = 0.05, .std_phi_per_deg = 0, .std_phi_per_m = 0.04, .std_xy_per_s = 0, .std_phi_per_s = 0};
+  EXPECT_TRUE(incrementStd(way, {.path_length = 1}).isApprox(Vector3d(0.05, 0.05, 0.04), 1e-12));
+  const MotionModel turn{
+      .std_xy_per_m = 0, .std_phi_per_deg = 0.3, .std_phi_per_m = 0, .std_xy_per_s = 0, .std_phi_per_s = 0};
+  EXPECT_NEAR(incrementStd(turn, {.turned = degToRad(1)}).z(), degToRad(0.3), 1e-12);
+  EXPECT_NEAR(incrementStd(turn, {.turned = degToRad(90)}).z(), degToRad(0.3) * std::sqrt(90), 1e-12);
+  const MotionModel time{
+      .std_xy_per_m = 0, .std_phi_per_deg = 0, .std_phi_per_m = 0, .std_xy_per_s = 0.01, .std_phi_per_s = 0.02};
+  EXPECT_TRUE(incrementStd(time, {.duration = 4}).isApprox(Vector3d(0.02, 0.02, 0.04), 1e-12));
+  EXPECT_EQ(incrementStd(kModel, {}), Vector3d::Zero());
+}
+
+TEST(MotionModel, VariancesAddUpAlongTheWay)
+{
+  const OdometryMotion whole{{}, 3.0, 2.0, 6.0}, part{{}, 0.3, 0.2, 0.6};
+  const Vector3d variance = incrementStd(kModel, whole).cwiseAbs2();
+  EXPECT_TRUE(variance.isApprox(10 * incrementStd(kModel, part).cwiseAbs2(), 1e-12));
+}
+
+TEST(MotionModel, ParticlesSpreadAsStated)
+{
+  const OdometryMotion turning{{0.001, 0, 0.5}, 0.001, 0.5, 1.0};
+  const Spread spread = spreadAfter(kModel, turning, 1);
+  expectSameStd(spread.covariance, incrementCovariance(kModel, turning));
+  EXPECT_NEAR(spread.mean.z(), 0.5, 1e-3);
+}
+
+TEST(MotionModel, NoiseIsInTheRobotFrame)
+{
+  MotionModel model = kModel;
+  model.type = MotionType::velocity;
+  model.std_xy_per_s = 0;
+  model.std_phi_per_m = model.std_phi_per_s = 0;
+  const Spread spread = spreadAfter(model, straight(1, 1), 1, {2, 3, kPi / 2});
+  EXPECT_NEAR(spread.mean.x(), 2, 1e-9);
+  EXPECT_NEAR(spread.mean.y(), 4, 1e-3);
+  EXPECT_NEAR(std::sqrt(spread.covariance(1, 1)), 0.05, 0.001);
+}
+
+TEST(MotionModel, ParticlesSpreadAsTheCovarianceOfTheIncrementSays)
+{
+  for (const OdometryMotion& motion : {straight(2, 1), OdometryMotion{{1, 0.5, 0.4}, 1.2, 0.6, 2.0}})
+  {
+    const Matrix3d expected = incrementCovariance(kModel, motion);
+    const Matrix3d found = spreadAfter(kModel, motion, 1).covariance;
+    expectSameStd(found, expected);
+    const Vector3d std = expected.diagonal().cwiseSqrt();
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < i; ++j) EXPECT_NEAR(found(i, j), expected(i, j), 0.02 * std[i] * std[j]) << i << j;
+  }
+}
+
+TEST(MotionModel, SubdividingAMotionGivesTheSameSpread)
+{
+  const int steps = 40;
+  const Spread once = spreadAfter(kModel, straight(4, 8), 1);
+  const Spread often = spreadAfter(kModel, straight(4.0 / steps, 8.0 / steps), steps);
+  expectSameStd(often.covariance, once.covariance, 0.03);
+  const double scale = std::sqrt(once.covariance(1, 1) * once.covariance(2, 2));
+  EXPECT_NEAR(often.covariance(1, 2), once.covariance(1, 2), 0.03 * scale);
+  EXPECT_NEAR(often.mean.x(), once.mean.x(), 0.01 * 4);
+}
+
+TEST(MotionModel, VelocityHasNoLateralNoise)
+{
+  MotionModel model = kModel;
+  model.type = MotionType::velocity;
+  model.std_xy_per_s = 0;
+  EXPECT_EQ(incrementStd(model, straight(2, 1)).y(), 0);
+  EXPECT_NEAR(incrementStd(model, straight(2, 1)).x(), 0.05 * std::sqrt(2), 1e-12);
+  model.std_phi_per_m = model.std_phi_per_s = 0;
+  EXPECT_NEAR(spreadAfter(model, straight(2, 1), 1).covariance(1, 1), 0, 1e-15);
+}
+
+TEST(MotionModel, RandomWalkIgnoresTheIncrement)
+{
+  MotionModel model = kModel;
+  model.type = MotionType::random_walk;
+  model.std_xy_per_s = 0.3;
+  const Spread spread = spreadAfter(model, {{5, 3, 1}, 0, 0, 4.0}, 1, {1, 2, 0.5});
+  EXPECT_NEAR(spread.mean.x(), 1, 0.02);
+  EXPECT_NEAR(spread.mean.y(), 2, 0.02);
+  EXPECT_NEAR(spread.mean.z(), 0.5, 0.002);
+  EXPECT_NEAR(std::sqrt(spread.covariance(0, 0)), 0.6, 0.012);
+}
+
+TEST(MotionModel, WithoutNoiseTheIncrementIsExact)
+{
+  const MotionModel exact{
+      .std_xy_per_m = 0, .std_phi_per_deg = 0, .std_phi_per_m = 0, .std_xy_per_s = 0, .std_phi_per_s = 0};
+  ParticleSet particles;
+  particles.add({1, 2, 3}, -1.5);
+  RandomStream random(1);
+  moveParticles(particles, exact, {{0.5, 0.1, 0.4}, 0.6, 0.4, 1}, random);
+  const Pose2 expected = compose({1, 2, 3}, {0.5, 0.1, 0.4});
+  EXPECT_NEAR(particles.x[0], expected.x, 1e-15);
+  EXPECT_NEAR(particles.y[0], expected.y, 1e-15);
+  EXPECT_NEAR(particles.phi[0], expected.phi, 1e-15);
+  EXPECT_EQ(particles.log_weight[0], -1.5);
+}
+}  // namespace mrpt_ext
