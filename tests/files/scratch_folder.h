@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -8,15 +9,17 @@
 
 namespace mrpt_ext::testing
 {
-/// A folder of its own for one test, removed when the test ends.
+/// A folder of its own for a test, removed when the test ends.
 class ScratchFolder
 {
  public:
   ScratchFolder()
   {
     const ::testing::TestInfo* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    path_ = std::filesystem::path(::testing::TempDir()) /
-            (std::string("mrpt_ext_") + test->test_suite_name() + "_" + test->name());
+    static int count = 0;
+    const std::string name = std::string("mrpt_ext_") + test->test_suite_name() + "_" + test->name() + "_" +
+                             std::to_string(getpid()) + "_" + std::to_string(++count);
+    path_ = std::filesystem::path(::testing::TempDir()) / name;
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
   }

@@ -1,0 +1,10 @@
+#include <iostream>
+
+#include "mrpt_ext/maps/register_all_classes.h"
+#include "mrpt_ext/pipeline/dataset_app.h"
+
+int main(int argc, char** argv)
+{
+  mrpt_ext::registerAllClasses();
+  return mrpt_ext::DatasetApp(std::cout, std::cerr).run(mrpt_ext::argumentsOf(argc, argv));
+}

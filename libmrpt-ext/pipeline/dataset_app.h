@@ -1,0 +1,30 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "mrpt_ext/pipeline/app_shell.h"
+#include "mrpt_ext/pipeline/dataset_formats.h"
+
+namespace mrpt_ext
+{
+/// dataset2rawlog FORMAT INPUT... -o STEM.rawlog: foreign recordings -> STEM.rawlog, STEM_ground_truth.tum (unless
+/// there is no truth), STEM_map.csv. What was read, dropped and corrected is told on `out`, warnings on `err`.
+class DatasetApp
+{
+ public:
+  DatasetApp(std::ostream& out, std::ostream& err);
+  /// `arguments` without the program's name; returns the exit code.
+  int run(std::vector<std::string> arguments);
+
+ private:
+  int convert();
+  void tell(const Recording& recording);
+  void write(const Recording& recording, const std::filesystem::path& rawlog);
+
+  AppShell shell_;
+  DatasetRequest request_;
+  std::vector<double> truth_origin_;  // x y phi_deg
+};
+}  // namespace mrpt_ext

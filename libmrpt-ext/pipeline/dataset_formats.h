@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mrpt_ext/geometry/recording.h"
+#include "mrpt_ext/importers/import_options.h"
+
+namespace mrpt_ext
+{
+/// What is to be imported, and how.
+struct DatasetRequest
+{
+  std::string format;
+  std::vector<std::filesystem::path> inputs;
+  std::optional<int> robot;           ///< mrclam, mrclam-snapshots
+  std::filesystem::path map;          ///< mrpt-uwb: other beacon positions than the demo's
+  std::optional<Pose2> truth_origin;  ///< mrpt-uwb: pose of the truth file's frame in the map
+  Identity identity = Identity::known;
+  Measurements measurements = Measurements::range_bearing;
+};
+
+/// Names of the formats that can be read.
+[[nodiscard]] std::vector<std::string> datasetFormats();
+/// One line per format: its name and what INPUT is.
+[[nodiscard]] std::string describeDatasetFormats();
+
+/// Reads a recording of any format. Throws InputError: configuration for an unknown format, a wrong number of inputs or
+/// an option that the format does not have, data for files that cannot be used.
+[[nodiscard]] Recording importDataset(const DatasetRequest& request);
+}  // namespace mrpt_ext
