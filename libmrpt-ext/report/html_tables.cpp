@@ -31,10 +31,10 @@ std::string table(const Cells& titles, const std::string& rows, const std::strin
 
 std::string methodRow(const MethodScore& method, const RunScore& score, bool best)
 {
-  const std::string key =
-      element("span", "key dot " + methodClass(method.name, methodNames(score.methods)), "") + escapeHtml(method.name);
+  const std::string key = element("span", "key dot " + methodClass(method.name, methodNames(score.methods)), "") +
+                          breakableName(method.name);
   const std::string badge = best            ? element("span", "badge best", "best")
-                            : method.oracle ? element("span", "badge", "chose with the truth")
+                            : method.oracle ? element("span", "badge", "used the truth")
                                             : "";
   const ErrorStatistics& error = method.position_error_m;
   std::string css_class = best ? "best" : method.oracle ? "oracle" : "";
@@ -72,8 +72,8 @@ std::string methodTable(const RunScore& score)
   const MethodScore* best = bestMethod(score);
   std::string rows;
   for (const MethodScore& method : score.methods) rows += methodRow(method, score, &method == best);
-  return table({"method", "estimates", "available", "RMSE&#160;m", "median&#160;m", "95&#160;%&#160;m", "worst&#160;m",
-                "heading RMSE&#160;deg", "whole run RMSE&#160;m", "ms per step"},
+  return table({"method", "estimates", "available", "RMSE m", "median m", "95 % m", "worst m", "heading RMSE deg",
+                "whole run RMSE m", "ms per step"},
                rows, "methods");
 }
 
@@ -140,7 +140,7 @@ std::string trialTable(const RunScore& score)
          magnitudeText(trial.rmse), figureText(trial.converged_at_s, 1)},
         bad ? "doubtful" : "");
   }
-  return table({"trial", "seed", "success", "verdict", "RMSE&#160;m", "converged after&#160;s"}, rows);
+  return table({"trial", "seed", "success", "verdict", "RMSE m", "converged after s"}, rows);
 }
 
 std::string provenanceTable(const RunContext& context, const RunScore& score)

@@ -45,6 +45,13 @@ std::string escapeHtml(std::string_view text)
   return safe;
 }
 
+std::string breakableName(std::string_view name)
+{
+  std::string html;
+  for (const char c : escapeHtml(name)) html += c == '_' ? std::string("_<wbr/>") : std::string(1, c);
+  return html;
+}
+
 std::string element(std::string_view tag, std::string_view css_class, std::string_view content)
 {
   std::string html = "<" + std::string(tag);

@@ -11,6 +11,9 @@ namespace mrpt_ext
 /// Text made safe for HTML content and attribute values; control characters become blanks.
 [[nodiscard]] std::string escapeHtml(std::string_view text);
 
+/// Like escapeHtml(), with places to break the line after underscores.
+[[nodiscard]] std::string breakableName(std::string_view name);
+
 /// `<tag class="css_class">content</tag>`; `content` is HTML already, an empty class is left out.
 [[nodiscard]] std::string element(std::string_view tag, std::string_view css_class, std::string_view content);
 

@@ -3,17 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mrpt_ext/evaluation/error_statistics.h"
 #include "mrpt_ext/report/html_text.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr double kWidth = 720, kHeight = 300;
-constexpr double kLeft = 62, kRight = 12, kTop = 22, kBottom = 40;
+constexpr double kWidth = 720, kHeight = 310;
+constexpr double kLeft = 62, kRight = 12, kTop = 34, kBottom = 40;
 constexpr std::size_t kMaxPoints = 1200;  // per series: more than the drawing can resolve
 constexpr double kLogSpan = 30;           // from this ratio of values on the axis is logarithmic
-constexpr double kLogDecades = 5;         // smaller values are drawn at the lower end
+constexpr double kLogDecades = 5;         // at most
+constexpr double kDrawnFrom = 0.02;       // quantile at the lower end; smaller values are drawn on it
 
 /// Maps values to drawing units.
 struct Axes
@@ -40,19 +42,17 @@ Axes axesFor(const Chart& chart)
     axes.high = *chart.top;
     return axes;
   }
-  double smallest = HUGE_VAL, largest = 0;
+  std::vector<double> values;  // a zero has no place on a logarithmic axis
   for (const ChartSeries& series : chart.series)
     for (const Vector2d& p : series.points)
-    {
-      largest = std::max(largest, p.y());
-      if (p.y() > 0) smallest = std::min(smallest, p.y());
-    }
-  if (largest <= 0) return axes;
-  axes.logarithmic = largest > kLogSpan * smallest;
+      if (p.y() > 0) values.push_back(p.y());
+  if (values.empty()) return axes;
+  const double largest = *quantile(values, 1.0), small = *quantile(values, kDrawnFrom);
+  axes.logarithmic = largest > kLogSpan * small;
   if (axes.logarithmic)
   {
     axes.high = std::pow(10, std::ceil(std::log10(largest)));
-    axes.low = std::pow(10, std::max(std::floor(std::log10(smallest)), std::log10(axes.high) - kLogDecades));
+    axes.low = std::pow(10, std::max(std::floor(std::log10(small)), std::log10(axes.high) - kLogDecades));
     return axes;
   }
   const double step = niceStep(largest / 3);
@@ -144,7 +144,7 @@ std::string svgChart(const Chart& chart)
   for (const ChartMark& mark : chart.marks)
     if (mark.to > mark.from) svg += markShape(mark, axes);
   svg += valueAxis(axes) + timeAxis(axes);
-  svg += svgText({4, kTop - 8}, "start", "", chart.unit + (axes.logarithmic ? ", logarithmic" : ""));
+  svg += svgText({4, 15}, "start", "", chart.unit + (axes.logarithmic ? ", logarithmic" : ""));
   for (const ChartSeries& series : chart.series)  // dots lie below the curves
     if (series.dots) svg += dots(series, axes);
   for (const ChartSeries& series : chart.series)

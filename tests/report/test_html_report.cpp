@@ -105,7 +105,7 @@ TEST(TrialPage, ShowsEveryPart)
   EXPECT_EQ(countOf(html, "<path class=\"reseed\""), 2u);
   EXPECT_EQ(countOf(html, "<svg class=\"chart\""), 3u);
   for (const char* part : {"few inliers", "CObservationImage", "ground truth", "class=\"scale\"", "logarithmic",
-                           "span lost", "span ambiguous", "chose with the truth"})
+                           "span lost", "span ambiguous", "used the truth"})
     EXPECT_NE(html.find(part), std::string::npos) << part;
   for (const MethodTrack& method : syntheticRecord(context).methods)
     EXPECT_NE(html.find(method.name), std::string::npos) << method.name;
