@@ -26,10 +26,10 @@ VerdictWithReason judge(const ModeSet& modes, double explained_share, bool lost,
   const Mode& best = modes.modes.front();
   const double std_xy = std::sqrt(best.pose.covariance(0, 0) + best.pose.covariance(1, 1));
   const double std_phi = std::sqrt(best.pose.covariance(2, 2));
-  if (best.weight < options.min_best_weight)
+  if (!(best.weight >= options.min_best_weight))
     return {Verdict::ambiguous,
             text("%zu places explain the detections, the best has weight %.2f", modes.modes.size(), best.weight)};
-  if (std_xy > options.max_std_xy || std_phi > options.max_std_phi)
+  if (!(std_xy <= options.max_std_xy && std_phi <= options.max_std_phi))
     return {Verdict::ambiguous,
             text("the pose is not sharp yet: %.2f m and %.1f deg standard deviation", std_xy, radToDeg(std_phi))};
   return {Verdict::ok, text("one place, weight %.2f, %.3f m and %.1f deg standard deviation, explains %.0f %% of the "

@@ -51,8 +51,8 @@ LandmarkClutter LandmarkReliability::clutter(double sensor_clutter) const
   LandmarkClutter result(histories_.size());
   for (std::size_t j = 0; j < histories_.size(); ++j)
   {
-    const double outliers = histories_[j].seen - histories_[j].associated;
-    const double share = (prior_strength_ * sensor_clutter + outliers) / (prior_strength_ + histories_[j].seen);
+    const LandmarkHistory& history = histories_[j];
+    const double share = (prior_strength_ * sensor_clutter + history.false_named) / (prior_strength_ + history.named);
     result[j] = std::min(share, std::max(max_clutter_, sensor_clutter));
   }
   return result;
@@ -80,6 +80,8 @@ double LandmarkReliability::observe(const Reading& reading, const LandmarkTable&
         if (!learn) continue;
         histories_[j].seen += share * (named ? 1.0 : p);
         histories_[j].associated += share * p;
+        histories_[j].named += named ? share : 0.0;
+        histories_[j].false_named += named ? share * (1 - p) : 0.0;
         if (p > 0.01) addResiduals(histories_[j], detection, predict(map[j], reading, robot), share * p);
       }
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "mrpt_ext/filter/particle_set.h"
@@ -10,18 +11,21 @@ namespace mrpt_ext
 /// How a landmark behaved under the posterior so far.
 struct LandmarkHistory
 {
-  double seen = 0;        ///< identified detections of it, or expected number of unidentified ones
-  double associated = 0;  ///< expected number that really were it
+  double seen = 0;         ///< identified detections of it, or expected number of unidentified ones
+  double associated = 0;   ///< expected number that really were it
+  double named = 0;        ///< identified detections of it
+  double false_named = 0;  ///< expected number of those that were not it
   double residual_weight = 0, residual_sum = 0, residual_sum2 = 0;  ///< normalised residuals of the inliers
 };
 
 /// Learns, per landmark, which share of its detections is false, so that a lying beacon loses its say.
-/// The share is the mean of a Beta posterior: the sensor's clutter probability counts like `prior_strength` detections.
+/// The share is the mean of a Beta posterior: the sensor's clutter probability counts like `prior_strength` detections
+/// (at least one). Unidentified detections do not enter: a false one of them cannot be laid at one landmark's door.
 class LandmarkReliability
 {
  public:
   LandmarkReliability(std::size_t landmarks, double prior_strength, double max_clutter)
-      : histories_(landmarks), prior_strength_(prior_strength), max_clutter_(max_clutter)
+      : histories_(landmarks), prior_strength_(std::max(prior_strength, 1.0)), max_clutter_(max_clutter)
   {
   }
 
