@@ -10,8 +10,8 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kWidth = 720, kHeight = 310;
-constexpr double kLeft = 62, kRight = 12, kTop = 34, kBottom = 40;
+constexpr double kWidth = 720, kHeight = 320;
+constexpr double kLeft = 62, kRight = 12, kTop = 34, kBottom = 50;
 constexpr std::size_t kMaxPoints = 1200;  // per series: more than the drawing can resolve
 constexpr double kLogSpan = 30;           // from this ratio of values on the axis is logarithmic
 constexpr double kLogDecades = 5;         // at most
@@ -88,8 +88,9 @@ std::string timeAxis(const Axes& axes)
   for (int i = 0; i * step < axes.duration * (1 + 1e-9); ++i)
   {
     const double x = axes.x(i * step);
-    svg += svgLine({x, bottom}, {x, bottom + 4}, "axis") +
-           svgText({x, bottom + 18}, "middle", "", niceText(i * step, step));
+    const std::string anchor = x > kWidth - kRight - 20 ? "end" : "middle";  // the last one must not be cut off
+    svg +=
+        svgLine({x, bottom}, {x, bottom + 4}, "axis") + svgText({x, bottom + 19}, anchor, "", niceText(i * step, step));
   }
   return svg + svgLine({kLeft, bottom}, {kWidth - kRight, bottom}, "axis") +
          svgText({kWidth - kRight, kHeight - 4}, "end", "", "s since the start of the log") + "\n";

@@ -73,6 +73,8 @@ TEST(EscapeHtml, NothingOfTheTextBecomesMarkup)
   EXPECT_EQ(escapeHtml(std::string("a\x01z")), "a z");
 }
 
+TEST(BreakableName, MayBreakAfterUnderscores) { EXPECT_EQ(breakableName("two_<b>"), "two_<wbr/>&lt;b&gt;"); }
+
 TEST(MethodClass, ColoursAreStableAndSharedWithTheOracle)
 {
   const std::vector<std::string> names{"odometry", "running_fix", "oracle_interpretation_tree", "interpretation_tree"};
