@@ -94,24 +94,28 @@ TEST(SimulateReading, NoiseAndBiasComeOutAsConfigured)
 
 TEST(SimulateReading, StereoNoiseGrowsWithTheSquareOfTheRange)
 {
-  for (const double scale : {1.0, 2.0})
-  {
-    SimulatedSensor sensor = rangeBearing();
-    sensor.horizontal_range = true;
-    sensor.baseline_focal = 50;
-    sensor.std_disparity = 0.25;
-    std::vector<double> ranges, declared;
-    for (const Detection& d : manyDetections(sensor, {{1, "", {scale, 0.5 * scale, 0}, true}}))
+  const double direction = std::atan(0.5);
+  for (const double field_of_view : {degToRad(120), kTwoPi})
+    for (const double depth : {1.0, 2.0})
     {
-      ranges.push_back(*d.range);
-      declared.push_back(d.std_range);
+      SimulatedSensor sensor = rangeBearing();
+      sensor.field_of_view = field_of_view;
+      sensor.horizontal_range = true;
+      sensor.baseline_focal = 50;
+      sensor.std_disparity = 0.25;
+      std::vector<double> ranges, declared;
+      for (const Detection& d : manyDetections(sensor, {{1, "", {depth, 0.5 * depth, 0}, true}}))
+      {
+        ranges.push_back(*d.range);
+        declared.push_back(d.std_range);
+      }
+      const double range = depth / std::cos(direction);
+      const double depth_share = field_of_view < kPi ? std::cos(direction) : 1;
+      const double expected = square(range) * depth_share * 0.25 / 50;
+      EXPECT_NEAR(momentsOf(ranges).mean, range, 0.05 * expected);
+      EXPECT_NEAR(momentsOf(ranges).std, expected, 0.03 * expected);
+      EXPECT_NEAR(momentsOf(declared).mean, expected, 0.03 * expected);
     }
-    const double range = std::hypot(1, 0.5) * scale;
-    const double expected = square(scale) / std::cos(std::atan(0.5)) * 0.25 / 50;
-    EXPECT_NEAR(momentsOf(ranges).mean, range, 0.05 * expected);
-    EXPECT_NEAR(momentsOf(ranges).std, expected, 0.03 * expected);
-    EXPECT_NEAR(momentsOf(declared).mean, expected, 0.03 * expected);
-  }
 }
 
 TEST(SimulateReading, DetectionProbabilityComesOutAsConfigured)
