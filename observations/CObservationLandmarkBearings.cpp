@@ -14,7 +14,12 @@ void CObservationLandmarkBearings::serializeTo(mrpt::serialization::CArchive& ou
 {
   writeHeader(out, *this, sensor_pose);
   out << field_of_view << max_range << static_cast<std::uint32_t>(detections.size());
-  for (const Detection& d : detections) out << d.id << d.category << d.bearing << d.std_bearing;
+  for (const Detection& d : detections)
+  {
+    out << d.id;
+    writeText(out, d.category);
+    out << d.bearing << d.std_bearing;
+  }
 }
 
 void CObservationLandmarkBearings::serializeFrom(mrpt::serialization::CArchive& in, std::uint8_t version)
@@ -25,7 +30,12 @@ void CObservationLandmarkBearings::serializeFrom(mrpt::serialization::CArchive& 
       readHeader(in, *this, sensor_pose);
       in >> field_of_view >> max_range;
       detections.assign(readDetectionCount(in), {});
-      for (Detection& d : detections) in >> d.id >> d.category >> d.bearing >> d.std_bearing;
+      for (Detection& d : detections)
+      {
+        in >> d.id;
+        readText(in, d.category);
+        in >> d.bearing >> d.std_bearing;
+      }
       break;
     default:
       MRPT_THROW_UNKNOWN_SERIALIZATION_VERSION(version);

@@ -1,7 +1,5 @@
 #include "mrpt_ext/observations/CObservationRunningFix.h"
 
-#include <mrpt/math/matrix_serialization.h>
-
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/observations/observation_archive.h"
 #include "mrpt_ext/observations/observation_text.h"
@@ -16,8 +14,8 @@ std::uint8_t CObservationRunningFix::serializeGetVersion() const { return 0; }
 void CObservationRunningFix::serializeTo(mrpt::serialization::CArchive& out) const
 {
   writeHeader(out, *this, sensor_pose);
-  out << horizontal << id << first_timestamp << first_range << first_std << second_range << second_std << displacement
-      << displacement_covariance;
+  out << horizontal << id << first_timestamp << first_range << first_std << second_range << second_std << displacement;
+  for (int i = 0; i < 9; ++i) out << displacement_covariance(i / 3, i % 3);
   writeOptional(out, second_bearing);
   out << second_bearing_std;
 }
@@ -29,7 +27,8 @@ void CObservationRunningFix::serializeFrom(mrpt::serialization::CArchive& in, st
     case 0:
       readHeader(in, *this, sensor_pose);
       in >> horizontal >> id >> first_timestamp >> first_range >> first_std >> second_range >> second_std >>
-          displacement >> displacement_covariance;
+          displacement;
+      for (int i = 0; i < 9; ++i) in >> displacement_covariance(i / 3, i % 3);
       second_bearing = readOptional(in);
       in >> second_bearing_std;
       break;

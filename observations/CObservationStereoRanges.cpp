@@ -25,7 +25,8 @@ void CObservationStereoRanges::serializeTo(mrpt::serialization::CArchive& out) c
   out << field_of_view << max_range << baseline_focal << horizontal << static_cast<std::uint32_t>(detections.size());
   for (const Detection& d : detections)
   {
-    out << d.id << d.category;
+    out << d.id;
+    writeText(out, d.category);
     writeOptional(out, d.range);
     out << d.std_range << d.std_disparity;
     writeOptional(out, d.bearing);
@@ -43,7 +44,8 @@ void CObservationStereoRanges::serializeFrom(mrpt::serialization::CArchive& in, 
       detections.assign(readDetectionCount(in), {});
       for (Detection& d : detections)
       {
-        in >> d.id >> d.category;
+        in >> d.id;
+        readText(in, d.category);
         d.range = readOptional(in);
         in >> d.std_range >> d.std_disparity;
         d.bearing = readOptional(in);

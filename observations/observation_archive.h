@@ -14,16 +14,37 @@ namespace mrpt_ext
 /// No sensor sees more features at once; a larger number means a damaged stream, not a larger allocation.
 inline constexpr std::uint32_t kMaxDetections = 100'000;
 
+inline constexpr std::uint32_t kMaxTextLength = 10'000;
+
+/// Like MRPT's own form of a string, but a damaged length is refused before memory is claimed for it.
+inline void writeText(mrpt::serialization::CArchive& out, const std::string& text)
+{
+  out << static_cast<std::uint32_t>(text.size());
+  if (!text.empty()) out.WriteBuffer(text.data(), text.size());
+}
+
+inline void readText(mrpt::serialization::CArchive& in, std::string& text)
+{
+  const auto length = in.ReadAs<std::uint32_t>();
+  if (length > kMaxTextLength) throw std::runtime_error("implausible length of a text: " + std::to_string(length));
+  text.resize(length);
+  if (length > 0) in.ReadBuffer(text.data(), length);
+}
+
 inline void writeHeader(mrpt::serialization::CArchive& out, const mrpt::obs::CObservation& observation,
                         const mrpt::poses::CPose3D& sensor_pose)
 {
-  out << observation.timestamp << observation.sensorLabel << sensor_pose;
+  out << observation.timestamp;
+  writeText(out, observation.sensorLabel);
+  out << sensor_pose;
 }
 
 inline void readHeader(mrpt::serialization::CArchive& in, mrpt::obs::CObservation& observation,
                        mrpt::poses::CPose3D& sensor_pose)
 {
-  in >> observation.timestamp >> observation.sensorLabel >> sensor_pose;
+  in >> observation.timestamp;
+  readText(in, observation.sensorLabel);
+  in >> sensor_pose;
 }
 
 inline void writeOptional(mrpt::serialization::CArchive& out, const std::optional<double>& value)

@@ -110,6 +110,8 @@ RawlogFileCheck checkRawlogFile(const std::filesystem::path& path)
   check.sha256 = digest.hex();
   check.content = check.compressed ? gzip.content() : size;
   if (check.compressed) check.damage = gzip.damage();
+  if (check.content == 0 && check.damage.empty())
+    throw dataError(path.string() + ": the compressed file is empty, expected a rawlog");
   return check;
 }
 }  // namespace mrpt_ext

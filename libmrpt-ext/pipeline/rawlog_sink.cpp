@@ -98,10 +98,10 @@ void writeTo(const std::filesystem::path& file, const Recording& recording)
 void writeRawlog(const std::filesystem::path& path, const Recording& recording)
 {
   checkRecords(path, recording);
-  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
   const std::filesystem::path temporary = temporaryNameFor(path);
   try
   {
+    if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
     writeTo(temporary, recording);
     // Closing does not report a full disk: look whether the checksum at the end is there.
     if (!checkRawlogFile(temporary).damage.empty()) throw std::runtime_error("is the disk full?");

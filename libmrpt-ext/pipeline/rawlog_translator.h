@@ -72,7 +72,7 @@ class RawlogTranslator
   std::map<std::string, ObservationCount> observations_;
   UnusableCounts unusable_;
   std::vector<double> step_times_;
-  std::string odometry_source_;  // label, or the name of actions; the first one seen is followed
+  std::string odometry_source_;             // label, or the name of actions; the first one seen is followed
   std::optional<double> first_frame_time_;  // of a frame before any odometry
   Pose2 dead_reckoned_;
   std::vector<PendingAction> pending_actions_;  // since the last frame

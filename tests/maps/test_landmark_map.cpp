@@ -6,6 +6,7 @@
 #include <mrpt/opengl/CSetOfObjects.h>
 #include <mrpt/poses/CPose3D.h>
 #include <mrpt/serialization/CArchive.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -260,7 +261,7 @@ TEST(LandmarkMap, ShowsEveryLandmarkWithItsId)
 
 TEST(LandmarkMap, SavesItselfAsAMapFile)
 {
-  const std::string prefix = testing::TempDir() + "landmark_map_saved";
+  const std::string prefix = testing::TempDir() + "landmark_map_" + std::to_string(getpid());
   CLandmarkMap2D(room()).saveMetricMapRepresentationToFile(prefix);
   const LandmarkTable again = readLandmarkCsv(prefix + "_landmarks.csv");
   ASSERT_EQ(again.size(), room().size());

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <mrpt/config/CConfigFileMemory.h>
 #include <mrpt/maps/CMultiMetricMap.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -56,7 +57,8 @@ class MapFromIni : public testing::Test
     return "no error";
   }
 
-  const std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "map_from_ini";
+  const std::filesystem::path folder_ =
+      std::filesystem::path(testing::TempDir()) / ("map_from_ini_" + std::to_string(getpid()));
 };
 }  // namespace
 
