@@ -32,6 +32,9 @@ VerdictWithReason judge(const ModeSet& modes, double explained_share, bool lost,
   if (!(std_xy <= options.max_std_xy && std_phi <= options.max_std_phi))
     return {Verdict::ambiguous,
             text("the pose is not sharp yet: %.2f m and %.1f deg standard deviation", std_xy, radToDeg(std_phi))};
+  if (!(explained_share >= options.min_explained_share))
+    return {Verdict::ambiguous,
+            text("one place, but it explains only %.0f %% of the recent detections expected of it", percent)};
   return {Verdict::ok, text("one place, weight %.2f, %.3f m and %.1f deg standard deviation, explains %.0f %% of the "
                             "recent detections expected of it",
                             best.weight, std_xy, radToDeg(std_phi), percent)};

@@ -13,6 +13,7 @@ struct VerdictOptions
   double min_best_weight = 0.9;         ///< of the best mode
   double max_std_xy = 0.5;              ///< [m] of its position, root of the sum of both variances
   double max_std_phi = degToRad(15.0);  ///< [rad] of its heading
+  double min_explained_share = 0.5;     ///< of recent detections, relative to what is expected
 };
 
 struct VerdictWithReason

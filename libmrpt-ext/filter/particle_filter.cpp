@@ -2,12 +2,13 @@
 
 #include <tbb/parallel_for.h>
 
-#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "mrpt_ext/hypotheses/seed_mixture.h"
 #include "mrpt_ext/likelihood/compass_likelihood.h"
+#include "mrpt_ext/likelihood/detection_density.h"
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
 
 namespace mrpt_ext
@@ -28,6 +29,20 @@ std::vector<Reading> scoredReadings(const Frame& frame)
     if (!fix.ranges_logged_too)
       for (Reading& reading : asReadings(fix)) readings.push_back(std::move(reading));
   return readings;
+}
+
+bool mayShowAny(const Detection& detection, const LandmarkTable& map)
+{
+  return std::any_of(map.all().begin(), map.all().end(),
+                     [&](const Landmark& landmark) { return mayShow(detection, landmark); });
+}
+
+/// Symmetric square root; directions without spread are allowed.
+Matrix3d squareRoot(const Matrix3d& covariance)
+{
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(covariance);
+  const Matrix3d& V = eigen.eigenvectors();
+  return V * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() * V.transpose();
 }
 }  // namespace
 
@@ -74,7 +89,7 @@ void ParticleFilter::start(const Proposer& propose)
 {
   if (options_.initial_mode == InitialMode::gaussian)
   {
-    const Matrix3d factor = options_.initial_pose.covariance.llt().matrixL();
+    const Matrix3d factor = squareRoot(options_.initial_pose.covariance);
     for (std::size_t i = 0; i < options_.particles; ++i)
     {
       const double a = random_.gaussian(), b = random_.gaussian(), c = random_.gaussian();
@@ -86,7 +101,7 @@ void ParticleFilter::start(const Proposer& propose)
   else
   {
     const bool analytic = options_.initial_mode == InitialMode::analytic;
-    const SeedMixture mixture(analytic ? propose() : HypothesisSet{}, options_.region, kUniformShareStart,
+    const SeedMixture mixture(analytic && propose ? propose() : HypothesisSet{}, options_.region, kUniformShareStart,
                               kSeedInflation, options_.seed_min_std);
     const std::size_t count = std::max(options_.initial_particles, options_.particles);
     while (particles_.size() < count)
@@ -102,7 +117,8 @@ void ParticleFilter::start(const Proposer& propose)
 
 void ParticleFilter::inject(const Proposer& propose)
 {
-  const SeedMixture mixture(propose(), options_.region, kUniformShareInjected, kSeedInflation, options_.seed_min_std);
+  const SeedMixture mixture(propose ? propose() : HypothesisSet{}, options_.region, kUniformShareInjected,
+                            kSeedInflation, options_.seed_min_std);
   const double jump = options_.recovery.prior_of_jump;
   for (double& log_w : particles_.log_weight) log_w += std::log1p(-jump);
   const auto count =
@@ -147,15 +163,15 @@ void ParticleFilter::checkAgreement(const Frame& frame, bool converged)
   for (const Reading& reading : scoredReadings(frame))
   {
     const double share = reliability_.observe(reading, map_, particles_, options_.learn_reliability && converged);
-    const auto count = static_cast<double>(reading.detections.size());
-    explained += share * count;
+    explained += share * static_cast<double>(reading.detections.size());
     const LandmarkClutter clutter = reliability_.clutter(reading.model.clutter_probability);
     for (const Detection& detection : reading.detections)
     {
+      if (!mayShowAny(detection, map_)) continue;  // not in the map: no pose could explain it
       const auto known = map_.indexOf(detection.id);
       expected += 1 - (known ? clutter[*known] : reading.model.clutter_probability);
+      ++detections;
     }
-    detections += reading.detections.size();
   }
   if (detections > 0)
     monitor_.observe(explained / static_cast<double>(detections), expected / static_cast<double>(detections),

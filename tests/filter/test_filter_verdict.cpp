@@ -51,6 +51,13 @@ TEST(FilterVerdict, UnexplainedDetectionsMeanLostHoweverSharp)
   EXPECT_NE(verdict.reason.find("12 %"), std::string::npos) << verdict.reason;
 }
 
+TEST(FilterVerdict, NoLongerOkBeforeItIsLost)
+{
+  const VerdictWithReason verdict = verdictOn({mode(1)}, false, 0.42);
+  EXPECT_EQ(verdict.verdict, Verdict::ambiguous);
+  EXPECT_NE(verdict.reason.find("only 42 %"), std::string::npos) << verdict.reason;
+}
+
 TEST(FilterVerdict, NoParticlesMeanLost) { EXPECT_EQ(verdictOn({}).verdict, Verdict::lost); }
 
 TEST(FilterVerdict, WhatIsNotANumberIsNeverOk)

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+
+#include "mrpt_ext/filter/particle_filter.h"
+#include "mrpt_ext/geometry/measurement_jacobian.h"
+
+namespace mrpt_ext
+{
+/// Noise of the simulated robot and what it measures per frame.
+struct SimulatedRobot
+{
+  Vector3d odometry_std{0.01, 0.01, 0.01};  ///< per step, body axes
+  double std_bearing = degToRad(1);
+  double std_range = 0.05;
+  bool measures_range = false;
+  bool named = true;
+  std::size_t detections = 5;
+  double clutter = 0.001;
+};
+
+/// Motion model whose noise per step (one second, however long) is that of the robot.
+inline MotionModel motionModelOf(const SimulatedRobot& robot)
+{
+  return {.std_xy_per_m = 0,
+          .std_phi_per_deg = 0,
+          .std_phi_per_m = 0,
+          .std_xy_per_s = robot.odometry_std.x(),
+          .std_phi_per_s = robot.odometry_std.z()};
+}
+
+inline LandmarkTable randomMap(std::size_t count, double side, RandomStream& random)
+{
+  std::vector<Landmark> landmarks;
+  for (std::size_t i = 0; i < count; ++i)
+    landmarks.push_back(
+        {.id = static_cast<int>(i) + 1, .position = {random.uniform(0, side), random.uniform(0, side), 0}});
+  return LandmarkTable(landmarks);
+}
+
+/// Motion of the k-th step of a round trip of about three metres radius.
+inline Pose2 roundTripStep(int k) { return {0.05, 0, 0.05 / 3 + 0.01 * std::sin(0.05 * k)}; }
+
+/// What the robot reports after moving by `increment` to `truth`.
+inline Frame simulatedFrame(const SimulatedRobot& robot, const LandmarkTable& map, const Pose2& truth,
+                            const Pose2& increment, RandomStream& random)
+{
+  const Vector3d& std = robot.odometry_std;
+  Frame frame;
+  frame.motion.increment = {increment.x + std.x() * random.gaussian(), increment.y + std.y() * random.gaussian(),
+                            increment.phi + std.z() * random.gaussian()};
+  frame.motion.path_length = increment.position().norm();
+  frame.motion.turned = std::abs(increment.phi);
+  frame.motion.duration = 1;
+  Reading reading;
+  reading.model.clutter_probability = robot.clutter;
+  reading.model.max_range = 20.0;
+  std::vector<std::size_t> order(map.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  for (std::size_t i = 0; i < std::min(robot.detections, order.size()); ++i)
+  {
+    std::swap(order[i], order[i + random.below(order.size() - i)]);
+    const Vector2d landmark = map[order[i]].position.head<2>();
+    Detection detection{.id = robot.named ? map[order[i]].id : kNoId};
+    detection.std_bearing = robot.std_bearing;
+    detection.bearing = wrap(predictBearing(truth, landmark) + robot.std_bearing * random.gaussian());
+    if (robot.measures_range)
+    {
+      detection.std_range = robot.std_range;
+      detection.range = predictRange(truth, landmark) + robot.std_range * random.gaussian();
+    }
+    reading.detections.push_back(detection);
+  }
+  frame.readings = {reading};
+  return frame;
+}
+
+inline double distance(const Pose2& a, const Pose2& b) { return (a.position() - b.position()).norm(); }
+
+/// A proposer that has nothing to propose.
+inline HypothesisSet noProposals() { return {}; }
+}  // namespace mrpt_ext

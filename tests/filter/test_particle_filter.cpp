@@ -1,0 +1,166 @@
+#include "mrpt_ext/filter/particle_filter.h"
+
+#include <gtest/gtest.h>
+
+#include "simulated_run.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+const LandmarkTable kMap({{.id = 1, .position = {1, 1, 0}},
+                          {.id = 2, .position = {9, 2, 0}},
+                          {.id = 3, .position = {5, 9, 0}}});
+
+ParticleFilterOptions smallOptions()
+{
+  ParticleFilterOptions options;
+  options.region = {{0, 0}, {10, 10}};
+  options.particles = 1500;
+  options.initial_particles = 5000;
+  options.motion = motionModelOf({});
+  return options;
+}
+
+ParticleSet particlesAfter(const ParticleFilterOptions& options, std::uint64_t seed)
+{
+  SimulatedRobot robot;
+  robot.named = false;
+  robot.clutter = 0.05;
+  RandomStream random(41);
+  ParticleFilter filter(options, kMap, seed, 0);
+  Pose2 truth{3, 3, 0};
+  for (int k = 0; k < 30; ++k)
+  {
+    truth = compose(truth, roundTripStep(k));
+    filter.process(simulatedFrame(robot, kMap, truth, roundTripStep(k), random), noProposals);
+  }
+  return filter.particles();
+}
+
+void expectIdentical(const ParticleSet& a, const ParticleSet& b)
+{
+  EXPECT_EQ(a.x, b.x);
+  EXPECT_EQ(a.y, b.y);
+  EXPECT_EQ(a.phi, b.phi);
+  EXPECT_EQ(a.log_weight, b.log_weight);
+}
+
+/// The robot goes straight through a map that half a turn about (5, 5) leaves as it is, and sees no names.
+FilterStep symmetricStep(ParticleFilter& filter, const LandmarkTable& map, Pose2& truth, int k, RandomStream& random)
+{
+  SimulatedRobot robot;
+  robot.named = false;
+  robot.measures_range = true;
+  robot.clutter = 0.02;
+  robot.detections = map.size();
+  robot.std_range = 0.2;
+  robot.std_bearing = degToRad(3);
+  truth = compose(truth, roundTripStep(k));
+  // A solver that finds both places, not quite, and prefers one of them without reason.
+  const Matrix3d covariance = Vector3d(0.01, 0.01, 0.002).asDiagonal();
+  const auto propose = [&]() -> HypothesisSet
+  {
+    return {{.pose = {{truth.x + 0.03, truth.y, truth.phi}, covariance}, .weight = 0.8},
+            {.pose = {{10 - truth.x, 10 - truth.y - 0.03, wrap(truth.phi + kPi)}, covariance}, .weight = 0.2}};
+  };
+  return filter.process(simulatedFrame(robot, map, truth, roundTripStep(k), random), propose);
+}
+}  // namespace
+
+TEST(ParticleFilter, SameSeedSameParticlesOnAnyNumberOfThreads)
+{
+  ParticleFilterOptions options = smallOptions();
+  const ParticleSet once = particlesAfter(options, 1);
+  expectIdentical(once, particlesAfter(options, 1));
+  options.threads = 2;
+  expectIdentical(once, particlesAfter(options, 1));
+  EXPECT_NE(once.x, particlesAfter(options, 2).x);
+}
+
+TEST(ParticleFilter, SymmetricPlacesStayEqualAndAmbiguous)
+{
+  const LandmarkTable map(
+      {{.position = {1, 2, 0}}, {.position = {9, 8, 0}}, {.position = {3, 8, 0}}, {.position = {7, 2, 0}}});
+  ParticleFilterOptions options = smallOptions();
+  options.initial_particles = 20000;
+  options.particles = 12000;  // what remains of the drift is sampling noise of the evidence of each place
+  ParticleFilter filter(options, map, 5, 0);
+  RandomStream random(42);
+  Pose2 truth{3, 4, 0.3};
+  double smallest = 1;
+  for (int k = 0; k < 200; ++k)
+  {
+    const FilterStep step = symmetricStep(filter, map, truth, k, random);
+    ASSERT_EQ(step.verdict, Verdict::ambiguous) << k << " " << step.reason;
+    if (k < 10) continue;
+    ASSERT_GE(step.modes.modes.size(), 2u) << k;
+    const Pose2 mirrored{10 - truth.x, 10 - truth.y, wrap(truth.phi + kPi)};
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      const Mode& mode = step.modes.modes[i];
+      EXPECT_LT(std::min(distance(mode.pose.mean, truth), distance(mode.pose.mean, mirrored)), 0.3) << k;
+      smallest = std::min(smallest, mode.weight);
+    }
+  }
+  RecordProperty("smallest_weight", std::to_string(smallest));
+  EXPECT_GT(smallest, 0.3);
+}
+
+TEST(ParticleFilter, ParticlesOutsideTheRegionLoseWeight)
+{
+  ParticleFilterOptions options = smallOptions();
+  options.initial_mode = InitialMode::gaussian;
+  options.initial_pose = {{10, 5, 0}, Vector3d(0.25, 0.25, 0.01).asDiagonal()};
+  ParticleFilter filter(options, kMap, 1, 0);
+  filter.process({}, {});
+  double outside = 0;
+  for (std::size_t i = 0; i < filter.particles().size(); ++i)
+    outside += filter.particles().x[i] > 10 ? std::exp(filter.particles().log_weight[i]) : 0.0;
+  EXPECT_NEAR(outside, std::exp(-5) / (1 + std::exp(-5)), 0.005);
+}
+
+TEST(ParticleFilter, AnEmptyMapOrAnEmptyFrameTellsNothing)
+{
+  for (const LandmarkTable& map : {LandmarkTable(), kMap})
+  {
+    ParticleFilter filter(smallOptions(), map, 1, 0);
+    RandomStream random(43);
+    for (int k = 0; k < 5; ++k)
+    {
+      const Frame frame = map.empty() ? simulatedFrame({}, kMap, {3, 3, 0}, {}, random) : Frame{};
+      const FilterStep step = filter.process(frame, {});
+      EXPECT_EQ(step.verdict, Verdict::ambiguous) << step.reason;
+      EXPECT_EQ(step.particles, 1500u);
+      for (const double log_w : filter.particles().log_weight) ASSERT_TRUE(std::isfinite(log_w));
+    }
+  }
+}
+
+TEST(ParticleFilter, OneParticleAndARegionWithoutExtentAreNoError)
+{
+  ParticleFilterOptions options = smallOptions();
+  options.region = {{3, 3}, {3, 3}, 0.0, 0.0};
+  options.particles = options.initial_particles = 1;
+  ParticleFilter filter(options, kMap, 1, 0);
+  RandomStream random(44);
+  for (int k = 0; k < 10; ++k)
+  {
+    const FilterStep step = filter.process(simulatedFrame({}, kMap, {3, 3, 0}, {}, random), noProposals);
+    EXPECT_EQ(step.particles, 1u);
+    EXPECT_TRUE(isFinite(step.modes.modes.front().pose.mean));
+    EXPECT_NEAR(step.modes.modes.front().weight, 1, 1e-9);
+  }
+}
+
+TEST(ParticleFilter, ACompassTurnsTheParticles)
+{
+  ParticleFilter filter(smallOptions(), kMap, 1, 0);
+  Frame frame;
+  frame.compass = CompassRecord{.heading = 3.1, .std_heading = 0.2};
+  FilterStep step;
+  for (int k = 0; k < 5; ++k) step = filter.process(frame, {});
+  EXPECT_NEAR(std::abs(wrap(step.modes.modes.front().pose.mean.phi - 3.1)), 0, 0.05);
+  EXPECT_EQ(step.verdict, Verdict::ambiguous);
+}
+}  // namespace mrpt_ext
