@@ -192,5 +192,6 @@ void ParticleFilter::resample(const ModeSet& modes)
         std::clamp(needed, static_cast<double>(options_.kld.min_size), static_cast<double>(options_.kld.max_size)));
   }
   particles_ = resampleByMode(particles_, modes.mode_of, options_.resampling, count, random_);
+  smoothModes(particles_, modes, options_.smoothing, random_);
 }
 }  // namespace mrpt_ext

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "mrpt_ext/filter/filter_verdict.h"
+#include "mrpt_ext/filter/kernel_smoothing.h"
 #include "mrpt_ext/filter/kld_size.h"
 #include "mrpt_ext/filter/landmark_reliability.h"
 #include "mrpt_ext/filter/modes.h"
@@ -39,6 +40,7 @@ struct ParticleFilterOptions
   double resample_below = 0.5;  ///< effective sample ratio
   bool adaptive_size = false;   ///< KLD sample size
   KldOptions kld;
+  KernelSmoothing smoothing;
   ModeOptions modes;
   RecoveryOptions recovery;
   VerdictOptions verdict;

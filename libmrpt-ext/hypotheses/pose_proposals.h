@@ -30,9 +30,4 @@ namespace mrpt_ext
 /// Points without identity: every pair of them against every pair of landmarks the same distance apart.
 [[nodiscard]] HypothesisSet proposeFromAnonymousPoints(std::span<const LandmarkSighting> sightings,
                                                        const LandmarkTable& map);
-
-/// Bearings without identity: interpretation tree over the bearings of one sensor.
-[[nodiscard]] HypothesisSet proposeFromAnonymousBearings(std::span<const LandmarkSighting> sightings,
-                                                         const LandmarkTable& map, const Vector2d& low,
-                                                         const Vector2d& high);
 }  // namespace mrpt_ext

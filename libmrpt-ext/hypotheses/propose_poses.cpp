@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mrpt_ext/hypotheses/interpret_sightings.h"
 #include "mrpt_ext/hypotheses/pose_proposals.h"
 #include "mrpt_ext/likelihood/compass_likelihood.h"
 #include "mrpt_ext/likelihood/reading_likelihood.h"
@@ -52,7 +53,7 @@ HypothesisSet proposePoses(const Frame& frame, const LandmarkTable& map, const P
 
   const std::vector<LandmarkSighting> unidentified = unidentifiedSightings(frame.readings, map);
   append(all, proposeFromAnonymousPoints(unidentified, map));
-  append(all, proposeFromAnonymousBearings(unidentified, map, options.region.low, options.region.high));
+  append(all, interpretSightings(unidentified, map, options.region, true).hypotheses);
 
   std::erase_if(all, [&](const PoseHypothesis& h) { return !options.region.contains(h.pose.mean); });
   for (PoseHypothesis& hypothesis : all) hypothesis.log_score = logScore(frame, map, hypothesis.pose.mean);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "mrpt_ext/hypotheses/interpret_sightings.h"
 #include "mrpt_ext/hypotheses/landmark_sighting.h"
 #include "mrpt_ext/solvers/bearing_pose_linear.h"
 #include "mrpt_ext/solvers/bearing_pose_ml.h"
@@ -153,5 +154,13 @@ ClosedFormAnswer twoLandmarkPose(const Frame& frame, const LandmarkTable& map)
   for (const LandmarkSighting& s : sightings) seen.push_back({s.position, {s.pointInRobot(), s.pointCovariance()}});
   const PointPose fit = solvePointPose(seen);
   return single(fit.status, fit.pose, "two_landmark_pose");
+}
+
+ClosedFormAnswer interpretationTree(const Frame& frame, const LandmarkTable& map, const PoseRegion& region)
+{
+  std::vector<LandmarkSighting> sightings = unidentifiedSightings(frame.readings, map);
+  std::erase_if(sightings, [](const LandmarkSighting& s) { return !s.bearing; });
+  SightingInterpretations found = interpretSightings(sightings, map, region, false);
+  return {found.status, std::move(found.hypotheses)};
 }
 }  // namespace mrpt_ext

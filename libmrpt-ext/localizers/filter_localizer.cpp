@@ -30,4 +30,12 @@ Estimate estimateFrom(const FilterStep& step, double time)
                               .verdict = step.verdict};
   return estimate;
 }
+
+std::optional<HeadingPrior> sureHeading(const FilterLocalizer& filter)
+{
+  const FilterStep& step = filter.lastStep();
+  if (step.verdict != Verdict::ok || step.modes.modes.empty()) return std::nullopt;
+  const GaussianPose& pose = step.modes.modes.front().pose;
+  return HeadingPrior{pose.mean.phi, std::sqrt(pose.covariance(2, 2))};
+}
 }  // namespace mrpt_ext

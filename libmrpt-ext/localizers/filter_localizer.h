@@ -2,6 +2,7 @@
 
 #include "mrpt_ext/filter/particle_filter.h"
 #include "mrpt_ext/localizers/localizer.h"
+#include "mrpt_ext/solvers/running_fix_pose.h"
 
 namespace mrpt_ext
 {
@@ -21,4 +22,7 @@ class FilterLocalizer : public Localizer
 
 /// A filter step as an estimate: the best mode, never the mean across modes; the others are its candidates.
 [[nodiscard]] Estimate estimateFrom(const FilterStep& step, double time);
+
+/// Heading of the best mode, while the filter's verdict is ok.
+[[nodiscard]] std::optional<HeadingPrior> sureHeading(const FilterLocalizer& filter);
 }  // namespace mrpt_ext

@@ -1,0 +1,79 @@
+#include "mrpt_ext/hypotheses/interpret_sightings.h"
+
+#include <algorithm>
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kGate = 3.3;             // standard deviations
+constexpr std::size_t kMaxBearings = 10;  // more only cost time: the likelihood of the frame judges the rest
+constexpr std::uint64_t kMaxTested = 2000000;
+
+std::vector<int> candidatesFor(const LandmarkSighting& sighting, const LandmarkTable& map)
+{
+  std::vector<int> candidates;
+  if (sighting.category.empty()) return candidates;
+  for (std::size_t j = 0; j < map.size(); ++j)
+    if (map[j].category == sighting.category) candidates.push_back(static_cast<int>(j));
+  return candidates;
+}
+
+/// The bearings of the newest sensor place, evenly thinned to what the search takes.
+std::vector<LandmarkSighting> bearingsOfOnePlace(std::span<const LandmarkSighting> sightings)
+{
+  std::vector<LandmarkSighting> bearings;
+  for (const LandmarkSighting& s : sightings)
+    if (s.bearing && s.T_robot_sensor.vector() == sightings.back().T_robot_sensor.vector()) bearings.push_back(s);
+  if (bearings.size() <= kMaxBearings) return bearings;
+  std::vector<LandmarkSighting> thinned;
+  for (std::size_t k = 0; k < kMaxBearings; ++k) thinned.push_back(bearings[k * bearings.size() / kMaxBearings]);
+  return thinned;
+}
+}  // namespace
+
+SightingInterpretations interpretSightings(std::span<const LandmarkSighting> sightings, const LandmarkTable& map,
+                                           const PoseRegion& region, bool allow_three)
+{
+  SightingInterpretations result;
+  if (sightings.empty()) return result;
+  const std::vector<LandmarkSighting> bearings = bearingsOfOnePlace(sightings);
+  std::vector<UnidentifiedBearing> unidentified;
+  double std = 0;
+  for (const LandmarkSighting& s : bearings)
+  {
+    unidentified.push_back({*s.bearing, candidatesFor(s, map)});
+    // A category that no landmark has can only be clutter; an empty list would mean "any".
+    if (!s.category.empty() && unidentified.back().candidates.empty()) unidentified.pop_back();
+    std = std::max(std, s.std_bearing);
+  }
+  const auto count = static_cast<int>(unidentified.size());
+  if (count < (allow_three ? 3 : 4)) return result;
+
+  std::vector<Vector2d> landmarks;
+  for (const Landmark& landmark : map.all()) landmarks.push_back(landmark.position.head<2>());
+  const Pose2 T_robot_sensor = bearings.front().T_robot_sensor;
+  const double offset = T_robot_sensor.position().norm();
+  InterpretationOptions options;
+  options.gate = InterpretationGate::covariance;
+  options.max_residual = kGate * std;
+  options.std_bearing = std;
+  options.max_unmatched = std::clamp(std::min(count / 3, count - 4), 0, 2);
+  options.area = MapArea{region.low.array() - offset, region.high.array() + offset};
+  options.allow_three = allow_three && count == 3;
+  options.max_tested = kMaxTested;
+  const Interpretations found = interpretBearings(landmarks, unidentified, options);
+  result.status = found.status;
+  for (const Interpretation& interpretation : found.solutions)
+  {
+    PoseHypothesis h{
+        .pose = interpretation.pose, .log_score = interpretation.log_likelihood, .source = "interpretation_tree"};
+    const Pose2 back = inverse(T_robot_sensor);
+    const Matrix3d J = composeJacobianFirst(interpretation.pose.mean, back);
+    h.pose = {compose(interpretation.pose.mean, back), J * interpretation.pose.covariance * J.transpose()};
+    if (region.contains(h.pose.mean)) result.hypotheses.push_back(std::move(h));
+  }
+  if (result.hypotheses.empty() && result.status == SolveStatus::ok) result.status = SolveStatus::none;
+  return result;
+}
+}  // namespace mrpt_ext

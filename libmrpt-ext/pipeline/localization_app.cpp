@@ -1,0 +1,97 @@
+#include "mrpt_ext/pipeline/localization_app.h"
+
+#include <charconv>
+
+#include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/pipeline/app_shell.h"
+#include "mrpt_ext/pipeline/localization_keys.h"
+#include "mrpt_ext/pipeline/localization_run.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+const std::string kExperiment = "LocalizationExperiment";
+
+/// "A:B" -> trials A ... B-1.
+void parseTrials(const std::string& text, LocalizationRequest& request)
+{
+  const auto colon = text.find(':');
+  int first = 0, last = 0;
+  const auto parse = [](std::string_view digits, int& value)
+  {
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    return error == std::errc() && end == digits.data() + digits.size();
+  };
+  const bool numbers = colon != std::string::npos && parse(std::string_view(text).substr(0, colon), first) &&
+                       parse(std::string_view(text).substr(colon + 1), last);
+  if (!numbers || first < 0 || last <= first)
+    throw configurationError("--trials " + text + ": expected A:B with 0 <= A < B, trials A to B-1");
+  request.first_trial = first;
+  request.last_trial = last;
+  request.trial_folders = true;
+}
+
+/// The options as the user wrote them, for the report.
+std::string commandLine(const std::vector<std::string>& arguments)
+{
+  std::string line = "landmark-localization";
+  for (const std::string& argument : arguments)
+    line += argument.find(' ') == std::string::npos ? " " + argument : " '" + argument + "'";
+  return line;
+}
+}  // namespace
+
+int LocalizationApp::run(const std::vector<std::string>& arguments)
+{
+  AppShell shell("landmark-localization",
+                 "Localizes a robot from landmarks: particle filter and closed forms over a rawlog", out_, err_);
+  shell.answerQuestionsAbout(localizationKeys());
+  std::string config, rawlog, map, truth, trials;
+  int repeat = 0;
+  double duration = 0;
+  LocalizationRequest request;
+  CLI::App& cli = shell.cli();
+  cli.add_option("CONFIG", config, "Configuration (.ini)")->required();
+  cli.add_option("RAWLOG", rawlog, "Log to run over instead of the configured one");
+  cli.add_option("--map", map, "Map instead of the configured one");
+  cli.add_option("--ground-truth", truth, "Truth instead of the configured one");
+  cli.add_option("--start", request.window.start, "Leave out the first S seconds of the log")
+      ->check(CLI::NonNegativeNumber);
+  const CLI::Option* with_duration =
+      cli.add_option("--duration", duration, "Use S seconds of the log only")->check(CLI::PositiveNumber);
+  CLI::Option* with_repeat = cli.add_option("--repeat", repeat, "N independent trials")->check(CLI::PositiveNumber);
+  cli.add_option("--trials", trials, "A:B: trials A to B-1 of a longer study")->excludes(with_repeat);
+  cli.add_option("--jobs", request.jobs, "Worker threads in total: trials first, then particle blocks")
+      ->check(CLI::PositiveNumber);
+  cli.add_option("--fail-above", request.fail_above, "Exit code 3 when the filter's position RMSE exceeds M metres");
+  cli.add_flag("--dry-run", request.dry_run, "Load and check everything, run nothing");
+
+  return shell.run(arguments,
+                   [&]
+                   {
+                     const CommonOptions& common = shell.options();
+                     Settings settings = Settings::load(config, localizationKeys(), common.overrides);
+                     const auto give = [&](const std::string& value, const std::string& section, const std::string& key,
+                                           const std::string& option)
+                     {
+                       if (!value.empty())
+                         settings.set(section, key, std::filesystem::absolute(value).string(), option);
+                     };
+                     give(rawlog, kExperiment, "rawlog_file", "RAWLOG");
+                     give(truth, kExperiment, "ground_truth_path_file", "--ground-truth");
+                     give(map, "MetricMap_landmarkMap2D_00_creationOpts", "landmarks_file", "--map");
+                     if (common.seed) settings.set(kExperiment, "random_seed", std::to_string(*common.seed), "--seed");
+                     const auto repetitions = settings.integer(kExperiment, "experimentRepetitions");
+                     request.last_trial = repeat > 0 ? repeat : static_cast<int>(repetitions);
+                     request.trial_folders = repeat > 0 || repetitions > 1;
+                     if (!trials.empty()) parseTrials(trials, request);
+                     if (with_duration->count() > 0) request.window.duration = duration;
+                     request.output = common.output;
+                     request.quiet = common.quiet;
+                     request.verbose = common.verbose;
+                     request.command_line = commandLine(arguments);
+                     return runLocalization(settings, request, out_, err_);
+                   });
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,176 @@
+#include "mrpt_ext/pipeline/localization_run.h"
+
+#include <sys/resource.h>
+#include <tbb/global_control.h>
+
+#include <mutex>
+#include <ostream>
+
+#include "mrpt_ext/evaluation/run_merge.h"
+#include "mrpt_ext/evaluation/run_score.h"
+#include "mrpt_ext/files/atomic_file.h"
+#include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/pipeline/exit_codes.h"
+#include "mrpt_ext/pipeline/final_scene.h"
+#include "mrpt_ext/pipeline/interrupt.h"
+#include "mrpt_ext/pipeline/progress_line.h"
+#include "mrpt_ext/pipeline/run_text.h"
+#include "mrpt_ext/pipeline/trial_pool.h"
+#include "mrpt_ext/pipeline/trial_runner.h"
+#include "mrpt_ext/pipeline/version.h"
+#include "mrpt_ext/report/comparison_table.h"
+#include "mrpt_ext/report/html_tables.h"
+#include "mrpt_ext/report/run_writer.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+namespace fs = std::filesystem;
+const std::string kExperiment = "LocalizationExperiment";
+
+fs::path outputFolder(const Settings& settings, const LocalizationRequest& request)
+{
+  if (!request.output.empty()) return request.output;
+  if (settings.hasValue(kExperiment, "logOutput_dir")) return settings.path(kExperiment, "logOutput_dir");
+  return fs::path("out") / settings.file().stem();
+}
+
+void createFolder(const fs::path& folder)
+{
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw dataError(folder.string() + ": cannot create the folder: " + error.message());
+}
+
+double peakMemoryMegabytes()
+{
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+/// Runs, judges and writes the trials; keeps what the merged report needs.
+class TrialBatch
+{
+ public:
+  TrialBatch(const LocalizationInput& input, const LocalizationRequest& request, fs::path folder, std::uint64_t seed)
+      : input_(input), request_(request), folder_(std::move(folder)), seed_(seed)
+  {
+    const int count = request.last_trial - request.first_trial;
+    scores_.resize(static_cast<std::size_t>(count));
+    texts_.resize(scores_.size());
+  }
+
+  void run()
+  {
+    const InterruptGuard interrupt;
+    ProgressLine line(!request_.quiet, "localizing");
+    const auto threads = static_cast<unsigned>(std::min(request_.jobs, request_.last_trial - request_.first_trial));
+    runTrials(request_.first_trial, request_.last_trial, threads,
+              [&](int trial)
+              {
+                if (!interrupt.flag()) runOne(trial, interrupt.flag(), line);
+              });
+    interrupted_ = interrupt.flag();
+  }
+
+  /// The scores of the trials that were run.
+  [[nodiscard]] std::vector<RunScore> scores() const
+  {
+    std::vector<RunScore> done;
+    for (const auto& score : scores_)
+      if (score) done.push_back(*score);
+    return done;
+  }
+  [[nodiscard]] const std::string& firstText() const { return texts_.front(); }
+  [[nodiscard]] bool interrupted() const { return interrupted_; }
+
+ private:
+  void runOne(int trial, const std::atomic<bool>& stop, ProgressLine& line)
+  {
+    const auto place = static_cast<std::size_t>(trial - request_.first_trial);
+    const auto progress = [&, total = static_cast<double>(scores_.size())](double share)
+    {
+      const std::lock_guard lock(mutex_);
+      line.show((static_cast<double>(done_) + share) / total);
+    };
+    TrialOutcome outcome = runTrial(
+        {input_.config, input_.context.map, input_.sequence, input_.context.truth, stop, progress}, seed_, trial);
+    outcome.record.peak_memory_mb = peakMemoryMegabytes();
+    RunScore score = scoreRun(input_.context, outcome.record, input_.config.limits);
+    const fs::path folder = request_.trial_folders ? folder_ / trialFolder(trial) : folder_;
+    createFolder(folder);
+    writeTrial(folder, input_.context, outcome.record, score);
+    if (input_.config.final_scene) writeFinalScene(folder / "final.3Dscene", input_.context.map, outcome);
+    for (MethodScore& method : score.methods) method.errors.clear();
+    const std::lock_guard lock(mutex_);
+    texts_[place] = ambiguityText(outcome.record, input_.context.start_time);
+    scores_[place] = std::move(score);
+    ++done_;
+  }
+
+  const LocalizationInput& input_;
+  const LocalizationRequest& request_;
+  fs::path folder_;
+  std::uint64_t seed_;
+  std::vector<std::optional<RunScore>> scores_;
+  std::vector<std::string> texts_;
+  std::mutex mutex_;
+  std::size_t done_ = 0;
+  bool interrupted_ = false;
+};
+
+int exitCode(const RunScore& score, const std::vector<RunScore>& trials, const LocalizationRequest& request,
+             bool interrupted, std::ostream& err)
+{
+  if (interrupted)
+  {
+    err << "interrupted: what was finished is written, unfinished trials end where they were\n";
+    return kExitFailed;
+  }
+  for (const RunScore& trial : trials)
+    if (trial.verdict == Verdict::lost) return kExitLost;
+  if (!request.fail_above) return kExitDone;
+  for (const MethodScore& method : score.methods)
+    if (score.judged_method && method.name == *score.judged_method)
+      if (const auto& rmse = method.position_error_m.rmse; rmse && *rmse <= *request.fail_above) return kExitDone;
+  err << "--fail-above: the position RMSE exceeds the limit, or there is none\n";
+  return kExitLost;
+}
+}  // namespace
+
+int runLocalization(const Settings& settings, const LocalizationRequest& request, std::ostream& out, std::ostream& err)
+{
+  LocalizationInput input = loadLocalization(settings, request.window);
+  input.context.version = version();
+  input.context.command_line = request.command_line;
+  const std::string head = inputText(input);
+  if (!request.quiet) out << head << std::flush;
+  if (request.dry_run) return kExitDone;
+
+  const int trials = request.last_trial - request.first_trial;
+  // Threads that the trials leave over score particle blocks.
+  input.config.filter.threads = static_cast<unsigned>(std::max(1, request.jobs / std::min(request.jobs, trials)));
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(request.jobs));
+
+  const fs::path folder = outputFolder(settings, request);
+  createFolder(folder);
+  writeFileAtomically(folder / "config_resolved.ini", settings.resolvedText());
+  const auto seed = static_cast<std::uint64_t>(settings.integer(kExperiment, "random_seed"));
+  input.context.seed = seed;
+  input.context.objects_wanted = !input.config.frames.object_categories.empty();
+  TrialBatch batch(input, request, folder, seed);
+  batch.run();
+
+  const std::vector<RunScore> scores = batch.scores();
+  if (scores.empty()) return exitCode({}, scores, request, true, err);
+  const RunScore merged = mergeScores(scores);
+  if (request.trial_folders) writeMerged(folder, input.context, merged);
+  const std::string table = comparisonTable(merged);
+  const std::string tail = batch.firstText() + "\n" + table;
+  writeFileAtomically(folder / "log.txt", input.context.command_line + "\n" + head + tail);
+  out << (request.quiet ? table : tail) << "report   " << (folder / "report.html").string() << '\n';
+  return exitCode(merged, scores, request, batch.interrupted(), err);
+}
+}  // namespace mrpt_ext

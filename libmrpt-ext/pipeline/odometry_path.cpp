@@ -1,0 +1,50 @@
+#include "mrpt_ext/pipeline/odometry_path.h"
+
+#include <algorithm>
+
+namespace mrpt_ext
+{
+OdometryPath::OdometryPath(std::vector<OdometryRecord> records, double scale, double delay)
+{
+  std::stable_sort(records.begin(), records.end(),
+                   [](const OdometryRecord& a, const OdometryRecord& b) { return a.time < b.time; });
+  for (const OdometryRecord& record : records)
+  {
+    if (path_.empty())
+    {
+      path_.push_back({record.time + delay, record.pose, true});
+      length_.push_back(0);
+      turned_.push_back(0);
+      continue;
+    }
+    Pose2 step = mrpt_ext::between(records[path_.size() - 1].pose, record.pose);
+    step.x *= scale;
+    step.y *= scale;
+    length_.push_back(length_.back() + step.position().norm());
+    turned_.push_back(turned_.back() + std::abs(step.phi));
+    path_.push_back({record.time + delay, compose(path_.back().pose, step), true});
+  }
+}
+
+OdometryPath::Milestone OdometryPath::milestone(double time) const
+{
+  if (path_.empty()) return {};
+  const auto after = std::upper_bound(path_.begin(), path_.end(), time,
+                                      [](double wanted, const TimedPose& entry) { return wanted < entry.time; });
+  if (after == path_.begin()) return {path_.front().pose, 0, 0};
+  const auto i = static_cast<std::size_t>(after - path_.begin()) - 1;
+  if (after == path_.end()) return {path_[i].pose, length_[i], turned_[i]};
+  const double share = (time - path_[i].time) / (path_[i + 1].time - path_[i].time);
+  const Pose2 step = mrpt_ext::between(path_[i].pose, path_[i + 1].pose);
+  return {compose(path_[i].pose, {share * step.x, share * step.y, share * step.phi}),
+          length_[i] + share * (length_[i + 1] - length_[i]), turned_[i] + share * (turned_[i + 1] - turned_[i])};
+}
+
+Pose2 OdometryPath::at(double time) const { return milestone(time).pose; }
+
+OdometryMotion OdometryPath::between(double from, double to) const
+{
+  const Milestone a = milestone(from), b = milestone(to);
+  return {mrpt_ext::between(a.pose, b.pose), b.length - a.length, b.turned - a.turned, to - from};
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "mrpt_ext/geometry/frame.h"
+#include "mrpt_ext/geometry/trajectory.h"
+
+namespace mrpt_ext
+{
+/// Dead-reckoned way of a whole log: where odometry stands at any time, and the motion between two times.
+class OdometryPath
+{
+ public:
+  /// Records in any order of time; `scale` is applied to the way, `delay` [s] is added to the stamps.
+  OdometryPath(std::vector<OdometryRecord> records, double scale, double delay);
+
+  [[nodiscard]] bool empty() const { return path_.empty(); }
+  /// Interpolated between records; standing still before the first and after the last.
+  [[nodiscard]] Pose2 at(double time) const;
+  [[nodiscard]] OdometryMotion between(double from, double to) const;
+  [[nodiscard]] const Trajectory& trajectory() const { return path_; }
+
+ private:
+  /// What has been added up by a time.
+  struct Milestone
+  {
+    Pose2 pose;
+    double length = 0, turned = 0;
+  };
+  [[nodiscard]] Milestone milestone(double time) const;
+
+  Trajectory path_;
+  std::vector<double> length_, turned_;  // accumulated, one per pose of path_
+};
+}  // namespace mrpt_ext

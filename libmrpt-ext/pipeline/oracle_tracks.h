@@ -1,0 +1,33 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "mrpt_ext/evaluation/run_record.h"
+#include "mrpt_ext/localizers/localizer.h"
+
+namespace mrpt_ext
+{
+/// What methods with several candidates could have reached had somebody told them which one: the candidate nearest the
+/// truth, as a row `oracle_<method>` of its own that is marked as such. Kept apart from the methods, which never see
+/// the truth.
+class OracleTracks
+{
+ public:
+  explicit OracleTracks(const Trajectory& truth) : truth_(truth) {}
+
+  void add(const MethodTrack& method, const Estimate& estimate, double time);
+  /// One track per method that ever had several candidates, in the order of first appearance.
+  [[nodiscard]] std::vector<MethodTrack> take();
+
+ private:
+  struct Entry
+  {
+    MethodTrack track;
+    bool several = false;
+  };
+  const Trajectory& truth_;
+  std::vector<Entry> entries_;
+};
+}  // namespace mrpt_ext

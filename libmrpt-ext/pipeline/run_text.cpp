@@ -1,0 +1,63 @@
+#include "mrpt_ext/pipeline/run_text.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace mrpt_ext
+{
+namespace
+{
+template <typename... Values>
+std::string text(const char* format, Values... values)
+{
+  char buffer[400];
+  std::snprintf(buffer, sizeof(buffer), format, values...);
+  return buffer;
+}
+
+std::string mapText(const RunContext& context)
+{
+  const auto [low, high] = context.map.boundingBox();
+  return text("map      %zu landmarks in %.1f x %.1f m\n", context.map.size(), high.x() - low.x(), high.y() - low.y());
+}
+
+std::string truthText(const RunContext& context)
+{
+  if (context.truth.empty()) return "truth    none: accuracy is not judged\n";
+  return text("truth    %zu poses%s\n", context.truth.size(),
+              context.truth_is_sparse ? ", sparse: judged at their own stamps" : "");
+}
+}  // namespace
+
+std::string inputText(const LocalizationInput& input)
+{
+  const RunContext& context = input.context;
+  std::string result = mapText(context);
+  result += text("log      %s: %zu records, %.1f s\n", context.rawlog_path.c_str(), context.rawlog_entries,
+                 context.duration_s);
+  for (const auto& [name, count] : context.observations)
+    result += text("         %6zu %s%s\n", count.total, name.c_str(),
+                   count.used == 0     ? " (ignored: nothing scores this class)"
+                   : count.ignored > 0 ? text(", %zu of them ignored", count.ignored).c_str()
+                                       : "");
+  for (const auto& [reason, count] : input.unusable)
+    result += text("         %6zu unusable: %s\n", count, reason.c_str());
+  result += text("frames   %zu, %zu detections\n", input.sequence.frames.size(), input.sequence.detections);
+  return result + truthText(context);
+}
+
+std::string ambiguityText(const RunRecord& record, double start_time)
+{
+  const auto track = std::find_if(record.methods.begin(), record.methods.end(),
+                                  [](const MethodTrack& m) { return m.name == "particle_filter"; });
+  if (track == record.methods.end() || track->points.empty()) return {};
+  const auto& points = track->points;
+  const auto sure =
+      std::find_if(points.begin(), points.end(), [](const TrackPoint& p) { return p.verdict == Verdict::ok; });
+  std::string result = text("start    %d place%s explain%s the first frame\n", points.front().modes,
+                            points.front().modes == 1 ? "" : "s", points.front().modes == 1 ? "s" : "");
+  if (sure == points.end()) return result + "resolved never: the filter was not sure of one place at any time\n";
+  return result + text("resolved %.1f s after the start of the log, at x %.2f m, y %.2f m, heading %.1f deg\n",
+                       sure->time - start_time, sure->pose.mean.x, sure->pose.mean.y, radToDeg(sure->pose.mean.phi));
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "mrpt_ext/pipeline/localization_input.h"
+
+namespace mrpt_ext
+{
+/// The first screen of a run: map, log, truth, what is used and what is ignored and why.
+[[nodiscard]] std::string inputText(const LocalizationInput& input);
+
+/// When and how the filter found its place: number of places at the start, and when one was left.
+[[nodiscard]] std::string ambiguityText(const RunRecord& record, double start_time);
+}  // namespace mrpt_ext

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+
+#include "mrpt_ext/evaluation/run_record.h"
+#include "mrpt_ext/pipeline/frame_builder.h"
+#include "mrpt_ext/pipeline/localization_config.h"
+
+namespace mrpt_ext
+{
+/// What all trials of a run share.
+struct TrialInput
+{
+  const LocalizationConfig& config;
+  const LandmarkTable& map;
+  const FrameSequence& sequence;
+  const Trajectory& truth;               ///< used after the estimates, for the oracle rows only
+  const std::atomic<bool>& stop;         ///< set on Ctrl-C: the trial ends after the frame in work
+  std::function<void(double)> progress;  ///< told the share done, in [0, 1]
+};
+
+/// A finished trial with the particles it ended with.
+struct TrialOutcome
+{
+  RunRecord record;
+  ParticleSet particles;
+};
+
+/// Feeds all frames to all methods and keeps what they say. The same (seed, trial) gives the same record, whatever
+/// runs beside it.
+[[nodiscard]] TrialOutcome runTrial(const TrialInput& input, std::uint64_t seed, int trial);
+}  // namespace mrpt_ext
