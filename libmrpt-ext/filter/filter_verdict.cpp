@@ -16,11 +16,11 @@ std::string text(const char* format, Values... values)
 }
 }  // namespace
 
-VerdictWithReason judge(const ModeSet& modes, double explained_share, bool lost, const VerdictOptions& options)
+VerdictWithReason judge(const ModeSet& modes, const VerdictEvidence& evidence, const VerdictOptions& options)
 {
   if (modes.modes.empty()) return {Verdict::lost, "no particle left"};
-  const double percent = 100 * explained_share;
-  if (lost)
+  const double percent = 100 * evidence.explained_share;
+  if (evidence.lost)
     return {Verdict::lost,
             text("the best pose explains only %.0f %% of the recent detections expected of it", percent)};
   const Mode& best = modes.modes.front();
@@ -32,9 +32,11 @@ VerdictWithReason judge(const ModeSet& modes, double explained_share, bool lost,
   if (!(std_xy <= options.max_std_xy && std_phi <= options.max_std_phi))
     return {Verdict::ambiguous,
             text("the pose is not sharp yet: %.2f m and %.1f deg standard deviation", std_xy, radToDeg(std_phi))};
-  if (!(explained_share >= options.min_explained_share))
+  if (!(evidence.explained_share >= options.min_explained_share))
     return {Verdict::ambiguous,
             text("one place, but it explains only %.0f %% of the recent detections expected of it", percent)};
+  if (!(evidence.effective >= options.min_effective))
+    return {Verdict::ambiguous, text("one place, but it rests on %.0f effective particles", evidence.effective)};
   return {Verdict::ok, text("one place, weight %.2f, %.3f m and %.1f deg standard deviation, explains %.0f %% of the "
                             "recent detections expected of it",
                             best.weight, std_xy, radToDeg(std_phi), percent)};

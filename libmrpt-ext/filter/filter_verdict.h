@@ -14,6 +14,7 @@ struct VerdictOptions
   double max_std_xy = 0.5;              ///< [m] of its position, root of the sum of both variances
   double max_std_phi = degToRad(15.0);  ///< [rad] of its heading
   double min_explained_share = 0.5;     ///< of recent detections, relative to what is expected
+  double min_effective = 15;            ///< effective particles: fewer cannot tell how wide the posterior is
 };
 
 struct VerdictWithReason
@@ -22,7 +23,15 @@ struct VerdictWithReason
   std::string reason;  ///< one short sentence with the figures it rests on
 };
 
+/// What the verdict rests on beside the modes.
+struct VerdictEvidence
+{
+  double explained_share = 1;  ///< of recent detections, relative to what is expected
+  bool lost = false;           ///< the recovery monitor's alarm
+  double effective = 1e9;      ///< effective number of particles
+};
+
 /// Judges the posterior from its modes and from the share of recent detections it explains; never from ground truth.
-[[nodiscard]] VerdictWithReason judge(const ModeSet& modes, double explained_share, bool lost,
+[[nodiscard]] VerdictWithReason judge(const ModeSet& modes, const VerdictEvidence& evidence,
                                       const VerdictOptions& options);
 }  // namespace mrpt_ext

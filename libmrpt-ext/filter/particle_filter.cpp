@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mrpt_ext/hypotheses/seed_mixture.h"
 #include "mrpt_ext/likelihood/compass_likelihood.h"
 #include "mrpt_ext/likelihood/detection_density.h"
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
@@ -16,10 +15,11 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kSeedInflation = 2.0;  // a proposal wider than the posterior it proposes for
-constexpr double kUniformShareStart = 0.5;
+constexpr double kUniformShareStart = 0.3;
 constexpr double kUniformShareInjected = 0.3;
-constexpr std::size_t kBlock = 512;          // particles scored by one task
-constexpr double kOutsideRegionPenalty = 5;  // log-weight per frame: bounds are meant, but surveyed roughly
+constexpr double kUniformShareRefined = 0.1;
+constexpr int kRefinements = 2;      // samples drawn again from the modes of the one before
+constexpr std::size_t kBlock = 512;  // particles scored by one task
 
 /// All readings of a frame that carry evidence, running fixes taken apart.
 std::vector<Reading> scoredReadings(const Frame& frame)
@@ -59,66 +59,80 @@ ParticleFilter::ParticleFilter(const ParticleFilterOptions& options, const Landm
 FilterStep ParticleFilter::process(const Frame& frame, const Proposer& propose)
 {
   FilterStep step;
+  bool settled = true;
   if (particles_.empty())
-    start(propose);
+    settled = start(frame, propose);
   else
   {
     moveParticles(particles_, options_.motion, frame.motion, random_);
     step.reseeded = monitor_.suspicious();
     if (step.reseeded) inject(propose);
+    score(frame);
   }
-  score(frame);
   normalizeWeights(particles_);
   step.effective_ratio = effectiveSampleRatio(particles_);
   step.modes = findModes(particles_, options_.modes);
-  const bool converged =
-      judge(step.modes, monitor_.average(), monitor_.lost(), options_.verdict).verdict == Verdict::ok;
+  step.particles = particles_.size();
+  if (!settled)
+  {
+    step.reason = "waiting for readings that narrow the place down";
+    particles_.clear();
+    return step;
+  }
+  const bool converged = judgeStep(step).verdict == Verdict::ok;
   checkAgreement(frame, converged);
   step.explained_share = monitor_.average();
-  const VerdictWithReason verdict = judge(step.modes, monitor_.average(), monitor_.lost(), options_.verdict);
+  const VerdictWithReason verdict = judgeStep(step);
   step.verdict = verdict.verdict;
   step.reason = verdict.reason;
 
-  const bool too_many = !options_.adaptive_size && particles_.size() > options_.particles;
-  if (step.effective_ratio < options_.resample_below || too_many) resample(step.modes);
+  const std::size_t wanted = wantedParticles(step.verdict);
+  const bool too_many = !options_.adaptive_size && particles_.size() > wanted;
+  if (step.effective_ratio < options_.resample_below || too_many) resample(step.modes, wanted);
   step.particles = particles_.size();
   return step;
 }
 
-void ParticleFilter::start(const Proposer& propose)
+bool ParticleFilter::start(const Frame& frame, const Proposer& propose)
 {
-  if (options_.initial_mode == InitialMode::gaussian)
+  if (options_.initial_mode == InitialMode::gaussian) return startAtKnownPose(frame);
+  const std::size_t count = std::max(options_.initial_particles, options_.particles);
+  const bool analytic = options_.initial_mode == InitialMode::analytic;
+  const Proposal proposal = analytic && propose ? propose() : Proposal{};
+  Frame evidence = frame;
+  if (!proposal.joined_readings.empty()) evidence.readings = proposal.joined_readings;
+
+  const auto draw = [&](const HypothesisSet& hypotheses, double uniform_share)
   {
-    const Matrix3d factor = squareRoot(options_.initial_pose.covariance);
-    for (std::size_t i = 0; i < options_.particles; ++i)
-    {
-      const double a = random_.gaussian(), b = random_.gaussian(), c = random_.gaussian();
-      const Vector3d offset = factor * Vector3d(a, b, c);
-      const Pose2& mean = options_.initial_pose.mean;
-      particles_.add({mean.x + offset.x(), mean.y + offset.y(), wrap(mean.phi + offset.z())}, 0);
-    }
-  }
-  else
+    const SeedMixture mixture(hypotheses, options_.region, uniform_share, kSeedInflation, options_.seed_min_std);
+    particles_ = sampleSeeds(mixture, options_.region, count, random_);
+    score(evidence);
+    normalizeWeights(particles_);
+  };
+  draw(proposal.hypotheses, kUniformShareStart);
+  for (int pass = 0; analytic && pass < kRefinements; ++pass)
+    draw(hypothesesOf(findModes(particles_, options_.modes)), kUniformShareRefined);
+  return proposal.complete || !proposal.hypotheses.empty();
+}
+
+bool ParticleFilter::startAtKnownPose(const Frame& frame)
+{
+  const Matrix3d factor = squareRoot(options_.initial_pose.covariance);
+  const Pose2& mean = options_.initial_pose.mean;
+  for (std::size_t i = 0; i < options_.particles; ++i)
   {
-    const bool analytic = options_.initial_mode == InitialMode::analytic;
-    const SeedMixture mixture(analytic && propose ? propose() : HypothesisSet{}, options_.region, kUniformShareStart,
-                              kSeedInflation, options_.seed_min_std);
-    const std::size_t count = std::max(options_.initial_particles, options_.particles);
-    while (particles_.size() < count)
-    {
-      const Pose2 pose = mixture.sample(random_);
-      const double prior = options_.region.density(pose);
-      // A seed outside the region has no prior weight; another draw keeps the count, the weights stay proportional.
-      if (prior > 0) particles_.add(pose, std::log(prior / mixture.density(pose)));
-    }
+    const double a = random_.gaussian(), b = random_.gaussian(), c = random_.gaussian();
+    const Vector3d offset = factor * Vector3d(a, b, c);
+    particles_.add({mean.x + offset.x(), mean.y + offset.y(), wrap(mean.phi + offset.z())}, 0);
   }
-  normalizeWeights(particles_);
+  score(frame);
+  return true;
 }
 
 void ParticleFilter::inject(const Proposer& propose)
 {
-  const SeedMixture mixture(propose ? propose() : HypothesisSet{}, options_.region, kUniformShareInjected,
-                            kSeedInflation, options_.seed_min_std);
+  const HypothesisSet hypotheses = propose ? propose().hypotheses : HypothesisSet{};
+  const SeedMixture mixture(hypotheses, options_.region, kUniformShareInjected, kSeedInflation, options_.seed_min_std);
   const double jump = options_.recovery.prior_of_jump;
   for (double& log_w : particles_.log_weight) log_w += std::log1p(-jump);
   const auto count =
@@ -135,8 +149,6 @@ void ParticleFilter::score(const Frame& frame)
 {
   for (const Reading& reading : scoredReadings(frame)) scoreReading(reading);
   if (frame.compass) addCompassLogLikelihood(*frame.compass, particles_.poses(), particles_.log_weight);
-  for (std::size_t i = 0; i < particles_.size(); ++i)
-    if (!options_.region.contains(particles_.pose(i))) particles_.log_weight[i] -= kOutsideRegionPenalty;
 }
 
 void ParticleFilter::scoreReading(const Reading& reading)
@@ -178,9 +190,20 @@ void ParticleFilter::checkAgreement(const Frame& frame, bool converged)
                      detections);
 }
 
-void ParticleFilter::resample(const ModeSet& modes)
+VerdictWithReason ParticleFilter::judgeStep(const FilterStep& step) const
 {
-  std::size_t count = options_.particles;
+  const double effective = step.effective_ratio * static_cast<double>(particles_.size());
+  return judge(step.modes, {monitor_.average(), monitor_.lost(), effective}, options_.verdict);
+}
+
+std::size_t ParticleFilter::wantedParticles(Verdict verdict) const
+{
+  // Every place that may still be the right one needs enough particles for its weight to mean something.
+  return verdict == Verdict::ok ? options_.particles : std::max(options_.particles, options_.initial_particles);
+}
+
+void ParticleFilter::resample(const ModeSet& modes, std::size_t count)
+{
   if (options_.adaptive_size)
   {
     // The bins that a resampled set of the present size would occupy decide how many are needed (Fox 2003).

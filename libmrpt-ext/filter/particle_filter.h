@@ -14,6 +14,7 @@
 #include "mrpt_ext/filter/particle_set.h"
 #include "mrpt_ext/filter/recovery_monitor.h"
 #include "mrpt_ext/filter/resampling.h"
+#include "mrpt_ext/filter/seeding.h"
 #include "mrpt_ext/geometry/frame.h"
 #include "mrpt_ext/hypotheses/pose_hypothesis.h"
 #include "mrpt_ext/hypotheses/pose_region.h"
@@ -31,8 +32,8 @@ enum class InitialMode
 struct ParticleFilterOptions
 {
   std::size_t particles = 2000;           ///< number held (with an adaptive size: only at the start, see kld)
-  std::size_t initial_particles = 20000;  ///< number drawn for the first frame of a lost robot
-  PoseRegion region;                      ///< where the robot can be
+  std::size_t initial_particles = 20000;  ///< number held while the place is not certain
+  PoseRegion region;                      ///< where the robot can start, and be found again
   InitialMode initial_mode = InitialMode::analytic;
   GaussianPose initial_pose;  ///< for InitialMode::gaussian
   MotionModel motion;
@@ -70,7 +71,7 @@ class ParticleFilter
 {
  public:
   /// Asked for hypotheses only when the filter needs some: at the start and on recovery.
-  using Proposer = std::function<HypothesisSet()>;
+  using Proposer = std::function<Proposal()>;
 
   ParticleFilter(const ParticleFilterOptions& options, const LandmarkTable& map, std::uint64_t seed,
                  std::uint64_t stream);
@@ -81,12 +82,16 @@ class ParticleFilter
   [[nodiscard]] const LandmarkReliability& reliability() const { return reliability_; }
 
  private:
-  void start(const Proposer& propose);
+  /// Draws and scores the first particles; false when a later frame can make a better start.
+  bool start(const Frame& frame, const Proposer& propose);
+  bool startAtKnownPose(const Frame& frame);
   void inject(const Proposer& propose);
   void score(const Frame& frame);
   void scoreReading(const Reading& reading);
   void checkAgreement(const Frame& frame, bool converged);
-  void resample(const ModeSet& modes);
+  [[nodiscard]] VerdictWithReason judgeStep(const FilterStep& step) const;
+  [[nodiscard]] std::size_t wantedParticles(Verdict verdict) const;
+  void resample(const ModeSet& modes, std::size_t count);
 
   ParticleFilterOptions options_;
   LandmarkTable map_;

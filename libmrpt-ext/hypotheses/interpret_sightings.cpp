@@ -19,15 +19,24 @@ std::vector<int> candidatesFor(const LandmarkSighting& sighting, const LandmarkT
   return candidates;
 }
 
-/// The bearings of the newest sensor place, evenly thinned to what the search takes.
+/// The bearings of the sensor place that has most of them, of several the newest; evenly thinned to what the search
+/// takes.
 std::vector<LandmarkSighting> bearingsOfOnePlace(std::span<const LandmarkSighting> sightings)
 {
-  std::vector<LandmarkSighting> bearings;
+  std::vector<std::vector<LandmarkSighting>> places;
   for (const LandmarkSighting& s : sightings)
-    if (s.bearing && s.T_robot_sensor.vector() == sightings.back().T_robot_sensor.vector()) bearings.push_back(s);
-  if (bearings.size() <= kMaxBearings) return bearings;
+  {
+    if (!s.bearing) continue;
+    const bool same = !places.empty() && places.back().front().T_robot_sensor.vector() == s.T_robot_sensor.vector();
+    if (!same) places.emplace_back();
+    places.back().push_back(s);
+  }
+  std::vector<LandmarkSighting> most;
+  for (std::vector<LandmarkSighting>& place : places)
+    if (place.size() >= most.size()) most = std::move(place);
+  if (most.size() <= kMaxBearings) return most;
   std::vector<LandmarkSighting> thinned;
-  for (std::size_t k = 0; k < kMaxBearings; ++k) thinned.push_back(bearings[k * bearings.size() / kMaxBearings]);
+  for (std::size_t k = 0; k < kMaxBearings; ++k) thinned.push_back(most[k * most.size() / kMaxBearings]);
   return thinned;
 }
 }  // namespace
@@ -36,8 +45,8 @@ SightingInterpretations interpretSightings(std::span<const LandmarkSighting> sig
                                            const PoseRegion& region, bool allow_three)
 {
   SightingInterpretations result;
-  if (sightings.empty()) return result;
   const std::vector<LandmarkSighting> bearings = bearingsOfOnePlace(sightings);
+  if (bearings.empty()) return result;
   std::vector<UnidentifiedBearing> unidentified;
   double std = 0;
   for (const LandmarkSighting& s : bearings)
@@ -52,15 +61,16 @@ SightingInterpretations interpretSightings(std::span<const LandmarkSighting> sig
 
   std::vector<Vector2d> landmarks;
   for (const Landmark& landmark : map.all()) landmarks.push_back(landmark.position.head<2>());
-  const Pose2 T_robot_sensor = bearings.front().T_robot_sensor;
+  const Pose2& T_robot_sensor = bearings.front().T_robot_sensor;
   const double offset = T_robot_sensor.position().norm();
   InterpretationOptions options;
   options.gate = InterpretationGate::covariance;
   options.max_residual = kGate * std;
   options.std_bearing = std;
-  options.max_unmatched = std::clamp(std::min(count / 3, count - 4), 0, 2);
+  // Seeding: of four or five bearings one may be false, and the three or four others still name the place.
+  options.allow_three = allow_three && count <= 4;
+  options.max_unmatched = std::clamp(std::min((count + 1) / 3, count - (options.allow_three ? 3 : 4)), 0, 2);
   options.area = MapArea{region.low.array() - offset, region.high.array() + offset};
-  options.allow_three = allow_three && count == 3;
   options.max_tested = kMaxTested;
   const Interpretations found = interpretBearings(landmarks, unidentified, options);
   result.status = found.status;

@@ -9,9 +9,9 @@
 
 namespace mrpt_ext
 {
-/// Interpretation tree (paper 000 sec. 3) over the unidentified bearings that one sensor place took: all robot poses in
-/// the region from which they can be explained, with the interpretations' log-likelihoods as scores. The gate is 3.3
-/// standard deviations of the bearings; up to a third of them, at most two, may show no landmark.
+/// Interpretation tree (paper 000 sec. 3) over the unidentified bearings of one sensor place, that with most of them:
+/// all robot poses in the region from which they can be explained, with the interpretations' log-likelihoods as scores.
+/// The gate is 3.3 standard deviations of the bearings; up to a third of them, at most two, may show no landmark.
 struct SightingInterpretations
 {
   SolveStatus status = SolveStatus::too_few;

@@ -10,7 +10,7 @@ namespace mrpt_ext
 struct ProposalOptions
 {
   PoseRegion region;                 ///< poses outside are not proposed
-  std::size_t max_hypotheses = 100;  ///< best ones kept
+  std::size_t max_hypotheses = 400;  ///< best ones kept
   std::size_t ring_points = 36;      ///< hypotheses that stand for a ring of unknown heading
 };
 

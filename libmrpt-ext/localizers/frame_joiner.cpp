@@ -20,6 +20,8 @@ void carry(Reading& reading, const OdometryMotion& motion, const MotionModel& mo
 
 void FrameJoiner::add(const Frame& frame)
 {
+  if (!first_time_) first_time_ = frame.time;
+  full_ = frame.time - *first_time_ >= window_;
   for (Reading& reading : newest_.readings) older_.push_back(std::move(reading));
   while (!older_.empty() && older_.front().time < frame.time - window_) older_.pop_front();
   for (Reading& reading : older_) carry(reading, frame.motion, motion_);

@@ -20,6 +20,8 @@ class FrameJoiner
   void add(const Frame& frame);
   /// The readings of the window, oldest first, seen from the newest frame.
   [[nodiscard]] std::vector<Reading> readings() const;
+  /// True once the frames span the window: from then on the oldest readings are dropped.
+  [[nodiscard]] bool full() const { return full_; }
   /// The newest frame with the older readings of the window added.
   [[nodiscard]] Frame joined() const;
 
@@ -27,6 +29,8 @@ class FrameJoiner
   double window_;
   MotionModel motion_;
   Frame newest_;
+  std::optional<double> first_time_;
+  bool full_ = false;
   std::deque<Reading> older_;
 };
 }  // namespace mrpt_ext

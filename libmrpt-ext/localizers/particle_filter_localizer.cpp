@@ -11,7 +11,15 @@ ParticleFilterLocalizer::ParticleFilterLocalizer(const ParticleFilterOptions& op
 Estimate ParticleFilterLocalizer::process(const Frame& frame)
 {
   joiner_.add(frame);
-  step_ = filter_.process(frame, [&] { return proposePoses(joiner_.joined(), map_, {.region = region_}); });
+  const auto propose = [&]
+  {
+    const Frame joined = joiner_.joined();
+    Proposal proposal(proposePoses(joined, map_, {.region = region_}));
+    proposal.joined_readings = joined.readings;
+    proposal.complete = joiner_.full();
+    return proposal;
+  };
+  step_ = filter_.process(frame, propose);
   return estimateFrom(step_, frame.time);
 }
 

@@ -161,8 +161,9 @@ LocalizationConfig localizationConfig(const Settings& settings, const LandmarkTa
                    .odometry_scale = settings.number(kMotion, "odometry_scale"),
                    .odometry_delay = settings.number(kMotion, "odometry_delay_s"),
                    .sensors = sensorConfigs(settings)};
-  for (const std::string& category : words(settings.text(kExperiment, "objects")))
-    config.frames.object_categories.insert(category);
+  if (settings.hasValue(kExperiment, "objects"))
+    for (const std::string& category : words(settings.text(kExperiment, "objects")))
+      config.frames.object_categories.insert(category);
   config.join_window = settings.number(kExperiment, "join_window_s");
   config.seed_window = settings.number(kExperiment, "seed_window_s");
   config.methods = words(settings.text(kExperiment, "methods"));

@@ -155,7 +155,9 @@ class MrptFilterLocalizer : public FilterLocalizer
       monitor_.observe(reliability_.observe(reading, map_, particles_, true), 1 - reading.model.clutter_probability,
                        reading.detections.size());
     step_.explained_share = monitor_.average();
-    const VerdictWithReason verdict = judge(step_.modes, monitor_.average(), monitor_.lost(), options_.verdict);
+    const double effective = step_.effective_ratio * static_cast<double>(particles_.size());
+    const VerdictWithReason verdict =
+        judge(step_.modes, {monitor_.average(), monitor_.lost(), effective}, options_.verdict);
     step_.verdict = verdict.verdict;
     step_.reason = verdict.reason;
   }

@@ -16,7 +16,7 @@ Mode mode(double weight, double std_xy = 0.1, double std_phi = 0.02)
 
 VerdictWithReason verdictOn(const std::vector<Mode>& modes, bool lost = false, double explained = 0.95)
 {
-  return judge({modes, {}}, explained, lost, {});
+  return judge({modes, {}}, {explained, lost}, {});
 }
 }  // namespace
 

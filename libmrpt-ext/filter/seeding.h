@@ -1,0 +1,32 @@
+#pragma once
+
+#include "mrpt_ext/filter/modes.h"
+#include "mrpt_ext/filter/particle_set.h"
+#include "mrpt_ext/geometry/measurement.h"
+#include "mrpt_ext/hypotheses/seed_mixture.h"
+
+namespace mrpt_ext
+{
+/// What a filter is given when it needs to know where the robot may be.
+struct Proposal
+{
+  Proposal() = default;
+  Proposal(HypothesisSet set) : hypotheses(std::move(set)) {}  // NOLINT(google-explicit-constructor)
+
+  HypothesisSet hypotheses;
+  /// Readings of the last seconds seen from the newest frame, the newest included: the evidence to start on. Empty:
+  /// that of the frame alone.
+  std::vector<Reading> joined_readings;
+  /// False while more readings will be joined: a start without hypotheses is better put off.
+  bool complete = true;
+};
+
+/// `count` poses drawn from the mixture and weighted (log prior - log density) against the uniform prior over the
+/// region; draws outside the region are drawn again. Not normalised.
+[[nodiscard]] ParticleSet sampleSeeds(const SeedMixture& mixture, const PoseRegion& region, std::size_t count,
+                                      RandomStream& random);
+
+/// The modes of a first sample as hypotheses, for a second and better one (population Monte Carlo: Cappe et al., J.
+/// Comput. Graph. Stat. 13(4), 2004). Lighter modes than a ten-thousandth are left to the uniform share.
+[[nodiscard]] HypothesisSet hypothesesOf(const ModeSet& modes);
+}  // namespace mrpt_ext
