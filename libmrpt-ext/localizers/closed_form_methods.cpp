@@ -141,6 +141,7 @@ ClosedFormAnswer rangeLeastSquares(const Frame& frame, const LandmarkTable& map,
     h.pose.covariance.topLeftCorner<2, 2>() = place.position.covariance + square(offset) * Matrix2d::Identity();
     if (region.contains({h.pose.mean.x, h.pose.mean.y, region.phi_low})) answer.candidates.push_back(h);
   }
+  if (answer.candidates.empty() && answer.status == SolveStatus::ok) answer.status = SolveStatus::none;
   return answer;
 }
 

@@ -1,5 +1,7 @@
 #include "mrpt_ext/localizers/frame_joiner.h"
 
+#include <cmath>
+
 namespace mrpt_ext
 {
 namespace
@@ -11,8 +13,12 @@ void carry(Reading& reading, const OdometryMotion& motion, const MotionModel& mo
   const Vector2d lever = reading.T_robot_sensor.position() - motion.increment.position();
   const Vector2d swing(-lever.y(), lever.x());  // a heading error of the way turns the old place about the new one
   const Matrix2d R = rotation(-motion.increment.phi);
-  const Matrix2d grown = reading.offset_covariance + S.topLeftCorner<2, 2>() + S(2, 2) * swing * swing.transpose();
+  const Matrix2d cross = S.topRightCorner<2, 1>() * swing.transpose();
+  const Matrix2d grown = reading.offset_covariance + S.topLeftCorner<2, 2>() + S(2, 2) * swing * swing.transpose() +
+                         cross + cross.transpose();
   reading.offset_covariance = R * grown * R.transpose();
+  for (Detection& detection : reading.detections)
+    if (detection.bearing) detection.std_bearing = std::hypot(detection.std_bearing, std::sqrt(S(2, 2)));
   reading.T_robot_sensor = compose(inverse(motion.increment), reading.T_robot_sensor);
   reading.model.detection_probability.reset();  // what it did not report was not reported then, not now
 }

@@ -9,7 +9,7 @@ namespace mrpt_ext
 {
 /// Carries the readings of the last seconds along by odometry, so that a method sees one constellation measured at
 /// several places. Sensor poses are expressed in the robot frame of the newest frame; the odometry noise on the way
-/// grows their offset covariance.
+/// grows their offset covariance and, by its heading error, the deviations of their bearings.
 class FrameJoiner
 {
  public:

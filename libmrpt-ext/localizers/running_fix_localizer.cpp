@@ -81,22 +81,26 @@ std::vector<RunningFixReading> RunningFixLocalizer::fixesFromRanges(const Frame&
     {
       const double displacement = partner->since.increment.position().norm();
       if (displacement < options_.min_displacement_stds * std::max(s.std_range, partner->std)) continue;
-      fixes.push_back({.time = frame.time,
-                       .first_time = partner->time,
-                       .T_robot_sensor = s.T_robot_sensor,
-                       .horizontal_range = true,
-                       .id = id,
-                       .first_range = partner->range,
-                       .first_std = partner->std,
-                       .second_range = *s.range,
-                       .second_std = s.std_range,
-                       .displacement = partner->since.increment,
-                       .displacement_covariance = incrementCovariance(options_.motion, partner->since),
-                       .second_bearing = s.bearing,
-                       .second_bearing_std = s.std_bearing});
+      // As if the first range had been taken by the second sensor, from a robot standing where that puts it.
+      const Pose2 swap = compose(s.T_robot_sensor, inverse(partner->T_robot_sensor));
+      const Matrix3d J = composeJacobianSecond(swap);
+      fixes.push_back(
+          {.time = frame.time,
+           .first_time = partner->time,
+           .T_robot_sensor = s.T_robot_sensor,
+           .horizontal_range = true,
+           .id = id,
+           .first_range = partner->range,
+           .first_std = partner->std,
+           .second_range = *s.range,
+           .second_std = s.std_range,
+           .displacement = compose(swap, partner->since.increment),
+           .displacement_covariance = J * incrementCovariance(options_.motion, partner->since) * J.transpose(),
+           .second_bearing = s.bearing,
+           .second_bearing_std = s.std_bearing});
       break;
     }
-    earlier.push_back({frame.time, *s.range, s.std_range, {}});
+    earlier.push_back({frame.time, *s.range, s.std_range, s.T_robot_sensor, {}});
   }
   return fixes;
 }
