@@ -152,7 +152,7 @@ FrameSequence buildFrames(const std::vector<Record>& records, const LandmarkTabl
   FrameSequence sequence;
   SortedMeasurements sorted = sortMeasurements(records, map, options, sequence.unusable);
   markDoubleEvidence(sorted);
-  sequence.odometry = OdometryPath(sorted.odometry, options.odometry_scale, options.odometry_delay);
+  sequence.odometry = OdometryPath(sorted.odometry, options.odometry);
   sequence.frames = cutFrames(sorted, frameStamps(sorted, options.window), sequence.odometry, options.independent);
   sequence.object_frames = cutObjectFrames(sorted, options.window, sequence.odometry);
   for (const Reading& reading : sorted.readings) sequence.detections += reading.detections.size();

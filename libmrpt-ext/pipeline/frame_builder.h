@@ -14,8 +14,7 @@ struct FrameOptions
 {
   double window = 0.05;      ///< [s] detections this close in time form one frame
   bool independent = false;  ///< no motion between frames
-  double odometry_scale = 1;
-  double odometry_delay = 0;  ///< [s]
+  OdometryCorrection odometry;
   SensorConfigs sensors;
   std::set<std::string> object_categories;  ///< detections of these are not landmarks
 };
@@ -25,7 +24,7 @@ struct FrameSequence
 {
   std::vector<Frame> frames;         ///< ordered by time, each with at least one detection, fix or heading
   std::vector<Frame> object_frames;  ///< sightings of objects, one per frame of the same time in `frames` or between
-  OdometryPath odometry{{}, 1, 0};
+  OdometryPath odometry{{}, {}};
   UnusableDetections unusable;
   std::size_t detections = 0;  ///< of landmarks, used
 };

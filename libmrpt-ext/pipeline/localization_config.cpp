@@ -158,8 +158,9 @@ LocalizationConfig localizationConfig(const Settings& settings, const LandmarkTa
                            "pfStandardProposal only");
   config.frames = {.window = settings.number(kExperiment, "frame_window_s"),
                    .independent = settings.flag(kExperiment, "independent_frames"),
-                   .odometry_scale = settings.number(kMotion, "odometry_scale"),
-                   .odometry_delay = settings.number(kMotion, "odometry_delay_s"),
+                   .odometry = {.scale = settings.number(kMotion, "odometry_scale"),
+                                .turn_scale = settings.number(kMotion, "odometry_turn_scale"),
+                                .delay = settings.number(kMotion, "odometry_delay_s")},
                    .sensors = sensorConfigs(settings)};
   if (settings.hasValue(kExperiment, "objects"))
     for (const std::string& category : words(settings.text(kExperiment, "objects")))

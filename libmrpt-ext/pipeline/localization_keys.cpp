@@ -211,6 +211,7 @@ KeyTable motionKeys()
        {},
        "How long after its stamp an odometry record becomes true; it is added to the stamps."},
       {s, "odometry_scale", T::number, "", "1", kPositive, {}, "Factor on the measured way (not on turns)."},
+      {s, "odometry_turn_scale", T::number, "", "1", kPositive, {}, "Factor on the measured turns."},
   }};
 }
 

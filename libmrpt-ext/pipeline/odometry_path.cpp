@@ -4,7 +4,7 @@
 
 namespace mrpt_ext
 {
-OdometryPath::OdometryPath(std::vector<OdometryRecord> records, double scale, double delay)
+OdometryPath::OdometryPath(std::vector<OdometryRecord> records, const OdometryCorrection& correction)
 {
   std::stable_sort(records.begin(), records.end(),
                    [](const OdometryRecord& a, const OdometryRecord& b) { return a.time < b.time; });
@@ -12,17 +12,18 @@ OdometryPath::OdometryPath(std::vector<OdometryRecord> records, double scale, do
   {
     if (path_.empty())
     {
-      path_.push_back({record.time + delay, record.pose, true});
+      path_.push_back({record.time + correction.delay, record.pose, true});
       length_.push_back(0);
       turned_.push_back(0);
       continue;
     }
     Pose2 step = mrpt_ext::between(records[path_.size() - 1].pose, record.pose);
-    step.x *= scale;
-    step.y *= scale;
+    step.x *= correction.scale;
+    step.y *= correction.scale;
+    step.phi *= correction.turn_scale;
     length_.push_back(length_.back() + step.position().norm());
     turned_.push_back(turned_.back() + std::abs(step.phi));
-    path_.push_back({record.time + delay, compose(path_.back().pose, step), true});
+    path_.push_back({record.time + correction.delay, compose(path_.back().pose, step), true});
   }
 }
 

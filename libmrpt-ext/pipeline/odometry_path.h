@@ -7,12 +7,20 @@
 
 namespace mrpt_ext
 {
+/// What is known to be wrong with the odometry of a log.
+struct OdometryCorrection
+{
+  double scale = 1;       ///< factor on the way
+  double turn_scale = 1;  ///< factor on turns
+  double delay = 0;       ///< [s] added to the stamps
+};
+
 /// Dead-reckoned way of a whole log: where odometry stands at any time, and the motion between two times.
 class OdometryPath
 {
  public:
-  /// Records in any order of time; `scale` is applied to the way, `delay` [s] is added to the stamps.
-  OdometryPath(std::vector<OdometryRecord> records, double scale, double delay);
+  /// Records in any order of time, corrected as configured.
+  OdometryPath(std::vector<OdometryRecord> records, const OdometryCorrection& correction);
 
   [[nodiscard]] bool empty() const { return path_.empty(); }
   /// Interpolated between records; standing still before the first and after the last.
