@@ -64,14 +64,15 @@ std::vector<MethodEntry> closedForms(const LocalizationConfig& config, const Lan
     return MethodEntry{name, applies, [name, method] { return std::make_unique<ClosedFormLocalizer>(name, method); }};
   };
   return {
-      entry("bearing_least_squares", kinds.known_bearing,
+      entry("bearing_least_squares", kinds.known_bearing && map.size() >= 3,
             [&map](const Frame& frame) { return bearingLeastSquares(frame, map); }),
-      entry("bearing_maximum_likelihood", kinds.known_bearing,
+      entry("bearing_maximum_likelihood", kinds.known_bearing && map.size() >= 3,
             [&map](const Frame& frame) { return bearingMaximumLikelihood(frame, map); }),
-      entry("interpretation_tree", kinds.unknown_bearing,
+      entry("interpretation_tree", kinds.unknown_bearing && map.size() >= 4,
             [&map, region](const Frame& frame) { return interpretationTree(frame, map, region); }),
-      entry("two_landmark_pose", kinds.known_point, [&map](const Frame& frame) { return twoLandmarkPose(frame, map); }),
-      entry("range_least_squares", kinds.known_range,
+      entry("two_landmark_pose", kinds.known_point && map.size() >= 2,
+            [&map](const Frame& frame) { return twoLandmarkPose(frame, map); }),
+      entry("range_least_squares", kinds.known_range && map.size() >= 2,
             [&map, region](const Frame& frame) { return rangeLeastSquares(frame, map, region); }),
   };
 }

@@ -19,8 +19,10 @@ constexpr std::size_t kMaxNames = 80;   // more ids would hide the map
 constexpr std::size_t kMaxDots = 1500;  // per method
 constexpr std::size_t kMaxPathPoints = 6000;
 constexpr double kResolution = 1.5;  // drawing units between points of a path
+constexpr double kJump = 0.08;       // of the map's width, between two estimates
 
-/// Splits a path where a sensor or the truth was silent for long, so that no line claims a way that was not seen.
+/// Splits a path where a sensor or the truth was silent for long, and where the estimate jumped to another place, so
+/// that no line claims a way that was not driven.
 template <typename Point, typename Position>
 std::string pathShape(const std::vector<Point>& points, Position position, double max_gap, const MapView& view,
                       const std::string& css_class)
@@ -31,12 +33,15 @@ std::string pathShape(const std::vector<Point>& points, Position position, doubl
   SvgPoints part;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    if (i > 0 && max_gap > 0 && points[i].time - points[i - 1].time > max_gap)
+    const Vector2d drawn = view.draw(position(points[i]));
+    const bool silent = i > 0 && max_gap > 0 && points[i].time - points[i - 1].time > max_gap;
+    const bool jumped = i > 0 && (drawn - part.back()).norm() > kJump * view.width();
+    if (silent || jumped)
     {
       svg += svgPolyline(thinned(part), css_class);
       part.clear();
     }
-    part.push_back(view.draw(position(points[i])));
+    part.push_back(drawn);
   }
   return svg + svgPolyline(thinned(part), css_class);
 }
