@@ -36,6 +36,23 @@ Vector3d offsetFrom(const Pose2& mean, const Pose2& pose)
 {
   return {pose.x - mean.x, pose.y - mean.y, wrap(pose.phi - mean.phi)};
 }
+
+/// The mode that the pose lies nearest to by Mahalanobis distance (a wide mode must not draw in a sharp one within its
+/// reach); null when it belongs to none.
+const SmoothedMode* nearestMode(const std::vector<SmoothedMode>& modes, const Pose2& pose)
+{
+  const SmoothedMode* nearest = nullptr;
+  double smallest = kReach2;
+  for (const SmoothedMode& mode : modes)
+  {
+    const Vector3d offset = offsetFrom(mode.mean, pose);
+    const double distance2 = offset.dot(mode.information * offset);
+    if (!(distance2 < smallest)) continue;
+    smallest = distance2;
+    nearest = &mode;
+  }
+  return nearest;
+}
 }  // namespace
 
 void smoothModes(ParticleSet& particles, const ModeSet& modes, const KernelSmoothing& options, RandomStream& random)
@@ -43,16 +60,15 @@ void smoothModes(ParticleSet& particles, const ModeSet& modes, const KernelSmoot
   const std::vector<SmoothedMode> compact = compactModes(modes, options);
   const double keep = std::sqrt(1 - square(options.bandwidth));
   for (std::size_t i = 0; i < particles.size(); ++i)
-    for (const SmoothedMode& mode : compact)
-    {
-      const Vector3d offset = offsetFrom(mode.mean, particles.pose(i));
-      if (!(offset.dot(mode.information * offset) < kReach2)) continue;
-      const double a = random.gaussian(), b = random.gaussian(), c = random.gaussian();
-      const Vector3d moved = keep * offset + options.bandwidth * (mode.factor * Vector3d(a, b, c));
-      particles.x[i] = mode.mean.x + moved.x();
-      particles.y[i] = mode.mean.y + moved.y();
-      particles.phi[i] = wrap(mode.mean.phi + moved.z());
-      break;
-    }
+  {
+    const SmoothedMode* nearest = nearestMode(compact, particles.pose(i));
+    if (!nearest) continue;
+    const double a = random.gaussian(), b = random.gaussian(), c = random.gaussian();
+    const Vector3d moved =
+        keep * offsetFrom(nearest->mean, particles.pose(i)) + options.bandwidth * (nearest->factor * Vector3d(a, b, c));
+    particles.x[i] = nearest->mean.x + moved.x();
+    particles.y[i] = nearest->mean.y + moved.y();
+    particles.phi[i] = wrap(nearest->mean.phi + moved.z());
+  }
 }
 }  // namespace mrpt_ext

@@ -1,0 +1,212 @@
+#include "mrpt_ext/hypotheses/propose_poses.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "exact_scene.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+const LandmarkTable kMap = fiveLandmarks();
+const ProposalOptions kOptions{.region = {{-3, -3}, {9, 9}}};
+const Pose2 kRobot{2.5, 2, 0.7};
+const Pose2 kMount{0.2, -0.1, 0.9};
+const ExactSensor kBearings{.T_robot_sensor = kMount};
+const ExactSensor kRanges{.bearing = false, .range = true};
+const ExactSensor kPoints{.range = true, .T_robot_sensor = kMount};
+const ExactSensor kNameless{.named = false, .T_robot_sensor = kMount};
+const ExactSensor kNamelessPoints{.range = true, .named = false, .T_robot_sensor = kMount};
+
+HypothesisSet proposalsFor(std::vector<Reading> readings, const ProposalOptions& options = kOptions)
+{
+  return proposePoses({.time = 1, .readings = std::move(readings)}, kMap, options);
+}
+
+/// Rank of the first hypothesis at the robot's pose; -1: none.
+int rankOf(const Pose2& robot, const HypothesisSet& hypotheses, double metres, double radians)
+{
+  const auto found =
+      std::find_if(hypotheses.begin(), hypotheses.end(),
+                   [&](const PoseHypothesis& h)
+                   { return distance(h.pose.mean, robot) < metres && turned(h.pose.mean, robot) < radians; });
+  return found == hypotheses.end() ? -1 : static_cast<int>(found - hypotheses.begin());
+}
+
+int rankOfTruth(const HypothesisSet& hypotheses, double metres = 0.02, double radians = 0.01)
+{
+  return rankOf(kRobot, hypotheses, metres, radians);
+}
+
+/// A reading taken at `then`, as seen from the robot at kRobot.
+Reading carried(const Pose2& then, const std::vector<std::size_t>& places, const ExactSensor& sensor)
+{
+  Reading reading = seenFrom(then, kMap, places, sensor);
+  reading.T_robot_sensor = compose(between(kRobot, then), sensor.T_robot_sensor);
+  return reading;
+}
+
+RunningFixReading fixOf(const Pose2& displacement)
+{
+  const Pose2 first = compose(kRobot, inverse(displacement));
+  RunningFixReading fix{.time = 1, .sensor = "sonar", .id = 2};
+  fix.first_range = predictRange(first, {6, 0.5});
+  fix.second_range = predictRange(kRobot, {6, 0.5});
+  fix.first_std = fix.second_std = 0.02;
+  fix.displacement = displacement;
+  fix.displacement_covariance = Vector3d(1e-4, 1e-4, 1e-5).asDiagonal();
+  return fix;
+}
+}  // namespace
+
+TEST(ProposePoses, IdentifiedBearings)
+{
+  EXPECT_EQ(rankOfTruth(proposalsFor({seenFrom(kRobot, kMap, {0, 1, 2}, kBearings)})), 0);
+  EXPECT_EQ(rankOfTruth(proposalsFor({seenFrom(kRobot, kMap, {0, 1, 2, 3, 4}, kBearings)})), 0);
+}
+
+TEST(ProposePoses, IdentifiedPoints)
+{
+  EXPECT_EQ(rankOfTruth(proposalsFor({seenFrom(kRobot, kMap, {0, 1}, kPoints)})), 0);
+  EXPECT_EQ(rankOfTruth(proposalsFor({seenFrom(kRobot, kMap, {0, 1, 2, 3, 4}, kPoints)})), 0);
+}
+
+TEST(ProposePoses, RangesLeaveTheHeadingOpen)
+{
+  const HypothesisSet three = proposalsFor({seenFrom(kRobot, kMap, {0, 2, 3}, kRanges)});
+  ASSERT_FALSE(three.empty());
+  EXPECT_LT(distance(three[0].pose.mean, kRobot), 0.02);
+  EXPECT_FALSE(three[0].heading_known);
+  const HypothesisSet two = proposalsFor({seenFrom(kRobot, kMap, {0, 1}, kRanges)});
+  EXPECT_TRUE(std::any_of(two.begin(), two.end(),
+                          [](const PoseHypothesis& h) { return distance(h.pose.mean, kRobot) < 0.02; }));
+}
+
+TEST(ProposePoses, RangesAndOneBearingGiveTheHeading)
+{
+  Reading bearing = seenFrom(kRobot, kMap, {1}, {});
+  EXPECT_GE(rankOfTruth(proposalsFor({seenFrom(kRobot, kMap, {0, 2, 3}, kRanges), bearing})), 0);
+}
+
+TEST(ProposePoses, RangesJoinedByOdometryGiveTheHeading)
+{
+  const Pose2 second = compose(kRobot, inverse({0.6, 0, 0.3})), first = compose(second, inverse({0.6, 0.1, 0.2}));
+  const HypothesisSet found =
+      proposalsFor({carried(first, {0, 1, 2, 3}, kRanges), carried(second, {0, 1, 2, 3}, kRanges),
+                    carried(kRobot, {0, 1, 2, 3}, kRanges)});
+  const int rank = rankOfTruth(found, 0.05, 0.05);
+  ASSERT_EQ(rank, 0);
+  EXPECT_TRUE(found[0].heading_known);
+}
+
+TEST(ProposePoses, OneLandmarkGivesARing)
+{
+  const HypothesisSet ring =
+      proposalsFor({seenFrom(kRobot, kMap, {0}, kPoints)}, {.region = {{-20, -20}, {20, 20}}, .ring_points = 36});
+  EXPECT_EQ(ring.size(), 36u);
+  const double spacing = kTwoPi / 36;
+  EXPECT_GE(rankOfTruth(ring, 0.51 * spacing * kRobot.position().norm(), 0.51 * spacing), 0);
+  for (const PoseHypothesis& h : ring)
+    EXPECT_NEAR(predictRange(h.pose.mean, {0, 0}, kMount), predictRange(kRobot, {0, 0}, kMount), 1e-9);
+}
+
+TEST(ProposePoses, ARunningFixWithACompass)
+{
+  Frame frame{.time = 1, .fixes = {fixOf({1.2, 0.2, 0.4})}};
+  frame.compass = CompassRecord{1, "compass", kRobot.phi, degToRad(1)};
+  const HypothesisSet found = proposePoses(frame, kMap, {.region = {{-20, -20}, {20, 20}}});
+  EXPECT_EQ(found.size(), 2u);
+  EXPECT_GE(rankOfTruth(found), 0);
+}
+
+TEST(ProposePoses, ARunningFixWithoutACompass)
+{
+  const Frame frame{.time = 1, .fixes = {fixOf({1.2, 0.2, 0.4})}};
+  const HypothesisSet found = proposePoses(frame, kMap, {.region = {{-20, -20}, {20, 20}}});
+  const double spacing = kTwoPi / 36;
+  EXPECT_GE(rankOfTruth(found, spacing * distance(kRobot, {6, 0.5, 0}), 0.51 * spacing), 0);
+  EXPECT_GT(found.size(), 36u);  // two sides of the way
+}
+
+TEST(ProposePoses, BearingsWithoutNames)
+{
+  EXPECT_EQ(rankOfTruth(proposalsFor({seenFrom(kRobot, kMap, {0, 1, 2, 3, 4}, kNameless)})), 0);
+  EXPECT_GE(rankOfTruth(proposalsFor({seenFrom(kRobot, kMap, {0, 1, 2, 3}, kNameless)})), 0);
+  EXPECT_GE(rankOfTruth(proposalsFor({seenFrom(kRobot, kMap, {0, 1, 2}, kNameless)})), 0);
+}
+
+TEST(ProposePoses, PointsWithoutNames)
+{
+  EXPECT_EQ(rankOfTruth(proposalsFor({seenFrom(kRobot, kMap, {0, 1, 2, 3}, kNamelessPoints)})), 0);
+  EXPECT_GE(rankOfTruth(proposalsFor({seenFrom(kRobot, kMap, {1, 3}, kNamelessPoints)})), 0);
+}
+
+TEST(ProposePoses, TheTruthIsAmongThemFromEverywhere)
+{
+  RandomStream random(4);
+  const PoseRegion inner{{-2, -2}, {8, 8}};
+  for (int k = 0; k < 60; ++k)
+  {
+    const Pose2 robot = inner.sample(random);
+    for (const ExactSensor& sensor : {kBearings, kPoints, kNameless, kNamelessPoints})
+    {
+      const HypothesisSet found = proposalsFor({seenFrom(robot, kMap, {0, 1, 2, 3, 4}, sensor)});
+      EXPECT_GE(rankOf(robot, found, 0.05, 0.05), 0)
+          << robot.vector().transpose() << " named " << sensor.named << " range " << sensor.range;
+    }
+  }
+}
+
+TEST(ProposePoses, WrongReadingsAreTolerated)
+{
+  Reading bearings = seenFrom(kRobot, kMap, {0, 1, 2, 3, 4}, kBearings);
+  bearings.detections[1].bearing = wrap(*bearings.detections[1].bearing + 1);
+  EXPECT_EQ(rankOfTruth(proposalsFor({bearings}), 0.05, 0.02), 0);
+
+  Reading points = seenFrom(kRobot, kMap, {0, 1, 2}, kPoints);
+  *points.detections[0].range += 2;
+  EXPECT_EQ(rankOfTruth(proposalsFor({points}), 0.05, 0.02), 0);
+
+  Reading ranges = seenFrom(kRobot, kMap, {0, 1, 2, 3}, kRanges);
+  *ranges.detections[3].range += 1.5;
+  EXPECT_LT(distance(proposalsFor({ranges})[0].pose.mean, kRobot), 0.05);
+
+  Reading nameless = seenFrom(kRobot, kMap, {0, 1, 2, 3, 4}, kNameless);
+  nameless.detections[2].bearing = wrap(*nameless.detections[2].bearing + 0.8);
+  EXPECT_GE(rankOfTruth(proposalsFor({nameless}), 0.05, 0.02), 0);
+
+  Reading nameless_points = seenFrom(kRobot, kMap, {0, 1, 2, 3}, kNamelessPoints);
+  *nameless_points.detections[2].range += 2;
+  EXPECT_EQ(rankOfTruth(proposalsFor({nameless_points}), 0.05, 0.02), 0);
+}
+
+TEST(ProposePoses, AreRankedNormalisedAndInTheRegion)
+{
+  const HypothesisSet found = proposalsFor({seenFrom(kRobot, kMap, {0, 1, 2}, kNameless)});
+  ASSERT_GT(found.size(), 3u);
+  double sum = 0;
+  for (const PoseHypothesis& h : found)
+  {
+    EXPECT_TRUE(kOptions.region.contains(h.pose.mean));
+    EXPECT_LE(h.log_score, found.front().log_score);
+    EXPECT_FALSE(h.source.empty());
+    sum += h.weight;
+  }
+  EXPECT_NEAR(sum, 1, 1e-9);
+  ProposalOptions few = kOptions;
+  few.max_hypotheses = 3;
+  const HypothesisSet best = proposalsFor({seenFrom(kRobot, kMap, {0, 1, 2}, kNameless)}, few);
+  ASSERT_EQ(best.size(), 3u);
+  EXPECT_EQ(best[0].pose.mean.vector(), found[0].pose.mean.vector());
+  EXPECT_NEAR(best[0].weight + best[1].weight + best[2].weight, 1, 1e-9);
+}
+
+TEST(ProposePoses, NothingToProposeFrom)
+{
+  EXPECT_TRUE(proposalsFor({}).empty());
+  EXPECT_TRUE(proposalsFor({seenFrom(kRobot, kMap, {0}, kRanges)}).empty());
+  EXPECT_TRUE(proposePoses({.readings = {seenFrom(kRobot, kMap, {0, 1, 2, 3}, kNameless)}}, {}, kOptions).empty());
+}
+}  // namespace mrpt_ext
