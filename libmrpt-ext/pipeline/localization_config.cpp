@@ -52,6 +52,9 @@ PoseRegion poseRegion(const Settings& settings, const LandmarkTable& map)
 KldOptions kldOptions(const Settings& settings)
 {
   const std::string s = "KLD_options";
+  if (settings.integer(s, "KLD_maxSampleSize") < settings.integer(s, "KLD_minSampleSize"))
+    throw settings.errorAt(s, settings.isSet(s, "KLD_maxSampleSize") ? "KLD_maxSampleSize" : "KLD_minSampleSize",
+                           "expected KLD_minSampleSize <= KLD_maxSampleSize");
   return {.bin_xy = settings.number(s, "KLD_binSize_XY"),
           .bin_phi = settings.radians(s, "KLD_binSize_PHI_deg"),
           .delta = settings.number(s, "KLD_delta"),

@@ -8,13 +8,17 @@ namespace mrpt_ext
 {
 void OracleTracks::add(const MethodTrack& method, const Estimate& estimate, double time)
 {
-  if (truth_.empty() || estimate.candidates.empty()) return;
+  if (truth_.empty()) return;
   const std::string name = "oracle_" + method.name;
   auto entry = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.track.name == name; });
+  if (entry != entries_.end()) entry->track.frames_offered = method.frames_offered;
+  if (estimate.candidates.empty()) return;
   if (entry == entries_.end())
+  {
     entry = entries_.insert(entries_.end(), {{.name = name, .continuous = method.continuous, .oracle = true}, false});
+    entry->track.frames_offered = method.frames_offered;
+  }
   entry->several = entry->several || estimate.candidates.size() > 1;
-  entry->track.frames_offered = method.frames_offered;
   const auto truth = interpolate(truth_, time, kMaxTruthGap);
   if (!truth) return;
   const auto distance = [&](const PoseHypothesis& h)

@@ -7,6 +7,7 @@ namespace mrpt_ext
 {
 namespace
 {
+/// Numbers and short words; names may be of any length and are added as they are.
 template <typename... Values>
 std::string text(const char* format, Values... values)
 {
@@ -33,15 +34,18 @@ std::string inputText(const LocalizationInput& input)
 {
   const RunContext& context = input.context;
   std::string result = mapText(context);
-  result += text("log      %s: %zu records, %.1f s\n", context.rawlog_path.c_str(), context.rawlog_entries,
-                 context.duration_s);
+  result += "log      " + context.rawlog_path;
+  result += text(": %zu records, %.1f s\n", context.rawlog_entries, context.duration_s);
   for (const auto& [name, count] : context.observations)
-    result += text("         %6zu %s%s\n", count.total, name.c_str(),
-                   count.used == 0     ? " (ignored: nothing scores this class)"
-                   : count.ignored > 0 ? text(", %zu of them ignored", count.ignored).c_str()
-                                       : "");
-  for (const auto& [reason, count] : input.unusable)
-    result += text("         %6zu unusable: %s\n", count, reason.c_str());
+  {
+    result += text("         %6zu ", count.total) + name;
+    if (count.used == 0)
+      result += " (ignored: nothing scores this class)";
+    else if (count.ignored > 0)
+      result += text(", %zu of them ignored", count.ignored);
+    result += "\n";
+  }
+  for (const auto& [reason, count] : input.unusable) result += text("         %6zu unusable: ", count) + reason + "\n";
   result += text("frames   %zu, %zu detections\n", input.sequence.frames.size(), input.sequence.detections);
   return result + truthText(context);
 }

@@ -1,0 +1,93 @@
+#include "mrpt_ext/pipeline/odometry_path.h"
+
+#include <gtest/gtest.h>
+
+namespace mrpt_ext
+{
+namespace
+{
+void expectPose(const Pose2& actual, const Pose2& expected)
+{
+  EXPECT_NEAR(actual.x, expected.x, 1e-12);
+  EXPECT_NEAR(actual.y, expected.y, 1e-12);
+  EXPECT_NEAR(std::abs(wrap(actual.phi - expected.phi)), 0, 1e-12);
+}
+
+/// Ahead, a turn on the spot across the seam of the heading, ahead again.
+const std::vector<OdometryRecord> kRecords{{10, {0, 0, 3}}, {12, {2, 0, 3}}, {13, {2, 0, -3}}, {15, {2, 4, -3}}};
+}  // namespace
+
+TEST(OdometryPath, InterpolatesBetweenRecordsAndAcrossTheSeam)
+{
+  const OdometryPath path(kRecords, {});
+  expectPose(path.at(10), {0, 0, 3});
+  expectPose(path.at(11), {1, 0, 3});
+  expectPose(path.at(12.5), {2, 0, kPi});
+  expectPose(path.at(13.5), {2, 1, -3});
+  EXPECT_EQ(path.trajectory().size(), 4u);
+}
+
+TEST(OdometryPath, StandsStillBeforeTheFirstAndAfterTheLast)
+{
+  const OdometryPath path(kRecords, {});
+  expectPose(path.at(0), {0, 0, 3});
+  expectPose(path.at(99), {2, 4, -3});
+  const OdometryMotion late = path.between(15, 20);
+  expectPose(late.increment, {});
+  EXPECT_EQ(late.path_length, 0);
+  EXPECT_EQ(late.duration, 5);
+}
+
+TEST(OdometryPath, MotionsAddUpWayTurnAndTime)
+{
+  const OdometryPath path(kRecords, {});
+  const OdometryMotion all = path.between(10, 15);
+  expectPose(all.increment, between({0, 0, 3}, {2, 4, -3}));
+  EXPECT_NEAR(all.path_length, 6, 1e-12);
+  EXPECT_NEAR(all.turned, kTwoPi - 6, 1e-12);
+  EXPECT_EQ(all.duration, 5);
+  const OdometryMotion first = path.between(10.5, 12.25), second = path.between(12.25, 14);
+  expectPose(compose(first.increment, second.increment), path.between(10.5, 14).increment);
+  EXPECT_NEAR(first.path_length + second.path_length, path.between(10.5, 14).path_length, 1e-12);
+  EXPECT_NEAR(first.turned + second.turned, path.between(10.5, 14).turned, 1e-12);
+}
+
+TEST(OdometryPath, GoesBackInTimeToo)
+{
+  const OdometryPath path(kRecords, {});
+  expectPose(compose(path.between(10, 14).increment, path.between(14, 10).increment), {});
+}
+
+TEST(OdometryPath, ScalesTheWayAndTheTurnsByThemselves)
+{
+  const std::vector<OdometryRecord> square{{0, {0, 0, 0}}, {1, {1, 0, kPi / 2}}, {2, {1, 1, kPi}}};
+  expectPose(OdometryPath(square, {.scale = 2}).at(2), {2, 2, kPi});
+  EXPECT_NEAR(OdometryPath(square, {.scale = 2}).between(0, 2).path_length, 4, 1e-12);
+  EXPECT_NEAR(OdometryPath(square, {.scale = 2}).between(0, 2).turned, kPi, 1e-12);
+  expectPose(OdometryPath(square, {.turn_scale = 2}).at(2), {0, 0, 0});
+  EXPECT_NEAR(OdometryPath(square, {.turn_scale = 2}).between(0, 2).path_length, 2, 1e-12);
+}
+
+TEST(OdometryPath, TheDelayIsAddedToTheStamps)
+{
+  const OdometryPath path(kRecords, {.delay = 0.5});
+  expectPose(path.at(11.5), {1, 0, 3});
+  EXPECT_EQ(path.trajectory().front().time, 10.5);
+}
+
+TEST(OdometryPath, TakesRecordsInAnyOrderAndAtEqualTimes)
+{
+  const OdometryPath path({{2, {2, 0, 0}}, {0, {0, 0, 0}}, {2, {2.5, 0, 0}}, {1, {1, 0, 0}}}, {});
+  expectPose(path.at(1.5), {1.5, 0, 0});
+  expectPose(path.at(2), {2.5, 0, 0});
+  EXPECT_NEAR(path.between(0, 3).path_length, 2.5, 1e-12);
+}
+
+TEST(OdometryPath, WithoutRecordsNothingMoves)
+{
+  const OdometryPath path({}, {});
+  EXPECT_TRUE(path.empty());
+  expectPose(path.between(1, 4).increment, {});
+  EXPECT_EQ(path.between(1, 4).duration, 3);
+}
+}  // namespace mrpt_ext
