@@ -54,7 +54,7 @@ SortedMeasurements sortMeasurements(const std::vector<Record>& records, const La
         sorted.readings.push_back(std::move(landmarks));
     }
     if (const auto* fix = std::get_if<RunningFixReading>(&record); fix && !ignored(fix->sensor))
-      sorted.fixes.push_back(configured(*fix, options.sensors));
+      if (auto usable = configured(*fix, options.sensors, map, unusable)) sorted.fixes.push_back(std::move(*usable));
     if (const auto* compass = std::get_if<CompassRecord>(&record); compass && !ignored(compass->sensor))
       sorted.headings.push_back(configured(*compass, options.sensors));
   }
@@ -104,6 +104,16 @@ void carryTo(Reading& reading, double time, const OdometryPath& odometry)
   reading.T_robot_sensor = compose(T_frame_then, reading.T_robot_sensor);
 }
 
+/// Both places of the fix as seen from where the robot is at `time`.
+void carryTo(RunningFixReading& fix, double time, const OdometryPath& odometry)
+{
+  const Pose2 T_frame_then = between(odometry.at(time), odometry.at(fix.time));
+  fix.T_robot_sensor = compose(T_frame_then, fix.T_robot_sensor);
+  fix.displacement = compose(compose(T_frame_then, fix.displacement), inverse(T_frame_then));
+  const Matrix3d J = composeJacobianSecond(T_frame_then);
+  fix.displacement_covariance = J * fix.displacement_covariance * J.transpose();
+}
+
 /// Moves entries with time <= stamp from `sorted` (from `next` on) into `taken`.
 template <typename T>
 void takeUntil(const std::vector<T>& sorted, std::size_t& next, double stamp, std::vector<T>& taken)
@@ -133,7 +143,10 @@ std::vector<Frame> cutFrames(const SortedMeasurements& sorted, const std::vector
     }
     if (!independent && !frames.empty()) frame.motion = odometry.between(frames.back().time, stamp);
     if (!independent)
+    {
       for (Reading& r : frame.readings) carryTo(r, stamp, odometry);
+      for (RunningFixReading& f : frame.fixes) carryTo(f, stamp, odometry);
+    }
     frames.push_back(std::move(frame));
   }
   return frames;

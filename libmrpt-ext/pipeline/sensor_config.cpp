@@ -1,5 +1,7 @@
 #include "mrpt_ext/pipeline/sensor_config.h"
 
+#include <algorithm>
+
 #include "mrpt_ext/geometry/input_error.h"
 
 namespace mrpt_ext
@@ -69,6 +71,17 @@ std::string whyUnusable(const Detection& detection, const Reading& reading, cons
   const double dz = map[*known].position.z() - reading.sensor_height;
   return *detection.range < std::abs(dz) ? "slant range shorter than the height difference" : "";
 }
+std::string whyUnusable(const RunningFixReading& fix, const LandmarkTable& map, SensorConfig::Association association)
+{
+  if (association != SensorConfig::Association::known) return "running fix without a believed id";
+  const auto known = map.indexOf(fix.id);
+  if (!known) return "id not in the map";
+  const double shorter = std::min(fix.first_range, fix.second_range);
+  if (!(shorter > 0)) return "range not above zero";
+  if (fix.horizontal_range) return {};
+  const double dz = map[*known].position.z() - fix.sensor_height;
+  return shorter < std::abs(dz) ? "slant range shorter than the height difference" : "";
+}
 }  // namespace
 
 SensorConfigs sensorConfigs(const Settings& settings)
@@ -122,7 +135,8 @@ Reading configured(Reading reading, const SensorConfigs& configs, const Landmark
   return reading;
 }
 
-RunningFixReading configured(RunningFixReading fix, const SensorConfigs& configs)
+std::optional<RunningFixReading> configured(RunningFixReading fix, const SensorConfigs& configs,
+                                            const LandmarkTable& map, UnusableDetections& unusable)
 {
   const SensorConfig& config = configOf(configs, fix.sensor);
   fix.time -= config.delay;
@@ -131,7 +145,10 @@ RunningFixReading configured(RunningFixReading fix, const SensorConfigs& configs
   correctRange(fix.first_range, fix.first_std, config, fix.sensor);
   correctRange(fix.second_range, fix.second_std, config, fix.sensor);
   if (fix.second_bearing) correctBearing(*fix.second_bearing, fix.second_bearing_std, config, fix.sensor);
-  return fix;
+  const std::string why = whyUnusable(fix, map, config.association);
+  if (why.empty()) return fix;
+  ++unusable[fix.sensor + ": " + why];
+  return std::nullopt;
 }
 
 CompassRecord configured(CompassRecord compass, const SensorConfigs& configs)

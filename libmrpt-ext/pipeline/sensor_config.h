@@ -44,6 +44,8 @@ using UnusableDetections = std::map<std::string, std::size_t>;
 /// is neither logged nor configured.
 [[nodiscard]] Reading configured(Reading reading, const SensorConfigs& configs, const LandmarkTable& map,
                                  UnusableDetections& unusable);
-[[nodiscard]] RunningFixReading configured(RunningFixReading fix, const SensorConfigs& configs);
+/// The same for a running fix, which needs a believed id; nothing when it cannot be used, which is counted.
+[[nodiscard]] std::optional<RunningFixReading> configured(RunningFixReading fix, const SensorConfigs& configs,
+                                                          const LandmarkTable& map, UnusableDetections& unusable);
 [[nodiscard]] CompassRecord configured(CompassRecord compass, const SensorConfigs& configs);
 }  // namespace mrpt_ext

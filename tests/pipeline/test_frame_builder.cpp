@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "mrpt_ext/geometry/measurement_jacobian.h"
+#include "mrpt_ext/likelihood/running_fix_likelihood.h"
 
 namespace mrpt_ext
 {
@@ -168,6 +169,22 @@ TEST(FrameBuilder, RunningFixesWhoseRangesAreLoggedTooAreMarked)
   EXPECT_FALSE(marked({bearingTo(0, 1, "sonar")}));
   range.detections[0].id = 2;
   EXPECT_FALSE(marked({range}));
+}
+
+TEST(FrameBuilder, RunningFixesAreCarriedToTheStampToo)
+{
+  RunningFixReading fix{.time = 2, .first_time = 1, .sensor = "sonar", .T_robot_sensor = kMount, .id = 1};
+  const Vector2d landmark = kMap[0].position.head<2>();
+  fix.first_range = predictRange(poseAt(1), landmark, kMount);
+  fix.second_range = predictRange(poseAt(2), landmark, kMount);
+  fix.first_std = fix.second_std = 0.1;
+  fix.displacement = between(poseAt(1), poseAt(2));
+  const FrameSequence sequence = framesOf({fix, bearingTo(0, 2.4)}, {.window = 0.5});
+  ASSERT_EQ(sequence.frames.size(), 1u);
+  const std::vector<Reading> ranges = asReadings(sequence.frames[0].fixes.at(0));
+  ASSERT_EQ(ranges.size(), 2u);
+  for (const Reading& reading : ranges)
+    EXPECT_NEAR(predictRange(poseAt(2.4), landmark, reading.T_robot_sensor), *reading.detections[0].range, 1e-6);
 }
 
 TEST(FrameBuilder, IndependentFramesKnowNoMotion)

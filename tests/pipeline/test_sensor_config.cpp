@@ -103,7 +103,7 @@ TEST(SensorConfig, AMissingDeviationIsAnErrorThatNamesTheKey)
   EXPECT_EQ(errorOf([&] { (void)configured(CompassRecord{.sensor = "eye"}, configsOf("")); }),
             "sensor 'eye' logs headings without a standard deviation, set [Sensor_eye] std_heading_deg");
   RunningFixReading fix{.sensor = "eye", .first_range = 1, .first_std = 0.1, .second_range = 2};
-  EXPECT_EQ(errorOf([&] { (void)configured(fix, configsOf("")); }),
+  EXPECT_EQ(errorOf([&] { (void)configured(fix, configsOf(""), kMap, unusable); }),
             "sensor 'eye' logs ranges without a standard deviation, set [Sensor_eye] std_range_m");
   EXPECT_NEAR(configuredDetection({.id = 1, .range = 4}, "std_range_per_m = 0.05\n").std_range, 0.2, 1e-12);
 }
@@ -159,12 +159,15 @@ TEST(SensorConfig, UnusableDetectionsAreTakenOutAndCounted)
 
 TEST(SensorConfig, RunningFixesAndCompassesAreCorrectedAlike)
 {
-  RunningFixReading fix{.time = 10, .first_time = 8, .sensor = "eye", .first_range = 4, .first_std = 0.1};
+  UnusableDetections unusable;
+  RunningFixReading fix{.time = 10, .first_time = 8, .sensor = "eye", .id = 2, .first_range = 4, .first_std = 0.1};
   fix.second_range = 2.5;
   fix.second_std = 0.2;
   fix.second_bearing = 0.5;
   fix.second_bearing_std = 0.02;
-  fix = configured(fix, configsOf("delay_s = 1\nbias_range_m = 0.5\nscale_range = 2\nbias_bearing_deg = 10\n"));
+  fix = configured(fix, configsOf("delay_s = 1\nbias_range_m = 0.5\nscale_range = 2\nbias_bearing_deg = 10\n"), kMap,
+                   unusable)
+            .value();
   EXPECT_EQ(fix.time, 9);
   EXPECT_EQ(fix.first_time, 7);
   EXPECT_NEAR(fix.first_range, 1.75, 1e-12);
@@ -175,6 +178,28 @@ TEST(SensorConfig, RunningFixesAndCompassesAreCorrectedAlike)
   EXPECT_EQ(compass.time, 4);
   EXPECT_NEAR(compass.heading, 0.3 - degToRad(10), 1e-12);
   EXPECT_NEAR(compass.std_heading, degToRad(2), 1e-12);
+}
+
+TEST(SensorConfig, UnusableRunningFixesAreCounted)
+{
+  RunningFixReading good{.sensor = "eye", .id = 1, .first_range = 4, .first_std = 0.1};
+  good.second_range = 3;
+  good.second_std = 0.1;
+  UnusableDetections unusable;
+  EXPECT_TRUE(configured(good, {}, kMap, unusable));
+  EXPECT_TRUE(unusable.empty());
+  RunningFixReading stranger = good, backwards = good, low = good;
+  stranger.id = 9;
+  backwards.first_range = -1;
+  low.second_range = 1.9;  // two metres below landmark 1
+  for (const RunningFixReading& fix : {stranger, backwards, low}) EXPECT_FALSE(configured(fix, {}, kMap, unusable));
+  EXPECT_FALSE(configured(good, configsOf("association = anonymous\n"), kMap, unusable));
+  EXPECT_EQ(unusable, (UnusableDetections{{"eye: id not in the map", 1},
+                                          {"eye: range not above zero", 1},
+                                          {"eye: running fix without a believed id", 1},
+                                          {"eye: slant range shorter than the height difference", 1}}));
+  low.horizontal_range = true;
+  EXPECT_TRUE(configured(low, {}, kMap, unusable));
 }
 
 TEST(SensorConfig, EverySectionIsASensor)
