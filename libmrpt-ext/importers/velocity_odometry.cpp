@@ -1,18 +1,7 @@
 #include "mrpt_ext/importers/velocity_odometry.h"
 
-#include <cmath>
-
 namespace mrpt_ext
 {
-Pose2 arcMotion(double forward, double angular, double duration)
-{
-  const double length = forward * duration, turn = angular * duration;
-  // The chord points along half the turn and is shorter than the arc by sin(h)/h.
-  const double half = turn / 2;
-  const double chord = length * (std::abs(half) < 1e-4 ? 1 - half * half / 6 : std::sin(half) / half);
-  return {chord * std::cos(half), chord * std::sin(half), wrap(turn)};
-}
-
 std::vector<OdometryRecord> integrateVelocities(const std::vector<VelocityRecord>& velocities)
 {
   std::vector<OdometryRecord> odometry;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "mrpt_ext/geometry/arc_motion.h"
 #include "mrpt_ext/geometry/recording.h"
 
 namespace mrpt_ext
@@ -14,9 +15,6 @@ struct VelocityRecord
   double forward = 0;  ///< [m/s]
   double angular = 0;  ///< [rad/s], CCW positive
 };
-
-/// Motion during `duration` [s] at constant velocities: exactly the arc, end pose in the frame of the start.
-[[nodiscard]] Pose2 arcMotion(double forward, double angular, double duration);
 
 /// Dead-reckoned poses at the stamps of `velocities` (ordered by time), starting at the origin; the velocity of a
 /// record holds until the next record, so the last one moves nothing. Of records with one stamp only the last holds,

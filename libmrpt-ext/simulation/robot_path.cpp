@@ -5,14 +5,6 @@
 
 namespace mrpt_ext
 {
-Pose2 arcMotion(double speed, double turn_rate, double duration)
-{
-  const double turn = turn_rate * duration, way = speed * duration;
-  const double half = 0.5 * turn;
-  const double chord = std::abs(half) < 1e-6 ? way * (1 - half * half / 6) : way * std::sin(half) / half;
-  return {chord * std::cos(half), chord * std::sin(half), wrap(turn)};
-}
-
 RobotPath::RobotPath(const Pose2& start, const std::vector<TwistSegment>& segments)
 {
   Leg leg;

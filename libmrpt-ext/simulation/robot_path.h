@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "mrpt_ext/geometry/arc_motion.h"
 #include "mrpt_ext/geometry/pose.h"
 
 namespace mrpt_ext
@@ -13,9 +14,6 @@ struct TwistSegment
   double speed = 0;      ///< [m/s]
   double turn_rate = 0;  ///< [rad/s] counter-clockwise
 };
-
-/// Motion of constant speed and turn rate over `duration`, exactly, in the frame of its start.
-[[nodiscard]] Pose2 arcMotion(double speed, double turn_rate, double duration);
 
 /// Where the robot is at any time; before the first segment and after the last it stands still.
 class RobotPath
