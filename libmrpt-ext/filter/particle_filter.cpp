@@ -65,7 +65,8 @@ FilterStep ParticleFilter::process(const Frame& frame, const Proposer& propose)
   else
   {
     moveParticles(particles_, options_.motion, frame.motion, random_);
-    step.reseeded = monitor_.suspicious();
+    since_injection_ += frame.motion.duration;
+    step.reseeded = monitor_.suspicious() && since_injection_ >= options_.recovery.min_interval;
     if (step.reseeded) inject(propose);
     score(frame);
   }
@@ -133,6 +134,7 @@ void ParticleFilter::inject(const Proposer& propose)
 {
   const HypothesisSet hypotheses = propose ? propose().hypotheses : HypothesisSet{};
   const SeedMixture mixture(hypotheses, options_.region, kUniformShareInjected, kSeedInflation, options_.seed_min_std);
+  since_injection_ = 0;
   const double jump = options_.recovery.prior_of_jump;
   for (double& log_w : particles_.log_weight) log_w += std::log1p(-jump);
   const auto count =

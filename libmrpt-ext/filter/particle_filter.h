@@ -99,5 +99,6 @@ class ParticleFilter
   ParticleSet particles_;
   LandmarkReliability reliability_;
   RecoveryMonitor monitor_;
+  double since_injection_ = 0;  // [s]
 };
 }  // namespace mrpt_ext

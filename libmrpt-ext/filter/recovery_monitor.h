@@ -12,7 +12,8 @@ struct RecoveryOptions
   double lost_share = 0.3;        ///< below this the verdict is `lost`
   double memory_detections = 12;  ///< the average forgets over about this many detections
   double injected_share = 0.25;   ///< of the particle count, added per frame while suspicious
-  double prior_of_jump = 0.02;    ///< probability per frame, while suspicious, that the robot is somewhere else
+  double min_interval = 0.5;      ///< [s] between two injections, which are costly
+  double prior_of_jump = 0.02;    ///< probability per injection, that the robot is somewhere else
 };
 
 /// Running share of detections that the posterior explains.

@@ -6,9 +6,9 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kGate = 3.3;             // standard deviations
-constexpr std::size_t kMaxBearings = 10;  // more only cost time: the likelihood of the frame judges the rest
-constexpr std::uint64_t kMaxTested = 2000000;
+constexpr double kGate = 3.3;                 // standard deviations
+constexpr std::size_t kMaxBearings = 10;      // more only cost time: the likelihood of the frame judges the rest
+constexpr std::uint64_t kMaxTested = 100000;  // clusters of look-alike landmarks would take for ever
 
 std::vector<int> candidatesFor(const LandmarkSighting& sighting, const LandmarkTable& map)
 {

@@ -299,7 +299,7 @@ KeyTable filterKeys()
        "0.02",
        {1e-9, 1},
        {},
-       "Probability per suspicious frame that the robot is somewhere else altogether."},
+       "Probability per injection that the robot is somewhere else altogether."},
       {s, "ok_min_weight", T::number, "", "0.9", kShare, {}, "Least weight of the best mode for verdict `ok`."},
       {s,
        "ok_max_std_m",

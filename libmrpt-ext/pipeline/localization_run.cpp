@@ -12,6 +12,7 @@
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/pipeline/exit_codes.h"
 #include "mrpt_ext/pipeline/final_scene.h"
+#include "mrpt_ext/pipeline/frame_bounds.h"
 #include "mrpt_ext/pipeline/interrupt.h"
 #include "mrpt_ext/pipeline/progress_line.h"
 #include "mrpt_ext/pipeline/run_text.h"
@@ -60,6 +61,8 @@ class TrialBatch
     const int count = request.last_trial - request.first_trial;
     scores_.resize(static_cast<std::size_t>(count));
     texts_.resize(scores_.size());
+    if (input.config.frames.independent)
+      bound_ = boundOfFrames(input.sequence.frames, input.context.map, input.context.truth, BoundOf::everything);
   }
 
   void run()
@@ -99,6 +102,7 @@ class TrialBatch
         {input_.config, input_.context.map, input_.sequence, input_.context.truth, stop, progress}, seed_, trial);
     outcome.record.peak_memory_mb = peakMemoryMegabytes();
     RunScore score = scoreRun(input_.context, outcome.record, input_.config.limits);
+    if (bound_) score.limit = {bound_->position_rmse, bound_->heading_rmse_deg};
     const fs::path folder = request_.trial_folders ? folder_ / trialFolder(trial) : folder_;
     createFolder(folder);
     writeTrial(folder, input_.context, outcome.record, score);
@@ -116,6 +120,7 @@ class TrialBatch
   std::uint64_t seed_;
   std::vector<std::optional<RunScore>> scores_;
   std::vector<std::string> texts_;
+  std::optional<FrameBound> bound_;  // of frames that are solved one by one
   std::mutex mutex_;
   std::size_t done_ = 0;
   bool interrupted_ = false;
@@ -168,7 +173,7 @@ int runLocalization(const Settings& settings, const LocalizationRequest& request
   const RunScore merged = mergeScores(scores);
   if (request.trial_folders) writeMerged(folder, input.context, merged);
   const std::string table = comparisonTable(merged);
-  const std::string tail = batch.firstText() + "\n" + table;
+  const std::string tail = (input.config.frames.independent ? boundText(input) : batch.firstText()) + "\n" + table;
   writeFileAtomically(folder / "log.txt", input.context.command_line + "\n" + head + tail);
   out << (request.quiet ? table : tail) << "report   " << (folder / "report.html").string() << '\n';
   return exitCode(merged, scores, request, batch.interrupted(), err);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "mrpt_ext/pipeline/frame_bounds.h"
+
 namespace mrpt_ext
 {
 namespace
@@ -48,6 +50,17 @@ std::string inputText(const LocalizationInput& input)
   for (const auto& [reason, count] : input.unusable) result += text("         %6zu unusable: ", count) + reason + "\n";
   result += text("frames   %zu, %zu detections\n", input.sequence.frames.size(), input.sequence.detections);
   return result + truthText(context);
+}
+
+std::string boundText(const LocalizationInput& input)
+{
+  std::string result;
+  for (const auto& [what, name] :
+       {std::pair(BoundOf::bearings, "bearings alone"), std::pair(BoundOf::everything, "all measurements")})
+    if (const auto bound = boundOfFrames(input.sequence.frames, input.context.map, input.context.truth, what))
+      result += text("limit    Cramer-Rao bound of %s: position RMSE %.3f m, median %.3f m (%zu frames)\n", name,
+                     bound->position_rmse, bound->position_median, bound->frames);
+  return result;
 }
 
 std::string ambiguityText(const RunRecord& record, double start_time)
