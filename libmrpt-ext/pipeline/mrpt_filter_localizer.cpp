@@ -32,7 +32,7 @@ class MrptFilterLocalizer : public FilterLocalizer
     auto& pf = engine_.m_options;
     pf.PF_algorithm = static_cast<mrpt::bayes::CParticleFilter::TParticleFilterAlgorithm>(config.mrpt_algorithm);
     pf.adaptiveSampleSize = options_.adaptive_size;
-    pf.BETA = options_.resample_below;
+    pf.BETA = 0;  // see resampleIfNeeded()
     // MRPT's adaptive size works with multinomial resampling only.
     pf.resamplingMethod = options_.adaptive_size ? mrpt::bayes::CParticleFilter::prMultinomial : resampling();
     pdf_.options.KLD_params.KLD_binSize_XY = options_.kld.bin_xy;
@@ -61,6 +61,7 @@ class MrptFilterLocalizer : public FilterLocalizer
       else
         sensory.insert(toLandmarkBearings(reading));
       engine_.executeOn(pdf_, moved ? nullptr : &action, &sensory);
+      resampleIfNeeded();
       moved = true;
     }
     if (!moved) engine_.executeOn(pdf_, &action, nullptr);
@@ -89,6 +90,14 @@ class MrptFilterLocalizer : public FilterLocalizer
         return Filter::prSystematic;
     }
     return Filter::prSystematic;
+  }
+
+  /// What executeOn() does for BETA > 0, but with the number of particles named: MRPT 2.5.8 resets as many weights as
+  /// performResampling() was asked for, by default none, so that the evidence of survivors would count twice.
+  void resampleIfNeeded()
+  {
+    if (options_.adaptive_size || pdf_.ESS() >= options_.resample_below) return;
+    pdf_.performResampling(engine_.m_options, pdf_.particlesCount());
   }
 
   void placeParticles()
