@@ -15,7 +15,7 @@ struct ProposalOptions
 };
 
 /// All poses that the closed forms find in a frame, with covariance, scored by the likelihood of the whole frame and
-/// ranked. Which solver seeds what (equations.md sec. 5): three bearings -> linear form and ML; pairs of range and
+/// ranked. Which solver seeds what: three bearings -> linear form and ML; pairs of range and
 /// bearing -> rigid fit; three ranges -> position, heading from a bearing or free; one range and bearing, or a running
 /// fix -> ring; bearings without identity -> interpretation tree; points without identity -> pairs of equal distance.
 /// Measurements may be partly wrong: solvers work on minimal subsets and the whole frame judges.

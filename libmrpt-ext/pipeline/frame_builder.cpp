@@ -65,15 +65,31 @@ SortedMeasurements sortMeasurements(const std::vector<Record>& records, const La
   return sorted;
 }
 
-/// A fix whose single ranges are logged as well must not be counted twice.
+/// A fix whose single ranges are logged as well must not be counted twice. They are ranges to its landmark at one of
+/// its own times, under its own label or, where an app writes fixes under another one, with its own value.
 void markDoubleEvidence(SortedMeasurements& sorted)
 {
-  std::set<std::pair<std::string, int>> ranged;
+  constexpr double kSameTime = 1e-3, kSameRange = 1e-3;  // s, m
+  struct LoggedRange
+  {
+    std::string sensor;
+    double range;
+  };
+  std::map<int, std::multimap<double, LoggedRange>> ranges;  // by landmark and time
   for (const Reading& reading : sorted.readings)
-    for (const Detection& detection : reading.detections)
-      if (detection.range) ranged.emplace(reading.sensor, detection.id);
+    for (const Detection& d : reading.detections)
+      if (d.range) ranges[d.id].emplace(reading.time, LoggedRange{reading.sensor, *d.range});
+  const auto logged = [&](const RunningFixReading& fix, double time, double range)
+  {
+    const auto& of_landmark = ranges[fix.id];
+    return std::any_of(of_landmark.lower_bound(time - kSameTime), of_landmark.upper_bound(time + kSameTime),
+                       [&](const auto& entry) {
+                         return entry.second.sensor == fix.sensor || std::abs(entry.second.range - range) < kSameRange;
+                       });
+  };
   for (RunningFixReading& fix : sorted.fixes)
-    fix.ranges_logged_too = fix.ranges_logged_too || ranged.count({fix.sensor, fix.id}) > 0;
+    fix.ranges_logged_too = fix.ranges_logged_too || logged(fix, fix.first_time, fix.first_range) ||
+                            logged(fix, fix.time, fix.second_range);
 }
 
 /// Stamps of the frames: each is the last measurement within the window of the frame's first one.

@@ -6,6 +6,7 @@
 #include "mrpt_ext/files/mrpt_index_truth.h"
 #include "mrpt_ext/files/tum.h"
 #include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/pipeline/method_factory.h"
 
 namespace mrpt_ext
 {
@@ -112,6 +113,7 @@ LocalizationInput loadLocalization(const Settings& settings, const LogWindow& wi
   input.unusable = statistics.unusable;
   for (const auto& [reason, count] : input.sequence.unusable) input.unusable[reason] += count;
   checkAnythingToScore(input);
+  (void)makeMethods(input.config, input.context.map, input.sequence, 0, 0);  // an unknown name is told before the work
   input.context.truth = loadTruth(settings, source);
   input.context.truth_is_sparse = isSparse(input.context.truth);
   return input;
