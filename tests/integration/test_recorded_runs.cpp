@@ -1,0 +1,91 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "../files/scratch_folder.h"
+#include "../importers/sample_data.h"
+#include "whole_runs.h"
+
+// Whole runs over real recordings. They are not part of the sources: the folder is named by LANDMARK_DATA_DIR, and a
+// test skips where it is absent.
+namespace mrpt_ext
+{
+namespace
+{
+namespace fs = std::filesystem;
+using testing::Arguments;
+
+/// Converts a recording into `folder`/log.rawlog and its companions.
+testing::LogFiles converted(const fs::path& folder, const Arguments& format_and_input)
+{
+  const testing::LogFiles files = testing::logFiles(folder, "log");
+  const auto outcome = testing::convert(testing::joined(format_and_input, {"-q", "-o", files.rawlog}));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  return files;
+}
+
+void expectMrclamRobotIsFound(const std::string& measurements)
+{
+  const fs::path recording = testing::recordingsFolder("mrclam/MRCLAM_Dataset6");
+  if (!fs::exists(recording)) GTEST_SKIP() << recording << " is absent";
+  const testing::ScratchFolder folder;
+  const auto log = converted(folder.path(), {"mrclam", recording, "--robot", "1", "--measurements", measurements});
+  const auto summary = testing::summaryOf(testing::localized(folder.path(), "mrclam", log.arguments()));
+  EXPECT_EQ(summary.at("success_rate"), 1.0) << summary.at("verdict_reason");
+  EXPECT_LE(testing::positionRmse(summary), 0.40);
+  // Dead reckoning alone is far off.
+  EXPECT_GT(testing::positionRmse(summary, "odometry"), 3 * testing::positionRmse(summary));
+}
+
+/// Median position error of the closed forms over the snapshots of one MRCLAM data set.
+void expectSnapshotMedian(int set, double reference)
+{
+  const fs::path recording = testing::recordingsFolder("mrclam/MRCLAM_Dataset" + std::to_string(set));
+  if (!fs::exists(recording)) GTEST_SKIP() << recording << " is absent";
+  const testing::ScratchFolder folder;
+  const auto log = converted(folder.path(), {"mrclam-snapshots", recording});
+  const auto summary = testing::summaryOf(testing::localized(folder.path(), "mrclam-snapshots", log.arguments()));
+  const double ml = testing::medianPositionError(summary, "bearing_maximum_likelihood");
+  EXPECT_LE(ml, 1.1 * reference);
+  EXPECT_GE(testing::medianPositionError(summary, "bearing_least_squares"), 0.9 * ml);
+  EXPECT_GT(summary.at("methods").at("bearing_maximum_likelihood").at("availability"), 0.95);
+  EXPECT_FALSE(summary.at("methods").contains("particle_filter")) << "frames that start lost have no filter";
+}
+}  // namespace
+
+TEST(RecordedRun, UwbDemo)
+{
+  const fs::path rawlog = "/usr/share/mrpt/datasets/uwb_ro-localization_demo.rawlog";
+  if (!fs::exists(rawlog)) GTEST_SKIP() << rawlog << " is absent, it comes with mrpt-common";
+  const testing::ScratchFolder folder;
+  const auto summary =
+      testing::summaryOf(testing::localized(folder.path(), "mrpt-uwb-demo", {"--repeat", "3", "--jobs", "2"}));
+  EXPECT_EQ(summary.at("trials"), 3);
+  EXPECT_EQ(summary.at("success_rate"), 1.0);
+  EXPECT_LE(testing::positionRmse(summary), 0.20);
+  EXPECT_GT(summary.at("methods").at("range_least_squares").at("estimates"), 0);
+  EXPECT_GT(summary.at("methods").at("running_fix").at("estimates"), 0);
+  const auto& landmarks = summary.at("landmarks");
+  ASSERT_EQ(landmarks.size(), 3U);
+  for (const char* reliable : {"2", "3"})
+    EXPECT_LT(landmarks.at("1").at("inlier_rate"), landmarks.at(reliable).at("inlier_rate").get<double>() - 0.1);
+}
+
+TEST(RecordedRun, MrclamRangesAndBearings) { expectMrclamRobotIsFound("range-bearing"); }
+TEST(RecordedRun, MrclamBearings) { expectMrclamRobotIsFound("bearing"); }
+TEST(RecordedRun, MrclamSnapshotsOfSet1) { expectSnapshotMedian(1, 0.049); }
+TEST(RecordedRun, MrclamSnapshotsOfSet6) { expectSnapshotMedian(6, 0.103); }
+
+TEST(RecordedRun, Roh)
+{
+  const fs::path recording = testing::recordingsFolder("roh_angulation");
+  if (!fs::exists(recording)) GTEST_SKIP() << recording << " is absent";
+  const testing::ScratchFolder folder;
+  const auto log = converted(folder.path(), {"roh", recording});
+  const auto summary = testing::summaryOf(testing::localized(folder.path(), "roh", log.arguments()));
+  EXPECT_LE(testing::medianPositionError(summary, "bearing_maximum_likelihood"), 0.15);
+  EXPECT_TRUE(summary.at("methods").at("bearing_maximum_likelihood").at("heading_error_deg").at("rmse").is_null())
+      << "headings are not judged";
+}
+}  // namespace mrpt_ext

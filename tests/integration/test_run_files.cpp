@@ -1,0 +1,173 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "../files/scratch_folder.h"
+#include "mrpt_ext/files/text_file.h"
+#include "mrpt_ext/files/text_table.h"
+#include "mrpt_ext/files/tum.h"
+#include "whole_runs.h"
+
+// What a run leaves: names of files, columns and keys that scripts rely on.
+namespace mrpt_ext
+{
+namespace
+{
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using testing::Arguments;
+
+std::set<std::string> namesIn(const fs::path& folder)
+{
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename().string());
+  return names;
+}
+
+std::string header(const fs::path& file)
+{
+  const std::string text = readTextFile(file);
+  return text.substr(0, text.find('\n'));
+}
+
+std::set<std::string> keysOf(const Json& object)
+{
+  std::set<std::string> keys;
+  for (const auto& [key, value] : object.items()) keys.insert(key);
+  return keys;
+}
+
+using Keys = std::set<std::string>;
+
+void expectStatistics(const Json& statistics)
+{
+  EXPECT_EQ(keysOf(statistics), (Keys{"rmse", "mean", "median", "std", "min", "max", "p95"}));
+}
+
+void expectSchema1(const Json& s)
+{
+  EXPECT_EQ(keysOf(s),
+            (Keys{"schema", "version", "config", "seed", "trials", "success_rate", "trials_detail", "rawlog",
+                  "observations", "methods", "filter", "landmarks", "limit", "verdict", "verdict_reason", "cost"}));
+  EXPECT_EQ(s.at("schema"), 1);
+  for (const Json& trial : s.at("trials_detail"))
+    EXPECT_EQ(keysOf(trial), (Keys{"trial", "seed", "success", "verdict", "rmse", "converged_at_s"}));
+  EXPECT_EQ(keysOf(s.at("rawlog")), (Keys{"path", "sha256", "entries", "duration_s"}));
+  for (const Json& counts : s.at("observations")) EXPECT_EQ(keysOf(counts), (Keys{"total", "used", "ignored"}));
+  for (const Json& method : s.at("methods"))
+  {
+    EXPECT_EQ(keysOf(method), (Keys{"estimates", "availability", "position_error_m", "heading_error_deg",
+                                    "position_error_whole_run_m", "time_per_step_ms"}));
+    for (const char* figure : {"position_error_m", "heading_error_deg", "position_error_whole_run_m"})
+      expectStatistics(method.at(figure));
+    EXPECT_EQ(keysOf(method.at("time_per_step_ms")), (Keys{"median", "p95"}));
+  }
+  EXPECT_EQ(keysOf(s.at("filter")), (Keys{"particles", "nees", "effective_sample_ratio_min", "converged_at_s",
+                                          "lost_steps", "reseeds", "modes_at_end"}));
+  EXPECT_EQ(keysOf(s.at("filter").at("particles")), (Keys{"min", "median", "max"}));
+  EXPECT_EQ(keysOf(s.at("filter").at("nees")), (Keys{"mean", "band_low", "band_high"}));
+  for (const Json& landmark : s.at("landmarks"))
+    EXPECT_EQ(keysOf(landmark), (Keys{"seen", "associated", "inlier_rate", "residual_mean", "residual_std"}));
+  EXPECT_EQ(keysOf(s.at("limit")), (Keys{"pcrlb_position_rmse_m", "pcrlb_heading_rmse_deg"}));
+  EXPECT_EQ(keysOf(s.at("cost")), (Keys{"cpu_s", "wall_s", "peak_memory_mb", "realtime_factor"}));
+}
+
+const Arguments kBrief{"--duration", "20"};
+}  // namespace
+
+TEST(RunFiles, OneRun)
+{
+  const testing::ScratchFolder folder;
+  const auto run = testing::localized(
+      folder.path(), "half-field", testing::joined(kBrief, {"--set", "LocalizationExperiment.save_final_scene=true"}));
+  const Json summary = testing::summaryOf(run);
+  expectSchema1(summary);
+  EXPECT_EQ(summary.at("trials"), 1);
+  EXPECT_EQ(summary.at("landmarks").size(), 2U);
+  EXPECT_EQ(summary.at("filter").at("modes_at_end").at(0).size(), 4U);
+
+  Keys expected{"summary.json",        "report.html", "steps.csv",   "hypotheses.csv",
+                "config_resolved.ini", "log.txt",     "objects.csv", "final.3Dscene"};
+  for (const std::string& method : keysOf(summary.at("methods"))) expected.insert("trajectory_" + method + ".tum");
+  EXPECT_EQ(namesIn(run), expected) << "nothing is missing, and no temporary file is left";
+  for (const std::string& name : expected) EXPECT_GT(fs::file_size(run / name), 0U) << name;
+
+  EXPECT_EQ(header(run / "steps.csv"), "t,method,x,y,phi_deg,cxx,cxy,cyy,cpp,modes,w_best,ess,verdict");
+  EXPECT_EQ(header(run / "hypotheses.csv"), "t,rank,x,y,phi_deg,weight,source");
+  EXPECT_EQ(header(run / "objects.csv"), "t,label,x,y,cxx,cxy,cyy,x_robot,y_robot");
+  for (const char* table : {"steps.csv", "hypotheses.csv", "objects.csv"})
+    EXPECT_GT(TextTable(run / table, {}).size(), 10U) << table;
+  EXPECT_EQ(readTum(run / "trajectory_particle_filter.tum").size(), testing::stepsOf(run).size());
+}
+
+TEST(RunFiles, FiguresThatDoNotExistAreNull)
+{
+  const testing::ScratchFolder folder;
+  // Positions from ranges have no heading.
+  const auto truth = testing::summaryOf(testing::localized(folder.path(), "half-field", kBrief)).at("methods");
+  EXPECT_TRUE(truth.at("range_least_squares").at("position_error_m").at("rmse").is_number());
+  for (const auto& [name, figure] : truth.at("range_least_squares").at("heading_error_deg").items())
+    EXPECT_TRUE(figure.is_null()) << name;
+
+  const auto run =
+      testing::localized(folder.path(), "half-field",
+                         testing::joined(kBrief, {"--set", "LocalizationExperiment.ground_truth_path_file="}));
+  const Json blind = testing::summaryOf(run);
+  expectSchema1(blind);
+  EXPECT_EQ(blind.at("verdict"), "ok") << "the verdict needs no truth";
+  EXPECT_TRUE(blind.at("success_rate").is_null());
+  EXPECT_TRUE(blind.at("trials_detail").at(0).at("success").is_null());
+  EXPECT_TRUE(blind.at("trials_detail").at(0).at("rmse").is_null());
+  EXPECT_TRUE(blind.at("filter").at("nees").at("mean").is_null());
+  for (const Json& method : blind.at("methods"))
+    for (const char* errors : {"position_error_m", "heading_error_deg", "position_error_whole_run_m"})
+      for (const auto& [name, figure] : method.at(errors).items()) EXPECT_TRUE(figure.is_null()) << name;
+}
+
+TEST(RunFiles, ResolvedConfigurationRunsAgain)
+{
+  const testing::ScratchFolder folder;
+  const auto run = testing::localized(folder.path(), "half-field", kBrief);
+  const auto again = folder.path() / "again";
+  const auto outcome = testing::localize(testing::joined({run / "config_resolved.ini", "-q", "-o", again}, kBrief));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(readTextFile(again / "steps.csv"), readTextFile(run / "steps.csv"));
+}
+
+TEST(RunFiles, RepeatedRuns)
+{
+  const testing::ScratchFolder folder;
+  const auto run = testing::localized(folder.path(), "half-field", testing::joined(kBrief, {"--repeat", "2"}));
+  EXPECT_EQ(namesIn(run),
+            (Keys{"trial_000", "trial_001", "summary.json", "report.html", "config_resolved.ini", "log.txt"}));
+  const Json merged = testing::summaryOf(run);
+  expectSchema1(merged);
+  EXPECT_EQ(merged.at("trials"), 2);
+  ASSERT_EQ(merged.at("trials_detail").size(), 2U);
+  double sum = 0;
+  for (const char* trial : {"trial_000", "trial_001"})
+  {
+    const Json summary = testing::summaryOf(run / trial);
+    expectSchema1(summary);
+    EXPECT_EQ(summary.at("trials"), 1);
+    sum += testing::positionRmse(summary);
+    const Keys names = namesIn(run / trial);
+    for (const char* name : {"summary.json", "report.html", "steps.csv", "hypotheses.csv", "objects.csv",
+                             "trajectory_particle_filter.tum"})
+      EXPECT_TRUE(names.contains(name)) << trial << '/' << name;
+  }
+  EXPECT_NEAR(testing::positionRmse(merged), sum / 2, 1e-12) << "each figure is the median over the trials";
+}
+
+TEST(RunFiles, DryRunWritesNothing)
+{
+  const testing::ScratchFolder folder;
+  const auto outcome =
+      testing::localize({testing::shipped("landmark-localization", "room"), "--dry-run", "-o", folder.path() / "none"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_NE(outcome.out.find("451 CObservationLandmarkBearings"), std::string::npos) << outcome.out;
+  EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,162 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "../files/scratch_folder.h"
+#include "mrpt_ext/files/text_table.h"
+#include "mrpt_ext/files/tum.h"
+#include "mrpt_ext/geometry/angle.h"
+#include "whole_runs.h"
+
+// Whole runs of landmark-localization over what landmark-simulator makes: the shipped data sets, and the scenarios that
+// are too long to be shipped. The bounds are those that a user may rely on, with the random seed of the configuration.
+namespace mrpt_ext
+{
+namespace
+{
+using testing::Arguments;
+using testing::StepRow;
+
+void expectSuccess(const nlohmann::json& summary, double max_rmse)
+{
+  EXPECT_EQ(summary.at("success_rate"), 1.0);
+  EXPECT_EQ(summary.at("verdict"), "ok") << summary.at("verdict_reason");
+  EXPECT_LE(testing::positionRmse(summary), max_rmse);
+}
+
+/// From an unknown start among landmarks that all look alike.
+void expectRoomIsSolved(const std::string& name)
+{
+  const testing::ScratchFolder folder;
+  const auto run = testing::localized(folder.path(), name,
+                                      {"--set", "LocalizationExperiment.initial_particles_count=15000", "--jobs", "2"});
+  expectSuccess(testing::summaryOf(run), 0.1);
+  EXPECT_EQ(testing::stepsOf(run).front().verdict, "ambiguous");
+}
+
+double distanceToSegment(double x, double y, double x0, double y0, double x1, double y1)
+{
+  const double dx = x1 - x0, dy = y1 - y0;
+  const double s = std::clamp(((x - x0) * dx + (y - y0) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+  return std::hypot(x - x0 - s * dx, y - y0 - s * dy);
+}
+}  // namespace
+
+TEST(SimulatedRun, Quickstart) { expectRoomIsSolved("quickstart"); }
+TEST(SimulatedRun, Room) { expectRoomIsSolved("room"); }
+
+TEST(SimulatedRun, HalfFieldWithTheBall)
+{
+  const testing::ScratchFolder folder;
+  const auto run = testing::localized(folder.path(), "half-field");
+  expectSuccess(testing::summaryOf(run), 0.12);
+  EXPECT_GT(testing::summaryOf(run).at("methods").at("two_landmark_pose").at("estimates"), 0);
+
+  // The ball rolls to and fro between two points of ini/landmark-simulator/half-field.ini.
+  const TextTable objects(run / "objects.csv", {});
+  ASSERT_GT(objects.size(), 100U);
+  double sum2 = 0, least_x = 10, most_x = -10;
+  for (std::size_t row = 0; row < objects.size(); ++row)
+  {
+    EXPECT_EQ(objects.text(row, objects.column("label")), "ball");
+    const double x = objects.number(row, objects.column("x")), y = objects.number(row, objects.column("y"));
+    const double off = distanceToSegment(x, y, -1, 1.5, 1.2, 2.4);
+    EXPECT_LT(off, 0.8) << "row " << row;
+    sum2 += off * off;
+    least_x = std::min(least_x, x);
+    most_x = std::max(most_x, x);
+    EXPECT_GT(objects.number(row, objects.column("cxx")), 0);
+    EXPECT_GT(objects.number(row, objects.column("cyy")), 0);
+  }
+  EXPECT_LT(std::sqrt(sum2 / static_cast<double>(objects.size())), 0.2);
+  EXPECT_NEAR(least_x, -1, 0.4);
+  EXPECT_NEAR(most_x, 1.2, 0.4);
+}
+
+TEST(SimulatedRun, GoalCorners)
+{
+  const testing::ScratchFolder folder;
+  const auto summary = testing::summaryOf(testing::localized(folder.path(), "goal-corners"));
+  expectSuccess(summary, 0.06);
+  EXPECT_GT(summary.at("methods").at("running_fix").at("estimates"), 0);
+  EXPECT_TRUE(summary.at("methods").at("running_fix").at("position_error_m").at("median").is_number());
+}
+
+TEST(SimulatedRun, Tracking)
+{
+  const testing::ScratchFolder folder;
+  const auto log = testing::simulated(folder.path(), "tracking");
+  const auto summary = testing::summaryOf(testing::localized(folder.path(), "tracking", log.arguments()));
+  expectSuccess(summary, 0.1);
+  EXPECT_LT(testing::positionRmse(summary), testing::positionRmse(summary, "bearing_maximum_likelihood"));
+}
+
+TEST(SimulatedRun, KidnappedRobotIsFoundAgain)
+{
+  const testing::ScratchFolder folder;
+  const auto log = testing::simulated(folder.path(), "kidnap");
+  const auto run = testing::localized(folder.path(), "kidnap", log.arguments());
+  const Trajectory truth = readTum(log.truth);
+  const double start = truth.front().time;
+  for (const double carried_away : {40.5, 80.5})  // see ini/landmark-simulator/kidnap.ini
+  {
+    const auto before = interpolate(truth, start + carried_away, 0.2),
+               after = interpolate(truth, start + carried_away + 0.1, 0.2);
+    ASSERT_TRUE(before && after);
+    EXPECT_GT((after->pose.position() - before->pose.position()).norm(), 1) << "the scenario kidnaps nobody";
+  }
+  for (const StepRow& step : testing::stepsOf(run))
+  {
+    const double t = step.time - start;
+    if ((t > 40.5 && t < 51) || (t > 80.5 && t < 91)) continue;  // ten seconds to notice
+    EXPECT_LT(testing::positionError(step, truth), 0.5) << "at " << t << " s";
+  }
+  const auto summary = testing::summaryOf(run);
+  EXPECT_EQ(summary.at("success_rate"), 1.0);
+  EXPECT_EQ(summary.at("verdict"), "ok");
+  EXPECT_GE(summary.at("filter").at("reseeds"), 2);
+}
+
+TEST(SimulatedRun, SymmetricPlacesStayTwoUntilTheOddLandmarkIsSeen)
+{
+  const testing::ScratchFolder folder;
+  const auto log = testing::simulated(folder.path(), "symmetric");
+  const auto run = testing::localized(
+      folder.path(), "symmetric",
+      testing::joined(log.arguments(), {"--jobs", "2", "--set", "LocalizationExperiment.initial_particles_count=8000",
+                                        "--set", "LocalizationExperiment.methods=particle_filter"}));
+  const Trajectory truth = readTum(log.truth);
+  const double start = truth.front().time;
+  int undecided = 0, with_two_modes = 0;
+  for (const StepRow& step : testing::stepsOf(run))
+  {
+    const double t = step.time - start;
+    if (t < 5 || (t > 56 && t < 65.9)) continue;  // the first look around; the odd landmark comes into view
+    const Pose2 there = interpolate(truth, step.time, 0.5)->pose;
+    const double here = std::hypot(step.x - there.x, step.y - there.y);
+    const double opposite = std::hypot(step.x - (14 - there.x), step.y - (6 - there.y));
+    if (t > 65.9)
+    {
+      EXPECT_EQ(step.verdict, "ok") << "at " << t << " s";
+      EXPECT_LT(here, 0.3) << "at " << t << " s";
+      continue;
+    }
+    EXPECT_EQ(step.verdict, "ambiguous") << "at " << t << " s";
+    EXPECT_LT(std::min(here, opposite), 0.4) << "between the two places at " << t << " s";
+    ++undecided;
+    if (step.modes == 2) ++with_two_modes;
+  }
+  EXPECT_GT(undecided, 200);
+  EXPECT_GT(with_two_modes, 0.9 * undecided);
+}
+
+TEST(SimulatedRun, Long)
+{
+  const testing::ScratchFolder folder;
+  const auto log = testing::simulated(folder.path(), "long", {"--set", "Simulation.duration_s=120"});
+  const auto summary = testing::summaryOf(testing::localized(folder.path(), "long", log.arguments()));
+  expectSuccess(summary, 0.1);
+  EXPECT_EQ(summary.at("methods").size(), 2U);
+}
+}  // namespace mrpt_ext
