@@ -7,8 +7,8 @@
 #include "../importers/sample_data.h"
 #include "whole_runs.h"
 
-// Whole runs over real recordings. They are not part of the sources: the folder is named by LANDMARK_DATA_DIR, and a
-// test skips where it is absent.
+// Whole runs of landmark-localization over real recordings. They are not part of the sources: the folder is named by
+// LANDMARK_DATA_DIR, and a test skips where it is absent.
 namespace mrpt_ext
 {
 namespace
