@@ -13,8 +13,9 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr std::size_t kMaxSubsets = 80;    // minimal subsets tried per kind of evidence
-constexpr double kTravelForHeading = 0.3;  // [m] way between joined ranges that tells the heading
+constexpr std::size_t kMaxSubsets = 80;     // minimal subsets tried per kind of evidence
+constexpr std::size_t kMaxSightings = 200;  // of which triples are formed; the newest carry least odometry error
+constexpr double kTravelForHeading = 0.3;   // [m] way between joined ranges that tells the heading
 constexpr int kHeadingStarts = 12;
 
 std::vector<LandmarkSighting> only(std::span<const LandmarkSighting> sightings, bool bearing, bool range)
@@ -33,6 +34,13 @@ void thin(std::vector<Subset>& subsets)
   std::vector<Subset> kept;
   for (std::size_t k = 0; k < kMaxSubsets; ++k) kept.push_back(subsets[k * subsets.size() / kMaxSubsets]);
   subsets = std::move(kept);
+}
+
+/// The last kMaxSightings of a list that is ordered by time.
+template <typename Sighting>
+std::span<const Sighting> newest(const std::vector<Sighting>& sightings)
+{
+  return std::span(sightings).last(std::min(sightings.size(), kMaxSightings));
 }
 
 /// Largest distance between the places that the sightings were made from.
@@ -67,7 +75,8 @@ HypothesisSet proposeFromPointPairs(std::span<const LandmarkSighting> sightings)
 
 HypothesisSet proposeFromBearings(std::span<const LandmarkSighting> sightings)
 {
-  const std::vector<LandmarkSighting> bearings = only(sightings, true, false);
+  const std::vector<LandmarkSighting> with_bearing = only(sightings, true, false);
+  const std::span<const LandmarkSighting> bearings = newest(with_bearing);
   std::vector<std::array<std::size_t, 3>> triples;
   for (std::size_t i = 0; i < bearings.size(); ++i)
     for (std::size_t j = i + 1; j < bearings.size(); ++j)
@@ -108,6 +117,7 @@ void addWithHeading(const RangePosition& place, std::span<const LandmarkSighting
     if (s.bearing)
       if (const auto heading = headingFromBearing(s.position, place.position.mean, *s.bearing))
         starts.push_back(wrap(*heading - s.T_robot_sensor.phi));
+  thin(starts);
   if (starts.empty() && travel(sightings) > kTravelForHeading)
     for (int k = 0; k < kHeadingStarts; ++k) starts.push_back(wrap(kTwoPi * k / kHeadingStarts));
   const std::vector<PoseMeasurement> rows = poseMeasurements(sightings);
@@ -139,7 +149,7 @@ HypothesisSet proposeFromRanges(std::span<const LandmarkSighting> sightings)
       ranges.push_back({s.position, *s.range, std::sqrt(square(s.std_range) + square(offset))});
     }
   if (ranges.size() < 2) return result;
-  for (const RobustRangePosition& candidate : solveRangePositionRobust(ranges).candidates)
+  for (const RobustRangePosition& candidate : solveRangePositionRobust(newest(ranges)).candidates)
     addWithHeading(candidate.fit, sightings, result);
   return result;
 }
