@@ -44,8 +44,8 @@ LandmarkPrediction predict(const Landmark& landmark, const Reading& reading, con
   const Matrix2d& C = position_covariance;
   const double along = ux * ux * C(0, 0) + 2 * ux * uy * C(0, 1) + uy * uy * C(1, 1);
   const double across = uy * uy * C(0, 0) - 2 * ux * uy * C(0, 1) + ux * ux * C(1, 1);
-  prediction.range_variance = along * square(horizontal / prediction.range);
-  prediction.bearing_variance = across / horizontal2;
+  prediction.range_variance = std::max(0.0, along) * square(horizontal / prediction.range);
+  prediction.bearing_variance = std::max(0.0, across) / horizontal2;
   return prediction;
 }
 }  // namespace mrpt_ext

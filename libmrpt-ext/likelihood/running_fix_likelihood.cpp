@@ -4,14 +4,13 @@ namespace mrpt_ext
 {
 namespace
 {
-/// Covariance of the first position in the frame of the second pose, from that of the displacement (x, y, phi) in the
-/// frame of the first pose.
-Matrix2d firstPositionCovariance(const RunningFixReading& fix)
+/// Covariance of the sensor's first position in the frame of the second pose, from that of the displacement (x, y, phi)
+/// in the frame of the first pose.
+Matrix2d firstPositionCovariance(const RunningFixReading& fix, const Vector2d& first)
 {
   const double c = std::cos(fix.displacement.phi), s = std::sin(fix.displacement.phi);
-  const Pose2 back = inverse(fix.displacement);
-  Eigen::Matrix<double, 2, 3> J;  // d back / d displacement
-  J << -c, -s, back.y, s, -c, -back.x;
+  Eigen::Matrix<double, 2, 3> J;  // d first / d displacement
+  J << -c, -s, first.y(), s, -c, -first.x();
   return J * fix.displacement_covariance * J.transpose();
 }
 
@@ -41,7 +40,7 @@ std::vector<Reading> asReadings(const RunningFixReading& fix)
   Reading first = withoutDetections(fix);
   first.time = fix.first_time;
   first.T_robot_sensor = compose(inverse(fix.displacement), fix.T_robot_sensor);
-  first.offset_covariance = firstPositionCovariance(fix);
+  first.offset_covariance = firstPositionCovariance(fix, first.T_robot_sensor.position());
   first.detections = {{.id = fix.id, .range = fix.first_range, .std_range = fix.first_std}};
   return {first, second};
 }

@@ -1,6 +1,5 @@
 #include "mrpt_ext/solvers/running_fix.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 #include "mrpt_ext/solvers/plane.h"
@@ -13,7 +12,7 @@ namespace
 /// Standard deviation of the first range as seen from the second place.
 double firstStd(const RangePair& in, const Vector2d& unit)
 {
-  return std::sqrt(square(in.first_std) + unit.dot(in.displacement_covariance * unit));
+  return std::sqrt(square(in.first_std) + std::max(0.0, unit.dot(in.displacement_covariance * unit)));
 }
 
 /// Spread of the places that two nearly touching circles allow, about `point`.
