@@ -29,8 +29,8 @@ SensorModel declaredModel(double field_of_view, double max_range)
 {
   SensorModel model;
   model.has_field_of_view = field_of_view > 0;
-  if (model.has_field_of_view) model.field_of_view = field_of_view;
-  if (max_range > 0) model.max_range = max_range;
+  if (model.has_field_of_view) model.field_of_view = std::min(field_of_view, kTwoPi);
+  if (max_range > 0 && std::isfinite(max_range)) model.max_range = max_range;
   return model;
 }
 }  // namespace

@@ -7,7 +7,7 @@ namespace
 constexpr Range kPositive{1e-9, std::numeric_limits<double>::infinity()};
 constexpr Range kNotNegative{0, std::numeric_limits<double>::infinity()};
 constexpr Range kShare{0, 1};
-constexpr Range kTurn{0, 360};
+constexpr Range kTurn{0.001, 360};
 constexpr Range kCount{1, 1e8};
 
 KeyTable experimentKeys()
