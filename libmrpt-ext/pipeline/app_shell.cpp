@@ -2,6 +2,7 @@
 
 #include <ostream>
 
+#include "mrpt_ext/files/number_format.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/pipeline/version.h"
 
@@ -14,7 +15,21 @@ struct TextRequested
 {
   std::string text;
 };
+
+CLI::Validator numberCheck(const std::string& expected, bool zero_allowed)
+{
+  const auto complaint = [expected, zero_allowed](std::string& value)
+  {
+    const auto number = parseNumber(value);
+    const bool good = number && (*number > 0 || (zero_allowed && *number == 0));
+    return good ? std::string() : value + ": expected " + expected;
+  };
+  return {complaint, ""};
+}
 }  // namespace
+
+CLI::Validator positiveNumber() { return numberCheck("a number above 0", false); }
+CLI::Validator nonNegativeNumber() { return numberCheck("a number of at least 0", true); }
 
 AppShell::AppShell(const std::string& name, const std::string& description, std::ostream& out, std::ostream& err)
     : out_(out), err_(err), cli_(description, name)
@@ -25,7 +40,7 @@ AppShell::AppShell(const std::string& name, const std::string& description, std:
   cli_.add_option("--set", options_.overrides, "Section.key=value, wins over the .ini (repeatable)")
       ->expected(1)
       ->take_all();
-  cli_.add_option("--seed", options_.seed, "Random seed, a whole number of at least 0")->check(CLI::NonNegativeNumber);
+  cli_.add_option("--seed", options_.seed, "Random seed, a whole number of at least 0")->check(nonNegativeNumber());
   cli_.set_version_flag("--version", name + " " + std::string(version()));
 }
 

@@ -54,6 +54,10 @@ class AppShell
   CommonOptions options_;
 };
 
+/// Checks of an option's number. CLI11's own ones complain with all 309 digits of the largest double.
+[[nodiscard]] CLI::Validator positiveNumber();
+[[nodiscard]] CLI::Validator nonNegativeNumber();
+
 /// The arguments of main() without the program's name.
 [[nodiscard]] std::vector<std::string> argumentsOf(int argc, const char* const* argv);
 

@@ -57,14 +57,15 @@ int LocalizationApp::run(const std::vector<std::string>& arguments)
   cli.add_option("--map", map, "Map instead of the configured one");
   cli.add_option("--ground-truth", truth, "Truth instead of the configured one");
   cli.add_option("--start", request.window.start, "Leave out the first S seconds of the log")
-      ->check(CLI::NonNegativeNumber);
+      ->check(nonNegativeNumber());
   const CLI::Option* with_duration =
-      cli.add_option("--duration", duration, "Use S seconds of the log only")->check(CLI::PositiveNumber);
-  CLI::Option* with_repeat = cli.add_option("--repeat", repeat, "N independent trials")->check(CLI::PositiveNumber);
+      cli.add_option("--duration", duration, "Use S seconds of the log only")->check(positiveNumber());
+  CLI::Option* with_repeat = cli.add_option("--repeat", repeat, "N independent trials")->check(positiveNumber());
   cli.add_option("--trials", trials, "A:B: trials A to B-1 of a longer study")->excludes(with_repeat);
   cli.add_option("--jobs", request.jobs, "Worker threads in total: trials first, then particle blocks")
-      ->check(CLI::PositiveNumber);
-  cli.add_option("--fail-above", request.fail_above, "Exit code 3 when the filter's position RMSE exceeds M metres");
+      ->check(positiveNumber());
+  cli.add_option("--fail-above", request.fail_above, "Exit code 3 when the filter's position RMSE exceeds M metres")
+      ->check(positiveNumber());
   cli.add_flag("--dry-run", request.dry_run, "Load and check everything, run nothing");
 
   return shell.run(arguments,
