@@ -1,5 +1,9 @@
 #include "mrpt_ext/report/run_writer.h"
 
+#include <string>
+#include <system_error>
+#include <vector>
+
 #include "mrpt_ext/evaluation/odometry_anchor.h"
 #include "mrpt_ext/files/atomic_file.h"
 #include "mrpt_ext/report/html_page.h"
@@ -11,10 +15,27 @@
 
 namespace mrpt_ext
 {
+namespace
+{
+/// What an earlier run left in the folder and this one may not write must not pass for a result of this one.
+void removeOldResults(const std::filesystem::path& folder)
+{
+  std::error_code ignored;
+  std::vector<std::filesystem::path> old{folder / "summary.json", folder / "objects.csv"};
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
+  {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("trajectory_") && name.ends_with(".tum")) old.push_back(entry.path());
+  }
+  for (const std::filesystem::path& file : old) std::filesystem::remove(file, ignored);
+}
+}  // namespace
+
 void writeTrial(const std::filesystem::path& folder, const RunContext& context, const RunRecord& record,
                 const RunScore& score)
 {
   const RunRecord placed = withAnchoredOdometry(record, context.truth);
+  removeOldResults(folder);
   writeFileAtomically(folder / "steps.csv", stepsCsv(placed));
   writeFileAtomically(folder / "hypotheses.csv", hypothesesCsv(placed.hypotheses));
   if (context.objects_wanted || !placed.objects.empty())
