@@ -13,7 +13,7 @@ struct VerdictOptions
   double min_best_weight = 0.9;         ///< of the best mode
   double max_std_xy = 0.5;              ///< [m] of its position, root of the sum of both variances
   double max_std_phi = degToRad(15.0);  ///< [rad] of its heading
-  double min_explained_share = 0.5;     ///< of recent detections, relative to what is expected
+  double min_explained_share = 0.8;     ///< of recent detections, relative to what the configuration expects
   double min_effective = 15;            ///< effective particles: fewer cannot tell how wide the posterior is
 };
 
@@ -30,6 +30,9 @@ struct VerdictEvidence
   bool lost = false;           ///< the recovery monitor's alarm
   double effective = 1e9;      ///< effective number of particles
 };
+
+/// True when the posterior is one sharp place, whether the detections agree with it or not.
+[[nodiscard]] bool isOnePlace(const ModeSet& modes, const VerdictOptions& options);
 
 /// Judges the posterior from its modes and from the share of recent detections it explains; never from ground truth.
 [[nodiscard]] VerdictWithReason judge(const ModeSet& modes, const VerdictEvidence& evidence,

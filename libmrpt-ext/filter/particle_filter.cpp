@@ -52,7 +52,8 @@ ParticleFilter::ParticleFilter(const ParticleFilterOptions& options, const Landm
       map_(map),
       random_(seed, stream),
       reliability_(map.size(), options.reliability_prior_strength, options.max_clutter),
-      monitor_(options.recovery)
+      monitor_(options.recovery),
+      trust_(trustOptions(options.recovery))
 {
 }
 
@@ -80,14 +81,13 @@ FilterStep ParticleFilter::process(const Frame& frame, const Proposer& propose)
     particles_.clear();
     return step;
   }
-  const bool converged = judgeStep(step).verdict == Verdict::ok;
-  checkAgreement(frame, converged);
+  checkAgreement(frame, isOnePlace(step.modes, options_.verdict) && !monitor_.suspicious());
   step.explained_share = monitor_.average();
   const VerdictWithReason verdict = judgeStep(step);
   step.verdict = verdict.verdict;
   step.reason = verdict.reason;
 
-  const std::size_t wanted = wantedParticles(step.verdict);
+  const std::size_t wanted = wantedParticles(step.modes);
   const bool too_many = !options_.adaptive_size && particles_.size() > wanted;
   if (step.effective_ratio < options_.resample_below || too_many) resample(step.modes, wanted);
   step.particles = particles_.size();
@@ -170,13 +170,13 @@ void ParticleFilter::scoreReading(const Reading& reading)
                     { scoreBlock(block * kBlock, std::min(kBlock, all.size() - block * kBlock)); });
 }
 
-void ParticleFilter::checkAgreement(const Frame& frame, bool converged)
+void ParticleFilter::checkAgreement(const Frame& frame, bool learn)
 {
-  double explained = 0, expected = 0;
+  double explained = 0, expected = 0, promised = 0;
   std::size_t detections = 0;
   for (const Reading& reading : scoredReadings(frame))
   {
-    const double share = reliability_.observe(reading, map_, particles_, options_.learn_reliability && converged);
+    const double share = reliability_.observe(reading, map_, particles_, options_.learn_reliability && learn);
     explained += share * static_cast<double>(reading.detections.size());
     const LandmarkClutter clutter = reliability_.clutter(reading.model.clutter_probability);
     for (const Detection& detection : reading.detections)
@@ -184,24 +184,28 @@ void ParticleFilter::checkAgreement(const Frame& frame, bool converged)
       if (!mayShowAny(detection, map_)) continue;  // not in the map: no pose could explain it
       const auto known = map_.indexOf(detection.id);
       expected += 1 - (known ? clutter[*known] : reading.model.clutter_probability);
+      promised += 1 - reading.model.clutter_probability;
       ++detections;
     }
   }
-  if (detections > 0)
-    monitor_.observe(explained / static_cast<double>(detections), expected / static_cast<double>(detections),
-                     detections);
+  if (detections == 0) return;
+  const auto count = static_cast<double>(detections);
+  monitor_.observe(explained / count, expected / count, detections);
+  trust_.observe(explained / count, promised / count, detections);
 }
 
 VerdictWithReason ParticleFilter::judgeStep(const FilterStep& step) const
 {
   const double effective = step.effective_ratio * static_cast<double>(particles_.size());
-  return judge(step.modes, {monitor_.average(), monitor_.lost(), effective}, options_.verdict);
+  const double share = monitor_.suspicious() ? monitor_.average() : trust_.average();
+  return judge(step.modes, {share, monitor_.lost(), effective}, options_.verdict);
 }
 
-std::size_t ParticleFilter::wantedParticles(Verdict verdict) const
+std::size_t ParticleFilter::wantedParticles(const ModeSet& modes) const
 {
   // Every place that may still be the right one needs enough particles for its weight to mean something.
-  return verdict == Verdict::ok ? options_.particles : std::max(options_.particles, options_.initial_particles);
+  const bool certain = isOnePlace(modes, options_.verdict) && !monitor_.suspicious();
+  return certain ? options_.particles : std::max(options_.particles, options_.initial_particles);
 }
 
 void ParticleFilter::resample(const ModeSet& modes, std::size_t count)

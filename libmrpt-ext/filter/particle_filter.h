@@ -88,9 +88,9 @@ class ParticleFilter
   void inject(const Proposer& propose);
   void score(const Frame& frame);
   void scoreReading(const Reading& reading);
-  void checkAgreement(const Frame& frame, bool converged);
+  void checkAgreement(const Frame& frame, bool learn);
   [[nodiscard]] VerdictWithReason judgeStep(const FilterStep& step) const;
-  [[nodiscard]] std::size_t wantedParticles(Verdict verdict) const;
+  [[nodiscard]] std::size_t wantedParticles(const ModeSet& modes) const;
   void resample(const ModeSet& modes, std::size_t count);
 
   ParticleFilterOptions options_;
@@ -98,7 +98,8 @@ class ParticleFilter
   RandomStream random_;
   ParticleSet particles_;
   LandmarkReliability reliability_;
-  RecoveryMonitor monitor_;
+  RecoveryMonitor monitor_;     // quick, against what is learned about the landmarks: tells when to look elsewhere
+  RecoveryMonitor trust_;       // slow, against what the configuration promises: tells when to claim `ok`
   double since_injection_ = 0;  // [s]
 };
 }  // namespace mrpt_ext

@@ -11,10 +11,18 @@ struct RecoveryOptions
   double suspicious_share = 0.5;  ///< below this explained share (relative to what is expected) seeds are injected
   double lost_share = 0.3;        ///< below this the verdict is `lost`
   double memory_detections = 12;  ///< the average forgets over about this many detections
+  double trust_memory = 60;       ///< [detections] the same for the average that `ok` rests on
   double injected_share = 0.25;   ///< of the particle count, added per frame while suspicious
   double min_interval = 0.5;      ///< [s] between two injections, which are costly
   double prior_of_jump = 0.02;    ///< probability per injection, that the robot is somewhere else
 };
+
+/// The same with the memory of the average that `ok` rests on.
+[[nodiscard]] inline RecoveryOptions trustOptions(RecoveryOptions options)
+{
+  options.memory_detections = options.trust_memory;
+  return options;
+}
 
 /// Running share of detections that the posterior explains.
 /// A tracker that sits at the right place explains all but the clutter; one at the wrong place explains only what

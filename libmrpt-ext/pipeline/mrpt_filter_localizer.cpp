@@ -26,7 +26,8 @@ class MrptFilterLocalizer : public FilterLocalizer
         map_(map),
         landmark_map_(std::make_shared<CLandmarkMap2D>(map)),
         reliability_(map.size(), options_.reliability_prior_strength, options_.max_clutter),
-        monitor_(options_.recovery)
+        monitor_(options_.recovery),
+        trust_(trustOptions(options_.recovery))
   {
     mrpt::random::getRandomGenerator().randomize(static_cast<std::uint32_t>(seed));
     auto& pf = engine_.m_options;
@@ -161,12 +162,15 @@ class MrptFilterLocalizer : public FilterLocalizer
     step_.particles = particles_.size();
     step_.modes = findModes(particles_, options_.modes);
     for (const Reading& reading : scored(frame))
-      monitor_.observe(reliability_.observe(reading, map_, particles_, true), 1 - reading.model.clutter_probability,
-                       reading.detections.size());
+    {
+      const double explained = reliability_.observe(reading, map_, particles_, true);
+      for (RecoveryMonitor* monitor : {&monitor_, &trust_})
+        monitor->observe(explained, 1 - reading.model.clutter_probability, reading.detections.size());
+    }
     step_.explained_share = monitor_.average();
     const double effective = step_.effective_ratio * static_cast<double>(particles_.size());
-    const VerdictWithReason verdict =
-        judge(step_.modes, {monitor_.average(), monitor_.lost(), effective}, options_.verdict);
+    const double share = monitor_.suspicious() ? monitor_.average() : trust_.average();
+    const VerdictWithReason verdict = judge(step_.modes, {share, monitor_.lost(), effective}, options_.verdict);
     step_.verdict = verdict.verdict;
     step_.reason = verdict.reason;
   }
@@ -177,7 +181,7 @@ class MrptFilterLocalizer : public FilterLocalizer
   mrpt::slam::CMonteCarloLocalization2D pdf_{1};
   mrpt::bayes::CParticleFilter engine_;
   LandmarkReliability reliability_;
-  RecoveryMonitor monitor_;
+  RecoveryMonitor monitor_, trust_;
   ParticleSet particles_;
   FilterStep step_;
 };
