@@ -1,6 +1,7 @@
 #include "mrpt_ext/pipeline/localization_input.h"
 
 #include <algorithm>
+#include <set>
 
 #include "mrpt_ext/files/landmark_csv.h"
 #include "mrpt_ext/files/mrpt_index_truth.h"
@@ -78,6 +79,20 @@ bool isSparse(const Trajectory& truth)
   return 2 * long_gaps > truth.size();
 }
 
+/// Compares the labels of the configuration with those of the records.
+void matchSensors(LocalizationInput& input, const std::vector<Record>& records)
+{
+  std::set<std::string> logged;
+  const auto collect = [&](const auto& record)
+  {
+    if constexpr (requires { record.sensor; }) logged.insert(record.sensor);
+  };
+  for (const Record& record : records) std::visit(collect, record);
+  input.logged_sensors.assign(logged.begin(), logged.end());
+  for (const auto& [label, config] : input.config.frames.sensors)
+    if (logged.count(label) == 0) input.unmatched_sensors.push_back(label);
+}
+
 void checkAnythingToScore(const LocalizationInput& input)
 {
   if (input.sequence.detections > 0) return;
@@ -113,6 +128,7 @@ LocalizationInput loadLocalization(const Settings& settings, const LogWindow& wi
   input.unusable = statistics.unusable;
   for (const auto& [reason, count] : input.sequence.unusable) input.unusable[reason] += count;
   checkAnythingToScore(input);
+  matchSensors(input, records);
   (void)makeMethods(input.config, input.context.map, input.sequence, 0, 0);  // an unknown name is told before the work
   input.context.truth = loadTruth(settings, source);
   input.context.truth_is_sparse = isSparse(input.context.truth);

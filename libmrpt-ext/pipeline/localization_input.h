@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "mrpt_ext/evaluation/run_record.h"
 #include "mrpt_ext/pipeline/frame_builder.h"
@@ -23,7 +25,9 @@ struct LocalizationInput
   RunContext context;  ///< without version and command line
   LocalizationConfig config;
   FrameSequence sequence;
-  UnusableCounts unusable;  ///< detections that were left out, by reason
+  UnusableCounts unusable;                     ///< detections that were left out, by reason
+  std::vector<std::string> logged_sensors;     ///< labels of the records
+  std::vector<std::string> unmatched_sensors;  ///< labels of [Sensor_<label>] that no record has, perhaps misspelt
 };
 
 /// Reads map, log and truth that the settings name, and cuts the log into frames. Throws InputError when a file is

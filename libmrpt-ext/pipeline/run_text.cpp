@@ -18,6 +18,13 @@ std::string text(const char* format, Values... values)
   return buffer;
 }
 
+std::string joined(const std::vector<std::string>& names)
+{
+  std::string result;
+  for (const std::string& name : names) result += (result.empty() ? "" : ", ") + name;
+  return result;
+}
+
 std::string mapText(const RunContext& context)
 {
   const auto [low, high] = context.map.boundingBox();
@@ -48,6 +55,9 @@ std::string inputText(const LocalizationInput& input)
     result += "\n";
   }
   for (const auto& [reason, count] : input.unusable) result += text("         %6zu unusable: ", count) + reason + "\n";
+  for (const std::string& label : input.unmatched_sensors)
+    result += "         [Sensor_" + label + "] applies to no record, the log has sensors " +
+              joined(input.logged_sensors) + "\n";
   result += text("frames   %zu, %zu detections\n", input.sequence.frames.size(), input.sequence.detections);
   return result + truthText(context);
 }
