@@ -203,6 +203,13 @@ TEST(ProposePoses, AreRankedNormalisedAndInTheRegion)
   EXPECT_NEAR(best[0].weight + best[1].weight + best[2].weight, 1, 1e-9);
 }
 
+TEST(ProposePoses, AFastSensorJoinedOverSecondsIsNoBurden)
+{
+  // 1500 bearings and their 400 million triples, which would not fit into memory.
+  const std::vector<Reading> readings(300, seenFrom(kRobot, kMap, {0, 1, 2, 3, 4}, kBearings));
+  EXPECT_EQ(rankOfTruth(proposalsFor(readings)), 0);
+}
+
 TEST(ProposePoses, NothingToProposeFrom)
 {
   EXPECT_TRUE(proposalsFor({}).empty());

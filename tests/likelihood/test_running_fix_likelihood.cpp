@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "mrpt_ext/likelihood/landmark_prediction.h"
 #include "mrpt_ext/likelihood/reading_likelihood.h"
 
@@ -43,6 +45,26 @@ TEST(RunningFixLikelihood, DisplacementErrorGrowsTheFirstVarianceAlongTheLineOfS
   EXPECT_NEAR(predict(kMap[0], readings[0], second).range_variance, 0.04, 1e-9);
   const Pose2 sideways{-5, 0, kPi / 2}, second_sideways = compose(sideways, exampleFix().displacement);
   EXPECT_NEAR(predict(kMap[0], readings[0], second_sideways).range_variance, 0.01, 1e-9);
+}
+
+TEST(RunningFixLikelihood, ATurnErrorSwingsTheSensorNotTheRobotsCentre)
+{
+  RunningFixReading fix = exampleFix();
+  fix.T_robot_sensor = {0.5, -0.2, 0};
+  fix.displacement_covariance.diagonal() << 0, 0, 1e-4;
+  constexpr double kTurn = 1e-6;
+  RunningFixReading turned = fix;
+  turned.displacement.phi += kTurn;
+  const Vector2d swing =
+      (asReadings(turned)[0].T_robot_sensor.position() - asReadings(fix)[0].T_robot_sensor.position()) / kTurn;
+  EXPECT_TRUE(asReadings(fix)[0].offset_covariance.isApprox(1e-4 * swing * swing.transpose(), 1e-4));
+}
+
+TEST(RunningFixLikelihood, WhatIsNoCovarianceDoesNotMakeAVarianceNegative)
+{
+  RunningFixReading fix = exampleFix();
+  fix.displacement_covariance.diagonal() << -1, -1, 0;
+  for (const Reading& reading : asReadings(fix)) EXPECT_TRUE(std::isfinite(logLikelihood(reading, kMap, {1, 2, 0.3})));
 }
 
 TEST(RunningFixLikelihood, BearingIsScoredWithTheSecondRangeOnly)

@@ -94,6 +94,7 @@ TEST(AppShell, WrongUsageIsOneLineAndTwo)
     EXPECT_FALSE(o.ran);
     EXPECT_EQ(o.exit_code, kExitUsage);
     EXPECT_EQ(lines(o.err), 1) << o.err;
+    EXPECT_LT(o.err.size(), 120U) << o.err;
     EXPECT_EQ(o.out, "");
   }
 }

@@ -57,6 +57,18 @@ TEST_F(RunWriter, ATrialLeavesItsFilesAndNoOthers)
   EXPECT_EQ(fileNames(), expected);
 }
 
+TEST_F(RunWriter, ResultsOfAnEarlierRunGo)
+{
+  fs::create_directories(folder_);
+  std::ofstream(folder_ / "trajectory_of_before.tum") << "1 0 0 0 0 0 0 1\n";
+  std::ofstream(folder_ / "notes.txt") << "mine\n";
+  const RunContext context = syntheticContext(30);
+  const RunRecord record = syntheticRecord(context);
+  writeTrial(folder_, context, record, scoreRun(context, record, {}));
+  EXPECT_FALSE(fs::exists(folder_ / "trajectory_of_before.tum"));
+  EXPECT_TRUE(fs::exists(folder_ / "notes.txt"));
+}
+
 TEST_F(RunWriter, ObjectsOnlyWhenAskedFor)
 {
   RunContext context = syntheticContext(10);
