@@ -106,7 +106,8 @@ mrpt::serialization::CSerializable::Ptr RawlogReader::nextObject()
   {
     if (content_->atEnd() && !unknownClass(error.what()))
       throw dataError(place + "cut off, the log ends in the middle of it");
-    throw dataError(place + explain(error.what()));
+    const bool nothing_read = entries_ == 0 && !unknownClass(error.what());
+    throw dataError(place + (nothing_read ? "not readable, expected a rawlog" : explain(error.what())));
   }
   throw dataError(place + "empty, expected an observation, a sensory frame or an action collection");
 }
