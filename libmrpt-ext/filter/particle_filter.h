@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -100,6 +101,6 @@ class ParticleFilter
   LandmarkReliability reliability_;
   RecoveryMonitor monitor_;     // quick, against what is learned about the landmarks: tells when to look elsewhere
   RecoveryMonitor trust_;       // slow, against what the configuration promises: tells when to claim `ok`
-  double since_injection_ = 0;  // [s]
+  double since_injection_ = std::numeric_limits<double>::infinity();  // [s]
 };
 }  // namespace mrpt_ext

@@ -124,7 +124,7 @@ ClosedFormAnswer rangeLeastSquares(const Frame& frame, const LandmarkTable& map,
   for (LandmarkSighting& s : sightings) s.bearing.reset();
   sightings = averaged(sightings);
   if (distinctLandmarks(sightings, anySighting) < 2) return {};
-  // Without a heading the sensor's offset on the robot points anywhere: it widens the ranges instead.
+  // Without a heading the sensor's offset on the robot points anywhere: it widens the covariance instead.
   std::vector<KnownRange> ranges;
   double offset = 0;
   for (const LandmarkSighting& s : sightings)
