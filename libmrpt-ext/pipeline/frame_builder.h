@@ -22,7 +22,7 @@ struct FrameOptions
 /// A log cut into frames.
 struct FrameSequence
 {
-  std::vector<Frame> frames;         ///< ordered by time, each with a reading (empty where missed detections count) or fix
+  std::vector<Frame> frames;         ///< ordered by time; readings are empty only where missed ones count
   std::vector<Frame> object_frames;  ///< sightings of objects, one per frame of the same time in `frames` or between
   OdometryPath odometry{{}, {}};
   UnusableDetections unusable;
