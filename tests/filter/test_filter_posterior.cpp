@@ -171,7 +171,8 @@ TEST(FilterPosterior, InjectedSeedsWeighWhatTheJumpPriorGivesThem)
   // The second and third frame fit another place; how much it weighs depends on the prior of a jump.
   const std::vector<Frame> frames{stillFrame(1.6, 1.8, 1.4), stillFrame(1.3, 2.3, 1.6), stillFrame(1.2, 2.5, 2.0)};
   ParticleFilterOptions options = stillOptions();
-  options.recovery.suspicious_share = 2;  // inject before every frame
+  options.recovery.suspicious_share = 2;  // inject before every frame ...
+  options.recovery.min_interval = 0;      // ... without waiting
   options.recovery.injected_share = 2;
   options.recovery.prior_of_jump = 0.3;
   expectSamePosterior(filtered(options, frames), exactPosterior(frames, 0.3));
