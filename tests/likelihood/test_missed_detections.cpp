@@ -33,6 +33,16 @@ TEST(MissedDetections, NeedAllDeclarations)
   EXPECT_FALSE(scoresMissedDetections(reading));
 }
 
+TEST(MissedDetections, SeeingNothingTellsTheSameOfNamelessLandmarks)
+{
+  const LandmarkTable nameless({{.position = {2, 0, 0}}, {.position = {0, 2, 0}}});
+  const Pose2 in_view{0, 0, 0}, far_away{50, 50, 0};
+  const Reading nothing = omniReading({});
+  EXPECT_DOUBLE_EQ(logLikelihood(nothing, nameless, in_view), logLikelihood(nothing, kMap, in_view));
+  EXPECT_NEAR(logLikelihood(nothing, nameless, in_view), 2 * std::log(0.1), 0.1);
+  EXPECT_NEAR(logLikelihood(nothing, nameless, far_away), 0, 0.02);
+}
+
 TEST(MissedDetections, AnUnseenLandmarkInViewCostsAboutItsMissProbability)
 {
   const double both = logLikelihood(omniReading({seen(1, 0), seen(2, kPi / 2)}), kMap, {0, 0, 0});
