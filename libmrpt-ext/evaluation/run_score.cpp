@@ -118,7 +118,8 @@ void judgeMethods(RunScore& score, const RunContext& context, const RunRecord& r
     if (&track == judged && something_to_judge)
     {
       count_from = convergenceStamp(method.errors, limits);
-      trial.success = isSuccess(method.errors, context.start_time, limits);
+      // Half a trial proves nothing, even when it went well so far.
+      if (!record.interrupted) trial.success = isSuccess(method.errors, context.start_time, limits);
       if (count_from) trial.converged_at_s = *count_from - context.start_time;
     }
     score.methods.push_back(std::move(method));

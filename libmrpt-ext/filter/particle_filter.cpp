@@ -159,15 +159,15 @@ void ParticleFilter::scoreReading(const Reading& reading)
       options_.learn_reliability ? reliability_.clutter(reading.model.clutter_probability) : LandmarkClutter{};
   const PoseBatch all = particles_.poses();
   const std::span<double> out = particles_.log_weight;
-  const auto scoreBlock = [&](std::size_t first, std::size_t count)
+  const auto score_block = [&](std::size_t first, std::size_t count)
   {
     const PoseBatch block{all.x.subspan(first, count), all.y.subspan(first, count), all.phi.subspan(first, count)};
     addLogLikelihood(reading, map_, clutter, block, out.subspan(first, count));
   };
-  if (options_.threads <= 1) return scoreBlock(0, all.size());
+  if (options_.threads <= 1) return score_block(0, all.size());
   tbb::parallel_for(std::size_t{0}, (all.size() + kBlock - 1) / kBlock,
                     [&](std::size_t block)
-                    { scoreBlock(block * kBlock, std::min(kBlock, all.size() - block * kBlock)); });
+                    { score_block(block * kBlock, std::min(kBlock, all.size() - block * kBlock)); });
 }
 
 void ParticleFilter::checkAgreement(const Frame& frame, bool learn)

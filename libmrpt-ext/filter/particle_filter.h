@@ -99,8 +99,8 @@ class ParticleFilter
   RandomStream random_;
   ParticleSet particles_;
   LandmarkReliability reliability_;
-  RecoveryMonitor monitor_;     // quick, against what is learned about the landmarks: tells when to look elsewhere
-  RecoveryMonitor trust_;       // slow, against what the configuration promises: tells when to claim `ok`
+  RecoveryMonitor monitor_;  // quick, against what is learned about the landmarks: tells when to look elsewhere
+  RecoveryMonitor trust_;    // slow, against what the configuration promises: tells when to claim `ok`
   double since_injection_ = std::numeric_limits<double>::infinity();  // [s]
 };
 }  // namespace mrpt_ext

@@ -28,7 +28,7 @@ struct PreparedReading
   {
     const double default_max_range = defaultMaxRange(map);
     std::vector<std::size_t> place(map.size(), map.size());
-    const auto placeOf = [&](std::size_t landmark)
+    const auto place_of = [&](std::size_t landmark)
     {
       if (place[landmark] == map.size())
       {
@@ -38,18 +38,18 @@ struct PreparedReading
       return place[landmark];
     };
     if (score_missed)
-      for (std::size_t j = 0; j < map.size(); ++j) placeOf(j);
+      for (std::size_t j = 0; j < map.size(); ++j) place_of(j);
     for (const Detection& detection : reading.detections)
     {
       clutter_density.push_back(1 / measurementVolume(detection, reading.model, default_max_range));
       auto& list = candidates.emplace_back();
       if (detection.id != kNoId)
       {
-        if (const auto known = map.indexOf(detection.id)) list.push_back(placeOf(*known));
+        if (const auto known = map.indexOf(detection.id)) list.push_back(place_of(*known));
         continue;
       }
       for (std::size_t j = 0; j < map.size(); ++j)
-        if (mayShow(detection, map[j])) list.push_back(placeOf(j));
+        if (mayShow(detection, map[j])) list.push_back(place_of(j));
     }
   }
 

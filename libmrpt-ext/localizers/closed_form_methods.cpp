@@ -90,13 +90,13 @@ ClosedFormAnswer single(SolveStatus status, const GaussianPose& pose, const char
   return answer;
 }
 
-const auto anySighting = [](const LandmarkSighting&) { return true; };
+const auto kAnySighting = [](const LandmarkSighting&) { return true; };
 }  // namespace
 
 ClosedFormAnswer bearingLeastSquares(const Frame& frame, const LandmarkTable& map)
 {
   const std::vector<LandmarkSighting> sightings = bearingsOf(frame, map);
-  if (distinctLandmarks(sightings, anySighting) < 3) return {};
+  if (distinctLandmarks(sightings, kAnySighting) < 3) return {};
   const WorkingFrame work = workingFrame(sightings);
   const BearingPoseLinear fit = solveBearingPoseLinear(work.bearings);
   if (fit.status != SolveStatus::ok) return {.status = fit.status};
@@ -109,7 +109,7 @@ ClosedFormAnswer bearingLeastSquares(const Frame& frame, const LandmarkTable& ma
 ClosedFormAnswer bearingMaximumLikelihood(const Frame& frame, const LandmarkTable& map)
 {
   const std::vector<LandmarkSighting> sightings = bearingsOf(frame, map);
-  if (distinctLandmarks(sightings, anySighting) < 3) return {};
+  if (distinctLandmarks(sightings, kAnySighting) < 3) return {};
   const WorkingFrame work = workingFrame(sightings);
   const PoseMl start = solveBearingPoseMl(work.bearings);
   if (start.status != SolveStatus::ok) return {.status = start.status};
@@ -123,7 +123,7 @@ ClosedFormAnswer rangeLeastSquares(const Frame& frame, const LandmarkTable& map,
   std::erase_if(sightings, [](const LandmarkSighting& s) { return !s.range; });
   for (LandmarkSighting& s : sightings) s.bearing.reset();
   sightings = averaged(sightings);
-  if (distinctLandmarks(sightings, anySighting) < 2) return {};
+  if (distinctLandmarks(sightings, kAnySighting) < 2) return {};
   // Without a heading the sensor's offset on the robot points anywhere: it widens the covariance instead.
   std::vector<KnownRange> ranges;
   double offset = 0;
@@ -150,7 +150,7 @@ ClosedFormAnswer twoLandmarkPose(const Frame& frame, const LandmarkTable& map)
   std::vector<LandmarkSighting> sightings = identifiedSightings(frame.readings, map);
   std::erase_if(sightings, [](const LandmarkSighting& s) { return !s.hasPoint(); });
   sightings = averaged(sightings);
-  if (distinctLandmarks(sightings, anySighting) < 2) return {};
+  if (distinctLandmarks(sightings, kAnySighting) < 2) return {};
   std::vector<SeenLandmark> seen;
   for (const LandmarkSighting& s : sightings) seen.push_back({s.position, {s.pointInRobot(), s.pointCovariance()}});
   const PointPose fit = solvePointPose(seen);

@@ -77,25 +77,26 @@ std::vector<RunningFixReading> RunningFixLocalizer::fixesFromRanges(const Frame&
     const int id = map_[*s.landmark].id;
     std::deque<PendingRange>& earlier = pending_[id];
     // The newest partner far enough away: the shorter the way, the less odometry error enters.
-    for (auto partner = earlier.rbegin(); partner != earlier.rend(); ++partner)
+    for (std::size_t left = earlier.size(); left > 0; --left)
     {
-      const double displacement = partner->since.increment.position().norm();
-      if (displacement < options_.min_displacement_stds * std::max(s.std_range, partner->std)) continue;
+      const PendingRange& partner = earlier[left - 1];
+      const double displacement = partner.since.increment.position().norm();
+      if (displacement < options_.min_displacement_stds * std::max(s.std_range, partner.std)) continue;
       // As if the first range had been taken by the second sensor, from a robot standing where that puts it.
-      const Pose2 swap = compose(s.T_robot_sensor, inverse(partner->T_robot_sensor));
+      const Pose2 swap = compose(s.T_robot_sensor, inverse(partner.T_robot_sensor));
       const Matrix3d J = composeJacobianSecond(swap);
       fixes.push_back(
           {.time = frame.time,
-           .first_time = partner->time,
+           .first_time = partner.time,
            .T_robot_sensor = s.T_robot_sensor,
            .horizontal_range = true,
            .id = id,
-           .first_range = partner->range,
-           .first_std = partner->std,
+           .first_range = partner.range,
+           .first_std = partner.std,
            .second_range = *s.range,
            .second_std = s.std_range,
-           .displacement = compose(swap, partner->since.increment),
-           .displacement_covariance = J * incrementCovariance(options_.motion, partner->since) * J.transpose(),
+           .displacement = compose(swap, partner.since.increment),
+           .displacement_covariance = J * incrementCovariance(options_.motion, partner.since) * J.transpose(),
            .second_bearing = s.bearing,
            .second_bearing_std = s.std_bearing});
       break;

@@ -67,7 +67,9 @@ Trajectory loadTruth(const Settings& settings, const RawlogSource& source)
 {
   if (!settings.hasValue(kExperiment, "ground_truth_path_file")) return {};
   const auto path = settings.path(kExperiment, "ground_truth_path_file");
-  if (settings.choice(kExperiment, "ground_truth_format") == "mrpt-index") return indexedTruth(settings, path, source);
+  const bool indexed =
+      settings.choice(kExperiment, "ground_truth_format") == "mrpt-index" && path.extension() != ".tum";
+  if (indexed) return indexedTruth(settings, path, source);
   return readTum(path);
 }
 

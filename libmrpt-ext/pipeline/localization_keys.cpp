@@ -24,7 +24,8 @@ KeyTable experimentKeys()
        "tum",
        {},
        {{"tum", {}}, {"mrpt-index", {}}},
-       "Form of the truth file: TUM (timestamp tx ty tz qx qy qz qw), or MRPT's `step x y phi` by action number."},
+       "Form of the truth file: TUM (timestamp tx ty tz qx qy qz qw), or MRPT's `step x y phi` by action number; "
+       "a file named *.tum is read as TUM in either case."},
       {s,
        "ground_truth_origin",
        T::numbers,
@@ -85,7 +86,8 @@ KeyTable experimentKeys()
        "batch",
        {},
        {{"batch", {}}, {"mrpt", {}}},
-       "Our particle filter, or MRPT's CMonteCarloLocalization2D over the same map as the reference."},
+       "Our particle filter, or MRPT's CMonteCarloLocalization2D over the same map as the reference (which starts "
+       "uniformly instead of analytically, does not recover and uses no compass)."},
       {s,
        "methods",
        T::text,

@@ -110,6 +110,7 @@ class TrialBatch
     for (MethodScore& method : score.methods) method.errors.clear();
     const std::lock_guard lock(mutex_);
     texts_[place] = ambiguityText(outcome.record, input_.context.start_time);
+    if (request_.verbose) texts_[place] += verdictText(outcome.record, input_.context.start_time);
     scores_[place] = std::move(score);
     ++done_;
   }

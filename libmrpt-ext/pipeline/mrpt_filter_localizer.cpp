@@ -97,8 +97,11 @@ class MrptFilterLocalizer : public FilterLocalizer
   /// performResampling() was asked for, by default none, so that the evidence of survivors would count twice.
   void resampleIfNeeded()
   {
-    if (options_.adaptive_size || pdf_.ESS() >= options_.resample_below) return;
-    pdf_.performResampling(engine_.m_options, pdf_.particlesCount());
+    if (options_.adaptive_size) return;
+    // The many particles of an uncertain start are thinned once the place is certain, as in the batch engine.
+    const bool too_many = pdf_.particlesCount() > options_.particles && step_.verdict == Verdict::ok;
+    if (!too_many && pdf_.ESS() >= options_.resample_below) return;
+    pdf_.performResampling(engine_.m_options, too_many ? options_.particles : pdf_.particlesCount());
   }
 
   void placeParticles()

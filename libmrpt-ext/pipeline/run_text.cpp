@@ -73,6 +73,23 @@ std::string boundText(const LocalizationInput& input)
   return result;
 }
 
+std::string verdictText(const RunRecord& record, double start_time)
+{
+  std::string result;
+  const TrackPoint* before = nullptr;
+  for (const MethodTrack& track : record.methods)
+    for (const TrackPoint& point : track.points)
+    {
+      if (track.name != "particle_filter") break;
+      if (!before || before->verdict != point.verdict)
+        result += text("%8.1f s %-9s x %.2f m, y %.2f m, heading %.1f deg, %d mode%s, weight %.2f\n",
+                       point.time - start_time, toString(point.verdict), point.pose.mean.x, point.pose.mean.y,
+                       radToDeg(point.pose.mean.phi), point.modes, point.modes == 1 ? "" : "s", point.best_weight);
+      before = &point;
+    }
+  return result;
+}
+
 std::string ambiguityText(const RunRecord& record, double start_time)
 {
   const auto track = std::find_if(record.methods.begin(), record.methods.end(),

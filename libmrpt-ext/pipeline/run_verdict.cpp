@@ -45,9 +45,12 @@ VerdictWithReason verdictOfClosedForms(const RunRecord& run)
   if (!best || best->frames_offered == 0) return {Verdict::lost, "no frame with a detection"};
   const std::string figures = best->name + " answers " + std::to_string(best->frames_answered) + " of " +
                               std::to_string(best->frames_offered) + " frames";
-  if (2 * best->frames_answered >= best->frames_offered) return {Verdict::ok, figures};
+  // A best of several candidates is an answer, but not a sure one.
+  const auto sure = static_cast<std::size_t>(std::count_if(
+      best->points.begin(), best->points.end(), [](const TrackPoint& p) { return p.verdict == Verdict::ok; }));
+  if (2 * sure >= best->frames_offered) return {Verdict::ok, figures};
   if (2 * (best->frames_answered + best->frames_ambiguous) >= best->frames_offered)
-    return {Verdict::ambiguous, figures + ", most others have candidates that cannot be ranked"};
+    return {Verdict::ambiguous, figures + ", but only " + std::to_string(sure) + " with a single candidate"};
   return {Verdict::lost, figures};
 }
 }  // namespace mrpt_ext

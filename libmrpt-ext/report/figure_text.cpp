@@ -15,6 +15,7 @@ std::string trialText(const RunScore& score)
 {
   const TrialScore& trial = score.trials.front();
   if (!score.judged_method) return "Only methods without memory ran: all their estimates count.";
+  if (score.interrupted) return "Interrupted: what was done until then is judged, success is not.";
   if (!trial.success) return "No ground truth within the log: errors are not judged.";
   const std::string limits =
       figureText(score.limits.within_m, 2) + " m / " + figureText(score.limits.within_deg, 0) + " deg";

@@ -69,8 +69,8 @@ PoseMl solveBearingPoseMl(std::span<const KnownBearing> bearings, const PoseMlOp
   if (result.status != SolveStatus::ok) return result;
 
   const bool robust = options.loss != Loss::squared;  // a false bearing may then point anywhere
-  const auto pointsAway = [](double r) { return std::abs(r) > 0.5 * kPi; };
-  if (!robust && std::any_of(result.residuals.begin(), result.residuals.end(), pointsAway))
+  const auto points_away = [](double r) { return std::abs(r) > 0.5 * kPi; };
+  if (!robust && std::any_of(result.residuals.begin(), result.residuals.end(), points_away))
   {
     result.status = SolveStatus::behind;
     result.pose = {};

@@ -51,7 +51,7 @@ class PaperSearch
     if (depth > 3 && std::abs(wrap(predictBearing(prefix.pose, position) - bearing)) > problem_.options.max_residual)
       return;
     used_[index] = true;
-    matched_.push_back({position, bearing, problem_.std_bearing()});
+    matched_.push_back({position, bearing, problem_.stdBearing()});
     assignment_.push_back(landmark);
     const BearingPoseLinear pose = depth >= 3 ? solveBearingPoseLinear(matched_) : BearingPoseLinear{};
     if (depth < 3 || pose.status == SolveStatus::ok)
@@ -78,7 +78,7 @@ class PaperSearch
     found.matched = static_cast<int>(assignment_.size());
     found.pose.mean = fit.pose;
     Matrix3d information = Matrix3d::Zero();
-    const double sigma = problem_.std_bearing();
+    const double sigma = problem_.stdBearing();
     const double per_match =
         std::log((1 - problem_.options.clutter_probability) / static_cast<double>(problem_.landmarks.size())) -
         0.5 * std::log(kTwoPi) - std::log(sigma);

@@ -24,7 +24,7 @@ std::optional<Interpretation> judgeInterpretation(const InterpretationProblem& p
                                                   const std::vector<int>& assignment, const Pose2& start)
 {
   const InterpretationOptions& options = problem.options;
-  const double sigma = problem.std_bearing();
+  const double sigma = problem.stdBearing();
   std::vector<PoseMeasurement> measurements;
   for (std::size_t i = 0; i < assignment.size(); ++i)
     if (assignment[i] >= 0)

@@ -15,7 +15,7 @@ struct InterpretationProblem
   std::vector<std::vector<int>> allowed;  ///< landmark indices per bearing
   const InterpretationOptions& options;
 
-  [[nodiscard]] double std_bearing() const { return options.std_bearing.value_or(options.max_residual / 3.3); }
+  [[nodiscard]] double stdBearing() const { return options.std_bearing.value_or(options.max_residual / 3.3); }
   [[nodiscard]] int minimumMatched() const
   {
     const int wanted = static_cast<int>(bearings.size()) - options.max_unmatched;

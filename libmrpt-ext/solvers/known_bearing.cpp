@@ -31,9 +31,9 @@ SolveStatus checkBearings(std::span<const KnownBearing> bearings)
   if (bearings.size() < 3) return SolveStatus::too_few;
   double extent = 0;
   for (const KnownBearing& b : bearings) extent = std::max(extent, (b.landmark - bearings[0].landmark).norm());
-  const auto onReference = [&](const KnownBearing& b)
+  const auto on_reference = [&](const KnownBearing& b)
   { return (b.landmark - bearings[0].landmark).norm() <= 1e-12 * extent; };
-  return std::any_of(bearings.begin() + 1, bearings.end(), onReference) ? SolveStatus::degenerate : SolveStatus::ok;
+  return std::any_of(bearings.begin() + 1, bearings.end(), on_reference) ? SolveStatus::degenerate : SolveStatus::ok;
 }
 
 Vector2d landmarkMean(std::span<const KnownBearing> bearings)
