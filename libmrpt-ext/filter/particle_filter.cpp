@@ -21,16 +21,6 @@ constexpr double kUniformShareRefined = 0.1;
 constexpr int kRefinements = 2;      // samples drawn again from the modes of the one before
 constexpr std::size_t kBlock = 512;  // particles scored by one task
 
-/// All readings of a frame that carry evidence, running fixes taken apart.
-std::vector<Reading> scoredReadings(const Frame& frame)
-{
-  std::vector<Reading> readings = frame.readings;
-  for (const RunningFixReading& fix : frame.fixes)
-    if (!fix.ranges_logged_too)
-      for (Reading& reading : asReadings(fix)) readings.push_back(std::move(reading));
-  return readings;
-}
-
 bool mayShowAny(const Detection& detection, const LandmarkTable& map)
 {
   return std::any_of(map.all().begin(), map.all().end(),

@@ -29,14 +29,20 @@ void refine(PoseHypothesis& hypothesis, std::span<const PoseMeasurement> rows)
   if (fit.status == SolveStatus::ok && fit.converged) hypothesis.pose = fit.pose;
 }
 
-double logScore(const Frame& frame, const LandmarkTable& map, const Pose2& pose)
+/// Log-likelihood of all evidence of the frame, for all hypotheses at once.
+void score(HypothesisSet& hypotheses, const Frame& frame, const LandmarkTable& map)
 {
-  double score = 0;
-  for (const Reading& reading : frame.readings) score += logLikelihood(reading, map, pose);
-  for (const RunningFixReading& fix : frame.fixes)
-    for (const Reading& reading : asReadings(fix)) score += logLikelihood(reading, map, pose);
-  if (frame.compass) addCompassLogLikelihood(*frame.compass, {{&pose.x, 1}, {&pose.y, 1}, {&pose.phi, 1}}, {&score, 1});
-  return score;
+  std::vector<double> x, y, phi, log_score(hypotheses.size(), 0.0);
+  for (const PoseHypothesis& hypothesis : hypotheses)
+  {
+    x.push_back(hypothesis.pose.mean.x);
+    y.push_back(hypothesis.pose.mean.y);
+    phi.push_back(hypothesis.pose.mean.phi);
+  }
+  const PoseBatch poses{x, y, phi};
+  for (const Reading& reading : scoredReadings(frame)) addLogLikelihood(reading, map, {}, poses, log_score);
+  if (frame.compass) addCompassLogLikelihood(*frame.compass, poses, log_score);
+  for (std::size_t i = 0; i < hypotheses.size(); ++i) hypotheses[i].log_score = log_score[i];
 }
 }  // namespace
 
@@ -56,7 +62,7 @@ HypothesisSet proposePoses(const Frame& frame, const LandmarkTable& map, const P
   append(all, interpretSightings(unidentified, map, options.region, true).hypotheses);
 
   std::erase_if(all, [&](const PoseHypothesis& h) { return !options.region.contains(h.pose.mean); });
-  for (PoseHypothesis& hypothesis : all) hypothesis.log_score = logScore(frame, map, hypothesis.pose.mean);
+  score(all, frame, map);
   rankByScore(all);
   mergeDuplicates(all, kMergeDistance, kMergeAngle);
   if (all.size() > options.max_hypotheses) all.resize(options.max_hypotheses);

@@ -44,4 +44,13 @@ std::vector<Reading> asReadings(const RunningFixReading& fix)
   first.detections = {{.id = fix.id, .range = fix.first_range, .std_range = fix.first_std}};
   return {first, second};
 }
+
+std::vector<Reading> scoredReadings(const Frame& frame)
+{
+  std::vector<Reading> readings = frame.readings;
+  for (const RunningFixReading& fix : frame.fixes)
+    if (!fix.ranges_logged_too)
+      for (Reading& reading : asReadings(fix)) readings.push_back(std::move(reading));
+  return readings;
+}
 }  // namespace mrpt_ext

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "mrpt_ext/geometry/frame.h"
 #include "mrpt_ext/geometry/measurement.h"
 
 namespace mrpt_ext
@@ -11,4 +12,7 @@ namespace mrpt_ext
 /// grown by u^T S_d u with S_d the displacement covariance and u the line of sight.
 /// Score them only when the single ranges are not in the log themselves.
 [[nodiscard]] std::vector<Reading> asReadings(const RunningFixReading& fix);
+/// All readings of a frame that carry evidence: its own, and those of the running fixes whose single ranges are not
+/// logged as well.
+[[nodiscard]] std::vector<Reading> scoredReadings(const Frame& frame);
 }  // namespace mrpt_ext

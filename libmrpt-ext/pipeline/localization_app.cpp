@@ -79,12 +79,12 @@ int LocalizationApp::run(const std::vector<std::string>& arguments)
                        if (!value.empty())
                          settings.set(section, key, std::filesystem::absolute(value).string(), option);
                      };
-                     const bool other_log = !rawlog.empty() && truth.empty() && !common.quiet &&
-                                            settings.hasValue(kExperiment, "ground_truth_path_file");
+                     const bool other_log =
+                         !rawlog.empty() && truth.empty() && settings.hasValue(kExperiment, "ground_truth_path_file");
                      if (other_log)
-                       out_ << "note     the truth is that of the configuration, "
-                            << settings.path(kExperiment, "ground_truth_path_file").string()
-                            << ": give --ground-truth if it does not belong to this log\n";
+                       request.note = "note     the truth is that of the configuration, " +
+                                      settings.path(kExperiment, "ground_truth_path_file").string() +
+                                      ": give --ground-truth if it does not belong to this log\n";
                      give(rawlog, kExperiment, "rawlog_file", "RAWLOG");
                      give(truth, kExperiment, "ground_truth_path_file", "--ground-truth");
                      give(map, "MetricMap_landmarkMap2D_00_creationOpts", "landmarks_file", "--map");

@@ -151,7 +151,7 @@ int runLocalization(const Settings& settings, const LocalizationRequest& request
   LocalizationInput input = loadLocalization(settings, request.window);
   input.context.version = version();
   input.context.command_line = request.command_line;
-  const std::string head = inputText(input);
+  const std::string head = inputText(input) + request.note;
   if (!request.quiet) out << head << std::flush;
   if (request.dry_run) return kExitDone;
 

@@ -20,6 +20,7 @@ struct LocalizationRequest
   std::optional<double> fail_above;  ///< [m]
   bool dry_run = false, quiet = false, verbose = false;
   std::string command_line;
+  std::string note;  ///< one line to tell with the input, or empty
 };
 
 /// The main job: load, run all trials, judge, write, tell. Results go to `out`, progress to stderr on a terminal.

@@ -52,7 +52,7 @@ class MrptFilterLocalizer : public FilterLocalizer
   {
     const mrpt::obs::CActionCollection action = motionOf(frame.motion);
     bool moved = false;
-    for (const Reading& reading : scored(frame))
+    for (const Reading& reading : scoredReadings(frame))
     {
       landmark_map_->likelihood_options.clutter_probability = reading.model.clutter_probability;
       landmark_map_->likelihood_options.detection_probability = reading.model.detection_probability.value_or(0);
@@ -145,15 +145,6 @@ class MrptFilterLocalizer : public FilterLocalizer
     return action;
   }
 
-  static std::vector<Reading> scored(const Frame& frame)
-  {
-    std::vector<Reading> readings = frame.readings;
-    for (const RunningFixReading& fix : frame.fixes)
-      if (!fix.ranges_logged_too)
-        for (Reading& reading : asReadings(fix)) readings.push_back(std::move(reading));
-    return readings;
-  }
-
   void judgeParticles(const Frame& frame)
   {
     particles_.clear();
@@ -164,7 +155,7 @@ class MrptFilterLocalizer : public FilterLocalizer
     step_.effective_ratio = effectiveSampleRatio(particles_);
     step_.particles = particles_.size();
     step_.modes = findModes(particles_, options_.modes);
-    for (const Reading& reading : scored(frame))
+    for (const Reading& reading : scoredReadings(frame))
     {
       const double explained = reliability_.observe(reading, map_, particles_, true);
       for (RecoveryMonitor* monitor : {&monitor_, &trust_})

@@ -33,6 +33,7 @@ RunRecord closedForm(std::size_t offered, std::size_t answered, std::size_t ambi
   RunRecord run;
   run.methods = {{.name = "tree", .frames_offered = offered, .frames_answered = answered}};
   run.methods[0].frames_ambiguous = ambiguous;
+  run.methods[0].points.resize(answered);  // each the only candidate of its frame
   return run;
 }
 
@@ -86,7 +87,17 @@ TEST(RunVerdict, ClosedFormsAreJudgedByWhatTheBestOfThemAnswered)
   RunRecord several = closedForm(10, 1, 0);
   several.methods.push_back({.name = "oracle_tree", .oracle = true, .frames_offered = 10, .frames_answered = 10});
   EXPECT_EQ(verdictOfClosedForms(several).verdict, kLost);  // the oracle knew the truth
-  several.methods.push_back({.name = "better", .frames_offered = 10, .frames_answered = 8});
+  several.methods.push_back(
+      {.name = "better", .points = std::vector<TrackPoint>(8), .frames_offered = 10, .frames_answered = 8});
   EXPECT_EQ(verdictOfClosedForms(several).reason, "better answers 8 of 10 frames");
+}
+
+TEST(RunVerdict, TheBestOfSeveralCandidatesIsNoSureAnswer)
+{
+  RunRecord run = closedForm(10, 8, 0);
+  for (std::size_t i = 0; i < 4; ++i) run.methods[0].points[i].verdict = kAmbiguous;
+  EXPECT_EQ(verdictOfClosedForms(run).verdict, kAmbiguous);
+  run.methods[0].points[0].verdict = kOk;
+  EXPECT_EQ(verdictOfClosedForms(run).verdict, kOk);
 }
 }  // namespace mrpt_ext
