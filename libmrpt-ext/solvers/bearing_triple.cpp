@@ -33,9 +33,9 @@ BearingTriple solveBearingTriple(const std::array<Vector2d, 3>& landmarks, const
   const double side = sine > 0 ? 1 : -1;
   const double n1 = side * cross(w, a2), n2 = side * cross(w, a1);
   const double w2 = w.squaredNorm();
-  const auto clearlyNegative = [&](double n, const Vector2d& a)
+  const auto clearly_negative = [&](double n, const Vector2d& a)
   { return n <= 0 && n * n >= margin * margin * w2 * a.squaredNorm(); };
-  if (clearlyNegative(n1, a2) || clearlyNegative(n2, a1))
+  if (clearly_negative(n1, a2) || clearly_negative(n2, a1))
   {
     result.outcome = BearingTriple::Outcome::behind;
     return result;
