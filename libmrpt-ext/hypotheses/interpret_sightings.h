@@ -5,7 +5,7 @@
 #include "mrpt_ext/hypotheses/landmark_sighting.h"
 #include "mrpt_ext/hypotheses/pose_hypothesis.h"
 #include "mrpt_ext/hypotheses/pose_region.h"
-#include "mrpt_ext/solvers/interpretation_tree.h"
+#include "mrpt_ext/correspondence/interpretation_tree.h"
 
 namespace mrpt_ext
 {

@@ -16,11 +16,12 @@ const std::map<std::string, Names> kAllowed{
     {"geometry", {}},
     {"files", {"geometry"}},
     {"solvers", {"geometry"}},
+    {"correspondence", {"geometry", "solvers"}},
     {"likelihood", {"geometry"}},
-    {"hypotheses", {"geometry", "solvers", "likelihood"}},
+    {"hypotheses", {"geometry", "solvers", "correspondence", "likelihood"}},
     {"filter", {"geometry", "likelihood", "hypotheses"}},
     {"evaluation", {"geometry"}},
-    {"localizers", {"geometry", "solvers", "likelihood", "hypotheses", "filter", "evaluation"}},
+    {"localizers", {"geometry", "solvers", "correspondence", "likelihood", "hypotheses", "filter", "evaluation"}},
     {"simulation", {"geometry", "files"}},
     {"importers", {"geometry", "files"}},
     {"calibration", {"geometry", "localizers"}},
@@ -30,10 +31,10 @@ const std::map<std::string, Names> kAllowed{
     {"maps", {"geometry", "files", "likelihood", "observations"}},
     {"apps", {"pipeline", "maps"}}};
 
-const Names kEigenOnly{"geometry",   "files",      "solvers",    "likelihood", "hypotheses", "filter",
-                       "localizers", "evaluation", "simulation", "importers",  "report"};
+const Names kEigenOnly{"geometry", "files",      "solvers",    "correspondence", "likelihood", "hypotheses",
+                       "filter",   "localizers", "evaluation", "simulation",     "importers",  "report"};
 
-const Names kEstimators{"solvers", "likelihood", "hypotheses", "filter", "localizers"};
+const Names kEstimators{"solvers", "correspondence", "likelihood", "hypotheses", "filter", "localizers"};
 
 bool mayUse(const std::string& folder, const std::string& used)
 {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "mrpt_ext/correspondence/map_area.h"
 #include "mrpt_ext/geometry/gaussian_pose.h"
 #include "mrpt_ext/geometry/solve_status.h"
 
@@ -29,12 +30,6 @@ enum class InterpretationGate
 {
   worst_case,  ///< eps (1 + sum |s_i|): no interpretation within eps is lost
   covariance   ///< k sqrt(sigma^2 + J P J^T) = eps sqrt(1 + sum s_i^2) for eps = k sigma: fewer nodes, k-sigma recall
-};
-
-/// Axis-aligned area in the world [m].
-struct MapArea
-{
-  Vector2d min{0, 0}, max{0, 0};
 };
 
 struct InterpretationOptions

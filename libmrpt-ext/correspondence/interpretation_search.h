@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mrpt_ext/solvers/interpretation_problem.h"
+#include "mrpt_ext/correspondence/interpretation_problem.h"
 
 namespace mrpt_ext
 {

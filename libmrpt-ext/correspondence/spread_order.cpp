@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include "mrpt_ext/solvers/interpretation_search.h"
+#include "mrpt_ext/correspondence/interpretation_search.h"
 
 namespace mrpt_ext
 {

@@ -1,4 +1,4 @@
-#include "mrpt_ext/solvers/interpretation_paper_rule.h"
+#include "mrpt_ext/correspondence/interpretation_paper_rule.h"
 
 #include <algorithm>
 

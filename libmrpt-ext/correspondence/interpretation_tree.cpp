@@ -1,11 +1,11 @@
-#include "mrpt_ext/solvers/interpretation_tree.h"
+#include "mrpt_ext/correspondence/interpretation_tree.h"
 
 #include <algorithm>
 #include <numeric>
 
-#include "mrpt_ext/solvers/interpretation_paper_rule.h"
-#include "mrpt_ext/solvers/interpretation_problem.h"
-#include "mrpt_ext/solvers/interpretation_search.h"
+#include "mrpt_ext/correspondence/interpretation_paper_rule.h"
+#include "mrpt_ext/correspondence/interpretation_problem.h"
+#include "mrpt_ext/correspondence/interpretation_search.h"
 
 namespace mrpt_ext
 {

@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "mrpt_ext/correspondence/interpretation_tree.h"
 #include "mrpt_ext/geometry/pose.h"
-#include "mrpt_ext/solvers/interpretation_tree.h"
 
 namespace mrpt_ext
 {

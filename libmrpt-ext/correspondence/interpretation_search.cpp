@@ -1,10 +1,10 @@
-#include "mrpt_ext/solvers/interpretation_search.h"
+#include "mrpt_ext/correspondence/interpretation_search.h"
 
 #include <algorithm>
 #include <array>
 
+#include "mrpt_ext/correspondence/bearing_prefix.h"
 #include "mrpt_ext/solvers/bearing_pose_ml.h"
-#include "mrpt_ext/solvers/bearing_prefix.h"
 #include "mrpt_ext/solvers/bearing_triple.h"
 #include "mrpt_ext/solvers/plane.h"
 

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "mrpt_ext/solvers/interpretation_tree.h"
+#include "mrpt_ext/correspondence/interpretation_tree.h"
 
 namespace mrpt_ext
 {

@@ -1,4 +1,4 @@
-#include "mrpt_ext/solvers/interpretation_problem.h"
+#include "mrpt_ext/correspondence/interpretation_problem.h"
 
 #include <algorithm>
 
@@ -8,11 +8,6 @@ namespace mrpt_ext
 {
 namespace
 {
-bool insideArea(const MapArea& area, const Pose2& pose)
-{
-  return pose.x >= area.min.x() && pose.x <= area.max.x() && pose.y >= area.min.y() && pose.y <= area.max.y();
-}
-
 bool withinRange(std::span<const PoseMeasurement> measurements, const Pose2& pose, double max_range)
 {
   return std::all_of(measurements.begin(), measurements.end(),
@@ -39,7 +34,7 @@ std::optional<Interpretation> judgeInterpretation(const InterpretationProblem& p
   Interpretation result;
   for (const double r : fit.residuals) result.max_residual = std::max(result.max_residual, std::abs(r));
   if (result.max_residual > options.max_residual) return std::nullopt;
-  if (options.area && !insideArea(*options.area, fit.pose.mean)) return std::nullopt;
+  if (options.area && !options.area->contains(fit.pose.mean.position())) return std::nullopt;
   if (options.max_range && !withinRange(measurements, fit.pose.mean, *options.max_range)) return std::nullopt;
 
   result.assignment = assignment;

@@ -1,4 +1,4 @@
-#include "mrpt_ext/solvers/bearing_prefix.h"
+#include "mrpt_ext/correspondence/bearing_prefix.h"
 
 #include <Eigen/LU>
 #include <algorithm>
