@@ -1,0 +1,11 @@
+#pragma once
+
+/// Compiles a function once per instruction set and chooses when the program starts: plain loops then use the widest
+/// vectors of the processor they run on, while the binary runs on all of them. What such a function calls must be
+/// inlined into it. Put it before a definition with external linkage or in an unnamed namespace.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
+#define MRPT_EXT_VECTOR_CLONES __attribute__((target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))
+#else
+#define MRPT_EXT_VECTOR_CLONES
+#endif
