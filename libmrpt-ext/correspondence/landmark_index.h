@@ -19,6 +19,7 @@ class LandmarkIndex
   explicit LandmarkIndex(std::vector<Vector2d> landmarks, double bucket = 0);
 
   [[nodiscard]] std::size_t size() const { return positions_.size(); }
+  [[nodiscard]] bool empty() const { return positions_.empty(); }
   [[nodiscard]] const Vector2d& position(std::size_t landmark) const { return positions_[landmark]; }
   [[nodiscard]] const std::vector<Vector2d>& positions() const { return positions_; }
   /// Kind of a landmark (0 for no category).
@@ -32,6 +33,12 @@ class LandmarkIndex
   }
   [[nodiscard]] const Vector2d& low() const { return low_; }    ///< corner of the bounding box [m]
   [[nodiscard]] const Vector2d& high() const { return high_; }  ///< opposite corner [m]
+
+  /// Distance [m] from `point` that no landmark exceeds.
+  [[nodiscard]] double farthestFrom(const Vector2d& point) const
+  {
+    return (point - low_).cwiseAbs().cwiseMax((point - high_).cwiseAbs()).norm();
+  }
 
   /// Calls visit(landmark) for every landmark within `radius` [m] of `point`, in a fixed order.
   template <typename Visit>

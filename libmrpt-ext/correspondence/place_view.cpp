@@ -1,0 +1,144 @@
+#include "mrpt_ext/correspondence/place_view.h"
+
+#include <algorithm>
+
+#include "mrpt_ext/geometry/measurement_jacobian.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kMinClutter = 1e-6;    // a sensor that never errs would make every evidence infinite
+constexpr double kMaxDetection = 0.99;  // nor is any landmark seen for certain
+constexpr double kSlack = 3;            // standard deviations of the pose by which a landmark may be out of view
+
+double quadratic(const JacobianRow& J, const Matrix3d& P) { return std::max(0.0, (J * P * J.transpose()).value()); }
+
+/// Squared residual in standard deviations, or nothing beyond the gate.
+std::optional<double> distance2(const UnidentifiedDetection& z, const ExpectedLandmark& h, double gate)
+{
+  double sum = 0;
+  const auto within = [&](double residual, double variance)
+  {
+    const double e2 = residual * residual / variance;
+    sum += e2;
+    return e2 <= gate * gate;
+  };
+  if (z.bearing && !within(wrap(*z.bearing - h.bearing), square(z.std_bearing) + h.bearing_variance))
+    return std::nullopt;
+  if (z.range && !within(*z.range - h.range, square(z.std_range) + h.range_variance)) return std::nullopt;
+  return sum;
+}
+
+double density(const UnidentifiedDetection& z, const ExpectedLandmark& h)
+{
+  double log_density = 0;
+  const auto add = [&](double residual, double std)
+  { log_density -= 0.5 * square(residual / std) + std::log(std * std::sqrt(kTwoPi)); };
+  if (z.bearing) add(wrap(*z.bearing - h.bearing), z.std_bearing);
+  if (z.range) add(*z.range - h.range, z.std_range);
+  return std::exp(log_density);
+}
+
+/// Probability density of a false detection.
+double falseDensity(const LandmarkIndex& map, const UnidentifiedDetection& z, const SensorModel& model)
+{
+  double volume = 1;
+  if (z.bearing) volume *= model.has_field_of_view ? model.field_of_view : kTwoPi;
+  if (z.range) volume *= model.max_range.value_or(std::max(1.0, 1.5 * (map.high() - map.low()).norm()));
+  if (z.kind != kAnyKind) volume *= std::max(1, map.kindCount());
+  return 1 / volume;
+}
+}  // namespace
+
+std::vector<ExpectedLandmark> expectedLandmarks(const LandmarkIndex& map, const SensorPlace& place,
+                                                const GaussianPose& robot)
+{
+  const Pose2 sensor = compose(robot.mean, place.T_robot_sensor);
+  const Vector2d offset = place.T_robot_sensor.position();
+  const double position_std = std::sqrt(robot.covariance.topLeftCorner<2, 2>().trace());
+  const double farthest = map.empty()             ? 0
+                          : place.model.max_range ? *place.model.max_range + kSlack * position_std
+                                                  : map.farthestFrom(sensor.position());
+  std::vector<ExpectedLandmark> expected;
+  map.forEachNear(sensor.position(), farthest,
+                  [&](std::size_t landmark)
+                  {
+                    const Vector2d& position = map.position(landmark);
+                    const Vector2d d = position - sensor.position();
+                    ExpectedLandmark h{.landmark = landmark, .range = d.norm()};
+                    if (!(h.range > 0)) return;
+                    h.bearing = wrap(std::atan2(d.y(), d.x()) - sensor.phi);
+                    h.bearing_variance = quadratic(bearingJacobian(robot.mean, position, offset), robot.covariance);
+                    h.range_variance = quadratic(rangeJacobian(robot.mean, position, offset), robot.covariance);
+                    const bool near = !place.model.max_range || h.range <= *place.model.max_range;
+                    h.in_view = near && std::abs(h.bearing) <= 0.5 * place.model.field_of_view;
+                    expected.push_back(h);
+                  });
+  return expected;
+}
+
+std::vector<int> matchDetections(const LandmarkIndex& map, const SensorPlace& place,
+                                 std::span<const ExpectedLandmark> expected, double gate)
+{
+  struct Pair
+  {
+    double distance2;
+    int detection, expected;
+  };
+  std::vector<Pair> pairs;
+  for (std::size_t d = 0; d < place.detections.size(); ++d)
+    for (std::size_t h = 0; h < expected.size(); ++h)
+      if (map.mayShow(place.detections[d].kind, expected[h].landmark))
+        if (const auto e2 = distance2(place.detections[d], expected[h], gate))
+          pairs.push_back({*e2, static_cast<int>(d), static_cast<int>(h)});
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.distance2 < b.distance2; });
+  std::vector<int> matches(place.detections.size(), -1);
+  std::vector<bool> taken(expected.size(), false);
+  for (const Pair& pair : pairs)
+  {
+    int& match = matches[static_cast<std::size_t>(pair.detection)];
+    if (match >= 0 || taken[static_cast<std::size_t>(pair.expected)]) continue;
+    match = pair.expected;
+    taken[static_cast<std::size_t>(pair.expected)] = true;
+  }
+  return matches;
+}
+
+double placeLogLikelihood(const LandmarkIndex& map, const SensorPlace& place,
+                          std::span<const ExpectedLandmark> expected, std::span<const int> matches)
+{
+  std::vector<int> claimed_by(expected.size(), -1);
+  for (std::size_t d = 0; d < matches.size(); ++d)
+    if (matches[d] >= 0) claimed_by[static_cast<std::size_t>(matches[d])] = static_cast<int>(d);
+
+  const SensorModel& model = place.model;
+  const double clutter = std::clamp(model.clutter_probability, kMinClutter, 1.0);
+  const auto count = static_cast<double>(place.detections.size());
+  const auto in_view = [](const ExpectedLandmark& h) { return h.in_view; };
+  double log_likelihood = 0, detection_odds = 0;
+  if (model.detection_probability)
+  {
+    const double p = std::clamp(*model.detection_probability, 0.0, kMaxDetection);
+    detection_odds = p / (1 - p);
+    log_likelihood += static_cast<double>(std::count_if(expected.begin(), expected.end(), in_view)) * std::log1p(-p);
+  }
+  for (std::size_t d = 0; d < place.detections.size(); ++d)
+  {
+    const UnidentifiedDetection& z = place.detections[d];
+    double sum = 0, visible = 0;
+    for (std::size_t h = 0; h < expected.size(); ++h)
+    {
+      if (!map.mayShow(z.kind, expected[h].landmark)) continue;
+      const bool mine = claimed_by[h] == static_cast<int>(d);
+      if (expected[h].in_view) visible += 1;
+      if (mine || (claimed_by[h] < 0 && expected[h].in_view)) sum += density(z, expected[h]);
+    }
+    const double scattered = clutter * falseDensity(map, z, model);
+    log_likelihood += model.detection_probability
+                          ? std::log(count * scattered + detection_odds * sum)
+                          : std::log(scattered + (1 - std::min(clutter, 0.999)) * sum / std::max(1.0, visible));
+  }
+  return log_likelihood;
+}
+}  // namespace mrpt_ext
