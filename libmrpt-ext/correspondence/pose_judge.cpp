@@ -1,5 +1,7 @@
 #include "mrpt_ext/correspondence/pose_judge.h"
 
+#include <Eigen/LU>
+
 #include "mrpt_ext/correspondence/place_view.h"
 #include "mrpt_ext/solvers/pose_ml.h"
 
