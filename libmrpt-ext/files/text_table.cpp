@@ -4,20 +4,12 @@
 
 #include "mrpt_ext/files/number_format.h"
 #include "mrpt_ext/files/text_file.h"
+#include "mrpt_ext/files/trimmed.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr std::string_view kBlanks = " \t\r";
-
-std::string_view trimmed(std::string_view text)
-{
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
-
 std::vector<std::string> splitAtCommas(std::string_view text)
 {
   std::vector<std::string> fields;

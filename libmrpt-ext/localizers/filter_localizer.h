@@ -16,8 +16,6 @@ class FilterLocalizer : public Localizer
   [[nodiscard]] virtual const ParticleSet& particles() const = 0;
   /// One entry per landmark of the map.
   [[nodiscard]] virtual std::vector<LandmarkHistory> landmarkHistories() const = 0;
-  /// Learned share of good detections per landmark; empty when the engine does not learn it.
-  [[nodiscard]] virtual std::vector<double> inlierRates() const = 0;
 };
 
 /// A filter step as an estimate: the best mode, never the mean across modes; the others are its candidates.

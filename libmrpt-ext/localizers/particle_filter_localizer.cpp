@@ -27,12 +27,4 @@ std::vector<LandmarkHistory> ParticleFilterLocalizer::landmarkHistories() const
 {
   return filter_.reliability().histories();
 }
-
-std::vector<double> ParticleFilterLocalizer::inlierRates() const
-{
-  std::vector<double> rates;
-  for (const LandmarkHistory& history : filter_.reliability().histories())
-    rates.push_back(history.seen > 0 ? history.associated / history.seen : 1.0);
-  return rates;
-}
 }  // namespace mrpt_ext

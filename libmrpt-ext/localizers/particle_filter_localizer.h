@@ -18,7 +18,6 @@ class ParticleFilterLocalizer : public FilterLocalizer
   [[nodiscard]] const FilterStep& lastStep() const override { return step_; }
   [[nodiscard]] const ParticleSet& particles() const override { return filter_.particles(); }
   [[nodiscard]] std::vector<LandmarkHistory> landmarkHistories() const override;
-  [[nodiscard]] std::vector<double> inlierRates() const override;
 
  private:
   LandmarkTable map_;

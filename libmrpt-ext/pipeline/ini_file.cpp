@@ -4,21 +4,13 @@
 #include <fstream>
 #include <sstream>
 
+#include "mrpt_ext/files/trimmed.h"
 #include "mrpt_ext/geometry/input_error.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr std::string_view kBlanks = " \t\r";
-
-std::string_view trimmed(std::string_view text)
-{
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
-
 /// A comment starts at ; # or // when it opens the line or follows a blank, so that paths and URLs stay whole.
 std::string_view withoutComment(std::string_view line)
 {

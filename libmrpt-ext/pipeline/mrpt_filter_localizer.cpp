@@ -73,7 +73,6 @@ class MrptFilterLocalizer : public FilterLocalizer
   [[nodiscard]] const FilterStep& lastStep() const override { return step_; }
   [[nodiscard]] const ParticleSet& particles() const override { return particles_; }
   [[nodiscard]] std::vector<LandmarkHistory> landmarkHistories() const override { return reliability_.histories(); }
-  [[nodiscard]] std::vector<double> inlierRates() const override { return {}; }
 
  private:
   [[nodiscard]] mrpt::bayes::CParticleFilter::TParticleResamplingAlgorithm resampling() const

@@ -29,7 +29,6 @@ class FixedFilter : public FilterLocalizer
   [[nodiscard]] const FilterStep& lastStep() const override { return step_; }
   [[nodiscard]] const ParticleSet& particles() const override { return particles_; }
   [[nodiscard]] std::vector<LandmarkHistory> landmarkHistories() const override { return {}; }
-  [[nodiscard]] std::vector<double> inlierRates() const override { return {}; }
 
  private:
   FilterStep step_;

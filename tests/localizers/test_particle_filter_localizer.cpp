@@ -53,7 +53,7 @@ TEST(ParticleFilterLocalizer, FindsALostRobotFromAnonymousBearings)
     EXPECT_EQ(estimate.point->verdict, Verdict::ok) << filter.lastStep().reason;
     EXPECT_TRUE(sureHeading(filter));
     EXPECT_EQ(filter.landmarkHistories().size(), map.size());
-    for (const double rate : filter.inlierRates()) EXPECT_GT(rate, 0.8);
+    for (const LandmarkHistory& history : filter.landmarkHistories()) EXPECT_GT(history.associated, 0.8 * history.seen);
   }
 }
 
