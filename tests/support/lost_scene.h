@@ -73,6 +73,19 @@ inline UnidentifiedDetection measurePoint(const Vector2d& offset, const LostScen
   return d;
 }
 
+/// The sensor as its owner would declare it, from the options alone.
+inline SensorModel declaredModel(const LostSceneOptions& options)
+{
+  SensorModel model;
+  model.max_range = options.max_range;
+  const double in_view =
+      options.max_range ? kPi * square(*options.max_range) / options.area_per_landmark : options.landmarks;
+  const double seen = options.seen ? *options.seen : options.detection_probability * in_view;
+  model.detection_probability = std::min(seen / in_view, 0.99);
+  model.clutter_probability = options.false_readings / std::max(1.0, options.false_readings + seen);
+  return model;
+}
+
 /// What is seen at `robot` by a sensor at `T_robot_sensor`; the detections come in random order.
 inline LostView lookAround(const LostMap& map, const LandmarkIndex& index, const LostSceneOptions& options,
                            const Pose2& robot, RandomStream& random, const Pose2& T_robot_sensor = {})
@@ -92,8 +105,6 @@ inline LostView lookAround(const LostMap& map, const LandmarkIndex& index, const
   };
   shuffle(in_view);
   if (options.seen) in_view.resize(std::min(in_view.size(), static_cast<std::size_t>(*options.seen)));
-  const double expected_true =
-      options.seen ? *options.seen : options.detection_probability * static_cast<double>(in_view.size());
   std::vector<int> sources;
   for (const int l : in_view)
     if (options.seen || random.chance(options.detection_probability)) sources.push_back(l);
@@ -122,12 +133,7 @@ inline LostView lookAround(const LostMap& map, const LandmarkIndex& index, const
     }
     view.truth.push_back(l);
   }
-  SensorModel& model = view.place.model;
-  model.max_range = options.max_range;
-  model.detection_probability = options.seen
-                                    ? std::min(1.0, *options.seen / std::max(1.0, static_cast<double>(index.size())))
-                                    : options.detection_probability;
-  model.clutter_probability = options.false_readings / std::max(1.0, options.false_readings + expected_true);
+  view.place.model = declaredModel(options);
   return view;
 }
 
