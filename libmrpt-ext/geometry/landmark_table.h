@@ -35,9 +35,12 @@ class LandmarkTable
   [[nodiscard]] std::optional<std::size_t> indexOf(int id) const;
   /// Smallest axis-aligned box around all landmarks: {min, max}; two zeros when empty.
   [[nodiscard]] std::pair<Vector2d, Vector2d> boundingBox() const;
+  /// Mean z of the landmarks [m]; 0 when empty.
+  [[nodiscard]] double meanHeight() const { return mean_height_; }
 
  private:
   std::vector<Landmark> landmarks_;
+  double mean_height_ = 0;
   std::vector<std::pair<int, std::size_t>> index_by_id_;  // sorted by id
 };
 }  // namespace mrpt_ext

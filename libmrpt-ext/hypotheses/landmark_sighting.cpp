@@ -68,14 +68,12 @@ std::vector<LandmarkSighting> identifiedSightings(std::span<const Reading> readi
 
 std::vector<LandmarkSighting> unidentifiedSightings(std::span<const Reading> readings, const LandmarkTable& map)
 {
-  double mean_height = 0;
-  for (const Landmark& landmark : map.all()) mean_height += landmark.position.z() / static_cast<double>(map.size());
   std::vector<LandmarkSighting> result;
   for (const Reading& reading : readings)
     for (const Detection& detection : reading.detections)
     {
       if (detection.id != kNoId) continue;
-      LandmarkSighting seen = reduce(reading, detection, mean_height, Vector2d::Zero());
+      LandmarkSighting seen = reduce(reading, detection, map.meanHeight(), Vector2d::Zero());
       if (seen.bearing || seen.range) result.push_back(std::move(seen));
     }
   return result;
