@@ -24,6 +24,13 @@ Matrix2d lowerFactor(const Matrix2d& matrix)
 }
 }  // namespace
 
+OdometryMotion believedMotion(const MotionModel& model, const OdometryMotion& motion)
+{
+  OdometryMotion believed = motion;
+  if (model.type == MotionType::random_walk) believed.increment = {};
+  return believed;
+}
+
 Vector3d incrementStd(const MotionModel& model, const OdometryMotion& motion)
 {
   const double time_xy = square(model.std_xy_per_s) * motion.duration;
@@ -53,7 +60,7 @@ void moveParticles(ParticleSet& particles, const MotionModel& model, const Odome
   Matrix2d independent = std.head<2>().cwiseAbs2().asDiagonal();
   independent += square(std.z()) / 12 * swing * swing.transpose();
   const Matrix2d factor = lowerFactor(independent);
-  const Pose2 mean = model.type == MotionType::random_walk ? Pose2{} : motion.increment;
+  const Pose2 mean = believedMotion(model, motion).increment;
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
     const double a = random.gaussian(), b = random.gaussian(), turn = std.z() * random.gaussian();

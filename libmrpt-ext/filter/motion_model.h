@@ -25,6 +25,9 @@ struct MotionModel
   double std_phi_per_s = 0.005;  ///< [rad] after one second, also at standstill
 };
 
+/// The motion that the model believes in: the measured one, or, for a random walk, none (its noise covers the way).
+[[nodiscard]] OdometryMotion believedMotion(const MotionModel& model, const OdometryMotion& motion);
+
 /// Standard deviations (x, y, phi) that `motion` adds by itself, in the robot frame at its start.
 [[nodiscard]] Vector3d incrementStd(const MotionModel& model, const OdometryMotion& motion);
 

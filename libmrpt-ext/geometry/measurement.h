@@ -40,6 +40,10 @@ struct Reading
   bool horizontal_range = false;  ///< ranges are measured in the plane, not as a slant
   Matrix2d offset_covariance =
       Matrix2d::Zero();  ///< of the sensor position when it was carried by odometry, robot axes
+  /// Of the robot's pose now, as odometry tells it from the pose at `time`: order (x, y, phi), axes of the robot now;
+  /// zero for a reading of now. `offset_covariance` and the deviations of the bearings already contain it, each for
+  /// itself; this is what all that was measured at one time has in common, and older readings with newer ones.
+  Matrix3d way_covariance = Matrix3d::Zero();
   SensorModel model;
   std::vector<Detection> detections;
 };

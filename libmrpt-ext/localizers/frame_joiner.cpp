@@ -6,10 +6,17 @@ namespace mrpt_ext
 {
 namespace
 {
-/// The reading as seen from a robot that has since moved by `motion`.
-void carry(Reading& reading, const OdometryMotion& motion, const MotionModel& model)
+/// `covariance` of the way so far, seen from the end of one more piece with its own covariance `S`.
+Matrix3d continued(const Matrix3d& covariance, const Pose2& increment, const Matrix3d& S)
 {
-  const Matrix3d S = incrementCovariance(model, motion);
+  const Matrix3d J = composeJacobianFirst({}, increment);
+  const Matrix3d to_end_axes = composeJacobianSecond({0, 0, -increment.phi});
+  return to_end_axes * (J * covariance * J.transpose() + S) * to_end_axes.transpose();
+}
+
+/// The reading as seen from a robot that has since moved by `motion`, with covariance `S`.
+void carry(Reading& reading, const OdometryMotion& motion, const Matrix3d& S)
+{
   const Vector2d lever = reading.T_robot_sensor.position() - motion.increment.position();
   const Vector2d swing(-lever.y(), lever.x());  // a heading error of the way turns the old place about the new one
   const Matrix2d R = rotation(-motion.increment.phi);
@@ -17,6 +24,7 @@ void carry(Reading& reading, const OdometryMotion& motion, const MotionModel& mo
   const Matrix2d grown = reading.offset_covariance + S.topLeftCorner<2, 2>() + S(2, 2) * swing * swing.transpose() +
                          cross + cross.transpose();
   reading.offset_covariance = R * grown * R.transpose();
+  reading.way_covariance = continued(reading.way_covariance, motion.increment, S);
   for (Detection& detection : reading.detections)
     if (detection.bearing) detection.std_bearing = std::hypot(detection.std_bearing, std::sqrt(S(2, 2)));
   reading.T_robot_sensor = compose(inverse(motion.increment), reading.T_robot_sensor);
@@ -30,7 +38,9 @@ void FrameJoiner::add(const Frame& frame)
   full_ = frame.time - *first_time_ >= window_;
   for (Reading& reading : newest_.readings) older_.push_back(std::move(reading));
   while (!older_.empty() && older_.front().time < frame.time - window_) older_.pop_front();
-  for (Reading& reading : older_) carry(reading, frame.motion, motion_);
+  const OdometryMotion motion = believedMotion(motion_, frame.motion);
+  const Matrix3d S = incrementCovariance(motion_, frame.motion);
+  for (Reading& reading : older_) carry(reading, motion, S);
   newest_ = frame;
 }
 

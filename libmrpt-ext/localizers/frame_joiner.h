@@ -9,7 +9,11 @@ namespace mrpt_ext
 {
 /// Carries the readings of the last seconds along by odometry, so that a method sees one constellation measured at
 /// several places. Sensor poses are expressed in the robot frame of the newest frame; the odometry noise on the way
-/// grows their offset covariance and, by its heading error, the deviations of their bearings.
+/// grows their offset covariance and, by its heading error, the deviations of their bearings: each detection by itself
+/// is then as uncertain as it is, which gates and scores need. But the readings of one moment share that error, and all
+/// older ones share the error of the way that is common to them; treated as independent, a hundred of them would seem
+/// to average it away. `Reading::way_covariance` keeps what is shared; solvers/carried_pose.h uses it and is neither
+/// over- nor under-confident. A random walk believes no odometry: readings stay where they were and grow uncertain.
 class FrameJoiner
 {
  public:

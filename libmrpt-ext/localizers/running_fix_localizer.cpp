@@ -33,8 +33,9 @@ Estimate RunningFixLocalizer::process(const Frame& frame)
   return estimate;
 }
 
-void RunningFixLocalizer::carryForward(const OdometryMotion& motion)
+void RunningFixLocalizer::carryForward(const OdometryMotion& measured)
 {
+  const OdometryMotion motion = believedMotion(options_.motion, measured);
   for (auto& [id, ranges] : pending_)
   {
     for (PendingRange& range : ranges) range.since = joined(range.since, motion);

@@ -58,7 +58,7 @@ class RunningFixLocalizer : public Localizer
     OdometryMotion since;       // motion from then to now
   };
 
-  void carryForward(const OdometryMotion& motion);
+  void carryForward(const OdometryMotion& measured);
   void updateHeading(const Frame& frame);
   [[nodiscard]] std::vector<RunningFixReading> fixesFromRanges(const Frame& frame);
   [[nodiscard]] HypothesisSet candidatesOf(const std::vector<RunningFixReading>& fixes, const Frame& frame) const;

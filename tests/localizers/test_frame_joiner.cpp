@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+
 #include "../hypotheses/exact_scene.h"
+#include "mrpt_ext/hypotheses/carried_readings.h"
 #include "mrpt_ext/likelihood/landmark_prediction.h"
 #include "mrpt_ext/localizers/joined_localizer.h"
 
@@ -172,6 +175,100 @@ TEST(FrameJoiner, BearingsGrowAsUncertainAsTheHeadingOfTheWay)
     EXPECT_NEAR(square(carried.detections[i].std_bearing) - before, heading_variance, 0.05 * heading_variance);
     EXPECT_EQ(carried.detections[i].std_range, first.detections[i].std_range);
   }
+}
+
+TEST(FrameJoiner, KnowsTheCovarianceOfTheWayItself)
+{
+  const std::vector<OdometryMotion> curve(30, motionOf({0.1, 0, 0.04}, 0.2));
+  const Matrix3d way = carriedAlong(curve, {.T_robot_sensor = {0.4, 0.3, 1.0}}).way_covariance;
+  // The robot's pose at the end of the noisy way, in axes of where it is said to be.
+  Pose2 end;
+  for (const OdometryMotion& step : curve) end = compose(end, step.increment);
+  ParticleSet robots;
+  const int n = 40000;
+  for (int i = 0; i < n; ++i) robots.add({}, 0);
+  RandomStream random(6);
+  for (const OdometryMotion& step : curve) moveParticles(robots, kModel, step, random);
+  Matrix3d sampled = Matrix3d::Zero();
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const Vector3d e = between(end, robots.pose(i)).vector();
+    sampled += e * e.transpose() / n;
+  }
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      EXPECT_NEAR(way(i, j), sampled(i, j), 0.03 * std::sqrt(way(i, i) * way(j, j))) << i << j;
+}
+
+TEST(FrameJoiner, ARandomWalkBelievesNoOdometry)
+{
+  MotionModel walk{.type = MotionType::random_walk, .std_xy_per_s = 0.3, .std_phi_per_s = 0.2};
+  FrameJoiner joiner(10, walk);
+  const Reading seen = seenFrom({}, kMap, {0, 1}, kSensor);
+  joiner.add(frameAt(0, {}, {seen}));
+  // Odometry says something; without a way and a turn to be noisy about, only time counts.
+  joiner.add(frameAt(2, {.increment = {1, 0.5, 0.7}, .duration = 2}, {}));
+  const Reading carried = joiner.readings().front();
+  EXPECT_EQ(carried.T_robot_sensor.vector(), seen.T_robot_sensor.vector());
+  const Matrix3d expected = Vector3d(0.09 * 2, 0.09 * 2, 0.04 * 2).asDiagonal();
+  EXPECT_TRUE(carried.way_covariance.isApprox(expected, 1e-12)) << carried.way_covariance;
+  EXPECT_GE(carried.offset_covariance(0, 0), 0.18);
+  EXPECT_NEAR(square(carried.detections[0].std_bearing) - square(seen.detections[0].std_bearing), 0.08, 1e-12);
+}
+
+namespace
+{
+/// A robot drives a curve past the landmarks and sees three of them from every place, with noise, as joined by
+/// odometry.
+std::vector<Reading> joinedDrive(const Pose2& end, RandomStream& random)
+{
+  const OdometryMotion said = motionOf({0.15, 0, 0.1}, 0.2);
+  ParticleSet noisy;
+  std::vector<Pose2> way{end};
+  for (int k = 0; k < 12; ++k)
+  {
+    noisy.clear();
+    noisy.add({}, 0);
+    moveParticles(noisy, kModel, said, random);
+    way.insert(way.begin(), compose(way.front(), inverse(noisy.pose(0))));
+  }
+  FrameJoiner joiner(100, kModel);
+  for (std::size_t k = 0; k < way.size(); ++k)
+  {
+    Reading reading = seenFrom(way[k], kMap, {0, 2, 3}, kSensor);
+    for (Detection& d : reading.detections)
+    {
+      *d.bearing += d.std_bearing * random.gaussian();
+      *d.range += d.std_range * random.gaussian();
+    }
+    joiner.add(frameAt(static_cast<double>(k), k > 0 ? said : OdometryMotion{}, {reading}));
+  }
+  return joiner.readings();
+}
+}  // namespace
+
+TEST(FrameJoiner, AReadingCanBeGivenBackAsItWasTaken)
+{
+  RandomStream random(7);
+  for (const Reading& reading : joinedDrive({2, 3, 0.5}, random))
+    for (const Detection& d : asTaken(reading).detections) EXPECT_NEAR(d.std_bearing, degToRad(0.5), 1e-9);
+}
+
+TEST(FrameJoiner, APoseSolvedFromJoinedReadingsIsAsUncertainAsItSays)
+{
+  RandomStream random(8);
+  const int trials = 500;
+  double squared = 0;
+  for (int trial = 0; trial < trials; ++trial)
+  {
+    const Pose2 end{random.uniform(1, 4), random.uniform(1, 4), random.uniform(-kPi, kPi)};
+    const PoseMl fit = refineCarriedPose(carriedMeasurements(joinedDrive(end, random), kMap), end);
+    ASSERT_EQ(fit.status, SolveStatus::ok);
+    Vector3d e = fit.pose.mean.vector() - end.vector();
+    e.z() = wrap(e.z());
+    squared += e.dot(fit.pose.covariance.inverse() * e) / trials;
+  }
+  EXPECT_NEAR(squared, 3, 3.3 * std::sqrt(6.0 / trials));  // 99.9 % band
 }
 
 namespace

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <map>
+#include <span>
+#include <vector>
+
+#include "mrpt_ext/geometry/landmark_table.h"
+#include "mrpt_ext/geometry/measurement.h"
+#include "mrpt_ext/solvers/carried_landmark.h"
+#include "mrpt_ext/solvers/carried_pose.h"
+
+namespace mrpt_ext
+{
+// Joined readings (localizers/frame_joiner.h) as the solvers want them that know what odometry errors have in common.
+// All take the readings oldest first.
+
+/// The reading with the deviations it was taken with: what the way has added to bearings and sensor place is left to
+/// `way_covariance`.
+[[nodiscard]] Reading asTaken(Reading carried);
+
+/// The identified detections of every reading that has some.
+[[nodiscard]] std::vector<CarriedMeasurements> carriedMeasurements(std::span<const Reading> oldest_first,
+                                                                   const LandmarkTable& map);
+
+/// The identified detections by landmark (place in the map).
+[[nodiscard]] std::map<std::size_t, std::vector<CarriedSighting>> carriedSightings(
+    std::span<const Reading> oldest_first, const LandmarkTable& map);
+}  // namespace mrpt_ext
