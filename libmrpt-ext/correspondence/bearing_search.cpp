@@ -1,0 +1,326 @@
+#include "mrpt_ext/correspondence/bearing_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mrpt_ext/correspondence/bearing_reading.h"
+#include "mrpt_ext/correspondence/expected_false_poses.h"
+#include "mrpt_ext/correspondence/pose_judge.h"
+#include "mrpt_ext/correspondence/pose_tightening.h"
+#include "mrpt_ext/correspondence/triple_cover.h"
+#include "mrpt_ext/correspondence/triple_round.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+constexpr double kListMargin = 0.02;  // of the range limit
+constexpr int kLeastMatches = 4;      // three bearings are explained by every constellation
+constexpr std::size_t kJudgedAtOnce = 64;
+constexpr std::size_t kCapacities[] = {1000, 30000, 1000000};
+constexpr std::size_t kMaxJudged = 50000;
+constexpr double kNegligible = 1e-3;  // evidence relative to the best pose's
+constexpr double kAreaMargin = 0.5;   // [m] a triple's pose may lie outside though the refined one does not
+
+double rangeLimit(const SensorPlace& place) { return place.model.max_range.value_or(kUnlimited); }
+
+class SearchRun
+{
+ public:
+  SearchRun(const LandmarkIndex& map, std::span<const SensorPlace> places, const PoseSearchOptions& options,
+            std::vector<BearingReading> readings)
+      : map_(map), places_(places), options_(options), readings_(std::move(readings))
+  {
+  }
+
+  PoseSearch run(const BearingSearch& owner)
+  {
+    prepareViews(owner);
+    const std::vector<ReadingTriple> candidates = tripleCandidates(readings_, landmarksAllowed(), mapArea(), ranges());
+    for (const std::size_t capacity : kCapacities)
+    {
+      searchDownTo(candidates, capacity);
+      if (floor_ <= leastNeeded() || !result_.finished) break;
+    }
+    finish();
+    return std::move(result_);
+  }
+
+ private:
+  // ---- what is known beforehand
+
+  void prepareViews(const BearingSearch& owner)
+  {
+    for (std::size_t p = 0; p < places_.size(); ++p)
+    {
+      std::vector<BearingReading> own;
+      for (const BearingReading& r : readings_)
+        if (r.place == static_cast<int>(p)) own.push_back(r);
+      tables_.emplace_back(own, options_.gate);
+      lists_.push_back(own.empty() ? nullptr : owner.listsFor(rangeLimit(places_[p])));
+    }
+  }
+
+  [[nodiscard]] double mapArea() const
+  {
+    const Vector2d extent = map_.high() - map_.low();
+    return std::max(extent.prod(), 1e-3 * extent.squaredNorm() + 1e-9);
+  }
+
+  [[nodiscard]] std::vector<double> ranges() const
+  {
+    std::vector<double> result;
+    for (const SensorPlace& place : places_) result.push_back(rangeLimit(place));
+    return result;
+  }
+
+  [[nodiscard]] std::vector<double> landmarksAllowed() const
+  {
+    std::vector<double> of_kind(static_cast<std::size_t>(map_.kindCount()), 0);
+    for (std::size_t l = 0; l < map_.size(); ++l) of_kind[static_cast<std::size_t>(map_.kind(l))] += 1;
+    std::vector<double> allowed;
+    for (const BearingReading& r : readings_)
+      allowed.push_back(r.kind == kAnyKind ? static_cast<double>(map_.size())
+                                           : of_kind[static_cast<std::size_t>(r.kind)]);
+    return allowed;
+  }
+
+  // ---- rounds
+
+  /// Rounds until every pose that matters has been proposed, keeping at most `capacity` proposals of each.
+  void searchDownTo(const std::vector<ReadingTriple>& candidates, std::size_t capacity)
+  {
+    TripleCover cover(candidates);
+    floor_ = leastMatches();
+    pool_.clear();
+    const int usable = static_cast<int>(readings_.size());
+    while (result_.finished && cover.tolerated() < usable - std::max(leastNeeded(), floor_))
+    {
+      const std::optional<ReadingTriple> triple = cover.next();
+      if (!triple) break;
+      propose(*triple, capacity);
+      judgeBest(kJudgedAtOnce);
+    }
+    tolerated_ = cover.tolerated();
+    judgeBest(std::numeric_limits<std::size_t>::max());
+  }
+
+  void propose(const ReadingTriple& triple, std::size_t capacity)
+  {
+    const int place = readings_[static_cast<std::size_t>(triple.reading[0])].place;
+    TripleRound round;
+    round.map = &map_;
+    round.readings = readings_;
+    round.triple = triple;
+    round.views = viewsFrom(place, triple);
+    round.max_range = rangeLimit(places_[static_cast<std::size_t>(place)]);
+    round.gate = options_.gate;
+    round.area = areaOfSensor(place);
+    round.max_tested = options_.max_tested - std::min(options_.max_tested, result_.work.tested);
+    ProposalStore store(std::max(leastNeeded(), floor_), capacity);
+    const TripleRound::Work work = round.run(store);
+    ++result_.work.rounds;
+    result_.work.tested += work.tested;
+    result_.finished = work.finished;
+    possible_ += static_cast<double>(work.possible);
+    floor_ = std::max(floor_, store.floor());
+    merge(store.takeSorted(), place, round.views);
+  }
+
+  [[nodiscard]] std::vector<SieveView> viewsFrom(int place, const ReadingTriple& triple) const
+  {
+    const Pose2 T_tested_robot = inverse(places_[static_cast<std::size_t>(place)].T_robot_sensor);
+    std::vector<SieveView> views;
+    for (std::size_t p = 0; p < places_.size(); ++p)
+      if (lists_[p])
+      {
+        SieveView& view = views.emplace_back();
+        view.table = &tables_[p];
+        view.lists = lists_[p].get();
+        view.T_tested_sensor = compose(T_tested_robot, places_[p].T_robot_sensor);
+        if (static_cast<int>(p) == place) view.used = bitsOf(place, triple);
+      }
+    return views;
+  }
+
+  /// Bits of a triple's readings in the table of their place.
+  [[nodiscard]] std::uint32_t bitsOf(int place, const ReadingTriple& triple) const
+  {
+    std::uint32_t bits = 0;
+    std::size_t position = 0;
+    for (std::size_t r = 0; r < readings_.size(); ++r)
+    {
+      if (readings_[r].place != place) continue;
+      const bool used =
+          std::find(triple.reading.begin(), triple.reading.end(), static_cast<int>(r)) != triple.reading.end();
+      if (used && position < ReadingTable::kMaxReadings) bits |= 1U << position;
+      ++position;
+    }
+    return bits;
+  }
+
+  [[nodiscard]] std::optional<MapArea> areaOfSensor(int place) const
+  {
+    if (!options_.area) return std::nullopt;
+    const double margin = kAreaMargin + places_[static_cast<std::size_t>(place)].T_robot_sensor.position().norm();
+    return MapArea{options_.area->min - Vector2d::Constant(margin), options_.area->max + Vector2d::Constant(margin)};
+  }
+
+  // ---- judging
+
+  struct Waiting
+  {
+    GaussianPose robot;
+    int bound;
+  };
+
+  void merge(std::vector<PoseProposal> proposals, int place, std::span<const SieveView> views)
+  {
+    const Pose2 T_sensor_robot = inverse(places_[static_cast<std::size_t>(place)].T_robot_sensor);
+    const int least = leastNeeded();
+    for (const PoseProposal& p : proposals)
+    {
+      const TightenedPose tight = tightenPose(p.sensor, views, options_.gate, least);
+      if (tight.explained < least) continue;
+      const Matrix3d J = composeJacobianFirst(tight.sensor.mean, T_sensor_robot);
+      pool_.push_back(
+          {{compose(tight.sensor.mean, T_sensor_robot), J * tight.sensor.covariance * J.transpose()}, tight.explained});
+    }
+    std::stable_sort(pool_.begin(), pool_.end(), [](const Waiting& a, const Waiting& b) { return a.bound > b.bound; });
+  }
+
+  /// Judges the proposals with the highest bounds, as long as they can matter.
+  void judgeBest(std::size_t count)
+  {
+    std::size_t judged = 0;
+    while (judged < std::min(count, pool_.size()) && pool_[judged].bound >= leastNeeded())
+    {
+      if (result_.work.judged >= kMaxJudged)
+      {
+        result_.finished = false;
+        break;
+      }
+      ++result_.work.judged;
+      const auto pose = judgePose(map_, places_, options_, pool_[judged++].robot, leastNeeded());
+      if (!pose) continue;
+      best_matched_ = std::max(best_matched_, pose->matched);
+      result_.poses.push_back(*pose);
+    }
+    pool_.erase(pool_.begin(), pool_.begin() + static_cast<std::ptrdiff_t>(judged));
+  }
+
+  // ---- what may be left out
+
+  [[nodiscard]] int leastMatches() const { return std::min(kLeastMatches, static_cast<int>(readings_.size())); }
+
+  /// Poses that explain fewer readings can be left out: their evidence together is negligible.
+  [[nodiscard]] int leastNeeded() const
+  {
+    if (best_matched_ == 0) return leastMatches();
+    int least = best_matched_;
+    while (least > leastMatches() && evidenceBelow(least) > kNegligible) --least;
+    return least;
+  }
+
+  /// Evidence relative to the best pose's that poses with fewer than `least` matches are expected to have together.
+  [[nodiscard]] double evidenceBelow(int least) const
+  {
+    const ChanceMatches chance = chanceMatches();
+    double evidence = 0;
+    for (int m = least - 1; m >= 3; --m)
+    {
+      const double poses = expectedFalsePoses(chance, m) - expectedFalsePoses(chance, m + 1);
+      evidence += poses * std::exp(-logEvidencePerMatch() * (best_matched_ - m));
+    }
+    return evidence;
+  }
+
+  [[nodiscard]] ChanceMatches chanceMatches() const
+  {
+    const double triples = possible_ / std::max(1, result_.work.rounds);
+    const SensorPlace& place = places_[static_cast<std::size_t>(readings_.front().place)];
+    return {triples, static_cast<int>(readings_.size()),
+            chanceOfMatch(options_.gate * meanStd(), std::max(0.0, inView(place) - 3))};
+  }
+
+  [[nodiscard]] double meanStd() const
+  {
+    double sum = 0;
+    for (const BearingReading& r : readings_) sum += r.std;
+    return sum / static_cast<double>(readings_.size());
+  }
+
+  /// Mean number of landmarks in view that a reading may show.
+  [[nodiscard]] double inView(const SensorPlace& place) const
+  {
+    const std::vector<double> allowed = landmarksAllowed();
+    double mean = 0;
+    for (const double a : allowed) mean += a / static_cast<double>(allowed.size());
+    const double range = rangeLimit(place);
+    return std::isfinite(range) ? mean * std::min(1.0, kPi * square(range) / mapArea()) : mean;
+  }
+
+  /// What a match adds to the log-likelihood, typically: it is explained, and not by chance.
+  [[nodiscard]] double logEvidencePerMatch() const
+  {
+    const SensorPlace& place = places_[static_cast<std::size_t>(readings_.front().place)];
+    const double clutter = std::max(place.model.clutter_probability, 1e-6);
+    const double peak = 1 / (std::sqrt(kTwoPi) * meanStd());
+    const double count = static_cast<double>(place.detections.size());
+    const double p = std::min(place.model.detection_probability.value_or(0.5), 0.99);
+    const double odds = place.model.detection_probability ? p / (1 - p) / count : 1 / std::max(1.0, inView(place));
+    return std::log(1 + odds * peak * kTwoPi / clutter) - 0.5;
+  }
+
+  void finish()
+  {
+    const int searched = std::max(floor_, static_cast<int>(readings_.size()) - std::max(tolerated_, 0));
+    double missed = -kUnlimited;
+    if (!result_.poses.empty())
+    {
+      double best = -kUnlimited;
+      for (const ConsistentPose& pose : result_.poses) best = std::max(best, pose.log_evidence);
+      missed = best + std::log(evidenceBelow(std::min(searched, best_matched_)));
+      result_.expected_false = expectedFalsePoses(chanceMatches(), best_matched_);
+    }
+    rankPoses(result_, options_, missed);
+  }
+
+  const LandmarkIndex& map_;
+  std::span<const SensorPlace> places_;
+  const PoseSearchOptions& options_;
+  std::vector<BearingReading> readings_;
+  std::vector<ReadingTable> tables_;
+  std::vector<std::shared_ptr<const VisibleLists>> lists_;
+  std::vector<Waiting> pool_;
+  PoseSearch result_;
+  int best_matched_ = 0, floor_ = 0, tolerated_ = -1;
+  double possible_ = 0;
+};
+}  // namespace
+
+PoseSearch BearingSearch::search(std::span<const SensorPlace> places, const PoseSearchOptions& options) const
+{
+  PoseSearch nothing;
+  if (!areUsable(places)) nothing.status = SolveStatus::bad_input;
+  std::vector<BearingReading> readings = gatherBearings(places);
+  if (nothing.status == SolveStatus::bad_input || readings.size() < 3) return nothing;
+  if (map_.size() < 3)
+  {
+    nothing.status = SolveStatus::none;
+    return nothing;
+  }
+  return SearchRun(map_, places, options, std::move(readings)).run(*this);
+}
+
+std::shared_ptr<const VisibleLists> BearingSearch::listsFor(double max_range) const
+{
+  const std::scoped_lock lock(mutex_);
+  for (const auto& lists : lists_)
+    if (lists->maxRange() == max_range) return lists;
+  const double margin = std::isfinite(max_range) ? kListMargin * max_range : 0;
+  return lists_.emplace_back(std::make_shared<const VisibleLists>(map_, max_range, margin));
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <span>
+#include <vector>
+
+#include "mrpt_ext/correspondence/consistent_pose.h"
+#include "mrpt_ext/correspondence/landmark_index.h"
+#include "mrpt_ext/correspondence/sensor_place.h"
+#include "mrpt_ext/correspondence/visible_lists.h"
+
+namespace mrpt_ext
+{
+/// Finds a lost robot from bearings to landmarks that it cannot tell apart: every pose that explains the readings, with
+/// false and missed ones allowed.
+///
+/// Triples of readings, chosen so that no number of false readings up to the one observed can spoil them all
+/// (triple_cover.h), are tried against all constellations of three landmarks that a range limit lets be seen together
+/// (triple_scan.h): about N n^2 of them for n landmarks in view. Each possible pose is bounded by the number of
+/// readings that could have a landmark within the gate of its own uncertainty (bearing_sieve.h); those with the highest
+/// bounds are refined and judged in double precision (pose_judge.h). The search ends when every pose that explains as
+/// much as the best, and every lesser one that chance makes frequent enough to matter, has been proposed.
+///
+/// Paper 000, section 3, grows a tree over all landmarks and tests with a fixed tolerance; here range, order and the
+/// pose's own covariance decide, so that the cost is linear in the size of the map and the truth is not lost.
+class BearingSearch
+{
+ public:
+  /// The map must outlive the search.
+  explicit BearingSearch(const LandmarkIndex& map) : map_(map) {}
+
+  /// Places without bearings, and ranges, take part in the judgement only. Status `too_few` with fewer than three
+  /// bearings, `bad_input` for numbers that are not finite or deviations that are not positive, `none` when no pose
+  /// explains four readings (three, if there are no more).
+  [[nodiscard]] PoseSearch search(std::span<const SensorPlace> places, const PoseSearchOptions& options = {}) const;
+
+  /// Prepares the tables for this range limit [m] (infinity: none); otherwise the first search does.
+  [[nodiscard]] std::shared_ptr<const VisibleLists> listsFor(double max_range) const;
+
+ private:
+  const LandmarkIndex& map_;
+  mutable std::mutex mutex_;
+  mutable std::vector<std::shared_ptr<const VisibleLists>> lists_;
+};
+}  // namespace mrpt_ext

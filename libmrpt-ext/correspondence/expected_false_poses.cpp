@@ -1,0 +1,38 @@
+#include "mrpt_ext/correspondence/expected_false_poses.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mrpt_ext/geometry/angle.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+double logChoose(int n, int k) { return std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0); }
+
+/// P(at least `least` of n hit), each with chance p.
+double binomialTail(int n, int least, double p)
+{
+  if (least <= 0) return 1;
+  if (p <= 0) return 0;
+  if (p >= 1) return 1;
+  double tail = 0;
+  for (int k = least; k <= n; ++k) tail += std::exp(logChoose(n, k) + k * std::log(p) + (n - k) * std::log1p(-p));
+  return std::min(tail, 1.0);
+}
+}  // namespace
+
+double expectedFalsePoses(const ChanceMatches& chance, int matched)
+{
+  const int m = std::max(matched, 3), n = chance.readings;
+  if (n < m) return 0;
+  return chance.poses_per_triple * std::exp(logChoose(n, 3) - logChoose(m, 3)) * std::pow(m / 3.0, 1.5) *
+         binomialTail(n - 3, m - 3, chance.chance);
+}
+
+double chanceOfMatch(double gate, double in_view)
+{
+  return 1 - std::pow(1 - std::min(gate / kPi, 1.0), std::max(in_view, 0.0));
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+
+#include "mrpt_ext/correspondence/bearing_sieve.h"
+#include "mrpt_ext/geometry/gaussian_pose.h"
+
+namespace mrpt_ext
+{
+struct TightenedPose
+{
+  GaussianPose sensor;
+  int explained = 0;  ///< readings with a landmark within the gate of the refined pose
+};
+
+/// Refines a sensor pose that comes from few readings on those that it explains, in a few rounds: first on readings
+/// that only one landmark can explain, then, with the smaller gates that result, on all that are explained. Gives up
+/// when fewer than `least` are. About a microsecond: it stands between the sieve and the full judgement.
+[[nodiscard]] TightenedPose tightenPose(const GaussianPose& sensor, std::span<const SieveView> views, double gate,
+                                        int least);
+}  // namespace mrpt_ext

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "mrpt_ext/correspondence/triple_scan.h"
+#include "mrpt_ext/geometry/pose.h"
+
+namespace mrpt_ext
+{
+/// Three bearings with what the pose of a hit depends on.
+struct TripleBearings
+{
+  float middle_x = 1, middle_y = 0;                     ///< unit vector of the middle bearing, sensor's axes
+  float var_middle = 0, var_first = 0, var_second = 0;  ///< [rad^2]
+};
+
+/// Sensor poses of the hits of one scan with their covariances, as arrays.
+struct TriplePoses
+{
+  std::vector<float> x, y;                    ///< [m] relative to landmark i
+  std::vector<float> c, s;                    ///< cosine and sine of the heading
+  std::vector<float> xx, xy, xh, yy, yh, hh;  ///< covariance of (x, y, heading) [m^2, m rad, rad^2]
+  std::size_t count = 0;
+
+  void resize(std::size_t size);
+};
+
+/// Exact heading and first-order covariance of every hit: the rows of the Jacobian are (e, -1) with e = (dy, -dx) /
+/// d^2, so that differences of two rows leave a 2x2 system for the position.
+void posesOfHits(const TripleBearings& bearings, const Neighbours& first, const Neighbours& second,
+                 const TripleHits& hits, TriplePoses& poses);
+}  // namespace mrpt_ext

@@ -1,0 +1,137 @@
+#include "mrpt_ext/correspondence/triple_round.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr std::size_t kBatch = 65536;  // (j, k) tried before the hits are looked at
+constexpr double kRangeSlack = 1.02;   // a landmark at the limit is seen though the pose is a little off
+
+TripleShape shapeOf(const BearingReading& middle, const BearingReading& first, const BearingReading& second,
+                    double max_range)
+{
+  const auto cot = [&](const BearingReading& r)
+  { return static_cast<float>(1 / std::tan(r.bearing - middle.bearing)); };
+  const auto sign = [&](const BearingReading& r) { return std::sin(r.bearing - middle.bearing) > 0 ? 1.0F : -1.0F; };
+  const double farthest = std::min(kRangeSlack * max_range, 1e9);
+  return {cot(first), cot(second), sign(first), sign(second), static_cast<float>(square(farthest))};
+}
+
+TripleBearings bearingsOf(const BearingReading& middle, const BearingReading& first, const BearingReading& second)
+{
+  const auto variance = [](const BearingReading& r) { return static_cast<float>(square(r.std)); };
+  return {static_cast<float>(middle.direction.x()), static_cast<float>(middle.direction.y()), variance(middle),
+          variance(first), variance(second)};
+}
+
+void collectNeighbours(const LandmarkIndex& map, std::size_t i, double radius, int kind, Neighbours& out)
+{
+  out.clear();
+  const Vector2d& centre = map.position(i);
+  map.forEachNear(centre, radius,
+                  [&](std::size_t l)
+                  {
+                    if (l == i || !map.mayShow(kind, l)) return;
+                    const Vector2d d = map.position(l) - centre;
+                    out.add(static_cast<float>(d.x()), static_cast<float>(d.y()));
+                  });
+  out.pad();
+}
+
+/// Keeps the hits inside the area.
+void keepInside(const MapArea& area, const Vector2d& around, TripleHits& hits)
+{
+  const Vector2d low = area.min - around, high = area.max - around;
+  std::size_t kept = 0;
+  for (std::size_t n = 0; n < hits.count; ++n)
+  {
+    const double x = hits.x[n], y = hits.y[n];
+    hits.x[kept] = hits.x[n];
+    hits.y[kept] = hits.y[n];
+    hits.j[kept] = hits.j[n];
+    hits.k[kept] = hits.k[n];
+    kept += static_cast<std::size_t>((x >= low.x()) & (x <= high.x()) & (y >= low.y()) & (y <= high.y()));
+  }
+  hits.count = kept;
+}
+
+PoseProposal proposalAt(const TriplePoses& p, std::size_t n, const Vector2d& around, int bound)
+{
+  PoseProposal proposal;
+  proposal.sensor.mean = {around.x() + p.x[n], around.y() + p.y[n], std::atan2(p.s[n], p.c[n])};
+  proposal.sensor.covariance << p.xx[n], p.xy[n], p.xh[n], p.xy[n], p.yy[n], p.yh[n], p.xh[n], p.yh[n], p.hh[n];
+  proposal.bound = bound;
+  return proposal;
+}
+}  // namespace
+
+void ProposalStore::add(PoseProposal proposal)
+{
+  if (proposal.bound < floor_) return;
+  proposals_.push_back(std::move(proposal));
+  while (proposals_.size() > capacity_)
+  {
+    ++floor_;
+    std::erase_if(proposals_, [this](const PoseProposal& p) { return p.bound < floor_; });
+  }
+}
+
+std::vector<PoseProposal> ProposalStore::takeSorted()
+{
+  std::stable_sort(proposals_.begin(), proposals_.end(),
+                   [](const PoseProposal& a, const PoseProposal& b) { return a.bound > b.bound; });
+  return std::move(proposals_);
+}
+
+TripleRound::Work TripleRound::run(ProposalStore& store) const
+{
+  const auto reading = [this](int n) -> const BearingReading&
+  { return readings[static_cast<std::size_t>(triple.reading[static_cast<std::size_t>(n)])]; };
+  const BearingReading &middle = reading(0), &first = reading(1), &second = reading(2);
+  const TripleShape shape = shapeOf(middle, first, second, max_range);
+  const TripleBearings bearings = bearingsOf(middle, first, second);
+  const double all = 2 * (map->high() - map->low()).norm() + 1;
+  const auto radius = [&](const BearingReading& r)
+  { return std::min(kRangeSlack * largestSeparation(wrap(r.bearing - middle.bearing), max_range), all); };
+  const double radius_first = radius(first), radius_second = radius(second);
+
+  Work work;
+  Neighbours around_first, around_second;
+  TripleHits hits;
+  TriplePoses poses;
+  std::vector<std::uint8_t> explained;
+  for (std::size_t i = 0; i < map->size(); ++i)
+  {
+    if (!map->mayShow(middle.kind, i)) continue;
+    collectNeighbours(*map, i, radius_first, first.kind, around_first);
+    collectNeighbours(*map, i, radius_second, second.kind, around_second);
+    if (around_first.count == 0 || around_second.count == 0) continue;
+    const std::size_t rows = std::max<std::size_t>(1, kBatch / around_second.x.size());
+    hits.reserve(std::min(rows, around_first.count) * around_second.x.size() + 16);
+    for (std::size_t j = 0; j < around_first.count; j += rows)
+    {
+      const std::size_t end = std::min(around_first.count, j + rows);
+      hits.count = 0;
+      scanTriples(shape, around_first, j, end, around_second, hits);
+      work.tested += (end - j) * around_second.count;
+      if (area) keepInside(*area, map->position(i), hits);
+      if (hits.count == 0) continue;
+      work.possible += hits.count;
+      posesOfHits(bearings, around_first, around_second, hits, poses);
+      boundExplained(poses, map->position(i), views, gate, explained);
+      for (std::size_t n = 0; n < poses.count; ++n)
+        if (explained[n] >= store.floor()) store.add(proposalAt(poses, n, map->position(i), explained[n]));
+    }
+    if (work.tested > max_tested)
+    {
+      work.finished = false;
+      break;
+    }
+  }
+  return work;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "mrpt_ext/correspondence/bearing_sieve.h"
+#include "mrpt_ext/correspondence/map_area.h"
+#include "mrpt_ext/correspondence/triple_cover.h"
+#include "mrpt_ext/geometry/gaussian_pose.h"
+
+namespace mrpt_ext
+{
+/// A sensor pose that explains a triple of readings and, by the sieve, at most `bound` readings altogether.
+struct PoseProposal
+{
+  GaussianPose sensor;
+  int bound = 0;
+};
+
+/// Proposals with the highest bounds. When it holds more than its capacity it gives up the lowest bounds.
+class ProposalStore
+{
+ public:
+  ProposalStore(int floor, std::size_t capacity) : floor_(floor), capacity_(capacity) {}
+
+  [[nodiscard]] int floor() const { return floor_; }  ///< nothing with at least this bound was given up
+  void add(PoseProposal proposal);
+  /// Highest bound first, otherwise in the order of arrival.
+  [[nodiscard]] std::vector<PoseProposal> takeSorted();
+
+ private:
+  int floor_;
+  std::size_t capacity_;
+  std::vector<PoseProposal> proposals_;
+};
+
+/// One triple of readings against all landmarks.
+struct TripleRound
+{
+  const LandmarkIndex* map = nullptr;
+  std::span<const BearingReading> readings;
+  ReadingTriple triple;
+  std::vector<SieveView> views;  ///< of all places, relative to the triple's sensor
+  double max_range = 0;          ///< of the triple's place; infinity: none
+  double gate = 3.3;
+  std::optional<MapArea> area;  ///< of the sensor
+  std::uint64_t max_tested = 0;
+
+  struct Work
+  {
+    std::uint64_t tested = 0, possible = 0;
+    bool finished = true;
+  };
+
+  /// Adds a proposal for every constellation of three landmarks that gives a possible pose.
+  Work run(ProposalStore& store) const;
+};
+}  // namespace mrpt_ext

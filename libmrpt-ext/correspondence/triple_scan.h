@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace mrpt_ext
+{
+/// Three bearings as the scan needs them. Landmark i explains the middle one, j the first, k the second.
+struct TripleShape
+{
+  float cot_first = 0;    ///< cot(first - middle)
+  float cot_second = 0;   ///< cot(second - middle)
+  float sign_first = 1;   ///< of sin(first - middle)
+  float sign_second = 1;  ///< of sin(second - middle)
+  float range2 = 0;       ///< square of how far the landmarks can be [m^2]; infinity: no limit
+};
+
+/// Landmarks around landmark i, relative to it [m]; padded with zeros to a multiple of 16.
+struct Neighbours
+{
+  std::vector<float> x, y;
+  std::size_t count = 0;  ///< without padding
+
+  void clear();
+  void add(float dx, float dy);
+  void pad();
+};
+
+/// Places from which the sensor would see landmarks under the bearings of a triple; all relative to landmark i [m].
+struct TripleHits
+{
+  std::vector<float> x, y;          ///< sensor
+  std::vector<std::uint32_t> j, k;  ///< indices of the landmarks among the neighbours
+  std::size_t count = 0;
+
+  void reserve(std::size_t capacity);
+};
+
+/// Appends a hit for every j in `first` [j_begin, j_end) and k in `second` for which there is a place that sees i, j
+/// and k under the three bearings, looking the right way, within the range. `hits` must have room for (j_end - j_begin)
+/// * second.x.size().
+///
+/// The places that see i and j under a given angle lie on a circle through both, with centre u = (j + cot * perp(j)) /
+/// 2 in coordinates relative to i; i and k give another with centre v. Both pass through i, so the place is the mirror
+/// image of i in the line u v: a dozen operations per (j, k), no trigonometry.
+void scanTriples(const TripleShape& shape, const Neighbours& first, std::size_t j_begin, std::size_t j_end,
+                 const Neighbours& second, TripleHits& hits);
+}  // namespace mrpt_ext
