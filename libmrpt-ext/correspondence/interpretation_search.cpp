@@ -1,23 +1,25 @@
 #include "mrpt_ext/correspondence/interpretation_search.h"
 
 #include <algorithm>
-#include <array>
 
-#include "mrpt_ext/correspondence/bearing_prefix.h"
+#include "mrpt_ext/correspondence/bearing_fit.h"
+#include "mrpt_ext/correspondence/ray_fan.h"
 #include "mrpt_ext/solvers/bearing_pose_ml.h"
-#include "mrpt_ext/solvers/bearing_triple.h"
 #include "mrpt_ext/solvers/plane.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-/// The prefix with a given number of matched bearings, and what it predicts for every landmark.
+constexpr double kBetter = 0.8;  // a crossing replaces another when it is so much more certain
+
+/// The pose of a prefix of matched bearings, and what it leaves for those to come.
 struct Node
 {
-  bool open = true;  ///< no reliable pose yet
-  BearingPrefix prefix;
-  std::vector<double> predicted, gate;  ///< per landmark [rad]; gate < 0: not visible from there
+  RayCrossing base;
+  std::vector<CrossedLandmark> children;             ///< of an open node: who may be next
+  std::vector<std::vector<std::size_t>> candidates;  ///< of the others: per place of the order
+  [[nodiscard]] bool open() const { return base.outcome == CrossingOutcome::open; }
 };
 
 class Search
@@ -26,244 +28,295 @@ class Search
   explicit Search(const InterpretationProblem& problem)
       : problem_(problem),
         options_(problem.options),
-        error_(problem.options.max_residual),
         order_(spreadOrder(problem)),
-        used_(problem.landmarks.size(), false),
-        assignment_(problem.bearings.size(), -1),
-        nodes_(problem.bearings.size() + 1)
+        covariance_(options_.gate == InterpretationGate::covariance),
+        reach_(options_.max_range.value_or(std::numeric_limits<double>::infinity())),
+        fan_(problem.landmarks, unitsOf(problem), std::tan(2 * std::min(options_.max_residual, 0.7)) / 2),
+        nodes_(order_.size() + 1)
   {
-    for (const double b : problem.bearings) units_.push_back(direction(b));
-    result_.tested.assign(problem.bearings.size() - 2, 0);
-    result_.valid.assign(problem.bearings.size() - 2, 0);
-    for (Node& node : nodes_)
+    for (const int bearing : order_)
     {
-      node.predicted.assign(problem.landmarks.size(), 0);
-      node.gate.assign(problem.landmarks.size(), -1);
+      masks_.emplace_back(fan_.size(), 0);
+      for (const int l : allowed(bearing)) masks_.back()[static_cast<std::size_t>(l)] = -1;
     }
+    for (Node& node : nodes_) node.candidates.resize(order_.size());
+    result_.tested.assign(order_.size() - 2, 0);
+    result_.valid.assign(order_.size() - 2, 0);
+    assignment_.assign(order_.size(), -1);
+    max_skipped_ = order_.size() - static_cast<std::size_t>(problem.minimumMatched());
   }
 
   InterpretationCandidates run()
   {
-    extend(0);
+    matchFirst();
     return std::move(result_);
   }
 
  private:
-  [[nodiscard]] int matchedCount() const { return static_cast<int>(matched_.size()); }
-  [[nodiscard]] Node& node() { return nodes_[matched_.size()]; }
-  [[nodiscard]] const Vector2d& position(int landmark) const
+  struct Match
   {
-    return problem_.landmarks[static_cast<std::size_t>(landmark)];
+    std::size_t place = 0, landmark = 0;
+    InverseRay ray;
+  };
+
+  static std::vector<Vector2d> unitsOf(const InterpretationProblem& problem)
+  {
+    std::vector<Vector2d> units;
+    for (const double b : problem.bearings) units.push_back(direction(b));
+    return units;
   }
 
-  /// Matches, or leaves out, the bearing at `place` of the order.
-  void extend(std::size_t place)
+  [[nodiscard]] const std::vector<int>& allowed(int bearing) const
   {
-    if (!result_.finished) return;
-    if (place == order_.size())
-    {
-      finish();
-      return;
-    }
-    const int bearing = order_[place];
-    for (const int landmark : problem_.allowed[static_cast<std::size_t>(bearing)])
-      if (!used_[static_cast<std::size_t>(landmark)]) match(place, bearing, landmark);
-    const int later = static_cast<int>(order_.size() - place) - 1;
-    if (matchedCount() + later >= problem_.minimumMatched()) extend(place + 1);
+    return problem_.allowed[static_cast<std::size_t>(bearing)];
+  }
+  [[nodiscard]] std::size_t bearingAt(std::size_t place) const { return static_cast<std::size_t>(order_[place]); }
+  [[nodiscard]] bool isFree(std::size_t landmark) const
+  {
+    return std::none_of(matched_.begin(), matched_.end(), [&](const Match& m) { return m.landmark == landmark; });
+  }
+  /// True if the next match may come at this place.
+  [[nodiscard]] bool mayStartAt(std::size_t place) const
+  {
+    return place < order_.size() && place - matched_.size() <= max_skipped_ && result_.finished;
   }
 
-  void match(std::size_t place, int bearing, int landmark)
+  void push(std::size_t place, std::size_t landmark)
   {
-    const std::size_t depth = matched_.size() + 1;
-    if (depth >= 3)
-    {
-      ++result_.tested[depth - 3];
-      result_.finished = ++total_ <= options_.max_tested;
-      if (!withinGate(bearing, landmark)) return;
-    }
-    push(bearing, landmark);
-    if (withinReach() && (depth < 3 || settle(place)))
-    {
-      if (depth >= 3) ++result_.valid[depth - 3];
-      extend(place + 1);
-    }
-    pop(bearing, landmark);
+    matched_.push_back({place, landmark, fan_.ray(bearingAt(place), landmark)});
+    bearings_.push_back({problem_.landmarks[landmark], problem_.bearings[bearingAt(place)]});
+    assignment_[bearingAt(place)] = static_cast<int>(landmark);
   }
 
-  void push(int bearing, int landmark)
+  void pop()
   {
-    used_[static_cast<std::size_t>(landmark)] = true;
-    assignment_[static_cast<std::size_t>(bearing)] = landmark;
-    matched_.push_back({position(landmark), problem_.bearings[static_cast<std::size_t>(bearing)]});
-    matched_units_.push_back(units_[static_cast<std::size_t>(bearing)]);
-  }
-
-  void pop(int bearing, int landmark)
-  {
-    matched_units_.pop_back();
+    assignment_[bearingAt(matched_.back().place)] = -1;
     matched_.pop_back();
-    assignment_[static_cast<std::size_t>(bearing)] = -1;
-    used_[static_cast<std::size_t>(landmark)] = false;
+    bearings_.pop_back();
   }
 
-  /// The prediction of the prefix before this bearing, when it has one.
-  bool withinGate(int bearing, int landmark)
+  void matchFirst()
   {
-    if (matchedCount() < 3 || node().open) return true;
-    const std::size_t l = static_cast<std::size_t>(landmark);
-    const double b = problem_.bearings[static_cast<std::size_t>(bearing)];
-    return node().gate[l] >= 0 && std::abs(wrap(node().predicted[l] - b)) <= node().gate[l];
+    for (std::size_t place = 0; mayStartAt(place); ++place)
+      for (const int l : allowed(order_[place]))
+      {
+        const auto landmark = static_cast<std::size_t>(l);
+        fan_.aim(bearingAt(place), landmark);
+        setBounds(problem_.landmarks[landmark]);
+        push(place, landmark);
+        matchSecond(place + 1);
+        pop();
+      }
+  }
+
+  void setBounds(const Vector2d& reference)
+  {
+    constexpr double kEverywhere = std::numeric_limits<double>::infinity();
+    const double widest = std::asin(std::min(1.0, kParallel * fan_.error())) + 4 * fan_.error();
+    const double facing = widest < 1.5 ? std::tan(widest) : -1;
+    bounds_ = {fan_.error(), facing, -kEverywhere, -kEverywhere, kEverywhere, kEverywhere};
+    if (!options_.area) return;
+    const Vector2d low = options_.area->min - reference, high = options_.area->max - reference;
+    bounds_ = {fan_.error(), facing, low.x(), low.y(), high.x(), high.y()};
+  }
+
+  void matchSecond(std::size_t from)
+  {
+    for (std::size_t place = from; mayStartAt(place); ++place)
+      for (const int l : allowed(order_[place]))
+      {
+        const auto landmark = static_cast<std::size_t>(l);
+        if (!isFree(landmark) || !withinReach(landmark)) continue;
+        push(place, landmark);
+        extend(place + 1);
+        pop();
+      }
   }
 
   /// Landmarks seen from one place are at most twice the range apart.
-  [[nodiscard]] bool withinReach() const
+  [[nodiscard]] bool withinReach(std::size_t landmark) const
   {
-    if (!options_.max_range) return true;
-    return std::all_of(matched_.begin(), matched_.end(),
-                       [&](const MatchedBearing& m)
-                       { return (m.landmark - matched_.back().landmark).norm() <= 2 * *options_.max_range; });
+    if (!std::isfinite(reach_)) return true;
+    const Vector2d& position = problem_.landmarks[landmark];
+    return std::all_of(bearings_.begin(), bearings_.end(),
+                       [&](const MatchedBearing& m) { return (m.landmark - position).norm() <= 2 * reach_; });
   }
 
-  /// Computes the node of the present prefix; false when it cannot lead to a solution.
-  bool settle(std::size_t place)
+  /// The free landmarks of a place become children of the present node.
+  bool countTested(std::size_t place)
   {
-    Node& here = node();
-    if (matched_.size() == 3 && !possibleOrder()) return false;
-    const Node& before = nodes_[matched_.size() - 1];
-    here.open = true;
-    if (matched_.size() > 3 && !before.open)
+    std::size_t children = allowed(order_[place]).size();
+    for (const Match& m : matched_) children -= masks_[place][m.landmark] != 0;
+    result_.tested[matched_.size() - 2] += children;
+    total_ += children;
+    result_.finished = result_.finished && total_ <= options_.max_tested;
+    return result_.finished;
+  }
+
+  /// Matches one of the bearings from this place on, or none of them.
+  void extend(std::size_t from)
+  {
+    const bool open = nodes_[matched_.size()].open();
+    for (std::size_t place = from; mayStartAt(place); ++place)
     {
-      updatePrefix(here.prefix, matched_, before.prefix.pose, error_);
-      here.open = !here.prefix.reliable;
+      if (!countTested(place)) return;
+      open ? extendOpen(place) : extendClosed(place);
     }
-    else if (!decideByTriple(here))
-      return false;
-    if (here.open) return true;
-    const double worst = static_cast<double>(matched_.size()) * square(error_);
-    if (here.prefix.sse > 1.05 * worst || !poseAllowed(here.prefix)) return false;
-    predictAll(here);
-    return enoughToCome(place);
+    if (order_.size() - matched_.size() <= max_skipped_) finish();
   }
 
-  /// Looks for a triple with the newest bearing that has a reliable pose which explains the others; the node stays open
-  /// when there is none. False when a triple contradicts the bearings.
-  bool decideByTriple(Node& here)
+  void extendOpen(std::size_t place)
   {
-    const std::size_t last = matched_.size() - 1;
-    for (std::size_t i = 0; i < last; ++i)
-      for (std::size_t j = i + 1; j < last; ++j)
+    Node& parent = nodes_[matched_.size()];
+    fan_.cross(matched_[1].ray, bearingAt(place), bounds_, masks_[place], parent.children);
+    for (const CrossedLandmark& child : parent.children) tryMatch(parent, place, child.landmark, child.crossing);
+  }
+
+  void extendClosed(std::size_t place)
+  {
+    const Node& parent = nodes_[matched_.size()];
+    for (const std::size_t l : parent.candidates[place])
+      tryMatch(parent, place, l, crossRays(matched_[1].ray, fan_.ray(bearingAt(place), l), bounds_));
+  }
+
+  /// `crossing`: of the second ray with the new one.
+  void tryMatch(const Node& parent, std::size_t place, std::size_t landmark, const RayCrossing& crossing)
+  {
+    if (!isFree(landmark) || !withinReach(landmark)) return;
+    push(place, landmark);
+    if (settle(parent, crossing, place + 1))
+    {
+      ++result_.valid[matched_.size() - 3];
+      extend(place + 1);
+    }
+    pop();
+  }
+
+  /// Computes the node of a prefix from its parent; false when it cannot lead to a solution.
+  bool settle(const Node& parent, const RayCrossing& with_second, std::size_t next_place)
+  {
+    Node& here = nodes_[matched_.size()];
+    here.base = parent.base;
+    crossings_.clear();
+    for (std::size_t i = 1; i + 1 < matched_.size(); ++i)
+    {
+      const RayCrossing c = i == 1 ? with_second : crossRays(matched_[i].ray, matched_.back().ray, bounds_);
+      if (c.outcome == CrossingOutcome::none) return false;
+      if (c.outcome == CrossingOutcome::open) continue;
+      if (!explainsMatched(c)) return false;
+      crossings_.push_back(c);
+      if (here.open() || c.shift < here.base.shift) here.base = c;
+    }
+    if (here.open()) return true;
+    if (!parent.open()) return filter(parent, here, next_place);
+    return lookAhead(here, next_place) && (crossings_.size() == 1 || filter(here, here, next_place));
+  }
+
+  [[nodiscard]] DirectionGate gate(const RayCrossing& base, const InverseRay& ray) const
+  {
+    return covariance_ ? gateAt<true>(base, fan_.error(), ray.px, ray.py)
+                       : gateAt<false>(base, fan_.error(), ray.px, ray.py);
+  }
+
+  /// All bearings matched so far agree with the pose.
+  [[nodiscard]] bool explainsMatched(const RayCrossing& base) const
+  {
+    const bool pair_alone = matched_.size() == 3;
+    for (std::size_t i = 1; i < matched_.size() && !pair_alone; ++i)
+      if (!gate(base, matched_[i].ray).admits(matched_[i].ray.ux, matched_[i].ray.uy)) return false;
+    if (!std::isfinite(reach_)) return true;
+    const Vector2d robot = bearings_[0].landmark + Vector2d(base.x, base.y);
+    return std::all_of(bearings_.begin(), bearings_.end(),
+                       [&](const MatchedBearing& m) { return (m.landmark - robot).norm() <= reach_ + base.slack; });
+  }
+
+  /// The joint test: enough of the bearings to come have a landmark within the gate.
+  bool lookAhead(Node& here, std::size_t next_place)
+  {
+    fan_.look(here.base, covariance_, reach_);
+    for (const Match& m : matched_) fan_.exclude(m.landmark);
+    std::size_t missing = next_place - matched_.size();
+    for (std::size_t place = next_place; place < order_.size(); ++place)
+    {
+      fan_.admit(bearingAt(place), masks_[place], here.candidates[place]);
+      if (here.candidates[place].empty() && ++missing > max_skipped_) return false;
+    }
+    return true;
+  }
+
+  /// The same from the candidates of the parent, as far as all new crossings agree with them.
+  bool filter(const Node& parent, Node& here, std::size_t next_place)
+  {
+    std::size_t missing = next_place - matched_.size();
+    for (std::size_t place = next_place; place < order_.size(); ++place)
+    {
+      kept_.clear();
+      for (const std::size_t l : parent.candidates[place])
       {
-        const BearingTriple triple =
-            solveBearingTriple({matched_[i].landmark, matched_[j].landmark, matched_[last].landmark},
-                               {matched_units_[i], matched_units_[j], matched_units_[last]}, error_);
-        if (triple.outcome == BearingTriple::Outcome::behind) return false;
-        if (triple.outcome == BearingTriple::Outcome::open) continue;
-        const Pose2 pose{triple.position.x(), triple.position.y(), triple.phi};
-        if (matched_.size() == 3)
-          updatePrefix(here.prefix, matched_, pose, error_);
-        else if (!refineTriple(here, {matched_[i], matched_[j], matched_[last]}, pose))
-          return false;
-        here.open = !here.prefix.reliable;
-        if (!here.open) return true;
+        if (l == matched_.back().landmark) continue;
+        const InverseRay ray = fan_.ray(bearingAt(place), l);
+        if (std::all_of(crossings_.begin(), crossings_.end(),
+                        [&](const RayCrossing& c) { return gate(c, ray).admits(ray.ux, ray.uy); }))
+          kept_.push_back(l);
       }
+      here.candidates[place] = kept_;
+      if (kept_.empty() && ++missing > max_skipped_) return false;
+    }
     return true;
-  }
-
-  /// Checks all matched bearings against the pose of a reliable triple and refines it with them.
-  bool refineTriple(Node& here, const std::vector<MatchedBearing>& triple, const Pose2& pose)
-  {
-    updatePrefix(here.prefix, triple, pose, error_);
-    if (!here.prefix.reliable) return true;
-    for (const MatchedBearing& m : matched_)
-    {
-      const Vector2d d = m.landmark - here.prefix.pose.position();
-      const double innovation = wrap(angleOf(d) - here.prefix.pose.phi - m.bearing);
-      if (std::abs(innovation) > gateAt(here.prefix, d, error_, options_.gate)) return false;
-    }
-    updatePrefix(here.prefix, matched_, here.prefix.pose, error_);
-    return true;
-  }
-
-  /// With no gap of pi between three bearings the robot stands inside the triangle, which then has their order.
-  [[nodiscard]] bool possibleOrder() const
-  {
-    const double g1 = wrap(matched_[1].bearing - matched_[0].bearing);
-    const double g2 = wrap(matched_[2].bearing - matched_[1].bearing);
-    const double g3 = wrap(matched_[0].bearing - matched_[2].bearing);
-    const double limit = kPi - 2 * error_;
-    const bool ccw = g1 > 0 && g2 > 0 && g3 > 0, cw = g1 < 0 && g2 < 0 && g3 < 0;
-    const bool inside = (ccw || cw) && std::max({std::abs(g1), std::abs(g2), std::abs(g3)}) < limit;
-    if (!inside) return true;
-    const double area = cross(matched_[1].landmark - matched_[0].landmark, matched_[2].landmark - matched_[0].landmark);
-    return ccw ? area > 0 : area < 0;
-  }
-
-  [[nodiscard]] bool poseAllowed(const BearingPrefix& prefix) const
-  {
-    const double slack = 2 * prefix.shift;
-    if (options_.area)
-    {
-      const Vector2d p = prefix.pose.position();
-      const Vector2d margin(slack, slack);
-      if ((p + margin - options_.area->min).minCoeff() < 0 || (options_.area->max + margin - p).minCoeff() < 0)
-        return false;
-    }
-    if (!options_.max_range) return true;
-    return std::all_of(matched_.begin(), matched_.end(),
-                       [&](const MatchedBearing& m)
-                       { return (m.landmark - prefix.pose.position()).norm() <= *options_.max_range + slack; });
-  }
-
-  void predictAll(Node& here) const
-  {
-    for (std::size_t l = 0; l < problem_.landmarks.size(); ++l)
-    {
-      here.gate[l] = -1;
-      if (used_[l]) continue;
-      const Vector2d d = problem_.landmarks[l] - here.prefix.pose.position();
-      if (options_.max_range && d.norm() > *options_.max_range + 2 * here.prefix.shift) continue;
-      here.predicted[l] = angleOf(d) - here.prefix.pose.phi;
-      here.gate[l] = gateAt(here.prefix, d, error_, options_.gate);
-    }
-  }
-
-  /// The joint test: enough of the bearings after `place` have a landmark within the gate.
-  bool enoughToCome(std::size_t place)
-  {
-    int possible = matchedCount();
-    for (std::size_t k = place + 1; k < order_.size(); ++k)
-    {
-      const std::vector<int>& allowed = problem_.allowed[static_cast<std::size_t>(order_[k])];
-      if (std::any_of(allowed.begin(), allowed.end(), [&](int l) { return withinGate(order_[k], l); })) ++possible;
-    }
-    return possible >= problem_.minimumMatched();
   }
 
   void finish()
   {
-    if (matchedCount() < problem_.minimumMatched()) return;
-    Pose2 start = node().prefix.pose;
-    if (node().open)
+    Pose2 start;
+    if (startPose(start) && record(start)) return;
+    if (matched_.size() < 4) return;
+    // A landmark close by has a valley of its own in the sum of squares, which no start elsewhere leads to.
+    const RayCrossing& base = nodes_[matched_.size()].base;
+    for (std::size_t i = 0; i < bearings_.size(); ++i)
+      if (nodes_[matched_.size()].open() || (bearings_[i].landmark - start.position()).norm() <= base.slack)
+        if (record(besideLandmark(bearings_, i))) return;
+  }
+
+  bool record(const Pose2& start)
+  {
+    const BearingFit fit = fitBearings(bearings_, start);
+    if (fit.max_residual > options_.max_residual * 1.01) return false;
+    std::optional<Interpretation> found = judgeInterpretation(problem_, assignment_, fit.pose);
+    if (found) result_.found.push_back(std::move(*found));
+    return found.has_value();
+  }
+
+  bool startPose(Pose2& start) const
+  {
+    const RayCrossing& base = nodes_[matched_.size()].base;
+    if (base.outcome == CrossingOutcome::pose)
     {
-      std::vector<KnownBearing> known;
-      for (const MatchedBearing& m : matched_) known.push_back({m.landmark, m.bearing, 1});
-      const PoseMl fit = solveBearingPoseMl(known);
-      if (fit.status != SolveStatus::ok) return;
-      start = fit.pose.mean;
+      const Vector2d& reference = bearings_[0].landmark;
+      start = {reference.x() + base.x, reference.y() + base.y, std::atan2(-base.y, -base.x) - bearings_[0].bearing};
+      return true;
     }
-    if (std::optional<Interpretation> found = judgeInterpretation(problem_, assignment_, start))
-      result_.found.push_back(std::move(*found));
+    std::vector<KnownBearing> known;
+    for (const MatchedBearing& m : bearings_) known.push_back({m.landmark, m.bearing, 1});
+    const PoseMl fit = solveBearingPoseMl(known);
+    start = fit.pose.mean;
+    return fit.status == SolveStatus::ok;
   }
 
   const InterpretationProblem& problem_;
   const InterpretationOptions& options_;
-  double error_;
   std::vector<int> order_;
-  std::vector<bool> used_;
+  std::size_t max_skipped_ = 0;
+  bool covariance_;
+  double reach_;
+  RayFan fan_;
+  CrossingBounds bounds_;
+  std::vector<RayFan::Mask> masks_;     ///< landmarks allowed, per place of the order
+  std::vector<Node> nodes_;             ///< by number of matched bearings
+  std::vector<RayCrossing> crossings_;  ///< of the newest ray with the others
+  std::vector<std::size_t> kept_;
+  std::vector<Match> matched_;
+  std::vector<MatchedBearing> bearings_;  ///< of the matches
   std::vector<int> assignment_;
-  std::vector<Node> nodes_;  ///< by number of matched bearings
-  std::vector<Vector2d> units_, matched_units_;
-  std::vector<MatchedBearing> matched_;
   InterpretationCandidates result_;
   std::uint64_t total_ = 0;
 };

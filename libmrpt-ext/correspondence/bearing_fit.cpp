@@ -1,0 +1,84 @@
+#include "mrpt_ext/correspondence/bearing_fit.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "mrpt_ext/geometry/measurement_jacobian.h"
+#include "mrpt_ext/solvers/levenberg_marquardt.h"
+#include "mrpt_ext/solvers/plane.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr int kIterations = 30;
+constexpr double kRelativeStep = 1e-4;
+constexpr double kClosest = 1e-4;  // to a landmark, in units of the distance to the next
+
+double misfit(const MatchedBearing& m, const Pose2& pose, const Vector2d& to_landmark)
+{
+  return wrap(std::atan2(to_landmark.y(), to_landmark.x()) - pose.phi - m.bearing);
+}
+
+/// measurement_jacobian.h without a sensor offset.
+NormalEquations<3> normalEquations(std::span<const MatchedBearing> matched, const Pose2& pose)
+{
+  NormalEquations<3> result;
+  for (const MatchedBearing& m : matched)
+  {
+    const Vector2d d = m.landmark - pose.position();
+    const double e = misfit(m, pose, d), inverse = 1 / d.squaredNorm();
+    const JacobianRow row(d.y() * inverse, -d.x() * inverse, -1);
+    result.hessian.noalias() += row.transpose() * row;
+    result.gradient += e * row.transpose();
+    result.cost += e * e;
+  }
+  return result;
+}
+
+double sumOfSquares(std::span<const MatchedBearing> matched, const Pose2& pose)
+{
+  double sum = 0;
+  for (const MatchedBearing& m : matched) sum += square(misfit(m, pose, m.landmark - pose.position()));
+  return sum;
+}
+}  // namespace
+
+BearingFit fitBearings(std::span<const MatchedBearing> matched, const Pose2& start)
+{
+  BearingFit fit{.pose = start};
+  DescentOptions options;
+  options.max_iterations = kIterations;
+  options.relative_step = kRelativeStep;
+  descend<3>(
+      fit.pose, [&](const Pose2& p) { return normalEquations(matched, p); },
+      [&](const Pose2& p) { return sumOfSquares(matched, p); },
+      [](const Pose2& p, const Vector3d& step) {
+        return Pose2{p.x + step.x(), p.y + step.y(), wrap(p.phi + step.z())};
+      },
+      options);
+  for (const MatchedBearing& m : matched)
+    fit.max_residual = std::max(fit.max_residual, std::abs(misfit(m, fit.pose, m.landmark - fit.pose.position())));
+  return fit;
+}
+
+Pose2 besideLandmark(std::span<const MatchedBearing> matched, std::size_t close)
+{
+  const MatchedBearing& at = matched[close];
+  std::vector<MatchedBearing> others(matched.begin(), matched.end());
+  others.erase(others.begin() + static_cast<std::ptrdiff_t>(close));
+  double nearest = std::numeric_limits<double>::infinity();
+  Vector2d heading(0, 0);
+  for (const MatchedBearing& m : others)
+  {
+    const Vector2d d = m.landmark - at.landmark;
+    nearest = std::min(nearest, d.norm());
+    heading += direction(angleOf(d) - m.bearing);
+  }
+  Pose2 pose = fitBearings(others, {at.landmark.x(), at.landmark.y(), angleOf(heading)}).pose;
+  const Vector2d ray = direction(pose.phi + at.bearing);
+  const double distance = std::max((at.landmark - pose.position()).dot(ray), kClosest * nearest);
+  const Vector2d position = at.landmark - distance * ray;
+  return {position.x(), position.y(), pose.phi};
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <span>
+
+#include "mrpt_ext/geometry/pose.h"
+
+namespace mrpt_ext
+{
+/// A landmark matched to a bearing [rad].
+struct MatchedBearing
+{
+  Vector2d landmark{0, 0};
+  double bearing = 0;
+};
+
+struct BearingFit
+{
+  Pose2 pose;
+  double max_residual = 0;  ///< [rad]
+};
+
+/// Least-squares pose of three or more bearings of equal weight (Levenberg-Marquardt from `start`), as refinePose but
+/// without figures and without memory from the heap: most of what a search asks about is not consistent.
+[[nodiscard]] BearingFit fitBearings(std::span<const MatchedBearing> matched, const Pose2& start);
+
+/// A start next to one of the landmarks, where its bearing says little about the position: the pose that the others
+/// have there, moved to where the bearing is right.
+[[nodiscard]] Pose2 besideLandmark(std::span<const MatchedBearing> matched, std::size_t close);
+}  // namespace mrpt_ext
