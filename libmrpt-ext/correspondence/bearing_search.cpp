@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "mrpt_ext/correspondence/bearing_reading.h"
 #include "mrpt_ext/correspondence/expected_false_poses.h"
@@ -38,7 +39,10 @@ class SearchRun
   PoseSearch run(const BearingSearch& owner)
   {
     prepareViews(owner);
-    const std::vector<ReadingTriple> candidates = tripleCandidates(readings_, landmarksAllowed(), mapArea(), ranges());
+    const std::vector<double> allowed = landmarksAllowed();
+    mean_allowed_ = std::accumulate(allowed.begin(), allowed.end(), 0.0) / static_cast<double>(allowed.size());
+    const std::vector<ReadingTriple> candidates =
+        tripleCandidates(readings_, {allowed, ranges(), mapArea(), chanceMatches().chance});
     for (const std::size_t capacity : kCapacities)
     {
       searchDownTo(candidates, capacity);
@@ -255,11 +259,9 @@ class SearchRun
   /// Mean number of landmarks in view that a reading may show.
   [[nodiscard]] double inView(const SensorPlace& place) const
   {
-    const std::vector<double> allowed = landmarksAllowed();
-    double mean = 0;
-    for (const double a : allowed) mean += a / static_cast<double>(allowed.size());
     const double range = rangeLimit(place);
-    return std::isfinite(range) ? mean * std::min(1.0, kPi * square(range) / mapArea()) : mean;
+    return std::isfinite(range) ? mean_allowed_ * std::min(1.0, kPi * square(range) / mapArea())
+                                : mean_allowed_;
   }
 
   /// What a match adds to the log-likelihood, typically: it is explained, and not by chance.
@@ -297,7 +299,7 @@ class SearchRun
   std::vector<Waiting> pool_;
   PoseSearch result_;
   int best_matched_ = 0, floor_ = 0, tolerated_ = -1;
-  double possible_ = 0;
+  double possible_ = 0, mean_allowed_ = 0;
 };
 }  // namespace
 

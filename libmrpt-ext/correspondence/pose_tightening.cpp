@@ -28,7 +28,10 @@ using Explanations = std::array<Explanation, ReadingTable::kMaxReadings>;
 
 double misfitOf(const Vector2d& direction, const Vector2d& measured)
 {
-  return std::atan2(measured.x() * direction.y() - measured.y() * direction.x(), measured.dot(direction));
+  const double cross = measured.x() * direction.y() - measured.y() * direction.x(), dot = measured.dot(direction);
+  if (std::abs(cross) > 0.5 * dot) return std::atan2(cross, dot);
+  const double t = cross / dot, t2 = t * t;
+  return t * (1 - t2 * (1.0 / 3 - t2 * (1.0 / 5 - t2 * (1.0 / 7 - t2 / 9))));
 }
 
 /// What a place sees of the landmarks from the pose.

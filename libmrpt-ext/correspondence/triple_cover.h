@@ -41,12 +41,18 @@ class TripleCover
   std::vector<int> smallest_hit_;
 };
 
-/// All triples that are worth trying, with their cost, from the gaps between the bearings and the expected number of
-/// landmarks around another. `per_square_metre`: density of landmarks that a reading's kind allows, one per reading;
-/// `max_range` [m] of each place, infinity for none.
+/// What decides how many constellations and poses a triple has.
+struct SearchDensity
+{
+  std::vector<double> landmarks_allowed;  ///< of the kind of each reading
+  std::vector<double> max_range;          ///< of each place [m]; infinity: none
+  double area = 1;                        ///< of the map [m^2]
+  double chance = 0;                      ///< that a reading has a landmark within its gate at a wrong, exactly known pose
+};
+
+/// All triples of one place whose bearings differ enough, with what they are expected to cost.
 [[nodiscard]] std::vector<ReadingTriple> tripleCandidates(std::span<const BearingReading> readings,
-                                                          std::span<const double> landmarks_allowed, double area,
-                                                          std::span<const double> max_range);
+                                                          const SearchDensity& density);
 
 /// Largest distance between two landmarks that are seen `gap` [rad, in (-pi, pi]] apart within `max_range`.
 [[nodiscard]] double largestSeparation(double gap, double max_range);
