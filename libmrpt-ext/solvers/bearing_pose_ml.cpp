@@ -2,44 +2,13 @@
 
 #include <algorithm>
 
-#include "mrpt_ext/solvers/bearing_pose_gls.h"
 #include "mrpt_ext/solvers/bearing_pose_linear.h"
+#include "mrpt_ext/solvers/pose_seeds.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-double misfit(std::span<const KnownBearing> bearings, const Pose2& pose)
-{
-  const std::vector<double> residuals = bearingResiduals(bearings, pose);
-  double sum = 0;
-  for (std::size_t i = 0; i < residuals.size(); ++i) sum += square(residuals[i] / bearings[i].std);
-  return sum;
-}
-
-/// Closed-form poses with landmark `reference` first.
-std::vector<Pose2> closedForms(std::vector<KnownBearing> bearings, std::size_t reference)
-{
-  std::swap(bearings[0], bearings[reference]);
-  std::vector<Pose2> poses;
-  const BearingPoseLinear linear = solveBearingPoseLinear(bearings);
-  if (linear.status == SolveStatus::ok) poses.push_back({linear.pose.x, linear.pose.y, linear.mean_phi});
-  const BearingPoseGls gls = solveBearingPoseGls(bearings);
-  if (gls.status == SolveStatus::ok) poses.push_back(gls.pose);
-  return poses;
-}
-
-/// The closed form that explains the bearings best; nothing when none has a pose.
-std::optional<Pose2> bestSeed(const std::vector<KnownBearing>& bearings)
-{
-  std::vector<Pose2> seeds = closedForms(bearings, 0);
-  for (std::size_t reference = 1; seeds.empty() && bearings.size() > 3 && reference < bearings.size(); ++reference)
-    seeds = closedForms(bearings, reference);
-  if (seeds.empty()) return std::nullopt;
-  return *std::min_element(seeds.begin(), seeds.end(),
-                           [&](const Pose2& a, const Pose2& b) { return misfit(bearings, a) < misfit(bearings, b); });
-}
-
 std::vector<KnownBearing> relativeTo(std::span<const KnownBearing> bearings, const Vector2d& origin)
 {
   std::vector<KnownBearing> shifted(bearings.begin(), bearings.end());
@@ -56,16 +25,18 @@ PoseMl solveBearingPoseMl(std::span<const KnownBearing> bearings, const PoseMlOp
 
   const Vector2d origin = landmarkMean(bearings);
   const std::vector<KnownBearing> local = relativeTo(bearings, origin);
-  const std::optional<Pose2> seed = bestSeed(local);
-  if (!seed)
+  std::vector<PoseMeasurement> measurements;
+  measurements.reserve(local.size());
+  for (const KnownBearing& b : local)
+    measurements.push_back({PoseMeasurement::Kind::bearing, b.landmark, b.bearing, b.std, {}});
+  const PoseRows rows(measurements);
+  const std::vector<PoseSeed> seeds = proposeSeeds(PoseRows(measurements), 1);
+  if (seeds.empty())
   {
     failed.status = solveBearingPoseLinear(local).status;
     return failed;
   }
-  std::vector<PoseMeasurement> measurements;
-  for (const KnownBearing& b : local)
-    measurements.push_back({PoseMeasurement::Kind::bearing, b.landmark, b.bearing, b.std, {}});
-  PoseMl result = refinePose(measurements, *seed, options);
+  PoseMl result = refinePose(measurements, seeds.front().pose, options);
   if (result.status != SolveStatus::ok) return result;
 
   const bool robust = options.loss != Loss::squared;  // a false bearing may then point anywhere

@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
+#include <optional>
 
 namespace mrpt_ext
 {
@@ -28,17 +29,17 @@ struct DescentReport
 };
 
 /// Levenberg-Marquardt that never leaves its start for the worse: only steps that lower the cost are taken.
-/// `model(state)` returns NormalEquations<N>; `cost(state)` the cost alone; `moved(state, step)` the new state.
-/// Damping is relative to the diagonal (with a floor), so that units do not matter.
-template <int N, class State, class Model, class Cost, class Moved>
-DescentReport descend(State& state, const Model& model, const Cost& cost, const Moved& moved,
-                      const DescentOptions& options = {})
+/// `now` is the model at `state` and stays so. `improved(next, cost)` returns the model at `next` if the cost there is
+/// lower, else nothing; `moved(state, step)` the new state. Damping is relative to the diagonal (with a floor), so that
+/// units do not matter.
+template <int N, class State, class Improved, class Moved>
+DescentReport descendFrom(State& state, NormalEquations<N>& now, const Improved& improved, const Moved& moved,
+                          const DescentOptions& options = {})
 {
   using Matrix = Eigen::Matrix<double, N, N>;
   using Vector = Eigen::Matrix<double, N, 1>;
   DescentReport report;
   double damping = 1e-6;
-  NormalEquations<N> now = model(state);
   for (; report.iterations < options.max_iterations; ++report.iterations)
   {
     const double floor = 1e-12 * now.hessian.trace();
@@ -53,31 +54,37 @@ DescentReport descend(State& state, const Model& model, const Cost& cost, const 
       report.converged = step.allFinite();
       return report;
     }
+    const bool at_the_bottom = promised < options.relative_step * now.cost;  // only rounding is left to argue about
     const State next = moved(state, step);
-    const double next_cost = cost(next);
-    if (next_cost < now.cost)
+    if (const std::optional<NormalEquations<N>> there = improved(next, now.cost))
     {
       state = next;
+      now = *there;
       damping = std::max(damping * 0.1, 1e-12);
-      const bool settled = promised < options.relative_step * now.cost && damping < 1e-3;
-      now = model(state);
-      if (settled)
-      {
-        report.converged = true;
-        return report;
-      }
+      report.converged = at_the_bottom && damping < 1e-3;
     }
     else
     {
-      // At the bottom only rounding is left to argue about.
-      if (promised < options.relative_step * now.cost || damping > 1e12)
-      {
-        report.converged = true;
-        return report;
-      }
+      report.converged = at_the_bottom || damping > 1e12;
       damping = std::max(damping * 10, 1e-6);
     }
+    if (report.converged) return report;
   }
   return report;
+}
+
+/// The same from `model(state)`, which returns NormalEquations<N>, and `cost(state)`, the cost alone, for costs that
+/// are much cheaper than their model.
+template <int N, class State, class Model, class Cost, class Moved>
+DescentReport descend(State& state, const Model& model, const Cost& cost, const Moved& moved,
+                      const DescentOptions& options = {})
+{
+  NormalEquations<N> now = model(state);
+  const auto improved = [&](const State& next, double bound) -> std::optional<NormalEquations<N>>
+  {
+    if (!(cost(next) < bound)) return std::nullopt;
+    return model(next);
+  };
+  return descendFrom<N>(state, now, improved, moved, options);
 }
 }  // namespace mrpt_ext

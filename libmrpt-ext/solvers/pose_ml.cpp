@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "mrpt_ext/solvers/levenberg_marquardt.h"
 #include "mrpt_ext/solvers/pose_information.h"
+#include "mrpt_ext/solvers/pose_rows.h"
 
 namespace mrpt_ext
 {
@@ -36,33 +36,21 @@ LossValue evaluate(const PoseMlOptions& options, double e2)
   return {e2, 1};
 }
 
-struct Problem
+/// Cost and model of all measurements under the loss.
+NormalEquations<3> modelAt(const PoseRows& rows, const PoseMlOptions& options, const Pose2& pose)
 {
-  std::span<const PoseMeasurement> measurements;
-  const PoseMlOptions& options;
-
-  [[nodiscard]] double cost(const Pose2& pose) const
-  {
-    double sum = 0;
-    for (const PoseMeasurement& m : measurements) sum += evaluate(options, square(residual(m, pose) / m.std)).cost;
-    return sum;
-  }
-
-  [[nodiscard]] NormalEquations<3> model(const Pose2& pose) const
-  {
-    NormalEquations<3> result;
-    for (const PoseMeasurement& m : measurements)
-    {
-      const double e = residual(m, pose) / m.std;
-      const JacobianRow row = jacobian(m, pose) / m.std;
-      const LossValue loss = evaluate(options, e * e);
-      result.cost += loss.cost;
-      result.gradient += loss.weight * e * row.transpose();
-      result.hessian += loss.weight * row.transpose() * row;
-    }
-    return result;
-  }
-};
+  if (options.loss == Loss::squared) return rows.model(pose);
+  NormalEquations<3> sum;
+  rows.forEach(pose,
+               [&](double e, const JacobianRow& j)
+               {
+                 const LossValue loss = evaluate(options, e * e);
+                 sum.cost += loss.cost;
+                 sum.gradient += loss.weight * e * j.transpose();
+                 sum.hessian += loss.weight * j.transpose() * j;
+               });
+  return sum;
+}
 
 Pose2 moved(const Pose2& pose, const Vector3d& step)
 {
@@ -85,13 +73,16 @@ bool ranOff(std::span<const PoseMeasurement> measurements, const Pose2& pose)
   return first && nearest > kFarAway * extent;
 }
 
-void describe(PoseMl& result, const Problem& problem, const Pose2& pose)
+void describe(PoseMl& result, std::span<const PoseMeasurement> measurements, const PoseMlOptions& options,
+              const Pose2& pose)
 {
-  for (const PoseMeasurement& m : problem.measurements)
+  result.residuals.reserve(measurements.size());
+  result.weights.reserve(measurements.size());
+  for (const PoseMeasurement& m : measurements)
   {
     const double r = residual(m, pose);
     result.residuals.push_back(r);
-    result.weights.push_back(evaluate(problem.options, square(r / m.std)).weight);
+    result.weights.push_back(evaluate(options, square(r / m.std)).weight);
   }
 }
 }  // namespace
@@ -107,20 +98,24 @@ PoseMl refinePose(std::span<const PoseMeasurement> measurements, const Pose2& st
   }
   if (measurements.size() < 3) return result;
 
-  const Problem problem{measurements, options};
+  const PoseRows rows(measurements);
   Pose2 pose = start;
-  result.start_chi2 = problem.cost(start);
-  const DescentReport report = descend<3>(
-      pose, [&](const Pose2& p) { return problem.model(p); }, [&](const Pose2& p) { return problem.cost(p); }, moved,
-      {options.max_iterations});
-  const NormalEquations<3> at_solution = problem.model(pose);
-  result.chi2 = at_solution.cost;
+  NormalEquations<3> now = modelAt(rows, options, pose);
+  result.start_chi2 = now.cost;
+  const auto improved = [&](const Pose2& next, double bound) -> std::optional<NormalEquations<3>>
+  {
+    NormalEquations<3> there = modelAt(rows, options, next);
+    if (!(there.cost < bound)) return std::nullopt;
+    return there;
+  };
+  const DescentReport report = descendFrom<3>(pose, now, improved, moved, {options.max_iterations});
+  result.chi2 = now.cost;
   result.iterations = report.iterations;
   result.converged = report.converged;
-  result.det_ratio = informationRatio(at_solution.hessian);
-  describe(result, problem, pose);
+  result.det_ratio = informationRatio(now.hessian);
+  describe(result, measurements, options, pose);
 
-  const std::optional<Matrix3d> covariance = covarianceFromInformation(at_solution.hessian);
+  const std::optional<Matrix3d> covariance = covarianceFromInformation(now.hessian);
   if (!covariance || ranOff(measurements, pose))
   {
     result.status = SolveStatus::degenerate;

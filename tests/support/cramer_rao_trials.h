@@ -1,0 +1,146 @@
+#pragma once
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "mrpt_ext/solvers/identified_pose.h"
+#include "mrpt_ext/solvers/pose_information.h"
+#include "random_scene.h"
+
+namespace mrpt_ext
+{
+/// What a robot measures in a scene.
+struct MeasuringKind
+{
+  enum class What
+  {
+    bearings,
+    ranges,
+    ranges_and_bearings,  ///< both of every landmark
+    mixed                 ///< one or both of each landmark in turn, by three sensors in different places on the robot
+  };
+  What what = What::bearings;
+  double std_bearing = 0;  ///< [rad]
+  double std_range = 0;    ///< [m]
+};
+
+inline std::vector<PoseMeasurement> measureScene(const Scene& scene, const MeasuringKind& kind, RandomStream& random)
+{
+  using Kind = PoseMeasurement::Kind;
+  using What = MeasuringKind::What;
+  const std::array<Pose2, 3> places{Pose2{0.3, 0.2, 0.5}, Pose2{-0.4, 0, kPi}, Pose2{0.1, -0.3, -1.5}};
+  std::vector<PoseMeasurement> measurements;
+  for (std::size_t i = 0; i < scene.landmarks.size(); ++i)
+  {
+    const Pose2 place = kind.what == What::mixed ? places[i % 3] : Pose2{};
+    const auto add = [&](Kind what, double std)
+    {
+      PoseMeasurement m{what, scene.landmarks[i], 0, std, place};
+      m.value = predict(m, scene.robot) + std * random.gaussian();
+      m.value = what == Kind::range ? std::max(0.0, m.value) : wrap(m.value);
+      measurements.push_back(m);
+    };
+    const bool bearing = kind.what != What::ranges && (kind.what != What::mixed || i % 4 != 1);
+    const bool range = kind.what != What::bearings && (kind.what != What::mixed || i % 4 < 2);
+    if (bearing) add(Kind::bearing, kind.std_bearing);
+    if (range) add(Kind::range, kind.std_range);
+  }
+  return measurements;
+}
+
+/// Cramer-Rao bound of the position's standard deviation [m]; without a heading when nothing tells it.
+inline double positionBound(const std::vector<PoseMeasurement>& measurements, const Pose2& truth)
+{
+  const Matrix3d information = poseInformation(measurements, truth);
+  const Matrix2d corner = information.topLeftCorner<2, 2>();
+  const auto square_of = [](const auto& covariance)
+  { return covariance ? covariance->template topLeftCorner<2, 2>().trace() : 1e18; };
+  return std::sqrt(information(2, 2) > 0 ? square_of(covarianceFromInformation(information))
+                                         : square_of(covarianceFromInformation(corner)));
+}
+
+/// The solver's answers against the bound, over many scenes with many trials each.
+struct CramerRaoTally
+{
+  static constexpr double kGood = 0.5;  ///< [m], 5 % of the side of the square
+  std::vector<double> ratios;           ///< root mean square error / bound, of each good scene
+  int scenes = 0, other_scenes = 0;
+  int flagged_good = 0, flagged_other = 0;  ///< scenes with the degeneracy flag in most trials
+  long trials = 0, degenerate_good = 0, ambiguous = 0, contradictory = 0;
+
+  [[nodiscard]] double quantile(double p) const
+  {
+    std::vector<double> sorted = ratios;
+    std::sort(sorted.begin(), sorted.end());
+    return sorted.empty() ? 0 : sorted[static_cast<std::size_t>(p * static_cast<double>(sorted.size() - 1))];
+  }
+};
+
+inline CramerRaoTally tallyAgainstBound(const MeasuringKind& kind, int landmarks, int scenes, int trials,
+                                        const IdentifiedPoseOptions& options, RandomStream& random)
+{
+  CramerRaoTally tally;
+  for (int s = 0; s < scenes; ++s)
+  {
+    const Scene scene = randomScene(random, landmarks);
+    double bound = 0, squares = 0;
+    int answers = 0, flagged = 0;
+    for (int t = 0; t < trials; ++t)
+    {
+      const std::vector<PoseMeasurement> measurements = measureScene(scene, kind, random);
+      if (t == 0) bound = positionBound(measurements, scene.robot);
+      const IdentifiedPose solved = solveIdentifiedPose(measurements, options);
+      ++tally.trials;
+      flagged += solved.status == SolveStatus::degenerate;
+      tally.contradictory += solved.status == SolveStatus::none;
+      const bool ambiguous = solved.candidates.size() > 1;
+      tally.ambiguous += ambiguous;
+      if (solved.candidates.empty() || ambiguous) continue;
+      ++answers;
+      squares += (solved.candidates.front().pose.mean.position() - scene.robot.position()).squaredNorm();
+    }
+    ++tally.scenes;
+    const bool mostly = 2 * flagged > trials;
+    if (bound >= CramerRaoTally::kGood)
+    {
+      ++tally.other_scenes;
+      tally.flagged_other += mostly;
+      continue;
+    }
+    tally.flagged_good += mostly;
+    tally.degenerate_good += flagged;
+    if (answers > 0) tally.ratios.push_back(std::sqrt(squares / answers) / bound);
+  }
+  return tally;
+}
+
+/// How far single answers can be trusted, over many scenes with one trial each.
+struct TrustTally
+{
+  std::array<long, 6> status{};  ///< by SolveStatus
+  long unique = 0;               ///< ok, and one candidate
+  long confident_wrong = 0;      ///< ... of these: beyond six standard deviations of its own covariance
+  long far_off = 0;              ///< ... of these: further than the side of the square
+  double worst = 0;              ///< ... largest distance in standard deviations
+  double mean_nees = 0;          ///< ... mean squared distance in standard deviations
+};
+
+inline void tallyTrust(TrustTally& tally, const Scene& scene, const IdentifiedPose& solved)
+{
+  ++tally.status[static_cast<std::size_t>(solved.status)];
+  if (!solved.unique()) return;
+  const PoseCandidate& best = solved.candidates.front();
+  const Pose2& mean = best.pose.mean;
+  const Vector3d e(mean.x - scene.robot.x, mean.y - scene.robot.y, wrap(mean.phi - scene.robot.phi));
+  const Matrix2d position = best.pose.covariance.topLeftCorner<2, 2>();
+  const double d2 = best.heading_known ? e.dot(best.pose.covariance.inverse() * e)
+                                       : e.head<2>().dot(position.inverse() * e.head<2>());
+  ++tally.unique;
+  tally.confident_wrong += d2 > 36;
+  tally.far_off += e.head<2>().norm() > 10;
+  tally.worst = std::max(tally.worst, std::sqrt(d2));
+  tally.mean_nees += (d2 - tally.mean_nees) / static_cast<double>(tally.unique);
+}
+}  // namespace mrpt_ext
