@@ -92,12 +92,12 @@ std::uint32_t ReadingTable::explainedBy(float x, float y, float ratio, std::uint
 
 namespace
 {
-/// A sensor pose relative to the centre of its cell, with the covariance of the tested pose.
+/// A sensor pose relative to the centre of its cell, with the uncertainty of the tested pose.
 struct SievePose
 {
   float x, y, c, s;
   float mx, my;  // from the tested sensor to this one, world axes
-  float xx, xy, xh, yy, yh, hh;
+  float ix, iy, ih, jx, jy, jh, kx, ky, kh;
   float range2;
 };
 
@@ -119,9 +119,9 @@ template <bool kHasKinds>
     const float along = by * (inverse * r2);
     const float ex = dy * (inverse * norm), ey = -dx * (inverse * norm);
     const float w = 1 + (p.mx * dx + p.my * dy) * (inverse * norm);
-    const float variance =
-        ex * (p.xx * ex + 2 * (p.xy * ey - p.xh * w)) + ey * (p.yy * ey - 2 * p.yh * w) + p.hh * w * w;
-    const float ratio = 1 + inverse_variance * (variance > 0 ? variance : 0);
+    const float vi = ex * p.ix + ey * p.iy - w * p.ih, vj = ex * p.jx + ey * p.jy - w * p.jh;
+    const float vk = ex * p.kx + ey * p.ky - w * p.kh;
+    const float ratio = 1 + inverse_variance * (vi * vi + vj * vj + vk * vk);
     const int step = (std::bit_cast<int>(ratio) >> kShift) - kFirstStep;
     const int level = step < last_level ? step : last_level;
     const int bin = static_cast<int>((bx < 0 ? 3 - along : 1 + along) * scale) & (bins - 1);
@@ -175,19 +175,24 @@ template <bool kHasKinds>
     const int column = std::clamp(static_cast<int>(gx * v.inverse_cell), 0, v.columns - 1);
     const int row = std::clamp(static_cast<int>(gy * v.inverse_cell), 0, v.rows - 1);
     const VisibleLists::Cell cell = view.lists->cell(static_cast<std::size_t>(row) * v.columns + column);
-    const float reach = v.range + gate * std::sqrt(poses.xx[n] + poses.yy[n]);
+    const float ix = poses.ix[n], iy = poses.iy[n], jx = poses.jx[n], jy = poses.jy[n], kx = poses.kx[n];
+    const float ky = poses.ky[n];
+    const float reach = v.range + gate * std::sqrt(ix * ix + iy * iy + jx * jx + jy * jy + kx * kx + ky * ky);
     const SievePose pose{static_cast<float>(gx - (column + 0.5) * v.cell),
                          static_cast<float>(gy - (row + 0.5) * v.cell),
                          c * v.tc - s * v.ts,
                          s * v.tc + c * v.ts,
                          mx,
                          my,
-                         poses.xx[n],
-                         poses.xy[n],
-                         poses.xh[n],
-                         poses.yy[n],
-                         poses.yh[n],
-                         poses.hh[n],
+                         ix,
+                         iy,
+                         poses.ih[n],
+                         jx,
+                         jy,
+                         poses.jh[n],
+                         kx,
+                         ky,
+                         poses.kh[n],
                          reach * reach};
     const std::uint32_t set =
         view.used | explainedSet<kHasKinds>(pose, cell, sets, of_kind, inverse_variance, bins, last_level);

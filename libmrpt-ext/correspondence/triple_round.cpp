@@ -23,9 +23,9 @@ TripleShape shapeOf(const BearingReading& middle, const BearingReading& first, c
 
 TripleBearings bearingsOf(const BearingReading& middle, const BearingReading& first, const BearingReading& second)
 {
-  const auto variance = [](const BearingReading& r) { return static_cast<float>(square(r.std)); };
-  return {static_cast<float>(middle.direction.x()), static_cast<float>(middle.direction.y()), variance(middle),
-          variance(first), variance(second)};
+  const auto std = [](const BearingReading& r) { return static_cast<float>(r.std); };
+  return {static_cast<float>(middle.direction.x()), static_cast<float>(middle.direction.y()), std(middle), std(first),
+          std(second)};
 }
 
 void collectNeighbours(const LandmarkIndex& map, std::size_t i, double radius, int kind, Neighbours& out)
@@ -63,7 +63,9 @@ PoseProposal proposalAt(const TriplePoses& p, std::size_t n, const Vector2d& aro
 {
   PoseProposal proposal;
   proposal.sensor.mean = {around.x() + p.x[n], around.y() + p.y[n], std::atan2(p.s[n], p.c[n])};
-  proposal.sensor.covariance << p.xx[n], p.xy[n], p.xh[n], p.xy[n], p.yy[n], p.yh[n], p.xh[n], p.yh[n], p.hh[n];
+  Matrix3d factor;
+  factor << p.ix[n], p.jx[n], p.kx[n], p.iy[n], p.jy[n], p.ky[n], p.ih[n], p.jh[n], p.kh[n];
+  proposal.sensor.covariance = factor * factor.transpose();
   proposal.bound = bound;
   return proposal;
 }
