@@ -13,7 +13,8 @@ namespace
 {
 constexpr int kIterations = 30;
 constexpr double kRelativeStep = 1e-4;
-constexpr double kClosest = 1e-4;  // to a landmark, in units of the distance to the next
+constexpr double kClosest = 1e-4;  // to a landmark, in units of the way to the next
+constexpr double kBeside = 0.1;    // and what still is beside it: other bearings change so much [rad]
 
 double misfit(const MatchedBearing& m, const Pose2& pose, const Vector2d& to_landmark)
 {
@@ -62,23 +63,32 @@ BearingFit fitBearings(std::span<const MatchedBearing> matched, const Pose2& sta
   return fit;
 }
 
-Pose2 besideLandmark(std::span<const MatchedBearing> matched, std::size_t close)
+std::optional<Pose2> besideLandmark(std::span<const MatchedBearing> matched, std::size_t close, const Vector2d& about,
+                                    double reach, double error)
 {
   const MatchedBearing& at = matched[close];
+  double next = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < matched.size(); ++i)
+    if (i != close) next = std::min(next, (matched[i].landmark - at.landmark).norm());
+  if ((at.landmark - about).norm() > reach + kBeside * next) return std::nullopt;
+
   std::vector<MatchedBearing> others(matched.begin(), matched.end());
   others.erase(others.begin() + static_cast<std::ptrdiff_t>(close));
-  double nearest = std::numeric_limits<double>::infinity();
-  Vector2d heading(0, 0);
+  // Each of the others implies a heading.
+  const auto heading_of = [&](const MatchedBearing& m) { return angleOf(m.landmark - at.landmark) - m.bearing; };
+  const double first = heading_of(others.front());
+  double least = 0, most = 0;
   for (const MatchedBearing& m : others)
   {
-    const Vector2d d = m.landmark - at.landmark;
-    nearest = std::min(nearest, d.norm());
-    heading += direction(angleOf(d) - m.bearing);
+    const double turn = wrap(heading_of(m) - first);
+    least = std::min(least, turn);
+    most = std::max(most, turn);
+    if (most - least > 2 * (error + kBeside)) return std::nullopt;
   }
-  Pose2 pose = fitBearings(others, {at.landmark.x(), at.landmark.y(), angleOf(heading)}).pose;
+  Pose2 pose = fitBearings(others, {at.landmark.x(), at.landmark.y(), first + (least + most) / 2}).pose;
   const Vector2d ray = direction(pose.phi + at.bearing);
-  const double distance = std::max((at.landmark - pose.position()).dot(ray), kClosest * nearest);
+  const double distance = std::max((at.landmark - pose.position()).dot(ray), kClosest * next);
   const Vector2d position = at.landmark - distance * ray;
-  return {position.x(), position.y(), pose.phi};
+  return Pose2{position.x(), position.y(), pose.phi};
 }
 }  // namespace mrpt_ext

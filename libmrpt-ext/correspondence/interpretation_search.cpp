@@ -271,10 +271,13 @@ class Search
     if (startPose(start) && record(start)) return;
     if (matched_.size() < 4) return;
     // A landmark close by has a valley of its own in the sum of squares, which no start elsewhere leads to.
-    const RayCrossing& base = nodes_[matched_.size()].base;
+    const Node& here = nodes_[matched_.size()];
+    const double reach = here.open() ? std::numeric_limits<double>::infinity() : here.base.slack;
     for (std::size_t i = 0; i < bearings_.size(); ++i)
-      if (nodes_[matched_.size()].open() || (bearings_[i].landmark - start.position()).norm() <= base.slack)
-        if (record(besideLandmark(bearings_, i))) return;
+    {
+      const std::optional<Pose2> beside = besideLandmark(bearings_, i, start.position(), reach, options_.max_residual);
+      if (beside && record(*beside)) return;
+    }
   }
 
   bool record(const Pose2& start)
