@@ -21,7 +21,7 @@ constexpr double kListMargin = 0.02;  // of the range limit
 constexpr int kLeastMatches = 4;      // three bearings are explained by every constellation
 constexpr std::size_t kJudgedAtOnce = 64;
 constexpr std::size_t kCapacities[] = {1000, 30000, 1000000};
-constexpr std::size_t kMaxJudged = 50000;
+constexpr std::size_t kMaxJudged = 5000;
 constexpr double kNegligible = 1e-3;  // evidence relative to the best pose's
 constexpr double kAreaMargin = 0.5;   // [m] a triple's pose may lie outside though the refined one does not
 
@@ -174,45 +174,66 @@ class SearchRun
 
   // ---- judging
 
-  struct Waiting
-  {
-    GaussianPose robot;
-    int bound;
-  };
-
-  void merge(std::vector<PoseProposal> proposals, int place, std::span<const SieveView> views)
+  void merge(const std::vector<PoseProposal>& proposals, int place, std::span<const SieveView> views)
   {
     const Pose2 T_sensor_robot = inverse(places_[static_cast<std::size_t>(place)].T_robot_sensor);
     const int least = leastNeeded();
     for (const PoseProposal& p : proposals)
     {
-      const TightenedPose tight = tightenPose(p.sensor, views, options_.gate, least);
+      const TightenedPose tight = tightenPose(p.sensor, views, options_.gate, least, scratch_);
       if (tight.explained < least) continue;
       const Matrix3d J = composeJacobianFirst(tight.sensor.mean, T_sensor_robot);
-      pool_.push_back(
-          {{compose(tight.sensor.mean, T_sensor_robot), J * tight.sensor.covariance * J.transpose()}, tight.explained});
+      const auto level = static_cast<std::size_t>(tight.explained);
+      if (pool_.size() <= level) pool_.resize(level + 1);
+      pool_[level].push_back({compose(tight.sensor.mean, T_sensor_robot), J * tight.sensor.covariance * J.transpose()});
     }
-    std::stable_sort(pool_.begin(), pool_.end(), [](const Waiting& a, const Waiting& b) { return a.bound > b.bound; });
   }
 
-  /// Judges the proposals with the highest bounds, as long as they can matter.
+  /// Judges the proposals that explain most, as long as they can matter.
   void judgeBest(std::size_t count)
   {
-    std::size_t judged = 0;
-    while (judged < std::min(count, pool_.size()) && pool_[judged].bound >= leastNeeded())
+    int least = leastNeeded();
+    for (std::size_t level = pool_.size(); level-- > 0;)
     {
-      if (result_.work.judged >= kMaxJudged)
-      {
-        result_.finished = false;
-        break;
-      }
-      ++result_.work.judged;
-      const auto pose = judgePose(map_, places_, options_, pool_[judged++].robot, leastNeeded());
-      if (!pose) continue;
-      best_matched_ = std::max(best_matched_, pose->matched);
-      result_.poses.push_back(*pose);
+      std::vector<GaussianPose>& waiting = pool_[level];
+      std::size_t next = 0;
+      for (; next < waiting.size() && count > 0 && result_.finished && static_cast<int>(level) >= least; ++next)
+        if (!isKnown(waiting[next]))
+        {
+          judge(waiting[next]);
+          least = leastNeeded();
+          --count;
+        }
+      waiting.erase(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(next));
     }
-    pool_.erase(pool_.begin(), pool_.begin() + static_cast<std::ptrdiff_t>(judged));
+  }
+
+  void judge(const GaussianPose& robot)
+  {
+    if (result_.work.judged >= kMaxJudged)
+    {
+      result_.finished = false;
+      return;
+    }
+    ++result_.work.judged;
+    const auto pose = judgePose(map_, places_, options_, robot, leastNeeded());
+    if (!pose) return;
+    best_matched_ = std::max(best_matched_, pose->matched);
+    result_.poses.push_back(*pose);
+  }
+
+  /// True when a pose that was judged already is as good as the same.
+  [[nodiscard]] bool isKnown(const GaussianPose& robot) const
+  {
+    const auto same = [&](const ConsistentPose& p)
+    {
+      const Vector3d e(p.pose.mean.x - robot.mean.x, p.pose.mean.y - robot.mean.y,
+                       wrap(p.pose.mean.phi - robot.mean.phi));
+      for (Eigen::Index k = 0; k < 3; ++k)
+        if (square(e(k)) > 0.25 * p.pose.covariance(k, k)) return false;
+      return true;
+    };
+    return std::any_of(result_.poses.begin(), result_.poses.end(), same);
   }
 
   // ---- what may be left out
@@ -260,8 +281,7 @@ class SearchRun
   [[nodiscard]] double inView(const SensorPlace& place) const
   {
     const double range = rangeLimit(place);
-    return std::isfinite(range) ? mean_allowed_ * std::min(1.0, kPi * square(range) / mapArea())
-                                : mean_allowed_;
+    return std::isfinite(range) ? mean_allowed_ * std::min(1.0, kPi * square(range) / mapArea()) : mean_allowed_;
   }
 
   /// What a match adds to the log-likelihood, typically: it is explained, and not by chance.
@@ -296,7 +316,8 @@ class SearchRun
   std::vector<BearingReading> readings_;
   std::vector<ReadingTable> tables_;
   std::vector<std::shared_ptr<const VisibleLists>> lists_;
-  std::vector<Waiting> pool_;
+  std::vector<std::vector<GaussianPose>> pool_;  // waiting to be judged, by the number of readings explained
+  SeenLandmarks scratch_;
   PoseSearch result_;
   int best_matched_ = 0, floor_ = 0, tolerated_ = -1;
   double possible_ = 0, mean_allowed_ = 0;

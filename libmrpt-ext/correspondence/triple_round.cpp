@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <iterator>
 
 namespace mrpt_ext
 {
@@ -74,19 +74,26 @@ PoseProposal proposalAt(const TriplePoses& p, std::size_t n, const Vector2d& aro
 void ProposalStore::add(PoseProposal proposal)
 {
   if (proposal.bound < floor_) return;
-  proposals_.push_back(std::move(proposal));
-  while (proposals_.size() > capacity_)
+  const auto level = static_cast<std::size_t>(proposal.bound);
+  if (levels_.size() <= level) levels_.resize(level + 1);
+  levels_[level].push_back(std::move(proposal));
+  for (++size_; size_ > capacity_; ++floor_)
   {
-    ++floor_;
-    std::erase_if(proposals_, [this](const PoseProposal& p) { return p.bound < floor_; });
+    std::vector<PoseProposal>& lowest = levels_[static_cast<std::size_t>(floor_)];
+    size_ -= lowest.size();
+    lowest.clear();
   }
 }
 
 std::vector<PoseProposal> ProposalStore::takeSorted()
 {
-  std::stable_sort(proposals_.begin(), proposals_.end(),
-                   [](const PoseProposal& a, const PoseProposal& b) { return a.bound > b.bound; });
-  return std::move(proposals_);
+  std::vector<PoseProposal> sorted;
+  sorted.reserve(size_);
+  for (auto level = levels_.rbegin(); level != levels_.rend(); ++level)
+    std::move(level->begin(), level->end(), std::back_inserter(sorted));
+  levels_.clear();
+  size_ = 0;
+  return sorted;
 }
 
 TripleRound::Work TripleRound::run(ProposalStore& store) const
@@ -105,8 +112,8 @@ TripleRound::Work TripleRound::run(ProposalStore& store) const
   Neighbours around_first, around_second;
   TripleHits hits;
   TriplePoses poses;
-  std::vector<std::uint8_t> explained;
-  for (std::size_t i = 0; i < map->size(); ++i)
+  std::vector<std::uint16_t> explained;
+  for (const std::uint32_t i : views.front().lists->order())
   {
     if (!map->mayShow(middle.kind, i)) continue;
     collectNeighbours(*map, i, radius_first, first.kind, around_first);

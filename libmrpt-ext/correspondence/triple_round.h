@@ -32,8 +32,8 @@ class ProposalStore
 
  private:
   int floor_;
-  std::size_t capacity_;
-  std::vector<PoseProposal> proposals_;
+  std::size_t capacity_, size_ = 0;
+  std::vector<std::vector<PoseProposal>> levels_;  // by bound
 };
 
 /// One triple of readings against all landmarks.

@@ -1,6 +1,7 @@
 #include "mrpt_ext/correspondence/visible_lists.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace mrpt_ext
 {
@@ -19,6 +20,7 @@ VisibleLists::VisibleLists(const LandmarkIndex& map, double max_range, double ma
 {
   chooseGrid(map);
   fill(map);
+  orderByTiles(map);
 }
 
 void VisibleLists::chooseGrid(const LandmarkIndex& map)
@@ -76,6 +78,21 @@ void VisibleLists::fill(const LandmarkIndex& map)
   mean_count_ = static_cast<double>(listed) / static_cast<double>(cells);
 }
 
+void VisibleLists::orderByTiles(const LandmarkIndex& map)
+{
+  order_.resize(map.size());
+  std::iota(order_.begin(), order_.end(), 0U);
+  if (!std::isfinite(max_range_)) return;
+  const double tile = 2 * max_range_;
+  const auto tile_of = [&](std::uint32_t l)
+  {
+    const Vector2d p = (map.position(l) - map.low()) / tile;
+    return std::pair(std::floor(p.y()), std::floor(p.x()));
+  };
+  std::stable_sort(order_.begin(), order_.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return tile_of(a) < tile_of(b); });
+}
+
 VisibleLists::CellAt VisibleLists::cellAt(const Vector2d& point) const
 {
   const auto along = [this](double offset, int count)
@@ -87,6 +104,7 @@ VisibleLists::CellAt VisibleLists::cellAt(const Vector2d& point) const
 
 std::size_t VisibleLists::bytes() const
 {
-  return x_.size() * 2 * sizeof(float) + kind_.size() + first_.size() * sizeof(std::size_t);
+  return x_.size() * 2 * sizeof(float) + kind_.size() + first_.size() * sizeof(std::size_t) +
+         order_.size() * sizeof(std::uint32_t);
 }
 }  // namespace mrpt_ext

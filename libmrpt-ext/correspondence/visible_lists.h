@@ -33,6 +33,8 @@ class VisibleLists
   [[nodiscard]] int columns() const { return columns_; }
   [[nodiscard]] int rows() const { return rows_; }
   [[nodiscard]] double meanCount() const { return mean_count_; }  ///< landmarks per list, without padding
+  /// All landmarks, so that those next to each other in the map are next to each other here.
+  [[nodiscard]] const std::vector<std::uint32_t>& order() const { return order_; }
   [[nodiscard]] std::size_t bytes() const;
 
   struct CellAt
@@ -53,6 +55,7 @@ class VisibleLists
  private:
   void chooseGrid(const LandmarkIndex& map);
   void fill(const LandmarkIndex& map);
+  void orderByTiles(const LandmarkIndex& map);
 
   double max_range_, margin_;
   double cell_ = 1;
@@ -60,6 +63,7 @@ class VisibleLists
   int columns_ = 1, rows_ = 1;
   double mean_count_ = 0;
   std::vector<std::size_t> first_;
+  std::vector<std::uint32_t> order_;
   std::vector<float> x_, y_;
   std::vector<std::uint8_t> kind_;
 };
