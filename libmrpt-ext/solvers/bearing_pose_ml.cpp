@@ -30,11 +30,13 @@ PoseMl solveBearingPoseMl(std::span<const KnownBearing> bearings, const PoseMlOp
   for (const KnownBearing& b : local)
     measurements.push_back({PoseMeasurement::Kind::bearing, b.landmark, b.bearing, b.std, {}});
   const PoseRows rows(measurements);
-  const std::vector<PoseSeed> seeds = proposeSeeds(PoseRows(measurements), 1);
+  std::vector<PoseSeed> seeds = proposeSeeds(PoseRows(measurements), 1);
   if (seeds.empty())
   {
-    failed.status = solveBearingPoseLinear(local).status;
-    return failed;
+    const BearingPoseLinear linear = solveBearingPoseLinear(local);
+    failed.status = linear.status;
+    if (linear.status != SolveStatus::ok) return failed;
+    seeds.push_back({{linear.pose.x, linear.pose.y, linear.mean_phi}});
   }
   PoseMl result = refinePose(measurements, seeds.front().pose, options);
   if (result.status != SolveStatus::ok) return result;

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace mrpt_ext
@@ -14,6 +15,29 @@ struct NormalEquations
   Eigen::Matrix<double, N, 1> gradient = Eigen::Matrix<double, N, 1>::Zero();
   Eigen::Matrix<double, N, N> hessian = Eigen::Matrix<double, N, N>::Zero();
 };
+
+/// x of A x = b for a positive definite A; not finite when A is not.
+template <int N>
+Eigen::Matrix<double, N, 1> solvePositive(Eigen::Matrix<double, N, N> A, Eigen::Matrix<double, N, 1> b)
+{
+  for (int k = 0; k < N; ++k)
+  {
+    const double inverse = A(k, k) > 0 ? 1 / A(k, k) : std::numeric_limits<double>::quiet_NaN();
+    for (int i = k + 1; i < N; ++i)
+    {
+      const double factor = A(i, k) * inverse;
+      for (int j = k + 1; j < N; ++j) A(i, j) -= factor * A(k, j);
+      b[i] -= factor * b[k];
+    }
+    A(k, k) = inverse;
+  }
+  for (int k = N - 1; k >= 0; --k)
+  {
+    for (int j = k + 1; j < N; ++j) b[k] -= A(k, j) * b[j];
+    b[k] *= A(k, k);
+  }
+  return b;
+}
 
 struct DescentOptions
 {
@@ -45,7 +69,7 @@ DescentReport descendFrom(State& state, NormalEquations<N>& now, const Improved&
     const double floor = 1e-12 * now.hessian.trace();
     Matrix damped = now.hessian;
     damped.diagonal().array() += damping * (now.hessian.diagonal().array() + floor);
-    const Vector step = -damped.ldlt().solve(now.gradient);
+    const Vector step = -solvePositive<N>(damped, now.gradient);
     // What the quadratic model promises; nothing left to gain means converged.
     const double promised = -(2 * now.gradient.dot(step) + step.dot(now.hessian * step));
     const double least = options.relative_step * options.relative_step * now.cost;

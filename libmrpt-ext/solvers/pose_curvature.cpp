@@ -1,5 +1,8 @@
 #include "mrpt_ext/solvers/pose_curvature.h"
 
+#include <Eigen/Cholesky>
+#include <array>
+
 namespace mrpt_ext
 {
 namespace

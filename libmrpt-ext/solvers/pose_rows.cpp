@@ -4,11 +4,11 @@ namespace mrpt_ext
 {
 namespace
 {
-/// Square of an angle whose tangent is across / along, by its sine.
+/// About the square of an angle whose tangent is across / along: its sine's, rising to 4 at half a turn.
 double roughSquare(double across, double along)
 {
   const double sine2 = across * across / std::max(across * across + along * along, 1e-300);
-  return along > 0 ? sine2 : square(2 - std::sqrt(sine2));
+  return along > 0 ? sine2 : 4 - 3 * sine2;
 }
 }  // namespace
 
@@ -36,14 +36,20 @@ PoseRows::PoseRows(std::span<const PoseMeasurement> measurements)
 
 NormalEquations<3> PoseRows::model(const Pose2& pose) const
 {
-  NormalEquations<3> sum;
+  double cost = 0, gx = 0, gy = 0, gp = 0, xx = 0, xy = 0, xp = 0, yy = 0, yp = 0, pp = 0;
   forEach(pose,
-          [&sum](double e, const JacobianRow& j)
+          [&](double e, const JacobianRow& j)
           {
-            sum.cost += e * e;
-            sum.gradient += e * j.transpose();
-            sum.hessian += j.transpose() * j;
+            const double x = j[0], y = j[1], p = j[2];
+            cost += e * e;
+            gx += e * x, gy += e * y, gp += e * p;
+            xx += x * x, xy += x * y, xp += x * p;
+            yy += y * y, yp += y * p, pp += p * p;
           });
+  NormalEquations<3> sum;
+  sum.cost = cost;
+  sum.gradient << gx, gy, gp;
+  sum.hessian << xx, xy, xp, xy, yy, yp, xp, yp, pp;
   return sum;
 }
 

@@ -73,7 +73,7 @@ class PoseRows
   /// Sum of squares at `pose`, with gradient and J^T J.
   [[nodiscard]] NormalEquations<3> model(const Pose2& pose) const;
 
-  /// About the sum of squares, without trigonometry: the sine stands for an angle, 2 - sine beyond a right angle.
+  /// About the sum of squares, without trigonometry: the sine stands for an angle, and more beyond a right angle.
   [[nodiscard]] double roughCost(const Vector2d& position, const Vector2d& heading) const;
 
   /// `v` turned by the angle of the unit vector `by`.

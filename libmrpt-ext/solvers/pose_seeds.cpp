@@ -13,7 +13,7 @@ namespace
 using Rows = std::span<const PoseRow>;
 
 constexpr std::size_t kAllTriplesUpTo = 5;  // bearings: of more, only some triples are tried
-constexpr std::size_t kTriples = 8;
+constexpr std::size_t kTriples = 5;
 constexpr std::size_t kRanges = 4, kLines = 3;  // loci of each kind
 constexpr std::size_t kAngles = 3;              // bearings: with more, their triples do
 constexpr std::size_t kPoints = 16;             // landmarks that enter the rigid fit
