@@ -1,0 +1,32 @@
+#include "mrpt_ext/hypotheses/joined_places.h"
+
+#include <algorithm>
+
+#include "mrpt_ext/correspondence/joined_constellation.h"
+#include "mrpt_ext/hypotheses/carried_readings.h"
+#include "mrpt_ext/hypotheses/sensor_places.h"
+
+namespace mrpt_ext
+{
+std::vector<CarriedPlace> carriedPlaces(std::span<const Reading> oldest_first, const LandmarkTable& map,
+                                        const LandmarkIndex& index)
+{
+  std::vector<CarriedPlace> places;
+  for (const Reading& carried : oldest_first)
+  {
+    const Reading reading = asTaken(carried);
+    for (SensorPlace& place : sensorPlaces({&reading, 1}, map, index))
+      places.push_back({std::move(place), reading.way_covariance});
+  }
+  return places;
+}
+
+std::vector<SensorPlace> joinedPlaces(std::span<const Reading> oldest_first, const LandmarkTable& map,
+                                      const LandmarkIndex& index)
+{
+  const bool one_moment = std::all_of(oldest_first.begin(), oldest_first.end(),
+                                      [](const Reading& reading) { return reading.way_covariance.isZero(0); });
+  if (one_moment) return sensorPlaces(oldest_first, map, index);
+  return asSensorPlaces(joinPlaces(carriedPlaces(oldest_first, map, index)));
+}
+}  // namespace mrpt_ext

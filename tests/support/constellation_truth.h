@@ -1,0 +1,41 @@
+#pragma once
+
+#include <Eigen/LU>
+
+#include "joined_scene.h"
+#include "mrpt_ext/correspondence/joined_constellation.h"
+
+namespace mrpt_ext
+{
+/// How a point of a joined constellation compares with what is really there.
+struct PointTruth
+{
+  int landmark = -1;         ///< that most of its detections show; -1: false ones
+  bool pure = false;         ///< all its detections show that landmark
+  bool right = false;        ///< it is where that landmark is, to 4.5 standard deviations
+  double error = 0;          ///< [m]
+  double squared_error = 0;  ///< over its covariance: 2 on average
+};
+
+inline PointTruth truthOf(const ConstellationPoint& point, const JoinedView& view, const LandmarkIndex& index)
+{
+  PointTruth truth;
+  int most = 0;
+  for (const auto& m : point.members)
+  {
+    const int landmark = view.truth[m.place][m.detection];
+    int same = 0;
+    for (const auto& other : point.members) same += view.truth[other.place][other.detection] == landmark ? 1 : 0;
+    if (same > most) truth.landmark = landmark;
+    most = std::max(most, same);
+  }
+  truth.pure = truth.landmark >= 0 && most == static_cast<int>(point.members.size());
+  if (truth.landmark < 0) return truth;
+  const Vector2d e =
+      point.in_robot.mean - transform(inverse(view.robot), index.position(static_cast<std::size_t>(truth.landmark)));
+  truth.error = e.norm();
+  truth.squared_error = e.dot(point.in_robot.covariance.inverse() * e);
+  truth.right = truth.squared_error < square(4.5);
+  return truth;
+}
+}  // namespace mrpt_ext
