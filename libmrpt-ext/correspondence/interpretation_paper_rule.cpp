@@ -4,6 +4,7 @@
 
 #include "mrpt_ext/geometry/measurement_jacobian.h"
 #include "mrpt_ext/solvers/bearing_pose_linear.h"
+#include "mrpt_ext/solvers/plane.h"
 #include "mrpt_ext/solvers/pose_information.h"
 
 namespace mrpt_ext
@@ -38,6 +39,7 @@ class PaperSearch
     for (const int landmark : problem_.allowed[next])
     {
       if (used_[static_cast<std::size_t>(landmark)] || !result_.finished) continue;
+      if (in_order_ && !fitsOrder(landmark)) continue;
       descend(prefix, landmark);
     }
   }
@@ -62,6 +64,26 @@ class PaperSearch
     assignment_.pop_back();
     matched_.pop_back();
     used_[index] = false;
+  }
+
+  /// Three bearings with no gap of pi between them are seen from inside the triangle of their landmarks, which then has
+  /// their order.
+  [[nodiscard]] bool fitsOrder(int landmark) const
+  {
+    const double bearing = problem_.bearings[matched_.size()];
+    const Vector2d& position = problem_.landmarks[static_cast<std::size_t>(landmark)];
+    const double limit = kPi - 2 * problem_.options.max_residual;
+    for (std::size_t i = 0; i < matched_.size(); ++i)
+      for (std::size_t j = i + 1; j < matched_.size(); ++j)
+      {
+        const double to_j = wrap(matched_[j].bearing - matched_[i].bearing);
+        const double to_new = wrap(bearing - matched_[j].bearing), back = wrap(matched_[i].bearing - bearing);
+        const bool ccw = to_j > 0 && to_new > 0 && back > 0, cw = to_j < 0 && to_new < 0 && back < 0;
+        if (!(ccw || cw) || std::max({std::abs(to_j), std::abs(to_new), std::abs(back)}) >= limit) continue;
+        const double area = cross(matched_[j].landmark - matched_[i].landmark, position - matched_[i].landmark);
+        if (ccw ? area <= 0 : area >= 0) return false;
+      }
+    return true;
   }
 
   bool count(std::uint64_t& counter)
@@ -95,6 +117,7 @@ class PaperSearch
 
   const InterpretationProblem& problem_;
   InterpretationCandidates result_;
+  bool in_order_ = problem_.options.rule == InterpretationRule::paper_in_order;
   std::vector<bool> used_;
   std::vector<KnownBearing> matched_;
   std::vector<int> assignment_;

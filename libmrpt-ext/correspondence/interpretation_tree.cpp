@@ -83,7 +83,7 @@ Interpretations interpretBearings(std::span<const Vector2d> landmarks, std::span
   result.status = SolveStatus::none;
   if (static_cast<int>(landmarks.size()) < least) return result;
 
-  const bool literal = options.rule == InterpretationRule::paper;
+  const bool literal = options.rule != InterpretationRule::complete;
   InterpretationCandidates search = literal ? searchByPaperRule(problem) : searchConsistent(problem);
   result.tested_by_depth = std::move(search.tested);
   result.valid_by_depth = std::move(search.valid);

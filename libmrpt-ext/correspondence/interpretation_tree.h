@@ -20,8 +20,9 @@ struct UnidentifiedBearing
 
 enum class InterpretationRule
 {
-  complete,  ///< finds every consistent interpretation; see interpretation_search.h
-  paper      ///< paper 000 to the letter: may lose the truth; see interpretation_paper_rule.h
+  complete,       ///< finds every consistent interpretation; see interpretation_search.h
+  paper,          ///< paper 000 to the letter: may lose the truth; see interpretation_paper_rule.h
+  paper_in_order  ///< the same, and landmarks around the robot must stand in the order of their bearings
 };
 
 /// How far a further bearing may lie from its prediction by the bearings matched so far. With s_i the sensitivity of

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "enumerated_interpretations.h"
+
+namespace mrpt_ext
+{
+/// N! / (N - K)!: ordered assignments of N landmarks to K bearings.
+inline std::uint64_t totalPaths(int landmarks, int bearings)
+{
+  std::uint64_t paths = 1;
+  for (int k = 0; k < bearings; ++k) paths *= static_cast<std::uint64_t>(landmarks - k);
+  return paths;
+}
+
+/// What a search of an interpretation tree did. Paper 000 does not say what its "examined" and "valid" paths are; here
+/// a path is a child that was compared with its parent's pose.
+struct TreeCounts
+{
+  double solved = 0;    ///< triples whose pose was asked for (depth 3)
+  double triples = 0;   ///< those of them that are possible
+  double examined = 0;  ///< children compared at depth 4 and deeper
+  double valid = 0;     ///< those of them that passed
+  std::set<std::vector<int>> assignments;
+};
+
+inline constexpr double kTreeGate = degToRad(0.5);
+
+/// Counts for exact or noisy bearings at a gate of 0.5 deg; our rule may also use that the robot is in the square.
+inline TreeCounts countTree(const UnidentifiedScene& s, InterpretationRule rule)
+{
+  InterpretationOptions options;
+  options.rule = rule;
+  options.max_residual = kTreeGate;
+  if (rule == InterpretationRule::complete) options.area = MapArea{{0, 0}, {10, 10}};
+  const Interpretations result = interpretBearings(s.scene.landmarks, s.bearings, options);
+  TreeCounts counts;
+  counts.assignments = assignmentsOf(result);
+  for (std::size_t d = 0; d < result.tested_by_depth.size(); ++d)
+  {
+    (d == 0 ? counts.solved : counts.examined) += static_cast<double>(result.tested_by_depth[d]);
+    (d == 0 ? counts.triples : counts.valid) += static_cast<double>(result.valid_by_depth[d]);
+  }
+  return counts;
+}
+}  // namespace mrpt_ext
