@@ -12,10 +12,10 @@ namespace mrpt_ext
 namespace
 {
 constexpr std::size_t kSeeds = 16;     // of which minima are sought
-constexpr std::size_t kRedundant = 6;  // measurements
-constexpr double kForetold = 0.3;      // relative accuracy
+constexpr std::size_t kRedundant = 6;  // measurements, from which on a seed can be recognised as known
+constexpr double kForetold = 0.3;      // relative accuracy of a foretold cost
 constexpr double kSameMinimum = 1e-3;  // [standard deviations]
-constexpr double kFarAway = 1e4;       // times the extent of the landmarks: nothing can be said there
+constexpr double kFarAway = 1e4;       // times the measured extent: nothing can be said there
 constexpr double kAnyHeadingVariance = kPi * kPi / 3;
 // What bends away goes with the square of the error, and squares have long tails: at three standard deviations of the
 // error they are three standard deviations of their own when their variance is counted three times.
@@ -93,13 +93,12 @@ double sceneExtent(std::span<const PoseMeasurement> measurements, const Vector2d
   return count > 1 ? std::sqrt(6 * std::max(0.0, squares - sum.squaredNorm() / count) / (count - 1)) : 0;
 }
 
-double landmarkExtent(std::span<const PoseMeasurement> measurements)
+/// Largest length among the measurements: between landmarks, of a range, to a sensor on the robot.
+double measuredExtent(const PoseRows& rows)
 {
   double extent = 0;
-  for (const PoseMeasurement& m : measurements)
-    if (m.kind != PoseMeasurement::Kind::heading)
-      extent = std::max({extent, (m.landmark - measurements.front().landmark).norm(),
-                         m.T_robot_sensor.position().norm(), m.kind == PoseMeasurement::Kind::range ? m.value : 0.0});
+  for (const PoseRow& m : rows.sightings())
+    extent = std::max({extent, (m.landmark - rows.sightings().front().landmark).norm(), m.offset.norm(), m.range});
   return extent;
 }
 
@@ -146,7 +145,7 @@ bool tellsHeading(std::span<const PoseMeasurement> measurements)
 }
 
 /// Without a heading the rows hold for the sensor, and its heading is called 0 with the spread of any heading.
-Problem pose(std::span<const PoseMeasurement> measurements)
+Problem problemOf(std::span<const PoseMeasurement> measurements)
 {
   if (tellsHeading(measurements)) return {measurements, true, PoseRows(measurements)};
   std::vector<PoseMeasurement> centred(measurements.begin(), measurements.end());
@@ -173,7 +172,7 @@ std::optional<PoseCandidate> describe(const Problem& problem, const Minimum& min
   result.information_ratio = informationRatio(minimum.at.hessian);
   const std::optional<Matrix3d> bound = covarianceFromInformation(minimum.at.hessian);
   const double spread = sceneExtent(problem.measurements, minimum.pose.position());
-  if (!bound || !(spread < kFarAway * landmarkExtent(problem.measurements))) return std::nullopt;
+  if (!bound || !(spread < kFarAway * measuredExtent(problem.rows))) return std::nullopt;
   const double extent = options.extent > 0 ? options.extent : spread;
   result.relative_error = std::sqrt(bound->topLeftCorner<2, 2>().trace()) / extent;
   const PoseCurvature curvature = poseCurvature(problem.rows, minimum.pose, *bound);
@@ -196,7 +195,7 @@ IdentifiedPose solveIdentifiedPose(std::span<const PoseMeasurement> measurements
   result.degrees_of_freedom = std::max(0, static_cast<int>(measurements.size()) - needed);
   if (static_cast<int>(measurements.size()) < needed) return result;
 
-  const Problem problem = pose(measurements);
+  const Problem problem = problemOf(measurements);
   const std::vector<Minimum> minima = findMinima(problem.rows, proposeSeeds(problem.rows, kSeeds));
   for (const Minimum& minimum : minima)
     if (minimum.at.cost <= minima.front().at.cost + options.rival_chi2)
@@ -210,8 +209,9 @@ IdentifiedPose solveIdentifiedPose(std::span<const PoseMeasurement> measurements
   for (PoseCandidate& candidate : result.candidates) sum += candidate.probability;
   for (PoseCandidate& candidate : result.candidates) candidate.probability /= sum;
   result.consistency = chiSquareTail(best.chi2, result.degrees_of_freedom);
-  const bool sharp = best.relative_error <= options.max_relative_error && best.curvature <= options.max_curvature &&
-                     best.stretch <= options.max_stretch;
+  const bool likeliest = best.chi2 <= minima.front().at.cost;  // what fits best may be a place that nothing holds
+  const bool sharp = likeliest && best.relative_error <= options.max_relative_error &&
+                     best.curvature <= options.max_curvature && best.stretch <= options.max_stretch;
   if (sharp) result.status = result.consistency >= options.min_consistency ? SolveStatus::ok : SolveStatus::none;
   return result;
 }

@@ -9,6 +9,8 @@
 
 namespace mrpt_ext
 {
+/// The limits are judged at the estimate, where the bound is known to a fifth or so: at 4 % practically all scenes are
+/// flagged whose true bound exceeds 5 % of the side (study cramer_rao), and of those below, the ones near it.
 struct IdentifiedPoseOptions
 {
   double max_relative_error = 0.04;  ///< of the position, against the extent of the scene; beyond: degenerate

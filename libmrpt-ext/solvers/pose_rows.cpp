@@ -23,7 +23,7 @@ PoseRows::PoseRows(std::span<const PoseMeasurement> measurements)
       PoseRow& row = rows_.emplace_back(PoseRow{m.landmark, m.T_robot_sensor.position()});
       if (kind == PoseMeasurement::Kind::bearing) row.unit = direction(m.value + m.T_robot_sensor.phi);
       if (kind == PoseMeasurement::Kind::heading) row.unit = direction(m.value);
-      row.range = m.value;
+      if (kind == PoseMeasurement::Kind::range) row.range = m.value;
       row.weight = 1 / m.std;
     }
   };

@@ -15,7 +15,7 @@ struct PoseRow
   Vector2d landmark{0, 0};  ///< world frame [m]
   Vector2d offset{0, 0};    ///< of the sensor, robot axes [m]
   Vector2d unit{1, 0};      ///< bearing: direction seen, robot axes; heading: direction of the robot, world axes
-  double range = 0;         ///< [m]
+  double range = 0;         ///< [m], 0 for the other kinds
   double weight = 1;        ///< 1 / std
 };
 

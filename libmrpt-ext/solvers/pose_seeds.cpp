@@ -20,13 +20,25 @@ constexpr std::size_t kPoints = 16;             // landmarks that enter the rigi
 constexpr int kHeadings = 12;
 constexpr int kRounds = 4;
 
-/// At most `most` rows, evenly spread.
+/// The first row from `start` on, around the end, whose landmark is none of `others`; the row at `start` when all are.
+const PoseRow& nextOther(Rows rows, std::size_t start, std::span<const PoseRow* const> others)
+{
+  for (std::size_t k = 0; k < rows.size(); ++k)
+  {
+    const PoseRow& row = rows[(start + k) % rows.size()];
+    if (std::none_of(others.begin(), others.end(), [&](const PoseRow* o) { return o->landmark == row.landmark; }))
+      return row;
+  }
+  return rows[start % rows.size()];
+}
+
+/// At most `most` rows, evenly spread, of different landmarks while there are any.
 std::vector<const PoseRow*> someOf(Rows rows, std::size_t most)
 {
   const std::size_t count = std::min(rows.size(), most);
   std::vector<const PoseRow*> some;
   some.reserve(count);
-  for (std::size_t k = 0; k < count; ++k) some.push_back(&rows[k * rows.size() / count]);
+  for (std::size_t k = 0; k < count; ++k) some.push_back(&nextOther(rows, k * rows.size() / count, some));
   return some;
 }
 
@@ -52,8 +64,10 @@ class Proposer
     {
       for (std::size_t t = 0; t < kTriples; ++t)
       {
-        const std::size_t i = t * n / kTriples, j = i + n / 3, k = j + n / 3 + t % 2;
-        fromTriple(b[i], b[j % n], b[k % n]);
+        const std::size_t i = t * n / kTriples;
+        std::array<const PoseRow*, 2> members{&b[i], &b[i]};
+        members[1] = &nextOther(b, i + n / 3, members);
+        fromTriple(b[i], *members[1], nextOther(b, i + 2 * (n / 3) + t % 2, members));
       }
       return;
     }

@@ -144,6 +144,20 @@ TEST(IdentifiedPose, TooFewAndBadInput)
   EXPECT_EQ(solveIdentifiedPose(bad).status, SolveStatus::bad_input);
 }
 
+TEST(IdentifiedPose, LandmarksSeenAgainAndAgainHideNoOther)
+{
+  // In turn, so that an even choice among the readings would see but one of them.
+  std::vector<PoseMeasurement> bearings, ranges;
+  for (int k = 0; k < 5; ++k)
+    for (const Vector2d& l : {Vector2d(8, 1), Vector2d(1, 9), Vector2d(-4, 2), Vector2d(6, 8)})
+    {
+      bearings.push_back(exact(Kind::bearing, l, {0.1 * k, 0, 0}));
+      ranges.push_back(exact(Kind::range, l));
+    }
+  expectFound(bearings);
+  EXPECT_TRUE(contains(solveIdentifiedPose(ranges), kRobot));
+}
+
 TEST(IdentifiedPose, LargeMapCoordinatesCostNothing)
 {
   const Vector2d far(4.5e5, 5.4e6);
