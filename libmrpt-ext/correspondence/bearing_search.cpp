@@ -20,7 +20,7 @@ constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 constexpr double kListMargin = 0.02;  // of the range limit
 constexpr int kLeastMatches = 4;      // three bearings are explained by every constellation
 constexpr std::size_t kJudgedAtOnce = 64;
-constexpr std::size_t kCapacities[] = {1000, 30000, 1000000};
+constexpr std::size_t kCapacity = 500000;  // proposals of one round that are kept
 constexpr std::size_t kMaxJudged = 5000;
 constexpr double kNegligible = 1e-3;  // evidence relative to the best pose's
 constexpr double kAreaMargin = 0.5;   // [m] a triple's pose may lie outside though the refined one does not
@@ -43,10 +43,15 @@ class SearchRun
     mean_allowed_ = std::accumulate(allowed.begin(), allowed.end(), 0.0) / static_cast<double>(allowed.size());
     const std::vector<ReadingTriple> candidates =
         tripleCandidates(readings_, {allowed, ranges(), mapArea(), chanceMatches().chance});
-    for (const std::size_t capacity : kCapacities)
+    const int usable = static_cast<int>(readings_.size());
+    for (int misses = expectedMisses();;)
     {
-      searchDownTo(candidates, capacity);
-      if (floor_ <= leastNeeded() || !result_.finished) break;
+      floor_ = std::max(leastMatches(), usable - misses);
+      searchDownTo(candidates);
+      if (!result_.finished || floor_ <= leastNeeded()) break;
+      if (overflowed_) result_.finished = false;
+      if (overflowed_) break;
+      misses = best_matched_ > 0 ? usable - leastNeeded() : 2 * misses + 2;
     }
     finish();
     return std::move(result_);
@@ -93,25 +98,33 @@ class SearchRun
 
   // ---- rounds
 
-  /// Rounds until every pose that matters has been proposed, keeping at most `capacity` proposals of each.
-  void searchDownTo(const std::vector<ReadingTriple>& candidates, std::size_t capacity)
+  /// So many readings without a landmark are looked for at first, going by what the sensors declare.
+  [[nodiscard]] int expectedMisses() const
+  {
+    double mean = 0;
+    for (const BearingReading& r : readings_)
+      mean += places_[static_cast<std::size_t>(r.place)].model.clutter_probability;
+    return static_cast<int>(std::ceil(mean)) + 1;
+  }
+
+  /// Rounds until every pose that matters and explains `floor_` readings has been proposed.
+  void searchDownTo(const std::vector<ReadingTriple>& candidates)
   {
     TripleCover cover(candidates);
-    floor_ = leastMatches();
     pool_.clear();
     const int usable = static_cast<int>(readings_.size());
     while (result_.finished && cover.tolerated() < usable - std::max(leastNeeded(), floor_))
     {
       const std::optional<ReadingTriple> triple = cover.next();
       if (!triple) break;
-      propose(*triple, capacity);
+      propose(*triple);
       judgeBest(kJudgedAtOnce);
     }
     tolerated_ = cover.tolerated();
     judgeBest(std::numeric_limits<std::size_t>::max());
   }
 
-  void propose(const ReadingTriple& triple, std::size_t capacity)
+  void propose(const ReadingTriple& triple)
   {
     const int place = readings_[static_cast<std::size_t>(triple.reading[0])].place;
     TripleRound round;
@@ -123,13 +136,15 @@ class SearchRun
     round.gate = options_.gate;
     round.area = areaOfSensor(place);
     round.max_tested = options_.max_tested - std::min(options_.max_tested, result_.work.tested);
-    ProposalStore store(std::max(leastNeeded(), floor_), capacity);
+    const int floor = std::max(leastNeeded(), floor_);
+    ProposalStore store(floor, kCapacity);
     const TripleRound::Work work = round.run(store);
     ++result_.work.rounds;
     result_.work.tested += work.tested;
     result_.finished = work.finished;
     possible_ += static_cast<double>(work.possible);
-    floor_ = std::max(floor_, store.floor());
+    overflowed_ = overflowed_ || store.floor() > floor;
+    if (store.floor() > floor) floor_ = store.floor();
     merge(store.takeSorted(), place, round.views);
   }
 
@@ -320,6 +335,7 @@ class SearchRun
   SeenLandmarks scratch_;
   PoseSearch result_;
   int best_matched_ = 0, floor_ = 0, tolerated_ = -1;
+  bool overflowed_ = false;  // more proposals than can be kept: the lesser ones are lost
   double possible_ = 0, mean_allowed_ = 0;
 };
 }  // namespace
