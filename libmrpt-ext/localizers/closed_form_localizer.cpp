@@ -24,7 +24,8 @@ Estimate estimateFrom(ClosedFormAnswer answer, double time)
   if (!best.heading_known) point.pose.covariance(2, 2) = kAnyHeadingVariance;
   point.modes = static_cast<int>(estimate.candidates.size());
   point.best_weight = best.weight;
-  point.verdict = estimate.candidates.size() > 1 ? Verdict::ambiguous : Verdict::ok;
+  const bool sure = estimate.candidates.size() == 1 && estimate.status == SolveStatus::ok;
+  point.verdict = sure ? Verdict::ok : Verdict::ambiguous;
   estimate.point = point;
   return estimate;
 }

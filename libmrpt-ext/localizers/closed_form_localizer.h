@@ -8,7 +8,8 @@
 
 namespace mrpt_ext
 {
-/// What a closed form finds in one frame: all candidates, with a log-score where it can tell them apart.
+/// What a closed form finds in one frame: all candidates, with a log-score where it can tell them apart. Candidates
+/// with another status than `ok` are answers in doubt: they are reported, with the verdict `ambiguous`.
 struct ClosedFormAnswer
 {
   SolveStatus status = SolveStatus::too_few;

@@ -6,9 +6,8 @@
 #include "mrpt_ext/hypotheses/interpret_sightings.h"
 #include "mrpt_ext/hypotheses/landmark_sighting.h"
 #include "mrpt_ext/solvers/bearing_pose_linear.h"
-#include "mrpt_ext/solvers/bearing_pose_ml.h"
+#include "mrpt_ext/solvers/identified_pose.h"
 #include "mrpt_ext/solvers/pose_information.h"
-#include "mrpt_ext/solvers/pose_ml.h"
 #include "mrpt_ext/solvers/range_position.h"
 #include "mrpt_ext/solvers/two_landmark_pose.h"
 
@@ -110,11 +109,13 @@ ClosedFormAnswer bearingMaximumLikelihood(const Frame& frame, const LandmarkTabl
 {
   const std::vector<LandmarkSighting> sightings = bearingsOf(frame, map);
   if (distinctLandmarks(sightings, kAnySighting) < 3) return {};
-  const WorkingFrame work = workingFrame(sightings);
-  const PoseMl start = solveBearingPoseMl(work.bearings);
-  if (start.status != SolveStatus::ok) return {.status = start.status};
-  const PoseMl fit = refinePose(poseMeasurements(sightings), compose(start.pose.mean, inverse(work.T_robot_frame)));
-  return single(fit.status, fit.pose, "bearing_maximum_likelihood");
+  // A frame in doubt is answered too, and says so by its status.
+  const IdentifiedPose solved = solveIdentifiedPose(poseMeasurements(sightings));
+  ClosedFormAnswer answer{.status = solved.status};
+  for (const PoseCandidate& candidate : solved.candidates)
+    answer.candidates.push_back(
+        {.pose = candidate.pose, .log_score = -0.5 * candidate.chi2, .source = "bearing_maximum_likelihood"});
+  return answer;
 }
 
 ClosedFormAnswer rangeLeastSquares(const Frame& frame, const LandmarkTable& map, const PoseRegion& region)

@@ -13,7 +13,8 @@ namespace mrpt_ext
 /// Linear least squares of paper 000 (eq 1-6) over the identified bearings.
 [[nodiscard]] ClosedFormAnswer bearingLeastSquares(const Frame& frame, const LandmarkTable& map);
 
-/// Maximum likelihood over the identified bearings, each sensor in its place.
+/// Maximum likelihood over the identified bearings, each sensor in its place (identified_pose): every pose that is
+/// nearly as likely as the best. Also with status `degenerate` or `none`, which tell that it cannot be trusted.
 [[nodiscard]] ClosedFormAnswer bearingMaximumLikelihood(const Frame& frame, const LandmarkTable& map);
 
 /// Least squares over identified ranges: position only, heading unknown. Two places with two ranges or collinear

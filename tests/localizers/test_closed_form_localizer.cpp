@@ -35,6 +35,17 @@ TEST(ClosedFormLocalizer, ASingleCandidateIsSure)
   EXPECT_EQ(estimate.point->best_weight, 1);
 }
 
+TEST(ClosedFormLocalizer, ASingleCandidateInDoubtIsAnsweredButNotSure)
+{
+  for (const SolveStatus status : {SolveStatus::degenerate, SolveStatus::none})
+  {
+    const Estimate estimate = estimateFrom({status, {at(1, -3)}}, 0);
+    ASSERT_TRUE(estimate.point);
+    EXPECT_EQ(estimate.status, status);
+    EXPECT_EQ(estimate.point->verdict, Verdict::ambiguous);
+  }
+}
+
 TEST(ClosedFormLocalizer, CandidatesWithEqualScoresAreAmbiguousAndGiveNoRow)
 {
   const Estimate estimate = estimateFrom({SolveStatus::ok, {at(1, -3), at(2, -3), at(3, -9)}}, 0);
