@@ -323,6 +323,7 @@ class SearchRun
       result_.expected_false = expectedFalsePoses(chanceMatches(), best_matched_);
     }
     rankPoses(result_, options_, missed);
+    result_.unique = result_.unique && result_.finished;
   }
 
   const LandmarkIndex& map_;

@@ -1,0 +1,245 @@
+#include "mrpt_ext/correspondence/bearing_search.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "lost_scene.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+bool findsTruth(const PoseSearch& search, const Pose2& truth)
+{
+  return std::any_of(search.poses.begin(), search.poses.end(),
+                     [&](const ConsistentPose& p) { return isAtTruth(p.pose.mean, truth); });
+}
+
+PoseSearch searchOne(const LandmarkIndex& index, const SensorPlace& place, const PoseSearchOptions& options = {})
+{
+  return BearingSearch(index).search({&place, 1}, options);
+}
+
+struct Tally
+{
+  int trials = 0, found = 0, unique = 0, unique_wrong = 0, too_unlikely = 0;
+  double poses = 0;
+};
+
+Tally run(const LostSceneOptions& options, int trials, std::uint64_t seed)
+{
+  RandomStream random(seed);
+  const LostMap map = strewLandmarks(options, random);
+  const LandmarkIndex index = map.index();
+  const BearingSearch search(index);
+  Tally tally;
+  for (; tally.trials < trials; ++tally.trials)
+  {
+    const LostView view = lookAroundSomewhere(map, index, options, random);
+    const PoseSearch found = search.search({&view.place, 1});
+    tally.found += findsTruth(found, view.robot);
+    tally.poses += static_cast<double>(found.poses.size()) / trials;
+    tally.unique += found.unique;
+    tally.unique_wrong += found.unique && !isAtTruth(found.poses.front().pose.mean, view.robot);
+    for (const ConsistentPose& p : found.poses)
+      tally.too_unlikely += p.log_likelihood < found.poses.front().log_likelihood - 12.5;
+  }
+  return tally;
+}
+
+TEST(BearingSearch, FindsTheRobotAmongAThousandLandmarks)
+{
+  const Tally tally = run({}, 60, 11);
+  EXPECT_GE(tally.found, 59);
+  EXPECT_LE(tally.poses, 20);
+  EXPECT_GE(tally.unique, 45);
+  EXPECT_EQ(tally.unique_wrong, 0);
+}
+
+TEST(BearingSearch, KindsAreUsed)
+{
+  LostSceneOptions options;
+  options.kinds = 4;
+  const Tally tally = run(options, 100, 12);
+  EXPECT_GE(tally.found, 99);
+  EXPECT_EQ(tally.unique_wrong, 0);
+}
+
+TEST(BearingSearch, ThreeFalseReadingsOfSixteen)
+{
+  LostSceneOptions options;
+  options.detection_probability = 0.8;
+  options.false_readings = 3;
+  const Tally tally = run(options, 30, 13);
+  EXPECT_GE(tally.found, 29);
+  EXPECT_EQ(tally.unique_wrong, 0);
+}
+
+TEST(BearingSearch, WithoutARangeLimit)
+{
+  LostSceneOptions options;
+  options.landmarks = 40;
+  options.max_range.reset();
+  options.seen = 12;
+  options.border = 2;
+  options.std_bearing = degToRad(0.05);
+  const Tally tally = run(options, 10, 14);
+  EXPECT_GE(tally.found, 9);
+}
+
+TEST(BearingSearch, AFarAwayMapCostsNoDigits)
+{
+  LostSceneOptions options;
+  options.landmarks = 300;
+  RandomStream random(15);
+  const LostMap map = strewLandmarks(options, random);
+  std::vector<Vector2d> moved;
+  const Vector2d offset(4e6, -2e6);
+  for (const Landmark& l : map.landmarks.all()) moved.push_back(l.position.head<2>() + offset);
+  const LandmarkIndex near(map.landmarks), far(moved);
+  const LostView view = lookAroundSomewhere(map, near, options, random);
+  const PoseSearch here = searchOne(near, view.place), there = searchOne(far, view.place);
+  ASSERT_FALSE(here.poses.empty());
+  ASSERT_FALSE(there.poses.empty());
+  const Pose2 a = here.poses.front().pose.mean, b = there.poses.front().pose.mean;
+  EXPECT_LT((a.position() + offset - b.position()).norm(), 1e-3);
+  EXPECT_LT(std::abs(wrap(a.phi - b.phi)), 1e-4);
+}
+
+TEST(BearingSearch, TwoSensorsHelpEachOther)
+{
+  LostSceneOptions options;
+  options.detection_probability = 0.35;  // each alone sees about seven
+  RandomStream random(16);
+  const LostMap map = strewLandmarks(options, random);
+  const LandmarkIndex index = map.index();
+  const BearingSearch search(index);
+  int found = 0, unique = 0;
+  const int trials = 15;
+  for (int t = 0; t < trials; ++t)
+  {
+    const Pose2 robot{random.uniform(20, 80), random.uniform(20, 80), random.uniform(-kPi, kPi)};
+    const SensorPlace places[] = {lookAround(map, index, options, robot, random, {0.3, 0.2, 0.5}).place,
+                                  lookAround(map, index, options, robot, random, {-0.4, 0.1, -2}).place};
+    const PoseSearch result = search.search(places);
+    found += findsTruth(result, robot);
+    unique += result.unique;
+  }
+  EXPECT_GE(found, trials - 1);
+  EXPECT_GE(unique, trials / 2);
+}
+
+TEST(BearingSearch, TheSameAnswerTwice)
+{
+  RandomStream random(17);
+  const LostSceneOptions options;
+  const LostMap map = strewLandmarks(options, random);
+  const LandmarkIndex index = map.index();
+  const LostView view = lookAroundSomewhere(map, index, options, random);
+  const PoseSearch a = searchOne(index, view.place), b = searchOne(index, view.place);
+  ASSERT_EQ(a.poses.size(), b.poses.size());
+  for (std::size_t i = 0; i < a.poses.size(); ++i)
+  {
+    EXPECT_EQ(a.poses[i].pose.mean.vector(), b.poses[i].pose.mean.vector());
+    EXPECT_EQ(a.poses[i].log_evidence, b.poses[i].log_evidence);
+  }
+  EXPECT_EQ(a.work.tested, b.work.tested);
+}
+
+TEST(BearingSearch, ProbabilitiesLeaveRoomForTheRest)
+{
+  RandomStream random(18);
+  LostSceneOptions options;
+  options.detection_probability = 0.4;
+  options.std_bearing = degToRad(0.3);
+  options.landmarks = 300;
+  const LostMap map = strewLandmarks(options, random);
+  const LandmarkIndex index = map.index();
+  for (int t = 0; t < 10; ++t)
+  {
+    const PoseSearch found = searchOne(index, lookAroundSomewhere(map, index, options, random).place);
+    double sum = found.elsewhere;
+    for (const ConsistentPose& p : found.poses) sum += p.probability;
+    EXPECT_NEAR(sum, 1, 1e-9);
+    EXPECT_FALSE(found.unique && found.expected_false > 0.05);
+  }
+}
+
+TEST(BearingSearch, SaysWhatIsWrongWithItsInput)
+{
+  RandomStream random(19);
+  const LostSceneOptions options;
+  const LostMap map = strewLandmarks(options, random);
+  const LandmarkIndex index = map.index(), empty{std::vector<Vector2d>{}};
+  SensorPlace place = lookAroundSomewhere(map, index, options, random).place;
+  EXPECT_EQ(searchOne(empty, place).status, SolveStatus::none);
+  SensorPlace two = place;
+  two.detections.resize(2);
+  EXPECT_EQ(searchOne(index, two).status, SolveStatus::too_few);
+  EXPECT_EQ(BearingSearch(index).search({}).status, SolveStatus::too_few);
+  SensorPlace unknown = place;
+  for (UnidentifiedDetection& d : unknown.detections) d.kind = kNoSuchKind;
+  EXPECT_EQ(searchOne(index, unknown).status, SolveStatus::too_few);
+  place.detections.front().bearing = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(searchOne(index, place).status, SolveStatus::bad_input);
+  place.detections.front().bearing = 0.5;
+  place.detections.front().std_bearing = 0;
+  EXPECT_EQ(searchOne(index, place).status, SolveStatus::bad_input);
+}
+
+TEST(BearingSearch, LandmarksOnALineAndRepeatedBearings)
+{
+  std::vector<Vector2d> line;
+  for (int i = 0; i < 30; ++i) line.emplace_back(i, 0);
+  const LandmarkIndex index(line);
+  SensorPlace place;
+  place.model.max_range = 8;
+  for (const double b : {0.1, 0.1, 0.6, 1.2, 2.0, 2.0})
+  {
+    UnidentifiedDetection d;
+    d.bearing = b;
+    d.std_bearing = degToRad(0.5);
+    place.detections.push_back(d);
+  }
+  const PoseSearch found = searchOne(index, place);
+  for (const ConsistentPose& p : found.poses) EXPECT_TRUE(isFinite(p.pose.mean));
+  EXPECT_FALSE(found.unique);
+}
+
+TEST(BearingSearch, ALatticeIsAmbiguous)
+{
+  std::vector<Vector2d> lattice;
+  for (int i = 0; i < 20; ++i)
+    for (int j = 0; j < 20; ++j) lattice.emplace_back(3 * i, 3 * j);
+  const LandmarkIndex index(lattice);
+  const LostMap map{57, LandmarkTable{}};
+  LostSceneOptions options;
+  options.detection_probability = 1;
+  options.false_readings = 0;
+  options.max_range = 6;
+  RandomStream random(20);
+  const LostView view = lookAround(map, index, options, {28.3, 29.1, 0.7}, random);
+  PoseSearchOptions few;
+  few.max_poses = 50;
+  const PoseSearch found = searchOne(index, view.place, few);
+  EXPECT_GT(found.poses.size(), 20u);
+  EXPECT_LE(found.poses.size(), 50u);
+  EXPECT_FALSE(found.unique);
+  EXPECT_LT(found.poses.front().probability, 0.1);
+}
+
+TEST(BearingSearch, StopsWhenToldTo)
+{
+  RandomStream random(21);
+  const LostSceneOptions options;
+  const LostMap map = strewLandmarks(options, random);
+  const LandmarkIndex index = map.index();
+  PoseSearchOptions hurried;
+  hurried.max_tested = 1000;
+  const PoseSearch found = searchOne(index, lookAroundSomewhere(map, index, options, random).place, hurried);
+  EXPECT_FALSE(found.finished);
+  EXPECT_FALSE(found.unique);
+}
+}  // namespace
+}  // namespace mrpt_ext
