@@ -84,7 +84,8 @@ TEST(RecordedRun, Roh)
   const testing::ScratchFolder folder;
   const auto log = converted(folder.path(), {"roh", recording});
   const auto summary = testing::summaryOf(testing::localized(folder.path(), "roh", log.arguments()));
-  EXPECT_LE(testing::medianPositionError(summary, "bearing_maximum_likelihood"), 0.15);
+  EXPECT_LE(testing::medianPositionError(summary, "bearing_maximum_likelihood"), 0.10);
+  EXPECT_EQ(summary.at("methods").at("bearing_maximum_likelihood").at("availability"), 1);
   EXPECT_TRUE(summary.at("methods").at("bearing_maximum_likelihood").at("heading_error_deg").at("rmse").is_null())
       << "headings are not judged";
 }
