@@ -140,7 +140,7 @@ double curvatureSpread(Sightings sightings, const Vector2d& v)
 std::optional<Matrix2d> covarianceAt(Sightings sightings, const Vector2d& v, const Matrix2d& information)
 {
   const Eigen::SelfAdjointEigenSolver<Matrix2d> eigen(information);
-  const Vector2d strength = eigen.eigenvalues();  // ascending
+  const Vector2d& strength = eigen.eigenvalues();  // ascending
   if (!(strength.y() > 0) || !v.allFinite()) return std::nullopt;
   const double linear = strength.x() > 0 ? 1 / std::sqrt(strength.x()) : std::numeric_limits<double>::infinity();
   const double weak = std::min(linear, curvatureSpread(sightings, v));
