@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "mrpt_ext/geometry/measurement_jacobian.h"
-#include "mrpt_ext/solvers/levenberg_marquardt.h"
-#include "mrpt_ext/solvers/plane.h"
+#include "mrpt_ext/solvers/pose_rows.h"
 
 namespace mrpt_ext
 {
@@ -16,32 +15,28 @@ constexpr double kRelativeStep = 1e-4;
 constexpr double kClosest = 1e-4;  // to a landmark, in units of the way to the next
 constexpr double kBeside = 0.1;    // and what still is beside it: other bearings change so much [rad]
 
-double misfit(const MatchedBearing& m, const Pose2& pose, const Vector2d& to_landmark)
+/// Predicted minus measured [rad]; `heading` is the unit vector of the pose's.
+double misfit(const MatchedBearing& m, const Vector2d& heading, const Vector2d& to_landmark)
 {
-  return wrap(std::atan2(to_landmark.y(), to_landmark.x()) - pose.phi - m.bearing);
+  const Vector2d seen = PoseRows::turned(m.unit, heading);
+  return smallAngle(cross(seen, to_landmark), seen.dot(to_landmark));
 }
 
 /// measurement_jacobian.h without a sensor offset.
 NormalEquations<3> normalEquations(std::span<const MatchedBearing> matched, const Pose2& pose)
 {
   NormalEquations<3> result;
+  const Vector2d position = pose.position(), heading = direction(pose.phi);
   for (const MatchedBearing& m : matched)
   {
-    const Vector2d d = m.landmark - pose.position();
-    const double e = misfit(m, pose, d), inverse = 1 / d.squaredNorm();
+    const Vector2d d = m.landmark - position;
+    const double e = misfit(m, heading, d), inverse = 1 / d.squaredNorm();
     const JacobianRow row(d.y() * inverse, -d.x() * inverse, -1);
     result.hessian.noalias() += row.transpose() * row;
     result.gradient += e * row.transpose();
     result.cost += e * e;
   }
   return result;
-}
-
-double sumOfSquares(std::span<const MatchedBearing> matched, const Pose2& pose)
-{
-  double sum = 0;
-  for (const MatchedBearing& m : matched) sum += square(misfit(m, pose, m.landmark - pose.position()));
-  return sum;
 }
 }  // namespace
 
@@ -51,15 +46,20 @@ BearingFit fitBearings(std::span<const MatchedBearing> matched, const Pose2& sta
   DescentOptions options;
   options.max_iterations = kIterations;
   options.relative_step = kRelativeStep;
-  descend<3>(
-      fit.pose, [&](const Pose2& p) { return normalEquations(matched, p); },
-      [&](const Pose2& p) { return sumOfSquares(matched, p); },
-      [](const Pose2& p, const Vector3d& step) {
-        return Pose2{p.x + step.x(), p.y + step.y(), wrap(p.phi + step.z())};
-      },
-      options);
+  NormalEquations<3> now = normalEquations(matched, start);
+  const auto improved = [&](const Pose2& next, double bound) -> std::optional<NormalEquations<3>>
+  {
+    NormalEquations<3> there = normalEquations(matched, next);
+    if (!(there.cost < bound)) return std::nullopt;
+    return there;
+  };
+  const auto moved = [](const Pose2& p, const Vector3d& step) {
+    return Pose2{p.x + step.x(), p.y + step.y(), p.phi + step.z()};
+  };
+  descendFrom<3>(fit.pose, now, improved, moved, options);
+  const Vector2d heading = direction(fit.pose.phi);
   for (const MatchedBearing& m : matched)
-    fit.max_residual = std::max(fit.max_residual, std::abs(misfit(m, fit.pose, m.landmark - fit.pose.position())));
+    fit.max_residual = std::max(fit.max_residual, std::abs(misfit(m, heading, m.landmark - fit.pose.position())));
   return fit;
 }
 

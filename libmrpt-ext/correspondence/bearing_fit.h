@@ -7,11 +7,12 @@
 
 namespace mrpt_ext
 {
-/// A landmark matched to a bearing [rad].
+/// A landmark matched to a bearing.
 struct MatchedBearing
 {
   Vector2d landmark{0, 0};
-  double bearing = 0;
+  double bearing = 0;   ///< [rad]
+  Vector2d unit{1, 0};  ///< its cosine and sine
 };
 
 struct BearingFit

@@ -11,8 +11,6 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kBetter = 0.8;  // a crossing replaces another when it is so much more certain
-
 /// The pose of a prefix of matched bearings, and what it leaves for those to come.
 struct Node
 {
@@ -84,7 +82,8 @@ class Search
   void push(std::size_t place, std::size_t landmark)
   {
     matched_.push_back({place, landmark, fan_.ray(bearingAt(place), landmark)});
-    bearings_.push_back({problem_.landmarks[landmark], problem_.bearings[bearingAt(place)]});
+    bearings_.push_back(
+        {problem_.landmarks[landmark], problem_.bearings[bearingAt(place)], fan_.unit(bearingAt(place))});
     assignment_[bearingAt(place)] = static_cast<int>(landmark);
   }
 
@@ -100,6 +99,7 @@ class Search
     for (std::size_t place = 0; mayStartAt(place); ++place)
       for (const int l : allowed(order_[place]))
       {
+        if (!result_.finished) return;
         const auto landmark = static_cast<std::size_t>(l);
         fan_.aim(bearingAt(place), landmark);
         setBounds(problem_.landmarks[landmark]);
@@ -126,6 +126,7 @@ class Search
       for (const int l : allowed(order_[place]))
       {
         const auto landmark = static_cast<std::size_t>(l);
+        if (!result_.finished) return;
         if (!isFree(landmark) || !withinReach(landmark)) continue;
         push(place, landmark);
         extend(place + 1);
@@ -196,6 +197,17 @@ class Search
   bool settle(const Node& parent, const RayCrossing& with_second, std::size_t next_place)
   {
     Node& here = nodes_[matched_.size()];
+    here.base = with_second;
+    if (matched_.size() == 3) return here.open() || (withinRange(here.base) && lookAhead(here, next_place));
+    if (!crossWithAll(parent, here, with_second)) return false;
+    if (here.open()) return true;
+    if (!parent.open()) return filter(parent, here, next_place);
+    return lookAhead(here, next_place) && (crossings_.size() == 1 || filter(here, here, next_place));
+  }
+
+  /// Crosses the newest ray with the others, and keeps the most certain pose. Every crossing must explain all.
+  bool crossWithAll(const Node& parent, Node& here, const RayCrossing& with_second)
+  {
     here.base = parent.base;
     crossings_.clear();
     for (std::size_t i = 1; i + 1 < matched_.size(); ++i)
@@ -203,13 +215,11 @@ class Search
       const RayCrossing c = i == 1 ? with_second : crossRays(matched_[i].ray, matched_.back().ray, bounds_);
       if (c.outcome == CrossingOutcome::none) return false;
       if (c.outcome == CrossingOutcome::open) continue;
-      if (!explainsMatched(c)) return false;
+      if (!explainsMatched(c) || !withinRange(c)) return false;
       crossings_.push_back(c);
       if (here.open() || c.shift < here.base.shift) here.base = c;
     }
-    if (here.open()) return true;
-    if (!parent.open()) return filter(parent, here, next_place);
-    return lookAhead(here, next_place) && (crossings_.size() == 1 || filter(here, here, next_place));
+    return true;
   }
 
   [[nodiscard]] DirectionGate gate(const RayCrossing& base, const InverseRay& ray) const
@@ -221,9 +231,12 @@ class Search
   /// All bearings matched so far agree with the pose.
   [[nodiscard]] bool explainsMatched(const RayCrossing& base) const
   {
-    const bool pair_alone = matched_.size() == 3;
-    for (std::size_t i = 1; i < matched_.size() && !pair_alone; ++i)
-      if (!gate(base, matched_[i].ray).admits(matched_[i].ray.ux, matched_[i].ray.uy)) return false;
+    return std::all_of(matched_.begin() + 1, matched_.end(),
+                       [&](const Match& m) { return gate(base, m.ray).admits(m.ray.ux, m.ray.uy); });
+  }
+
+  [[nodiscard]] bool withinRange(const RayCrossing& base) const
+  {
     if (!std::isfinite(reach_)) return true;
     const Vector2d robot = bearings_[0].landmark + Vector2d(base.x, base.y);
     return std::all_of(bearings_.begin(), bearings_.end(),

@@ -69,7 +69,8 @@ struct Interpretations
 /// All poses from which the bearings can be explained (paper 000, section 3: interpretation tree). An interpretation is
 /// consistent when its maximum-likelihood pose (equal weights) leaves no residual above eps and lies inside the area
 /// and within range of its landmarks; landmarks that are not seen need no explanation. An interpretation that only
-/// drops bearings from another consistent one is not listed.
+/// drops bearings from another consistent one is not listed. Where least squares creeps onto a landmark for ever, since
+/// its bearing from there is whatever was measured, the pose beside it is taken (1e-4 of the way to the next one seen).
 /// Poses are those of the sensor; for one at T_robot_sensor on the robot, compose with inverse(T_robot_sensor).
 /// Status: `ok` with solutions, `none` without, `too_few` when less than four bearings can be matched (three with
 /// allow_three), `bad_input` for non-finite numbers, eps <= 0, or a candidate that is no landmark index.

@@ -25,8 +25,9 @@ struct InverseRay
 struct CrossingBounds
 {
   double error = 0;  ///< tan(2 eps) / 2
-  double facing =
-      0;  ///< tangent of the largest angle between a ray and the way to the other, when they are nearly opposite
+  /// Tangent of the largest angle between a ray and the way to the landmark of another that is nearly opposite to it;
+  /// negative: not bounded.
+  double facing = 0;
   double west = 0, south = 0, east = 0, north = 0;  ///< area of the robot, relative to the reference landmark [m]
 };
 
@@ -45,11 +46,12 @@ struct RayCrossing
   double bx = 0, by = 0;  ///< and of the second
   double shift = 0;       ///< largest distance of the true f [1/m]
   double bend = 0;        ///< what the direction from a point to f can change beyond first order [rad/m]
-  double x = 0, y = 0,
-         slack = 0;  ///< robot relative to the reference landmark, and its largest distance to the truth [m]
+  double x = 0, y = 0;    ///< robot relative to the reference landmark [m]
+  double slack = 0;       ///< and its largest distance to the true place [m]
 };
 
-inline constexpr double kParallel = 6;  // smallest sine of a crossing, in units of the error
+/// Smallest sine of a crossing, in units of the error: below it the bounds grow too wide to be of use.
+inline constexpr double kParallel = 6;
 
 // std::max returns a reference, std::fmax minds NaN: neither becomes vector code.
 [[gnu::always_inline]] inline double greater(double a, double b) { return a > b ? a : b; }
@@ -81,9 +83,9 @@ inline constexpr double kParallel = 6;  // smallest sine of a crossing, in units
   const bool open = !(steep > kParallel * bounds.error);
   // Rays that are nearly opposite to each other meet between their landmarks, or not at all.
   const double along_a = a.ux * wx + a.uy * wy, along_b = -b.ux * wx - b.uy * wy;
-  const bool apart = (bounds.facing > 0) & (a.ux * b.ux + a.uy * b.uy < 0) &
-                     ((std::abs(a.ux * wy - a.uy * wx) > bounds.facing * along_a) |
-                      (std::abs(b.ux * wy - b.uy * wx) > bounds.facing * along_b));
+  const double across_a = std::abs(a.ux * wy - a.uy * wx), across_b = std::abs(b.ux * wy - b.uy * wx);
+  const bool aside = (across_a > bounds.facing * along_a) | (across_b > bounds.facing * along_b);
+  const bool apart = (bounds.facing > 0) & (a.ux * b.ux + a.uy * b.uy < 0) & aside;
   const bool outside = (c.x < bounds.west - c.slack) | (c.x > bounds.east + c.slack) | (c.y < bounds.south - c.slack) |
                        (c.y > bounds.north + c.slack);
   const bool behind = (ta < -c.shift) | (tb < -c.shift);
@@ -106,8 +108,9 @@ struct DirectionGate
 };
 
 /// With s_i the sensitivity of the bearing to those of the two rays and the reference, the gate is
-/// error (1 + sum |s_i|) and what the shift adds, or, as `covariance` gate, error (1 + sum s_i^2)^(1/2).
-template <bool covariance>
+/// error (1 + sum |s_i|) and what the shift adds, or, with `Covariance`, error (1 + sum s_i^2)^(1/2)
+/// (InterpretationGate).
+template <bool Covariance>
 [[gnu::always_inline]] inline DirectionGate gateAt(const RayCrossing& c, double error, double px, double py)
 {
   DirectionGate gate;
@@ -116,7 +119,7 @@ template <bool covariance>
   const double r2 = gate.wx * gate.wx + gate.wy * gate.wy, r = std::sqrt(r2), room = r - c.shift;
   const double sa = (gate.wx * c.ay - gate.wy * c.ax) / r2, sb = (gate.wx * c.by - gate.wy * c.bx) / r2;
   const double s0 = 1 - sa - sb;
-  const double angle = covariance ? error * std::sqrt(1 + sa * sa + sb * sb + s0 * s0) * r / room
+  const double angle = Covariance ? error * std::sqrt(1 + sa * sa + sb * sb + s0 * s0) * r / room
                                   : error + (error * (std::abs(sa) + std::abs(sb) + std::abs(s0)) * r + c.bend) / room;
   // tan(g) < pi^2 g / (pi^2 - 4 g^2) below a right angle
   const bool anything = !(room > 0.2 * r) | !(angle < 1.5);

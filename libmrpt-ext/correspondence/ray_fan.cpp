@@ -95,13 +95,13 @@ struct GateArrays
   double* __restrict wx, * __restrict wy, * __restrict narrow, * __restrict wide;
 };
 
-template <bool covariance>
+template <bool Covariance>
 [[gnu::always_inline]] inline void gateAll(RayCrossing crossing, double error, const double* __restrict px,
                                            const double* __restrict py, std::size_t count, GateArrays out)
 {
   for (std::size_t l = 0; l < count; ++l)
   {
-    const DirectionGate gate = gateAt<covariance>(crossing, error, px[l], py[l]);
+    const DirectionGate gate = gateAt<Covariance>(crossing, error, px[l], py[l]);
     out.wx[l] = gate.wx;
     out.wy[l] = gate.wy;
     out.narrow[l] = gate.narrow;

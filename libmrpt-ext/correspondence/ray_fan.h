@@ -31,6 +31,7 @@ class RayFan
   void aim(std::size_t bearing, std::size_t landmark);
 
   [[nodiscard]] std::size_t size() const { return x_.size(); }  ///< landmarks and padding
+  [[nodiscard]] const Vector2d& unit(std::size_t bearing) const { return units_[bearing]; }
   [[nodiscard]] double error() const { return error_; }
   [[nodiscard]] InverseRay ray(std::size_t bearing, std::size_t landmark) const
   {
