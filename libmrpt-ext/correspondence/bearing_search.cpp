@@ -22,8 +22,9 @@ constexpr int kLeastMatches = 4;      // three bearings are explained by every c
 constexpr std::size_t kJudgedAtOnce = 64;
 constexpr std::size_t kCapacity = 500000;  // proposals of one round that are kept
 constexpr std::size_t kMaxJudged = 5000;
-constexpr double kNegligible = 1e-3;  // evidence relative to the best pose's
-constexpr double kAreaMargin = 0.5;   // [m] a triple's pose may lie outside though the refined one does not
+constexpr double kLargestFreedom = 0.5;  // of the range: how far a pose to be judged may be off
+constexpr double kNegligible = 1e-3;     // evidence relative to the best pose's
+constexpr double kAreaMargin = 0.5;      // [m] a triple's pose may lie outside though the refined one does not
 
 double rangeLimit(const SensorPlace& place) { return place.model.max_range.value_or(kUnlimited); }
 
@@ -196,12 +197,20 @@ class SearchRun
     for (const PoseProposal& p : proposals)
     {
       const TightenedPose tight = tightenPose(p.sensor, views, options_.gate, least, scratch_);
-      if (tight.explained < least) continue;
+      if (tight.explained < least || !isFixed(tight.sensor, place)) continue;
       const Matrix3d J = composeJacobianFirst(tight.sensor.mean, T_sensor_robot);
       const auto level = static_cast<std::size_t>(tight.explained);
       if (pool_.size() <= level) pool_.resize(level + 1);
       pool_[level].push_back({compose(tight.sensor.mean, T_sensor_robot), J * tight.sensor.covariance * J.transpose()});
     }
+  }
+
+  /// False for a pose that so much is free to move that everything in sight would explain its readings.
+  [[nodiscard]] bool isFixed(const GaussianPose& sensor, int place) const
+  {
+    const double reach =
+        std::min(rangeLimit(places_[static_cast<std::size_t>(place)]), (map_.high() - map_.low()).norm());
+    return options_.gate * std::sqrt(sensor.covariance.topLeftCorner<2, 2>().trace()) < kLargestFreedom * reach;
   }
 
   /// Judges the proposals that explain most, as long as they can matter.
