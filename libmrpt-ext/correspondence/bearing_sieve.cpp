@@ -47,7 +47,7 @@ struct TableInFloat
   }
 };
 
-template <bool kHasKinds>
+template <bool HasKinds>
 [[gnu::always_inline]] inline Look look(const SievePose& p, const TableInFloat& table, float landmark_x,
                                         float landmark_y, std::uint8_t kind)
 {
@@ -68,7 +68,7 @@ template <bool kHasKinds>
   const int level = step < table.last_level ? step : table.last_level;
   const int bin = static_cast<int>((bx < 0 ? 3 - along : 1 + along) * table.scale) & (table.bins - 1);
   std::uint32_t set = table.sets[level * table.bins + bin];
-  if constexpr (kHasKinds) set &= table.of_kind[kind];
+  if constexpr (HasKinds) set &= table.of_kind[kind];
   return {set & (r2 <= p.range2 ? ~0U : 0U), bx, by, ex, ey, w, variance};
 }
 
@@ -98,7 +98,7 @@ ViewInFloat inFloat(const SieveView& view, const Vector2d& around)
           std::min(static_cast<float>(lists.maxRange()), kUnlimited)};
 }
 
-template <bool kHasKinds>
+template <bool HasKinds>
 [[gnu::always_inline]] inline void addExplained(const TriplePoses& poses, const SieveView& view, const ViewInFloat& v,
                                                 float gate, std::uint16_t* explained)
 {
@@ -133,7 +133,7 @@ template <bool kHasKinds>
                          reach * reach};
     std::uint32_t set = view.used;
     for (std::size_t l = 0; l < cell.count; ++l)
-      set |= look<kHasKinds>(pose, table, cell.x[l], cell.y[l], cell.kind[l]).explains;
+      set |= look<HasKinds>(pose, table, cell.x[l], cell.y[l], cell.kind[l]).explains;
     explained[n] = static_cast<std::uint16_t>(explained[n] + std::popcount(set));
   }
 }

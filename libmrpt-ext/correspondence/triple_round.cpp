@@ -54,7 +54,7 @@ void keepInside(const MapArea& area, const Vector2d& around, TripleHits& hits)
     hits.y[kept] = hits.y[n];
     hits.j[kept] = hits.j[n];
     hits.k[kept] = hits.k[n];
-    kept += static_cast<std::size_t>((x >= low.x()) & (x <= high.x()) & (y >= low.y()) & (y <= high.y()));
+    kept += static_cast<std::size_t>(x >= low.x() && x <= high.x() && y >= low.y() && y <= high.y());
   }
   hits.count = kept;
 }
@@ -89,8 +89,8 @@ std::vector<PoseProposal> ProposalStore::takeSorted()
 {
   std::vector<PoseProposal> sorted;
   sorted.reserve(size_);
-  for (auto level = levels_.rbegin(); level != levels_.rend(); ++level)
-    std::move(level->begin(), level->end(), std::back_inserter(sorted));
+  for (std::size_t level = levels_.size(); level-- > 0;)
+    std::move(levels_[level].begin(), levels_[level].end(), std::back_inserter(sorted));
   levels_.clear();
   size_ = 0;
   return sorted;

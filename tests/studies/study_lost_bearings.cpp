@@ -14,9 +14,16 @@ namespace
 {
 struct Outcome
 {
-  bool found = false, first = false, unique = false, finished = true;
+  bool found = false, first = false, first_place = false, unique = false, finished = true;
   double poses = 0, probability = 0, milliseconds = 0;
 };
+
+/// With coarse bearings the right place may be known to worse than 0.1 m.
+bool isWithinUncertainty(const ConsistentPose& p, const Pose2& truth)
+{
+  const double std = std::sqrt(p.pose.covariance.topLeftCorner<2, 2>().trace());
+  return (p.pose.mean.position() - truth.position()).norm() <= std::min(4 * std, 1.0);
+}
 
 Outcome searchOnce(const BearingSearch& search, const LostView& view)
 {
@@ -31,6 +38,7 @@ Outcome searchOnce(const BearingSearch& search, const LostView& view)
   o.finished = result.finished;
   if (result.poses.empty()) return o;
   o.first = isAtTruth(result.poses.front().pose.mean, view.robot);
+  o.first_place = o.first || isWithinUncertainty(result.poses.front(), view.robot);
   o.probability = result.poses.front().probability;
   return o;
 }
@@ -127,13 +135,13 @@ void tabulateCalibration(std::ostream& out)
       options.std_bearing = degToRad(sigma);
       options.random_false = true;
       options.border = 6;
-      for (const Outcome& o : searchMany(options, 200, 31))
+      for (const Outcome& o : searchMany(options, 40, 31))
       {
         if (o.poses == 0) continue;
         const auto bin = static_cast<std::size_t>(std::min(9.0, std::floor(10 * o.probability)));
         stated[bin] += o.probability;
         ++trials[bin];
-        hits[bin] += o.first;
+        hits[bin] += o.first_place;
       }
     }
   out << "\n| stated probability of the best pose | trials | mean stated | hit rate | in the 99 % interval |\n"
@@ -152,7 +160,9 @@ void tabulateCalibration(std::ostream& out)
 
 const RegisterStudy kRecall("lost_bearings", "How often, how fast and how surely is a lost robot found from bearings?",
                             tabulateRecall);
-const RegisterStudy kCalibration("lost_bearings_calibration", "Is the stated probability of the best pose right?",
-                                 tabulateCalibration);
+const RegisterStudy kCalibration(
+    "lost_bearings_calibration",
+    "Is the stated probability of the best pose right? (Hit: within 0.1 m and 1 deg, or 4 std and 1 m.)",
+    tabulateCalibration);
 }  // namespace
 }  // namespace mrpt_ext
