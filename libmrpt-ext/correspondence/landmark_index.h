@@ -34,10 +34,10 @@ class LandmarkIndex
   [[nodiscard]] const Vector2d& low() const { return low_; }    ///< corner of the bounding box [m]
   [[nodiscard]] const Vector2d& high() const { return high_; }  ///< opposite corner [m]
 
-  /// Distance [m] from `point` that no landmark exceeds.
+  /// Distance [m] from `point` that no landmark exceeds, rounding included.
   [[nodiscard]] double farthestFrom(const Vector2d& point) const
   {
-    return (point - low_).cwiseAbs().cwiseMax((point - high_).cwiseAbs()).norm();
+    return (point - low_).cwiseAbs().cwiseMax((point - high_).cwiseAbs()).norm() * (1 + 1e-9);
   }
 
   /// Calls visit(landmark) for every landmark within `radius` [m] of `point`, in a fixed order.

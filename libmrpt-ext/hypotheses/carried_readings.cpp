@@ -1,11 +1,19 @@
 #include "mrpt_ext/hypotheses/carried_readings.h"
 
+#include <algorithm>
+
 #include <cmath>
 
 #include "mrpt_ext/hypotheses/landmark_sighting.h"
 
 namespace mrpt_ext
 {
+bool areJoined(std::span<const Reading> readings)
+{
+  return std::any_of(readings.begin(), readings.end(),
+                     [](const Reading& reading) { return !reading.way_covariance.isZero(0); });
+}
+
 Reading asTaken(Reading carried)
 {
   if (carried.way_covariance.isZero(0)) return carried;

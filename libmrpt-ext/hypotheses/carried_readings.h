@@ -14,6 +14,9 @@ namespace mrpt_ext
 // Joined readings (localizers/frame_joiner.h) as the solvers want them that know what odometry errors have in common.
 // All take the readings oldest first.
 
+/// True when some of the readings were carried along by odometry.
+[[nodiscard]] bool areJoined(std::span<const Reading> readings);
+
 /// The reading with the deviations it was taken with: what the way has added to bearings and sensor place is left to
 /// `way_covariance`.
 [[nodiscard]] Reading asTaken(Reading carried);

@@ -24,9 +24,7 @@ std::vector<CarriedPlace> carriedPlaces(std::span<const Reading> oldest_first, c
 std::vector<SensorPlace> joinedPlaces(std::span<const Reading> oldest_first, const LandmarkTable& map,
                                       const LandmarkIndex& index)
 {
-  const bool one_moment = std::all_of(oldest_first.begin(), oldest_first.end(),
-                                      [](const Reading& reading) { return reading.way_covariance.isZero(0); });
-  if (one_moment) return sensorPlaces(oldest_first, map, index);
+  if (!areJoined(oldest_first)) return sensorPlaces(oldest_first, map, index);
   return asSensorPlaces(joinPlaces(carriedPlaces(oldest_first, map, index)));
 }
 }  // namespace mrpt_ext

@@ -26,8 +26,4 @@ namespace mrpt_ext
 
 /// Running fixes with the heading of the compass: two candidates each; without a compass, each for `points` headings.
 [[nodiscard]] HypothesisSet proposeFromRunningFixes(const Frame& frame, const LandmarkTable& map, std::size_t points);
-
-/// Points without identity: every pair of them against every pair of landmarks the same distance apart.
-[[nodiscard]] HypothesisSet proposeFromAnonymousPoints(std::span<const LandmarkSighting> sightings,
-                                                       const LandmarkTable& map);
 }  // namespace mrpt_ext

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
-#include "mrpt_ext/hypotheses/interpret_sightings.h"
+#include "mrpt_ext/hypotheses/carried_readings.h"
+#include "mrpt_ext/hypotheses/interpret_readings.h"
 #include "mrpt_ext/hypotheses/pose_proposals.h"
+#include "mrpt_ext/hypotheses/propose_carried.h"
 #include "mrpt_ext/likelihood/compass_likelihood.h"
 #include "mrpt_ext/likelihood/reading_likelihood.h"
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
@@ -46,7 +48,8 @@ void score(HypothesisSet& hypotheses, const Frame& frame, const LandmarkTable& m
 }
 }  // namespace
 
-HypothesisSet proposePoses(const Frame& frame, const LandmarkTable& map, const ProposalOptions& options)
+HypothesisSet proposePoses(const Frame& frame, const LandmarkTable& map, const LostRobotSearch& search,
+                           const ProposalOptions& options)
 {
   const std::vector<LandmarkSighting> identified = identifiedSightings(frame.readings, map);
   HypothesisSet all = proposeFromPointPairs(identified);
@@ -57,9 +60,10 @@ HypothesisSet proposePoses(const Frame& frame, const LandmarkTable& map, const P
   if (all.empty()) append(all, proposeFromRing(identified, options.ring_points));
   append(all, proposeFromRunningFixes(frame, map, options.ring_points));
 
-  const std::vector<LandmarkSighting> unidentified = unidentifiedSightings(frame.readings, map);
-  append(all, proposeFromAnonymousPoints(unidentified, map));
-  append(all, interpretSightings(unidentified, map, options.region, true).hypotheses);
+  if (areJoined(frame.readings))
+    append(all, proposeFromCarriedLandmarks(frame.readings, map, frame.compass, options.ring_points));
+  append(all, interpretReadings(frame.readings, map, search, options.region).hypotheses);
+  append(all, interpretThreeBearings(frame.readings, map, search, options.region));
 
   std::erase_if(all, [&](const PoseHypothesis& h) { return !options.region.contains(h.pose.mean); });
   score(all, frame, map);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mrpt_ext/correspondence/lost_robot_search.h"
 #include "mrpt_ext/geometry/frame.h"
 #include "mrpt_ext/geometry/landmark_table.h"
 #include "mrpt_ext/hypotheses/pose_hypothesis.h"
@@ -17,7 +18,8 @@ struct ProposalOptions
 /// All poses that the closed forms find in a frame, with covariance, scored by the likelihood of the whole frame and
 /// ranked. Which solver seeds what: three bearings -> linear form and ML; pairs of range and
 /// bearing -> rigid fit; three ranges -> position, heading from a bearing or free; one range and bearing, or a running
-/// fix -> ring; bearings without identity -> interpretation tree; points without identity -> pairs of equal distance.
+/// fix -> ring; detections without identity -> search for their constellation in the map (`search`, of this map).
 /// Measurements may be partly wrong: solvers work on minimal subsets and the whole frame judges.
-[[nodiscard]] HypothesisSet proposePoses(const Frame& frame, const LandmarkTable& map, const ProposalOptions& options);
+[[nodiscard]] HypothesisSet proposePoses(const Frame& frame, const LandmarkTable& map, const LostRobotSearch& search,
+                                         const ProposalOptions& options);
 }  // namespace mrpt_ext

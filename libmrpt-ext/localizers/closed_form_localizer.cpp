@@ -24,7 +24,7 @@ Estimate estimateFrom(ClosedFormAnswer answer, double time)
   if (!best.heading_known) point.pose.covariance(2, 2) = kAnyHeadingVariance;
   point.modes = static_cast<int>(estimate.candidates.size());
   point.best_weight = best.weight;
-  const bool sure = estimate.candidates.size() == 1 && estimate.status == SolveStatus::ok;
+  const bool sure = estimate.candidates.size() == 1 && estimate.status == SolveStatus::ok && answer.unique;
   point.verdict = sure ? Verdict::ok : Verdict::ambiguous;
   estimate.point = point;
   return estimate;

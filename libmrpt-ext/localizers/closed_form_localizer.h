@@ -14,6 +14,7 @@ struct ClosedFormAnswer
 {
   SolveStatus status = SolveStatus::too_few;
   HypothesisSet candidates;
+  bool unique = true;  ///< false: even a single candidate is not sure to be the right one
 };
 
 /// A stateless closed form behind the common interface. It reports its best-scoring candidate; candidates with equal

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <map>
 
-#include "mrpt_ext/hypotheses/interpret_sightings.h"
+#include "mrpt_ext/hypotheses/carried_readings.h"
+#include "mrpt_ext/hypotheses/interpret_readings.h"
 #include "mrpt_ext/hypotheses/landmark_sighting.h"
+#include "mrpt_ext/hypotheses/propose_carried.h"
 #include "mrpt_ext/solvers/bearing_pose_linear.h"
 #include "mrpt_ext/solvers/identified_pose.h"
 #include "mrpt_ext/solvers/pose_information.h"
@@ -89,6 +91,15 @@ ClosedFormAnswer single(SolveStatus status, const GaussianPose& pose, const char
   return answer;
 }
 
+/// In a frame joined through odometry the errors of the way are shared: poses are refined with them.
+void refineJoined(HypothesisSet& candidates, std::vector<Reading> readings, const LandmarkTable& map)
+{
+  for (Reading& reading : readings)
+    for (Detection& detection : reading.detections) detection.range.reset();
+  for (PoseHypothesis& h : candidates)
+    if (const auto refined = refineOnJoined(readings, map, h.pose.mean)) h.pose = *refined;
+}
+
 const auto kAnySighting = [](const LandmarkSighting&) { return true; };
 }  // namespace
 
@@ -115,6 +126,7 @@ ClosedFormAnswer bearingMaximumLikelihood(const Frame& frame, const LandmarkTabl
   for (const PoseCandidate& candidate : solved.candidates)
     answer.candidates.push_back(
         {.pose = candidate.pose, .log_score = -0.5 * candidate.chi2, .source = "bearing_maximum_likelihood"});
+  if (areJoined(frame.readings)) refineJoined(answer.candidates, frame.readings, map);
   return answer;
 }
 
@@ -158,11 +170,10 @@ ClosedFormAnswer twoLandmarkPose(const Frame& frame, const LandmarkTable& map)
   return single(fit.status, fit.pose, "two_landmark_pose");
 }
 
-ClosedFormAnswer interpretationTree(const Frame& frame, const LandmarkTable& map, const PoseRegion& region)
+ClosedFormAnswer interpretationTree(const Frame& frame, const LandmarkTable& map, const LostRobotSearch& search,
+                                    const PoseRegion& region)
 {
-  std::vector<LandmarkSighting> sightings = unidentifiedSightings(frame.readings, map);
-  std::erase_if(sightings, [](const LandmarkSighting& s) { return !s.bearing; });
-  SightingInterpretations found = interpretSightings(sightings, map, region, false);
-  return {found.status, std::move(found.hypotheses)};
+  ReadingInterpretation found = interpretReadings(frame.readings, map, search, region);
+  return {found.status, std::move(found.hypotheses), found.unique};
 }
 }  // namespace mrpt_ext

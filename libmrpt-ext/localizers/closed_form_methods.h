@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mrpt_ext/correspondence/lost_robot_search.h"
 #include "mrpt_ext/geometry/landmark_table.h"
 #include "mrpt_ext/hypotheses/pose_region.h"
 #include "mrpt_ext/localizers/closed_form_localizer.h"
@@ -25,8 +26,8 @@ namespace mrpt_ext
 /// Rigid fit of two or more identified landmarks seen as points (paper 001, both poles).
 [[nodiscard]] ClosedFormAnswer twoLandmarkPose(const Frame& frame, const LandmarkTable& map);
 
-/// Interpretation tree over the unidentified bearings of a frame (paper 000 sec. 3): all consistent poses in the
-/// region.
+/// Search over the unidentified detections of a frame (paper 000 sec. 3, at any scale: lost_robot_search.h): all
+/// consistent poses in the region. `search` must be of `map`.
 [[nodiscard]] ClosedFormAnswer interpretationTree(const Frame& frame, const LandmarkTable& map,
-                                                  const PoseRegion& region);
+                                                  const LostRobotSearch& search, const PoseRegion& region);
 }  // namespace mrpt_ext

@@ -3,8 +3,13 @@
 namespace mrpt_ext
 {
 ParticleFilterLocalizer::ParticleFilterLocalizer(const ParticleFilterOptions& options, const LandmarkTable& map,
-                                                 double seed_window, std::uint64_t seed, std::uint64_t stream)
-    : map_(map), region_(options.region), filter_(options, map, seed, stream), joiner_(seed_window, options.motion)
+                                                 double seed_window, std::uint64_t seed, std::uint64_t stream,
+                                                 std::shared_ptr<const LostRobotSearch> search)
+    : map_(map),
+      search_(search ? std::move(search) : std::make_shared<const LostRobotSearch>(map)),
+      region_(options.region),
+      filter_(options, map, seed, stream),
+      joiner_(seed_window, options.motion)
 {
 }
 
@@ -14,7 +19,7 @@ Estimate ParticleFilterLocalizer::process(const Frame& frame)
   const auto propose = [&]
   {
     const Frame joined = joiner_.joined();
-    Proposal proposal(proposePoses(joined, map_, {.region = region_}));
+    Proposal proposal(proposePoses(joined, map_, *search_, {.region = region_}));
     proposal.joined_readings = joined.readings;
     proposal.complete = joiner_.full();
     return proposal;

@@ -10,9 +10,11 @@ namespace mrpt_ext
 class ParticleFilterLocalizer : public FilterLocalizer
 {
  public:
-  /// `seed_window` [s]: how far back readings are joined by odometry when hypotheses are needed.
+  /// `seed_window` [s]: how far back readings are joined by odometry when hypotheses are needed. `search`: of this map,
+  /// to share its index between filters; absent: one of its own.
   ParticleFilterLocalizer(const ParticleFilterOptions& options, const LandmarkTable& map, double seed_window,
-                          std::uint64_t seed, std::uint64_t stream = 0);
+                          std::uint64_t seed, std::uint64_t stream = 0,
+                          std::shared_ptr<const LostRobotSearch> search = nullptr);
 
   Estimate process(const Frame& frame) override;
   [[nodiscard]] const FilterStep& lastStep() const override { return step_; }
@@ -21,6 +23,7 @@ class ParticleFilterLocalizer : public FilterLocalizer
 
  private:
   LandmarkTable map_;
+  std::shared_ptr<const LostRobotSearch> search_;
   PoseRegion region_;
   ParticleFilter filter_;
   FrameJoiner joiner_;

@@ -131,7 +131,7 @@ LocalizationInput loadLocalization(const Settings& settings, const LogWindow& wi
   for (const auto& [reason, count] : input.sequence.unusable) input.unusable[reason] += count;
   checkAnythingToScore(input);
   matchSensors(input, records);
-  (void)makeMethods(input.config, input.context.map, input.sequence, 0, 0);  // an unknown name is told before the work
+  (void)MethodFactory(input.config, input.context.map, input.sequence);  // an unknown name is told before the work
   input.context.truth = loadTruth(settings, source);
   input.context.truth_is_sparse = isSparse(input.context.truth);
   return input;

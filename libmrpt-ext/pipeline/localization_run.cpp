@@ -56,7 +56,11 @@ class TrialBatch
 {
  public:
   TrialBatch(const LocalizationInput& input, const LocalizationRequest& request, fs::path folder, std::uint64_t seed)
-      : input_(input), request_(request), folder_(std::move(folder)), seed_(seed)
+      : input_(input),
+        request_(request),
+        methods_(input.config, input.context.map, input.sequence),
+        folder_(std::move(folder)),
+        seed_(seed)
   {
     const int count = request.last_trial - request.first_trial;
     scores_.resize(static_cast<std::size_t>(count));
@@ -98,8 +102,7 @@ class TrialBatch
       const std::lock_guard lock(mutex_);
       line.show((static_cast<double>(done_) + share) / total);
     };
-    TrialOutcome outcome = runTrial(
-        {input_.config, input_.context.map, input_.sequence, input_.context.truth, stop, progress}, seed_, trial);
+    TrialOutcome outcome = runTrial({methods_, input_.sequence, input_.context.truth, stop, progress}, seed_, trial);
     outcome.record.peak_memory_mb = peakMemoryMegabytes();
     RunScore score = scoreRun(input_.context, outcome.record, input_.config.limits);
     if (bound_) score.limit = {bound_->position_rmse, bound_->heading_rmse_deg};
@@ -117,6 +120,7 @@ class TrialBatch
 
   const LocalizationInput& input_;
   const LocalizationRequest& request_;
+  MethodFactory methods_;
   fs::path folder_;
   std::uint64_t seed_;
   std::vector<std::optional<RunScore>> scores_;

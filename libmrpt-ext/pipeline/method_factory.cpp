@@ -1,7 +1,6 @@
 #include "mrpt_ext/pipeline/method_factory.h"
 
 #include <algorithm>
-#include <functional>
 
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/localizers/closed_form_methods.h"
@@ -13,75 +12,93 @@
 
 namespace mrpt_ext
 {
-namespace
+MeasurementKinds::MeasurementKinds(const std::vector<Frame>& frames)
 {
-/// What kinds of measurements a log holds: decides which closed forms make sense.
-struct MeasurementKinds
-{
-  bool known_bearing = false, known_range = false, known_point = false, unknown_bearing = false, fix = false;
-
-  explicit MeasurementKinds(const std::vector<Frame>& frames)
+  for (const Frame& frame : frames)
   {
-    for (const Frame& frame : frames)
-    {
-      fix = fix || !frame.fixes.empty();
-      for (const Reading& reading : frame.readings)
-        for (const Detection& d : reading.detections)
-        {
-          const bool known = d.id != kNoId;
-          known_bearing = known_bearing || (known && d.bearing);
-          known_range = known_range || (known && d.range);
-          known_point = known_point || (known && d.bearing && d.range);
-          unknown_bearing = unknown_bearing || (!known && d.bearing);
-        }
-    }
+    fix = fix || !frame.fixes.empty();
+    for (const Reading& reading : frame.readings)
+      for (const Detection& d : reading.detections)
+      {
+        const bool known = d.id != kNoId;
+        known_bearing = known_bearing || (known && d.bearing);
+        known_range = known_range || (known && d.range);
+        known_point = known_point || (known && d.bearing && d.range);
+        unknown_bearing = unknown_bearing || (!known && d.bearing);
+      }
   }
-};
-
-using Make = std::function<std::unique_ptr<Localizer>()>;
-
-/// A method by name; `applies` tells whether the log gives it anything.
-struct MethodEntry
-{
-  std::string name;
-  bool applies = false;
-  Make make;
-};
-
-std::unique_ptr<FilterLocalizer> makeFilter(const LocalizationConfig& config, const LandmarkTable& map,
-                                            std::uint64_t seed, int trial)
-{
-  if (config.engine == FilterEngine::mrpt) return makeMrptFilterLocalizer(config, map, seed, trial);
-  return std::make_unique<ParticleFilterLocalizer>(config.filter, map, config.seed_window, seed,
-                                                   static_cast<std::uint64_t>(trial));
 }
 
-std::vector<MethodEntry> closedForms(const LocalizationConfig& config, const LandmarkTable& map,
-                                     const MeasurementKinds& kinds)
+MethodFactory::MethodFactory(const LocalizationConfig& config, const LandmarkTable& map, const FrameSequence& sequence)
+    : config_(config),
+      map_(map),
+      has_odometry_(!sequence.odometry.empty()),
+      kinds_(sequence.frames),
+      search_(std::make_shared<const LostRobotSearch>(map))
 {
-  const PoseRegion region = config.filter.region;
+  checkNames();
+}
+
+std::unique_ptr<FilterLocalizer> MethodFactory::makeFilter(std::uint64_t seed, int trial) const
+{
+  if (config_.engine == FilterEngine::mrpt) return makeMrptFilterLocalizer(config_, map_, seed, trial);
+  return std::make_unique<ParticleFilterLocalizer>(config_.filter, map_, config_.seed_window, seed,
+                                                   static_cast<std::uint64_t>(trial), search_);
+}
+
+std::vector<MethodFactory::Entry> MethodFactory::closedForms() const
+{
+  const PoseRegion region = config_.filter.region;
+  const LandmarkTable& map = map_;
   const auto entry = [](const std::string& name, bool applies, ClosedFormLocalizer::Method method) {
-    return MethodEntry{name, applies, [name, method] { return std::make_unique<ClosedFormLocalizer>(name, method); }};
+    return Entry{name, applies, [name, method] { return std::make_unique<ClosedFormLocalizer>(name, method); }};
   };
   return {
-      entry("bearing_least_squares", kinds.known_bearing && map.size() >= 3,
+      entry("bearing_least_squares", kinds_.known_bearing && map.size() >= 3,
             [&map](const Frame& frame) { return bearingLeastSquares(frame, map); }),
-      entry("bearing_maximum_likelihood", kinds.known_bearing && map.size() >= 3,
+      entry("bearing_maximum_likelihood", kinds_.known_bearing && map.size() >= 3,
             [&map](const Frame& frame) { return bearingMaximumLikelihood(frame, map); }),
-      entry("interpretation_tree", kinds.unknown_bearing && map.size() >= 4,
-            [&map, region](const Frame& frame) { return interpretationTree(frame, map, region); }),
-      entry("two_landmark_pose", kinds.known_point && map.size() >= 2,
+      entry("interpretation_tree", kinds_.unknown_bearing && map.size() >= 3,
+            [&map, region, search = search_](const Frame& frame)
+            { return interpretationTree(frame, map, *search, region); }),
+      entry("two_landmark_pose", kinds_.known_point && map.size() >= 2,
             [&map](const Frame& frame) { return twoLandmarkPose(frame, map); }),
-      entry("range_least_squares", kinds.known_range && map.size() >= 2,
+      entry("range_least_squares", kinds_.known_range && map.size() >= 2,
             [&map, region](const Frame& frame) { return rangeLeastSquares(frame, map, region); }),
   };
 }
 
-void checkNames(const std::vector<std::string>& wanted, const std::vector<MethodEntry>& entries)
+std::vector<MethodFactory::Entry> MethodFactory::entries(std::uint64_t seed, int trial, const Methods& methods) const
+{
+  const bool moving = !config_.frames.independent;
+  std::vector<Entry> all{
+      {"particle_filter", moving, [this, seed, trial] { return makeFilter(seed, trial); }},
+      {"odometry", moving && has_odometry_,
+       [this] { return std::make_unique<OdometryLocalizer>(config_.filter.motion, config_.filter.initial_pose); }}};
+  for (Entry& entry : closedForms())
+  {
+    all.push_back(entry);
+    if (config_.join_window > 0 && moving)
+      all.push_back({entry.name + "_joined", entry.applies, [this, make = entry.make] {
+                       return std::make_unique<JoinedLocalizer>(make(), config_.join_window, config_.filter.motion);
+                     }});
+  }
+  all.push_back({"running_fix", moving && (kinds_.fix || kinds_.known_range),
+                 [this, &methods]
+                 {
+                   RunningFixLocalizer::FilterHeading heading;
+                   if (const FilterLocalizer* filter = methods.filter)
+                     heading = [filter] { return sureHeading(*filter); };
+                   return std::make_unique<RunningFixLocalizer>(config_.running_fix, map_, heading);
+                 }});
+  return all;
+}
+
+void MethodFactory::checkNames() const
 {
   std::vector<std::string> names;
-  for (const MethodEntry& entry : entries) names.push_back(entry.name);
-  for (const std::string& name : wanted)
+  for (const Entry& entry : entries(0, 0, {})) names.push_back(entry.name);
+  for (const std::string& name : config_.methods)
   {
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;
     const auto meant = closestName(name, names);
@@ -89,40 +106,15 @@ void checkNames(const std::vector<std::string>& wanted, const std::vector<Method
                              (meant ? ", did you mean '" + *meant + "'?" : ""));
   }
 }
-}  // namespace
 
-Methods makeMethods(const LocalizationConfig& config, const LandmarkTable& map, const FrameSequence& sequence,
-                    std::uint64_t seed, int trial)
+Methods MethodFactory::make(std::uint64_t seed, int trial) const
 {
-  const MeasurementKinds kinds(sequence.frames);
-  const bool moving = !config.frames.independent;
   Methods methods;
-  std::vector<MethodEntry> entries{
-      {"particle_filter", moving, [&] { return makeFilter(config, map, seed, trial); }},
-      {"odometry", moving && !sequence.odometry.empty(),
-       [&] { return std::make_unique<OdometryLocalizer>(config.filter.motion, config.filter.initial_pose); }}};
-  for (MethodEntry& entry : closedForms(config, map, kinds))
+  for (const Entry& entry : entries(seed, trial, methods))
   {
-    entries.push_back(entry);
-    if (config.join_window > 0 && moving)
-      entries.push_back({entry.name + "_joined", entry.applies, [&config, make = entry.make] {
-                           return std::make_unique<JoinedLocalizer>(make(), config.join_window, config.filter.motion);
-                         }});
-  }
-  entries.push_back({"running_fix", moving && (kinds.fix || kinds.known_range),
-                     [&]
-                     {
-                       RunningFixLocalizer::FilterHeading heading;
-                       if (const FilterLocalizer* filter = methods.filter)
-                         heading = [filter] { return sureHeading(*filter); };
-                       return std::make_unique<RunningFixLocalizer>(config.running_fix, map, heading);
-                     }});
-  checkNames(config.methods, entries);
-  for (const MethodEntry& entry : entries)
-  {
-    const bool wanted = config.methods.empty() ? entry.applies
-                                               : std::find(config.methods.begin(), config.methods.end(), entry.name) !=
-                                                     config.methods.end();
+    const bool wanted = config_.methods.empty() ? entry.applies
+                                                : std::find(config_.methods.begin(), config_.methods.end(),
+                                                            entry.name) != config_.methods.end();
     if (!wanted) continue;
     methods.localizers.push_back(entry.make());
     if (entry.name == "particle_filter")

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
+#include "mrpt_ext/correspondence/lost_robot_search.h"
 #include "mrpt_ext/localizers/filter_localizer.h"
 #include "mrpt_ext/localizers/localizer.h"
 #include "mrpt_ext/pipeline/localization_config.h"
@@ -17,8 +20,43 @@ struct Methods
   FilterLocalizer* filter = nullptr;
 };
 
-/// Builds the methods named in the configuration, or all for which the frames hold measurements. Throws InputError
-/// (configuration) for an unknown name.
-[[nodiscard]] Methods makeMethods(const LocalizationConfig& config, const LandmarkTable& map,
-                                  const FrameSequence& sequence, std::uint64_t seed, int trial);
+/// What kinds of measurements a log holds: decides which closed forms make sense.
+struct MeasurementKinds
+{
+  bool known_bearing = false, known_range = false, known_point = false, unknown_bearing = false, fix = false;
+
+  explicit MeasurementKinds(const std::vector<Frame>& frames);
+};
+
+/// Builds the methods of each trial: those named in the configuration, or all for which the frames hold measurements.
+/// What is the same for all trials is made once; trials may ask at the same time. Everything given must outlive the
+/// factory and the methods.
+class MethodFactory
+{
+ public:
+  /// Throws InputError (configuration) for an unknown name.
+  MethodFactory(const LocalizationConfig& config, const LandmarkTable& map, const FrameSequence& sequence);
+
+  [[nodiscard]] Methods make(std::uint64_t seed, int trial) const;
+  [[nodiscard]] const LandmarkTable& map() const { return map_; }
+
+ private:
+  /// A method by name; `applies` tells whether the log gives it anything.
+  struct Entry
+  {
+    std::string name;
+    bool applies = false;
+    std::function<std::unique_ptr<Localizer>()> make;
+  };
+  [[nodiscard]] std::vector<Entry> entries(std::uint64_t seed, int trial, const Methods& methods) const;
+  [[nodiscard]] std::vector<Entry> closedForms() const;
+  [[nodiscard]] std::unique_ptr<FilterLocalizer> makeFilter(std::uint64_t seed, int trial) const;
+  void checkNames() const;
+
+  const LocalizationConfig& config_;
+  const LandmarkTable& map_;
+  bool has_odometry_;
+  MeasurementKinds kinds_;
+  std::shared_ptr<const LostRobotSearch> search_;
+};
 }  // namespace mrpt_ext

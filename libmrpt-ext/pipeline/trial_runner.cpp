@@ -86,7 +86,7 @@ void finish(const Methods& methods, const TrialInput& input, RunRecord& run)
   }
   for (const Mode& mode : methods.filter->lastStep().modes.modes)
     if (mode.weight > 0.01) run.filter.modes_at_end.push_back({mode.pose, mode.weight});
-  run.landmarks = landmarkRecords(*methods.filter, input.map);
+  run.landmarks = landmarkRecords(*methods.filter, input.methods.map());
   const VerdictWithReason verdict = verdictOfFilter(run, methods.filter->lastStep());
   run.verdict = verdict.verdict;
   run.verdict_reason = verdict.reason;
@@ -102,7 +102,7 @@ TrialOutcome runTrial(const TrialInput& input, std::uint64_t seed, int trial)
   run.trial = trial;
   run.seed = seed;
   run.odometry = input.sequence.odometry.trajectory();
-  const Methods methods = makeMethods(input.config, input.map, input.sequence, seed, trial);
+  const Methods methods = input.methods.make(seed, trial);
   OracleTracks oracles(input.truth);
   ObjectTracker objects(input.sequence.object_frames, input.sequence.odometry);
   for (const auto& localizer : methods.localizers)

@@ -6,15 +6,14 @@
 
 #include "mrpt_ext/evaluation/run_record.h"
 #include "mrpt_ext/pipeline/frame_builder.h"
-#include "mrpt_ext/pipeline/localization_config.h"
+#include "mrpt_ext/pipeline/method_factory.h"
 
 namespace mrpt_ext
 {
 /// What all trials of a run share.
 struct TrialInput
 {
-  const LocalizationConfig& config;
-  const LandmarkTable& map;
+  const MethodFactory& methods;
   const FrameSequence& sequence;
   const Trajectory& truth;               ///< used after the estimates, for the oracle rows only
   const std::atomic<bool>& stop;         ///< set on Ctrl-C: the trial ends after the frame in work

@@ -176,7 +176,9 @@ TEST(InterpretationTree, FindsThePoseFromBearingsWithoutNames)
   ExactSensor nameless = kBearings;
   nameless.named = false;
   const Estimate estimate =
-      estimateFrom(interpretationTree(frameOf({seenFrom(kRobot, kMap, {4, 1, 0, 3, 2}, nameless)}), kMap, kRegion), 0);
+      estimateFrom(interpretationTree(frameOf({seenFrom(kRobot, kMap, {4, 1, 0, 3, 2}, nameless)}), kMap,
+                                      LostRobotSearch(kMap), kRegion),
+                   0);
   ASSERT_FALSE(estimate.candidates.empty());
   EXPECT_LT(distance(estimate.candidates[0].pose.mean, kRobot), 1e-4);
   EXPECT_LT(turned(estimate.candidates[0].pose.mean, kRobot), 1e-4);
@@ -187,9 +189,13 @@ TEST(InterpretationTree, ThreeBearingsAndNamedOnesAreTooFew)
 {
   ExactSensor nameless = kBearings;
   nameless.named = false;
-  EXPECT_EQ(interpretationTree(frameOf({seenFrom(kRobot, kMap, {0, 1, 2}, nameless)}), kMap, kRegion).status,
-            SolveStatus::too_few);
-  EXPECT_EQ(interpretationTree(frameOf({seenFrom(kRobot, kMap, {0, 1, 2, 3, 4}, kBearings)}), kMap, kRegion).status,
+  EXPECT_EQ(
+      interpretationTree(frameOf({seenFrom(kRobot, kMap, {0, 1, 2}, nameless)}), kMap, LostRobotSearch(kMap), kRegion)
+          .status,
+      SolveStatus::too_few);
+  EXPECT_EQ(interpretationTree(frameOf({seenFrom(kRobot, kMap, {0, 1, 2, 3, 4}, kBearings)}), kMap,
+                               LostRobotSearch(kMap), kRegion)
+                .status,
             SolveStatus::too_few);
 }
 
@@ -200,8 +206,8 @@ TEST(InterpretationTree, ASymmetricMapLeavesSeveralPosesThatNothingRanks)
   ExactSensor nameless;
   nameless.named = false;
   const Pose2 robot{1, 1.5, 0.3};
-  const ClosedFormAnswer answer =
-      interpretationTree(frameOf({seenFrom(robot, square, {0, 1, 2, 3}, nameless)}), square, {{0, 0}, {4, 4}});
+  const ClosedFormAnswer answer = interpretationTree(frameOf({seenFrom(robot, square, {0, 1, 2, 3}, nameless)}), square,
+                                                     LostRobotSearch(square), {{0, 0}, {4, 4}});
   // The square looks the same after every quarter turn.
   ASSERT_GE(answer.candidates.size(), 4u);
   for (int quarter = 0; quarter < 4; ++quarter)

@@ -1,0 +1,146 @@
+#include "mrpt_ext/correspondence/tree_search.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "mrpt_ext/correspondence/expected_false_poses.h"
+#include "mrpt_ext/correspondence/interpretation_tree.h"
+#include "mrpt_ext/correspondence/match_evidence.h"
+#include "mrpt_ext/correspondence/pose_judge.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr int kLeastMatches = 4;              // three bearings are explained by every constellation
+constexpr double kPosesPerTriple = 0.25;      // share of landmark triples that can be seen so from within the map
+constexpr double kRangeMargin = 1.3;          // a pose from few bearings may put its landmarks a little too far away
+constexpr std::uint64_t kMaxTested = 200000;  // clusters of look-alike landmarks would take for ever
+
+/// What the tree is asked.
+struct TreeQuestion
+{
+  const SensorPlace* place = nullptr;
+  std::vector<UnidentifiedBearing> bearings;
+  double std_bearing = 0;  ///< of the worst
+};
+
+std::vector<int> landmarksOfKind(const LandmarkIndex& map, int kind)
+{
+  std::vector<int> landmarks;
+  if (kind == kAnyKind) return landmarks;  // empty: any
+  for (std::size_t l = 0; l < map.size(); ++l)
+    if (map.kind(l) == kind) landmarks.push_back(static_cast<int>(l));
+  return landmarks;
+}
+
+TreeQuestion askFullestPlace(const LandmarkIndex& map, std::span<const SensorPlace> places)
+{
+  TreeQuestion fullest;
+  for (const SensorPlace& place : places)
+  {
+    TreeQuestion question{&place, {}, 0};
+    for (const UnidentifiedDetection& d : place.detections)
+    {
+      if (!d.bearing || d.kind == kNoSuchKind) continue;
+      question.bearings.push_back({*d.bearing, landmarksOfKind(map, d.kind)});
+      question.std_bearing = std::max(question.std_bearing, d.std_bearing);
+    }
+    if (question.bearings.size() >= fullest.bearings.size()) fullest = std::move(question);
+  }
+  return fullest;
+}
+
+InterpretationOptions treeOptions(const TreeQuestion& question, const PoseSearchOptions& options)
+{
+  InterpretationOptions tree;
+  tree.gate = InterpretationGate::covariance;
+  tree.max_residual = options.gate * question.std_bearing;
+  tree.std_bearing = question.std_bearing;
+  if (question.place->model.max_range) tree.max_range = kRangeMargin * *question.place->model.max_range;
+  tree.max_tested = std::min(kMaxTested, options.max_tested);
+  if (options.area)
+  {
+    const double offset = question.place->T_robot_sensor.position().norm();
+    tree.area = MapArea{options.area->min.array() - offset, options.area->max.array() + offset};
+  }
+  return tree;
+}
+
+GaussianPose robotPose(const GaussianPose& sensor, const Pose2& T_robot_sensor)
+{
+  const Pose2 back = inverse(T_robot_sensor);
+  const Matrix3d J = composeJacobianFirst(sensor.mean, back);
+  return {compose(sensor.mean, back), J * sensor.covariance * J.transpose()};
+}
+
+void judgeAll(const Interpretations& found, const LandmarkIndex& map, std::span<const SensorPlace> places,
+              const PoseSearchOptions& options, const TreeQuestion& question, PoseSearch& search)
+{
+  search.poses.clear();
+  for (const Interpretation& interpretation : found.solutions)
+  {
+    const GaussianPose robot = robotPose(interpretation.pose, question.place->T_robot_sensor);
+    if (auto pose = judgePose(map, places, options, robot, kLeastMatches)) search.poses.push_back(std::move(*pose));
+  }
+  search.work.judged += found.solutions.size();
+  for (const std::uint64_t tested : found.tested_by_depth) search.work.tested += tested;
+  search.finished = found.finished;
+}
+
+ChanceMatches chanceMatches(const LandmarkIndex& map, const TreeQuestion& question, double gate)
+{
+  const auto n = static_cast<double>(map.size());
+  double allowed = 0;
+  for (const UnidentifiedBearing& b : question.bearings)
+    allowed += (b.candidates.empty() ? n : static_cast<double>(b.candidates.size())) /
+               static_cast<double>(question.bearings.size());
+  return {kPosesPerTriple * allowed * std::max(0.0, allowed - 1) * std::max(0.0, allowed - 2),
+          static_cast<int>(question.bearings.size()),
+          chanceOfMatch(gate * question.std_bearing, std::max(0.0, allowed - 3))};
+}
+}  // namespace
+
+PoseSearch searchByTree(const LandmarkIndex& map, std::span<const SensorPlace> places, const PoseSearchOptions& options)
+{
+  PoseSearch search;
+  const TreeQuestion question = askFullestPlace(map, places);
+  const int count = static_cast<int>(question.bearings.size());
+  if (count < kLeastMatches) return search;
+
+  InterpretationOptions tree = treeOptions(question, options);
+  int unmatched = 0;
+  for (int found_at = count; unmatched <= std::min(found_at + 1, count - kLeastMatches); ++unmatched)
+  {
+    tree.max_unmatched = unmatched;
+    const Interpretations found = interpretBearings(map.positions(), question.bearings, tree);
+    if (found.status == SolveStatus::bad_input)
+    {
+      search.status = found.status;
+      return search;
+    }
+    const bool better = found.finished || search.poses.empty();
+    if (better) judgeAll(found, map, places, options, question, search);
+    search.finished = found.finished;
+    ++search.work.rounds;
+    if (!found.finished) break;
+    if (!search.poses.empty()) found_at = std::min(found_at, unmatched);
+  }
+  double missed = -std::numeric_limits<double>::infinity();
+  if (!search.poses.empty())
+  {
+    const auto best = std::max_element(search.poses.begin(), search.poses.end(),
+                                       [](const ConsistentPose& a, const ConsistentPose& b)
+                                       { return a.log_evidence < b.log_evidence; });
+    const ChanceMatches chance = chanceMatches(map, question, options.gate);
+    const int matched = std::min(best->matched, count);
+    const double per_match =
+        logEvidencePerBearing(*question.place, question.std_bearing, static_cast<double>(map.size()));
+    const auto expected = [&](int m) { return expectedFalsePoses(chance, m); };
+    missed = best->log_evidence + std::log(evidenceBelow(count - unmatched + 1, matched, 3, per_match, expected));
+    search.expected_false = expectedFalsePoses(chance, matched);
+  }
+  rankPoses(search, options, missed);
+  return search;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,77 @@
+#include "mrpt_ext/correspondence/landmark_index.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "mrpt_ext/geometry/random.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+std::vector<Vector2d> strewn(int count, double width, double height, RandomStream& random)
+{
+  std::vector<Vector2d> points;
+  for (int i = 0; i < count; ++i) points.emplace_back(random.uniform(0, width) + 1e5, random.uniform(0, height) - 3e4);
+  return points;
+}
+}  // namespace
+
+TEST(LandmarkIndex, FindsExactlyThoseWithinTheRadius)
+{
+  RandomStream random(4);
+  for (const double bucket : {0.0, 0.5, 40.0})
+    for (const double height : {30.0, 0.0})  // a field, and a line
+    {
+      const std::vector<Vector2d> points = strewn(300, 50, height, random);
+      const LandmarkIndex index(points, bucket);
+      for (int trial = 0; trial < 100; ++trial)
+      {
+        const Vector2d at(1e5 + random.uniform(-20, 70), -3e4 + random.uniform(-20, 50));
+        const double radius = random.uniform(0, 30);
+        std::vector<std::size_t> found, expected;
+        index.forEachNear(at, radius, [&](std::size_t l) { found.push_back(l); });
+        for (std::size_t l = 0; l < points.size(); ++l)
+          if ((points[l] - at).norm() <= radius) expected.push_back(l);
+        std::sort(found.begin(), found.end());
+        EXPECT_EQ(found, expected);
+        EXPECT_GE(index.farthestFrom(at), (points.front() - at).norm());
+      }
+    }
+}
+
+TEST(LandmarkIndex, TheFarthestLandmarkIsWithinItsOwnDistance)
+{
+  RandomStream random(5);
+  const LandmarkIndex square(std::vector<Vector2d>{{0, 0}, {4, 0}, {4, 4}, {0, 4}});
+  for (int trial = 0; trial < 1000; ++trial)
+  {
+    const Vector2d at(random.uniform(-1, 5), random.uniform(-1, 5));
+    int found = 0;
+    square.forEachNear(at, square.farthestFrom(at), [&](std::size_t) { ++found; });
+    EXPECT_EQ(found, 4);
+  }
+}
+
+TEST(LandmarkIndex, EmptyAndSingleMaps)
+{
+  int found = 0;
+  LandmarkIndex(std::vector<Vector2d>{}).forEachNear({0, 0}, 10, [&](std::size_t) { ++found; });
+  EXPECT_EQ(found, 0);
+  LandmarkIndex(std::vector<Vector2d>{{1, 2}}).forEachNear({0, 0}, 10, [&](std::size_t) { ++found; });
+  EXPECT_EQ(found, 1);
+}
+
+TEST(LandmarkIndex, CategoriesBecomeKinds)
+{
+  const LandmarkIndex index(LandmarkTable({{.category = "red"}, {.category = ""}, {.category = "blue"}}));
+  EXPECT_EQ(index.kindOf(""), kAnyKind);
+  EXPECT_EQ(index.kindOf("unicorn"), kNoSuchKind);
+  EXPECT_EQ(index.kindOf("red"), index.kind(0));
+  EXPECT_TRUE(index.mayShow(kAnyKind, 2));
+  EXPECT_TRUE(index.mayShow(index.kindOf("blue"), 2));
+  EXPECT_FALSE(index.mayShow(index.kindOf("blue"), 0));
+  EXPECT_FALSE(index.mayShow(kNoSuchKind, 1));
+}
+}  // namespace mrpt_ext

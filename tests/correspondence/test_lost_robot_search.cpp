@@ -1,0 +1,70 @@
+#include "mrpt_ext/correspondence/lost_robot_search.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <limits>
+
+#include "lost_scene.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+/// Share of robots found, in a square of 10 m where everything is in view.
+double shareFound(int landmarks, int seen, int false_readings, bool with_range, int trials)
+{
+  LostSceneOptions options;
+  options.landmarks = landmarks;
+  options.area_per_landmark = 100.0 / landmarks;
+  options.max_range.reset();
+  options.border = 1;
+  options.seen = seen;
+  options.false_readings = false_readings;
+  options.with_range = with_range;
+  RandomStream random(6, static_cast<std::uint64_t>(landmarks * 100 + seen));
+  int found = 0;
+  for (int t = 0; t < trials; ++t)
+  {
+    const LostMap map = strewLandmarks(options, random);
+    const LostRobotSearch search(map.landmarks);
+    const LostView view = lookAroundSomewhere(map, search.index(), options, random);
+    const PoseSearch result = search.search({&view.place, 1}, {});
+    // Few bearings can leave a pose uncertain: what counts then is its own covariance.
+    found += std::any_of(result.poses.begin(), result.poses.end(),
+                         [&](const ConsistentPose& p)
+                         {
+                           Vector3d e = p.pose.mean.vector() - view.robot.vector();
+                           e.z() = wrap(e.z());
+                           return isAtTruth(p.pose.mean, view.robot) || e.dot(p.pose.covariance.inverse() * e) < 25;
+                         });
+  }
+  return static_cast<double>(found) / trials;
+}
+}  // namespace
+
+TEST(LostRobotSearch, FewBearingsInASmallMap)
+{
+  EXPECT_GE(shareFound(12, 4, 0, false, 100), 0.95);
+  EXPECT_GE(shareFound(12, 6, 0, false, 100), 0.98);
+  EXPECT_GE(shareFound(12, 6, 1, false, 100), 0.97);
+}
+
+TEST(LostRobotSearch, ManyBearingsInASmallMap) { EXPECT_GE(shareFound(30, 12, 2, false, 40), 0.97); }
+
+TEST(LostRobotSearch, PointsInASmallMap)
+{
+  EXPECT_GE(shareFound(15, 3, 0, true, 100), 0.98);
+  EXPECT_GE(shareFound(15, 5, 1, true, 100), 0.98);
+}
+
+TEST(LostRobotSearch, NothingToGoOnIsAValue)
+{
+  const LostRobotSearch search(LandmarkTable({{.position = {0, 0, 0}}, {.position = {1, 0, 0}}}));
+  EXPECT_EQ(search.search({}, {}).status, SolveStatus::too_few);
+  SensorPlace place;
+  place.detections.assign(3, {.bearing = std::numeric_limits<double>::quiet_NaN(), .std_bearing = 0.01});
+  EXPECT_EQ(search.search({&place, 1}, {}).status, SolveStatus::bad_input);
+  EXPECT_EQ(LostRobotSearch(LandmarkTable()).search({}, {}).status, SolveStatus::too_few);
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,200 @@
+#include "mrpt_ext/correspondence/point_search.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "lost_scene.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+LostSceneOptions pointScene(int landmarks)
+{
+  LostSceneOptions options;
+  options.landmarks = landmarks;
+  options.with_range = true;
+  return options;
+}
+
+bool holds(const PoseSearch& search, const Pose2& truth)
+{
+  return std::any_of(search.poses.begin(), search.poses.end(),
+                     [&](const ConsistentPose& p) { return isAtTruth(p.pose.mean, truth); });
+}
+
+/// A sensor that sees these points (robot frame) without error.
+SensorPlace seeing(const std::vector<Vector2d>& points, const Pose2& T_robot_sensor = {})
+{
+  SensorPlace place;
+  place.T_robot_sensor = T_robot_sensor;
+  place.model.clutter_probability = 0.02;
+  for (const Vector2d& point : points)
+  {
+    const Vector2d d = transform(inverse(T_robot_sensor), point);
+    place.detections.push_back(
+        {.bearing = std::atan2(d.y(), d.x()), .range = d.norm(), .std_bearing = 0.01, .std_range = 0.02});
+  }
+  return place;
+}
+
+std::vector<Vector2d> fromRobot(const Pose2& robot, const std::vector<Vector2d>& landmarks)
+{
+  std::vector<Vector2d> points;
+  for (const Vector2d& l : landmarks) points.push_back(transform(inverse(robot), l));
+  return points;
+}
+}  // namespace
+
+TEST(PointSearch, FindsTheLostRobotInMapsOfEverySize)
+{
+  for (const int landmarks : {100, 1000, 10000})
+  {
+    const LostSceneOptions options = pointScene(landmarks);
+    RandomStream random(7, static_cast<std::uint64_t>(landmarks));
+    const LostMap map = strewLandmarks(options, random);
+    const LandmarkIndex index = map.index();
+    const PointSearch search(index);
+    int found = 0, unique_and_wrong = 0;
+    double returned = 0;
+    constexpr int kTrials = 200;
+    for (int t = 0; t < kTrials; ++t)
+    {
+      const LostView view = lookAroundSomewhere(map, index, options, random);
+      const PoseSearch result = search.search({&view.place, 1});
+      found += holds(result, view.robot);
+      returned += static_cast<double>(result.poses.size()) / kTrials;
+      unique_and_wrong += result.unique && !isAtTruth(result.poses.front().pose.mean, view.robot);
+      for (const ConsistentPose& p : result.poses) EXPECT_GE(p.log_evidence, result.poses.front().log_evidence - 12);
+    }
+    EXPECT_GE(found, 0.99 * kTrials) << landmarks;
+    EXPECT_LE(returned, 20) << landmarks;
+    EXPECT_EQ(unique_and_wrong, 0) << landmarks;
+  }
+}
+
+TEST(PointSearch, FalsePointsDoNotHideThePose)
+{
+  LostSceneOptions options = pointScene(1000);
+  options.false_readings = 4;
+  RandomStream random(8);
+  const LostMap map = strewLandmarks(options, random);
+  const LandmarkIndex index = map.index();
+  const PointSearch search(index);
+  int found = 0;
+  for (int t = 0; t < 100; ++t)
+  {
+    const LostView view = lookAroundSomewhere(map, index, options, random);
+    found += holds(search.search({&view.place, 1}), view.robot);
+  }
+  EXPECT_GE(found, 98);
+}
+
+TEST(PointSearch, ASquareGivesItsFourPosesAlike)
+{
+  const std::vector<Vector2d> square{{0, 0}, {6, 0}, {6, 6}, {0, 6}};
+  const LandmarkIndex map(square);
+  const Pose2 robot{1, 2, 0.4};
+  const SensorPlace place = seeing(fromRobot(robot, square));
+  const PoseSearch result = PointSearch(map).search({&place, 1});
+  ASSERT_EQ(result.poses.size(), 4u);
+  EXPECT_FALSE(result.unique);
+  for (const ConsistentPose& pose : result.poses) EXPECT_NEAR(pose.probability, 0.25, 0.01);
+  EXPECT_TRUE(holds(result, robot));
+}
+
+TEST(PointSearch, TwoPointsGiveEveryPairOfTheirDistance)
+{
+  const std::vector<Vector2d> landmarks{{0, 0}, {3, 0}, {3, 4}, {10, 10}};
+  const LandmarkIndex map(landmarks);
+  const Pose2 robot{-1, 1, 2};
+  const SensorPlace place = seeing(fromRobot(robot, {landmarks[0], landmarks[1]}));
+  const PoseSearch result = PointSearch(map).search({&place, 1});
+  EXPECT_EQ(result.poses.size(), 2u);  // either end may be either landmark
+  EXPECT_TRUE(holds(result, robot));
+  EXPECT_FALSE(result.unique);
+}
+
+TEST(PointSearch, OneOfThreeMayBeFalse)
+{
+  const std::vector<Vector2d> landmarks{{0, 0}, {3, 0}, {3, 4.5}, {10, 10}, {-5, 7}};
+  const LandmarkIndex map(landmarks);
+  const Pose2 robot{-1, 1, 2};
+  std::vector<Vector2d> points = fromRobot(robot, {landmarks[0], landmarks[2]});
+  points.emplace_back(1.3, 9.1);
+  const SensorPlace place = seeing(points);
+  EXPECT_TRUE(holds(PointSearch(map).search({&place, 1}), robot));
+}
+
+TEST(PointSearch, PointsOfSeveralPlacesMakeOneConstellation)
+{
+  const std::vector<Vector2d> landmarks{{0, 0}, {3, 0}, {3, 4.5}, {10, 10}, {-5, 7}};
+  const LandmarkIndex map(landmarks);
+  const Pose2 robot{-1, 1, 2};
+  const std::vector<Vector2d> points = fromRobot(robot, landmarks);
+  const std::vector places{seeing({points[0], points[1]}, {1, 0, 0.3}), seeing({points[1], points[2]}, {-1, 0.5, -2}),
+                           seeing({points[4]}, {0, -2, 1})};
+  const PoseSearch result = PointSearch(map).search(places);
+  ASSERT_FALSE(result.poses.empty());
+  EXPECT_TRUE(isAtTruth(result.poses.front().pose.mean, robot));
+  EXPECT_EQ(result.poses.front().assignment, (std::vector{0, 1, 1, 2, 4}));
+}
+
+TEST(PointSearch, KindsExclude)
+{
+  const LandmarkTable table({{.position = {0, 0, 0}, .category = "red"},
+                             {.position = {3, 0, 0}, .category = "blue"},
+                             {.position = {9, 9, 0}, .category = "red"}});
+  const LandmarkIndex map(table);
+  const Pose2 robot{-1, 1, 2};
+  SensorPlace place = seeing(fromRobot(robot, {{0, 0}, {3, 0}}));
+  place.detections[0].kind = map.kindOf("red");
+  place.detections[1].kind = map.kindOf("blue");
+  const PoseSearch result = PointSearch(map).search({&place, 1});
+  ASSERT_EQ(result.poses.size(), 1u);
+  EXPECT_TRUE(isAtTruth(result.poses.front().pose.mean, robot));
+}
+
+TEST(PointSearch, NoPoseIsAValue)
+{
+  const LandmarkIndex map(std::vector<Vector2d>{{0, 0}, {3, 0}, {3, 4.5}});
+  const PointSearch search(map);
+  EXPECT_EQ(search.search({}).status, SolveStatus::too_few);
+  const SensorPlace one = seeing({{1, 1}}), far = seeing({{0, 0.5}, {50, 1}});
+  EXPECT_EQ(search.search({&one, 1}).status, SolveStatus::too_few);
+  EXPECT_EQ(search.search({&far, 1}).status, SolveStatus::none);
+  SensorPlace broken = seeing({{1, 1}, {2, 3}});
+  broken.detections[0].range = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(search.search({&broken, 1}).status, SolveStatus::bad_input);
+  const LandmarkIndex empty(std::vector<Vector2d>{});
+  const SensorPlace two = seeing({{1, 1}, {2, 3}});
+  EXPECT_EQ(PointSearch(empty).search({&two, 1}).status, SolveStatus::none);
+}
+
+TEST(PointSearch, TheAreaLimitsThePoses)
+{
+  const std::vector<Vector2d> square{{0, 0}, {6, 0}, {6, 6}, {0, 6}};
+  const LandmarkIndex map(square);
+  const SensorPlace place = seeing(fromRobot({1, 2, 0.4}, square));
+  PoseSearchOptions options;
+  options.area = MapArea{{0, 0}, {3, 3}};
+  EXPECT_EQ(PointSearch(map).search({&place, 1}, options).poses.size(), 1u);
+}
+
+TEST(PointSearch, ALatticeIsNeverCalledUnique)
+{
+  std::vector<Vector2d> lattice;
+  for (int i = 0; i < 12; ++i)
+    for (int j = 0; j < 12; ++j) lattice.emplace_back(3 * i, 3 * j);
+  const LandmarkIndex map(lattice);
+  const Pose2 robot{16, 17, 0.2};
+  std::vector<Vector2d> near;
+  map.forEachNear(robot.position(), 5, [&](std::size_t l) { near.push_back(map.position(l)); });
+  const SensorPlace place = seeing(fromRobot(robot, near));
+  const PoseSearch result = PointSearch(map).search({&place, 1});
+  EXPECT_TRUE(holds(result, robot));
+  EXPECT_GT(result.poses.size(), 50u);
+  EXPECT_FALSE(result.unique);
+}
+}  // namespace mrpt_ext
