@@ -208,7 +208,7 @@ class PointSearchRun
       if (!map_.mayShow(seen[k]->kind, landmarks[k])) return;
       matches[k] = {seen[k], map_.position(landmarks[k])};
     }
-    const int least = std::max(least_, best_matched_);
+    const int least = leastExplained();
     const GrownFit grown = growFit(map_, matches, others, kPlaneGate * options_.gate, least);
     if (grown.explained < least) return;
     if (waiting_.size() < kMaxWaiting)
@@ -216,6 +216,9 @@ class PointSearchRun
     else
       result_.finished = false;
   }
+
+  /// A pose that explains one point less at first may explain as much as the best when refined.
+  [[nodiscard]] int leastExplained() const { return std::max(least_, best_explained_ - 1); }
 
   [[nodiscard]] bool alreadyFound(const GaussianPose& pose) const
   {
@@ -236,7 +239,7 @@ class PointSearchRun
                      [](const GrownFit& a, const GrownFit& b) { return a.explained > b.explained; });
     for (const GrownFit& candidate : waiting_)
     {
-      if (candidate.explained < best_matched_) break;
+      if (candidate.explained < leastExplained()) break;
       const GaussianPose pose = candidate.fit.pose();
       if (alreadyFound(pose)) continue;
       if (result_.work.judged >= kMaxJudged)
@@ -247,6 +250,7 @@ class PointSearchRun
       ++result_.work.judged;
       auto judged = judgePose(map_, places_, options_, pose, 2);
       if (!judged) continue;
+      best_explained_ = std::max(best_explained_, candidate.explained);
       best_matched_ = std::max(best_matched_, std::min(judged->matched, static_cast<int>(points_.size())));
       result_.poses.push_back(std::move(*judged));
     }
@@ -282,7 +286,9 @@ class PointSearchRun
   ChancePoints chance_;
   std::vector<GrownFit> waiting_;
   PoseSearch result_;
-  int best_matched_ = 0, least_ = 2;
+  int best_matched_ = 0;    // by a judged pose
+  int best_explained_ = 0;  // before it was judged
+  int least_ = 2;
 };
 }  // namespace
 

@@ -23,6 +23,20 @@ void append(HypothesisSet& all, HypothesisSet more)
   all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
+/// The reading with most unidentified detections, of several the newest.
+std::span<const Reading> fullestReading(std::span<const Reading> readings)
+{
+  const auto count = [](const Reading& reading)
+  {
+    return std::count_if(reading.detections.begin(), reading.detections.end(),
+                         [](const Detection& d) { return d.id == kNoId; });
+  };
+  std::size_t fullest = 0;
+  for (std::size_t r = 1; r < readings.size(); ++r)
+    if (count(readings[r]) >= count(readings[fullest])) fullest = r;
+  return readings.subspan(fullest, readings.empty() ? 0 : 1);
+}
+
 /// Refines a pose from a minimal subset on everything that is identified, tolerating false readings.
 void refine(PoseHypothesis& hypothesis, std::span<const PoseMeasurement> rows)
 {
@@ -61,7 +75,11 @@ HypothesisSet proposePoses(const Frame& frame, const LandmarkTable& map, const L
   append(all, proposeFromRunningFixes(frame, map, options.ring_points));
 
   if (areJoined(frame.readings))
+  {
     append(all, proposeFromCarriedLandmarks(frame.readings, map, frame.compass, options.ring_points));
+    // Joining may fail where one look is enough.
+    append(all, interpretReadings(fullestReading(frame.readings), map, search, options.region).hypotheses);
+  }
   append(all, interpretReadings(frame.readings, map, search, options.region).hypotheses);
   append(all, interpretThreeBearings(frame.readings, map, search, options.region));
 

@@ -29,8 +29,7 @@ void expectSuccess(const nlohmann::json& summary, double max_rmse)
 void expectRoomIsSolved(const std::string& name)
 {
   const testing::ScratchFolder folder;
-  const auto run = testing::localized(folder.path(), name,
-                                      {"--set", "LocalizationExperiment.initial_particles_count=15000", "--jobs", "2"});
+  const auto run = testing::localized(folder.path(), name, {"--jobs", "2"});
   expectSuccess(testing::summaryOf(run), 0.1);
   EXPECT_EQ(testing::stepsOf(run).front().verdict, "ambiguous");
 }
@@ -124,8 +123,7 @@ TEST(SimulatedRun, SymmetricPlacesStayTwoUntilTheOddLandmarkIsSeen)
   const auto log = testing::simulated(folder.path(), "symmetric");
   const auto run = testing::localized(
       folder.path(), "symmetric",
-      testing::joined(log.arguments(), {"--jobs", "2", "--set", "LocalizationExperiment.initial_particles_count=8000",
-                                        "--set", "LocalizationExperiment.methods=particle_filter"}));
+      testing::joined(log.arguments(), {"--jobs", "2", "--set", "LocalizationExperiment.methods=particle_filter"}));
   const Trajectory truth = readTum(log.truth);
   const double start = truth.front().time;
   int undecided = 0, with_two_modes = 0;

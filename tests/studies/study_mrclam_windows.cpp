@@ -14,7 +14,8 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kBetweenStarts = 10;  // [s]
-constexpr double kLongest = 60;        // [s] windows give up
+constexpr double kBetweenTries = 1;    // [s] of the window's growth
+constexpr double kLongest = 40;        // [s] windows give up
 constexpr double kRightPosition = 0.5, kRightHeading = degToRad(15.0);
 
 void hideIdentities(Recording& recording)
@@ -50,11 +51,14 @@ void judgeWindow(const FrameSequence& sequence, std::size_t start, const Recordi
 {
   FrameJoiner joiner(2 * kLongest, config.filter.motion);
   const double begin = sequence.frames[start].time;
+  double next_try = begin;
   for (std::size_t k = start; k < sequence.frames.size() && sequence.frames[k].time - begin <= kLongest; ++k)
   {
     Frame frame = sequence.frames[k];
     if (k == start) frame.motion = {};
     joiner.add(frame);
+    if (frame.time < next_try) continue;
+    next_try = frame.time + kBetweenTries;
     const ReadingInterpretation found =
         interpretReadings(joiner.readings(), recording.map, search, config.filter.region);
     if (!found.unique) continue;
@@ -93,8 +97,8 @@ void print(std::ostream& out, int robot, const char* what, const Tally& t)
 {
   const double n = std::max(1, t.enough);
   out << "| " << robot << " | " << what << " | " << t.starts << " | " << t.enough << " | " << std::fixed
-      << std::setprecision(1) << 100 * t.first / n << " % | " << 100 * t.among / n << " % | " << t.returned / n
-      << " | " << t.seconds / n << " s |\n";
+      << std::setprecision(1) << 100 * t.first / n << " % | " << 100 * t.among / n << " % | " << t.returned / n << " | "
+      << t.seconds / n << " s |\n";
 }
 
 void run(std::ostream& out)
