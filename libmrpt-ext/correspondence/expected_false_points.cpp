@@ -4,6 +4,11 @@
 
 namespace mrpt_ext
 {
+namespace
+{
+constexpr double kPoseShare = 1.5;  // what the error of the pose adds to the area of a gate
+}
+
 ChancePoints chancePoints(const LandmarkIndex& map, std::span<const ReadingPoint> points, double gate)
 {
   if (points.size() < 2 || map.empty()) return {0, 0, static_cast<int>(points.size())};
@@ -14,15 +19,15 @@ ChancePoints chancePoints(const LandmarkIndex& map, std::span<const ReadingPoint
   const double density = count / area / (kinds ? std::max(1, map.kindCount()) : 1);
 
   const auto n = static_cast<double>(points.size());
-  double std = 0, separation = 0;
+  double spread = 0, separation = 0;
   for (const ReadingPoint& a : points)
   {
-    std += a.std / n;
+    spread += a.spread / n;
     for (const ReadingPoint& b : points) separation += (a.in_robot - b.in_robot).norm() / (n * (n - 1));
   }
-  const double tolerance = gate * std * std::sqrt(2.0), radius = 2 * gate * std;
+  const double tolerance = gate * std::sqrt(2 * spread);
   const double pairs = std::min(4 * kPi * density * area * density * separation * tolerance, count * (count - 1));
-  return {pairs, -std::expm1(-kPi * square(radius) * density), static_cast<int>(points.size())};
+  return {pairs, -std::expm1(-kPoseShare * 4 * square(gate) * spread * density), static_cast<int>(points.size())};
 }
 
 double expectedFalsePoses(const ChancePoints& chance, int matched)

@@ -16,8 +16,9 @@ struct ChancePoints
 };
 
 /// For landmarks strewn with density rho over the map: two points a distance s apart, known to +-t, are matched by N
-/// landmarks each with 2 pi s 2 t rho others, so poses_per_pair = 4 pi N rho s t. A further point, predicted with an
-/// error that widens its gate to a radius g = 2 `gate` std, has a landmark there with chance 1 - exp(-pi g^2 rho).
+/// landmarks each with 2 pi s 2 t rho others, so poses_per_pair = 4 pi N rho s t. A further point is matched within k
+/// deviations in range and in bearing, an area A of 4 k^2 times their product, half as much again for the error of the
+/// pose: a landmark lies there with chance 1 - exp(-A rho).
 /// Kinds divide rho by their number where all points tell theirs.
 [[nodiscard]] ChancePoints chancePoints(const LandmarkIndex& map, std::span<const ReadingPoint> points, double gate);
 

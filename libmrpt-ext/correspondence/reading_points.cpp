@@ -18,7 +18,8 @@ std::vector<ReadingPoint> gatherPoints(std::span<const SensorPlace> places, doub
       if (!d.bearing || !d.range || d.kind == kNoSuchKind) continue;
       const Vector2d offset = *d.range * Vector2d(std::cos(*d.bearing), std::sin(*d.bearing));
       const ReadingPoint point{transform(places[p].T_robot_sensor, offset),
-                               std::max(d.std_range, *d.range * d.std_bearing), d.kind};
+                               std::max(d.std_range, *d.range * d.std_bearing), d.std_range * *d.range * d.std_bearing,
+                               d.kind};
       const auto twin =
           std::find_if(gathered.begin(), gathered.end(),
                        [&](const Gathered& g)
@@ -34,6 +35,7 @@ std::vector<ReadingPoint> gatherPoints(std::span<const SensorPlace> places, doub
       const double w = 1 / square(twin->point.std), v = 1 / square(point.std);
       twin->point.in_robot = (w * twin->point.in_robot + v * point.in_robot) / (w + v);
       twin->point.std = 1 / std::sqrt(w + v);
+      twin->point.spread *= v > 0 ? w / (w + v) : 1;
       twin->last_place = p;
     }
   std::vector<ReadingPoint> points;

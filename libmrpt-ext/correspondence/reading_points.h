@@ -12,6 +12,7 @@ struct ReadingPoint
 {
   Vector2d in_robot{0, 0};  ///< [m]
   double std = 0;           ///< [m] in its worst direction
+  double spread = 0;        ///< [m^2] product of the deviations along and across the line of sight
   int kind = kAnyKind;
 };
 

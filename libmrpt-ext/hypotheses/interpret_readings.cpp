@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mrpt_ext/correspondence/interpretation_tree.h"
+#include "mrpt_ext/hypotheses/carried_readings.h"
 #include "mrpt_ext/hypotheses/joined_places.h"
 #include "mrpt_ext/hypotheses/sensor_places.h"
 
@@ -11,8 +12,9 @@ namespace mrpt_ext
 namespace
 {
 constexpr const char* kSource = "interpretation_tree";
-constexpr double kGate = 3.3;         // standard deviations
-constexpr double kRangeMargin = 1.3;  // a pose from few bearings may put its landmarks a little too far away
+constexpr std::size_t kConstellation = 3;  // joined points that speak for themselves
+constexpr double kGate = 3.3;              // standard deviations
+constexpr double kRangeMargin = 1.3;       // a pose from few bearings may put its landmarks a little too far away
 
 /// The place with most bearings, of several the newest.
 const SensorPlace* fullestPlace(std::span<const SensorPlace> places)
@@ -49,8 +51,13 @@ GaussianPose robotPose(const GaussianPose& sensor, const Pose2& T_robot_sensor)
 ReadingInterpretation interpretReadings(std::span<const Reading> readings, const LandmarkTable& map,
                                         const LostRobotSearch& search, const PoseRegion& region)
 {
-  const std::vector<SensorPlace> places = joinedPlaces(readings, map, search.index());
+  std::vector<SensorPlace> places = joinedPlaces(readings, map, search.index());
   if (places.empty()) return {};
+  // Where joining gave a constellation, what did not join it is mostly false, and would be counted again and again.
+  const auto is_point = [](const UnidentifiedDetection& d) { return d.bearing && d.range; };
+  const auto& joined = places.front().detections;
+  if (areJoined(readings) && joined.size() >= kConstellation && std::all_of(joined.begin(), joined.end(), is_point))
+    places.resize(1);
   PoseSearchOptions options;
   options.gate = kGate;
   options.area = MapArea{region.low, region.low + region.extent()};

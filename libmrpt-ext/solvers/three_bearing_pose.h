@@ -40,8 +40,8 @@ struct ThreeCircleMeeting
 /// Pierlot, Van Droogenbroeck, ToTal (IEEE T-RO 30(3), 2014), the robot as the radical centre of three circles.
 /// Deviation: each cotangent is kept as cosine over sine and the sines are multiplied out, so that neither trigonometry
 /// nor a special case is left: opposite or equal bearings are bearings like any other. With A, B, C the centres times
-/// their sines, the determinant is D = S31 A x B + S12 B x C + S23 C x A. Bearings known to eps move it by eps
-/// (|A||B| + |B||C| + |C||A|), below 16 times which it says nothing.
+/// their sines, the determinant is D = S31 A x B + S12 B x C + S23 C x A. Bearings known to eps move it by no more than
+/// eps (|A||B| + |B||C| + |C||A|) <= 2.5 eps (|L1 - L2|^2 + |L3 - L2|^2); below 32 times that it says nothing.
 template <class Real>
 [[gnu::always_inline]] inline ThreeCircleMeeting<Real> meetThreeCircles(const SightedLandmark<Real>& first,
                                                                         const SightedLandmark<Real>& second,
@@ -60,8 +60,7 @@ template <class Real>
   const Real dx = s23 * ax - s12 * bx, dy = s23 * ay - s12 * by;
   const Real determinant = s31 * (ax * by - ay * bx) - (dx * cy - dy * cx);
 
-  const Real a = std::abs(ax) + std::abs(ay), b = std::abs(bx) + std::abs(by), c = std::abs(cx) + std::abs(cy);
-  const Real noise = 16 * std::numeric_limits<Real>::epsilon() * (a * b + (a + b) * c);
+  const Real noise = 80 * std::numeric_limits<Real>::epsilon() * (x1 * x1 + y1 * y1 + x3 * x3 + y3 * y3);
   const Real factor = k / determinant;
   const Real qx = factor * dy, qy = -factor * dx;
   const Real q2 = qx * qx + qy * qy;

@@ -8,14 +8,14 @@ namespace mrpt_ext
 namespace
 {
 /// With the optimiser told that the arrays are apart; the headings are left out when there is no place for them.
-template <bool kHeadings, class Real>
+template <bool WithHeadings, class Real>
 [[gnu::always_inline]] inline void solveAll(const ThreeBearingArrays<Real>& in, const PositionArrays<Real>& out,
                                             const HeadingArrays<Real>& headings)
 {
   const Real *x1 = in.x[0], *x2 = in.x[1], *x3 = in.x[2], *y1 = in.y[0], *y2 = in.y[1], *y3 = in.y[2];
   const Real *c1 = in.c[0], *c2 = in.c[1], *c3 = in.c[2], *s1 = in.s[0], *s2 = in.s[1], *s3 = in.s[2];
   Real *x = out.x, *y = out.y, *c = headings.c, *s = headings.s;
-  std::uint8_t* valid = out.valid;
+  Real* valid = out.valid;
   const std::size_t count = in.count;
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC ivdep
@@ -31,7 +31,7 @@ template <bool kHeadings, class Real>
     x[m] = ok ? x2[m] + at.qx : 0;
     y[m] = ok ? y2[m] + at.qy : 0;
     valid[m] = ok ? 1 : 0;
-    if constexpr (kHeadings)
+    if constexpr (WithHeadings)
     {
       const Real inverse = 1 / std::sqrt(length2);
       c[m] = ok ? (vx * c1[m] + vy * s1[m]) * inverse : 1;

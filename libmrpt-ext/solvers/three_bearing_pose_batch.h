@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 
 namespace mrpt_ext
 {
@@ -20,7 +19,7 @@ template <class Real>
 struct PositionArrays
 {
   Real *x = nullptr, *y = nullptr;  ///< [m], world frame; 0 without a pose
-  std::uint8_t* valid = nullptr;    ///< 1: a pose; 0: behind or degenerate
+  Real* valid = nullptr;            ///< 1: a pose; 0: behind or degenerate (as wide as the rest: vectors stay whole)
 };
 
 template <class Real>

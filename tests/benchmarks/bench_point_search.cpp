@@ -1,5 +1,8 @@
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <chrono>
+
 #include "limit/plain_triangle_hash.h"
 #include "lost_scene.h"
 #include "mrpt_ext/correspondence/point_search.h"

@@ -43,15 +43,29 @@ void overProblems(benchmark::State& state, const Solve& solve)
   reportPerItem(state, kProblems);
 }
 
+SightedLandmark<double> sight(const Problem& p, int i)
+{
+  return {p.at[2 * i], p.at[2 * i + 1], p.u[2 * i], p.u[2 * i + 1]};
+}
+
+/// What decides a hypothesis: where, and whether at all.
 void scalarOurs(benchmark::State& state)
 {
   overProblems(state,
                [](const Problem& p)
                {
-                 const auto sight = [&](int i) {
-                   return SightedLandmark<double>{p.at[2 * i], p.at[2 * i + 1], p.u[2 * i], p.u[2 * i + 1]};
-                 };
-                 const ThreeBearingPose<double> pose = solveThreeBearingPose(sight(0), sight(1), sight(2));
+                 const auto at = meetThreeCircles(sight(p, 0), sight(p, 1), sight(p, 2));
+                 const bool pose = at.firm && at.ahead12 > 0 && at.ahead23 > 0;
+                 return pose ? at.qx + p.at[2] + at.qy + p.at[3] : 0;
+               });
+}
+
+void scalarOursWithHeading(benchmark::State& state)
+{
+  overProblems(state,
+               [](const Problem& p)
+               {
+                 const auto pose = solveThreeBearingPose(sight(p, 0), sight(p, 1), sight(p, 2));
                  return pose.outcome == ThreeBearingOutcome::pose ? pose.x + pose.y + pose.c + pose.s : 0;
                });
 }
@@ -87,17 +101,17 @@ void scalarPlain(benchmark::State& state) { overProblems(state, totalFromAngles)
 template <class Real>
 struct ProblemArrays
 {
-  std::vector<Real> in[12], x, y;
-  std::vector<std::uint8_t> valid;
+  std::vector<Real> in[12], x, y, c, s, valid;
 
-  ProblemArrays() : x(kProblems), y(kProblems), valid(kProblems)
+  ProblemArrays() : x(kProblems), y(kProblems), c(kProblems), s(kProblems), valid(kProblems)
   {
     for (const Problem& p : threeBearingProblems())
       for (int k = 0; k < 12; ++k) in[k].push_back(static_cast<Real>(k < 6 ? p.at[k] : p.u[k - 6]));
   }
 };
 
-template <class Real>
+/// Position and validity; with headings on request.
+template <class Real, bool kHeadings>
 void batchOurs(benchmark::State& state)
 {
   ProblemArrays<Real> a;
@@ -112,7 +126,11 @@ void batchOurs(benchmark::State& state)
   problems.count = kProblems;
   for (auto _ : state)
   {
-    positionsFromThreeBearings(problems, {a.x.data(), a.y.data(), a.valid.data()});
+    const PositionArrays<Real> positions{a.x.data(), a.y.data(), a.valid.data()};
+    if constexpr (kHeadings)
+      posesFromThreeBearings(problems, positions, {a.c.data(), a.s.data()});
+    else
+      positionsFromThreeBearings(problems, positions);
     benchmark::ClobberMemory();
   }
   reportPerItem(state, kProblems);
@@ -133,11 +151,14 @@ void batchLimit(benchmark::State& state)
 }
 
 BENCHMARK(scalarOurs)->Name("hypothesis/three_bearings/ours");
+BENCHMARK(scalarOursWithHeading)->Name("hypothesis/three_bearings/ours_with_heading");
 BENCHMARK(scalarLimit)->Name("hypothesis/three_bearings/limit");
 BENCHMARK(scalarPlain)->Name("hypothesis/three_bearings/plain");
-BENCHMARK(batchOurs<double>)->Name("hypothesis/three_bearings_batch/ours");
+BENCHMARK(batchOurs<double, false>)->Name("hypothesis/three_bearings_batch/ours");
+BENCHMARK(batchOurs<double, true>)->Name("hypothesis/three_bearings_batch/ours_with_heading");
 BENCHMARK(batchLimit<double>)->Name("hypothesis/three_bearings_batch/limit");
-BENCHMARK(batchOurs<float>)->Name("hypothesis/three_bearings_batch_f32/ours");
+BENCHMARK(batchOurs<float, false>)->Name("hypothesis/three_bearings_batch_f32/ours");
+BENCHMARK(batchOurs<float, true>)->Name("hypothesis/three_bearings_batch_f32/ours_with_heading");
 BENCHMARK(batchLimit<float>)->Name("hypothesis/three_bearings_batch_f32/limit");
 }  // namespace
 }  // namespace mrpt_ext

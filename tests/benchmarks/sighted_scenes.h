@@ -37,6 +37,6 @@ inline std::vector<SightedScene> sightedScenes(int landmarks)
 inline void reportPerItem(benchmark::State& state, std::size_t count)
 {
   state.counters["ns_per_item"] = benchmark::Counter(
-      1e-9 * static_cast<double>(count), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+      static_cast<double>(count) * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 }  // namespace mrpt_ext

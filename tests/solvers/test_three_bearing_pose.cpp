@@ -40,7 +40,7 @@ struct Batch
 {
   std::array<std::vector<Real>, 3> lx, ly, lc, ls;
   std::vector<Real> x, y, c, s;
-  std::vector<std::uint8_t> valid;
+  std::vector<Real> valid;
 
   explicit Batch(const std::vector<std::array<Sight, 3>>& problems)
       : x(problems.size()), y(problems.size()), c(problems.size()), s(problems.size()), valid(problems.size())
@@ -102,7 +102,7 @@ void expectBatchLikeScalar(double tolerance, std::size_t may_differ)
   Batch<Real> batch(mixedProblems(1003));
   positionsFromThreeBearings(batch.problems(), batch.positions());
   const std::vector<Real> x = batch.x, y = batch.y;
-  const std::vector<std::uint8_t> valid = batch.valid;
+  const std::vector<Real> valid = batch.valid;
   posesFromThreeBearings(batch.problems(), batch.positions(), batch.headings());
   std::size_t differ = 0, poses = 0;
   for (std::size_t m = 0; m < x.size(); ++m)
@@ -113,7 +113,7 @@ void expectBatchLikeScalar(double tolerance, std::size_t may_differ)
               !(std::hypot(x[m] - expected.x, y[m] - expected.y) <= tolerance * size) ||
               !(std::hypot(batch.x[m] - expected.x, batch.y[m] - expected.y) <= tolerance * size) ||
               !(std::hypot(batch.c[m] - expected.c, batch.s[m] - expected.s) <= tolerance * size);
-    poses += valid[m];
+    poses += valid[m] > 0;
     ASSERT_TRUE(std::isfinite(x[m]) && std::isfinite(y[m]) && std::isfinite(batch.c[m]) && std::isfinite(batch.s[m]));
   }
   EXPECT_LE(differ, may_differ);

@@ -13,10 +13,11 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kBetweenStarts = 10;  // [s]
-constexpr double kBetweenTries = 1;    // [s] of the window's growth
-constexpr double kLongest = 40;        // [s] windows give up
-constexpr double kRightPosition = 0.5, kRightHeading = degToRad(15.0);
+constexpr double kBetweenStarts = 30;  // [s]
+constexpr double kBetweenLooks = 1;    // [s] looks in between tell the same again
+constexpr double kBetweenTries = 4;    // [s] of the window's growth
+constexpr double kLongest = 90;        // [s] windows give up
+constexpr double kRightPosition = 1.0, kRightHeading = degToRad(20.0);
 
 void hideIdentities(Recording& recording)
 {
@@ -51,11 +52,15 @@ void judgeWindow(const FrameSequence& sequence, std::size_t start, const Recordi
 {
   FrameJoiner joiner(2 * kLongest, config.filter.motion);
   const double begin = sequence.frames[start].time;
-  double next_try = begin;
+  double next_try = begin, next_look = begin;
   for (std::size_t k = start; k < sequence.frames.size() && sequence.frames[k].time - begin <= kLongest; ++k)
   {
     Frame frame = sequence.frames[k];
     if (k == start) frame.motion = {};
+    if (frame.time < next_look)
+      frame.readings.clear();
+    else
+      next_look = frame.time + kBetweenLooks;
     joiner.add(frame);
     if (frame.time < next_try) continue;
     next_try = frame.time + kBetweenTries;
@@ -114,8 +119,8 @@ void run(std::ostream& out)
       << "within " << kRightPosition << " m and " << radToDeg(kRightHeading) << " deg of the motion capture.\n\n"
       << "| robot | measured | starts | enough information within " << kLongest
       << " s | right pose first | among the returned | returned | mean window |\n|---|---|---|---|---|---|---|---|\n";
-  for (const int robot : mrclamRobots(*folder))
-    for (const bool ranges : {true, false})
+  for (const bool ranges : {true, false})
+    for (const int robot : mrclamRobots(*folder))
     {
       Recording recording = importMrclam(*folder, robot);
       hideIdentities(recording);
