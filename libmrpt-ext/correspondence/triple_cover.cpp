@@ -130,11 +130,15 @@ class TripleCost
   [[nodiscard]] double range(int i) const { return density_.max_range[static_cast<std::size_t>(at(i).place)]; }
 
   [[nodiscard]] double around(int i, double gap) const
-  { return allowed(i) * std::min(1.0, kPi * square(largestSeparation(gap, range(i))) / density_.area); }
+  {
+    return allowed(i) * std::min(1.0, kPi * square(largestSeparation(gap, range(i))) / density_.area);
+  }
 
   /// Possible poses: measured to grow linearly with the angle that the triple spans.
   [[nodiscard]] double posesOf(int i, int j, int k, double span) const
-  { return allowed(i) * around(j, 0) * around(k, 0) * (0.03 + 0.13 * span); }
+  {
+    return allowed(i) * around(j, 0) * around(k, 0) * (0.03 + 0.13 * span);
+  }
 
   /// Share of the poses that two of the other readings do not contradict. A narrow triple leaves wide gates.
   [[nodiscard]] double survival(double span) const

@@ -47,7 +47,7 @@ struct SearchDensity
   std::vector<double> landmarks_allowed;  ///< of the kind of each reading
   std::vector<double> max_range;          ///< of each place [m]; infinity: none
   double area = 1;                        ///< of the map [m^2]
-  double chance = 0;                      ///< that a reading has a landmark within its gate at a wrong, exactly known pose
+  double chance = 0;  ///< that a reading has a landmark within its gate at a wrong, exactly known pose
 };
 
 /// All triples of one place whose bearings differ enough, with what they are expected to cost.
