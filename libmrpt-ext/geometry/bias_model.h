@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mrpt_ext
+{
+/// A systematic error that an estimator may carry beside the pose.
+enum class BiasKind
+{
+  range_offset,    ///< [m] measured range = (1 + scale) true range + offset
+  range_scale,     ///< relative, 0 = as measured
+  bearing_offset,  ///< [rad] measured bearing = true bearing + offset
+  way_scale,       ///< relative: true way of the robot = (1 + scale) way told by odometry
+  turn_scale       ///< relative, the same for its turning
+};
+
+/// One such error, taken as Gaussian at the start and as a random walk from then on.
+struct BiasState
+{
+  BiasKind kind = BiasKind::range_offset;
+  std::string sensor;         ///< label of the sensor it belongs to; empty: all sensors (and odometry)
+  double mean = 0;            ///< at the start, in the unit of the kind
+  double std = 0;             ///< likewise; 0: known, not estimated
+  double std_per_sqrt_s = 0;  ///< random walk: standard deviation after one second
+};
+
+/// The errors estimated together with the pose, in the order of the estimator's extra state components.
+using BiasModel = std::vector<BiasState>;
+
+/// True for the errors of odometry.
+[[nodiscard]] inline bool belongsToOdometry(BiasKind kind)
+{
+  return kind == BiasKind::way_scale || kind == BiasKind::turn_scale;
+}
+
+/// True when the error acts on readings of the sensor with this label.
+[[nodiscard]] inline bool actsOn(const BiasState& bias, std::string_view sensor)
+{
+  return !belongsToOdometry(bias.kind) && (bias.sensor.empty() || bias.sensor == sensor);
+}
+}  // namespace mrpt_ext
