@@ -3,65 +3,61 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mrpt_ext/geometry/vector_clones.h"
 #include "mrpt_ext/solvers/bearing_pose_linear.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-/// Landmark i against landmark 0. `a` is a_i |v|^2, which has the length of v = L_i - L_0.
-struct Leg
-{
-  double vx, vy, ax, ay;
-};
-
-inline Leg legOf(const UnitBearing& bearing, const UnitBearing& reference)
-{
-  const double vx = bearing.landmark.x() - reference.landmark.x(), vy = bearing.landmark.y() - reference.landmark.y();
-  const double ux = bearing.unit.x(), uy = bearing.unit.y(), wx = reference.unit.x(), wy = reference.unit.y();
-  const double c = ux * wx + uy * wy, s = uy * wx - ux * wy;
-  return {vx, vy, c * vx + s * vy, s * vx - c * vy};
-}
-
-/// Sums over the legs: S f = -v.
+/// Least squares for k: of every bearing the row (q, p) with right side s, all divided by |v_i|, where v_i = L_i - L_0,
+/// p + j q = conj(u_i) v_i and s = cross(u_0, u_i).
 struct NormalEquations
 {
   double sxx = 0, sxy = 0, syy = 0;
-  double vx = 0, vy = 0;
+  double bx = 0, by = 0;
 };
 
-inline NormalEquations sumUp(std::span<const UnitBearing> bearings)
+[[gnu::always_inline]] inline NormalEquations sumUp(std::span<const UnitBearing> bearings)
 {
+  const Vector2d &origin = bearings[0].landmark, &reference = bearings[0].unit;
   NormalEquations sum;
   for (std::size_t i = 1; i < bearings.size(); ++i)
   {
-    const Leg leg = legOf(bearings[i], bearings[0]);
-    const double scale = 1 / (leg.vx * leg.vx + leg.vy * leg.vy);
-    // The normal of a is (-ay, ax); b' = (vx, -vy) |v|^-2.
-    const double offset = -(leg.ay * leg.vx + leg.ax * leg.vy) * scale * scale;
-    sum.sxx += leg.ay * leg.ay * scale;
-    sum.sxy -= leg.ax * leg.ay * scale;
-    sum.syy += leg.ax * leg.ax * scale;
-    sum.vx -= leg.ay * offset;
-    sum.vy += leg.ax * offset;
+    const Vector2d &landmark = bearings[i].landmark, &unit = bearings[i].unit;
+    const double vx = landmark.x() - origin.x(), vy = landmark.y() - origin.y();
+    const double p = unit.x() * vx + unit.y() * vy, q = unit.x() * vy - unit.y() * vx;
+    const double s = unit.y() * reference.x() - unit.x() * reference.y();
+    const double scale = 1 / (p * p + q * q);
+    const double sp = p * scale, sq = q * scale;
+    sum.sxx += q * sq;
+    sum.sxy += q * sp;
+    sum.syy += p * sp;
+    sum.bx += s * sq;
+    sum.by += s * sp;
   }
   return sum;
 }
 
-/// r_i > 0 for every landmark: none lies behind its bearing.
-inline bool allAhead(std::span<const UnitBearing> bearings, double fx, double fy)
+/// r_i > 0 for every landmark: none lies behind its bearing. r_i / r_0 = Re(conj(u_i) (v_i k + u_0)), here with
+/// n = d k, d > 0.
+[[gnu::always_inline]] inline bool allAhead(std::span<const UnitBearing> bearings, double nx, double ny, double d)
 {
-  bool ahead = true;
+  const Vector2d &origin = bearings[0].landmark, &reference = bearings[0].unit;
+  const double wx = d * reference.x(), wy = d * reference.y();
+  int behind = 0;
   for (std::size_t i = 1; i < bearings.size(); ++i)
   {
-    const Leg leg = legOf(bearings[i], bearings[0]);
-    const double v2 = leg.vx * leg.vx + leg.vy * leg.vy;
-    ahead &= leg.ax * (fx * v2 + leg.vx) + leg.ay * (fy * v2 - leg.vy) > 0;
+    const Vector2d &landmark = bearings[i].landmark, &unit = bearings[i].unit;
+    const double vx = landmark.x() - origin.x(), vy = landmark.y() - origin.y();
+    const double along = unit.x() * (vx * nx - vy * ny + wx) + unit.y() * (vx * ny + vy * nx + wy);
+    behind |= along > 0 ? 0 : 1;
   }
-  return ahead;
+  return behind == 0;
 }
 }  // namespace
 
+MRPT_EXT_VECTOR_CLONES
 BearingPoseFromUnits solveBearingPoseFromUnits(std::span<const UnitBearing> bearings)
 {
   BearingPoseFromUnits result;
@@ -69,30 +65,23 @@ BearingPoseFromUnits solveBearingPoseFromUnits(std::span<const UnitBearing> bear
   result.status = SolveStatus::degenerate;
 
   const NormalEquations sum = sumUp(bearings);
-  const double determinant = sum.sxx * sum.syy - sum.sxy * sum.sxy;
-  const double legs = static_cast<double>(bearings.size() - 1);
-  const double quality = determinant / (legs * legs);
-  if (!std::isfinite(quality)) return result;
-  result.quality = std::max(0.0, quality);
-  if (quality < kSingularBearingRatio) return result;
+  const double d = sum.sxx * sum.syy - sum.sxy * sum.sxy;
+  const double nx = sum.syy * sum.bx - sum.sxy * sum.by, ny = sum.sxx * sum.by - sum.sxy * sum.bx;  // k = n / d
+  const double n2 = nx * nx + ny * ny;
+  const double legs = static_cast<double>(bearings.size() - 1), most = legs * legs;
+  if (!std::isfinite(d)) return result;
+  result.quality = std::max(0.0, d / most);
+  if (d < kSingularBearingRatio * most || !(n2 > 0) || !std::isfinite(n2)) return result;
+  result.status = SolveStatus::behind;
+  if (!allAhead(bearings, nx, ny, d)) return result;
 
-  const double fx = (sum.sxy * sum.vy - sum.syy * sum.vx) / determinant;
-  const double fy = (sum.sxy * sum.vx - sum.sxx * sum.vy) / determinant;
-  const double f2 = fx * fx + fy * fy;
-  if (!(f2 > 0) || !std::isfinite(1 / f2)) return result;
-  if (!allAhead(bearings, fx, fy))
-  {
-    result.status = SolveStatus::behind;
-    return result;
-  }
-
-  // L_0 - R = 1 / f; its direction is that of the conjugate of f.
-  const Vector2d& unit = bearings[0].unit;
-  const double inverse = 1 / std::sqrt(f2);
-  const double ex = fx * inverse, ey = -fy * inverse;
+  const double inverse = 1 / std::sqrt(n2), distance = d * inverse;
+  const double hx = nx * inverse, hy = -ny * inverse;
+  const Vector2d &landmark = bearings[0].landmark, &unit = bearings[0].unit;
   result.status = SolveStatus::ok;
-  result.position = bearings[0].landmark - inverse * Vector2d(ex, ey);
-  result.heading = {ex * unit.x() + ey * unit.y(), ey * unit.x() - ex * unit.y()};
+  result.heading = {hx, hy};
+  result.position = {landmark.x() - distance * (hx * unit.x() - hy * unit.y()),
+                     landmark.y() - distance * (hx * unit.y() + hy * unit.x())};
   return result;
 }
 }  // namespace mrpt_ext

@@ -23,7 +23,8 @@ struct BearingPoseFromUnits
 };
 
 /// Paper 000, eq 1-6, for many calls: the same pose as solveBearingPoseLinear() (see there for what it is good for),
-/// but from unit vectors, without trigonometry, memory or residuals. Deviation: |a_i| = |b'_i| as bearings have length
-/// one, which saves a division per landmark.
+/// but from unit vectors, without trigonometry, memory or residuals. Deviation: the unknown f is multiplied by the unit
+/// vector of the reference bearing (three_bearing_pose.h), k = e^(-j phi) / r_0, so that a row is conj(u_i) (L_i - L_0)
+/// and its right side the sine between two bearings; the weights and the determinant stay what they are.
 [[nodiscard]] BearingPoseFromUnits solveBearingPoseFromUnits(std::span<const UnitBearing> bearings);
 }  // namespace mrpt_ext

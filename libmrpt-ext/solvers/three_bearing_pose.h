@@ -28,44 +28,50 @@ struct ThreeBearingPose
   Real c = 1, s = 0;  ///< cosine and sine of the heading; 1 and 0 without a pose
 };
 
-/// Where three circles of equal inscribed angle meet.
+/// The two linear equations that two landmarks leave beside the first one, solved up to a common scale.
 template <class Real>
-struct ThreeCircleMeeting
+struct ThreeBearingSolution
 {
-  Real qx, qy;            ///< relative to landmark 2 [m]; meaningless when not firm
-  bool firm;              ///< the rounding of the bearings cannot have made it up
-  Real ahead12, ahead23;  ///< positive when both bearings of the pair, or neither, point at their landmarks
+  Real nx, ny;          ///< n = scale exp(-j heading)
+  Real d;               ///< scale times the distance of the first landmark; carries the sign of the scale
+  Real n2;              ///< |n|^2
+  Real along1, along2;  ///< scale times the distances of the others
+  bool firm;            ///< the rounding of the bearings cannot have made it up, and everything is finite
+
+  /// No landmark lies behind its bearing.
+  [[gnu::always_inline]] [[nodiscard]] bool ahead() const { return (along1 * d > 0) & (along2 * d > 0); }
 };
 
-/// Pierlot, Van Droogenbroeck, ToTal (IEEE T-RO 30(3), 2014), the robot as the radical centre of three circles.
-/// Deviation: each cotangent is kept as cosine over sine and the sines are multiplied out, so that neither trigonometry
-/// nor a special case is left: opposite or equal bearings are bearings like any other. With A, B, C the centres times
-/// their sines, the determinant is D = S31 A x B + S12 B x C + S23 C x A. Bearings known to eps move it by no more than
-/// eps (|A||B| + |B||C| + |C||A|) <= 2.5 eps (|L1 - L2|^2 + |L3 - L2|^2); below 32 times that it says nothing.
+/// Paper 000, eq 3, with the unknown f multiplied by the unit vector of the reference bearing: with u_i the bearings,
+/// L_i - R = r_i e^(j phi) u_i, k = e^(-j phi) / r_0 and v_i = L_i - L_0 it reads Im(conj(u_i) v_i k) = cross(u_0,
+/// u_i), i = 1, 2. Kept as the cross product (n, d) of the two rows, k = n / d, it needs neither trigonometry nor a
+/// special case for opposite or equal bearings, and holds the heading already. (n, d) vanishes when all are on one
+/// circle. Bearings known to eps move n by no more than 2 eps (|v_1| + |v_2|); below 32 times that it says nothing.
 template <class Real>
-[[gnu::always_inline]] inline ThreeCircleMeeting<Real> meetThreeCircles(const SightedLandmark<Real>& first,
-                                                                        const SightedLandmark<Real>& second,
-                                                                        const SightedLandmark<Real>& third)
+[[gnu::always_inline]] inline ThreeBearingSolution<Real> solveThreeBearings(const SightedLandmark<Real>& first,
+                                                                            const SightedLandmark<Real>& second,
+                                                                            const SightedLandmark<Real>& third)
 {
-  const Real x1 = first.x - second.x, y1 = first.y - second.y;
-  const Real x3 = third.x - second.x, y3 = third.y - second.y;
-  const Real c12 = first.c * second.c + first.s * second.s, s12 = first.c * second.s - first.s * second.c;
-  const Real c23 = second.c * third.c + second.s * third.s, s23 = second.c * third.s - second.s * third.c;
-  const Real c31 = s12 * s23 - c12 * c23, s31 = c12 * s23 + c23 * s12;
+  const Real x1 = second.x - first.x, y1 = second.y - first.y;
+  const Real x2 = third.x - first.x, y2 = third.y - first.y;
+  const Real p1 = second.c * x1 + second.s * y1, q1 = second.c * y1 - second.s * x1;  // conj(u) v = p + j q
+  const Real p2 = third.c * x2 + third.s * y2, q2 = third.c * y2 - third.s * x2;
+  const Real s1 = first.c * second.s - first.s * second.c, s2 = first.c * third.s - first.s * third.c;
+  const Real c1 = first.c * second.c + first.s * second.s, c2 = first.c * third.c + first.s * third.s;
 
-  const Real ax = s12 * x1 + c12 * y1, ay = s12 * y1 - c12 * x1;
-  const Real bx = s23 * x3 - c23 * y3, by = s23 * y3 + c23 * x3;
-  const Real cx = s31 * (x3 + x1) + c31 * (y3 - y1), cy = s31 * (y3 + y1) - c31 * (x3 - x1);
-  const Real k = s31 * (x1 * x3 + y1 * y3) + c31 * (x1 * y3 - x3 * y1);
-  const Real dx = s23 * ax - s12 * bx, dy = s23 * ay - s12 * by;
-  const Real determinant = s31 * (ax * by - ay * bx) - (dx * cy - dy * cx);
-
-  const Real noise = 80 * std::numeric_limits<Real>::epsilon() * (x1 * x1 + y1 * y1 + x3 * x3 + y3 * y3);
-  const Real factor = k / determinant;
-  const Real qx = factor * dy, qy = -factor * dx;
-  const Real q2 = qx * qx + qy * qy;
-  return {qx, qy, std::abs(determinant) > noise, c12 * (q2 - (qx * x1 + qy * y1)) + s12 * (qx * y1 - qy * x1),
-          c23 * (q2 - (qx * x3 + qy * y3)) - s23 * (qx * y3 - qy * x3)};
+  ThreeBearingSolution<Real> result;
+  const Real nx = s1 * p2 - s2 * p1, ny = q1 * s2 - q2 * s1, d = q1 * p2 - q2 * p1;
+  result.nx = nx;
+  result.ny = ny;
+  result.d = d;
+  result.n2 = nx * nx + ny * ny;
+  result.along1 = p1 * nx - q1 * ny + c1 * d;
+  result.along2 = p2 * nx - q2 * ny + c2 * d;
+  constexpr Real kNoise = 64 * std::numeric_limits<Real>::epsilon();
+  const Real size2 = p1 * p1 + q1 * q1 + p2 * p2 + q2 * q2;
+  const Real noise2 = 2 * kNoise * kNoise * size2 + std::numeric_limits<Real>::min();
+  result.firm = (result.n2 > noise2) & (result.n2 < std::numeric_limits<Real>::infinity());
+  return result;
 }
 
 /// The pose from which three known landmarks are seen under three directed bearings; there is at most one. No
@@ -75,22 +81,19 @@ template <class Real>
                                                                            const SightedLandmark<Real>& second,
                                                                            const SightedLandmark<Real>& third)
 {
-  const ThreeCircleMeeting<Real> at = meetThreeCircles(first, second, third);
+  const ThreeBearingSolution<Real> at = solveThreeBearings(first, second, third);
   ThreeBearingPose<Real> result;
   if (!at.firm) return result;
-  if (at.ahead12 > 0 && at.ahead23 > 0)
+  if (at.ahead())
   {
-    const Real vx = first.x - second.x - at.qx, vy = first.y - second.y - at.qy;
-    const Real length2 = vx * vx + vy * vy;
-    if (!(length2 > 0 && length2 < std::numeric_limits<Real>::infinity())) return result;
-    const Real inverse = 1 / std::sqrt(length2);
+    const Real inverse = 1 / at.n2, factor = at.d * inverse, turn = std::copysign(std::sqrt(inverse), at.d);
     result.outcome = ThreeBearingOutcome::pose;
-    result.x = second.x + at.qx;
-    result.y = second.y + at.qy;
-    result.c = (vx * first.c + vy * first.s) * inverse;
-    result.s = (vy * first.c - vx * first.s) * inverse;
+    result.x = first.x - factor * (at.nx * first.c + at.ny * first.s);  // L_0 - R = u_0 / k
+    result.y = first.y - factor * (at.nx * first.s - at.ny * first.c);
+    result.c = turn * at.nx;
+    result.s = -turn * at.ny;
   }
-  else if (at.ahead12 < 0 || at.ahead23 < 0)
+  else if (at.along1 * at.d < 0 || at.along2 * at.d < 0)
     result.outcome = ThreeBearingOutcome::behind;
   return result;
 }

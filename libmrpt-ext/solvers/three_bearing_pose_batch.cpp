@@ -22,20 +22,18 @@ template <bool WithHeadings, class Real>
 #endif
   for (std::size_t m = 0; m < count; ++m)
   {
-    const ThreeCircleMeeting<Real> at = meetThreeCircles<Real>(
+    const ThreeBearingSolution<Real> at = solveThreeBearings<Real>(
         {x1[m], y1[m], c1[m], s1[m]}, {x2[m], y2[m], c2[m], s2[m]}, {x3[m], y3[m], c3[m], s3[m]});
-    const Real vx = x1[m] - x2[m] - at.qx, vy = y1[m] - y2[m] - at.qy;
-    const Real length2 = vx * vx + vy * vy;
-    const bool ok = at.firm & (at.ahead12 > 0) & (at.ahead23 > 0) & (length2 > 0) &
-                    (length2 < std::numeric_limits<Real>::infinity());
-    x[m] = ok ? x2[m] + at.qx : 0;
-    y[m] = ok ? y2[m] + at.qy : 0;
+    const bool ok = at.firm & at.ahead();
+    const Real inverse = 1 / at.n2, factor = at.d * inverse;
+    x[m] = ok ? x1[m] - factor * (at.nx * c1[m] + at.ny * s1[m]) : 0;
+    y[m] = ok ? y1[m] - factor * (at.nx * s1[m] - at.ny * c1[m]) : 0;
     valid[m] = ok ? 1 : 0;
     if constexpr (WithHeadings)
     {
-      const Real inverse = 1 / std::sqrt(length2);
-      c[m] = ok ? (vx * c1[m] + vy * s1[m]) * inverse : 1;
-      s[m] = ok ? (vy * c1[m] - vx * s1[m]) * inverse : 0;
+      const Real turn = std::copysign(std::sqrt(inverse), at.d);
+      c[m] = ok ? turn * at.nx : 1;
+      s[m] = ok ? -turn * at.ny : 0;
     }
   }
 }

@@ -1,6 +1,7 @@
 #include <array>
 #include <complex>
 
+#include "limit/limit_ten_bearings.h"
 #include "mrpt_ext/solvers/bearing_pose_from_units.h"
 #include "sighted_scenes.h"
 
@@ -49,30 +50,6 @@ double solveOurs(const Problem& p)
   return pose.status == SolveStatus::ok ? pose.position.sum() + pose.heading.sum() + pose.quality : 0;
 }
 
-/// The 2x2 form for the position alone: no heading, no quality, no check of anything.
-double solveLimit(const Problem& p)
-{
-  const UnitBearing& ref = p.sights[0];
-  double p00 = 0, p01 = 0, p11 = 0, q0 = 0, q1 = 0;
-  for (std::size_t i = 1; i < kBearings; ++i)
-  {
-    const Vector2d v = p.sights[i].landmark - ref.landmark;
-    const Vector2d& u = p.sights[i].unit;
-    const double w = 1 / v.squaredNorm(), bx = v.x() * w, by = -v.y() * w;
-    const double c = u.dot(ref.unit), s = u.y() * ref.unit.x() - u.x() * ref.unit.y();
-    const double ax = c * v.x() + s * v.y(), ay = s * v.x() - c * v.y();
-    const double m00 = ax * ax * w - 1, m01 = ax * ay * w, m11 = ay * ay * w - 1;
-    p00 += m00;
-    p01 += m01;
-    p11 += m11;
-    q0 += m00 * bx + m01 * by;
-    q1 += m01 * bx + m11 * by;
-  }
-  const double fx = p01 * q1 - p11 * q0, fy = p01 * q0 - p00 * q1;
-  const double g = (p00 * p11 - p01 * p01) / (fx * fx + fy * fy);
-  return ref.landmark.x() - fx * g + ref.landmark.y() + fy * g;
-}
-
 /// Betke, Gurvits (IEEE T-RA 13(2), 1997): one unknown distance ratio per landmark, their n x n system solved in O(n)
 /// by two rank-one updates, and the mean of the positions that the ratios give. Reference: the last landmark.
 double solvePlain(const Problem& p)
@@ -115,7 +92,19 @@ double solvePlain(const Problem& p)
 }
 
 void ours(benchmark::State& state) { overProblems(state, solveOurs); }
-void limitForm(benchmark::State& state) { overProblems(state, solveLimit); }
+void limitForm(benchmark::State& state)
+{
+  std::vector<double> landmarks, units;
+  for (const Problem& p : tenBearingProblems())
+    for (const UnitBearing& sight : p.sights)
+    {
+      landmarks.insert(landmarks.end(), {sight.landmark.x(), sight.landmark.y()});
+      units.insert(units.end(), {sight.unit.x(), sight.unit.y()});
+    }
+  for (auto _ : state)
+    benchmark::DoNotOptimize(limit::sumOfLinearPositions(landmarks.data(), units.data(), kBearings, kProblems));
+  reportPerItem(state, kProblems);
+}
 void plain(benchmark::State& state) { overProblems(state, solvePlain); }
 
 BENCHMARK(ours)->Name("hypothesis/ten_bearings/ours");

@@ -43,42 +43,50 @@ void overProblems(benchmark::State& state, const Solve& solve)
   reportPerItem(state, kProblems);
 }
 
-SightedLandmark<double> sight(const Problem& p, int i)
+/// Landmarks and unit vectors without gaps, the same for ours and the limit.
+struct PackedProblems
 {
-  return {p.at[2 * i], p.at[2 * i + 1], p.u[2 * i], p.u[2 * i + 1]};
-}
+  std::vector<double> at, u;
 
-/// What decides a hypothesis: where, and whether at all.
+  PackedProblems()
+  {
+    for (const Problem& p : threeBearingProblems())
+    {
+      at.insert(at.end(), p.at, p.at + 6);
+      u.insert(u.end(), p.u, p.u + 6);
+    }
+  }
+  [[nodiscard]] SightedLandmark<double> sight(std::size_t m, std::size_t i) const
+  {
+    const std::size_t k = 6 * m + 2 * i;
+    return {at[k], at[k + 1], u[k], u[k + 1]};
+  }
+};
+
+/// Place and validity, with the heading on request.
+template <bool kHeading>
 void scalarOurs(benchmark::State& state)
 {
-  overProblems(state,
-               [](const Problem& p)
-               {
-                 const auto at = meetThreeCircles(sight(p, 0), sight(p, 1), sight(p, 2));
-                 const bool pose = at.firm && at.ahead12 > 0 && at.ahead23 > 0;
-                 return pose ? at.qx + p.at[2] + at.qy + p.at[3] : 0;
-               });
-}
-
-void scalarOursWithHeading(benchmark::State& state)
-{
-  overProblems(state,
-               [](const Problem& p)
-               {
-                 const auto pose = solveThreeBearingPose(sight(p, 0), sight(p, 1), sight(p, 2));
-                 return pose.outcome == ThreeBearingOutcome::pose ? pose.x + pose.y + pose.c + pose.s : 0;
-               });
+  const PackedProblems problems;
+  for (auto _ : state)
+  {
+    double sum = 0;
+    for (std::size_t m = 0; m < kProblems; ++m)
+    {
+      const auto pose = solveThreeBearingPose(problems.sight(m, 0), problems.sight(m, 1), problems.sight(m, 2));
+      if (pose.outcome == ThreeBearingOutcome::pose) sum += pose.x + pose.y + (kHeading ? pose.c + pose.s : 0);
+    }
+    benchmark::DoNotOptimize(sum);
+  }
+  reportPerItem(state, kProblems);
 }
 
 void scalarLimit(benchmark::State& state)
 {
-  overProblems(state,
-               [](const Problem& p)
-               {
-                 double x, y;
-                 limit::totalPosition(p.at, p.u, x, y);
-                 return x + y;
-               });
+  const PackedProblems problems;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(limit::sumOfTotalPositions(problems.at.data(), problems.u.data(), kProblems));
+  reportPerItem(state, kProblems);
 }
 
 /// ToTal as published: bearings as angles, cotangents by division, heading from the first landmark.
@@ -150,8 +158,8 @@ void batchLimit(benchmark::State& state)
   reportPerItem(state, kProblems);
 }
 
-BENCHMARK(scalarOurs)->Name("hypothesis/three_bearings/ours");
-BENCHMARK(scalarOursWithHeading)->Name("hypothesis/three_bearings/ours_with_heading");
+BENCHMARK(scalarOurs<false>)->Name("hypothesis/three_bearings/ours");
+BENCHMARK(scalarOurs<true>)->Name("hypothesis/three_bearings/ours_with_heading");
 BENCHMARK(scalarLimit)->Name("hypothesis/three_bearings/limit");
 BENCHMARK(scalarPlain)->Name("hypothesis/three_bearings/plain");
 BENCHMARK(batchOurs<double, false>)->Name("hypothesis/three_bearings_batch/ours");

@@ -170,6 +170,7 @@ TEST(ThreeBearingPose, ATurnedBearingIsBehind)
 TEST(ThreeBearingPose, OnOneCircleOrLineIsDegenerate)
 {
   RandomStream random(3);
+  int tried = 0;
   for (int trial = 0; trial < 300; ++trial)
   {
     Scene circle = randomScene(random, 3);
@@ -179,8 +180,14 @@ TEST(ThreeBearingPose, OnOneCircleOrLineIsDegenerate)
       l = {5 + 4 * std::cos(angle), 5 + 4 * std::sin(angle)};
     }
     circle.robot = {5 + 4 * std::cos(trial), 5 + 4 * std::sin(trial), circle.robot.phi};
+    // Rounding of its place turns the bearing of a landmark that is very close by more than rounding.
+    if (std::any_of(circle.landmarks.begin(), circle.landmarks.end(),
+                    [&](const Vector2d& l) { return (l - circle.robot.position()).norm() < 0.02; }))
+      continue;
+    ++tried;
     EXPECT_EQ(solve(sightsOf(circle)).outcome, ThreeBearingOutcome::degenerate) << trial;
   }
+  EXPECT_GT(tried, 280);
   const Answer line = solve({sightOf({1, 1}, 0), sightOf({2, 2}, 0), sightOf({4, 4}, 0)});
   EXPECT_EQ(line.outcome, ThreeBearingOutcome::degenerate);
   EXPECT_EQ(line.x, 0);
