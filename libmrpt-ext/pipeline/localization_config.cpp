@@ -163,6 +163,7 @@ LocalizationConfig localizationConfig(const Settings& settings, const LandmarkTa
                    .independent = settings.flag(kExperiment, "independent_frames"),
                    .odometry = {.scale = settings.number(kMotion, "odometry_scale"),
                                 .turn_scale = settings.number(kMotion, "odometry_turn_scale"),
+                                .turn_per_m = settings.radians(kMotion, "odometry_turn_per_m_deg"),
                                 .delay = settings.number(kMotion, "odometry_delay_s")},
                    .sensors = sensorConfigs(settings)};
   if (settings.hasValue(kExperiment, "objects"))

@@ -214,6 +214,14 @@ KeyTable motionKeys()
        "How long after its stamp an odometry record becomes true; it is added to the stamps."},
       {s, "odometry_scale", T::number, "", "1", kPositive, {}, "Factor on the measured way (not on turns)."},
       {s, "odometry_turn_scale", T::number, "", "1", kPositive, {}, "Factor on the measured turns."},
+      {s,
+       "odometry_turn_per_m_deg",
+       T::number,
+       "deg",
+       "0",
+       {},
+       {},
+       "Turned per metre of way beyond what odometry tells, to the left: a robot that veers."},
   }};
 }
 
@@ -230,6 +238,15 @@ KeyTable sensorKeys()
       {s, "bias_bearing_deg", T::number, "deg", "0", {}, {}, "Measured minus true bearing, taken off."},
       {s, "bias_range_m", T::number, "m", "0", {}, {}, "Measured = scale * true + bias; taken off."},
       {s, "scale_range", T::number, "", "1", kPositive, {}, "See bias_range_m."},
+      {s,
+       "range_along_axis",
+       T::flag,
+       "",
+       "false",
+       {},
+       {},
+       "The logged range is the depth along the sensor's forward axis (a camera that measures how large a landmark "
+       "appears); it is divided by the cosine of the bearing. Ranges logged without a bearing stay as they are."},
       {s, "field_of_view_deg", T::number, "deg", "", kTurn, {}, "Full angle; replaces the logged one."},
       {s, "max_range_m", T::number, "m", "", kPositive, {}, "Range limit; replaces the logged one."},
       {s,

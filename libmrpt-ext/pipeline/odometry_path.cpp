@@ -20,7 +20,7 @@ OdometryPath::OdometryPath(std::vector<OdometryRecord> records, const OdometryCo
     Pose2 step = mrpt_ext::between(records[path_.size() - 1].pose, record.pose);
     step.x *= correction.scale;
     step.y *= correction.scale;
-    step.phi *= correction.turn_scale;
+    step.phi = correction.turn_scale * step.phi + correction.turn_per_m * step.position().norm();
     length_.push_back(length_.back() + step.position().norm());
     turned_.push_back(turned_.back() + std::abs(step.phi));
     path_.push_back({record.time + correction.delay, compose(path_.back().pose, step), true});

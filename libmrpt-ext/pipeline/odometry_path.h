@@ -12,6 +12,7 @@ struct OdometryCorrection
 {
   double scale = 1;       ///< factor on the way
   double turn_scale = 1;  ///< factor on turns
+  double turn_per_m = 0;  ///< [rad/m] added to the heading per metre of way: how the robot veers
   double delay = 0;       ///< [s] added to the stamps
 };
 

@@ -9,6 +9,7 @@ namespace mrpt_ext
 namespace
 {
 const std::string kPrefix = "Sensor_";
+constexpr double kLeastDepthShare = 0.1;  // beside the sensor or behind it a depth tells no range
 
 const SensorConfig& configOf(const SensorConfigs& configs, const std::string& label)
 {
@@ -42,13 +43,20 @@ void forgetNames(Detection& detection, SensorConfig::Association association, co
   if (association == SensorConfig::Association::anonymous) detection.category.clear();
 }
 
-/// Corrects a measured range and its deviation.
-void correctRange(double& range, double& std, const SensorConfig& config, const std::string& sensor)
+/// Corrects a measured range and its deviation; `depth_share` of the true range was measured.
+void correctRange(double& range, double& std, const SensorConfig& config, const std::string& sensor,
+                  double depth_share = 1)
 {
-  range = (range - config.bias_range) / config.scale_range;
+  range = (range - config.bias_range) / (config.scale_range * depth_share);
   if (config.std_range) std = *config.std_range;
   std += config.std_range_per_m * std::max(range, 0.0);
   if (!(std > 0)) throw missingDeviation(sensor, "ranges", "std_range_m");
+}
+
+/// Cosine between the forward axis and the landmark where ranges are logged as depth along that axis; else 1.
+double depthShare(const Detection& detection, const SensorConfig& config)
+{
+  return config.range_along_axis && detection.bearing ? std::cos(*detection.bearing) : 1.0;
 }
 
 void correctBearing(double& bearing, double& std, const SensorConfig& config, const std::string& sensor)
@@ -98,6 +106,7 @@ SensorConfigs sensorConfigs(const Settings& settings)
     c.bias_bearing = settings.radians(section, "bias_bearing_deg");
     c.bias_range = settings.number(section, "bias_range_m");
     c.scale_range = settings.number(section, "scale_range");
+    c.range_along_axis = settings.flag(section, "range_along_axis");
     c.field_of_view = settings.optionalRadians(section, "field_of_view_deg");
     c.max_range = settings.optionalNumber(section, "max_range_m");
     c.clutter_probability = settings.number(section, "clutter_probability");
@@ -121,8 +130,11 @@ Reading configured(Reading reading, const SensorConfigs& configs, const Landmark
   for (Detection& detection : reading.detections)
   {
     if (detection.bearing) correctBearing(*detection.bearing, detection.std_bearing, config, reading.sensor);
-    if (detection.range) correctRange(*detection.range, detection.std_range, config, reading.sensor);
-    const std::string why = whyUnusable(detection, reading, map, config.association);
+    const double depth_share = depthShare(detection, config);
+    if (detection.range) correctRange(*detection.range, detection.std_range, config, reading.sensor, depth_share);
+    const std::string why = detection.range && depth_share < kLeastDepthShare
+                                ? "depth of a landmark that is not ahead"
+                                : whyUnusable(detection, reading, map, config.association);
     if (!why.empty())
     {
       ++unusable[reading.sensor + ": " + why];

@@ -24,7 +24,8 @@ struct SensorConfig
   double std_range_per_m = 0;
   std::optional<double> std_heading;                         ///< [rad]
   double bias_bearing = 0, bias_range = 0, scale_range = 1;  ///< measured = scale * true + bias
-  std::optional<double> field_of_view, max_range;            ///< [rad], [m]
+  bool range_along_axis = false;  ///< ... where true is the depth along the forward axis, of detections with a bearing
+  std::optional<double> field_of_view, max_range;  ///< [rad], [m]
   double clutter_probability = 0.05;
   std::optional<double> detection_probability;
   Association association = Association::known;

@@ -68,6 +68,16 @@ TEST(OdometryPath, ScalesTheWayAndTheTurnsByThemselves)
   EXPECT_NEAR(OdometryPath(square, {.turn_scale = 2}).between(0, 2).path_length, 2, 1e-12);
 }
 
+TEST(OdometryPath, AVeeringRobotTurnsWithItsWay)
+{
+  const std::vector<OdometryRecord> straight{{0, {0, 0, 0}}, {1, {2, 0, 0}}, {2, {2, 0, 0}}, {3, {3, 0, 0}}};
+  const OdometryPath path(straight, {.scale = 0.5, .turn_per_m = 0.2});
+  EXPECT_NEAR(path.at(1).phi, 0.2, 1e-12);
+  EXPECT_NEAR(path.at(2).phi, 0.2, 1e-12);
+  EXPECT_NEAR(path.at(3).phi, 0.3, 1e-12);
+  EXPECT_NEAR(path.between(0, 3).turned, 0.3, 1e-12);
+}
+
 TEST(OdometryPath, TheDelayIsAddedToTheStamps)
 {
   const OdometryPath path(kRecords, {.delay = 0.5});

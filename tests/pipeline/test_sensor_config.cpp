@@ -82,6 +82,25 @@ TEST(SensorConfig, DelayBiasAndScaleAreTakenOff)
   EXPECT_NEAR(*turned.bearing, kPi + 0.01 - degToRad(10), 1e-12);
 }
 
+TEST(SensorConfig, DepthAlongTheAxisBecomesARange)
+{
+  const Detection corrected =
+      configuredDetection(kBoth, "range_along_axis = true\nscale_range = 1.25\nbias_range_m = 0.5\n");
+  EXPECT_NEAR(*corrected.range, 2.8 / std::cos(0.5), 1e-12);
+  EXPECT_EQ(*corrected.bearing, 0.5);
+  const Detection without_bearing{.id = 1, .range = 4, .std_range = 0.1};
+  EXPECT_EQ(*configuredDetection(without_bearing, "range_along_axis = true\n").range, 4.0);
+}
+
+TEST(SensorConfig, DepthOfALandmarkBesideTheSensorIsCountedAsUnusable)
+{
+  Reading logged{.sensor = "eye", .detections = {kBoth}};
+  logged.detections[0].bearing = degToRad(89.0);
+  UnusableDetections unusable;
+  EXPECT_TRUE(configured(logged, configsOf("range_along_axis = true\n"), kMap, unusable).detections.empty());
+  EXPECT_EQ(unusable.at("eye: depth of a landmark that is not ahead"), 1U);
+}
+
 TEST(SensorConfig, ConfiguredDeviationsReplaceLoggedOnesAndGrowWithRange)
 {
   EXPECT_NEAR(configuredDetection(kBoth, "std_bearing_deg = 3\n").std_bearing, degToRad(3), 1e-12);
