@@ -66,9 +66,8 @@ void smoothModes(ParticleSet& particles, const ModeSet& modes, const KernelSmoot
     const double a = random.gaussian(), b = random.gaussian(), c = random.gaussian();
     const Vector3d moved =
         keep * offsetFrom(nearest->mean, particles.pose(i)) + options.bandwidth * (nearest->factor * Vector3d(a, b, c));
-    particles.x[i] = nearest->mean.x + moved.x();
-    particles.y[i] = nearest->mean.y + moved.y();
-    particles.phi[i] = wrap(nearest->mean.phi + moved.z());
+    const Pose2& mean = nearest->mean;
+    particles.setPose(i, {mean.x + moved.x(), mean.y + moved.y(), wrap(mean.phi + moved.z())});
   }
 }
 }  // namespace mrpt_ext

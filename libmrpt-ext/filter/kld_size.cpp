@@ -23,9 +23,10 @@ std::size_t occupiedBins(const ParticleSet& particles, const KldOptions& options
   std::vector<std::array<std::int64_t, 3>> bins(particles.size());
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    const double turned = (wrap(particles.phi[i]) + kPi) / kTwoPi * static_cast<double>(turns);
-    bins[i] = {static_cast<std::int64_t>(std::floor(particles.x[i] / options.bin_xy)),
-               static_cast<std::int64_t>(std::floor(particles.y[i] / options.bin_xy)),
+    const Pose2 pose = particles.pose(i);
+    const double turned = (pose.phi + kPi) / kTwoPi * static_cast<double>(turns);
+    bins[i] = {static_cast<std::int64_t>(std::floor(pose.x / options.bin_xy)),
+               static_cast<std::int64_t>(std::floor(pose.y / options.bin_xy)),
                static_cast<std::int64_t>(std::floor(turned)) % turns};
   }
   std::sort(bins.begin(), bins.end());

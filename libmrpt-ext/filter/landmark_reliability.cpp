@@ -18,7 +18,7 @@ std::vector<std::size_t> spacedDraws(const ParticleSet& particles)
   double cumulative = 0;
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    cumulative += std::exp(particles.log_weight[i]);
+    cumulative += std::exp(double{particles.log_weight[i]});
     while (draws.size() < kSamples && (static_cast<double>(draws.size()) + 0.5) / kSamples < cumulative)
       draws.push_back(i);
   }
@@ -65,11 +65,13 @@ double LandmarkReliability::observe(const Reading& reading, const LandmarkTable&
   if (draws.empty() || reading.detections.empty()) return 0;
   const LandmarkClutter current = clutter(reading.model.clutter_probability);
   const double share = 1.0 / static_cast<double>(draws.size());
+  const PoseBatch poses = particles.poses();
   double explained = 0;
   for (const std::size_t draw : draws)
   {
     const Pose2 robot = particles.pose(draw);
-    const auto probabilities = associationProbabilities(reading, map, current, robot);
+    const SensorBias bias = sensorBias(poses, draw, reading.sensor);
+    const auto probabilities = associationProbabilities(reading, map, current, robot, bias);
     for (std::size_t d = 0; d < probabilities.size(); ++d)
       for (std::size_t j = 0; j < map.size(); ++j)
       {
@@ -82,7 +84,10 @@ double LandmarkReliability::observe(const Reading& reading, const LandmarkTable&
         histories_[j].associated += share * p;
         histories_[j].named += named ? share : 0.0;
         histories_[j].false_named += named ? share * (1 - p) : 0.0;
-        if (p > 0.01) addResiduals(histories_[j], detection, predict(map[j], reading, robot), share * p);
+        if (!(p > 0.01)) continue;
+        LandmarkPrediction prediction = predict(map[j], reading, robot);
+        applyBias(prediction, bias);
+        addResiduals(histories_[j], detection, prediction, share * p);
       }
   }
   return explained / static_cast<double>(reading.detections.size());

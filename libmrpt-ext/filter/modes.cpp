@@ -33,9 +33,10 @@ class CellGrid
     cell_of_.reserve(particles.size());
     for (std::size_t i = 0; i < particles.size(); ++i)
     {
-      const double turned = (wrap(particles.phi[i]) + kPi) / kTwoPi * static_cast<double>(turns_);
-      const Cell cell{static_cast<std::int64_t>(std::floor(particles.x[i] / options.cell_xy)),
-                      static_cast<std::int64_t>(std::floor(particles.y[i] / options.cell_xy)),
+      const Pose2 pose = particles.pose(i);
+      const double turned = (pose.phi + kPi) / kTwoPi * static_cast<double>(turns_);
+      const Cell cell{static_cast<std::int64_t>(std::floor(pose.x / options.cell_xy)),
+                      static_cast<std::int64_t>(std::floor(pose.y / options.cell_xy)),
                       static_cast<std::int64_t>(std::floor(turned)) % turns_};
       const auto [entry, fresh] = index_.try_emplace(cell, cells_.size());
       if (fresh)
@@ -43,7 +44,7 @@ class CellGrid
         cells_.push_back(cell);
         weight_.push_back(0);
       }
-      weight_[entry->second] += std::exp(particles.log_weight[i]);
+      weight_[entry->second] += std::exp(double{particles.log_weight[i]});
       cell_of_.push_back(entry->second);
     }
   }
@@ -130,22 +131,22 @@ Mode describe(const ParticleSet& particles, const std::vector<std::size_t>& memb
   double weight = 0, x = 0, y = 0, c = 0, s = 0;
   for (const std::size_t i : members)
   {
-    const double w = std::exp(particles.log_weight[i]);
+    const double w = std::exp(double{particles.log_weight[i]});
     weight += w;
-    x += w * particles.x[i];
-    y += w * particles.y[i];
-    c += w * std::cos(particles.phi[i]);
-    s += w * std::sin(particles.phi[i]);
+    x += w * double{particles.x[i]};
+    y += w * double{particles.y[i]};
+    c += w * std::cos(double{particles.phi[i]});
+    s += w * std::sin(double{particles.phi[i]});
   }
   Mode mode;
   mode.weight = weight;
   if (!(weight > 0)) return mode;
-  mode.pose.mean = {x / weight, y / weight, std::atan2(s, c)};
+  mode.pose.mean = {particles.origin.x() + x / weight, particles.origin.y() + y / weight, std::atan2(s, c)};
   for (const std::size_t i : members)
   {
-    const Vector3d d(particles.x[i] - mode.pose.mean.x, particles.y[i] - mode.pose.mean.y,
-                     wrap(particles.phi[i] - mode.pose.mean.phi));
-    mode.pose.covariance += std::exp(particles.log_weight[i]) / weight * d * d.transpose();
+    Vector3d d = particles.pose(i).vector() - mode.pose.mean.vector();
+    d.z() = wrap(d.z());
+    mode.pose.covariance += std::exp(double{particles.log_weight[i]}) / weight * d * d.transpose();
   }
   return mode;
 }

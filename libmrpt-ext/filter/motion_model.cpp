@@ -66,10 +66,7 @@ void moveParticles(ParticleSet& particles, const MotionModel& model, const Odome
     const double a = random.gaussian(), b = random.gaussian(), turn = std.z() * random.gaussian();
     const double dx = mean.x + factor(0, 0) * a + 0.5 * turn * swing.x();
     const double dy = mean.y + factor(1, 0) * a + factor(1, 1) * b + 0.5 * turn * swing.y();
-    const Pose2 moved = compose(particles.pose(i), {dx, dy, mean.phi + turn});
-    particles.x[i] = moved.x;
-    particles.y[i] = moved.y;
-    particles.phi[i] = moved.phi;
+    particles.setPose(i, compose(particles.pose(i), {dx, dy, mean.phi + turn}));
   }
 }
 }  // namespace mrpt_ext

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mrpt_ext/filter/particle_bias.h"
 #include "mrpt_ext/likelihood/compass_likelihood.h"
 #include "mrpt_ext/likelihood/detection_density.h"
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
@@ -20,6 +21,14 @@ constexpr double kUniformShareInjected = 0.3;
 constexpr double kUniformShareRefined = 0.1;
 constexpr int kRefinements = 2;      // samples drawn again from the modes of the one before
 constexpr std::size_t kBlock = 512;  // particles scored by one task
+
+/// In the middle of the map, where single precision is best.
+Vector2d originOf(const LandmarkTable& map, const PoseRegion& region)
+{
+  if (map.empty()) return region.low + region.extent() / 2;
+  const auto [low, high] = map.boundingBox();
+  return (low + high) / 2;
+}
 
 bool mayShowAny(const Detection& detection, const LandmarkTable& map)
 {
@@ -41,6 +50,7 @@ ParticleFilter::ParticleFilter(const ParticleFilterOptions& options, const Landm
     : options_(options),
       map_(map),
       random_(seed, stream),
+      particles_(originOf(map, options.region), options.biases),
       reliability_(map.size(), options.reliability_prior_strength, options.max_clutter),
       monitor_(options.recovery),
       trust_(trustOptions(options.recovery))
@@ -56,6 +66,7 @@ FilterStep ParticleFilter::process(const Frame& frame, const Proposer& propose)
   else
   {
     moveParticles(particles_, options_.motion, frame.motion, random_);
+    walkBiases(particles_, frame.motion.duration, random_);
     since_injection_ += frame.motion.duration;
     step.reseeded = monitor_.suspicious() && since_injection_ >= options_.recovery.min_interval;
     if (step.reseeded) inject(propose);
@@ -96,7 +107,7 @@ bool ParticleFilter::start(const Frame& frame, const Proposer& propose)
   const auto draw = [&](const HypothesisSet& hypotheses, double uniform_share)
   {
     const SeedMixture mixture(hypotheses, options_.region, uniform_share, kSeedInflation, options_.seed_min_std);
-    particles_ = sampleSeeds(mixture, options_.region, count, random_);
+    particles_ = sampleSeeds(mixture, options_.region, count, random_, particles_);
     score(evidence);
     normalizeWeights(particles_);
   };
@@ -116,6 +127,7 @@ bool ParticleFilter::startAtKnownPose(const Frame& frame)
     const Vector3d offset = factor * Vector3d(a, b, c);
     particles_.add({mean.x + offset.x(), mean.y + offset.y(), wrap(mean.phi + offset.z())}, 0);
   }
+  drawBiases(particles_, 0, random_);
   score(frame);
   return true;
 }
@@ -126,7 +138,8 @@ void ParticleFilter::inject(const Proposer& propose)
   const SeedMixture mixture(hypotheses, options_.region, kUniformShareInjected, kSeedInflation, options_.seed_min_std);
   since_injection_ = 0;
   const double jump = options_.recovery.prior_of_jump;
-  for (double& log_w : particles_.log_weight) log_w += std::log1p(-jump);
+  for (float& log_w : particles_.log_weight) log_w += static_cast<float>(std::log1p(-jump));
+  const std::size_t kept = particles_.size();
   const auto count =
       static_cast<std::size_t>(std::ceil(options_.recovery.injected_share * static_cast<double>(options_.particles)));
   for (std::size_t i = 0; i < count; ++i)
@@ -135,6 +148,7 @@ void ParticleFilter::inject(const Proposer& propose)
     const double prior = options_.region.density(pose);
     if (prior > 0) particles_.add(pose, std::log(jump * prior / (mixture.density(pose) * static_cast<double>(count))));
   }
+  drawBiases(particles_, kept, random_);
 }
 
 void ParticleFilter::score(const Frame& frame)
@@ -148,12 +162,9 @@ void ParticleFilter::scoreReading(const Reading& reading)
   const LandmarkClutter clutter =
       options_.learn_reliability ? reliability_.clutter(reading.model.clutter_probability) : LandmarkClutter{};
   const PoseBatch all = particles_.poses();
-  const std::span<double> out = particles_.log_weight;
+  const std::span<float> out = particles_.log_weight;
   const auto score_block = [&](std::size_t first, std::size_t count)
-  {
-    const PoseBatch block{all.x.subspan(first, count), all.y.subspan(first, count), all.phi.subspan(first, count)};
-    addLogLikelihood(reading, map_, clutter, block, out.subspan(first, count));
-  };
+  { addLogLikelihood(reading, map_, clutter, all.block(first, count), out.subspan(first, count)); };
   if (options_.threads <= 1) return score_block(0, all.size());
   tbb::parallel_for(std::size_t{0}, (all.size() + kBlock - 1) / kBlock,
                     [&](std::size_t block)

@@ -38,6 +38,7 @@ struct ParticleFilterOptions
   InitialMode initial_mode = InitialMode::analytic;
   GaussianPose initial_pose;  ///< for InitialMode::gaussian
   MotionModel motion;
+  BiasModel biases;  ///< systematic errors estimated with the pose
   ResamplingMethod resampling = ResamplingMethod::systematic;
   double resample_below = 0.5;  ///< effective sample ratio
   bool adaptive_size = false;   ///< KLD sample size

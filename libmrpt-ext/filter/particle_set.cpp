@@ -5,45 +5,71 @@
 
 namespace mrpt_ext
 {
+PoseBatch ParticleSet::poses() const
+{
+  PoseBatch batch{.origin = origin, .x = x, .y = y, .phi = phi, .bias_states = bias_states};
+  for (const auto& column : bias) batch.bias.emplace_back(column);
+  return batch;
+}
+
+void ParticleSet::setPose(std::size_t i, const Pose2& pose)
+{
+  x[i] = static_cast<float>(pose.x - origin.x());
+  y[i] = static_cast<float>(pose.y - origin.y());
+  phi[i] = static_cast<float>(pose.phi);
+}
+
 void ParticleSet::add(const Pose2& pose, double log_w)
 {
-  x.push_back(pose.x);
-  y.push_back(pose.y);
-  phi.push_back(pose.phi);
-  log_weight.push_back(log_w);
+  x.push_back(static_cast<float>(pose.x - origin.x()));
+  y.push_back(static_cast<float>(pose.y - origin.y()));
+  phi.push_back(static_cast<float>(pose.phi));
+  log_weight.push_back(static_cast<float>(log_w));
+  for (std::size_t k = 0; k < bias.size(); ++k) bias[k].push_back(static_cast<float>(bias_states[k].mean));
+}
+
+void ParticleSet::addCopy(const ParticleSet& from, std::size_t i, double log_w)
+{
+  x.push_back(from.x[i]);
+  y.push_back(from.y[i]);
+  phi.push_back(from.phi[i]);
+  log_weight.push_back(static_cast<float>(log_w));
+  for (std::size_t k = 0; k < bias.size(); ++k) bias[k].push_back(from.bias[k][i]);
 }
 
 void ParticleSet::clear()
 {
   for (auto* column : {&x, &y, &phi, &log_weight}) column->clear();
+  for (auto& column : bias) column.clear();
 }
 
 void ParticleSet::reserve(std::size_t count)
 {
   for (auto* column : {&x, &y, &phi, &log_weight}) column->reserve(count);
+  for (auto& column : bias) column.reserve(count);
 }
 
 double normalizeWeights(ParticleSet& particles)
 {
   if (particles.empty()) return 0;
-  const double best = *std::max_element(particles.log_weight.begin(), particles.log_weight.end());
+  const float best = *std::max_element(particles.log_weight.begin(), particles.log_weight.end());
   if (!std::isfinite(best))  // no particle is possible: nothing tells them apart
   {
     std::fill(particles.log_weight.begin(), particles.log_weight.end(),
-              -std::log(static_cast<double>(particles.size())));
+              -std::log(static_cast<float>(particles.size())));
     return best;
   }
   double sum = 0;
-  for (const double log_w : particles.log_weight) sum += std::exp(log_w - best);
-  const double log_sum = best + std::log(sum);
-  for (double& log_w : particles.log_weight) log_w -= log_sum;
-  return log_sum;
+  for (const float log_w : particles.log_weight) sum += std::exp(double{log_w - best});
+  const double log_sum = std::log(sum);
+  for (float& log_w : particles.log_weight) log_w = static_cast<float>(double{log_w - best} - log_sum);
+  return best + log_sum;
 }
 
 double effectiveSampleRatio(const ParticleSet& particles)
 {
   double sum2 = 0;
-  for (const double log_w : particles.log_weight) sum2 += std::exp(2 * log_w);
+  for (const float log_w : particles.log_weight) sum2 += std::exp(2 * double{log_w});
   return particles.empty() ? 0.0 : 1 / (sum2 * static_cast<double>(particles.size()));
 }
 
@@ -51,16 +77,16 @@ std::vector<double> weights(const ParticleSet& particles)
 {
   std::vector<double> result(particles.size());
   std::transform(particles.log_weight.begin(), particles.log_weight.end(), result.begin(),
-                 [](double log_w) { return std::exp(log_w); });
+                 [](float log_w) { return std::exp(double{log_w}); });
   return result;
 }
 
 ParticleSet select(const ParticleSet& particles, const std::vector<std::size_t>& indices)
 {
-  ParticleSet result;
+  ParticleSet result = particles.emptyLikeThis();
   result.reserve(indices.size());
   const double log_w = -std::log(static_cast<double>(std::max<std::size_t>(indices.size(), 1)));
-  for (const std::size_t i : indices) result.add(particles.pose(i), log_w);
+  for (const std::size_t i : indices) result.addCopy(particles, i, log_w);
   return result;
 }
 }  // namespace mrpt_ext

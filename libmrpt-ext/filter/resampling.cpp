@@ -93,7 +93,7 @@ ParticleSet resampleByMode(const ParticleSet& particles, const std::vector<int>&
   for (const std::size_t mode : drawIndices(ResamplingMethod::systematic, mode_weight, count, random)) ++allotted[mode];
 
   const double total = std::accumulate(mode_weight.begin(), mode_weight.end(), 0.0);
-  ParticleSet result;
+  ParticleSet result = particles.emptyLikeThis();
   result.reserve(count);
   for (std::size_t mode = 0; mode < members.size(); ++mode)
   {
@@ -104,7 +104,7 @@ ParticleSet resampleByMode(const ParticleSet& particles, const std::vector<int>&
     const double stands_for = std::max(mode_weight[mode], total / static_cast<double>(count));
     const double log_w = std::log(stands_for / static_cast<double>(allotted[mode]));
     for (const std::size_t k : drawIndices(method, member_weights, allotted[mode], random))
-      result.add(particles.pose(members[mode][k]), log_w);
+      result.addCopy(particles, members[mode][k], log_w);
   }
   normalizeWeights(result);
   return result;

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "mrpt_ext/filter/particle_bias.h"
+
 namespace mrpt_ext
 {
 namespace
@@ -10,9 +12,10 @@ constexpr double kMinWeight = 1e-4;
 constexpr std::size_t kMaxModes = 500;
 }  // namespace
 
-ParticleSet sampleSeeds(const SeedMixture& mixture, const PoseRegion& region, std::size_t count, RandomStream& random)
+ParticleSet sampleSeeds(const SeedMixture& mixture, const PoseRegion& region, std::size_t count, RandomStream& random,
+                        const ParticleSet& like)
 {
-  ParticleSet particles;
+  ParticleSet particles = like.emptyLikeThis();
   particles.reserve(count);
   while (particles.size() < count)
   {
@@ -21,6 +24,7 @@ ParticleSet sampleSeeds(const SeedMixture& mixture, const PoseRegion& region, st
     // A seed outside the region has no prior weight; another draw keeps the count, the weights stay proportional.
     if (prior > 0) particles.add(pose, std::log(prior / mixture.density(pose)));
   }
+  drawBiases(particles, 0, random);
   return particles;
 }
 

@@ -22,9 +22,10 @@ struct Proposal
 };
 
 /// `count` poses drawn from the mixture and weighted (log prior - log density) against the uniform prior over the
-/// region; draws outside the region are drawn again. Not normalised.
+/// region; draws outside the region are drawn again. Not normalised. They share the origin of `like`, and its
+/// systematic errors, which are drawn too.
 [[nodiscard]] ParticleSet sampleSeeds(const SeedMixture& mixture, const PoseRegion& region, std::size_t count,
-                                      RandomStream& random);
+                                      RandomStream& random, const ParticleSet& like = {});
 
 /// The modes of a first sample as hypotheses, for a second and better one (population Monte Carlo: Cappe et al., J.
 /// Comput. Graph. Stat. 13(4), 2004). Lighter modes than a ten-thousandth are left to the uniform share.

@@ -48,17 +48,15 @@ void refine(PoseHypothesis& hypothesis, std::span<const PoseMeasurement> rows)
 /// Log-likelihood of all evidence of the frame, for all hypotheses at once.
 void score(HypothesisSet& hypotheses, const Frame& frame, const LandmarkTable& map)
 {
-  std::vector<double> x, y, phi, log_score(hypotheses.size(), 0.0);
-  for (const PoseHypothesis& hypothesis : hypotheses)
-  {
-    x.push_back(hypothesis.pose.mean.x);
-    y.push_back(hypothesis.pose.mean.y);
-    phi.push_back(hypothesis.pose.mean.phi);
-  }
-  const PoseBatch poses{x, y, phi};
+  if (hypotheses.empty()) return;
+  const auto [low, high] = map.boundingBox();
+  PoseColumns columns((low + high) / 2);
+  for (const PoseHypothesis& hypothesis : hypotheses) columns.add(hypothesis.pose.mean);
+  const PoseBatch poses = columns.batch();
+  std::vector<float> log_score(hypotheses.size(), 0.0F);
   for (const Reading& reading : scoredReadings(frame)) addLogLikelihood(reading, map, {}, poses, log_score);
   if (frame.compass) addCompassLogLikelihood(*frame.compass, poses, log_score);
-  for (std::size_t i = 0; i < hypotheses.size(); ++i) hypotheses[i].log_score = log_score[i];
+  for (std::size_t i = 0; i < hypotheses.size(); ++i) hypotheses[i].log_score = double{log_score[i]};
 }
 }  // namespace
 

@@ -96,45 +96,53 @@ MixtureTerms mixture(const PreparedReading& prepared, std::size_t d, const std::
   return result;
 }
 
-void predictAll(const PreparedReading& prepared, const Pose2& robot, std::vector<LandmarkPrediction>& predictions)
+void predictAll(const PreparedReading& prepared, const Pose2& robot, const SensorBias& bias,
+                std::vector<LandmarkPrediction>& predictions)
 {
   predictions.clear();
   for (const std::size_t landmark : prepared.relevant)
-    predictions.push_back(predict(prepared.map[landmark], prepared.reading, robot));
-}
-}  // namespace
-
-void addLogLikelihood(const Reading& reading, const LandmarkTable& map, const LandmarkClutter& clutter,
-                      const PoseBatch& robots, std::span<double> log_likelihood)
-{
-  const PreparedReading prepared(reading, map, clutter);
-  std::vector<LandmarkPrediction> predictions;
-  std::vector<double> terms;
-  for (std::size_t i = 0; i < robots.size(); ++i)
   {
-    predictAll(prepared, robots[i], predictions);
-    double sum = 0;
-    for (std::size_t d = 0; d < reading.detections.size(); ++d)
-      sum += std::log(mixture(prepared, d, predictions, terms).total);
-    if (prepared.score_missed) sum += logMissedDetections(reading, map, predictions);
-    log_likelihood[i] += sum;
+    predictions.push_back(predict(prepared.map[landmark], prepared.reading, robot));
+    applyBias(predictions.back(), bias);
   }
 }
 
-double logLikelihood(const Reading& reading, const LandmarkTable& map, const Pose2& robot)
+double logLikelihoodOf(const PreparedReading& prepared, const Pose2& robot, const SensorBias& bias)
 {
-  double result = 0;
-  addLogLikelihood(reading, map, {}, {{&robot.x, 1}, {&robot.y, 1}, {&robot.phi, 1}}, {&result, 1});
-  return result;
+  std::vector<LandmarkPrediction> predictions;
+  std::vector<double> terms;
+  predictAll(prepared, robot, bias, predictions);
+  double sum = 0;
+  for (std::size_t d = 0; d < prepared.reading.detections.size(); ++d)
+    sum += std::log(mixture(prepared, d, predictions, terms).total);
+  if (prepared.score_missed) sum += logMissedDetections(prepared.reading, prepared.map, predictions);
+  return sum;
+}
+}  // namespace
+
+double logLikelihood(const Reading& reading, const LandmarkTable& map, const Pose2& robot,
+                     const LandmarkClutter& clutter, const SensorBias& bias)
+{
+  return logLikelihoodOf(PreparedReading(reading, map, clutter), robot, bias);
+}
+
+void addLogLikelihood(const Reading& reading, const LandmarkTable& map, const LandmarkClutter& clutter,
+                      const PoseBatch& robots, std::span<float> log_likelihood)
+{
+  const PreparedReading prepared(reading, map, clutter);
+  for (std::size_t i = 0; i < robots.size(); ++i)
+    log_likelihood[i] +=
+        static_cast<float>(logLikelihoodOf(prepared, robots[i], sensorBias(robots, i, reading.sensor)));
 }
 
 std::vector<std::vector<double>> associationProbabilities(const Reading& reading, const LandmarkTable& map,
-                                                          const LandmarkClutter& clutter, const Pose2& robot)
+                                                          const LandmarkClutter& clutter, const Pose2& robot,
+                                                          const SensorBias& bias)
 {
   const PreparedReading prepared(reading, map, clutter);
   std::vector<LandmarkPrediction> predictions;
   std::vector<double> terms;
-  predictAll(prepared, robot, predictions);
+  predictAll(prepared, robot, bias, predictions);
   std::vector<std::vector<double>> probabilities(reading.detections.size(), std::vector<double>(map.size(), 0.0));
   for (std::size_t d = 0; d < reading.detections.size(); ++d)
   {

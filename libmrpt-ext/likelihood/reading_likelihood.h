@@ -6,6 +6,7 @@
 #include "mrpt_ext/geometry/landmark_table.h"
 #include "mrpt_ext/geometry/measurement.h"
 #include "mrpt_ext/likelihood/pose_batch.h"
+#include "mrpt_ext/likelihood/sensor_bias.h"
 
 namespace mrpt_ext
 {
@@ -20,16 +21,19 @@ using LandmarkClutter = std::vector<double>;
 /// each weighted by its share s_j of the expected detections). An id that is not in the map can only be clutter.
 /// Where field of view, range limit and detection probability are all declared, the landmarks in view that were not
 /// reported count as well (see missed_detections.h).
-[[nodiscard]] double logLikelihood(const Reading& reading, const LandmarkTable& map, const Pose2& robot);
+/// Double precision; `bias`: systematic errors of the sensor.
+[[nodiscard]] double logLikelihood(const Reading& reading, const LandmarkTable& map, const Pose2& robot,
+                                   const LandmarkClutter& clutter = {}, const SensorBias& bias = {});
 
 /// The same for many robot poses in one call: adds the log-likelihood of pose i to log_likelihood[i].
 void addLogLikelihood(const Reading& reading, const LandmarkTable& map, const LandmarkClutter& clutter,
-                      const PoseBatch& robots, std::span<double> log_likelihood);
+                      const PoseBatch& robots, std::span<float> log_likelihood);
 
 /// For one pose: the posterior probability that each detection shows each landmark.
 /// Entry [d][j] belongs to detection d and landmark j of the table; what is missing to 1 in a row is clutter.
 [[nodiscard]] std::vector<std::vector<double>> associationProbabilities(const Reading& reading,
                                                                         const LandmarkTable& map,
                                                                         const LandmarkClutter& clutter,
-                                                                        const Pose2& robot);
+                                                                        const Pose2& robot,
+                                                                        const SensorBias& bias = {});
 }  // namespace mrpt_ext

@@ -21,8 +21,9 @@ mrpt::poses::CPosePDFParticles asMrptParticles(const ParticleSet& particles)
   mrpt::poses::CPosePDFParticles pdf(particles.size());
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    pdf.m_particles[i].d = {particles.x[i], particles.y[i], particles.phi[i]};
-    pdf.m_particles[i].log_w = particles.log_weight[i];
+    const Pose2 pose = particles.pose(i);
+    pdf.m_particles[i].d = {pose.x, pose.y, pose.phi};
+    pdf.m_particles[i].log_w = double{particles.log_weight[i]};
   }
   return pdf;
 }

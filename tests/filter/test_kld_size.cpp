@@ -54,9 +54,10 @@ TEST(OccupiedBins, CountsEveryBinOnce)
 
 TEST(OccupiedBins, HeadingBinsCloseAtPi)
 {
-  const double pi = kPi, just_below = -std::nextafter(kPi, 0.0);
-  EXPECT_EQ(occupiedBins(at({{0.1, 0.1, pi}, {0.1, 0.1, just_below}}), kOptions), 1u);
-  EXPECT_EQ(occupiedBins(at({{0.1, 0.1, pi}, {0.1, 0.1, -pi}, {0.1, 0.1, 3 * pi}}), kOptions), 1u);
+  const double beyond = kPi + 0.01;
+  EXPECT_EQ(occupiedBins(at({{0.1, 0.1, beyond}, {0.1, 0.1, -kPi + 0.02}}), kOptions), 1u);
+  EXPECT_EQ(occupiedBins(at({{0.1, 0.1, beyond}, {0.1, 0.1, beyond - kTwoPi}, {0.1, 0.1, beyond + kTwoPi}}), kOptions),
+            1u);
   ParticleSet around;
   for (int deg = 0; deg < 7200; ++deg) around.add({0.1, 0.1, degToRad(deg + 0.5)}, 0);
   EXPECT_EQ(occupiedBins(around, kOptions), 36u);

@@ -36,8 +36,8 @@ TEST(Modes, TwoClustersAreTwoModes)
   addCluster(particles, random, {6, 4, -2}, {0.2, 0.1, 0.05}, 0.7);
   const ModeSet set = findModes(particles, {});
   ASSERT_EQ(set.modes.size(), 2u);
-  EXPECT_NEAR(set.modes[0].weight, 0.7, 1e-9);
-  EXPECT_NEAR(set.modes[1].weight, 0.3, 1e-9);
+  EXPECT_NEAR(set.modes[0].weight, 0.7, 1e-6);
+  EXPECT_NEAR(set.modes[1].weight, 0.3, 1e-6);
   const Mode& heavy = set.modes[0];
   EXPECT_NEAR(heavy.pose.mean.x, 6, 0.02);
   EXPECT_NEAR(heavy.pose.mean.y, 4, 0.01);
@@ -107,7 +107,7 @@ TEST(Modes, AUniformCloudIsOneWideModeNotManySharpOnes)
   const ModeSet set = findModes(particles, {});
   EXPECT_GT(set.modes.front().weight, 0.95);
   EXPECT_NEAR(std::sqrt(set.modes.front().pose.covariance(0, 0)), 6 / std::sqrt(12.0), 0.1);
-  EXPECT_NEAR(weightSum(set), 1, 1e-9);
+  EXPECT_NEAR(weightSum(set), 1, 1e-5);
 }
 
 TEST(Modes, ALightRidgeBetweenTwoPeaksDoesNotJoinThem)
@@ -129,7 +129,7 @@ TEST(Modes, OneParticle)
   const ModeSet set = findModes(particles, {});
   ASSERT_EQ(set.modes.size(), 1u);
   EXPECT_EQ(set.modes[0].weight, 1);
-  EXPECT_NEAR(set.modes[0].pose.mean.phi, 3, 1e-12);
+  EXPECT_NEAR(set.modes[0].pose.mean.phi, 3, 1e-6);
   EXPECT_TRUE(set.modes[0].pose.covariance.isZero(1e-20));
   EXPECT_EQ(set.mode_of, std::vector<int>{0});
 }
@@ -156,6 +156,6 @@ TEST(Modes, ModesAreOrderedByWeightAndDeterministic)
     EXPECT_EQ(a.modes[i].pose.mean.vector(), b.modes[i].pose.mean.vector());
     EXPECT_LE(a.modes[i].weight, a.modes[i > 0 ? i - 1 : 0].weight);
   }
-  EXPECT_NEAR(weightSum(a), 1, 1e-9);
+  EXPECT_NEAR(weightSum(a), 1, 1e-5);
 }
 }  // namespace mrpt_ext

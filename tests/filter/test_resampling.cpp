@@ -32,7 +32,7 @@ ParticleSet onALine(const std::vector<double>& weights)
 std::vector<int> halves(const ParticleSet& particles)
 {
   std::vector<int> mode_of;
-  for (const double x : particles.x) mode_of.push_back(x < 500 ? 0 : 1);
+  for (const float x : particles.x) mode_of.push_back(x < 500 ? 0 : 1);
   return mode_of;
 }
 
@@ -40,7 +40,7 @@ double weightOfFirstHalf(const ParticleSet& particles)
 {
   double sum = 0;
   for (std::size_t i = 0; i < particles.size(); ++i)
-    if (particles.x[i] < 500) sum += std::exp(particles.log_weight[i]);
+    if (particles.x[i] < 500) sum += std::exp(double{particles.log_weight[i]});
   return sum;
 }
 }  // namespace
@@ -98,8 +98,8 @@ TEST_P(EveryMethod, KeepsTheWeightsOfModesAndSumsToOne)
   particles = resampleByMode(particles, halves(particles), GetParam(), 400, random);
   EXPECT_EQ(particles.size(), 400u);
   const std::vector<double> after = weights(particles);
-  EXPECT_NEAR(std::accumulate(after.begin(), after.end(), 0.0), 1, 1e-12);
-  EXPECT_NEAR(weightOfFirstHalf(particles), before, 1e-12);
+  EXPECT_NEAR(std::accumulate(after.begin(), after.end(), 0.0), 1, 1e-6);
+  EXPECT_NEAR(weightOfFirstHalf(particles), before, 1e-6);
 }
 
 TEST_P(EveryMethod, EqualModesStayEqualOverAThousandResamplings)
@@ -107,7 +107,7 @@ TEST_P(EveryMethod, EqualModesStayEqualOverAThousandResamplings)
   ParticleSet particles = onALine(std::vector<double>(1000, 1.0));
   RandomStream random(7);
   for (int k = 0; k < 1000; ++k) particles = resampleByMode(particles, halves(particles), GetParam(), 200, random);
-  EXPECT_NEAR(weightOfFirstHalf(particles), 0.5, 1e-9);
+  EXPECT_NEAR(weightOfFirstHalf(particles), 0.5, 1e-6);
 }
 
 TEST(Resampling, WithoutModesEqualModesDriftApart)
@@ -120,7 +120,7 @@ TEST(Resampling, WithoutModesEqualModesDriftApart)
     for (int k = 0; k < 1000; ++k)
       particles = select(particles, drawIndices(ResamplingMethod::multinomial, weights(particles), 200, random));
     const double share = weightOfFirstHalf(particles);
-    died += share < 1e-9 || share > 1 - 1e-9 ? 1 : 0;
+    died += share < 1e-6 || share > 1 - 1e-6 ? 1 : 0;
   }
   EXPECT_GE(died, 15);
 }
@@ -200,7 +200,7 @@ TEST(Resampling, ACloudOfSingleParticleModesKeepsItsDistribution)
   RandomStream random(12);
   const ParticleSet drawn = resampleByMode(particles, mode_of, ResamplingMethod::systematic, 500, random);
   double mean = 0;
-  for (std::size_t i = 0; i < drawn.size(); ++i) mean += std::exp(drawn.log_weight[i]) * drawn.x[i];
+  for (std::size_t i = 0; i < drawn.size(); ++i) mean += std::exp(double{drawn.log_weight[i]}) * double{drawn.x[i]};
   EXPECT_NEAR(mean, 2.0 / 3, 0.01);
 }
 

@@ -102,10 +102,8 @@ TEST(ReadingLikelihood, OneWrongDetectionCannotKillAPose)
 TEST(ReadingLikelihood, ALyingLandmarkIsTrustedLess)
 {
   const Reading reading = withDetection({.id = 1, .range = 3.0, .std_range = 0.1});
-  const double x = 0, y = 0, phi = 0;
-  double trusted = 0, doubted = 0;
-  addLogLikelihood(reading, kMap, {0.01, 0.01, 0.01}, {{&x, 1}, {&y, 1}, {&phi, 1}}, {&trusted, 1});
-  addLogLikelihood(reading, kMap, {0.5, 0.01, 0.01}, {{&x, 1}, {&y, 1}, {&phi, 1}}, {&doubted, 1});
+  const double trusted = logLikelihood(reading, kMap, {0, 0, 0}, {0.01, 0.01, 0.01});
+  const double doubted = logLikelihood(reading, kMap, {0, 0, 0}, {0.5, 0.01, 0.01});
   EXPECT_NEAR(trusted, std::log(0.99 * gaussian(0, 0.1) + 0.01 / 20), 1e-12);
   EXPECT_NEAR(doubted, std::log(0.5 * gaussian(0, 0.1) + 0.5 / 20), 1e-12);
 }
@@ -121,23 +119,19 @@ TEST(ReadingLikelihood, AssociationNamesTheLandmark)
 
 RC_GTEST_PROP(ReadingLikelihood, BatchEqualsSingleAndIsFinite, (int seed))
 {
-  std::vector<double> x, y, phi;
-  for (int i = 0; i < 7; ++i)
-  {
-    x.push_back((seed % 97) * 0.1 + i);
-    y.push_back((seed % 89) * 0.1 - i);
-    phi.push_back(wrap((seed % 83) * 0.07 + i));
-  }
+  PoseColumns robots({3, -2});
+  for (int i = 0; i < 7; ++i) robots.add({(seed % 97) * 0.1 + i, (seed % 89) * 0.1 - i, wrap((seed % 83) * 0.07 + i)});
   Reading reading = withDetection({.bearing = 0.4, .range = 3.3, .std_bearing = 0.03, .std_range = 0.2});
   reading.detections.push_back({.id = 3, .bearing = 1.0, .std_bearing = 0.03});
   reading.model.has_field_of_view = true;
   reading.model.detection_probability = 0.8;
-  std::vector<double> batch(x.size(), 0.0);
-  addLogLikelihood(reading, kMap, {}, {x, y, phi}, batch);
-  for (std::size_t i = 0; i < x.size(); ++i)
+  const PoseBatch poses = robots.batch();
+  std::vector<float> batch(poses.size(), 0.0F);
+  addLogLikelihood(reading, kMap, {}, poses, batch);
+  for (std::size_t i = 0; i < poses.size(); ++i)
   {
     RC_ASSERT(std::isfinite(batch[i]));
-    RC_ASSERT(batch[i] == logLikelihood(reading, kMap, {x[i], y[i], phi[i]}));
+    RC_ASSERT(std::abs(double{batch[i]} - logLikelihood(reading, kMap, poses[i])) < 1e-4);
   }
 }
 }  // namespace mrpt_ext
