@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "mrpt_ext/correspondence/bearing_fit.h"
+#include "mrpt_ext/correspondence/interpretation_leaf.h"
 #include "mrpt_ext/correspondence/ray_fan.h"
-#include "mrpt_ext/solvers/bearing_pose_ml.h"
+#include "mrpt_ext/correspondence/search_plan.h"
 #include "mrpt_ext/solvers/plane.h"
 
 namespace mrpt_ext
@@ -26,27 +26,31 @@ class Search
   explicit Search(const InterpretationProblem& problem)
       : problem_(problem),
         options_(problem.options),
-        order_(spreadOrder(problem)),
         covariance_(options_.gate == InterpretationGate::covariance),
         reach_(options_.max_range.value_or(std::numeric_limits<double>::infinity())),
         fan_(problem.landmarks, unitsOf(problem), std::tan(2 * std::min(options_.max_residual, 0.7)) / 2),
-        nodes_(order_.size() + 1)
+        nodes_(problem.bearings.size() + 1)
   {
-    for (const int bearing : order_)
-    {
-      masks_.emplace_back(fan_.size(), 0);
-      for (const int l : allowed(bearing)) masks_.back()[static_cast<std::size_t>(l)] = -1;
-    }
-    for (Node& node : nodes_) node.candidates.resize(order_.size());
-    result_.tested.assign(order_.size() - 2, 0);
-    result_.valid.assign(order_.size() - 2, 0);
-    assignment_.assign(order_.size(), -1);
-    max_skipped_ = order_.size() - static_cast<std::size_t>(problem.minimumMatched());
+    const std::size_t count = problem.bearings.size();
+    for (Node& node : nodes_) node.candidates.resize(count);
+    result_.tested.assign(count - 2, 0);
+    result_.valid.assign(count - 2, 0);
+    assignment_.assign(count, -1);
   }
 
   InterpretationCandidates run()
   {
-    matchFirst();
+    for (SearchPlan& plan : searchPlans(problem_))
+    {
+      plan_ = std::move(plan);
+      masks_.clear();
+      for (const int bearing : plan_.order)
+      {
+        masks_.emplace_back(fan_.size(), 0);
+        for (const int l : allowed(bearing)) masks_.back()[static_cast<std::size_t>(l)] = -1;
+      }
+      matchFirst();
+    }
     return std::move(result_);
   }
 
@@ -68,7 +72,7 @@ class Search
   {
     return problem_.allowed[static_cast<std::size_t>(bearing)];
   }
-  [[nodiscard]] std::size_t bearingAt(std::size_t place) const { return static_cast<std::size_t>(order_[place]); }
+  [[nodiscard]] std::size_t bearingAt(std::size_t place) const { return static_cast<std::size_t>(plan_.order[place]); }
   [[nodiscard]] bool isFree(std::size_t landmark) const
   {
     return std::none_of(matched_.begin(), matched_.end(), [&](const Match& m) { return m.landmark == landmark; });
@@ -76,7 +80,15 @@ class Search
   /// True if the next match may come at this place.
   [[nodiscard]] bool mayStartAt(std::size_t place) const
   {
-    return place < order_.size() && place - matched_.size() <= max_skipped_ && result_.finished;
+    const std::size_t skipped = place - matched_.size();
+    return place < plan_.order.size() && skipped <= (place > plan_.skip_from ? plan_.max_skipped : 0) &&
+           result_.finished;
+  }
+
+  /// True if the bearing at this place may be one of so many unmatched ones.
+  [[nodiscard]] bool mayMiss(std::size_t place, std::size_t missing) const
+  {
+    return place >= plan_.skip_from && missing <= plan_.max_skipped;
   }
 
   void push(std::size_t place, std::size_t landmark)
@@ -97,7 +109,7 @@ class Search
   void matchFirst()
   {
     for (std::size_t place = 0; mayStartAt(place); ++place)
-      for (const int l : allowed(order_[place]))
+      for (const int l : allowed(plan_.order[place]))
       {
         if (!result_.finished) return;
         const auto landmark = static_cast<std::size_t>(l);
@@ -123,7 +135,7 @@ class Search
   void matchSecond(std::size_t from)
   {
     for (std::size_t place = from; mayStartAt(place); ++place)
-      for (const int l : allowed(order_[place]))
+      for (const int l : allowed(plan_.order[place]))
       {
         const auto landmark = static_cast<std::size_t>(l);
         if (!result_.finished) return;
@@ -146,7 +158,7 @@ class Search
   /// The free landmarks of a place become children of the present node.
   bool countTested(std::size_t place)
   {
-    std::size_t children = allowed(order_[place]).size();
+    std::size_t children = allowed(plan_.order[place]).size();
     for (const Match& m : matched_) children -= masks_[place][m.landmark] != 0;
     result_.tested[matched_.size() - 2] += children;
     total_ += children;
@@ -163,7 +175,9 @@ class Search
       if (!countTested(place)) return;
       open ? extendOpen(place) : extendClosed(place);
     }
-    if (order_.size() - matched_.size() <= max_skipped_) finish();
+    const std::size_t skipped = plan_.order.size() - matched_.size();
+    const bool rest_skipped = from == plan_.order.size() || from >= plan_.skip_from;
+    if (rest_skipped && skipped >= plan_.least_skipped && skipped <= plan_.max_skipped) finish();
   }
 
   void extendOpen(std::size_t place)
@@ -249,10 +263,10 @@ class Search
     fan_.look(here.base, covariance_, reach_);
     for (const Match& m : matched_) fan_.exclude(m.landmark);
     std::size_t missing = next_place - matched_.size();
-    for (std::size_t place = next_place; place < order_.size(); ++place)
+    for (std::size_t place = next_place; place < plan_.order.size(); ++place)
     {
       fan_.admit(bearingAt(place), masks_[place], here.candidates[place]);
-      if (here.candidates[place].empty() && ++missing > max_skipped_) return false;
+      if (here.candidates[place].empty() && !mayMiss(place, ++missing)) return false;
     }
     return true;
   }
@@ -261,7 +275,7 @@ class Search
   bool filter(const Node& parent, Node& here, std::size_t next_place)
   {
     std::size_t missing = next_place - matched_.size();
-    for (std::size_t place = next_place; place < order_.size(); ++place)
+    for (std::size_t place = next_place; place < plan_.order.size(); ++place)
     {
       kept_.clear();
       for (const std::size_t l : parent.candidates[place])
@@ -273,55 +287,21 @@ class Search
           kept_.push_back(l);
       }
       here.candidates[place] = kept_;
-      if (kept_.empty() && ++missing > max_skipped_) return false;
+      if (kept_.empty() && !mayMiss(place, ++missing)) return false;
     }
     return true;
   }
 
   void finish()
   {
-    Pose2 start;
-    if (startPose(start) && record(start)) return;
-    if (matched_.size() < 4) return;
-    // A landmark close by has a valley of its own in the sum of squares, which no start elsewhere leads to.
-    const Node& here = nodes_[matched_.size()];
-    const double reach = here.open() ? std::numeric_limits<double>::infinity() : here.base.slack;
-    for (std::size_t i = 0; i < bearings_.size(); ++i)
-    {
-      const std::optional<Pose2> beside = besideLandmark(bearings_, i, start.position(), reach, options_.max_residual);
-      if (beside && record(*beside)) return;
-    }
-  }
-
-  bool record(const Pose2& start)
-  {
-    const BearingFit fit = fitBearings(bearings_, start);
-    if (fit.max_residual > options_.max_residual * 1.01) return false;
-    std::optional<Interpretation> found = judgeInterpretation(problem_, assignment_, fit.pose);
-    if (found) result_.found.push_back(std::move(*found));
-    return found.has_value();
-  }
-
-  bool startPose(Pose2& start) const
-  {
     const RayCrossing& base = nodes_[matched_.size()].base;
-    if (base.outcome == CrossingOutcome::pose)
-    {
-      const Vector2d& reference = bearings_[0].landmark;
-      start = {reference.x() + base.x, reference.y() + base.y, std::atan2(-base.y, -base.x) - bearings_[0].bearing};
-      return true;
-    }
-    std::vector<KnownBearing> known;
-    for (const MatchedBearing& m : bearings_) known.push_back({m.landmark, m.bearing, 1});
-    const PoseMl fit = solveBearingPoseMl(known);
-    start = fit.pose.mean;
-    return fit.status == SolveStatus::ok;
+    if (auto found = interpretMatched(problem_, assignment_, bearings_, base))
+      result_.found.push_back(std::move(*found));
   }
 
   const InterpretationProblem& problem_;
   const InterpretationOptions& options_;
-  std::vector<int> order_;
-  std::size_t max_skipped_ = 0;
+  SearchPlan plan_;
   bool covariance_;
   double reach_;
   RayFan fan_;

@@ -13,12 +13,11 @@ namespace mrpt_ext
 ///   candidates of the bearings to come; the most certain one is the pose;
 /// - checks that lose no solution: rays that do not meet, area, range limit, and the joint test (enough of the bearings
 ///   still to come must have some landmark within the gate);
-/// - a bearing may stay unmatched, as often as `max_unmatched`.
+/// - a bearing may stay unmatched, as often as `max_unmatched`. If one may, and there are six or more, the tree is
+/// grown
+///   twice: with the first three bearings matched, and from three others, with one of the first three unmatched. Two
+///   triples of bearings to begin with are fewer than the four that a tree needs which may leave out any.
 /// What is left is refined to its least-squares pose, from the crossing and, should that fail, from beside landmarks
 /// that may be close. Depth counts matched bearings; unmatched ones are not counted as nodes.
 [[nodiscard]] InterpretationCandidates searchConsistent(const InterpretationProblem& problem);
-
-/// Order in which bearings are matched: first the three with the largest smallest gap between them (of nearly equal
-/// triples the one with fewest combinations of allowed landmarks), then those furthest from the ones before.
-[[nodiscard]] std::vector<int> spreadOrder(const InterpretationProblem& problem);
 }  // namespace mrpt_ext

@@ -108,6 +108,41 @@ TEST(InterpretationTree, PartsOfASolutionAreNotListed)
     EXPECT_LT(result.solutions[i].matched, 5) << "other solutions may only be weaker";
 }
 
+TEST(InterpretationTree, OneUnmatchedIsTheSumOfLeavingEachOut)
+{
+  RandomStream random(38);
+  std::size_t solutions = 0;
+  for (int trial = 0; trial < 40; ++trial)
+  {
+    const double sigma = degToRad(trial % 2 ? 0.1 : 0.3);
+    const int seen = 6 + trial % 3 / 2;
+    const UnidentifiedScene s = lookWithoutNames(random, 10, seen, trial % 4 ? 1 : 0, sigma);
+    InterpretationOptions options = optionsFor(sigma, 1);
+    auto expected = assignmentsOf(interpretBearings(s.scene.landmarks, s.bearings, options));
+    const auto complete = expected;
+    for (std::size_t left_out = 0; left_out < s.bearings.size(); ++left_out)
+    {
+      std::vector<UnidentifiedBearing> others = s.bearings;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(left_out));
+      for (std::vector<int> assignment : assignmentsOf(interpretBearings(s.scene.landmarks, others, options)))
+      {
+        assignment.insert(assignment.begin() + static_cast<std::ptrdiff_t>(left_out), -1);
+        const bool is_part = std::any_of(complete.begin(), complete.end(),
+                                         [&](std::vector<int> whole)
+                                         {
+                                           whole[left_out] = -1;
+                                           return whole == assignment;
+                                         });
+        if (!is_part) expected.insert(assignment);
+      }
+    }
+    options.max_unmatched = 1;
+    EXPECT_EQ(assignmentsOf(interpretBearings(s.scene.landmarks, s.bearings, options)), expected) << "trial " << trial;
+    solutions += expected.size();
+  }
+  EXPECT_GT(solutions, 80U);
+}
+
 TEST(InterpretationTree, RangeLimitRulesOutFarPoses)
 {
   const UnidentifiedScene s = exactScene();

@@ -16,6 +16,7 @@ PlainTree::PlainTree(std::vector<Point> landmarks, const std::vector<double>& be
 int PlainTree::search()
 {
   solutions_ = 0;
+  found_in_order_ = false;
   extend(0, {});
   return solutions_;
 }
@@ -25,6 +26,9 @@ void PlainTree::extend(std::size_t depth, const Pose& prefix)
   if (depth == units_.size())
   {
     ++solutions_;
+    bool in_order = true;
+    for (std::size_t i = 0; i < path_.size(); ++i) in_order = in_order && path_[i] == i;
+    found_in_order_ = found_in_order_ || in_order;
     return;
   }
   const Point& unit = units_[depth];

@@ -21,6 +21,8 @@ class PlainTree
 
   /// Number of complete assignments.
   int search();
+  /// True if one of them gave every bearing the landmark of the same number.
+  [[nodiscard]] bool foundInOrder() const { return found_in_order_; }
 
  private:
   /// Heading as a unit vector.
@@ -37,5 +39,6 @@ class PlainTree
   std::vector<std::size_t> path_;
   std::vector<char> used_;
   int solutions_ = 0;
+  bool found_in_order_ = false;
 };
 }  // namespace mrpt_ext

@@ -1,7 +1,7 @@
+#include "mrpt_ext/correspondence/search_plan.h"
+
 #include <algorithm>
 #include <array>
-
-#include "mrpt_ext/correspondence/interpretation_search.h"
 
 namespace mrpt_ext
 {
@@ -18,25 +18,25 @@ struct Triple
   double combinations = 0;
 };
 
-/// The most spread triple, or a nearly as spread one with fewer combinations of landmarks.
-Triple firstTriple(const InterpretationProblem& problem)
+/// The most spread triple of these bearings, or a nearly as spread one with fewer combinations of landmarks.
+Triple firstTriple(const InterpretationProblem& problem, const std::vector<int>& of)
 {
-  const int count = static_cast<int>(problem.bearings.size());
   const auto bearing = [&](int i) { return problem.bearings[static_cast<std::size_t>(i)]; };
   const auto choices = [&](int i) { return static_cast<double>(problem.allowed[static_cast<std::size_t>(i)].size()); };
   std::vector<Triple> triples;
   double widest = 0;
-  for (int i = 0; i < count; ++i)
-    for (int j = i + 1; j < count; ++j)
+  for (auto i = of.begin(); i != of.end(); ++i)
+    for (auto j = i + 1; j != of.end(); ++j)
     {
-      const double gap_ij = gapBetween(bearing(i), bearing(j));
+      const double gap_ij = gapBetween(bearing(*i), bearing(*j));
       if (gap_ij < kNearlyAsSpread * widest) continue;
-      for (int k = j + 1; k < count; ++k)
+      for (auto k = j + 1; k != of.end(); ++k)
       {
-        const double gap = std::min({gap_ij, gapBetween(bearing(i), bearing(k)), gapBetween(bearing(j), bearing(k))});
+        const double gap =
+            std::min({gap_ij, gapBetween(bearing(*i), bearing(*k)), gapBetween(bearing(*j), bearing(*k))});
         if (gap < kNearlyAsSpread * widest) continue;
         widest = std::max(widest, gap);
-        triples.push_back({{i, j, k}, gap, choices(i) * choices(j) * choices(k)});
+        triples.push_back({{*i, *j, *k}, gap, choices(*i) * choices(*j) * choices(*k)});
       }
     }
   Triple best;
@@ -48,15 +48,16 @@ Triple firstTriple(const InterpretationProblem& problem)
   }
   return best;
 }
-}  // namespace
 
-std::vector<int> spreadOrder(const InterpretationProblem& problem)
+/// The bearings named in `last` come after all others, in their order.
+std::vector<int> spreadOrder(const InterpretationProblem& problem, std::span<const int> last = {})
 {
-  const Triple first = firstTriple(problem);
-  std::vector<int> order(first.index.begin(), first.index.end());
   std::vector<int> rest;
   for (int i = 0; i < static_cast<int>(problem.bearings.size()); ++i)
-    if (std::find(order.begin(), order.end(), i) == order.end()) rest.push_back(i);
+    if (std::find(last.begin(), last.end(), i) == last.end()) rest.push_back(i);
+  const Triple first = firstTriple(problem, rest);
+  std::vector<int> order(first.index.begin(), first.index.end());
+  std::erase_if(rest, [&](int i) { return std::find(order.begin(), order.end(), i) != order.end(); });
   const auto isolation = [&](int i)
   {
     double gap = kPi;
@@ -72,6 +73,18 @@ std::vector<int> spreadOrder(const InterpretationProblem& problem)
     order.push_back(*next);
     rest.erase(next);
   }
+  order.insert(order.end(), last.begin(), last.end());
   return order;
+}
+}  // namespace
+
+std::vector<SearchPlan> searchPlans(const InterpretationProblem& problem)
+{
+  const std::size_t count = problem.bearings.size();
+  const std::size_t max_skipped = count - static_cast<std::size_t>(problem.minimumMatched());
+  SearchPlan plan{spreadOrder(problem), 0, 0, max_skipped};
+  if (max_skipped != 1 || count < 6) return {plan};
+  plan.skip_from = 3;
+  return {plan, {spreadOrder(problem, std::span(plan.order).first(3)), count - 3, 1, 1}};
 }
 }  // namespace mrpt_ext
