@@ -1,0 +1,81 @@
+#include "mrpt_ext/localizers/travel_looks.h"
+
+#include <algorithm>
+
+#include "mrpt_ext/hypotheses/sensor_places.h"
+#include "mrpt_ext/localizers/frame_joiner.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kGate = 3.3;                // standard deviations
+constexpr double kParallax = degToRad(2.0);  // that a landmark shifts within a look
+
+double worldAngle(const SensorPlace& place, const UnidentifiedDetection& d)
+{
+  return *d.bearing + place.T_robot_sensor.phi;
+}
+
+/// True when both may show one landmark.
+bool isRepeated(const SensorPlace& at_a, const UnidentifiedDetection& a, const SensorPlace& at_b,
+                const UnidentifiedDetection& b)
+{
+  if (a.kind != b.kind || a.bearing.has_value() != b.bearing.has_value()) return false;
+  const double std = std::hypot(a.std_bearing, b.std_bearing);
+  if (a.bearing && std::abs(wrap(worldAngle(at_a, a) - worldAngle(at_b, b))) > kGate * std + kParallax) return false;
+  return !(a.range && b.range) || std::abs(*a.range - *b.range) <= kGate * std::hypot(a.std_range, b.std_range);
+}
+
+/// Newest first, each landmark once.
+std::vector<SensorPlace> withoutRepeats(const std::vector<SensorPlace>& oldest_first)
+{
+  std::vector<SensorPlace> kept;
+  for (auto place = oldest_first.rbegin(); place != oldest_first.rend(); ++place)
+  {
+    SensorPlace rest = *place;
+    std::erase_if(rest.detections,
+                  [&](const UnidentifiedDetection& d)
+                  {
+                    return std::any_of(kept.begin(), kept.end(),
+                                       [&](const SensorPlace& k)
+                                       {
+                                         return std::any_of(k.detections.begin(), k.detections.end(),
+                                                            [&](const auto& e) { return isRepeated(k, e, rest, d); });
+                                       });
+                  });
+    if (!rest.detections.empty()) kept.push_back(std::move(rest));
+  }
+  std::reverse(kept.begin(), kept.end());
+  return kept;
+}
+
+/// The way so far and one more piece.
+void extend(TravelStep& step, const Pose2& increment, const Matrix3d& noise)
+{
+  const Matrix3d J = composeJacobianFirst(step.increment, increment), G = composeJacobianSecond(step.increment);
+  step.noise = J * step.noise * J.transpose() + G * noise * G.transpose();
+  step.increment = compose(step.increment, increment);
+}
+}  // namespace
+
+std::vector<TravelStep> travelLooks(std::span<const Frame> frames, const MotionModel& motion, const LandmarkTable& map,
+                                    const LandmarkIndex& index, double look_duration)
+{
+  std::vector<TravelStep> steps;
+  for (std::size_t begin = 0, end = 0; begin < frames.size(); begin = end)
+  {
+    TravelStep step;
+    FrameJoiner look(2 * look_duration + 1, motion);
+    for (end = begin; end < frames.size() && frames[end].time - frames[begin].time < look_duration; ++end)
+    {
+      const OdometryMotion believed = believedMotion(motion, frames[end].motion);
+      extend(step, believed.increment, incrementCovariance(motion, frames[end].motion));
+      look.add(frames[end]);
+    }
+    step.seen = withoutRepeats(sensorPlaces(look.readings(), map, index));
+    steps.push_back(std::move(step));
+  }
+  return steps;
+}
+}  // namespace mrpt_ext

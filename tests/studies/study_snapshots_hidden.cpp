@@ -1,0 +1,153 @@
+#include <algorithm>
+#include <chrono>
+#include <iomanip>
+
+#include "mrpt_ext/correspondence/lost_robot_search.h"
+#include "mrpt_ext/importers/mrclam_snapshots.h"
+#include "mrpt_ext/solvers/identified_pose.h"
+#include "shared_data.h"
+#include "study.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+// The noise of all sets and robots alike: bearings against each other (what they share only turns the heading) scatter
+// by 0.22 to 0.50 deg, robot by robot; ranges as in mrclam.ini.
+constexpr double kStdBearing = degToRad(0.5), kStdRange = 0.1, kStdRangePerM = 0.03;
+constexpr double kClutter = 0.05;
+constexpr double kFieldOfView = degToRad(70.0), kMaxRange = 9.5;  // of the camera: no reading of any robot is beyond
+constexpr double kMargin = 3;                                     // [m] around the landmarks, as in mrclam.ini
+constexpr std::size_t kLeastLandmarks = 4;
+constexpr std::size_t kMostSnapshots = 300;                             // of a set, evenly chosen
+constexpr double kRightPosition = 0.5, kRightHeading = degToRad(15.0);  // the contract's convergence
+
+bool isRight(const Pose2& pose, const Pose2& truth)
+{
+  return (pose.position() - truth.position()).norm() <= kRightPosition &&
+         std::abs(wrap(pose.phi - truth.phi)) <= kRightHeading;
+}
+
+double stdRange(double range) { return std::hypot(kStdRange, kStdRangePerM * range); }
+
+/// The best pose when the identities are known.
+std::optional<Pose2> identifiedPose(const Reading& reading, const LandmarkTable& map, bool with_ranges)
+{
+  std::vector<PoseMeasurement> measurements;
+  for (const Detection& d : reading.detections)
+  {
+    const Vector2d landmark = map[*map.indexOf(d.id)].position.head<2>();
+    measurements.push_back({PoseMeasurement::Kind::bearing, landmark, *d.bearing, kStdBearing, reading.T_robot_sensor});
+    if (with_ranges)
+      measurements.push_back(
+          {PoseMeasurement::Kind::range, landmark, *d.range, stdRange(*d.range), reading.T_robot_sensor});
+  }
+  const IdentifiedPose found = solveIdentifiedPose(measurements);
+  if (found.candidates.empty()) return std::nullopt;
+  return found.candidates.front().pose.mean;
+}
+
+SensorPlace withoutIdentities(const Reading& reading, bool with_ranges)
+{
+  SensorPlace place{reading.T_robot_sensor, {}, {}};
+  place.model.clutter_probability = kClutter;
+  place.model.max_range = kMaxRange;
+  place.model.field_of_view = kFieldOfView;
+  place.model.has_field_of_view = true;
+  for (const Detection& d : reading.detections)
+  {
+    UnidentifiedDetection& hidden = place.detections.emplace_back();
+    hidden.bearing = d.bearing;
+    hidden.std_bearing = kStdBearing;
+    if (with_ranges) hidden.range = d.range;
+    hidden.std_range = stdRange(*d.range);
+  }
+  return place;
+}
+
+struct Tally
+{
+  int snapshots = 0, known = 0, first = 0, among = 0, unique = 0, unique_wrong = 0;
+  double returned = 0;
+  std::vector<double> ms;
+};
+
+/// The snapshots with enough landmarks, as places in `records`.
+std::vector<std::size_t> chosenSnapshots(const Recording& recording)
+{
+  std::vector<std::size_t> all, chosen;
+  for (std::size_t k = 0; k < recording.records.size(); ++k)
+    if (const auto* reading = std::get_if<Reading>(&recording.records[k]))
+      if (reading->detections.size() >= kLeastLandmarks) all.push_back(k);
+  const std::size_t count = std::min(all.size(), kMostSnapshots);
+  for (std::size_t k = 0; k < count; ++k) chosen.push_back(all[k * all.size() / count]);
+  return chosen;
+}
+
+Tally tallyOf(const Recording& recording, bool with_ranges)
+{
+  const LostRobotSearch search(recording.map);
+  const auto [low, high] = recording.map.boundingBox();
+  PoseSearchOptions options;
+  options.area = MapArea{low.array() - kMargin, high.array() + kMargin};
+  Tally tally;
+  for (const std::size_t k : chosenSnapshots(recording))
+  {
+    const Reading& reading = std::get<Reading>(recording.records[k]);
+    const Pose2 truth = interpolate(recording.truth, reading.time, 0.5)->pose;
+    ++tally.snapshots;
+    const auto known = identifiedPose(reading, recording.map, with_ranges);
+    tally.known += known && isRight(*known, truth);
+    const SensorPlace place = withoutIdentities(reading, with_ranges);
+    const auto start = std::chrono::steady_clock::now();
+    const PoseSearch found = search.search({&place, 1}, options);
+    tally.ms.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    const bool first = !found.poses.empty() && isRight(found.poses.front().pose.mean, truth);
+    tally.first += first;
+    tally.among += std::any_of(found.poses.begin(), found.poses.end(),
+                               [&](const ConsistentPose& p) { return isRight(p.pose.mean, truth); });
+    tally.returned += static_cast<double>(found.poses.size());
+    tally.unique += found.unique;
+    tally.unique_wrong += found.unique && !first;
+  }
+  return tally;
+}
+
+void print(std::ostream& out, int set, const char* what, Tally tally)
+{
+  const double n = std::max(1, tally.snapshots);
+  std::sort(tally.ms.begin(), tally.ms.end());
+  out << "| " << set << " | " << what << " | " << tally.snapshots << " | " << std::fixed << std::setprecision(1)
+      << 100 * tally.known / n << " % | " << 100 * tally.first / n << " % | " << 100 * tally.among / n << " % | "
+      << tally.returned / n << " | " << 100 * tally.unique / n << " % | " << tally.unique_wrong << " | "
+      << std::setprecision(3) << (tally.ms.empty() ? 0 : tally.ms[tally.ms.size() / 2]) << " |" << std::defaultfloat
+      << std::endl;
+}
+
+void run(std::ostream& out)
+{
+  out << "Snapshots with " << kLeastLandmarks << " or more landmarks, at most " << kMostSnapshots
+      << " of a set, evenly chosen. Right: within " << kRightPosition << " m and " << radToDeg(kRightHeading)
+      << " deg of the motion capture.\n\n| set | measured | snapshots | known identities: right | hidden: right pose "
+         "first "
+         "| among the returned | returned | called unique | of these wrong | median [ms] |\n"
+      << "|---|---|---|---|---|---|---|---|---|---|\n";
+  for (const int set : {1, 2, 3, 5, 6})
+  {
+    const auto folder = sharedData("mrclam/MRCLAM_Dataset" + std::to_string(set));
+    if (!folder)
+    {
+      out << "skipped: MRCLAM data set " << set << " is not there (LANDMARK_DATA_DIR)\n";
+      continue;
+    }
+    const Recording recording = importMrclamSnapshots(*folder);
+    print(out, set, "range and bearing", tallyOf(recording, true));
+    print(out, set, "bearing", tallyOf(recording, false));
+  }
+}
+
+const RegisterStudy kStudy("snapshots_hidden",
+                           "MRCLAM snapshots without identities: how often is the true pose first, and among how many?",
+                           run);
+}  // namespace
+}  // namespace mrpt_ext
