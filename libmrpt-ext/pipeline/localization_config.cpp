@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/pipeline/bias_config.h"
 
 namespace mrpt_ext
 {
@@ -150,7 +151,9 @@ LocalizationConfig localizationConfig(const Settings& settings, const LandmarkTa
   config.limits = {.within_m = settings.number(kExperiment, "converged_within_m"),
                    .within_deg = settings.number(kExperiment, "converged_within_deg"),
                    .max_convergence_s = settings.number(kExperiment, "max_convergence_s")};
+  config.biases = biasModel(settings);
   config.filter = filterOptions(settings, map, config.limits);
+  config.filter.biases = config.biases;
   config.running_fix = runningFixOptions(settings, config.filter);
   config.engine = settings.choice(kExperiment, "filter_engine") == "mrpt" ? FilterEngine::mrpt : FilterEngine::batch;
   const std::string algorithm = settings.choice("PF_options", "PF_algorithm");

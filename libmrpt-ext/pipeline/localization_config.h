@@ -6,6 +6,7 @@
 
 #include "mrpt_ext/evaluation/convergence.h"
 #include "mrpt_ext/filter/particle_filter.h"
+#include "mrpt_ext/geometry/bias_model.h"
 #include "mrpt_ext/localizers/running_fix_localizer.h"
 #include "mrpt_ext/pipeline/frame_builder.h"
 #include "mrpt_ext/pipeline/settings.h"
@@ -21,6 +22,7 @@ enum class FilterEngine
 /// What landmark-localization does, independent of where it was configured.
 struct LocalizationConfig
 {
+  BiasModel biases;  ///< systematic errors that the filters estimate beside the pose
   ParticleFilterOptions filter;
   FilterEngine engine = FilterEngine::batch;
   int mrpt_algorithm = 0;  ///< PF_algorithm of the mrpt engine

@@ -1,5 +1,7 @@
 #include "mrpt_ext/pipeline/localization_keys.h"
 
+#include "mrpt_ext/pipeline/bias_config.h"
+
 namespace mrpt_ext
 {
 namespace
@@ -384,6 +386,6 @@ KeyTable mrptKeys()
 KeyTable localizationKeys()
 {
   KeyTable table = experimentKeys();
-  return table.append(mrptKeys()).append(motionKeys()).append(sensorKeys()).append(filterKeys());
+  return table.append(mrptKeys()).append(motionKeys()).append(sensorKeys()).append(biasKeys()).append(filterKeys());
 }
 }  // namespace mrpt_ext
