@@ -2,20 +2,24 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <limits>
+#include <array>
+#include <numeric>
+#include <optional>
 
-#include "mrpt_ext/correspondence/interpretation_tree.h"
 #include "mrpt_ext/correspondence/tree_search.h"
+#include "mrpt_ext/solvers/pose_information.h"
+#include "mrpt_ext/solvers/three_bearing_pose.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr double kStdParallax = degToRad(1.5);  // of bearings taken within a look, from one place to the other
+constexpr double kStdParallax = degToRad(0.7);  // of bearings taken within a look, from one place to the other
 constexpr std::size_t kMostProposed = 500;      // by one look
-constexpr std::size_t kMostTracks = 40;         // judged from the beginning
-constexpr double kSamePose = 1;                 // standard deviations in each coordinate
-constexpr std::size_t kApart = 3;               // looks between two that propose
+constexpr std::size_t kMostFollowed = 400;
+constexpr std::size_t kMostTracks = 40;  // judged from the beginning
+constexpr double kSamePose = 1;          // standard deviations in each coordinate
+constexpr std::size_t kApart = 3;        // looks between two that propose
 
 class WaySearch
 {
@@ -84,7 +88,7 @@ class WaySearch
     if (pointCount(seen) >= 2)
       for (const ConsistentPose& pose : search_.search(seen, options).poses) add(pose.pose);
     else
-      for (const GaussianPose& pose : fromBearings(seen, options)) add(pose);
+      for (const GaussianPose& pose : fromBearings(seen)) add(pose);
     return tracks;
   }
 
@@ -97,55 +101,75 @@ class WaySearch
     return points;
   }
 
-  /// The bearings of a look as if all were taken from its last place; the tree gives all poses of three or more.
-  [[nodiscard]] std::vector<GaussianPose> fromBearings(std::span<const SensorPlace> seen,
-                                                       const PoseSearchOptions& options) const
+  /// Three bearings of a look, the widest apart and one between, as if all were taken from its last place, against all
+  /// triples of landmarks.
+  [[nodiscard]] std::vector<GaussianPose> fromBearings(std::span<const SensorPlace> seen) const
   {
-    std::vector<UnidentifiedBearing> bearings;
-    double std = 0;
-    const SensorPlace& last = seen.back();
+    std::vector<PoseMeasurement> bearings;
+    std::vector<int> kinds;
     for (const SensorPlace& place : seen)
       for (const UnidentifiedDetection& d : place.detections)
-      {
-        if (!d.bearing || d.kind == kNoSuchKind || bearings.size() >= kMostBearings) continue;
-        const bool here = &place == &last;
-        bearings.push_back(
-            {wrap(*d.bearing + place.T_robot_sensor.phi - last.T_robot_sensor.phi), landmarksOfKind(d.kind)});
-        std = std::max(std, here ? d.std_bearing : std::hypot(d.std_bearing, kStdParallax));
-      }
+        if (d.bearing && d.kind != kNoSuchKind)
+          bearings.push_back({PoseMeasurement::Kind::bearing, Vector2d::Zero(), *d.bearing,
+                              std::hypot(d.std_bearing, kStdParallax), place.T_robot_sensor});
+    for (const SensorPlace& place : seen)
+      for (const UnidentifiedDetection& d : place.detections)
+        if (d.bearing && d.kind != kNoSuchKind) kinds.push_back(d.kind);
     if (bearings.size() < 3 || map_.size() > kLargestTreeMap) return {};
-    InterpretationOptions tree;
-    tree.gate = InterpretationGate::covariance;
-    tree.max_residual = options_.gate * std;
-    tree.std_bearing = std;
-    tree.allow_three = true;
-    tree.max_unmatched = static_cast<int>(bearings.size()) - 3;
-    if (tree.max_unmatched > 1) tree.max_unmatched = 1;
-    tree.area = options.area;
-    if (last.model.max_range) tree.max_range = 1.3 * *last.model.max_range;
-    std::vector<Interpretation> solutions = interpretBearings(map_.positions(), bearings, tree).solutions;
-    std::stable_sort(solutions.begin(), solutions.end(),
-                     [](const Interpretation& a, const Interpretation& b)
-                     { return a.log_likelihood > b.log_likelihood; });
-    if (solutions.size() > kMostProposed) solutions.resize(kMostProposed);
+    const std::array<std::size_t, 3> chosen = widest(bearings);
+    std::array<PoseMeasurement, 3> three;
+    for (std::size_t k = 0; k < 3; ++k) three[k] = bearings[chosen[k]];
+
     std::vector<GaussianPose> poses;
-    const Pose2 back = inverse(last.T_robot_sensor);
-    for (const Interpretation& solution : solutions)
-    {
-      const Matrix3d J = composeJacobianFirst(solution.pose.mean, back);
-      poses.push_back({compose(solution.pose.mean, back), J * solution.pose.covariance * J.transpose()});
-    }
+    const auto may = [&](std::size_t k, std::size_t landmark) { return map_.mayShow(kinds[chosen[k]], landmark); };
+    for (std::size_t i = 0; i < map_.size(); ++i)
+      for (std::size_t j = 0; j < map_.size() && may(0, i); ++j)
+        for (std::size_t l = 0; l < map_.size() && j != i && may(1, j); ++l)
+        {
+          if (l == i || l == j || !may(2, l)) continue;
+          three[0].landmark = map_.position(i);
+          three[1].landmark = map_.position(j);
+          three[2].landmark = map_.position(l);
+          if (const auto pose = poseOf(three, seen.back().T_robot_sensor)) poses.push_back(*pose);
+        }
     return poses;
   }
 
-  /// Empty: any.
-  [[nodiscard]] std::vector<int> landmarksOfKind(int kind) const
+  static double robotAngle(const PoseMeasurement& m) { return m.value + m.T_robot_sensor.phi; }
+
+  /// In angular order: the first, the one nearest to the middle, the last.
+  static std::array<std::size_t, 3> widest(const std::vector<PoseMeasurement>& bearings)
   {
-    std::vector<int> landmarks;
-    if (kind == kAnyKind || map_.kindCount() < 2) return landmarks;
-    for (std::size_t l = 0; l < map_.size(); ++l)
-      if (map_.kind(l) == kind) landmarks.push_back(static_cast<int>(l));
-    return landmarks;
+    std::vector<std::size_t> order(bearings.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto angle = [&](std::size_t k) { return wrap(robotAngle(bearings[k]) - robotAngle(bearings.front())); };
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return angle(a) < angle(b); });
+    const double middle = 0.5 * (angle(order.front()) + angle(order.back()));
+    const auto centre = std::min_element(order.begin() + 1, order.end() - 1,
+                                         [&](std::size_t a, std::size_t b)
+                                         { return std::abs(angle(a) - middle) < std::abs(angle(b) - middle); });
+    return {order.front(), *centre, order.back()};
+  }
+
+  /// The robot's pose when the bearings are taken from one place on it.
+  [[nodiscard]] std::optional<GaussianPose> poseOf(const std::array<PoseMeasurement, 3>& bearings,
+                                                   const Pose2& T_robot_sensor) const
+  {
+    std::array<SightedLandmark<double>, 3> sighted;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const double angle = robotAngle(bearings[k]);
+      sighted[k] = {bearings[k].landmark.x(), bearings[k].landmark.y(), std::cos(angle), std::sin(angle)};
+    }
+    const ThreeBearingPose<double> solved = solveThreeBearingPose(sighted[0], sighted[1], sighted[2]);
+    if (solved.outcome != ThreeBearingOutcome::pose) return std::nullopt;
+    // Found in the robot's axes, but at the sensor's place.
+    const Pose2 robot =
+        compose({solved.x, solved.y, std::atan2(solved.s, solved.c)}, {-T_robot_sensor.x, -T_robot_sensor.y, 0});
+    if (!region_.contains(robot)) return std::nullopt;
+    const std::optional<Matrix3d> covariance = covarianceFromInformation(poseInformation(bearings, robot));
+    if (!covariance) return std::nullopt;
+    return GaussianPose{robot, *covariance};
   }
 
   // ---- tracks
@@ -153,6 +177,8 @@ class WaySearch
   /// Forward to the end of the way, then back from the look that proposed them to its beginning.
   void follow(std::vector<Travelled>& tracks, std::size_t birth) const
   {
+    for (Travelled& t : tracks) confront(t.track, map_, steps_[birth].seen, options_.gate);
+    prune(tracks);
     for (std::size_t k = birth + 1; k < steps_.size(); ++k)
     {
       for (Travelled& t : tracks)
@@ -181,10 +207,11 @@ class WaySearch
     std::stable_sort(tracks.begin(), tracks.end(),
                      [](const Travelled& a, const Travelled& b)
                      { return a.track.log_evidence > b.track.log_evidence; });
+    const double best = tracks.empty() ? 0 : tracks.front().track.log_evidence;
     std::vector<Travelled> kept;
     for (Travelled& t : tracks)
     {
-      if (t.track.log_evidence < tracks.front().track.log_evidence - options_.keep_log_units) break;
+      if (t.track.log_evidence < best - options_.keep_log_units || kept.size() >= kMostFollowed) break;
       if (std::none_of(kept.begin(), kept.end(),
                        [&](const Travelled& k) { return samePose(k.track.pose, t.track.pose); }))
         kept.push_back(std::move(t));
@@ -259,8 +286,6 @@ class WaySearch
                      wrap(other.mean.phi - better.mean.phi));
     return e.dot(better.covariance.ldlt().solve(e)) < 16;
   }
-
-  static constexpr std::size_t kMostBearings = 5;
 
   std::span<const TravelStep> steps_;
   const LostRobotSearch& search_;
