@@ -5,6 +5,7 @@
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/localizers/closed_form_methods.h"
 #include "mrpt_ext/localizers/joined_localizer.h"
+#include "mrpt_ext/localizers/kalman_localizer.h"
 #include "mrpt_ext/localizers/odometry_localizer.h"
 #include "mrpt_ext/localizers/particle_filter_localizer.h"
 #include "mrpt_ext/pipeline/closest_name.h"
@@ -28,6 +29,23 @@ MeasurementKinds::MeasurementKinds(const std::vector<Frame>& frames)
       }
   }
 }
+
+namespace
+{
+/// The same motion, errors, recovery and promises as the particle filter's.
+KalmanBankOptions kalmanOptions(const LocalizationConfig& config, bool iterated, std::size_t max_hypotheses)
+{
+  KalmanBankOptions options{.max_hypotheses = max_hypotheses,
+                            .iterated = iterated,
+                            .motion = config.filter.motion,
+                            .biases = config.biases,
+                            .recovery = config.filter.recovery,
+                            .verdict = config.filter.verdict,
+                            .seed_min_std = config.filter.seed_min_std};
+  if (config.filter.initial_mode == InitialMode::gaussian) options.start = config.filter.initial_pose;
+  return options;
+}
+}  // namespace
 
 MethodFactory::MethodFactory(const LocalizationConfig& config, const LandmarkTable& map, const FrameSequence& sequence)
     : config_(config),
@@ -68,6 +86,24 @@ std::vector<MethodFactory::Entry> MethodFactory::closedForms() const
   };
 }
 
+std::vector<MethodFactory::Entry> MethodFactory::kalmanFilters() const
+{
+  const bool applies = !config_.frames.independent;
+  const auto entry = [&](const std::string& name, bool iterated, std::size_t hypotheses)
+  {
+    return Entry{name, applies,
+                 [this, name, iterated, hypotheses]
+                 {
+                   const KalmanBankOptions options = kalmanOptions(config_, iterated, hypotheses);
+                   return std::make_unique<KalmanLocalizer>(name, options, map_, config_.filter.region,
+                                                            config_.seed_window, search_);
+                 }};
+  };
+  const std::size_t bank = KalmanBankOptions{}.max_hypotheses;
+  return {entry("extended_kalman_filter", false, 1), entry("iterated_kalman_filter", true, 1),
+          entry("kalman_filter_bank", false, bank)};
+}
+
 std::vector<MethodFactory::Entry> MethodFactory::entries(std::uint64_t seed, int trial, const Methods& methods) const
 {
   const bool moving = !config_.frames.independent;
@@ -75,6 +111,7 @@ std::vector<MethodFactory::Entry> MethodFactory::entries(std::uint64_t seed, int
       {"particle_filter", moving, [this, seed, trial] { return makeFilter(seed, trial); }},
       {"odometry", moving && has_odometry_,
        [this] { return std::make_unique<OdometryLocalizer>(config_.filter.motion, config_.filter.initial_pose); }}};
+  for (Entry& entry : kalmanFilters()) all.push_back(std::move(entry));
   for (Entry& entry : closedForms())
   {
     all.push_back(entry);

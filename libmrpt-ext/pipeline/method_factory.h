@@ -50,6 +50,7 @@ class MethodFactory
   };
   [[nodiscard]] std::vector<Entry> entries(std::uint64_t seed, int trial, const Methods& methods) const;
   [[nodiscard]] std::vector<Entry> closedForms() const;
+  [[nodiscard]] std::vector<Entry> kalmanFilters() const;
   [[nodiscard]] std::unique_ptr<FilterLocalizer> makeFilter(std::uint64_t seed, int trial) const;
   void checkNames() const;
 

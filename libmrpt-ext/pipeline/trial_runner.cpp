@@ -122,7 +122,7 @@ TrialOutcome runTrial(const TrialInput& input, std::uint64_t seed, int trial)
         recordFilter(methods.filter->lastStep(), estimate, frames[k].time, run);
         if (estimate.point) objects.place(*estimate.point, run.objects);
       }
-      else
+      else if (!run.methods[m].continuous)
         oracles.add(run.methods[m], estimate, frames[k].time);
     }
     if (input.progress) input.progress(static_cast<double>(k + 1) / static_cast<double>(frames.size()));

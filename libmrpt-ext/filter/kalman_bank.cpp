@@ -1,0 +1,151 @@
+#include "mrpt_ext/filter/kalman_bank.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kSeedInflation = 2.0;      // of the deviations of a proposal
+constexpr double kClearWeight = 0.9;        // of one place, or of all that are lost
+constexpr double kMinWeight = 1e-6;         // lighter hypotheses are dropped
+constexpr std::size_t kMinDetections = 12;  // a filter that started by itself has to agree with before it is trusted
+
+double logVolume(const Matrix3d& covariance) { return 0.5 * std::log(std::max(covariance.determinant(), 1e-30)); }
+}  // namespace
+
+KalmanStep KalmanBank::process(const Frame& frame, const Proposer& propose)
+{
+  KalmanStep step;
+  if (hypotheses_.empty())
+    start(frame, propose);
+  else
+    track(frame, propose, step);
+  step.modes = modesOf(hypotheses_);
+  judgeStep(step);
+  return step;
+}
+
+KalmanUpdate KalmanBank::updated(const KalmanState& state, const Frame& frame) const
+{
+  return options_.iterated ? updateIterated(state, frame, map_, options_.biases)
+                           : updateExtended(state, frame, map_, options_.biases);
+}
+
+KalmanHypothesis KalmanBank::filterAt(const GaussianPose& pose, double log_weight) const
+{
+  return {.state = startingState(pose, options_.biases),
+          .log_weight = log_weight,
+          .quick = RecoveryMonitor(options_.recovery),
+          .trust = RecoveryMonitor(trustOptions(options_.recovery))};
+}
+
+KalmanHypotheses KalmanBank::filtersFor(const HypothesisSet& proposals) const
+{
+  KalmanHypotheses filters;
+  for (const PoseHypothesis& proposal : proposals)
+  {
+    if (!isFinite(proposal.pose.mean) || !proposal.pose.covariance.allFinite()) continue;
+    GaussianPose wide = proposal.pose;
+    wide.covariance.diagonal() += options_.seed_min_std.cwiseAbs2();
+    wide.covariance *= square(kSeedInflation);
+    filters.push_back(filterAt(wide, proposal.log_score + logVolume(wide.covariance)));
+  }
+  rank(filters);
+  merge(filters);
+  prune(filters, std::max<std::size_t>(options_.max_hypotheses, 2), kMinWeight);
+  return filters;
+}
+
+void KalmanBank::start(const Frame& frame, const Proposer& propose)
+{
+  if (options_.start)
+  {
+    hypotheses_ = {filterAt(*options_.start, 0)};
+    update(hypotheses_.front(), updated(hypotheses_.front().state, frame), frame);
+    hypotheses_.front().detections = kMinDetections;  // the start was told
+    return rank(hypotheses_);
+  }
+  const Proposal proposal = propose ? propose() : Proposal{};
+  KalmanHypotheses filters = filtersFor(proposal.hypotheses);
+  if (filters.empty()) return;
+  const bool clear = std::exp(filters.front().log_weight) > kClearWeight;
+  if (options_.max_hypotheses == 1 && !clear && !proposal.complete) return;
+  prune(filters, options_.max_hypotheses, 0);
+  for (KalmanHypothesis& filter : filters)
+  {
+    const double weight = filter.log_weight;
+    update(filter, updated(filter.state, frame), frame);
+    filter.log_weight = weight;
+  }
+  hypotheses_ = std::move(filters);
+  since_restart_ = 0;
+}
+
+void KalmanBank::track(const Frame& frame, const Proposer& propose, KalmanStep& step)
+{
+  since_restart_ += frame.motion.duration;
+  for (KalmanHypothesis& h : hypotheses_) h.state = predict(h.state, options_.biases, options_.motion, frame.motion);
+  if (hypotheses_.front().quick.suspicious() && since_restart_ >= options_.recovery.min_interval)
+    lookElsewhere(propose, step);
+  std::size_t best = 0;
+  for (std::size_t i = 0; i < hypotheses_.size(); ++i)
+  {
+    KalmanUpdate result = updated(hypotheses_[i].state, frame);
+    update(hypotheses_[i], result, frame);
+    if (i > 0 && !(hypotheses_[i].log_weight > hypotheses_[best].log_weight)) continue;
+    best = i;
+    step.best = std::move(result);
+  }
+  rank(hypotheses_);
+  merge(hypotheses_);
+  prune(hypotheses_, options_.max_hypotheses, kMinWeight);
+}
+
+void KalmanBank::lookElsewhere(const Proposer& propose, KalmanStep& step)
+{
+  const bool single = options_.max_hypotheses == 1;
+  if (single && !hypotheses_.front().quick.lost()) return;
+  since_restart_ = 0;
+  KalmanHypotheses filters = filtersFor(propose ? propose().hypotheses : HypothesisSet{});
+  if (filters.empty()) return;
+  step.restarted = true;
+  if (single)
+  {
+    filters.resize(1, filters.front());
+    filters.front().log_weight = 0;
+    hypotheses_ = std::move(filters);
+    return;
+  }
+  const double jump = options_.recovery.prior_of_jump;
+  for (KalmanHypothesis& h : hypotheses_) h.log_weight += std::log1p(-jump);
+  for (KalmanHypothesis& filter : filters)
+  {
+    filter.log_weight += std::log(jump);
+    hypotheses_.push_back(std::move(filter));
+  }
+}
+
+void KalmanBank::judgeStep(KalmanStep& step) const
+{
+  if (hypotheses_.empty())
+  {
+    step.verdict = Verdict::lost;
+    step.reason = "waiting for readings that narrow the place down";
+    return;
+  }
+  const KalmanHypothesis& best = hypotheses_.front();
+  const double share = best.quick.suspicious() ? best.quick.average() : best.trust.average();
+  double lost_weight = 0;
+  for (const KalmanHypothesis& h : hypotheses_)
+    if (h.quick.lost()) lost_weight += std::exp(h.log_weight);
+  const bool lost = lost_weight > kClearWeight;
+  VerdictWithReason verdict = judge(step.modes, {.explained_share = share, .lost = lost}, options_.verdict);
+  if (verdict.verdict == Verdict::ok && best.detections < kMinDetections)
+    verdict = {Verdict::ambiguous, "one place, but known for " + std::to_string(best.detections) + " detections only"};
+  step.verdict = verdict.verdict;
+  step.reason = verdict.reason;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,50 @@
+#include "mrpt_ext/localizers/kalman_localizer.h"
+
+#include <cmath>
+
+#include "mrpt_ext/localizers/frame_joiner.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kMinReportedWeight = 0.002;
+}  // namespace
+
+void KalmanLocalizer::remember(const Frame& frame)
+{
+  if (recent_.empty()) first_time_ = frame.time;
+  recent_.push_back(frame);
+  while (recent_.front().time < frame.time - seed_window_) recent_.pop_front();
+}
+
+Proposal KalmanLocalizer::propose() const
+{
+  FrameJoiner joiner(seed_window_, motion_);
+  for (const Frame& frame : recent_) joiner.add(frame);
+  Proposal proposal(proposePoses(joiner.joined(), map_, *search_, {.region = region_}));
+  proposal.complete = recent_.back().time - first_time_ >= seed_window_;
+  return proposal;
+}
+
+Estimate KalmanLocalizer::process(const Frame& frame)
+{
+  remember(frame);
+  step_ = bank_.process(frame, [this] { return propose(); });
+
+  Estimate estimate;
+  for (const Mode& mode : step_.modes.modes)
+    if (mode.weight >= kMinReportedWeight)
+      estimate.candidates.push_back(
+          {.pose = mode.pose, .log_score = std::log(mode.weight), .weight = mode.weight, .source = name_});
+  if (estimate.candidates.empty()) return estimate;
+  estimate.status = SolveStatus::ok;
+  estimate.ambiguous = step_.verdict == Verdict::ambiguous;
+  estimate.point = TrackPoint{.time = frame.time,
+                              .pose = estimate.candidates.front().pose,
+                              .modes = static_cast<int>(estimate.candidates.size()),
+                              .best_weight = estimate.candidates.front().weight,
+                              .verdict = step_.verdict};
+  return estimate;
+}
+}  // namespace mrpt_ext
