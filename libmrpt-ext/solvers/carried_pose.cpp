@@ -4,6 +4,7 @@
 
 #include "mrpt_ext/solvers/carried_noise.h"
 #include "mrpt_ext/solvers/pose_information.h"
+#include "mrpt_ext/solvers/scene_extent.h"
 
 namespace mrpt_ext
 {
@@ -36,22 +37,12 @@ Pose2 moved(const Pose2& pose, const Vector3d& step)
   return {pose.x + step.x(), pose.y + step.y(), wrap(pose.phi + step.z())};
 }
 
-/// Further away than the landmarks and the way could tell of.
 bool ranOff(std::span<const CarriedMeasurements> readings, const Pose2& pose)
 {
-  constexpr double kFarAway = 1e4;  // times the extent of the scene
-  double nearest = std::numeric_limits<double>::infinity(), extent = 0;
-  const PoseMeasurement* first = nullptr;
+  SceneExtent scene(pose.position());
   for (const CarriedMeasurements& reading : readings)
-    for (const PoseMeasurement& m : reading.measurements)
-    {
-      if (m.kind == PoseMeasurement::Kind::heading) continue;
-      if (!first) first = &m;
-      nearest = std::min(nearest, (m.landmark - pose.position()).norm());
-      extent = std::max({extent, (m.landmark - first->landmark).norm(), m.T_robot_sensor.position().norm(),
-                         m.kind == PoseMeasurement::Kind::range ? m.value : 0.0});
-    }
-  return first && nearest > kFarAway * extent;
+    for (const PoseMeasurement& m : reading.measurements) scene.add(m);
+  return scene.ranOff();
 }
 }  // namespace
 

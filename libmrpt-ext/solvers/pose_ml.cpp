@@ -4,13 +4,12 @@
 
 #include "mrpt_ext/solvers/pose_information.h"
 #include "mrpt_ext/solvers/pose_rows.h"
+#include "mrpt_ext/solvers/scene_extent.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr double kFarAway = 1e4;  // times the extent of the scene
-
 struct LossValue
 {
   double cost = 0;
@@ -57,20 +56,11 @@ Pose2 moved(const Pose2& pose, const Vector3d& step)
   return {pose.x + step.x(), pose.y + step.y(), wrap(pose.phi + step.z())};
 }
 
-/// True if the pose is further from the landmarks than anything the measurements can speak of.
 bool ranOff(std::span<const PoseMeasurement> measurements, const Pose2& pose)
 {
-  double nearest = std::numeric_limits<double>::infinity(), extent = 0;
-  const PoseMeasurement* first = nullptr;
-  for (const PoseMeasurement& m : measurements)
-  {
-    if (m.kind == PoseMeasurement::Kind::heading) continue;
-    if (!first) first = &m;
-    nearest = std::min(nearest, (m.landmark - pose.position()).norm());
-    extent = std::max({extent, (m.landmark - first->landmark).norm(), m.T_robot_sensor.position().norm(),
-                       m.kind == PoseMeasurement::Kind::range ? m.value : 0.0});
-  }
-  return first && nearest > kFarAway * extent;
+  SceneExtent scene(pose.position());
+  for (const PoseMeasurement& m : measurements) scene.add(m);
+  return scene.ranOff();
 }
 
 void describe(PoseMl& result, std::span<const PoseMeasurement> measurements, const PoseMlOptions& options,
