@@ -7,6 +7,7 @@
 
 #include "mrpt_ext/correspondence/bearing_reading.h"
 #include "mrpt_ext/correspondence/expected_false_poses.h"
+#include "mrpt_ext/correspondence/match_evidence.h"
 #include "mrpt_ext/correspondence/pose_judge.h"
 #include "mrpt_ext/correspondence/pose_tightening.h"
 #include "mrpt_ext/correspondence/triple_cover.h"
@@ -334,12 +335,10 @@ class SearchRun
     double missed = -kUnlimited;
     if (!result_.poses.empty())
     {
-      double best = -kUnlimited;
-      for (const ConsistentPose& pose : result_.poses) best = std::max(best, pose.log_evidence);
-      missed = best + std::log(evidenceBelow(std::min(searched, best_matched_)));
+      missed = logEvidenceBelow(map_, places_, areaOrMap(map_, options_.area), searched);
       result_.expected_false = expectedFalsePoses(chanceMatches(), best_matched_);
     }
-    rankPoses(result_, options_, missed);
+    rankPoses(result_, options_, missed, searched);
     result_.unique = result_.unique && result_.finished;
   }
 

@@ -3,26 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mrpt_ext/correspondence/binomial.h"
 #include "mrpt_ext/geometry/angle.h"
 
 namespace mrpt_ext
 {
-namespace
-{
-double logChoose(int n, int k) { return std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0); }
-
-/// P(at least `least` of n hit), each with chance p.
-double binomialTail(int n, int least, double p)
-{
-  if (least <= 0) return 1;
-  if (p <= 0) return 0;
-  if (p >= 1) return 1;
-  double tail = 0;
-  for (int k = least; k <= n; ++k) tail += std::exp(logChoose(n, k) + k * std::log(p) + (n - k) * std::log1p(-p));
-  return std::min(tail, 1.0);
-}
-}  // namespace
-
 double expectedFalsePoses(const ChanceMatches& chance, int matched)
 {
   const int m = std::max(matched, 3), n = chance.readings;

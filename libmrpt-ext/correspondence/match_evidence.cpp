@@ -1,38 +1,103 @@
 #include "mrpt_ext/correspondence/match_evidence.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
 
 namespace mrpt_ext
 {
 namespace
 {
-/// `peak`: density of a measurement where it should be; `volume`: of the space a false one is spread over.
-double logEvidence(const SensorPlace& place, double peak, double volume, double in_view)
+constexpr double kNothing = -std::numeric_limits<double>::infinity();
+constexpr double kMinClutter = 1e-6;
+constexpr double kMaxDetection = 0.99;  // as in place_view.cpp
+
+double logSum(double a, double b)
 {
-  const double clutter = std::max(place.model.clutter_probability, 1e-6);
+  const double high = std::max(a, b);
+  return std::isfinite(high) ? high + std::log1p(std::exp(std::min(a, b) - high)) : high;
+}
+
+/// Product of two polynomials given by the logarithms of their coefficients.
+std::vector<double> product(const std::vector<double>& a, const std::vector<double>& b)
+{
+  std::vector<double> result(a.size() + b.size() - 1, kNothing);
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < b.size(); ++j) result[i + j] = logSum(result[i + j], a[i] + b[j]);
+  return result;
+}
+
+double areaOf(const MapArea& area) { return (area.max - area.min).cwiseMax(0.01).prod(); }
+
+/// A landmark in view gives a detection like this one with `of_landmark`, clutter gives it with `of_clutter`.
+struct Densities
+{
+  double of_landmark, of_clutter;
+};
+
+Densities densities(const LandmarkIndex& map, const SensorModel& model, const UnidentifiedDetection& z, double radius)
+{
+  Densities result{1, 1};
+  if (z.bearing) result.of_landmark = result.of_clutter = 1 / (model.has_field_of_view ? model.field_of_view : kTwoPi);
+  if (z.range)
+  {
+    // Landmarks fill the disk evenly, clutter is taken to fill the ranges evenly (pose_judge.h).
+    result.of_landmark *= 2 * std::max(*z.range, z.std_range) / square(radius);
+    result.of_clutter /= model.max_range.value_or(std::max(1.0, 1.5 * (map.high() - map.low()).norm()));
+  }
+  const double kinds = std::max(1, map.kindCount());
+  if (z.kind != kAnyKind) result.of_clutter /= kinds;
+  if (z.kind != kAnyKind) result.of_landmark *= z.kind == kNoSuchKind ? 0 : 1 / kinds;
+  return result;
+}
+
+/// Log of the expected likelihood of a place's detections by the number that is matched, at a wrong pose.
+std::vector<double> logLikelihoodByMatches(const LandmarkIndex& map, const SensorPlace& place)
+{
+  const SensorModel& model = place.model;
+  const double extent = areaOf({map.low(), map.high()});
+  const double radius = model.max_range.value_or(std::sqrt(extent / kPi));
+  const double clutter = std::clamp(model.clutter_probability, kMinClutter, 1.0);
   const double count = static_cast<double>(place.detections.size());
-  const double p = std::min(place.model.detection_probability.value_or(0.5), 0.99);
-  const double odds = place.model.detection_probability ? p / (1 - p) / count : 1 / std::max(1.0, in_view);
-  return std::log(1 + odds * peak * volume / clutter) - 0.5;
+  std::vector<double> by_matches{0};
+  for (const UnidentifiedDetection& z : place.detections)
+  {
+    const Densities d = densities(map, model, z, radius);
+    const double right = model.detection_probability ? 1 : 1 - std::min(clutter, 0.999);
+    const double wrong = model.detection_probability ? count * clutter : clutter;
+    by_matches = product(by_matches, {std::log(wrong * d.of_clutter), std::log(right * d.of_landmark)});
+  }
+  if (!model.detection_probability) return by_matches;
+
+  const double p = std::clamp(*model.detection_probability, 1e-9, kMaxDetection);
+  double in_view = model.max_range ? std::min(1.0, kPi * square(radius) / extent) : 1.0;
+  if (model.has_field_of_view) in_view *= std::min(1.0, model.field_of_view / kTwoPi);
+  const auto n = static_cast<double>(map.size());
+  for (std::size_t m = 0; m < by_matches.size(); ++m)
+  {
+    const auto matched = static_cast<double>(m);
+    by_matches[m] += matched > n ? kNothing
+                                 : std::lgamma(n + 1) - std::lgamma(n - matched + 1) + matched * std::log(p * in_view) +
+                                       (n - matched) * std::log1p(-p * in_view);
+  }
+  return by_matches;
 }
 }  // namespace
 
-double logEvidencePerBearing(const SensorPlace& place, double std_bearing, double in_view)
+MapArea areaOrMap(const LandmarkIndex& map, const std::optional<MapArea>& area)
 {
-  return logEvidence(place, 1 / (std::sqrt(kTwoPi) * std_bearing), kTwoPi, in_view);
+  return area ? *area : MapArea{map.low(), map.high()};
 }
 
-double logEvidencePerPoint(const SensorPlace& place, const LandmarkIndex& map)
+double logEvidenceBelow(const LandmarkIndex& map, std::span<const SensorPlace> places, const MapArea& area, int least)
 {
-  double spread = 0, count = 0;
-  for (const UnidentifiedDetection& d : place.detections)
-    if (d.bearing && d.range)
-    {
-      spread += d.std_bearing * d.std_range;
-      count += 1;
-    }
-  if (!(count > 0)) return 0;
-  const double farthest = place.model.max_range.value_or(std::max(1.0, 1.5 * (map.high() - map.low()).norm()));
-  return logEvidence(place, count / (kTwoPi * spread), kTwoPi * farthest, static_cast<double>(map.size()));
+  if (map.empty()) return kNothing;
+  std::vector<double> by_matches{0};
+  for (const SensorPlace& place : places) by_matches = product(by_matches, logLikelihoodByMatches(map, place));
+  double total = kNothing;
+  for (std::size_t m = 0; m < by_matches.size() && static_cast<int>(m) < least; ++m)
+    total = logSum(total, by_matches[m]);
+  return total + std::log(kTwoPi * areaOf(area));
 }
 }  // namespace mrpt_ext

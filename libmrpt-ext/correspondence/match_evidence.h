@@ -1,27 +1,25 @@
 #pragma once
 
-#include <cmath>
+#include <optional>
+#include <span>
 
 #include "mrpt_ext/correspondence/landmark_index.h"
+#include "mrpt_ext/correspondence/map_area.h"
 #include "mrpt_ext/correspondence/sensor_place.h"
 
 namespace mrpt_ext
 {
-/// What one more matched bearing typically adds to the log-likelihood of a pose (pose_judge.h): it is explained, and
-/// not by chance. `std_bearing` [rad]; `in_view`: landmarks that it may show.
-[[nodiscard]] double logEvidencePerBearing(const SensorPlace& place, double std_bearing, double in_view);
+/// Log of the evidence that all poses in `area` which explain fewer than `least` detections are expected to carry
+/// together, on the scale of ConsistentPose::log_evidence: the likelihood of pose_judge.h, integrated over position and
+/// heading, with the readings independent of one another as they are at a wrong pose. Nothing is approximated by peaks,
+/// so that poses which the matches do not fix (fewer than three bearings or two points) are counted too.
+/// For N landmarks, each in view with probability q = pi R^2 / (area of the map) and then seen with probability P,
+///   E_m = 2 pi |area| N! / (N - m)! (P q)^m (1 - P q)^(N - m) e_m,
+/// e_m: sum over the choices of m readings, of the densities at which landmarks in view give these and clutter gives
+/// the others. A sensor without P: e_m alone, with the shares of right and false detections.
+[[nodiscard]] double logEvidenceBelow(const LandmarkIndex& map, std::span<const SensorPlace> places,
+                                      const MapArea& area, int least);
 
-/// The same for a bearing with a range.
-[[nodiscard]] double logEvidencePerPoint(const SensorPlace& place, const LandmarkIndex& map);
-
-/// Evidence, relative to that of a pose with `best` matches, that wrong poses with fewer than `least` matches, but at
-/// least `fewest`, are expected to carry together. `expected(m)`: expected number of wrong poses with m or more.
-template <typename Expected>
-[[nodiscard]] double evidenceBelow(int least, int best, int fewest, double log_evidence_per_match, Expected&& expected)
-{
-  double evidence = 0;
-  for (int m = least - 1; m >= fewest; --m)
-    evidence += (expected(m) - expected(m + 1)) * std::exp(-log_evidence_per_match * (best - m));
-  return evidence;
-}
+/// Where the robot can be: `area`, or else the extent of the map.
+[[nodiscard]] MapArea areaOrMap(const LandmarkIndex& map, const std::optional<MapArea>& area);
 }  // namespace mrpt_ext

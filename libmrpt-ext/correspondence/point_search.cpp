@@ -268,14 +268,10 @@ class PointSearchRun
     double missed = kNothing;
     if (!result_.poses.empty())
     {
-      double best = kNothing;
-      for (const ConsistentPose& pose : result_.poses) best = std::max(best, pose.log_evidence);
-      const double per_match = logEvidencePerPoint(places_.front(), map_);
-      const auto expected = [&](int matched) { return expectedFalsePoses(chance_, matched); };
-      missed = best + std::log(evidenceBelow(best_matched_, best_matched_, 2, per_match, expected));
+      missed = logEvidenceBelow(map_, places_, areaOrMap(map_, options_.area), best_matched_);
       result_.expected_false = expectedFalsePoses(chance_, best_matched_);
     }
-    rankPoses(result_, options_, missed);
+    rankPoses(result_, options_, missed, best_matched_);
   }
 
   const LandmarkIndex& map_;

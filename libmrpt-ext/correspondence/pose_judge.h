@@ -18,13 +18,15 @@ namespace mrpt_ext
 ///   sum over places of  n log(1 - P) + sum over detections log(clutter + P / (1 - P) sum_j N(z; h_j, R))
 /// where clutter is the expected density of false detections, clutter_probability * detections / V. Without P the
 /// detections share the landmarks in view: log(c / V + (1 - c) / n sum_j N). A landmark that is matched counts only for
-/// its match. log_evidence adds log sqrt((2 pi)^3 det C), the Laplace approximation of the integral over the pose.
+/// its match. log_evidence adds log sqrt((2 pi)^3 det
+/// C), the Laplace approximation of the integral over the pose.
 [[nodiscard]] std::optional<ConsistentPose> judgePose(const LandmarkIndex& map, std::span<const SensorPlace> places,
                                                       const PoseSearchOptions& options, const GaussianPose& candidate,
                                                       int least);
 
 /// Sorts by evidence, joins poses that are the same, drops those below `keep_log_units` or beyond `max_poses`, and sets
-/// the probabilities, `elsewhere`, `unique` and the status. `missed_evidence`: log of the evidence that poses the
-/// search did not find are expected to carry together (-infinity: none). `expected_false` must be set before.
-void rankPoses(PoseSearch& search, const PoseSearchOptions& options, double missed_evidence);
+/// the probabilities, `elsewhere`, `unique` and the status. `missed_evidence`: log of the evidence that all poses with
+/// fewer than `complete_from` matches are expected to carry together (-infinity: none); those of them which were found
+/// are a part of it. `expected_false` must be set before.
+void rankPoses(PoseSearch& search, const PoseSearchOptions& options, double missed_evidence, int complete_from = 0);
 }  // namespace mrpt_ext

@@ -126,6 +126,7 @@ PoseSearch searchByTree(const LandmarkIndex& map, std::span<const SensorPlace> p
     if (!found.finished) break;
     if (!search.poses.empty()) found_at = std::min(found_at, unmatched);
   }
+  const int searched = count - unmatched + 1;
   double missed = -std::numeric_limits<double>::infinity();
   if (!search.poses.empty())
   {
@@ -134,13 +135,10 @@ PoseSearch searchByTree(const LandmarkIndex& map, std::span<const SensorPlace> p
                                        { return a.log_evidence < b.log_evidence; });
     const ChanceMatches chance = chanceMatches(map, question, options.gate);
     const int matched = std::min(best->matched, count);
-    const double per_match =
-        logEvidencePerBearing(*question.place, question.std_bearing, static_cast<double>(map.size()));
-    const auto expected = [&](int m) { return expectedFalsePoses(chance, m); };
-    missed = best->log_evidence + std::log(evidenceBelow(count - unmatched + 1, matched, 3, per_match, expected));
+    missed = logEvidenceBelow(map, places, areaOrMap(map, options.area), searched);
     search.expected_false = expectedFalsePoses(chance, matched);
   }
-  rankPoses(search, options, missed);
+  rankPoses(search, options, missed, searched);
   return search;
 }
 }  // namespace mrpt_ext

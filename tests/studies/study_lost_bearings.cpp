@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <iomanip>
@@ -14,16 +13,9 @@ namespace
 {
 struct Outcome
 {
-  bool found = false, first = false, first_place = false, unique = false, finished = true;
-  double poses = 0, probability = 0, milliseconds = 0;
+  bool found = false, first = false, unique = false, finished = true;
+  double poses = 0, milliseconds = 0;
 };
-
-/// With coarse bearings the right place may be known to worse than 0.1 m.
-bool isWithinUncertainty(const ConsistentPose& p, const Pose2& truth)
-{
-  const double std = std::sqrt(p.pose.covariance.topLeftCorner<2, 2>().trace());
-  return (p.pose.mean.position() - truth.position()).norm() <= std::min(4 * std, 1.0);
-}
 
 Outcome searchOnce(const BearingSearch& search, const LostView& view)
 {
@@ -38,8 +30,6 @@ Outcome searchOnce(const BearingSearch& search, const LostView& view)
   o.finished = result.finished;
   if (result.poses.empty()) return o;
   o.first = isAtTruth(result.poses.front().pose.mean, view.robot);
-  o.first_place = o.first || isWithinUncertainty(result.poses.front(), view.robot);
-  o.probability = result.poses.front().probability;
   return o;
 }
 
@@ -108,61 +98,7 @@ void tabulateRecall(std::ostream& out)
   }
 }
 
-/// Probability of at least / at most `hits` successes, whichever is smaller.
-double binomialTail(int trials, int hits, double p)
-{
-  double below = 0, at = 0;
-  for (int k = 0; k <= hits; ++k)
-  {
-    at = std::exp(std::lgamma(trials + 1.0) - std::lgamma(k + 1.0) - std::lgamma(trials - k + 1.0) +
-                  k * std::log(std::max(p, 1e-300)) + (trials - k) * std::log(std::max(1 - p, 1e-300)));
-    below += at;
-  }
-  return std::min(below, 1 - below + at);
-}
-
-void tabulateCalibration(std::ostream& out)
-{
-  std::array<double, 10> stated{};
-  std::array<int, 10> trials{}, hits{};
-  for (const double sigma : {0.3, 0.6, 1.0})
-    for (const double detection : {0.35, 0.5, 0.7})
-    {
-      LostSceneOptions options;
-      options.landmarks = 200;
-      options.max_range = 6;
-      options.detection_probability = detection;
-      options.std_bearing = degToRad(sigma);
-      options.random_false = true;
-      options.border = 6;
-      for (const Outcome& o : searchMany(options, 40, 31))
-      {
-        if (o.poses == 0) continue;
-        const auto bin = static_cast<std::size_t>(std::min(9.0, std::floor(10 * o.probability)));
-        stated[bin] += o.probability;
-        ++trials[bin];
-        hits[bin] += o.first_place;
-      }
-    }
-  out << "\n| stated probability of the best pose | trials | mean stated | hit rate | in the 99 % interval |\n"
-         "|---|---|---|---|---|\n";
-  for (std::size_t bin = 0; bin < stated.size(); ++bin)
-  {
-    if (trials[bin] == 0) continue;
-    const double mean = stated[bin] / trials[bin];
-    const bool enough = trials[bin] >= 30;
-    const bool inside = binomialTail(trials[bin], hits[bin], mean) > 0.005;
-    out << "| " << 0.1 * static_cast<double>(bin) << " .. " << 0.1 * static_cast<double>(bin + 1) << " | "
-        << trials[bin] << " | " << std::setprecision(3) << mean << " | " << static_cast<double>(hits[bin]) / trials[bin]
-        << " | " << (enough ? (inside ? "yes" : "no") : "too few") << " |\n";
-  }
-}
-
 const RegisterStudy kRecall("lost_bearings", "How often, how fast and how surely is a lost robot found from bearings?",
                             tabulateRecall);
-const RegisterStudy kCalibration(
-    "lost_bearings_calibration",
-    "Is the stated probability of the best pose right? (Hit: within 0.1 m and 1 deg, or 4 std and 1 m.)",
-    tabulateCalibration);
 }  // namespace
 }  // namespace mrpt_ext

@@ -1,0 +1,115 @@
+#include <gtest/gtest.h>
+
+#include "calibration.h"
+#include "mrpt_ext/correspondence/match_evidence.h"
+#include "mrpt_ext/correspondence/place_view.h"
+#include "mrpt_ext/correspondence/point_search.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+/// Where the robot of a lost scene can be: away from the border.
+MapArea inner(const LostMap& map, double border)
+{
+  return {Vector2d::Constant(border), Vector2d::Constant(map.side - border)};
+}
+
+struct Tally
+{
+  Calibration calibration;
+  int unique = 0, unique_wrong = 0, unique_by_chance = 0;
+};
+
+/// Trials on fresh maps, twenty on each.
+template <typename Search>
+void run(const LostSceneOptions& options, int maps, std::uint64_t seed, Tally& tally)
+{
+  for (int m = 0; m < maps; ++m)
+  {
+    RandomStream random(seed, static_cast<std::uint64_t>(m));
+    const LostMap map = strewLandmarks(options, random);
+    const LandmarkIndex index = map.index();
+    const Search search(index);
+    PoseSearchOptions how;
+    how.area = inner(map, options.border);
+    for (int t = 0; t < 20; ++t)
+    {
+      const LostView view = lookAroundSomewhere(map, index, options, random);
+      const PoseSearch found = search.search({&view.place, 1}, how);
+      if (found.poses.empty()) continue;
+      const bool hit = isTruthsMode(found.poses.front(), view);
+      tally.calibration.add(found.poses.front().probability, hit);
+      tally.unique += found.unique;
+      tally.unique_wrong += found.unique && !hit;
+      tally.unique_by_chance += found.unique && found.expected_false > 0.05;
+    }
+  }
+}
+
+void expectCalibrated(const Tally& tally)
+{
+  int judged = 0;
+  for (const Calibration::Bin& bin : tally.calibration.bins)
+    if (bin.isEnough())
+    {
+      ++judged;
+      EXPECT_TRUE(bin.isInside()) << bin.hits << " of " << bin.trials << " at " << bin.meanStated();
+    }
+  EXPECT_GE(judged, 3);
+  EXPECT_EQ(tally.unique_by_chance, 0);
+  EXPECT_GT(tally.unique, 0);
+  EXPECT_LE(tally.unique_wrong, tally.unique / 20 + 1);
+}
+
+TEST(PoseProbability, CalibratedForPoints)
+{
+  Tally tally;
+  LostSceneOptions options;
+  options.landmarks = 150;
+  options.max_range = options.border = 6;
+  options.random_false = true;
+  options.with_range = true;
+  options.std_bearing = degToRad(0.5);
+  for (const double detection : {0.2, 0.3})
+  {
+    options.detection_probability = detection;
+    run<PointSearch>(options, 16, 22, tally);
+  }
+  expectCalibrated(tally);
+}
+
+/// All matches counted, the expected evidence is the likelihood averaged over poses, times their volume.
+TEST(PoseProbability, EvidenceOfAllPosesIsTheIntegralOfTheLikelihood)
+{
+  RandomStream random(23);
+  for (const std::optional<double> range : {std::optional<double>(), std::optional<double>(6)})
+  {
+    LostSceneOptions options;
+    options.landmarks = 150;
+    const LostMap map = strewLandmarks(options, random);
+    const LandmarkIndex index = map.index();
+    SensorPlace place;
+    place.model.max_range = range;
+    place.model.detection_probability = range ? 0.3 : 0.02;
+    place.model.clutter_probability = 0.2;
+    for (int d = 0; d < 3; ++d)
+      place.detections.push_back({.bearing = random.uniform(-kPi, kPi), .std_bearing = degToRad(10)});
+    const MapArea area = inner(map, 8);
+    double mean = 0;
+    constexpr int kPoses = 20000;
+    const std::vector<int> none(3, -1);
+    for (int i = 0; i < kPoses; ++i)
+    {
+      const GaussianPose pose{{random.uniform(area.min.x(), area.max.x()), random.uniform(area.min.y(), area.max.y()),
+                               random.uniform(-kPi, kPi)},
+                              1e-12 * Matrix3d::Identity()};
+      mean += std::exp(placeLogLikelihood(index, place, expectedLandmarks(index, place, pose), none)) / kPoses;
+    }
+    const double integral = std::log(mean * kTwoPi * (area.max - area.min).prod());
+    EXPECT_NEAR(logEvidenceBelow(index, {&place, 1}, area, 4), integral, 0.3);
+    EXPECT_LT(logEvidenceBelow(index, {&place, 1}, area, 3), integral);
+  }
+}
+}  // namespace
+}  // namespace mrpt_ext
