@@ -1,0 +1,69 @@
+#include "filter_scenario.h"
+
+#include <Eigen/LU>
+#include <cstdlib>
+
+#include "mrpt_ext/pipeline/localization_keys.h"
+#include "mrpt_ext/pipeline/settings.h"
+#include "mrpt_ext/pipeline/simulator_config.h"
+#include "mrpt_ext/pipeline/simulator_keys.h"
+#include "mrpt_ext/simulation/simulator.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kMaxGap = 0.5;  // [s] of the truth
+
+std::string shipped(const std::string& app, const std::string& name)
+{
+  return std::string(MRPT_EXT_SOURCE_DIR) + "/ini/" + app + "/" + name + ".ini";
+}
+}  // namespace
+
+FilterScenario playScenario(const std::string& name, std::uint64_t seed,
+                            const std::vector<std::string>& simulator_changes,
+                            const std::vector<std::string>& localization_changes)
+{
+  Settings simulator = Settings::load(shipped("landmark-simulator", name), simulatorKeys(), simulator_changes);
+  simulator.set("Simulation", "random_seed", std::to_string(seed), "seed");
+  const Recording recording = simulate(readScenario(simulator));
+  const Settings settings =
+      Settings::load(shipped("landmark-localization", name), localizationKeys(), localization_changes);
+  FilterScenario scenario{recording.map, recording.truth, localizationConfig(settings, recording.map), {}};
+  scenario.sequence = buildFrames(recording.records, scenario.map, scenario.config.frames);
+  return scenario;
+}
+
+double FilterMoment::nees() const { return error.dot(best().pose.covariance.inverse() * error); }
+
+double FilterMoment::positionNees() const
+{
+  const Matrix2d C = best().pose.covariance.topLeftCorner<2, 2>();
+  return error.head<2>().dot(C.inverse() * error.head<2>());
+}
+
+std::vector<FilterMoment> runFilter(const FilterScenario& scenario, std::uint64_t seed)
+{
+  ParticleFilterLocalizer filter(scenario.config.filter, scenario.map, scenario.config.seed_window, seed);
+  std::vector<FilterMoment> moments;
+  for (const Frame& frame : scenario.sequence.frames)
+  {
+    (void)filter.process(frame);
+    const auto truth = interpolate(scenario.truth, frame.time, kMaxGap);
+    if (!truth || filter.lastStep().modes.modes.empty()) continue;
+    FilterMoment moment{frame.time - scenario.truth.front().time, &frame, truth->pose, filter.lastStep()};
+    moment.step.modes.mode_of.clear();
+    moment.error = moment.best().pose.mean.vector() - moment.truth.vector();
+    moment.error.z() = wrap(moment.error.z());
+    moments.push_back(std::move(moment));
+  }
+  return moments;
+}
+
+int studyRuns(int full)
+{
+  const char* wanted = std::getenv("STUDY_RUNS");
+  return wanted ? std::max(1, std::atoi(wanted)) : full;
+}
+}  // namespace mrpt_ext

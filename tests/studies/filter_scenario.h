@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mrpt_ext/localizers/particle_filter_localizer.h"
+#include "mrpt_ext/pipeline/frame_builder.h"
+#include "mrpt_ext/pipeline/localization_config.h"
+
+namespace mrpt_ext
+{
+/// A shipped scenario, ini/landmark-simulator/<name>.ini played and cut into frames as ini/landmark-localization/
+/// <name>.ini wants it, without files in between.
+struct FilterScenario
+{
+  LandmarkTable map;
+  Trajectory truth;
+  LocalizationConfig config;
+  FrameSequence sequence;
+};
+
+/// `changes`: "Section.key=value" each, as for --set.
+[[nodiscard]] FilterScenario playScenario(const std::string& name, std::uint64_t seed,
+                                          const std::vector<std::string>& simulator_changes = {},
+                                          const std::vector<std::string>& localization_changes = {});
+
+/// The filter beside the truth after one frame.
+struct FilterMoment
+{
+  double time = 0;  ///< [s] since the start
+  const Frame* frame = nullptr;
+  Pose2 truth;
+  FilterStep step;
+  Vector3d error{0, 0, 0};  ///< of the best mode
+
+  [[nodiscard]] const Mode& best() const { return step.modes.modes.front(); }
+  [[nodiscard]] double distance() const { return error.head<2>().norm(); }
+  /// Normalised squared error of position and heading (three degrees of freedom), and of the position alone (two).
+  [[nodiscard]] double nees() const;
+  [[nodiscard]] double positionNees() const;
+};
+
+/// The filter over all frames that have a true pose. The frames belong to the scenario.
+[[nodiscard]] std::vector<FilterMoment> runFilter(const FilterScenario& scenario, std::uint64_t seed);
+
+/// Number of runs of a study: `full`, or what the environment variable STUDY_RUNS says.
+[[nodiscard]] int studyRuns(int full);
+}  // namespace mrpt_ext
