@@ -1,14 +1,14 @@
 #include "mrpt_ext/filter/particle_filter.h"
 
-#include <tbb/parallel_for.h>
-
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "mrpt_ext/filter/particle_bias.h"
+#include "mrpt_ext/filter/particle_blocks.h"
 #include "mrpt_ext/likelihood/compass_likelihood.h"
 #include "mrpt_ext/likelihood/detection_density.h"
+#include "mrpt_ext/likelihood/reading_scorer.h"
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
 
 namespace mrpt_ext
@@ -19,8 +19,7 @@ constexpr double kSeedInflation = 2.0;  // a proposal wider than the posterior i
 constexpr double kUniformShareStart = 0.3;
 constexpr double kUniformShareInjected = 0.3;
 constexpr double kUniformShareRefined = 0.1;
-constexpr int kRefinements = 2;      // samples drawn again from the modes of the one before
-constexpr std::size_t kBlock = 512;  // particles scored by one task
+constexpr int kRefinements = 2;  // samples drawn again from the modes of the one before
 
 /// In the middle of the map, where single precision is best.
 Vector2d originOf(const LandmarkTable& map, const PoseRegion& region)
@@ -28,12 +27,6 @@ Vector2d originOf(const LandmarkTable& map, const PoseRegion& region)
   if (map.empty()) return region.low + region.extent() / 2;
   const auto [low, high] = map.boundingBox();
   return (low + high) / 2;
-}
-
-bool mayShowAny(const Detection& detection, const LandmarkTable& map)
-{
-  return std::any_of(map.all().begin(), map.all().end(),
-                     [&](const Landmark& landmark) { return mayShow(detection, landmark); });
 }
 
 /// Symmetric square root; directions without spread are allowed.
@@ -161,14 +154,12 @@ void ParticleFilter::scoreReading(const Reading& reading)
 {
   const LandmarkClutter clutter =
       options_.learn_reliability ? reliability_.clutter(reading.model.clutter_probability) : LandmarkClutter{};
+  const ReadingScorer scorer(reading, map_, clutter, particles_.origin);
   const PoseBatch all = particles_.poses();
   const std::span<float> out = particles_.log_weight;
-  const auto score_block = [&](std::size_t first, std::size_t count)
-  { addLogLikelihood(reading, map_, clutter, all.block(first, count), out.subspan(first, count)); };
-  if (options_.threads <= 1) return score_block(0, all.size());
-  tbb::parallel_for(std::size_t{0}, (all.size() + kBlock - 1) / kBlock,
-                    [&](std::size_t block)
-                    { score_block(block * kBlock, std::min(kBlock, all.size() - block * kBlock)); });
+  forEachBlock(particles_.size(), options_.threads,
+               [&](std::size_t first, std::size_t count)
+               { scorer.addTo(all.block(first, count), out.subspan(first, count)); });
 }
 
 void ParticleFilter::checkAgreement(const Frame& frame, bool learn)

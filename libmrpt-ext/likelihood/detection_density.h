@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "mrpt_ext/geometry/landmark_table.h"
 #include "mrpt_ext/geometry/measurement.h"
 #include "mrpt_ext/likelihood/landmark_prediction.h"
@@ -12,6 +14,13 @@ namespace mrpt_ext
 {
   if (detection.id != kNoId) return detection.id == landmark.id;
   return detection.category.empty() || detection.category == landmark.category;
+}
+
+/// True when some landmark of the map may have given the detection.
+[[nodiscard]] inline bool mayShowAny(const Detection& detection, const LandmarkTable& map)
+{
+  return std::any_of(map.all().begin(), map.all().end(),
+                     [&](const Landmark& landmark) { return mayShow(detection, landmark); });
 }
 
 /// Natural logarithm of N(z; h, R) over the measured components (bearing, range or both, taken as independent).

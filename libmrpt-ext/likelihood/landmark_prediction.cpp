@@ -2,22 +2,18 @@
 
 #include <algorithm>
 
+#include "mrpt_ext/likelihood/view_limits.h"
+
 namespace mrpt_ext
 {
 namespace
 {
-constexpr double kRangeRamp = 0.05;             // share of the range limit
-constexpr double kBearingRamp = degToRad(2.0);  // beyond each rim of the field of view
-constexpr double kMinDistance = 1e-6;           // [m] a bearing to a landmark at the sensor itself has no direction
+constexpr double kMinDistance = 1e-6;  // [m] a bearing to a landmark at the sensor itself has no direction
 
-double reportChance(const SensorModel& model, double bearing, double range)
+double reportChance(const ViewLimits& limits, double bearing, double range)
 {
-  double chance = 1;
-  if (model.max_range)
-    chance *= std::clamp((*model.max_range * (1 + kRangeRamp) - range) / (2 * kRangeRamp * *model.max_range), 0.0, 1.0);
-  if (model.has_field_of_view && model.field_of_view < kTwoPi)
-    chance *= std::clamp((model.field_of_view / 2 + kBearingRamp - std::abs(bearing)) / (2 * kBearingRamp), 0.0, 1.0);
-  return chance;
+  return std::clamp(limits.range_offset - limits.range_slope * range, 0.0, 1.0) *
+         std::clamp(limits.bearing_offset - limits.bearing_slope * std::abs(bearing), 0.0, 1.0);
 }
 }  // namespace
 
@@ -32,7 +28,7 @@ LandmarkPrediction predict(const Landmark& landmark, const Reading& reading, con
   LandmarkPrediction prediction;
   prediction.bearing = wrap(std::atan2(dy, dx) - sensor.phi);
   prediction.range = dz == 0 ? horizontal : std::sqrt(horizontal2 + dz * dz);
-  prediction.chance = reportChance(reading.model, prediction.bearing, prediction.range);
+  prediction.chance = reportChance(ViewLimits(reading.model), prediction.bearing, prediction.range);
 
   const double ux = dx / horizontal, uy = dy / horizontal;  // line of sight in the world
   Matrix2d position_covariance = landmark.stddev.cwiseAbs2().asDiagonal();

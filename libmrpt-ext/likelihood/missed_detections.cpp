@@ -8,12 +8,6 @@ namespace
 {
 constexpr double kSurprise = 0.01;  // share of the uniform part: visibility is never known better than this
 
-double logReported(double probability, bool reported)
-{
-  const double p = kSurprise / 2 + (1 - kSurprise) * probability;
-  return std::log(reported ? p : 1 - p);
-}
-
 bool isReported(const Reading& reading, const Landmark& landmark)
 {
   return std::any_of(reading.detections.begin(), reading.detections.end(),
@@ -26,29 +20,49 @@ double logIdentified(const Reading& reading, const LandmarkTable& map, std::span
   double log_probability = 0;
   for (std::size_t j = 0; j < map.size(); ++j)
     if (map[j].id != kNoId || reading.detections.empty())  // where nothing is seen, nameless ones are missed too
-      log_probability += logReported(detection_probability * predictions[j].chance, isReported(reading, map[j]));
+      log_probability +=
+          std::log(reportProbability(detection_probability * predictions[j].chance, isReported(reading, map[j])));
   return log_probability;
 }
 
 double logCount(const Reading& reading, std::span<const LandmarkPrediction> predictions)
 {
   const double detection_probability = *reading.model.detection_probability;
-  const double clutter = std::min(reading.model.clutter_probability, 0.99);
-  double mean = 0, variance = 0;
+  const CountModel model = countModel(reading, predictions.size());
+  double mean = model.expected_clutter, variance = model.extra_variance;
   for (const LandmarkPrediction& prediction : predictions)
   {
     const double p = detection_probability * prediction.chance;
     mean += p;
     variance += p * (1 - p);
   }
-  const double count = static_cast<double>(reading.detections.size());
-  const double expected_clutter = count * clutter;
-  mean += expected_clutter;
-  variance += expected_clutter + 0.25;  // the quarter stands for the rounding to whole counts
-  const double gaussian = std::exp(-0.5 * square(count - mean) / variance) / std::sqrt(kTwoPi * variance);
-  return std::log((1 - kSurprise) * gaussian + kSurprise / (1.0 + static_cast<double>(predictions.size())));
+  const double gaussian = std::exp(-0.5 * square(model.count - mean) / variance) / std::sqrt(kTwoPi * variance);
+  return std::log(model.gaussian_share * gaussian + model.uniform);
 }
 }  // namespace
+
+bool areIdentified(const Reading& reading)
+{
+  return std::all_of(reading.detections.begin(), reading.detections.end(),
+                     [](const Detection& detection) { return detection.id != kNoId; });
+}
+
+double reportProbability(double probability, bool reported)
+{
+  const double p = kSurprise / 2 + (1 - kSurprise) * probability;
+  return reported ? p : 1 - p;
+}
+
+CountModel countModel(const Reading& reading, std::size_t landmarks)
+{
+  const double count = static_cast<double>(reading.detections.size());
+  const double clutter = count * std::min(reading.model.clutter_probability, 0.99);
+  return {.count = count,
+          .expected_clutter = clutter,
+          .extra_variance = clutter + 0.25,  // the quarter stands for the rounding to whole counts
+          .gaussian_share = 1 - kSurprise,
+          .uniform = kSurprise / (1.0 + static_cast<double>(landmarks))};
+}
 
 bool scoresMissedDetections(const Reading& reading)
 {
@@ -58,8 +72,6 @@ bool scoresMissedDetections(const Reading& reading)
 double logMissedDetections(const Reading& reading, const LandmarkTable& map,
                            std::span<const LandmarkPrediction> predictions)
 {
-  const bool identified = std::all_of(reading.detections.begin(), reading.detections.end(),
-                                      [](const Detection& detection) { return detection.id != kNoId; });
-  return identified ? logIdentified(reading, map, predictions) : logCount(reading, predictions);
+  return areIdentified(reading) ? logIdentified(reading, map, predictions) : logCount(reading, predictions);
 }
 }  // namespace mrpt_ext

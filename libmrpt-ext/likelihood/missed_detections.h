@@ -20,4 +20,21 @@ namespace mrpt_ext
 /// themselves. `predictions` holds one entry per landmark of the map.
 [[nodiscard]] double logMissedDetections(const Reading& reading, const LandmarkTable& map,
                                          std::span<const LandmarkPrediction> predictions);
+
+/// True when every detection has an id, also when there is none.
+[[nodiscard]] bool areIdentified(const Reading& reading);
+
+/// Probability of what was reported of a landmark that is in view and detected with this probability.
+[[nodiscard]] double reportProbability(double probability, bool reported);
+
+/// What the likelihood of the number of unidentified detections has in common for all poses.
+struct CountModel
+{
+  double count = 0;             ///< detections
+  double expected_clutter = 0;  ///< of them
+  double extra_variance = 0;    ///< beside that of the landmarks: clutter and rounding
+  double gaussian_share = 1;    ///< of the mixture
+  double uniform = 0;           ///< the mixture's other part
+};
+[[nodiscard]] CountModel countModel(const Reading& reading, std::size_t landmarks);
 }  // namespace mrpt_ext

@@ -5,13 +5,12 @@
 #include "mrpt_ext/likelihood/detection_density.h"
 #include "mrpt_ext/likelihood/landmark_prediction.h"
 #include "mrpt_ext/likelihood/missed_detections.h"
+#include "mrpt_ext/likelihood/reading_scorer.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr double kMinClutter = 1e-9;  // keeps every log-likelihood finite
-
 /// All that does not depend on the pose, prepared once per reading.
 struct PreparedReading
 {
@@ -52,12 +51,6 @@ struct PreparedReading
         if (mayShow(detection, map[j])) list.push_back(place_of(j));
     }
   }
-
-  [[nodiscard]] double clutterOf(std::size_t landmark) const
-  {
-    const double value = clutter.empty() ? reading.model.clutter_probability : clutter[landmark];
-    return std::clamp(value, kMinClutter, 1.0);
-  }
 };
 
 /// The terms of p(z) = sum_j term_j + clutter_term for one detection and one pose.
@@ -86,7 +79,7 @@ MixtureTerms mixture(const PreparedReading& prepared, std::size_t d, const std::
     // An identified detection was reported, so it was in view, whatever the declared limits say.
     const double fallback = 1.0 / static_cast<double>(candidates.size());
     const double share = identified ? 1.0 : chance_sum > 0 ? prediction.chance / chance_sum : 0.0;
-    const double clutter = prepared.clutterOf(prepared.relevant[candidates[i]]);
+    const double clutter = clutterOf(prepared.clutter, prepared.reading.model, prepared.relevant[candidates[i]]);
     clutter_share += clutter * (chance_sum > 0 || identified ? share : fallback);
     if (share > 0) terms[i] = (1 - clutter) * share * std::exp(logDensity(detection, prediction));
     result.total += terms[i];
@@ -129,10 +122,7 @@ double logLikelihood(const Reading& reading, const LandmarkTable& map, const Pos
 void addLogLikelihood(const Reading& reading, const LandmarkTable& map, const LandmarkClutter& clutter,
                       const PoseBatch& robots, std::span<float> log_likelihood)
 {
-  const PreparedReading prepared(reading, map, clutter);
-  for (std::size_t i = 0; i < robots.size(); ++i)
-    log_likelihood[i] +=
-        static_cast<float>(logLikelihoodOf(prepared, robots[i], sensorBias(robots, i, reading.sensor)));
+  ReadingScorer(reading, map, clutter, robots.origin).addTo(robots, log_likelihood);
 }
 
 std::vector<std::vector<double>> associationProbabilities(const Reading& reading, const LandmarkTable& map,

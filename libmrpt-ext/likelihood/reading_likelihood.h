@@ -5,15 +5,12 @@
 
 #include "mrpt_ext/geometry/landmark_table.h"
 #include "mrpt_ext/geometry/measurement.h"
+#include "mrpt_ext/likelihood/landmark_clutter.h"
 #include "mrpt_ext/likelihood/pose_batch.h"
 #include "mrpt_ext/likelihood/sensor_bias.h"
 
 namespace mrpt_ext
 {
-/// Clutter probability per landmark of the map, in the order of the table; empty: the sensor's own value for all.
-/// Lets a filter trust a lying beacon less than its neighbours.
-using LandmarkClutter = std::vector<double>;
-
 /// Log-likelihood of a reading for one robot pose, normalised over the measurement space and always finite.
 ///
 /// Per detection p(z) = (1 - e) sum_j s_j N(z; h_j, R_j) + e / V, with e the clutter probability, V the volume of the
@@ -25,7 +22,8 @@ using LandmarkClutter = std::vector<double>;
 [[nodiscard]] double logLikelihood(const Reading& reading, const LandmarkTable& map, const Pose2& robot,
                                    const LandmarkClutter& clutter = {}, const SensorBias& bias = {});
 
-/// The same for many robot poses in one call: adds the log-likelihood of pose i to log_likelihood[i].
+/// The same for many robot poses in one call, in single precision (see ReadingScorer): adds the log-likelihood of pose
+/// i to log_likelihood[i].
 void addLogLikelihood(const Reading& reading, const LandmarkTable& map, const LandmarkClutter& clutter,
                       const PoseBatch& robots, std::span<float> log_likelihood);
 

@@ -1,0 +1,211 @@
+#include "mrpt_ext/likelihood/density_kernels.h"
+
+#include "mrpt_ext/geometry/vector_clones.h"
+#include "mrpt_ext/likelihood/tile_geometry.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+using namespace tile_geometry;
+constexpr std::size_t kSize = SensorTile::kSize;
+constexpr float kLn2 = 0.693147181F;
+
+/// Exponent to base 2 of the Gaussian of sharp sighting `at` for robot i.
+template <bool Bearing, bool Range>
+[[gnu::always_inline]] inline float sharpExponent(const SensorTile& tile, std::size_t i, const Sighting& at)
+{
+  const Offset to = offsetTo(at.landmark_x, at.landmark_y, tile.x[i], tile.y[i]);
+  float exponent = 0;
+  if constexpr (Bearing)
+    exponent = at.bearing_factor * sharpBearingError2(to, at.ray_x, at.ray_y, tile.told_cosine[i], tile.told_sine[i]);
+  if constexpr (Range)
+  {
+    const float told = tile.range_scale[i] * std::sqrt(to.distance2 + at.rise2) + tile.range_shift[i];
+    const float error = at.range - told;
+    exponent += at.range_factor * error * error;
+  }
+  return exponent;
+}
+
+/// Applies a loop over the tile to the sightings, at most `together` (8, 4 or 1) at a time.
+template <class Loop, bool Bearing, bool Range>
+[[gnu::always_inline]] inline void inGroups(const SensorTile& tile, std::span<const Sighting> sightings, int together,
+                                            float* out)
+{
+  std::size_t d = 0;
+  for (; together >= 8 && d + 8 <= sightings.size(); d += 8)
+    Loop::template over<8, Bearing, Range>(tile, &sightings[d], out);
+  for (; together >= 4 && d + 4 <= sightings.size(); d += 4)
+    Loop::template over<4, Bearing, Range>(tile, &sightings[d], out);
+  for (; together >= 4 && d + 2 <= sightings.size(); d += 2)
+    Loop::template over<2, Bearing, Range>(tile, &sightings[d], out);
+  for (; d < sightings.size(); ++d) Loop::template over<1, Bearing, Range>(tile, &sightings[d], out);
+}
+
+template <class Loop>
+[[gnu::always_inline]] inline void ofKind(SightingKind kind, const SensorTile& tile,
+                                          std::span<const Sighting> sightings, int together, float* out)
+{
+  if (kind.bearing && kind.range)
+    inGroups<Loop, true, true>(tile, sightings, together, out);
+  else if (kind.bearing)
+    inGroups<Loop, true, false>(tile, sightings, together, out);
+  else
+    inGroups<Loop, false, true>(tile, sightings, together, out);
+}
+
+struct LogMixtures
+{
+  template <int Count, bool Bearing, bool Range>
+  [[gnu::always_inline]] static void over(const SensorTile& tile, const Sighting* at, float* log_sum)
+  {
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < kSize; ++i)
+    {
+      float product = 1;
+      for (int k = 0; k < Count; ++k)
+        product *= at[k].gauss * vector_math::exp2Of(sharpExponent<Bearing, Range>(tile, i, at[k])) + at[k].floor;
+      log_sum[i] += vector_math::logOf(product);
+    }
+  }
+};
+
+struct LogGaussians
+{
+  template <int Count, bool Bearing, bool Range>
+  [[gnu::always_inline]] static void over(const SensorTile& tile, const Sighting* at, float* log_sum)
+  {
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < kSize; ++i)
+    {
+      float sum = 0;
+      for (int k = 0; k < Count; ++k) sum += sharpExponent<Bearing, Range>(tile, i, at[k]);
+      log_sum[i] += kLn2 * sum;
+    }
+  }
+};
+
+struct Densities
+{
+  template <int Count, bool Bearing, bool Range>
+  [[gnu::always_inline]] static void over(const SensorTile& tile, const Sighting* at, float* sum)
+  {
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < kSize; ++i)
+    {
+      float more = 0;
+      for (int k = 0; k < Count; ++k)
+        more += at[k].gauss * vector_math::exp2Of(sharpExponent<Bearing, Range>(tile, i, at[k]));
+      sum[i] += more;
+    }
+  }
+};
+
+struct CarriedCovariance
+{
+  float xx, xy, yy;
+};
+
+template <bool Bearing, bool Range, bool LimitsBearing>
+[[gnu::always_inline]] inline void broadDensity(const SensorTile& tile, const Sighting& at,
+                                                const CarriedCovariance& carried, const TileLimits& limits, float* sum)
+{
+  constexpr float kInvRootTwoPi = 0.398942280F, kHalfLog2E = -0.721347520F;
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < kSize; ++i)
+  {
+    const Offset to = offsetTo(at.landmark_x, at.landmark_y, tile.x[i], tile.y[i]);
+    const float c = tile.cosine[i], s = tile.sine[i];
+    const float x = c * to.dx + s * to.dy, y = c * to.dy - s * to.dx;
+    const float slant2 = to.distance2 + at.rise2;
+    float exponent = 0, density = at.trust;
+    if constexpr (Bearing)
+    {
+      const float error = bearingError(to, at.ray_x, at.ray_y, tile.told_cosine[i], tile.told_sine[i]);
+      const float across = to.dy * to.dy * at.map_xx + to.dx * to.dx * at.map_yy + y * y * carried.xx -
+                           2.0F * x * y * carried.xy + x * x * carried.yy;
+      const float extra = (across > 0.0F ? across : 0.0F) / (to.distance2 * to.distance2);
+      const float inverse = 1.0F / (at.var_bearing + extra);
+      exponent = kHalfLog2E * error * error * inverse;
+      density *= kInvRootTwoPi * std::sqrt(inverse);
+    }
+    if constexpr (Range)
+    {
+      const float error = at.range - (tile.range_scale[i] * std::sqrt(slant2) + tile.range_shift[i]);
+      const float along = to.dx * to.dx * at.map_xx + to.dy * to.dy * at.map_yy + x * x * carried.xx +
+                          2.0F * x * y * carried.xy + y * y * carried.yy;
+      const float inverse = 1.0F / (at.var_range + (along > 0.0F ? along : 0.0F) / slant2);
+      exponent += kHalfLog2E * error * error * inverse;
+      density *= kInvRootTwoPi * std::sqrt(inverse);
+    }
+    sum[i] += density * chanceOf<LimitsBearing>(to, at.rise2, c, s, limits) * vector_math::exp2Of(exponent);
+  }
+}
+
+template <bool LimitsBearing>
+[[gnu::always_inline]] inline void broadDensities(const SensorTile& tile, std::span<const Sighting> sightings,
+                                                  SightingKind kind, const CarriedCovariance& carried,
+                                                  const TileLimits& limits, float* sum)
+{
+  for (const Sighting& at : sightings)
+    if (kind.bearing && kind.range)
+      broadDensity<true, true, LimitsBearing>(tile, at, carried, limits, sum);
+    else if (kind.bearing)
+      broadDensity<true, false, LimitsBearing>(tile, at, carried, limits, sum);
+    else
+      broadDensity<false, true, LimitsBearing>(tile, at, carried, limits, sum);
+}
+
+MRPT_EXT_VECTOR_CLONES
+void broadDensitiesEverywhere(const SensorTile& tile, std::span<const Sighting> sightings, SightingKind kind,
+                              const CarriedCovariance& carried, const TileLimits& limits, float* sum)
+{
+  broadDensities<false>(tile, sightings, kind, carried, limits, sum);
+}
+
+MRPT_EXT_VECTOR_CLONES
+void broadDensitiesInView(const SensorTile& tile, std::span<const Sighting> sightings, SightingKind kind,
+                          const CarriedCovariance& carried, const TileLimits& limits, float* sum)
+{
+  broadDensities<true>(tile, sightings, kind, carried, limits, sum);
+}
+}  // namespace
+
+MRPT_EXT_VECTOR_CLONES
+void addLogMixtures(const SensorTile& tile, std::span<const Sighting> sightings, SightingKind kind, int together,
+                    SensorTile::Column& log_sum)
+{
+  ofKind<LogMixtures>(kind, tile, sightings, together, log_sum);
+}
+
+MRPT_EXT_VECTOR_CLONES
+void addLogGaussians(const SensorTile& tile, std::span<const Sighting> sightings, SightingKind kind,
+                     SensorTile::Column& log_sum)
+{
+  ofKind<LogGaussians>(kind, tile, sightings, 8, log_sum);
+}
+
+MRPT_EXT_VECTOR_CLONES
+void addDensities(const SensorTile& tile, std::span<const Sighting> sightings, SightingKind kind,
+                  SensorTile::Column& sum)
+{
+  ofKind<Densities>(kind, tile, sightings, 4, sum);
+}
+
+void addBroadDensities(const SensorTile& tile, std::span<const Sighting> sightings, SightingKind kind,
+                       const Matrix2d& carried, const ViewLimits& limits, SensorTile::Column& sum)
+{
+  const CarriedCovariance covariance{static_cast<float>(carried(0, 0)), static_cast<float>(carried(0, 1)),
+                                     static_cast<float>(carried(1, 1))};
+  const auto add = limits.limitsBearing() ? broadDensitiesInView : broadDensitiesEverywhere;
+  add(tile, sightings, kind, covariance, TileLimits(limits), sum);
+}
+
+MRPT_EXT_VECTOR_CLONES
+void addLogOfSum(const SensorTile::Column& density, float floor, SensorTile::Column& log_sum)
+{
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < kSize; ++i) log_sum[i] += vector_math::logOf(density[i] + floor);
+}
+}  // namespace mrpt_ext

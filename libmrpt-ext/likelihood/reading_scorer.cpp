@@ -1,0 +1,126 @@
+#include "mrpt_ext/likelihood/reading_scorer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mrpt_ext/likelihood/detection_density.h"
+#include "mrpt_ext/likelihood/missed_detections.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr std::size_t kBlockTiles = 8;  // share one look at the map
+constexpr std::size_t kTile = SensorTile::kSize;
+
+bool isNamed(const Detection& detection) { return detection.id != kNoId; }
+}  // namespace
+
+struct ReadingScorer::BlockTerms
+{
+  std::vector<SensorTile> tiles = std::vector<SensorTile>(kBlockTiles);
+  std::optional<LandmarkWindow> window;
+  UnidentifiedScorer::Terms unidentified;
+  MissedScorer::Terms missed;
+};
+
+ReadingScorer::ReadingScorer(const Reading& reading, const LandmarkTable& map, const LandmarkClutter& clutter,
+                             const Vector2d& origin)
+    : reading_(reading),
+      map_(map),
+      clutter_(clutter),
+      frame_(reading, origin),
+      default_max_range_(defaultMaxRange(map)),
+      unidentified_(reading, map, clutter, frame_, default_max_range_)
+{
+  for (const Detection& detection : reading.detections)
+  {
+    const double volume = measurementVolume(detection, reading.model, default_max_range_);
+    const auto known = map.indexOf(detection.id);
+    if (known)
+      addIdentified(detection, *known, volume);
+    else if (isNamed(detection) || !mayShowAny(detection, map))
+      constant_ -= std::log(volume);  // it can only be clutter
+  }
+  if (scoresMissedDetections(reading)) missed_.emplace(reading, map, frame_);
+}
+
+void ReadingScorer::addIdentified(const Detection& detection, std::size_t landmark, double volume)
+{
+  const double clutter = clutterOf(clutter_, reading_.model, landmark);
+  const SightingKind kind = kindOf(detection, map_[landmark], frame_);
+  Sighting sighting = sightingOf(detection, map_[landmark], clutter, frame_);
+  double scale = 1;
+  if (kind.sharp)
+  {
+    // Both parts of the mixture at most 1, so that products of some stay in single precision.
+    scale = std::max(peakOf(detection, clutter), clutter / volume);
+    constant_ += std::log(scale);
+    sighting.gauss = static_cast<float>(peakOf(detection, clutter) / scale);
+  }
+  sighting.floor = static_cast<float>(clutter / volume / scale);
+  Group& group = groupOf(kind);
+  group.together = std::min(group.together, mayGoTogether(sighting.floor));
+  group.sightings.push_back(sighting);
+}
+
+ReadingScorer::Group& ReadingScorer::groupOf(const SightingKind& kind)
+{
+  const auto same = [&](const Group& group)
+  { return group.kind.bearing == kind.bearing && group.kind.range == kind.range && group.kind.sharp == kind.sharp; };
+  const auto found = std::find_if(groups_.begin(), groups_.end(), same);
+  return found != groups_.end() ? *found : groups_.emplace_back(Group{.kind = kind});
+}
+
+void ReadingScorer::addTo(const PoseBatch& robots, std::span<float> log_likelihood) const
+{
+  BlockTerms terms;
+  if (!unidentified_.empty() || missed_) terms.window.emplace(map_, frame_);
+  for (std::size_t first = 0; first < robots.size(); first += kBlockTiles * kTile)
+    scoreBlock(robots, first, std::min(kBlockTiles * kTile, robots.size() - first), terms, log_likelihood);
+}
+
+void ReadingScorer::scoreBlock(const PoseBatch& robots, std::size_t first, std::size_t count, BlockTerms& terms,
+                               std::span<float> log_likelihood) const
+{
+  const std::size_t tiles = (count + kTile - 1) / kTile;
+  for (std::size_t t = 0; t < tiles; ++t)
+    fillTile(terms.tiles[t], robots, first + t * kTile, std::min(kTile, count - t * kTile), reading_);
+  if (terms.window)
+  {
+    terms.window->look(boundsOf(std::span(terms.tiles).first(tiles)), ViewLimits(reading_.model));
+    unidentified_.prepare(*terms.window, terms.unidentified);
+    if (missed_) missed_->prepare(*terms.window, terms.missed);
+  }
+  for (std::size_t t = 0; t < tiles; ++t)
+  {
+    alignas(64) SensorTile::Column log_sum;
+    std::fill_n(log_sum, kTile, static_cast<float>(constant_));
+    scoreTile(terms.tiles[t], terms, log_sum);
+    const std::size_t begin = first + t * kTile, in_tile = std::min(kTile, count - t * kTile);
+    for (std::size_t i = 0; i < in_tile; ++i) log_likelihood[begin + i] += log_sum[i];
+  }
+}
+
+void ReadingScorer::scoreTile(const SensorTile& tile, const BlockTerms& terms, SensorTile::Column& log_sum) const
+{
+  alignas(64) SensorTile::Column density;
+  for (const Group& group : groups_)
+  {
+    if (group.kind.sharp)
+    {
+      addLogMixtures(tile, group.sightings, group.kind, group.together, log_sum);
+      continue;
+    }
+    for (const Sighting& sighting : group.sightings)
+    {
+      std::fill_n(density, kTile, 0.0F);
+      // An identified detection was reported, so it was in view, whatever the declared limits say.
+      addBroadDensities(tile, {&sighting, 1}, group.kind, frame_.carried_covariance, ViewLimits(), density);
+      addLogOfSum(density, sighting.floor, log_sum);
+    }
+  }
+  unidentified_.addTo(tile, terms.unidentified, log_sum);
+  if (missed_) missed_->addTo(tile, terms.missed, log_sum);
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+
+#include "mrpt_ext/geometry/measurement.h"
+#include "mrpt_ext/likelihood/pose_batch.h"
+
+namespace mrpt_ext
+{
+/// One sensor on kSize robots: what the likelihood of any of its detections needs of each robot, as columns in single
+/// precision that stay in the first-level cache. All loops run over whole tiles; what is left over of the last one
+/// repeats its last robot.
+struct alignas(64) SensorTile
+{
+  static constexpr std::size_t kSize = 128;
+  using Column = float[kSize];
+
+  Column x, y;                      ///< [m] sensor position from the origin of the batch
+  Column cosine, sine;              ///< of the sensor's heading
+  Column told_cosine, told_sine;    ///< of the heading that bearings are told from: turned by the bearing's offset
+  Column range_scale{}, range_shift{};  ///< measured range = scale * true range + shift
+};
+
+/// Fills the tile from the `count` (1 to kSize) robots of the batch from `first` on. The range columns are left as they
+/// are when the reading has no range.
+void fillTile(SensorTile& tile, const PoseBatch& robots, std::size_t first, std::size_t count, const Reading& reading);
+}  // namespace mrpt_ext

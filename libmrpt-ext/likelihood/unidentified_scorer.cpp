@@ -1,0 +1,130 @@
+#include "mrpt_ext/likelihood/unidentified_scorer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mrpt_ext/geometry/vector_clones.h"
+#include "mrpt_ext/likelihood/density_kernels.h"
+#include "mrpt_ext/likelihood/detection_density.h"
+#include "mrpt_ext/likelihood/vector_math.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+/// log_sum += ln of the mixture: each landmark's part weighted by its chance, together 1. Where none can be in view,
+/// the detection is clutter.
+MRPT_EXT_VECTOR_CLONES
+void addLogOfShares(const SensorTile::Column& density, const SensorTile::Column& chance,
+                    const SensorTile::Column& clutter, float clutter_density, float clutter_out_of_view,
+                    SensorTile::Column& log_sum)
+{
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < SensorTile::kSize; ++i)
+  {
+    const bool seen = chance[i] > 0.0F;
+    const float inverse = 1.0F / (seen ? chance[i] : 1.0F);
+    const float mixture = (density[i] + clutter[i] * clutter_density) * inverse;
+    log_sum[i] += vector_math::logOf(seen ? mixture : clutter_out_of_view * clutter_density);
+  }
+}
+
+}  // namespace
+
+UnidentifiedScorer::UnidentifiedScorer(const Reading& reading, const LandmarkTable& map, const LandmarkClutter& clutter,
+                                       const SightingFrame& frame, double default_max_range)
+    : reading_(reading), map_(map), clutter_(clutter), frame_(frame), limits_(reading.model)
+{
+  for (const Detection& detection : reading.detections)
+  {
+    if (detection.id != kNoId) continue;
+    const std::size_t set = setOf(detection);
+    if (sets_[set].landmarks.empty()) continue;  // nothing in the map can explain it: a constant
+    const double volume = measurementVolume(detection, reading.model, default_max_range);
+    const double least_floor = sets_[set].least_clutter / volume;
+    const double cut = std::sqrt(2 * std::log(std::max(1.0, peakOf(detection, 0) / (kNeglected * least_floor))));
+    detections_.push_back({&detection, set, static_cast<float>(1 / volume), cut});
+  }
+}
+
+std::size_t UnidentifiedScorer::setOf(const Detection& detection)
+{
+  for (std::size_t k = 0; k < sets_.size(); ++k)
+    if (sets_[k].category == detection.category) return k;
+  CandidateSet set{.category = detection.category};
+  for (std::size_t j = 0; j < map_.size(); ++j)
+  {
+    if (!mayShow(detection, map_[j])) continue;
+    const double clutter = clutterOf(clutter_, reading_.model, j);
+    set.landmarks.push_back(static_cast<std::uint32_t>(j));
+    set.mean_clutter += clutter;
+    set.least_clutter = std::min(set.least_clutter, clutter);
+  }
+  set.mean_clutter /= std::max(1.0, static_cast<double>(set.landmarks.size()));
+  sets_.push_back(std::move(set));
+  return sets_.size() - 1;
+}
+
+void UnidentifiedScorer::prepare(const LandmarkWindow& window, Terms& terms) const
+{
+  terms.sets.resize(sets_.size());
+  for (std::size_t k = 0; k < sets_.size(); ++k)
+  {
+    terms.sets[k].rim.clear();
+    double chance = 0, clutter = 0;
+    for (const std::uint32_t j : sets_[k].landmarks)
+    {
+      const InView in_view = window.inView()[j];
+      if (in_view == InView::no) continue;
+      const double own = clutterOf(clutter_, reading_.model, j);
+      if (in_view == InView::some) terms.sets[k].rim.push_back(viewedLandmark(map_[j], frame_, own));
+      if (in_view != InView::surely) continue;
+      chance += 1;
+      clutter += own;
+    }
+    terms.sets[k].sure_chance = static_cast<float>(chance);
+    terms.sets[k].sure_clutter = static_cast<float>(clutter);
+  }
+  terms.sums.resize(detections_.size());
+  for (std::size_t d = 0; d < detections_.size(); ++d)
+  {
+    const Unidentified& unidentified = detections_[d];
+    auto& [sharp, broad] = terms.sums[d];
+    sharp.clear();
+    broad.clear();
+    terms.near.clear();
+    window.findNear(*unidentified.detection, unidentified.cut, sets_[unidentified.set].landmarks, terms.near);
+    for (const std::uint32_t j : terms.near)
+    {
+      const Sighting sighting =
+          sightingOf(*unidentified.detection, map_[j], clutterOf(clutter_, reading_.model, j), frame_);
+      const bool simple =
+          window.inView()[j] == InView::surely && kindOf(*unidentified.detection, map_[j], frame_).sharp;
+      (simple ? sharp : broad).push_back(sighting);
+    }
+  }
+}
+
+void UnidentifiedScorer::addTo(const SensorTile& tile, const Terms& terms, SensorTile::Column& log_sum) const
+{
+  alignas(64) SensorTile::Column chance, clutter, density;
+  std::size_t summed_set = sets_.size();
+  for (std::size_t d = 0; d < detections_.size(); ++d)
+  {
+    const Unidentified& unidentified = detections_[d];
+    if (unidentified.set != summed_set)
+    {
+      summed_set = unidentified.set;
+      std::fill_n(chance, SensorTile::kSize, terms.sets[summed_set].sure_chance);
+      std::fill_n(clutter, SensorTile::kSize, terms.sets[summed_set].sure_clutter);
+      addChances(tile, terms.sets[summed_set].rim, limits_, chance, clutter);
+    }
+    const SightingKind kind{unidentified.detection->bearing.has_value(), unidentified.detection->range.has_value()};
+    std::fill_n(density, SensorTile::kSize, 0.0F);
+    addDensities(tile, terms.sums[d].sharp, kind, density);
+    addBroadDensities(tile, terms.sums[d].broad, kind, frame_.carried_covariance, limits_, density);
+    addLogOfShares(density, chance, clutter, unidentified.clutter_density,
+                   static_cast<float>(sets_[summed_set].mean_clutter), log_sum);
+  }
+}
+}  // namespace mrpt_ext
