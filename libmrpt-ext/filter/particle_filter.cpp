@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mrpt_ext/filter/gaussian_redraw.h"
 #include "mrpt_ext/filter/particle_bias.h"
 #include "mrpt_ext/filter/particle_blocks.h"
 #include "mrpt_ext/likelihood/compass_likelihood.h"
@@ -19,7 +20,9 @@ constexpr double kSeedInflation = 2.0;  // a proposal wider than the posterior i
 constexpr double kUniformShareStart = 0.3;
 constexpr double kUniformShareInjected = 0.3;
 constexpr double kUniformShareRefined = 0.1;
-constexpr int kRefinements = 2;  // samples drawn again from the modes of the one before
+constexpr int kRefinements = 2;             // samples drawn again from the modes of the one before
+constexpr std::size_t kMostRedrawn = 4000;  // more particles than that survive a sharp measurement anyway
+constexpr double kPlaceGate = 6;            // standard deviations around a place within which its particles lie
 
 /// In the middle of the map, where single precision is best.
 Vector2d originOf(const LandmarkTable& map, const PoseRegion& region)
@@ -46,7 +49,9 @@ ParticleFilter::ParticleFilter(const ParticleFilterOptions& options, const Landm
       particles_(originOf(map, options.region), options.biases),
       reliability_(map.size(), options.reliability_prior_strength, options.max_clutter),
       monitor_(options.recovery),
-      trust_(trustOptions(options.recovery))
+      trust_(trustOptions(options.recovery)),
+      surprise_(surpriseOptions(options.recovery)),
+      companions_(options.motion, options.biases)
 {
 }
 
@@ -57,14 +62,7 @@ FilterStep ParticleFilter::process(const Frame& frame, const Proposer& propose)
   if (particles_.empty())
     settled = start(frame, propose);
   else
-  {
-    moveParticles(particles_, options_.motion, frame.motion, random_);
-    walkBiases(particles_, frame.motion.duration, random_);
-    since_injection_ += frame.motion.duration;
-    step.reseeded = monitor_.suspicious() && since_injection_ >= options_.recovery.min_interval;
-    if (step.reseeded) inject(propose);
-    score(frame);
-  }
+    track(frame, propose, step);
   normalizeWeights(particles_);
   step.effective_ratio = effectiveSampleRatio(particles_);
   step.modes = findModes(particles_, options_.modes);
@@ -75,6 +73,7 @@ FilterStep ParticleFilter::process(const Frame& frame, const Proposer& propose)
     particles_.clear();
     return step;
   }
+  if (options_.companions) companions_.follow(step.modes, particles_);
   checkAgreement(frame, isOnePlace(step.modes, options_.verdict) && !monitor_.suspicious());
   step.explained_share = monitor_.average();
   const VerdictWithReason verdict = judgeStep(step);
@@ -85,7 +84,54 @@ FilterStep ParticleFilter::process(const Frame& frame, const Proposer& propose)
   const bool too_many = !options_.adaptive_size && particles_.size() > wanted;
   if (step.effective_ratio < options_.resample_below || too_many) resample(step.modes, wanted);
   step.particles = particles_.size();
+  modes_.modes = step.modes.modes;
   return step;
+}
+
+void ParticleFilter::track(const Frame& frame, const Proposer& propose, FilterStep& step)
+{
+  step.reseeded = monitor_.suspicious() && since_injection_ + frame.motion.duration >= options_.recovery.min_interval;
+  if (step.reseeded && options_.companions) companions_.watch(modes_.modes.front(), particles_);
+  const bool settled = isOnePlace(modes_, options_.verdict) && !monitor_.suspicious();
+  moveParticles(particles_, options_.motion, frame.motion, random_);
+  walkBiases(particles_, frame.motion.duration, random_);
+  since_injection_ += frame.motion.duration;
+  if (step.reseeded) inject(propose);
+  companions_.accompany(particles_, frame, map_);
+  const std::optional<KalmanState> prior = settled ? priorOfOnePlace(frame) : std::nullopt;
+  score(frame);
+  companions_.divideWeight(particles_);
+  if (prior) redrawIfFew(*prior, frame);
+  const auto revived =
+      static_cast<std::size_t>(std::ceil(options_.recovery.injected_share * static_cast<double>(options_.particles)));
+  normalizeWeights(particles_);
+  step.revived = companions_.revive(particles_, revived, random_);
+}
+
+std::optional<KalmanState> ParticleFilter::priorOfOnePlace(const Frame& frame) const
+{
+  if (particles_.size() > kMostRedrawn || !companions_.empty()) return std::nullopt;
+  const KalmanState around = predict(startingState(modes_.modes.front().pose, particles_.bias_states),
+                                     particles_.bias_states, options_.motion, frame.motion);
+  const PoseGate gate(around, kPlaceGate);
+  return momentsOf(particles_, [&](std::size_t i) { return gate.contains(particles_, i); });
+}
+
+void ParticleFilter::redrawIfFew(const KalmanState& prior, const Frame& frame)
+{
+  const auto effective = [&] { return effectiveSampleRatio(particles_) * static_cast<double>(particles_.size()); };
+  normalizeWeights(particles_);
+  const double before = effective();
+  if (before > static_cast<double>(options_.redraw_below) ||
+      before > options_.resample_below * static_cast<double>(particles_.size()))
+    return;
+  const KalmanUpdate update = updateIterated(prior, frame, map_, particles_.bias_states);
+  if (update.degrees_of_freedom == 0) return;
+  ParticleSet moved = std::move(particles_);
+  particles_ = redrawn(moved, prior, update.state, moved.size(), random_);
+  score(frame);
+  normalizeWeights(particles_);
+  if (effective() < before) particles_ = std::move(moved);
 }
 
 bool ParticleFilter::start(const Frame& frame, const Proposer& propose)
@@ -184,12 +230,14 @@ void ParticleFilter::checkAgreement(const Frame& frame, bool learn)
   const auto count = static_cast<double>(detections);
   monitor_.observe(explained / count, expected / count, detections);
   trust_.observe(explained / count, promised / count, detections);
+  surprise_.observe(explained / count, promised / count, detections);
 }
 
 VerdictWithReason ParticleFilter::judgeStep(const FilterStep& step) const
 {
   const double effective = step.effective_ratio * static_cast<double>(particles_.size());
-  const double share = monitor_.suspicious() ? monitor_.average() : trust_.average();
+  const bool surprised = surprise_.suspicious() || monitor_.suspicious();
+  const double share = surprised ? std::min(surprise_.average(), monitor_.average()) : trust_.average();
   return judge(step.modes, {share, monitor_.lost(), effective}, options_.verdict);
 }
 

@@ -10,6 +10,7 @@
 #include "mrpt_ext/filter/kernel_smoothing.h"
 #include "mrpt_ext/filter/kld_size.h"
 #include "mrpt_ext/filter/landmark_reliability.h"
+#include "mrpt_ext/filter/mode_companions.h"
 #include "mrpt_ext/filter/modes.h"
 #include "mrpt_ext/filter/motion_model.h"
 #include "mrpt_ext/filter/particle_set.h"
@@ -47,6 +48,8 @@ struct ParticleFilterOptions
   ModeOptions modes;
   RecoveryOptions recovery;
   VerdictOptions verdict;
+  bool companions = true;          ///< Kalman filters divide the weight between compact modes
+  std::size_t redraw_below = 400;  ///< effective particles: fewer are drawn anew around an analytic posterior
   bool learn_reliability = true;
   double reliability_prior_strength = 30;            ///< detections
   double max_clutter = 0.7;                          ///< a landmark is never trusted less than this
@@ -61,6 +64,7 @@ struct FilterStep
   double effective_ratio = 1;  ///< after scoring, before resampling
   double explained_share = 1;  ///< of recent detections, relative to what is expected
   bool reseeded = false;       ///< seeds were injected
+  bool revived = false;        ///< a place that had lost its particles got some again
   std::size_t particles = 0;   ///< held after the step
   Verdict verdict = Verdict::ambiguous;
   std::string reason;
@@ -88,7 +92,11 @@ class ParticleFilter
   bool start(const Frame& frame, const Proposer& propose);
   bool startAtKnownPose(const Frame& frame);
   void inject(const Proposer& propose);
+  void track(const Frame& frame, const Proposer& propose, FilterStep& step);
   void score(const Frame& frame);
+  /// The moved particles as a Gaussian, where they are few and at one place.
+  [[nodiscard]] std::optional<KalmanState> priorOfOnePlace(const Frame& frame) const;
+  void redrawIfFew(const KalmanState& prior, const Frame& frame);
   void scoreReading(const Reading& reading);
   void checkAgreement(const Frame& frame, bool learn);
   [[nodiscard]] VerdictWithReason judgeStep(const FilterStep& step) const;
@@ -100,8 +108,11 @@ class ParticleFilter
   RandomStream random_;
   ParticleSet particles_;
   LandmarkReliability reliability_;
-  RecoveryMonitor monitor_;  // quick, against what is learned about the landmarks: tells when to look elsewhere
-  RecoveryMonitor trust_;    // slow, against what the configuration promises: tells when to claim `ok`
+  RecoveryMonitor monitor_;   // quick, against what is learned about the landmarks: tells when to look elsewhere
+  RecoveryMonitor trust_;     // slow, against what the configuration promises: tells when to claim `ok`
+  RecoveryMonitor surprise_;  // quickest: `ok` is not said in the face of it
+  ModeCompanions companions_;
+  ModeSet modes_;                                                     // of the last step
   double since_injection_ = std::numeric_limits<double>::infinity();  // [s]
 };
 }  // namespace mrpt_ext

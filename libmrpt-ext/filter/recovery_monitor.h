@@ -12,6 +12,7 @@ struct RecoveryOptions
   double lost_share = 0.3;        ///< below this the verdict is `lost`
   double memory_detections = 12;  ///< the average forgets over about this many detections
   double trust_memory = 60;       ///< [detections] the same for the average that `ok` rests on
+  double surprise_memory = 4;     ///< [detections] the same for the average that withholds `ok` at once
   double injected_share = 0.25;   ///< of the particle count, added per frame while suspicious
   double min_interval = 0.5;      ///< [s] between two injections, which are costly
   double prior_of_jump = 0.02;    ///< probability per injection, that the robot is somewhere else
@@ -21,6 +22,13 @@ struct RecoveryOptions
 [[nodiscard]] inline RecoveryOptions trustOptions(RecoveryOptions options)
 {
   options.memory_detections = options.trust_memory;
+  return options;
+}
+
+/// The same with the memory of the average that withholds `ok`.
+[[nodiscard]] inline RecoveryOptions surpriseOptions(RecoveryOptions options)
+{
+  options.memory_detections = options.surprise_memory;
   return options;
 }
 
