@@ -14,7 +14,9 @@ std::vector<Matrix3d> posteriorBound(const Pose2& start, const Matrix3d& prior, 
   {
     const Matrix3d F = composeJacobianFirst(pose, step.increment);
     const Matrix3d G = composeJacobianSecond(pose);
-    const Matrix3d Q = G * step.odometry_std.cwiseAbs2().asDiagonal() * G.transpose();
+    Matrix3d noise = step.odometry_covariance;
+    noise.diagonal() += step.odometry_std.cwiseAbs2();
+    const Matrix3d Q = G * noise * G.transpose();
     const Matrix3d predicted = Q + F * P * F.transpose();
     // (predicted^-1 + I)^-1 without inverting `predicted`: it may be close to singular along noise-free axes.
     P = (Matrix3d::Identity() + predicted * step.measurement_information).partialPivLu().solve(predicted);

@@ -12,6 +12,7 @@ struct BoundStep
   Pose2 increment;                                      ///< true motion in the body frame of the pose before
   Vector3d odometry_std{0, 0, 0};                       ///< of that increment [m, m, rad], body axes
   Matrix3d measurement_information = Matrix3d::Zero();  ///< sum J^T J / std^2 at the pose after the motion
+  Matrix3d odometry_covariance = Matrix3d::Zero();      ///< added to odometry_std: errors that belong together
 };
 
 /// Posterior Cramer-Rao bound of tracking along one fixed trajectory (Tichavsky, Muravchik, Nehorai 1998), in the

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <functional>
 
+#include "mrpt_ext/evaluation/method_comparison.h"
+
 namespace mrpt_ext
 {
 namespace
@@ -152,7 +154,9 @@ RunScore mergeScores(const std::vector<RunScore>& trials)
   merged.filter = mergeFilter(partsOf(trials, &RunScore::filter));
   merged.landmarks = mergeLandmarks(trials);
   const auto limits = partsOf(trials, &RunScore::limit);
-  merged.limit = {medianOf(limits, &LimitScore::position_rmse_m), medianOf(limits, &LimitScore::heading_rmse_deg)};
+  merged.limit = {medianOf(limits, &LimitScore::position_rmse_m), medianOf(limits, &LimitScore::heading_rmse_deg),
+                  limits.front()->why_none};
+  merged.comparisons = compareMethods(merged, trials);
   merged.cost = mergeCost(partsOf(trials, &RunScore::cost));
   std::vector<const RunScore*> whole;
   for (const RunScore& trial : trials) whole.push_back(&trial);

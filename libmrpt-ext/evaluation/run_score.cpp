@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mrpt_ext/evaluation/method_comparison.h"
 #include "mrpt_ext/evaluation/odometry_anchor.h"
 
 namespace mrpt_ext
@@ -132,6 +133,7 @@ void judgeMethods(RunScore& score, const RunContext& context, const RunRecord& r
     method.heading_error_deg = headingStatistics(method.errors, *count_from);
     if (judged && method.name == judged->name) trial.rmse = method.position_error_m.rmse;
   }
+  if (judged && count_from) score.comparisons = compareMethods(score, *count_from);
   if (judged && count_from) addConsistency(score.filter, *judged, context, record.odometry, *count_from);
 }
 }  // namespace

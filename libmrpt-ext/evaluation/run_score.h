@@ -50,6 +50,7 @@ struct LandmarkScore
 struct LimitScore
 {
   Figure position_rmse_m, heading_rmse_deg;
+  std::string why_none;  ///< of a robot that is tracked: why no bound can be given; empty where there is one
 };
 
 struct CostScore
@@ -69,6 +70,15 @@ struct TrialScore
   Figure converged_at_s;  ///< [s] since the start of the log
 };
 
+/// How a method compares with the judged one.
+struct MethodComparison
+{
+  std::string method, reference;
+  double rmse_ratio = 1;                 ///< of the position RMSE to the reference's, at the same stamps
+  double ratio_low = 1, ratio_high = 1;  ///< 95 % of resamples
+  Figure cost_ratio;                     ///< of the median times per step
+};
+
 /// A judged run: one trial, or several merged.
 struct RunScore
 {
@@ -77,6 +87,7 @@ struct RunScore
   FilterScore filter;
   std::map<std::string, LandmarkScore> landmarks;
   LimitScore limit;
+  std::vector<MethodComparison> comparisons;  ///< see method_comparison.h
   CostScore cost;
   ConvergenceLimits limits;  ///< that the errors were judged by
   Figure converged_at_s;

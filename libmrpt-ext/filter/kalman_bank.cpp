@@ -10,10 +10,15 @@ namespace
 {
 constexpr double kSeedInflation = 2.0;      // of the deviations of a proposal
 constexpr double kClearWeight = 0.9;        // of one place, or of all that are lost
+constexpr double kSharp = 0.5;              // of the deviations that the verdict `ok` allows
+constexpr double kPatience = 15;            // [s] after which filters start from what there is
 constexpr double kMinWeight = 1e-6;         // lighter hypotheses are dropped
 constexpr std::size_t kMinDetections = 12;  // a filter that started by itself has to agree with before it is trusted
 
 double logVolume(const Matrix3d& covariance) { return 0.5 * std::log(std::max(covariance.determinant(), 1e-30)); }
+
+/// So that a proposal's own readings, where they are the frame's, do not count for much twice.
+void widen(KalmanHypothesis& filter) { filter.state.covariance.topLeftCorner<3, 3>() *= square(kSeedInflation); }
 }  // namespace
 
 KalmanStep KalmanBank::process(const Frame& frame, const Proposer& propose)
@@ -48,15 +53,33 @@ KalmanHypotheses KalmanBank::filtersFor(const HypothesisSet& proposals) const
   for (const PoseHypothesis& proposal : proposals)
   {
     if (!isFinite(proposal.pose.mean) || !proposal.pose.covariance.allFinite()) continue;
-    GaussianPose wide = proposal.pose;
-    wide.covariance.diagonal() += options_.seed_min_std.cwiseAbs2();
-    wide.covariance *= square(kSeedInflation);
-    filters.push_back(filterAt(wide, proposal.log_score + logVolume(wide.covariance)));
+    GaussianPose pose = proposal.pose;
+    pose.covariance.diagonal() += options_.seed_min_std.cwiseAbs2();
+    filters.push_back(filterAt(pose, proposal.log_score + logVolume(pose.covariance)));
   }
   rank(filters);
   merge(filters);
   prune(filters, std::max<std::size_t>(options_.max_hypotheses, 2), kMinWeight);
   return filters;
+}
+
+bool KalmanBank::isSharp(const KalmanHypothesis& filter) const
+{
+  const Matrix3d C = filter.state.gaussianPose().covariance;
+  return C(0, 0) + C(1, 1) <= square(kSharp * options_.verdict.max_std_xy) &&
+         C(2, 2) <= square(kSharp * options_.verdict.max_std_phi);
+}
+
+bool KalmanBank::mayStart(const KalmanHypotheses& filters, bool complete) const
+{
+  if (filters.empty()) return false;
+  if (waited_ > kPatience) return true;
+  double sharp = 0;
+  for (const KalmanHypothesis& filter : filters)
+    if (isSharp(filter)) sharp += std::exp(filter.log_weight);
+  if (!(sharp > kClearWeight)) return false;
+  const bool clear = std::exp(filters.front().log_weight) > kClearWeight;
+  return options_.max_hypotheses > 1 || clear || complete;
 }
 
 void KalmanBank::start(const Frame& frame, const Proposer& propose)
@@ -70,13 +93,13 @@ void KalmanBank::start(const Frame& frame, const Proposer& propose)
   }
   const Proposal proposal = propose ? propose() : Proposal{};
   KalmanHypotheses filters = filtersFor(proposal.hypotheses);
-  if (filters.empty()) return;
-  const bool clear = std::exp(filters.front().log_weight) > kClearWeight;
-  if (options_.max_hypotheses == 1 && !clear && !proposal.complete) return;
+  waited_ += frame.motion.duration;
+  if (!mayStart(filters, proposal.complete)) return;
   prune(filters, options_.max_hypotheses, 0);
   for (KalmanHypothesis& filter : filters)
   {
     const double weight = filter.log_weight;
+    widen(filter);
     update(filter, updated(filter.state, frame), frame);
     filter.log_weight = weight;
   }
@@ -110,7 +133,10 @@ void KalmanBank::lookElsewhere(const Proposer& propose, KalmanStep& step)
   if (single && !hypotheses_.front().quick.lost()) return;
   since_restart_ = 0;
   KalmanHypotheses filters = filtersFor(propose ? propose().hypotheses : HypothesisSet{});
+  std::erase_if(filters, [this](const KalmanHypothesis& filter) { return !isSharp(filter); });
   if (filters.empty()) return;
+  rank(filters);
+  for (KalmanHypothesis& filter : filters) widen(filter);
   step.restarted = true;
   if (single)
   {

@@ -42,6 +42,9 @@ struct KalmanStep
 /// detections, new proposals enter with the prior probability of a jump. The estimate is the heaviest one, never a
 /// mean.
 ///
+/// A place that is hardly narrowed down has no Gaussian shape, and a linearised filter there soon believes too much:
+/// the bank waits until nine tenths of the weight are in places twice as sharp as the verdict `ok` asks, up to 15 s.
+///
 /// With one hypothesis only (an extended Kalman filter as everyone knows it) there is no second place to keep: the
 /// filter waits until one proposal has nine tenths of the weight or all readings of the window are there, starts from
 /// the best one, and starts again when it is lost.
@@ -60,6 +63,9 @@ class KalmanBank
   void start(const Frame& frame, const Proposer& propose);
   /// One filter per proposal that is worth it, weights normalised.
   [[nodiscard]] KalmanHypotheses filtersFor(const HypothesisSet& proposals) const;
+  /// True when it is narrow enough to be linearised: half the deviations that `ok` allows.
+  [[nodiscard]] bool isSharp(const KalmanHypothesis& filter) const;
+  [[nodiscard]] bool mayStart(const KalmanHypotheses& filters, bool complete) const;
   [[nodiscard]] KalmanHypothesis filterAt(const GaussianPose& pose, double log_weight) const;
   [[nodiscard]] KalmanUpdate updated(const KalmanState& state, const Frame& frame) const;
   void track(const Frame& frame, const Proposer& propose, KalmanStep& step);
@@ -69,6 +75,7 @@ class KalmanBank
   KalmanBankOptions options_;
   LandmarkTable map_;
   KalmanHypotheses hypotheses_;
+  double waited_ = 0;         // [s] for a start
   double since_restart_ = 0;  // [s]
 };
 }  // namespace mrpt_ext

@@ -9,6 +9,7 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kMinReportedWeight = 0.002;
+constexpr double kEqual = 0.99;  // of the weight of the best: as good as the best
 }  // namespace
 
 void KalmanLocalizer::remember(const Frame& frame)
@@ -40,6 +41,8 @@ Estimate KalmanLocalizer::process(const Frame& frame)
   if (estimate.candidates.empty()) return estimate;
   estimate.status = SolveStatus::ok;
   estimate.ambiguous = step_.verdict == Verdict::ambiguous;
+  if (estimate.candidates.size() > 1 && estimate.candidates[1].weight > kEqual * estimate.candidates[0].weight)
+    return estimate;  // it cannot rank them
   estimate.point = TrackPoint{.time = frame.time,
                               .pose = estimate.candidates.front().pose,
                               .modes = static_cast<int>(estimate.candidates.size()),

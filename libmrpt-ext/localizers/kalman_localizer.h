@@ -10,7 +10,8 @@
 namespace mrpt_ext
 {
 /// Kalman filters behind the common interface: extended_kalman_filter, iterated_kalman_filter and kalman_filter_bank
-/// differ by their options only.
+/// differ by their options only. The estimate is the heaviest hypothesis; none while the second is as heavy to within
+/// one per cent, since they cannot be ranked then.
 class KalmanLocalizer : public Localizer
 {
  public:

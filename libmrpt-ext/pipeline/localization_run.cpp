@@ -16,6 +16,7 @@
 #include "mrpt_ext/pipeline/interrupt.h"
 #include "mrpt_ext/pipeline/progress_line.h"
 #include "mrpt_ext/pipeline/run_text.h"
+#include "mrpt_ext/pipeline/tracking_bound.h"
 #include "mrpt_ext/pipeline/trial_pool.h"
 #include "mrpt_ext/pipeline/trial_runner.h"
 #include "mrpt_ext/pipeline/version.h"
@@ -67,6 +68,8 @@ class TrialBatch
     texts_.resize(scores_.size());
     if (input.config.frames.independent)
       bound_ = boundOfFrames(input.sequence.frames, input.context.map, input.context.truth, BoundOf::everything);
+    else
+      tracking_bound_ = trackingBound(input);
   }
 
   void run()
@@ -94,6 +97,13 @@ class TrialBatch
   [[nodiscard]] bool interrupted() const { return interrupted_; }
 
  private:
+  /// From the moment of convergence on, like the errors that it is compared with.
+  [[nodiscard]] LimitScore limitOf(const RunScore& score) const
+  {
+    if (!score.judged_method || !score.converged_at_s) return {.why_none = tracking_bound_.why_none};
+    return limitFrom(tracking_bound_, input_.context.start_time + *score.converged_at_s);
+  }
+
   void runOne(int trial, const std::atomic<bool>& stop, ProgressLine& line)
   {
     const auto place = static_cast<std::size_t>(trial - request_.first_trial);
@@ -105,7 +115,8 @@ class TrialBatch
     TrialOutcome outcome = runTrial({methods_, input_.sequence, input_.context.truth, stop, progress}, seed_, trial);
     outcome.record.peak_memory_mb = peakMemoryMegabytes();
     RunScore score = scoreRun(input_.context, outcome.record, input_.config.limits);
-    if (bound_) score.limit = {bound_->position_rmse, bound_->heading_rmse_deg};
+    if (bound_) score.limit = {bound_->position_rmse, bound_->heading_rmse_deg, {}};
+    if (!input_.config.frames.independent) score.limit = limitOf(score);
     const fs::path folder = request_.trial_folders ? folder_ / trialFolder(trial) : folder_;
     createFolder(folder);
     writeTrial(folder, input_.context, outcome.record, score);
@@ -126,6 +137,7 @@ class TrialBatch
   std::vector<std::optional<RunScore>> scores_;
   std::vector<std::string> texts_;
   std::optional<FrameBound> bound_;  // of frames that are solved one by one
+  TrackingBound tracking_bound_;     // of a robot that moves
   std::mutex mutex_;
   std::size_t done_ = 0;
   bool interrupted_ = false;

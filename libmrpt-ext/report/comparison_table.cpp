@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mrpt_ext/report/comparison_text.h"
 #include "mrpt_ext/report/figure_text.h"
 
 namespace mrpt_ext
@@ -74,6 +75,15 @@ std::string legend(const RunScore& score, const MethodScore* best)
   if (oracle) text += std::string(best ? "   " : "") + "o oracle: chose among its candidates with the truth";
   return text.empty() ? text : text + '\n';
 }
+
+/// What the table says in words.
+std::string conclusions(const RunScore& score)
+{
+  std::string text;
+  if (const std::string limit = limitText(score); !limit.empty()) text += wrapped("limit: " + limit);
+  for (const std::string& sentence : comparisonSentences(score)) text += wrapped(sentence);
+  return text.empty() ? text : '\n' + text;
+}
 }  // namespace
 
 std::string comparisonTable(const RunScore& score)
@@ -84,7 +94,7 @@ std::string comparisonTable(const RunScore& score)
   for (const MethodScore& method : score.methods) rows.push_back(rowOf(method, &method == best));
   std::string text = wrapped(outcomeText(score));
   if (score.interrupted) text += "Interrupted: the figures cover only what was finished.\n";
-  return text + '\n' + table(rows) + legend(score, best) + '\n' +
+  return text + '\n' + table(rows) + legend(score, best) + conclusions(score) + '\n' +
          wrapped(std::string("verdict: ") + toString(score.verdict) +
                  (score.verdict_reason.empty() ? "" : " (" + score.verdict_reason + ")"));
 }

@@ -1,5 +1,6 @@
 #include "mrpt_ext/report/html_page.h"
 
+#include "mrpt_ext/report/comparison_text.h"
 #include "mrpt_ext/report/figure_text.h"
 #include "mrpt_ext/report/html_charts.h"
 #include "mrpt_ext/report/html_tables.h"
@@ -60,7 +61,11 @@ std::string methodSection(const RunScore& score)
                                ? "Errors count from the convergence of " + escapeHtml(*score.judged_method) +
                                      " on; “whole run” counts everything. "
                                : "All estimates count. ";
-  return section("Methods side by side", methodTable(score),
+  std::string conclusions;
+  if (const std::string limit = limitText(score); !limit.empty()) conclusions += element("li", "", escapeHtml(limit));
+  for (const std::string& sentence : comparisonSentences(score)) conclusions += element("li", "", escapeHtml(sentence));
+  if (!conclusions.empty()) conclusions = element("ul", "", conclusions) + "\n";
+  return section("Methods side by side", methodTable(score) + conclusions,
                  from + "All methods are judged at the same stamps. A dash: the figure does not exist.");
 }
 
