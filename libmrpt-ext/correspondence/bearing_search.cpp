@@ -5,13 +5,14 @@
 #include <limits>
 #include <numeric>
 
+#include "mrpt_ext/correspondence/bearing_proposer.h"
 #include "mrpt_ext/correspondence/bearing_reading.h"
 #include "mrpt_ext/correspondence/expected_false_poses.h"
 #include "mrpt_ext/correspondence/match_evidence.h"
+#include "mrpt_ext/correspondence/panorama_choice.h"
+#include "mrpt_ext/correspondence/panorama_scan.h"
 #include "mrpt_ext/correspondence/pose_judge.h"
-#include "mrpt_ext/correspondence/pose_tightening.h"
 #include "mrpt_ext/correspondence/triple_cover.h"
-#include "mrpt_ext/correspondence/triple_round.h"
 
 namespace mrpt_ext
 {
@@ -21,36 +22,40 @@ constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 constexpr double kListMargin = 0.02;  // of the range limit
 constexpr int kLeastMatches = 4;      // three bearings are explained by every constellation
 constexpr std::size_t kJudgedAtOnce = 64;
-constexpr std::size_t kCapacity = 500000;  // proposals of one round that are kept
+constexpr std::size_t kBoxes = 4'000'000;  // of a scan that are kept
 constexpr std::size_t kMaxJudged = 5000;
-constexpr double kLargestFreedom = 0.5;   // of the range: how far a pose to be judged may be off
 constexpr double kChanceCompetes = 1e-3;  // expected false poses as good as the best
 constexpr double kNegligible = 1e-3;      // evidence relative to the best pose's
-constexpr double kAreaMargin = 0.5;       // [m] a triple's pose may lie outside though the refined one does not
-
-double rangeLimit(const SensorPlace& place) { return place.model.max_range.value_or(kUnlimited); }
 
 class SearchRun
 {
  public:
   SearchRun(const LandmarkIndex& map, std::span<const SensorPlace> places, const PoseSearchOptions& options,
-            std::vector<BearingReading> readings)
-      : map_(map), places_(places), options_(options), readings_(std::move(readings))
+            std::vector<BearingReading> readings, const BearingSearch& owner)
+      : map_(map),
+        places_(places),
+        options_(options),
+        readings_(std::move(readings)),
+        owner_(owner),
+        proposer_(map, places, options, readings_, owner)
   {
   }
 
-  PoseSearch run(const BearingSearch& owner)
+  PoseSearch run()
   {
-    prepareViews(owner);
     const std::vector<double> allowed = landmarksAllowed();
     mean_allowed_ = std::accumulate(allowed.begin(), allowed.end(), 0.0) / static_cast<double>(allowed.size());
     const std::vector<ReadingTriple> candidates =
         tripleCandidates(readings_, {allowed, ranges(), mapArea(), chanceMatches().chance});
     const int usable = static_cast<int>(readings_.size());
+    const std::shared_ptr<const PanoramaIndex> panoramas = choosePanoramasFor(candidates);
     for (int misses = expectedMisses();;)
     {
       floor_ = std::max(leastMatches(), usable - misses);
-      searchDownTo(candidates);
+      if (panoramas && usable - floor_ <= kMostPanoramaMisses)
+        scanDownTo(*panoramas);
+      else
+        searchDownTo(candidates);
       if (!result_.finished || floor_ <= leastNeeded()) break;
       if (overflowed_) result_.finished = false;
       if (overflowed_) break;
@@ -62,18 +67,6 @@ class SearchRun
 
  private:
   // ---- what is known beforehand
-
-  void prepareViews(const BearingSearch& owner)
-  {
-    for (std::size_t p = 0; p < places_.size(); ++p)
-    {
-      std::vector<BearingReading> own;
-      for (const BearingReading& r : readings_)
-        if (r.place == static_cast<int>(p)) own.push_back(r);
-      tables_.emplace_back(own, options_.gate);
-      lists_.push_back(own.empty() ? nullptr : owner.listsFor(rangeLimit(places_[p])));
-    }
-  }
 
   [[nodiscard]] double mapArea() const
   {
@@ -114,7 +107,7 @@ class SearchRun
   void searchDownTo(const std::vector<ReadingTriple>& candidates)
   {
     TripleCover cover(candidates);
-    pool_.clear();
+    proposer_.waiting().clear();
     const int usable = static_cast<int>(readings_.size());
     while (result_.finished && cover.tolerated() < usable - std::max(leastNeeded(), floor_) + spareRounds())
     {
@@ -127,107 +120,66 @@ class SearchRun
     judgeBest(std::numeric_limits<std::size_t>::max());
   }
 
+  /// The panoramas to count off, when that is cheaper than triples.
+  [[nodiscard]] std::shared_ptr<const PanoramaIndex> choosePanoramasFor(const std::vector<ReadingTriple>& candidates)
+  {
+    const int place = readings_.front().place;
+    const auto area = proposer_.areaOfSensor(place);
+    if (!area || candidates.empty()) return nullptr;
+    const auto cheapest = std::min_element(candidates.begin(), candidates.end(),
+                                           [](const auto& a, const auto& b) { return a.cost < b.cost; });
+    const double max_range = rangeLimit(places_[static_cast<std::size_t>(place)]);
+    const std::shared_ptr<const PanoramaIndex> built = owner_.builtPanoramas(*area, max_range);
+    const TripleEffort triples = proposer_.sampleEffort(*cheapest);
+    const auto plan = choosePanoramas(map_, *area, max_range, readings_, options_.gate, triples, expectedMisses() - 1,
+                                      built ? &built->plan() : nullptr);
+    if (!plan) return nullptr;
+    return built && built->plan().cell == plan->cell ? built : owner_.panoramasFor(*plan);
+  }
+
+  /// Proposes and judges every pose that matters and explains `floor_` readings, those that explain most first.
+  void scanDownTo(const PanoramaIndex& panoramas)
+  {
+    const int usable = static_cast<int>(readings_.size());
+    const PanoramaHits hits = scanPanoramas(panoramas, readings_, options_.gate, floor_, kBoxes);
+    ++result_.work.rounds;
+    result_.work.tested += panoramas.plan().cells();
+    overflowed_ = hits.floor > floor_;
+    floor_ = hits.floor;
+    tolerated_ = usable - floor_;
+    proposer_.waiting().clear();
+    for (int level = usable; level >= std::max(floor_, leastNeeded()); --level)
+    {
+      proposer_.proposeFrom(hits.by_explained[static_cast<std::size_t>(level)], panoramas, readings_.front().place,
+                            std::max(floor_, leastNeeded()));
+      judgeBest(std::numeric_limits<std::size_t>::max(), level);
+    }
+  }
+
   void propose(const ReadingTriple& triple)
   {
-    const int place = readings_[static_cast<std::size_t>(triple.reading[0])].place;
-    TripleRound round;
-    round.map = &map_;
-    round.readings = readings_;
-    round.triple = triple;
-    round.views = viewsFrom(place, triple);
-    round.max_range = rangeLimit(places_[static_cast<std::size_t>(place)]);
-    round.gate = options_.gate;
-    round.area = areaOfSensor(place);
-    round.max_tested = options_.max_tested - std::min(options_.max_tested, result_.work.tested);
     const int floor = std::max(leastNeeded(), floor_);
-    ProposalStore store(floor, kCapacity);
-    const TripleRound::Work work = round.run(store);
-    ++result_.work.rounds;
-    result_.work.tested += work.tested;
-    result_.finished = work.finished;
-    possible_ += static_cast<double>(work.possible);
-    overflowed_ = overflowed_ || store.floor() > floor;
-    if (store.floor() > floor) floor_ = store.floor();
-    merge(store.takeSorted(), place, round.views);
-  }
-
-  [[nodiscard]] std::vector<SieveView> viewsFrom(int place, const ReadingTriple& triple) const
-  {
-    const Pose2 T_tested_robot = inverse(places_[static_cast<std::size_t>(place)].T_robot_sensor);
-    std::vector<SieveView> views;
-    for (std::size_t p = 0; p < places_.size(); ++p)
-      if (lists_[p])
-      {
-        SieveView& view = views.emplace_back();
-        view.table = &tables_[p];
-        view.lists = lists_[p].get();
-        view.T_tested_sensor = compose(T_tested_robot, places_[p].T_robot_sensor);
-        if (static_cast<int>(p) == place) view.used = bitsOf(place, triple);
-      }
-    return views;
-  }
-
-  /// Bits of a triple's readings in the table of their place.
-  [[nodiscard]] std::uint32_t bitsOf(int place, const ReadingTriple& triple) const
-  {
-    std::uint32_t bits = 0;
-    std::size_t position = 0;
-    for (std::size_t r = 0; r < readings_.size(); ++r)
-    {
-      if (readings_[r].place != place) continue;
-      const bool used =
-          std::find(triple.reading.begin(), triple.reading.end(), static_cast<int>(r)) != triple.reading.end();
-      if (used && position < ReadingTable::kMaxReadings) bits |= 1U << position;
-      ++position;
-    }
-    return bits;
-  }
-
-  [[nodiscard]] std::optional<MapArea> areaOfSensor(int place) const
-  {
-    if (!options_.area) return std::nullopt;
-    const double margin = kAreaMargin + places_[static_cast<std::size_t>(place)].T_robot_sensor.position().norm();
-    return MapArea{options_.area->min - Vector2d::Constant(margin), options_.area->max + Vector2d::Constant(margin)};
+    const int kept = proposer_.proposeFrom(triple, floor, leastNeeded());
+    result_.finished = proposer_.finished();
+    overflowed_ = overflowed_ || kept > floor;
+    if (kept > floor) floor_ = kept;
   }
 
   // ---- judging
 
-  void merge(const std::vector<PoseProposal>& proposals, int place, std::span<const SieveView> views)
+  /// Judges the proposals that explain most, as long as they can matter and explain at least `lowest` readings.
+  void judgeBest(std::size_t count, int lowest = 0)
   {
-    const Pose2 T_sensor_robot = inverse(places_[static_cast<std::size_t>(place)].T_robot_sensor);
-    const int least = leastNeeded();
-    for (const PoseProposal& p : proposals)
+    int least = std::max(lowest, leastNeeded());
+    for (std::size_t level = proposer_.waiting().size(); level-- > 0;)
     {
-      const TightenedPose tight = tightenPose(p.sensor, views, options_.gate, least, scratch_);
-      if (tight.explained < least || !isFixed(tight.sensor, place)) continue;
-      const Matrix3d J = composeJacobianFirst(tight.sensor.mean, T_sensor_robot);
-      const auto level = static_cast<std::size_t>(tight.explained);
-      if (pool_.size() <= level) pool_.resize(level + 1);
-      pool_[level].push_back({compose(tight.sensor.mean, T_sensor_robot), J * tight.sensor.covariance * J.transpose()});
-    }
-  }
-
-  /// False for a pose that so much is free to move that everything in sight would explain its readings.
-  [[nodiscard]] bool isFixed(const GaussianPose& sensor, int place) const
-  {
-    const double reach =
-        std::min(rangeLimit(places_[static_cast<std::size_t>(place)]), (map_.high() - map_.low()).norm());
-    return options_.gate * std::sqrt(sensor.covariance.topLeftCorner<2, 2>().trace()) < kLargestFreedom * reach;
-  }
-
-  /// Judges the proposals that explain most, as long as they can matter.
-  void judgeBest(std::size_t count)
-  {
-    int least = leastNeeded();
-    for (std::size_t level = pool_.size(); level-- > 0;)
-    {
-      std::vector<GaussianPose>& waiting = pool_[level];
+      std::vector<GaussianPose>& waiting = proposer_.waiting()[level];
       std::size_t next = 0;
       for (; next < waiting.size() && count > 0 && result_.finished && static_cast<int>(level) >= least; ++next)
         if (!isKnown(waiting[next]))
         {
           judge(waiting[next]);
-          least = leastNeeded();
+          least = std::max(lowest, leastNeeded());
           --count;
         }
       waiting.erase(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(next));
@@ -297,7 +249,7 @@ class SearchRun
 
   [[nodiscard]] ChanceMatches chanceMatches() const
   {
-    const double triples = possible_ / std::max(1, result_.work.rounds);
+    const double triples = proposer_.meanPossible();
     const SensorPlace& place = places_[static_cast<std::size_t>(readings_.front().place)];
     return {triples, static_cast<int>(readings_.size()),
             chanceOfMatch(options_.gate * meanStd(), std::max(0.0, inView(place) - 3))};
@@ -338,6 +290,8 @@ class SearchRun
       missed = logEvidenceBelow(map_, places_, areaOrMap(map_, options_.area), searched);
       result_.expected_false = expectedFalsePoses(chanceMatches(), best_matched_);
     }
+    result_.work.tested += proposer_.work().tested;
+    result_.work.rounds += proposer_.work().rounds;
     rankPoses(result_, options_, missed, searched);
     result_.unique = result_.unique && result_.finished;
   }
@@ -346,14 +300,12 @@ class SearchRun
   std::span<const SensorPlace> places_;
   const PoseSearchOptions& options_;
   std::vector<BearingReading> readings_;
-  std::vector<ReadingTable> tables_;
-  std::vector<std::shared_ptr<const VisibleLists>> lists_;
-  std::vector<std::vector<GaussianPose>> pool_;  // waiting to be judged, by the number of readings explained
-  SeenLandmarks scratch_;
+  const BearingSearch& owner_;
+  BearingProposer proposer_;
   PoseSearch result_;
   int best_matched_ = 0, floor_ = 0, tolerated_ = -1;
   bool overflowed_ = false;  // more proposals than can be kept: the lesser ones are lost
-  double possible_ = 0, mean_allowed_ = 0;
+  double mean_allowed_ = 0;
 };
 }  // namespace
 
@@ -368,7 +320,7 @@ PoseSearch BearingSearch::search(std::span<const SensorPlace> places, const Pose
     nothing.status = SolveStatus::none;
     return nothing;
   }
-  return SearchRun(map_, places, options, std::move(readings)).run(*this);
+  return SearchRun(map_, places, options, std::move(readings), *this).run();
 }
 
 std::shared_ptr<const VisibleLists> BearingSearch::listsFor(double max_range) const
@@ -378,5 +330,23 @@ std::shared_ptr<const VisibleLists> BearingSearch::listsFor(double max_range) co
     if (lists->maxRange() == max_range) return lists;
   const double margin = std::isfinite(max_range) ? kListMargin * max_range : 0;
   return lists_.emplace_back(std::make_shared<const VisibleLists>(map_, max_range, margin));
+}
+
+std::shared_ptr<const PanoramaIndex> BearingSearch::panoramasFor(const PanoramaIndex::Plan& plan) const
+{
+  const std::scoped_lock lock(mutex_);
+  for (const auto& panoramas : panoramas_)
+    if (panoramas->isOf(plan.area, plan.max_range) && panoramas->plan().cell == plan.cell) return panoramas;
+  constexpr std::size_t kKept = 2;  // areas that change from search to search must not fill the memory
+  if (panoramas_.size() == kKept) panoramas_.erase(panoramas_.begin());
+  return panoramas_.emplace_back(std::make_shared<const PanoramaIndex>(map_, plan));
+}
+
+std::shared_ptr<const PanoramaIndex> BearingSearch::builtPanoramas(const MapArea& area, double max_range) const
+{
+  const std::scoped_lock lock(mutex_);
+  const auto found = std::find_if(panoramas_.begin(), panoramas_.end(),
+                                  [&](const auto& panoramas) { return panoramas->isOf(area, max_range); });
+  return found == panoramas_.end() ? nullptr : *found;
 }
 }  // namespace mrpt_ext

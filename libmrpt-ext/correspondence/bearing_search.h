@@ -7,6 +7,7 @@
 
 #include "mrpt_ext/correspondence/consistent_pose.h"
 #include "mrpt_ext/correspondence/landmark_index.h"
+#include "mrpt_ext/correspondence/panorama_index.h"
 #include "mrpt_ext/correspondence/sensor_place.h"
 #include "mrpt_ext/correspondence/visible_lists.h"
 
@@ -21,6 +22,11 @@ namespace mrpt_ext
 /// readings that could have a landmark within the gate of its own uncertainty (bearing_sieve.h); those with the highest
 /// bounds are refined and judged in double precision (pose_judge.h). The search ends when every pose that explains as
 /// much as the best, and every lesser one that chance makes frequent enough to matter, has been proposed.
+///
+/// Where nothing limits the range, every three landmarks of the map can be seen together and there are too many
+/// triples. Then, if it is known in which area the robot is, its positions are counted off instead: cell by cell, under
+/// all headings at once, how many readings have a landmark where they point to (panorama_scan.h). The estimated cost
+/// decides.
 ///
 /// Paper 000, section 3, grows a tree over all landmarks and tests with a fixed tolerance; here range, order and the
 /// pose's own covariance decide, so that the cost is linear in the size of the map and the truth is not lost.
@@ -37,10 +43,15 @@ class BearingSearch
 
   /// Prepares the tables for this range limit [m] (infinity: none); otherwise the first search does.
   [[nodiscard]] std::shared_ptr<const VisibleLists> listsFor(double max_range) const;
+  /// The same for panoramas.
+  [[nodiscard]] std::shared_ptr<const PanoramaIndex> panoramasFor(const PanoramaIndex::Plan& plan) const;
+  /// Those that exist for this area and range limit; nothing when there are none.
+  [[nodiscard]] std::shared_ptr<const PanoramaIndex> builtPanoramas(const MapArea& area, double max_range) const;
 
  private:
   const LandmarkIndex& map_;
   mutable std::mutex mutex_;
   mutable std::vector<std::shared_ptr<const VisibleLists>> lists_;
+  mutable std::vector<std::shared_ptr<const PanoramaIndex>> panoramas_;
 };
 }  // namespace mrpt_ext

@@ -11,6 +11,7 @@ namespace mrpt_ext
 namespace
 {
 constexpr int kRounds = 3;
+constexpr int kMostOfOneLandmark = 4;  // readings within the gates of one landmark, unless it is close
 
 /// The landmark that explains a reading best, and how many could.
 struct Explanation
@@ -33,10 +34,18 @@ float angleAgainst(const Vector2d& unit, float x, float y)
   return t * (1 - t2 * (1.0F / 3 - t2 * (1.0F / 5 - t2 * (1.0F / 7 - t2 / 9))));
 }
 
-/// Which landmark explains each reading; the number that are explained.
+/// Which landmark explains each reading; the number that are explained. A landmark so close that it could be in any
+/// direction explains one reading, no matter which.
 int explain(const SeenLandmarks& seen, const ReadingTable& table, float gate2, Explanations& found)
 {
+  int close = 0;
   for (std::size_t l = 0; l < seen.count; ++l)
+  {
+    if (std::popcount(seen.explains[l]) > kMostOfOneLandmark)
+    {
+      ++close;
+      continue;
+    }
     for (std::uint32_t set = seen.explains[l]; set != 0; set &= set - 1)
     {
       const int bit = std::countr_zero(set);
@@ -50,15 +59,17 @@ int explain(const SeenLandmarks& seen, const ReadingTable& table, float gate2, E
       e.misfit = misfit;
       e.landmark = l;
     }
-  return static_cast<int>(
-      std::count_if(found.begin(), found.end(), [](const Explanation& e) { return e.candidates > 0; }));
+  }
+  const auto explained =
+      std::count_if(found.begin(), found.end(), [](const Explanation& e) { return e.candidates > 0; });
+  return std::min(table.size(), static_cast<int>(explained) + close);
 }
 }  // namespace
 
 TightenedPose tightenPose(const GaussianPose& sensor, std::span<const SieveView> views, double gate, int least,
                           SeenLandmarks& scratch)
 {
-  TightenedPose result{sensor, 0};
+  TightenedPose result{sensor};
   for (int round = 0;; ++round)
   {
     Matrix3d information = Matrix3d::Zero();
@@ -87,6 +98,7 @@ TightenedPose tightenPose(const GaussianPose& sensor, std::span<const SieveView>
     Pose2& pose = result.sensor.mean;
     pose = {pose.x - step.x(), pose.y - step.y(), wrap(pose.phi - step.z())};
     result.sensor.covariance = factors.solve(Matrix3d::Identity());
+    result.refined = true;
   }
 }
 }  // namespace mrpt_ext

@@ -10,7 +10,8 @@ namespace mrpt_ext
 struct TightenedPose
 {
   GaussianPose sensor;
-  int explained = 0;  ///< readings with a landmark within the gate of the refined pose
+  int explained = 0;     ///< readings with a landmark within the gate of the refined pose
+  bool refined = false;  ///< false: the readings that only one landmark can explain do not fix a pose
 };
 
 /// Refines a sensor pose that comes from few readings on those that it explains, in a few rounds: first on readings

@@ -96,13 +96,14 @@ std::vector<PoseProposal> ProposalStore::takeSorted()
   return sorted;
 }
 
-TripleRound::Work TripleRound::run(ProposalStore& store) const
+/// Calls visit(i, neighbours of i for the first reading, those for the second, hits) for every batch with hits.
+template <typename Visit>
+TripleRound::Work TripleRound::forEachScan(std::size_t stride, Visit&& visit) const
 {
   const auto reading = [this](int n) -> const BearingReading&
   { return readings[static_cast<std::size_t>(triple.reading[static_cast<std::size_t>(n)])]; };
   const BearingReading &middle = reading(0), &first = reading(1), &second = reading(2);
   const TripleShape shape = shapeOf(middle, first, second, max_range);
-  const TripleBearings bearings = bearingsOf(middle, first, second);
   const double all = 2 * (map->high() - map->low()).norm() + 1;
   const auto radius = [&](const BearingReading& r)
   { return std::min(kRangeSlack * largestSeparation(wrap(r.bearing - middle.bearing), max_range), all); };
@@ -111,10 +112,10 @@ TripleRound::Work TripleRound::run(ProposalStore& store) const
   Work work;
   Neighbours around_first, around_second;
   TripleHits hits;
-  TriplePoses poses;
-  std::vector<std::uint16_t> explained;
-  for (const std::uint32_t i : views.front().lists->order())
+  const std::vector<std::uint32_t>& order = views.front().lists->order();
+  for (std::size_t o = 0; o < order.size(); o += stride)
   {
+    const std::uint32_t i = order[o];
     if (!map->mayShow(middle.kind, i)) continue;
     collectNeighbours(*map, i, radius_first, first.kind, around_first);
     collectNeighbours(*map, i, radius_second, second.kind, around_second);
@@ -130,10 +131,7 @@ TripleRound::Work TripleRound::run(ProposalStore& store) const
       if (area) keepInside(*area, map->position(i), hits);
       if (hits.count == 0) continue;
       work.possible += hits.count;
-      posesOfHits(bearings, around_first, around_second, hits, poses);
-      boundExplained(poses, map->position(i), views, gate, explained);
-      for (std::size_t n = 0; n < poses.count; ++n)
-        if (explained[n] >= store.floor()) store.add(proposalAt(poses, n, map->position(i), explained[n]));
+      visit(i, around_first, around_second, hits);
     }
     if (work.tested > max_tested)
     {
@@ -142,5 +140,28 @@ TripleRound::Work TripleRound::run(ProposalStore& store) const
     }
   }
   return work;
+}
+
+TripleRound::Work TripleRound::run(ProposalStore& store) const
+{
+  const auto reading = [this](std::size_t n) -> const BearingReading&
+  { return readings[static_cast<std::size_t>(triple.reading[n])]; };
+  const TripleBearings bearings = bearingsOf(reading(0), reading(1), reading(2));
+  TriplePoses poses;
+  std::vector<std::uint16_t> explained;
+  return forEachScan(1,
+                     [&](std::uint32_t i, const Neighbours& first, const Neighbours& second, const TripleHits& hits)
+                     {
+                       posesOfHits(bearings, first, second, hits, poses);
+                       boundExplained(poses, map->position(i), views, gate, explained);
+                       for (std::size_t n = 0; n < poses.count; ++n)
+                         if (explained[n] >= store.floor())
+                           store.add(proposalAt(poses, n, map->position(i), explained[n]));
+                     });
+}
+
+TripleRound::Work TripleRound::sample(std::size_t stride) const
+{
+  return forEachScan(stride, [](auto&&...) {});
 }
 }  // namespace mrpt_ext

@@ -56,5 +56,11 @@ struct TripleRound
 
   /// Adds a proposal for every constellation of three landmarks that gives a possible pose.
   Work run(ProposalStore& store) const;
+  /// Tries only every `stride`-th landmark for the middle reading, and only counts.
+  [[nodiscard]] Work sample(std::size_t stride) const;
+
+ private:
+  template <typename Visit>
+  Work forEachScan(std::size_t stride, Visit&& visit) const;
 };
 }  // namespace mrpt_ext
