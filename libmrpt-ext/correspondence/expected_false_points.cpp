@@ -16,7 +16,7 @@ ChancePoints chancePoints(const LandmarkIndex& map, std::span<const ReadingPoint
   const double area = std::max(extent.prod(), 0.01 * extent.squaredNorm() + 1e-9);
   const bool kinds = std::none_of(points.begin(), points.end(), [](const auto& p) { return p.kind == kAnyKind; });
   const auto count = static_cast<double>(map.size());
-  const double density = count / area / (kinds ? std::max(1, map.kindCount()) : 1);
+  const double density = count / area / (kinds ? std::max(1, map.kindsPresent()) : 1);
 
   const auto n = static_cast<double>(points.size());
   double spread = 0, separation = 0;

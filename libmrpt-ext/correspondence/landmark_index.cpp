@@ -37,6 +37,7 @@ int LandmarkIndex::kindOf(const std::string& category) const
 
 void LandmarkIndex::build(double bucket)
 {
+  has_nameless_ = std::find(kinds_.begin(), kinds_.end(), 0) != kinds_.end();
   if (!positions_.empty()) low_ = high_ = positions_.front();
   for (const Vector2d& p : positions_)
   {

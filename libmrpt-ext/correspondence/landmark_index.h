@@ -25,6 +25,8 @@ class LandmarkIndex
   /// Kind of a landmark (0 for no category).
   [[nodiscard]] int kind(std::size_t landmark) const { return kinds_[landmark]; }
   [[nodiscard]] int kindCount() const { return static_cast<int>(categories_.size()); }
+  /// Kinds that some landmark is of (the nameless kind is counted by kindCount in any case).
+  [[nodiscard]] int kindsPresent() const { return kindCount() - (has_nameless_ ? 0 : 1); }
   /// Kind that a detection of this category has: kAnyKind for an empty one, kNoSuchKind for one the map has not got.
   [[nodiscard]] int kindOf(const std::string& category) const;
   [[nodiscard]] bool mayShow(int detection_kind, std::size_t landmark) const
@@ -62,6 +64,7 @@ class LandmarkIndex
 
   std::vector<Vector2d> positions_;
   std::vector<int> kinds_;
+  bool has_nameless_ = false;
   std::vector<std::string> categories_;
   Vector2d low_{0, 0}, high_{0, 0};
   double bucket_ = 1;

@@ -46,7 +46,7 @@ Densities densities(const LandmarkIndex& map, const SensorModel& model, const Un
     result.of_landmark *= 2 * std::max(*z.range, z.std_range) / square(radius);
     result.of_clutter /= model.max_range.value_or(std::max(1.0, 1.5 * (map.high() - map.low()).norm()));
   }
-  const double kinds = std::max(1, map.kindCount());
+  const double kinds = std::max(1, map.kindsPresent());
   if (z.kind != kAnyKind) result.of_clutter /= kinds;
   if (z.kind != kAnyKind) result.of_landmark *= z.kind == kNoSuchKind ? 0 : 1 / kinds;
   return result;

@@ -40,13 +40,27 @@ double density(const UnidentifiedDetection& z, const ExpectedLandmark& h)
   return std::exp(log_density);
 }
 
+/// Probability of a value below `limit`.
+double chanceBelow(double limit, double mean, double variance)
+{
+  return 0.5 * std::erfc((mean - limit) / std::sqrt(2 * std::max(variance, 1e-18)));
+}
+
+double chanceInView(const SensorModel& model, const ExpectedLandmark& h)
+{
+  double chance = model.max_range ? chanceBelow(*model.max_range, h.range, h.range_variance) : 1;
+  if (model.has_field_of_view)
+    chance *= chanceBelow(0.5 * model.field_of_view, std::abs(h.bearing), h.bearing_variance);
+  return chance;
+}
+
 /// Probability density of a false detection.
 double falseDensity(const LandmarkIndex& map, const UnidentifiedDetection& z, const SensorModel& model)
 {
   double volume = 1;
   if (z.bearing) volume *= model.has_field_of_view ? model.field_of_view : kTwoPi;
   if (z.range) volume *= model.max_range.value_or(std::max(1.0, 1.5 * (map.high() - map.low()).norm()));
-  if (z.kind != kAnyKind) volume *= std::max(1, map.kindCount());
+  if (z.kind != kAnyKind) volume *= std::max(1, map.kindsPresent());
   return 1 / volume;
 }
 }  // namespace
@@ -73,6 +87,7 @@ std::vector<ExpectedLandmark> expectedLandmarks(const LandmarkIndex& map, const 
                     h.range_variance = quadratic(rangeJacobian(robot.mean, position, offset), robot.covariance);
                     const bool near = !place.model.max_range || h.range <= *place.model.max_range;
                     h.in_view = near && std::abs(h.bearing) <= 0.5 * place.model.field_of_view;
+                    h.in_view_chance = chanceInView(place.model, h);
                     expected.push_back(h);
                   });
   return expected;
@@ -115,13 +130,14 @@ double placeLogLikelihood(const LandmarkIndex& map, const SensorPlace& place,
   const SensorModel& model = place.model;
   const double clutter = std::clamp(model.clutter_probability, kMinClutter, 1.0);
   const auto count = static_cast<double>(place.detections.size());
-  const auto in_view = [](const ExpectedLandmark& h) { return h.in_view; };
-  double log_likelihood = 0, detection_odds = 0;
-  if (model.detection_probability)
+  const bool counts_gaps = model.detection_probability.has_value();
+  const double p = std::clamp(model.detection_probability.value_or(0), 0.0, kMaxDetection);
+  double log_likelihood = 0;
+  std::vector<double> weight;  // of a landmark as the source of a detection
+  for (const ExpectedLandmark& h : expected)
   {
-    const double p = std::clamp(*model.detection_probability, 0.0, kMaxDetection);
-    detection_odds = p / (1 - p);
-    log_likelihood += static_cast<double>(std::count_if(expected.begin(), expected.end(), in_view)) * std::log1p(-p);
+    weight.push_back(counts_gaps ? p * h.in_view_chance / (1 - p * h.in_view_chance) : h.in_view_chance);
+    if (counts_gaps) log_likelihood += std::log1p(-p * h.in_view_chance);
   }
   for (std::size_t d = 0; d < place.detections.size(); ++d)
   {
@@ -130,14 +146,13 @@ double placeLogLikelihood(const LandmarkIndex& map, const SensorPlace& place,
     for (std::size_t h = 0; h < expected.size(); ++h)
     {
       if (!map.mayShow(z.kind, expected[h].landmark)) continue;
-      const bool mine = claimed_by[h] == static_cast<int>(d);
-      if (expected[h].in_view) visible += 1;
-      if (mine || (claimed_by[h] < 0 && expected[h].in_view)) sum += density(z, expected[h]);
+      visible += expected[h].in_view_chance;
+      if (weight[h] > 0 && (claimed_by[h] < 0 || claimed_by[h] == static_cast<int>(d)))
+        sum += weight[h] * density(z, expected[h]);
     }
     const double scattered = clutter * falseDensity(map, z, model);
-    log_likelihood += model.detection_probability
-                          ? std::log(count * scattered + detection_odds * sum)
-                          : std::log(scattered + (1 - std::min(clutter, 0.999)) * sum / std::max(1.0, visible));
+    log_likelihood += counts_gaps ? std::log(count * scattered + sum)
+                                  : std::log(scattered + (1 - std::min(clutter, 0.999)) * sum / std::max(1.0, visible));
   }
   return log_likelihood;
 }

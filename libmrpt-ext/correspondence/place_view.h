@@ -16,6 +16,7 @@ struct ExpectedLandmark
   double bearing = 0, range = 0;                    ///< [rad], [m]
   double bearing_variance = 0, range_variance = 0;  ///< that the pose's covariance adds
   bool in_view = false;                             ///< within range limit and field of view
+  double in_view_chance = 0;                        ///< the same as a probability, the pose being uncertain
 };
 
 /// The landmarks that a place can see from the pose, and those that it could see if the pose were a little off.

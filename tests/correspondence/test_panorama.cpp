@@ -54,9 +54,14 @@ TEST(DirectionWidths, CoverWhatIsSeenFromAnywhereInTheDisc)
     {
       const Vector2d d = landmarks[l] - inside;
       const bool in_range = (landmarks[l] - place).norm() <= farthest - 1e-3;
-      if ((landmarks[l] - place).norm() > farthest + 1e-3) EXPECT_LT(seen.halfWidth()[l], 0);
+      if ((landmarks[l] - place).norm() > farthest + 1e-3)
+      {
+        EXPECT_LT(seen.halfWidth()[l], 0);
+      }
       if (in_range)
+      {
         EXPECT_LE(std::abs(wrap(std::atan2(d.y(), d.x()) - seen.direction()[l])), seen.halfWidth()[l] + 1e-5);
+      }
     }
   }
 }
