@@ -30,13 +30,13 @@ DetectionRows linearise(const Detection& detection, const Reading& reading, cons
 {
   const Pose2 robot{mean[0], mean[1], mean[2]};
   const Vector2d place = landmark.position.head<2>(), offset = reading.T_robot_sensor.position();
-  const LandmarkPrediction truth = predict(landmark, reading, robot);
+  const LandmarkPrediction unbiased = predict(landmark, reading, robot);
   const SensorBias bias = biasOf(mean, biases, reading.sensor);
-  LandmarkPrediction told = truth;
+  LandmarkPrediction told = unbiased;
   applyBias(told, bias);
 
   DetectionRows result;
-  result.chance = truth.chance;
+  result.chance = unbiased.chance;
   const auto add_derivative = [&](KalmanRow& row, BiasKind kind, double value)
   {
     for (std::size_t k = 0; k < biases.size(); ++k)
@@ -54,12 +54,13 @@ DetectionRows linearise(const Detection& detection, const Reading& reading, cons
   {
     KalmanRow& row = result.rows[static_cast<std::size_t>(result.count++)];
     const double horizontal = predictRange(robot, place, reading.T_robot_sensor);
-    const double slope = (1 + bias.range_scale) * horizontal / truth.range;  // of a slant range over a horizontal one
+    const double slope =
+        (1 + bias.range_scale) * horizontal / unbiased.range;  // of a slant range over a horizontal one
     row = rowOf(slope * rangeJacobian(robot, place, offset), mean.size());
     row.residual = *detection.range - told.range;
     row.variance = square(detection.std_range) + told.range_variance;
     add_derivative(row, BiasKind::range_offset, 1);
-    add_derivative(row, BiasKind::range_scale, truth.range);
+    add_derivative(row, BiasKind::range_scale, unbiased.range);
   }
   return result;
 }
