@@ -2,11 +2,15 @@
 
 #include <array>
 
+#include "mrpt_ext/filter/kalman_state.h"
+#include "mrpt_ext/geometry/input_error.h"
+
 namespace mrpt_ext
 {
 namespace
 {
 const std::string kCommon = "Bias";
+constexpr std::size_t kMaxBiases = kMaxKalmanStates - 3;
 const std::string kSensorPrefix = "Sensor_";
 
 /// How one kind of error is spelt: range_offset_std_m, range_offset_mean_m, range_offset_std_per_sqrt_s_m.
@@ -90,6 +94,10 @@ BiasModel biasModel(const Settings& settings)
   append(model, settings, kCommon, "");
   for (const std::string& section : settings.sectionsMatching(kSensorPrefix))
     append(model, settings, section, section.substr(kSensorPrefix.size()));
+  if (model.size() > kMaxBiases)
+    throw configurationError(settings.file().string() + ": " + std::to_string(model.size()) +
+                             " systematic errors are asked for in [Bias] and [Sensor_<label>], expected at most " +
+                             std::to_string(kMaxBiases));
   return model;
 }
 }  // namespace mrpt_ext

@@ -12,6 +12,6 @@ namespace mrpt_ext
 
 /// The errors that the settings ask for: those of [Bias] first, then those of the sensors in the order of the file.
 /// What is known beforehand belongs into bias_range_m, odometry_scale and their like, which is taken off the
-/// measurements; the errors here are what is left.
+/// measurements; the errors here are what is left. Throws InputError (configuration) for more than the filters hold.
 [[nodiscard]] BiasModel biasModel(const Settings& settings);
 }  // namespace mrpt_ext

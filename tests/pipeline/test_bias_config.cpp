@@ -62,6 +62,14 @@ TEST(BiasConfig, OdometryHasNoErrorsPerSensorAndNoDeviationIsNegative)
   EXPECT_THROW((void)modelOf("[Bias]\nrange_scale_std = -0.1\n"), InputError);
 }
 
+TEST(BiasConfig, MoreErrorsThanTheFiltersHoldAreRefused)
+{
+  std::string text = "[Bias]\nway_scale_std = 0.1\n";
+  for (int k = 0; k < 12; ++k) text += "[Sensor_s" + std::to_string(k) + "]\nrange_scale_std = 0.1\n";
+  EXPECT_EQ(modelOf(text).size(), 13u);
+  EXPECT_THROW((void)modelOf(text + "[Sensor_more]\nrange_scale_std = 0.1\n"), InputError);
+}
+
 TEST(BiasConfig, TheFilterEstimatesWhatTheConfigurationNames)
 {
   const LandmarkTable map({{.id = 1, .position = {0, 0, 0}}, {.id = 2, .position = {4, 4, 0}}});
