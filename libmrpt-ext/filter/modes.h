@@ -18,7 +18,7 @@ struct ModeOptions
 /// One peak of the posterior.
 struct Mode
 {
-  GaussianPose pose;  ///< weighted mean (heading: circular) and covariance of its particles
+  GaussianPose pose;  ///< weighted mean (heading: about the circular mean) and covariance of its particles
   double weight = 0;
 };
 
@@ -30,5 +30,6 @@ struct ModeSet
 
 /// Splits normalised particles into modes: cells of a grid over (x, y, phi, wrapped) that are heavy enough and touch
 /// form a core; every lighter cell climbs to its heaviest neighbour until it reaches a core or a peak of its own.
-[[nodiscard]] ModeSet findModes(const ParticleSet& particles, const ModeOptions& options);
+/// `threads` change nothing but the time.
+[[nodiscard]] ModeSet findModes(const ParticleSet& particles, const ModeOptions& options, unsigned threads = 1);
 }  // namespace mrpt_ext

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "mrpt_ext/filter/motion_kernel.h"
+#include "mrpt_ext/filter/particle_blocks.h"
+
 namespace mrpt_ext
 {
 namespace
@@ -52,7 +55,8 @@ Matrix3d incrementCovariance(const MotionModel& model, const OdometryMotion& mot
   return covariance;
 }
 
-void moveParticles(ParticleSet& particles, const MotionModel& model, const OdometryMotion& motion, RandomStream& random)
+void moveParticles(ParticleSet& particles, const MotionModel& model, const OdometryMotion& motion, RandomStream& random,
+                   unsigned threads)
 {
   const Vector3d std = incrementStd(model, motion);
   const Vector2d swing = swingDirection(model, motion);
@@ -61,12 +65,21 @@ void moveParticles(ParticleSet& particles, const MotionModel& model, const Odome
   independent += square(std.z()) / 12 * swing * swing.transpose();
   const Matrix2d factor = lowerFactor(independent);
   const Pose2 mean = believedMotion(model, motion).increment;
-  for (std::size_t i = 0; i < particles.size(); ++i)
-  {
-    const double a = random.gaussian(), b = random.gaussian(), turn = std.z() * random.gaussian();
-    const double dx = mean.x + factor(0, 0) * a + 0.5 * turn * swing.x();
-    const double dy = mean.y + factor(1, 0) * a + factor(1, 1) * b + 0.5 * turn * swing.y();
-    particles.setPose(i, compose(particles.pose(i), {dx, dy, mean.phi + turn}));
-  }
+  const MotionStep step{.x = static_cast<float>(mean.x),
+                        .y = static_cast<float>(mean.y),
+                        .turn = static_cast<float>(mean.phi),
+                        .xa = static_cast<float>(factor(0, 0)),
+                        .ya = static_cast<float>(factor(1, 0)),
+                        .yb = static_cast<float>(factor(1, 1)),
+                        .swing_x = static_cast<float>(0.5 * swing.x()),
+                        .swing_y = static_cast<float>(0.5 * swing.y()),
+                        .std_turn = static_cast<float>(std.z())};
+  const std::uint64_t seed = random.nextBits();
+  forEachBlock(particles.size(), threads,
+               [&](std::size_t first, std::size_t count)
+               {
+                 RandomLanes lanes(seed, first / kParticleBlock);
+                 moveBlock(particles, step, first, count, lanes);
+               });
 }
 }  // namespace mrpt_ext

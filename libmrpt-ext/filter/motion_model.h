@@ -37,7 +37,9 @@ struct MotionModel
 [[nodiscard]] Matrix3d incrementCovariance(const MotionModel& model, const OdometryMotion& motion);
 
 /// Moves every particle by the increment plus its own noise (noise of incrementCovariance added to the increment, then
-/// composed).
-void moveParticles(ParticleSet& particles, const MotionModel& model, const OdometryMotion& motion,
-                   RandomStream& random);
+/// composed). Of a particle that carries scale errors of odometry, (1 + way scale) times the way is believed and
+/// (1 + turn scale) times the turn; the chord of an arc turns by half of what the arc's end turns more.
+/// One number is drawn from `random`, which seeds all blocks of particles; `threads` change nothing but the time.
+void moveParticles(ParticleSet& particles, const MotionModel& model, const OdometryMotion& motion, RandomStream& random,
+                   unsigned threads = 1);
 }  // namespace mrpt_ext

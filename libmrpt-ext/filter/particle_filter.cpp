@@ -65,7 +65,7 @@ FilterStep ParticleFilter::process(const Frame& frame, const Proposer& propose)
     track(frame, propose, step);
   normalizeWeights(particles_);
   step.effective_ratio = effectiveSampleRatio(particles_);
-  step.modes = findModes(particles_, options_.modes);
+  step.modes = findModes(particles_, options_.modes, options_.threads);
   step.particles = particles_.size();
   if (!settled)
   {
@@ -93,7 +93,7 @@ void ParticleFilter::track(const Frame& frame, const Proposer& propose, FilterSt
   step.reseeded = monitor_.suspicious() && since_injection_ + frame.motion.duration >= options_.recovery.min_interval;
   if (step.reseeded && options_.companions) companions_.watch(modes_.modes.front(), particles_);
   const bool settled = isOnePlace(modes_, options_.verdict) && !monitor_.suspicious();
-  moveParticles(particles_, options_.motion, frame.motion, random_);
+  moveParticles(particles_, options_.motion, frame.motion, random_, options_.threads);
   walkBiases(particles_, frame.motion.duration, random_);
   since_injection_ += frame.motion.duration;
   if (step.reseeded) inject(propose);
@@ -260,7 +260,7 @@ void ParticleFilter::resample(const ModeSet& modes, std::size_t count)
     count = static_cast<std::size_t>(
         std::clamp(needed, static_cast<double>(options_.kld.min_size), static_cast<double>(options_.kld.max_size)));
   }
-  particles_ = resampleByMode(particles_, modes.mode_of, options_.resampling, count, random_);
-  smoothModes(particles_, modes, options_.smoothing, random_);
+  particles_ = resampleByMode(particles_, modes.mode_of, options_.resampling, count, random_, options_.threads);
+  smoothModes(particles_, modes, options_.smoothing, random_, options_.threads);
 }
 }  // namespace mrpt_ext

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mrpt_ext/filter/weight_kernels.h"
+
 namespace mrpt_ext
 {
 PoseBatch ParticleSet::poses() const
@@ -52,33 +54,30 @@ void ParticleSet::reserve(std::size_t count)
 double normalizeWeights(ParticleSet& particles)
 {
   if (particles.empty()) return 0;
-  const float best = *std::max_element(particles.log_weight.begin(), particles.log_weight.end());
+  const float best = largestOf(particles.log_weight);
   if (!std::isfinite(best))  // no particle is possible: nothing tells them apart
   {
     std::fill(particles.log_weight.begin(), particles.log_weight.end(),
               -std::log(static_cast<float>(particles.size())));
     return best;
   }
-  double sum = 0;
-  for (const float log_w : particles.log_weight) sum += std::exp(double{log_w - best});
-  const double log_sum = std::log(sum);
-  for (float& log_w : particles.log_weight) log_w = static_cast<float>(double{log_w - best} - log_sum);
+  const double log_sum = std::log(weightSums(particles.log_weight, best).first);
+  subtractAll(particles.log_weight, best, static_cast<float>(log_sum));
   return best + log_sum;
 }
 
 double effectiveSampleRatio(const ParticleSet& particles)
 {
-  double sum2 = 0;
-  for (const float log_w : particles.log_weight) sum2 += std::exp(2 * double{log_w});
-  return particles.empty() ? 0.0 : 1 / (sum2 * static_cast<double>(particles.size()));
+  if (particles.empty()) return 0;
+  const WeightSums sums = weightSums(particles.log_weight, 0);
+  return square(sums.first) / (sums.second * static_cast<double>(particles.size()));
 }
 
 std::vector<double> weights(const ParticleSet& particles)
 {
-  std::vector<double> result(particles.size());
-  std::transform(particles.log_weight.begin(), particles.log_weight.end(), result.begin(),
-                 [](float log_w) { return std::exp(double{log_w}); });
-  return result;
+  std::vector<float> result(particles.size());
+  exponentials(particles.log_weight, 0, result);
+  return {result.begin(), result.end()};
 }
 
 ParticleSet select(const ParticleSet& particles, const std::vector<std::size_t>& indices)

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "mrpt_ext/filter/systematic_resampling.h"
+
 namespace mrpt_ext
 {
 namespace
@@ -77,8 +79,11 @@ std::vector<std::size_t> drawIndices(ResamplingMethod method, const std::vector<
 }
 
 ParticleSet resampleByMode(const ParticleSet& particles, const std::vector<int>& mode_of, ResamplingMethod method,
-                           std::size_t count, RandomStream& random)
+                           std::size_t count, RandomStream& random, unsigned threads)
 {
+  if (method == ResamplingMethod::systematic)
+    if (auto resampled = resampleSystematically(particles, mode_of, count, random, threads))
+      return *std::move(resampled);
   const int modes = mode_of.empty() ? 0 : *std::max_element(mode_of.begin(), mode_of.end()) + 1;
   std::vector<std::vector<std::size_t>> members(static_cast<std::size_t>(modes));
   std::vector<double> mode_weight(members.size(), 0.0);

@@ -1,0 +1,97 @@
+#include "mrpt_ext/filter/weight_kernels.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "mrpt_ext/geometry/vector_clones.h"
+#include "mrpt_ext/likelihood/vector_math.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr std::size_t kLanes = 16, kChunk = 1024;  // sums of a chunk are in single precision, lane by lane
+
+/// Differences to -87 and below count as nothing.
+[[gnu::always_inline]] inline float weightOf(float log_weight, float reference)
+{
+  const float difference = log_weight - reference;
+  return difference > -87.0F ? vector_math::expOf(difference) : 0.0F;
+}
+
+MRPT_EXT_VECTOR_CLONES
+float largestInLanes(const float* values, std::size_t count)
+{
+  float lanes[kLanes];
+  std::fill_n(lanes, kLanes, -std::numeric_limits<float>::infinity());
+  std::size_t i = 0;
+  for (; i + kLanes <= count; i += kLanes)
+    for (std::size_t l = 0; l < kLanes; ++l) lanes[l] = values[i + l] > lanes[l] ? values[i + l] : lanes[l];
+  for (; i < count; ++i) lanes[0] = values[i] > lanes[0] ? values[i] : lanes[0];
+  return *std::max_element(lanes, lanes + kLanes);
+}
+
+MRPT_EXT_VECTOR_CLONES
+void fillWeights(const float* log_weights, std::size_t count, float reference, float* weights)
+{
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < count; ++i) weights[i] = weightOf(log_weights[i], reference);
+}
+
+MRPT_EXT_VECTOR_CLONES
+WeightSums chunkSums(const float* weights, std::size_t count)
+{
+  float first[kLanes] = {}, second[kLanes] = {};
+  std::size_t i = 0;
+  for (; i + kLanes <= count; i += kLanes)
+    for (std::size_t l = 0; l < kLanes; ++l)
+    {
+      first[l] += weights[i + l];
+      second[l] += weights[i + l] * weights[i + l];
+    }
+  for (; i < count; ++i)
+  {
+    first[0] += weights[i];
+    second[0] += weights[i] * weights[i];
+  }
+  WeightSums sums;
+  for (std::size_t l = 0; l < kLanes; ++l)
+  {
+    sums.first += double{first[l]};
+    sums.second += double{second[l]};
+  }
+  return sums;
+}
+}  // namespace
+
+float largestOf(std::span<const float> values) { return largestInLanes(values.data(), values.size()); }
+
+double exponentials(std::span<const float> log_weights, float reference, std::span<float> weights)
+{
+  fillWeights(log_weights.data(), log_weights.size(), reference, weights.data());
+  double sum = 0;
+  for (std::size_t first = 0; first < weights.size(); first += kChunk)
+    sum += chunkSums(weights.data() + first, std::min(kChunk, weights.size() - first)).first;
+  return sum;
+}
+
+void subtractAll(std::span<float> values, float first, float second)
+{
+  for (float& value : values) value = (value - first) - second;
+}
+
+WeightSums weightSums(std::span<const float> log_weights, float reference)
+{
+  alignas(64) float weights[kChunk];
+  WeightSums total;
+  for (std::size_t first = 0; first < log_weights.size(); first += kChunk)
+  {
+    const std::size_t count = std::min(kChunk, log_weights.size() - first);
+    fillWeights(log_weights.data() + first, count, reference, weights);
+    const WeightSums sums = chunkSums(weights, count);
+    total.first += sums.first;
+    total.second += sums.second;
+  }
+  return total;
+}
+}  // namespace mrpt_ext
