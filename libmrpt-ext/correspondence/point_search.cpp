@@ -17,8 +17,11 @@ namespace
 constexpr std::size_t kNearPoints = 4;    // a triangle is made of a point and two of its nearest
 constexpr std::size_t kMaxJudged = 2000;  // poses; each costs some ten microseconds
 constexpr std::size_t kMaxWaiting = 50000;
-constexpr std::size_t kMaxPairs = 6;  // widest first: they fix the heading best
-constexpr double kPlaneGate = 1.15;   // a gate in the plane reaches further than one on a line for the same share
+constexpr std::size_t kMaxPairs = 15;  // widest first: they fix the heading best
+/// So few landmarks seen need not be near neighbours of one another, as those of the index are.
+constexpr int kFewMatches = 3;
+constexpr double kPlaneGate = 1.15;  // a gate in the plane reaches further than one on a line for the same share
+constexpr double kSamePose = 0.5;    // standard deviations
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
 
 class PointSearchRun
@@ -40,7 +43,7 @@ class PointSearchRun
     const int count = static_cast<int>(points_.size());
     if (count >= 3) searchTriangles(std::max(3, (count + 1) / 2));
     if (best_matched_ < 3 && count > 4) searchTriangles(3);
-    if (best_matched_ < 3) searchPairs();
+    if (best_matched_ <= kFewMatches) searchPairs();
     finish();
     return std::move(result_);
   }
@@ -147,7 +150,7 @@ class PointSearchRun
 
   void searchPairs()
   {
-    least_ = 2;
+    least_ = std::max(2, best_matched_);
     std::vector<std::pair<double, std::array<int, 2>>> pairs;
     for (int i = 0; i < static_cast<int>(points_.size()); ++i)
       for (int j = 0; j < i; ++j)
@@ -220,17 +223,19 @@ class PointSearchRun
   /// A pose that explains one point less at first may explain as much as the best when refined.
   [[nodiscard]] int leastExplained() const { return std::max(least_, best_explained_ - 1); }
 
-  [[nodiscard]] bool alreadyFound(const GaussianPose& pose) const
+  /// True when a pose that was judged already is as good as the same. The candidate's own, larger, uncertainty does not
+  /// count: a rival that lies within it would be lost.
+  [[nodiscard]] bool alreadyFound(const GaussianPose& candidate) const
   {
-    return std::any_of(result_.poses.begin(), result_.poses.end(),
-                       [&](const ConsistentPose& found)
-                       {
-                         const Vector2d d = pose.mean.position() - found.pose.mean.position();
-                         const double position = pose.covariance.topLeftCorner<2, 2>().trace();
-                         return d.squaredNorm() <= square(options_.gate) * position &&
-                                square(wrap(pose.mean.phi - found.pose.mean.phi)) <=
-                                    square(options_.gate) * pose.covariance(2, 2);
-                       });
+    const auto same = [&](const ConsistentPose& found)
+    {
+      const Vector3d e(candidate.mean.x - found.pose.mean.x, candidate.mean.y - found.pose.mean.y,
+                       wrap(candidate.mean.phi - found.pose.mean.phi));
+      for (Eigen::Index k = 0; k < 3; ++k)
+        if (square(e(k)) > square(kSamePose) * found.pose.covariance(k, k)) return false;
+      return true;
+    };
+    return std::any_of(result_.poses.begin(), result_.poses.end(), same);
   }
 
   void judgeWaiting()
@@ -272,6 +277,7 @@ class PointSearchRun
       result_.expected_false = expectedFalsePoses(chance_, best_matched_);
     }
     rankPoses(result_, options_, missed, best_matched_);
+    result_.unique = result_.unique && result_.finished;
   }
 
   const LandmarkIndex& map_;

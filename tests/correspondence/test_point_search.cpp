@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "calibration.h"
 #include "lost_scene.h"
 
 namespace mrpt_ext
@@ -196,5 +197,53 @@ TEST(PointSearch, ALatticeIsNeverCalledUnique)
   EXPECT_TRUE(holds(result, robot));
   EXPECT_GT(result.poses.size(), 50u);
   EXPECT_FALSE(result.unique);
+}
+
+TEST(PointSearch, ThreeLandmarksThatAreNoNearNeighboursAreFoundBesideAWrongTriangle)
+{
+  LostSceneOptions options = pointScene(300);
+  options.max_range = options.border = 6;
+  options.detection_probability = 0.25;
+  options.std_bearing = degToRad(0.5);
+  int met = 0, listed = 0;
+  for (std::uint64_t m = 0; m < 4; ++m)
+  {
+    RandomStream random(77, m);
+    const LostMap map = strewLandmarks(options, random);
+    const LandmarkIndex index = map.index();
+    const PointSearch search(index);
+    for (int t = 0; t < 50; ++t)
+    {
+      const LostView view = lookAroundSomewhere(map, index, options, random);
+      const PoseSearch result = search.search({&view.place, 1}, {});
+      const auto seen = std::count_if(view.truth.begin(), view.truth.end(), [](int l) { return l >= 0; });
+      if (seen != 3 || result.poses.empty() || result.poses.front().matched != 3) continue;
+      ++met;
+      listed += std::any_of(result.poses.begin(), result.poses.end(),
+                            [&](const ConsistentPose& p) { return isTruthsMode(p, view); });
+    }
+  }
+  EXPECT_GT(met, 20);
+  EXPECT_GE(listed, met - met / 20);
+}
+
+TEST(PointSearch, AnUnfinishedSearchCallsNothingUnique)
+{
+  RandomStream random(9);
+  const LostSceneOptions options = pointScene(1000);
+  const LostMap map = strewLandmarks(options, random);
+  const LandmarkIndex index = map.index();
+  const PointSearch search(index);
+  PoseSearchOptions hurried;
+  hurried.max_tested = 1;
+  int unfinished = 0;
+  for (int t = 0; t < 20; ++t)
+  {
+    const LostView view = lookAroundSomewhere(map, index, options, random);
+    const PoseSearch result = search.search({&view.place, 1}, hurried);
+    unfinished += !result.finished;
+    EXPECT_FALSE(result.unique && !result.finished);
+  }
+  EXPECT_GT(unfinished, 0);
 }
 }  // namespace mrpt_ext
