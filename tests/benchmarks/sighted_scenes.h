@@ -33,10 +33,10 @@ inline std::vector<SightedScene> sightedScenes(int landmarks)
   return all;
 }
 
-/// Counter ns_per_item; with `count` problems in each iteration.
+/// Counter time_per_item [s]; with `count` problems in each iteration.
 inline void reportPerItem(benchmark::State& state, std::size_t count)
 {
-  state.counters["ns_per_item"] = benchmark::Counter(
-      static_cast<double>(count) * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["time_per_item"] = benchmark::Counter(
+      static_cast<double>(count), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 }  // namespace mrpt_ext
