@@ -1,0 +1,11 @@
+#include <iostream>
+
+#include "mrpt_ext/maps/register_all_classes.h"
+#include "mrpt_ext/pipeline/app_shell.h"
+#include "mrpt_ext/pipeline/images_app.h"
+
+int main(int argc, char** argv)
+{
+  mrpt_ext::registerAllClasses();
+  return mrpt_ext::ImagesApp(std::cout, std::cerr).run(mrpt_ext::argumentsOf(argc, argv));
+}

@@ -1,0 +1,134 @@
+#include <cmath>
+#include <fstream>
+#include <opencv2/imgcodecs.hpp>
+
+#include "mrpt_ext/files/text_file.h"
+#include "mrpt_ext/files/text_table.h"
+#include "mrpt_ext/pipeline/image_frame.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+/// Columns of x [m], y [m] and heading [deg]; nothing when the table has none of them.
+class PoseColumns
+{
+ public:
+  PoseColumns(const TextTable& table, const std::string& prefix) : table_(table)
+  {
+    const std::vector<std::string> names{prefix + "x_m", prefix + "y_m", prefix + "heading_deg"};
+    for (const std::string& name : names) present_ = present_ || table.findColumn(name).has_value();
+    if (!present_) return;
+    for (const std::string& name : names) columns_.push_back(table.column(name));
+  }
+  [[nodiscard]] std::optional<Pose2> at(std::size_t row) const
+  {
+    if (!present_) return std::nullopt;
+    return Pose2{table_.number(row, columns_[0]), table_.number(row, columns_[1]),
+                 wrap(degToRad(table_.number(row, columns_[2])))};
+  }
+
+ private:
+  const TextTable& table_;
+  bool present_ = false;
+  std::vector<std::size_t> columns_;
+};
+
+nlohmann::json readCamera(const fs::path& file)
+{
+  if (!fs::exists(file)) return nullptr;
+  const auto content = nlohmann::json::parse(readTextFile(file), nullptr, false);
+  const auto camera = content.is_object() ? content.find("camera") : content.end();
+  if (content.is_discarded() || camera == content.end() || !camera->is_object())
+    throw dataError(file.string() + ": damaged, expected JSON with an object \"camera\"");
+  return *camera;
+}
+
+LandmarkTable readMap(const fs::path& file)
+{
+  if (!fs::exists(file)) return {};
+  const TextTable table(file, {});
+  std::vector<Landmark> landmarks;
+  for (std::size_t row = 0; row < table.size(); ++row)
+  {
+    Landmark landmark;
+    landmark.id = table.integer(row, table.column("id"));
+    landmark.position = {table.number(row, table.column("x_m")), table.number(row, table.column("y_m")), 0};
+    landmarks.push_back(landmark);
+  }
+  return LandmarkTable(landmarks);
+}
+
+class ImageFolder : public ImageSequence
+{
+ public:
+  ImageFolder(const fs::path& folder, const std::vector<std::string>& roles)
+      : folder_(folder), table_(folder / "frames.csv", {}), roles_(roles), odometry_(table_, "odometry_")
+  {
+    camera = readCamera(folder / "camera.json");
+    map = readMap(folder / "map.csv");
+    for (const std::string& role : roles_) static_cast<void>(table_.column(role));
+    const PoseColumns poses(table_, "");
+    for (std::size_t row = 0; row < table_.size(); ++row)
+    {
+      if (row > 0 && !(timeOf(row) > timeOf(row - 1))) throw table_.errorAt(row, "time does not ascend");
+      if (const auto pose = poses.at(row)) truth.push_back({timeOf(row), *pose, true});
+    }
+  }
+
+  std::optional<ImageRecord> next() override
+  {
+    if (row_ == table_.size()) return std::nullopt;
+    if (const auto odometry = odometry_.at(row_); odometry && !odometry_told_)
+    {
+      odometry_told_ = true;
+      return OdometryRecord{timeOf(row_), *odometry};
+    }
+    odometry_told_ = false;
+    return frameAt(row_++);
+  }
+
+ private:
+  [[nodiscard]] double timeOf(std::size_t row) const
+  {
+    const auto column = table_.findColumn("t");
+    return table_.number(row, column ? *column : table_.column("frame"));
+  }
+  [[nodiscard]] ImageFrame frameAt(std::size_t row) const
+  {
+    ImageFrame frame{table_.integer(row, table_.column("frame")), timeOf(row), {}};
+    for (const std::string& role : roles_)
+    {
+      const std::string& name = table_.text(row, table_.column(role));
+      const fs::path file = folder_ / name;
+      frame.images.push_back({role, name, {}, {}});
+      // OpenCV complains on its own about a file that is not there.
+      if (!name.empty() && fs::is_regular_file(file))
+        frame.images.back().pixels = cv::imread(file.string(), cv::IMREAD_ANYCOLOR);
+    }
+    return frame;
+  }
+
+  fs::path folder_;
+  TextTable table_;
+  std::vector<std::string> roles_;
+  PoseColumns odometry_;
+  std::size_t row_ = 0;
+  bool odometry_told_ = false;  ///< of this row
+};
+}  // namespace
+
+const FrameImage* ImageFrame::find(const std::string& role) const
+{
+  for (const FrameImage& image : images)
+    if (image.role == role) return &image;
+  return nullptr;
+}
+
+std::unique_ptr<ImageSequence> openImageFolder(const fs::path& folder, const std::vector<std::string>& roles)
+{
+  return std::make_unique<ImageFolder>(folder, roles);
+}
+}  // namespace mrpt_ext

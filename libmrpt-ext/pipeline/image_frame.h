@@ -1,0 +1,60 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <opencv2/core/mat.hpp>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "mrpt_ext/geometry/recording.h"
+
+namespace mrpt_ext
+{
+/// One image of a frame; `pixels` is empty when the file is missing or cannot be decoded.
+struct FrameImage
+{
+  std::string role;  ///< "image", or "left" and "right"
+  std::string name;  ///< for messages and for the names of debug pictures
+  cv::Mat pixels;    ///< 8 bits, grey or BGR
+  Pose2 T_robot_camera;
+};
+
+/// Images taken at one moment.
+struct ImageFrame
+{
+  int number = 0;
+  double time = 0;  ///< [s]
+  std::vector<FrameImage> images;
+
+  /// Null when there is none of this role.
+  [[nodiscard]] const FrameImage* find(const std::string& role) const;
+};
+
+using ImageRecord = std::variant<OdometryRecord, ImageFrame>;
+
+/// Images and odometry in the order of time, read one by one.
+class ImageSequence
+{
+ public:
+  virtual ~ImageSequence() = default;
+  /// Nothing at the end.
+  [[nodiscard]] virtual std::optional<ImageRecord> next() = 0;
+
+  nlohmann::json camera;    ///< object `camera` of camera.json; null without one
+  LandmarkTable map;        ///< empty when none comes with the images
+  Trajectory truth;         ///< likewise
+  std::size_t ignored = 0;  ///< records that are neither images nor odometry
+};
+
+/// A folder with `frames.csv` (one row per frame: `frame`, a file name per role, optional `t`, optional
+/// `odometry_x_m,odometry_y_m,odometry_heading_deg`, optional truth `x_m,y_m,heading_deg`), optional `camera.json` and
+/// optional `map.csv` (`id,name,x_m,y_m`). Throws InputError (data) on damaged tables.
+[[nodiscard]] std::unique_ptr<ImageSequence> openImageFolder(const std::filesystem::path& folder,
+                                                             const std::vector<std::string>& roles);
+
+/// A rawlog with CObservationImage (role "image") or CObservationStereoImages ("left" and "right") and odometry.
+[[nodiscard]] std::unique_ptr<ImageSequence> openImageRawlog(const std::filesystem::path& rawlog);
+}  // namespace mrpt_ext

@@ -1,0 +1,21 @@
+#include "mrpt_ext/pipeline/vision_front_end.h"
+
+#include <stdexcept>
+
+#include "mrpt_ext/pipeline/conic_mirror_front_end.h"
+
+namespace mrpt_ext
+{
+std::vector<std::string> imageRoles(const Settings& settings)
+{
+  static_cast<void>(settings.choice("Images", "sensor"));  // conic_mirror is the only one with a single image so far
+  return {"image"};
+}
+
+std::unique_ptr<VisionFrontEnd> makeFrontEnd(const Settings& settings, const nlohmann::json& camera)
+{
+  const std::string sensor = settings.choice("Images", "sensor");
+  if (sensor == "conic_mirror") return std::make_unique<ConicMirrorFrontEnd>(settings, camera);
+  throw std::logic_error("no front end for sensor " + sensor);
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mrpt_ext/vision/mirror_outline.h"
+#include "mrpt_ext/vision/radial_edges.h"
+
+namespace mrpt_ext
+{
+/// The conic-mirror camera of paper 000, section 4: it looks straight up, so azimuths in the image run
+/// counter-clockwise about the robot's vertical axis, from the image's u axis towards its v axis.
+struct ConicMirrorSettings
+{
+  cv::Size image_size;   ///< [px]; empty: any
+  double mount_yaw = 0;  ///< [rad] azimuth of the image's u axis in the robot's frame
+  OutlineSettings outline;
+  PolarGrid grid;
+  RadialEdgeSettings edges;
+};
+
+/// What one image shows.
+struct ConicMirrorView
+{
+  std::string problem;                   ///< why there is no measurement; empty when there may be some
+  std::optional<MirrorOutline> outline;  ///< nothing with a problem
+  std::vector<RadialEdge> edges;         ///< azimuths in the image
+};
+
+/// Vertical edges seen in the mirror. A wrong, empty or black image and one without a mirror have a problem and no
+/// edges.
+[[nodiscard]] ConicMirrorView viewConicMirror(const cv::Mat& image, const ConicMirrorSettings& settings);
+
+/// The image in colour with the rim and the edges that were found.
+[[nodiscard]] cv::Mat drawConicMirror(const cv::Mat& image, const ConicMirrorView& view);
+}  // namespace mrpt_ext

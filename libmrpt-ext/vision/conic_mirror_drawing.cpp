@@ -1,0 +1,50 @@
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "mrpt_ext/geometry/angle.h"
+#include "mrpt_ext/vision/conic_mirror.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+const cv::Scalar kRimColour(0, 200, 255), kBrighter(80, 220, 80), kDarker(255, 120, 60), kText(60, 60, 255);
+constexpr int kFractionBits = 4;  ///< of OpenCV's fixed-point drawing coordinates
+
+cv::Point fixedPoint(const cv::Point2d& p)
+{
+  constexpr int kOne = 1 << kFractionBits;
+  return {cvRound(p.x * kOne), cvRound(p.y * kOne)};
+}
+}  // namespace
+
+cv::Mat drawConicMirror(const cv::Mat& image, const ConicMirrorView& view)
+{
+  cv::Mat drawing;
+  if (image.empty() || image.depth() != CV_8U) return drawing;
+  if (image.channels() == 1)
+    cv::cvtColor(image, drawing, cv::COLOR_GRAY2BGR);
+  else
+    drawing = image.clone();
+  if (!view.outline)
+  {
+    cv::putText(drawing, view.problem, {10, 24}, cv::FONT_HERSHEY_SIMPLEX, 0.6, kText, 1, cv::LINE_AA);
+    return drawing;
+  }
+  for (const cv::Point2d& p : view.outline->support)
+    cv::circle(drawing, fixedPoint(p), 1 << kFractionBits, kRimColour, cv::FILLED, cv::LINE_AA, kFractionBits);
+  const AxisEllipse& rim = view.outline->rim;
+  cv::drawMarker(drawing, {cvRound(rim.centre.x), cvRound(rim.centre.y)}, kRimColour, cv::MARKER_CROSS, 11);
+  for (const RadialEdge& edge : view.edges)
+  {
+    const cv::Point2d direction(std::cos(edge.azimuth), std::sin(edge.azimuth));
+    cv::line(drawing, fixedPoint(rim.at(direction, edge.inner)), fixedPoint(rim.at(direction, edge.outer)),
+             edge.polarity > 0 ? kBrighter : kDarker, 1, cv::LINE_AA, kFractionBits);
+    const std::string text = std::to_string(cvRound(radToDeg(edge.azimuth)));
+    const cv::Point2d place = rim.at(direction, 1.04);
+    cv::putText(drawing, text, {cvRound(place.x) - 10, cvRound(place.y) + 4}, cv::FONT_HERSHEY_SIMPLEX, 0.35, kText, 1,
+                cv::LINE_AA);
+  }
+  return drawing;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <string>
+
+namespace mrpt_ext
+{
+/// What keeps `image` from being looked at: "is empty", "has 4 channels ...", "is 320x240, expected 640x480"; empty
+/// when nothing does. `size` is that of the camera; empty: any.
+[[nodiscard]] std::string complaintAboutImage(const cv::Mat& image, const cv::Size& size);
+
+/// 8-bit grey from an 8-bit grey or BGR image.
+[[nodiscard]] cv::Mat greyOf(const cv::Mat& image);
+}  // namespace mrpt_ext

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+#include "mrpt_ext/vision/axis_ellipse.h"
+
+namespace mrpt_ext
+{
+/// How finely the ring between two circles around the mirror's axis is sampled.
+struct PolarGrid
+{
+  int azimuths = 1440;  ///< columns, of a full turn
+  int radii = 96;       ///< rows
+  double inner = 0.15;  ///< radius of the first row, share of the rim's
+  double outer = 0.97;  ///< radius of the last row
+
+  [[nodiscard]] double azimuthStep() const;         ///< [rad] per column
+  [[nodiscard]] double radiusOf(double row) const;  ///< share of the rim's radius
+};
+
+/// The ring unrolled: row k at radius grid.radiusOf(k), column j at the azimuth j * azimuthStep() around the rim's
+/// centre, measured on the undistorted circle; CV_32F grey levels. What lies outside the image repeats its border;
+/// `inside` is 0 there and 255 elsewhere.
+struct PolarImage
+{
+  PolarGrid grid;
+  cv::Mat grey;    ///< CV_32F
+  cv::Mat inside;  ///< CV_8U
+};
+
+[[nodiscard]] PolarImage unroll(const cv::Mat& grey, const AxisEllipse& rim, const PolarGrid& grid);
+}  // namespace mrpt_ext

@@ -1,0 +1,150 @@
+#include "mrpt_ext/vision/radial_edges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "mrpt_ext/geometry/angle.h"
+#include "mrpt_ext/vision/radial_votes.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kNeighbourhood = 1.3;  ///< a peak is the largest within this many deviations of the smoothing
+constexpr double kFlank = 6;            ///< its flanks reach so many deviations
+/// Neighbouring rows share pixels, and so do the rows of one pixel near the centre.
+constexpr double kRowCorrelation = 1.5;
+
+/// Steps of one run of rows summed with the weights 1/noise^2, for azimuths around one column.
+class RunProfile
+{
+ public:
+  RunProfile(const AzimuthSteps& steps, const RadialRun& run, int polarity) : steps_(steps), run_(run)
+  {
+    for (int row = run.first; row < run.end; ++row)
+    {
+      const double noise = steps.noise[static_cast<std::size_t>(row)];
+      weights_.push_back(polarity / square(noise));
+      total_ += 1 / square(noise);
+    }
+    noise_ = kRowCorrelation / std::sqrt(total_);
+  }
+
+  /// [grey levels] mean step at a column, which may lie beyond either end of a turn.
+  [[nodiscard]] double operator()(int column) const
+  {
+    const int columns = steps_.heights.cols, j = ((column % columns) + columns) % columns;
+    double sum = 0;
+    for (int row = run_.first; row < run_.end; ++row)
+      sum += weights_[static_cast<std::size_t>(row - run_.first)] * steps_.heights.at<float>(row, j);
+    return sum / total_;
+  }
+  [[nodiscard]] double noise() const { return noise_; }
+
+ private:
+  const AzimuthSteps& steps_;
+  RadialRun run_;
+  std::vector<double> weights_;
+  double total_ = 0, noise_ = 0;
+};
+
+/// A peak of a profile: a Gaussian through three samples.
+struct Peak
+{
+  double offset = 0;     ///< [columns] from the middle sample
+  double deviation = 0;  ///< [columns]
+  double height = 0;
+};
+
+std::optional<Peak> gaussianPeak(double before, double here, double behind, double spacing)
+{
+  if (!(before > 0) || !(here > 0) || !(behind > 0)) return std::nullopt;
+  const double a = std::log(before), b = std::log(here), c = std::log(behind), bend = a - 2 * b + c;
+  if (!(bend < 0)) return std::nullopt;
+  const double offset = 0.5 * (a - c) / bend;
+  if (!(std::abs(offset) < 1)) return std::nullopt;
+  return Peak{offset * spacing, spacing / std::sqrt(-bend), here};
+}
+
+/// How far the profile falls on the side that falls less, share of the peak (1: to nothing or below).
+double prominence(const RunProfile& profile, int column, double peak, int reach)
+{
+  const auto lowest = [&](int direction)
+  {
+    double low = peak;
+    for (int k = 1; k <= reach && low > 0; ++k) low = std::min(low, profile(column + direction * k));
+    return std::max(low, 0.0);
+  };
+  return 1 - std::max(lowest(-1), lowest(1)) / peak;
+}
+
+/// Columns where the evidence is largest among their neighbours.
+std::vector<int> peakColumns(const std::vector<RadialRun>& runs, int reach, float least)
+{
+  const int columns = static_cast<int>(runs.size());
+  const auto evidence = [&](int j) { return runs[static_cast<std::size_t>((j + columns) % columns)].evidence; };
+  std::vector<int> peaks;
+  for (int j = 0; j < columns; ++j)
+  {
+    bool is_peak = evidence(j) > least;
+    for (int k = 1; k <= reach && is_peak; ++k)
+      is_peak = evidence(j) > evidence(j - k) && evidence(j) >= evidence(j + k);
+    if (is_peak) peaks.push_back(j);
+  }
+  return peaks;
+}
+
+double medianBrightness(const PolarImage& polar)
+{
+  std::vector<float> values;
+  for (int row = 0; row < polar.grey.rows; row += 4)
+    for (int j = 0; j < polar.grey.cols; j += 8) values.push_back(polar.grey.at<float>(row, j));
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+}  // namespace
+
+std::vector<RadialEdge> findRadialEdges(const PolarImage& polar, double centre_std, double radius,
+                                        const RadialEdgeSettings& settings)
+{
+  const AzimuthSteps steps = stepsAlongAzimuth(polar, settings.smoothing);
+  const double step = polar.grid.azimuthStep(), smoothing = settings.smoothing / step;
+  const int spacing = std::max(1, static_cast<int>(std::lround(smoothing)));
+  const double least_contrast = settings.min_contrast * medianBrightness(polar);
+  std::vector<RadialEdge> edges;
+  for (const int polarity : {-1, 1})
+  {
+    const auto runs = strongestRuns(steps, polarity);
+    for (const int column : peakColumns(runs, static_cast<int>(std::ceil(kNeighbourhood * smoothing)), 1.F))
+    {
+      const RadialRun& run = runs[static_cast<std::size_t>(column)];
+      const double rows = run.end - run.first;
+      if (rows < settings.min_length * polar.grid.radii) continue;
+      const RunProfile profile(steps, run, polarity);
+      const auto peak = gaussianPeak(profile(column - spacing), profile(column), profile(column + spacing), spacing);
+      if (!peak || peak->height < least_contrast) continue;
+      const double significance = peak->height / profile.noise();
+      if (significance < settings.min_significance || peak->deviation * step > settings.max_width) continue;
+      if (prominence(profile, column, peak->height, static_cast<int>(kFlank * smoothing)) < settings.min_prominence)
+        continue;
+      RadialEdge edge;
+      edge.azimuth = wrap((column + peak->offset) * step);
+      edge.polarity = polarity;
+      edge.contrast = peak->height;
+      edge.significance = significance;
+      edge.inner = polar.grid.radiusOf(run.first);
+      edge.outer = polar.grid.radiusOf(run.end - 1);
+      // White noise through a Gaussian's derivative: the slope's deviation is sqrt(3/2)/smoothing of the value's, and
+      // the peak's bend is height/deviation^2.
+      const double by_noise = std::sqrt(1.5) * square(peak->deviation) / (smoothing * significance) * step;
+      const double by_centre = centre_std / (0.5 * (edge.inner + edge.outer) * radius);
+      edge.std_azimuth = std::sqrt(square(by_noise) + square(by_centre) + square(settings.std_floor));
+      edges.push_back(edge);
+    }
+  }
+  std::sort(edges.begin(), edges.end(), [](const RadialEdge& a, const RadialEdge& b) { return a.azimuth < b.azimuth; });
+  return edges;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "mrpt_ext/vision/polar_image.h"
+
+namespace mrpt_ext
+{
+/// When a radial step of brightness counts as an edge.
+struct RadialEdgeSettings
+{
+  double smoothing = 0.0070;     ///< [rad] standard deviation of the smoothing along azimuth
+  double min_length = 0.18;      ///< radial length, share of the sampled ring
+  double min_significance = 7;   ///< evidence of the whole edge, in standard deviations of the noise
+  double min_contrast = 0.01;    ///< mean step, share of the ring's median brightness
+  double max_width = 0.0150;     ///< [rad] standard deviation of the edge's profile, smoothing included
+  double min_prominence = 0.45;  ///< how far the profile falls on both sides, share of the peak
+  double std_floor = 0.0006;     ///< [rad] of what the noise does not explain
+};
+
+/// A vertical edge of the room: a radial one in the image.
+struct RadialEdge
+{
+  double azimuth = 0;      ///< [rad] in the image: from the u axis towards the v axis, wrapped
+  double std_azimuth = 0;  ///< [rad]
+  int polarity = 0;        ///< +1: brighter towards growing azimuth, -1: darker
+  double contrast = 0;     ///< [grey levels] mean step
+  double significance = 0;
+  double inner = 0, outer = 0;  ///< ends, shares of the rim's radius
+};
+
+/// Radial edges of both polarities by voting along radii (paper 000, section 4): at every azimuth each radius votes
+/// with its smoothed step of brightness in units of its row's noise, clipped so that none outvotes many; the run of
+/// radii with most evidence counts, so that edges that end at a table's height are found. Peaks of the evidence are
+/// located to a fraction of a column on the summed steps of the run.
+///
+/// `centre_std` [px] is that of the rim's centre and `radius` [px] the rim's; both together are an error of azimuth.
+/// Ordered by azimuth. The noise is that of the image itself, so gain and noise need no setting.
+[[nodiscard]] std::vector<RadialEdge> findRadialEdges(const PolarImage& polar, double centre_std, double radius,
+                                                      const RadialEdgeSettings& settings);
+}  // namespace mrpt_ext

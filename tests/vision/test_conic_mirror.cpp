@@ -1,0 +1,141 @@
+#include <gtest/gtest.h>
+
+#include "mrpt_ext/vision/conic_mirror.h"
+#include "synthetic_mirror.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+using testing::MirrorPicture;
+
+const RadialEdge* edgeAt(const ConicMirrorView& view, double azimuth_deg)
+{
+  const RadialEdge* nearest = nullptr;
+  const auto distance = [&](const RadialEdge& e) { return std::abs(wrap(e.azimuth - degToRad(azimuth_deg))); };
+  for (const RadialEdge& edge : view.edges)
+    if (!nearest || distance(edge) < distance(*nearest)) nearest = &edge;
+  return nearest && distance(*nearest) < degToRad(1.0) ? nearest : nullptr;
+}
+
+/// Every sector's beginning is an edge of the right polarity, and there is none else. Returns the squared errors in
+/// units of the stated deviations.
+std::vector<double> expectTheSectors(const MirrorPicture& picture, const ConicMirrorView& view)
+{
+  std::vector<double> squares;
+  EXPECT_EQ(view.problem, "");
+  EXPECT_EQ(view.edges.size(), picture.sectors.size());
+  for (std::size_t i = 0; i < picture.sectors.size(); ++i)
+  {
+    const double before = picture.sectors[(i + picture.sectors.size() - 1) % picture.sectors.size()].brightness;
+    const RadialEdge* const edge = edgeAt(view, picture.sectors[i].azimuth_deg);
+    if (!edge)
+    {
+      ADD_FAILURE() << "no edge at " << picture.sectors[i].azimuth_deg;
+      continue;
+    }
+    EXPECT_EQ(edge->polarity, picture.sectors[i].brightness > before ? 1 : -1);
+    const double error = wrap(edge->azimuth - degToRad(picture.sectors[i].azimuth_deg));
+    EXPECT_LT(std::abs(error), degToRad(0.12)) << picture.sectors[i].azimuth_deg;
+    EXPECT_GT(edge->std_azimuth, 0);
+    squares.push_back(square(error / edge->std_azimuth));
+  }
+  return squares;
+}
+}  // namespace
+
+TEST(ConicMirror, SeesEveryEdgeWithItsPolarity)
+{
+  const MirrorPicture picture;
+  expectTheSectors(picture, viewConicMirror(testing::paint(picture), {}));
+}
+
+TEST(ConicMirror, StatesHowSureItIs)
+{
+  MirrorPicture picture;
+  picture.noise = 6;
+  picture.sectors = {{-150, 128}, {-80, 120}, {-10, 130}, {70, 122}, {120, 134}};
+  std::vector<double> squares;
+  for (int seed = 1; seed <= 8; ++seed)
+  {
+    const auto more = expectTheSectors(picture, viewConicMirror(testing::paint(picture, seed), {}));
+    squares.insert(squares.end(), more.begin(), more.end());
+  }
+  double mean = 0;
+  for (const double value : squares) mean += value / static_cast<double>(squares.size());
+  EXPECT_GT(mean, 0.15);  // not far too careful
+  EXPECT_LT(mean, 2.0);   // nor too sure
+}
+
+TEST(ConicMirror, DoesNotTakeShadingForEdges)
+{
+  MirrorPicture picture;
+  picture.sectors = {{-170, 130}, {10, 100}};
+  picture.shading = 60;
+  expectTheSectors(picture, viewConicMirror(testing::paint(picture), {}));
+}
+
+TEST(ConicMirror, SeesEdgesUnderOtherLightAndMoreNoise)
+{
+  MirrorPicture picture;
+  picture.noise = 6;
+  cv::Mat colour;
+  cv::cvtColor(testing::paint(picture), colour, cv::COLOR_GRAY2BGR);
+  colour.convertTo(colour, CV_8UC3, 0.7);
+  cv::multiply(colour, cv::Scalar(0.8, 1.0, 1.15), colour);
+  expectTheSectors(picture, viewConicMirror(colour, {}));
+}
+
+TEST(ConicMirror, SeesAnEdgeThatEndsHalfWay)
+{
+  MirrorPicture picture;
+  picture.sectors = {{-170, 180}, {20, 120}};
+  cv::Mat image = testing::paint(picture);
+  cv::Mat painted = image.clone();
+  // A dark table in the outer half, from 80 to 110 degrees.
+  for (int v = 0; v < image.rows; ++v)
+    for (int u = 0; u < image.cols; ++u)
+    {
+      const double x = (u - picture.rim.centre.x) / picture.rim.semi_u,
+                   y = (v - picture.rim.centre.y) / picture.rim.semi_v;
+      const double r = std::hypot(x, y), azimuth = radToDeg(std::atan2(y, x));
+      if (r > 0.6 && r < 1 && azimuth > 80 && azimuth < 110) painted.at<uchar>(v, u) = 50;
+    }
+  const ConicMirrorView view = viewConicMirror(painted, {});
+  const RadialEdge *right = edgeAt(view, 80), *left = edgeAt(view, 110);
+  ASSERT_TRUE(right && left);
+  EXPECT_EQ(right->polarity, -1);
+  EXPECT_EQ(left->polarity, 1);
+  EXPECT_NEAR(right->inner, 0.6, 0.06);
+}
+
+TEST(ConicMirror, TellsWhyThereIsNoMeasurement)
+{
+  ConicMirrorSettings settings;
+  settings.image_size = {640, 480};
+  const auto problem = [&](const cv::Mat& image)
+  {
+    const ConicMirrorView view = viewConicMirror(image, settings);
+    EXPECT_TRUE(view.edges.empty());
+    static_cast<void>(drawConicMirror(image, view));
+    return view.problem;
+  };
+  EXPECT_EQ(problem({}), "image is empty");
+  EXPECT_EQ(problem(cv::Mat::zeros(240, 320, CV_8U)), "image is 320x240 pixels, expected 640x480");
+  EXPECT_EQ(problem(cv::Mat::zeros(480, 640, CV_16U)), "image has 1 channels of 16 bits, expected 1 or 3 of 8 bits");
+  EXPECT_EQ(problem(cv::Mat::zeros(480, 640, CV_8U)), "no mirror found");
+  settings.image_size = {};
+  EXPECT_EQ(problem(cv::Mat::zeros(2, 1, CV_8UC3)), "image is 1x2 pixels, expected at least 64 either way");
+}
+
+TEST(ConicMirror, DrawsWhatItFound)
+{
+  const cv::Mat image = testing::paint({});
+  const cv::Mat drawing = drawConicMirror(image, viewConicMirror(image, {}));
+  ASSERT_EQ(drawing.type(), CV_8UC3);
+  ASSERT_EQ(drawing.size(), image.size());
+  std::vector<cv::Mat> channels;
+  cv::split(drawing, channels);
+  EXPECT_GT(cv::countNonZero(channels[0] != channels[1]), 1000);  // coloured marks on a grey picture
+}
+}  // namespace mrpt_ext
