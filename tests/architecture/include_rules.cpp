@@ -99,13 +99,15 @@ Violations checkLinkDirections(const SourceTree& tree)
 
 Violations checkEigenOnlyFolders(const SourceTree& tree)
 {
-  static const std::regex kFramework(R"rx([<"](mrpt/|opencv).*)rx");
+  static const std::regex kFramework(R"rx([<"](mrpt/|opencv).*)rx"), kMrpt(R"rx([<"]mrpt/.*)rx");
   Violations found;
   for (const auto& [path, text] : tree)
   {
-    if (!isCpp(path) || !kEigenOnly.contains(folderOf(path))) continue;
+    const std::string folder = folderOf(path);
+    if (!isCpp(path) || (!kEigenOnly.contains(folder) && folder != "vision")) continue;
     for (const std::string& include : includesOf(text))
-      if (std::regex_match(include, kFramework)) found.push_back(path + ": includes " + include.substr(1));
+      if (std::regex_match(include, folder == "vision" ? kMrpt : kFramework))
+        found.push_back(path + ": includes " + include.substr(1));
   }
   return found;
 }

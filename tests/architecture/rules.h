@@ -17,7 +17,7 @@ using Violations = std::vector<std::string>;
 [[nodiscard]] Violations checkIncludeDirections(const SourceTree& tree);
 /// A folder's CMakeLists.txt links only the folders that it may include.
 [[nodiscard]] Violations checkLinkDirections(const SourceTree& tree);
-/// The Eigen-only folders include neither MRPT nor OpenCV.
+/// The Eigen-only folders include neither MRPT nor OpenCV, and vision no MRPT.
 [[nodiscard]] Violations checkEigenOnlyFolders(const SourceTree& tree);
 /// Estimators never name the truth, nor a type that carries it, nor more of `evaluation` than its plain rows.
 [[nodiscard]] Violations checkEstimatorsDoNotSeeTruth(const SourceTree& tree);
