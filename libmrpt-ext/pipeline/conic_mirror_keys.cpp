@@ -39,12 +39,12 @@ KeyTable conicMirrorKeys()
       key("ring_outer", "", "0.97", {0.05, 1}, "Where the ring ends."),
       key("edge_smoothing_deg", "deg", "0.4", {0.05, 5}, "Standard deviation of the smoothing along azimuth."),
       key("edge_length", "", "0.18", kShare, "Shortest edge, share of the ring's width."),
-      key("edge_significance", "", "7", {1, 1000}, "Least evidence for an edge, in deviations of the image's noise."),
+      key("edge_significance", "", "8.5", {1, 1000}, "Least evidence for an edge, in deviations of the image's noise."),
       key("edge_contrast", "", "0.01", {0, 1}, "Least mean step, share of the ring's median brightness."),
       key("edge_width_deg", "deg", "0.86", {0.05, 10},
           "Largest width of an edge, smoothing included; soft shadows are wider."),
       key("edge_prominence", "", "0.45", {0, 1}, "How far the step must fall on both sides, share of its peak."),
-      key("std_floor_deg", "deg", "0.035", {0, 10}, "Standard deviation of an azimuth that noise does not explain."),
+      key("std_floor_deg", "deg", "0.029", {0, 10}, "Standard deviation of an azimuth that noise does not explain."),
   }};
 }
 }  // namespace mrpt_ext

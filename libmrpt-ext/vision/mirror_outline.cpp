@@ -22,6 +22,10 @@ constexpr double kCoarseTolerance = 2.0;  ///< [px]
 constexpr double kFineTolerance = 1.0;    ///< [px]
 constexpr int kHalfStep = 2;              ///< [px] brightness is compared this far before and behind
 
+constexpr int kNoiseGrid = 13;  ///< [px] spacing of the places where the noise is estimated
+constexpr double kStepSignificance = 3.5;
+constexpr double kMedianOfNormal = 0.6745;
+
 /// A step of brightness across the suspected rim.
 struct RimStep
 {
@@ -161,14 +165,31 @@ std::optional<AxisEllipse> bestOfFours(const cv::Mat& grey, const std::vector<Ri
   return best;
 }
 
-std::optional<MirrorOutline> refine(const cv::Mat& grey, const AxisEllipse& coarse, const OutlineSettings& settings)
+/// The smallest step of brightness that is not just noise: of the steps on a sparse grid, hardly one is higher.
+double leastStep(const cv::Mat& grey, const OutlineSettings& settings)
+{
+  std::vector<int> steps;
+  for (int v = kNoiseGrid; v < grey.rows; v += kNoiseGrid)
+  {
+    const uchar* const row = grey.ptr<uchar>(v);
+    for (int u = kNoiseGrid; u + kHalfStep < grey.cols; u += kNoiseGrid)
+      steps.push_back(std::abs(row[u + 2] + row[u + 1] - row[u - 1] - row[u - 2]));
+  }
+  if (steps.empty()) return settings.min_contrast;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return std::max(settings.min_contrast, kStepSignificance * *middle / (2 * kMedianOfNormal));
+}
+
+std::optional<MirrorOutline> refine(const cv::Mat& grey, const AxisEllipse& coarse, double least_step,
+                                    const OutlineSettings& settings)
 {
   AxisEllipse rim = coarse;
   EllipseFit fit;
   std::vector<cv::Point2d> support;
   for (const double tolerance : {kCoarseTolerance, kFineTolerance, kFineTolerance})
   {
-    const auto steps = stepsAcross(grey, rim, kFineRays, kFineWindow, settings.min_contrast);
+    const auto steps = stepsAcross(grey, rim, kFineRays, kFineWindow, least_step);
     support = supportOf(rim, steps, tolerance);
     const auto refined = refineEllipse(rim, support);
     if (!refined || !isAllowed(refined->ellipse, grey, settings)) return std::nullopt;
@@ -188,15 +209,16 @@ std::optional<MirrorOutline> refine(const cv::Mat& grey, const AxisEllipse& coar
 
 std::optional<MirrorOutline> findMirrorOutline(const cv::Mat& grey, const OutlineSettings& settings)
 {
+  const double least_step = leastStep(grey, settings);
   std::optional<MirrorOutline> best;
   std::vector<AxisEllipse> places = voteForMirrors(grey, settings);
   if (places.size() > kTriedPlaces) places.resize(kTriedPlaces);
   for (const AxisEllipse& place : places)
   {
-    const auto steps = stepsAcross(grey, place, kCoarseRays, kCoarseWindow, settings.min_contrast);
+    const auto steps = stepsAcross(grey, place, kCoarseRays, kCoarseWindow, least_step);
     const auto coarse = bestOfFours(grey, steps, settings);
     if (!coarse) continue;
-    auto outline = refine(grey, *coarse, settings);
+    auto outline = refine(grey, *coarse, least_step, settings);
     const bool is_sure = outline && outline->visible_share > kSureShare;
     if (outline && (!best || outline->visible_share > best->visible_share)) best = std::move(outline);
     if (is_sure) break;

@@ -14,7 +14,7 @@ namespace
 constexpr double kNeighbourhood = 1.3;  ///< a peak is the largest within this many deviations of the smoothing
 constexpr double kFlank = 6;            ///< its flanks reach so many deviations
 /// Neighbouring rows share pixels, and so do the rows of one pixel near the centre.
-constexpr double kRowCorrelation = 1.5;
+constexpr double kRowCorrelation = 1.2;
 
 /// Steps of one run of rows summed with the weights 1/noise^2, for azimuths around one column.
 class RunProfile

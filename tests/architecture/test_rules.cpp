@@ -46,6 +46,8 @@ TEST(EigenOnlyFolders, RefuseFrameworkHeaders)
 {
   EXPECT_EQ(checkEigenOnlyFolders(file("libmrpt-ext/filter/a.h", "#include <mrpt/poses/CPose2D.h>\n")).size(), 1U);
   EXPECT_EQ(checkEigenOnlyFolders(file("libmrpt-ext/report/a.h", "#include <opencv2/core.hpp>\n")).size(), 1U);
+  EXPECT_EQ(checkEigenOnlyFolders(file("libmrpt-ext/vision/a.h", "#include <mrpt/img/CImage.h>\n")).size(), 1U);
+  EXPECT_TRUE(checkEigenOnlyFolders(file("libmrpt-ext/vision/a.h", "#include <opencv2/core.hpp>\n")).empty());
   EXPECT_TRUE(checkEigenOnlyFolders(file("libmrpt-ext/filter/a.h", "#include <Eigen/Core>\n")).empty());
   EXPECT_TRUE(checkEigenOnlyFolders(file("maps/a.h", "#include <mrpt/maps/CMetricMap.h>\n")).empty());
 }

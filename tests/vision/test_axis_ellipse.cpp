@@ -62,7 +62,7 @@ TEST(AxisEllipse, RefinementFollowsAPartOfTheRim)
 TEST(AxisEllipse, RefinementTellsHowSureItIs)
 {
   auto points = pointsOf(kEllipse, 400);
-  for (std::size_t i = 0; i < points.size(); ++i) points[i].x += (i * 7919 % 13 - 6.0) / 20;
+  for (std::size_t i = 0; i < points.size(); ++i) points[i].x += (static_cast<double>(i * 7919 % 13) - 6) / 20;
   const auto fit = refineEllipse(kEllipse, points);
   ASSERT_TRUE(fit);
   const double std_centre = std::sqrt(fit->covariance(0, 0));

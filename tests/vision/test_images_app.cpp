@@ -4,6 +4,7 @@
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/serialization/CArchive.h>
 
+#include <algorithm>
 #include <opencv2/imgcodecs.hpp>
 
 #include "../files/scratch_folder.h"
