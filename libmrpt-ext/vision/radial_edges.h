@@ -9,13 +9,13 @@ namespace mrpt_ext
 /// When a radial step of brightness counts as an edge.
 struct RadialEdgeSettings
 {
-  double smoothing = 0.0070;      ///< [rad] standard deviation of the smoothing along azimuth
-  double min_length = 0.18;       ///< radial length, share of the sampled ring
-  double min_significance = 8.5;  ///< evidence of the whole edge, in standard deviations of the noise
-  double min_contrast = 0.01;     ///< mean step, share of the ring's median brightness
-  double max_width = 0.0150;      ///< [rad] standard deviation of the edge's profile, smoothing included
-  double min_prominence = 0.45;   ///< how far the profile falls on both sides, share of the peak
-  double std_floor = 0.0005;      ///< [rad] of what the noise does not explain
+  double smoothing = 0.0070;     ///< [rad] standard deviation of the smoothing along azimuth
+  double min_length = 0.18;      ///< radial length, share of the sampled ring
+  double min_significance = 8;   ///< evidence of the whole edge, in standard deviations of the noise
+  double min_contrast = 0.015;   ///< mean step, share of the ring's median brightness
+  double max_width = 0.0150;     ///< [rad] standard deviation of the edge's profile, smoothing included
+  double min_prominence = 0.45;  ///< how far the profile falls on both sides, share of the peak
+  double std_floor = 0.0005;     ///< [rad] of what the noise does not explain
 };
 
 /// A vertical edge of the room: a radial one in the image.
