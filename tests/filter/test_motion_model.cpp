@@ -149,4 +149,31 @@ TEST(MotionModel, WithoutNoiseTheIncrementIsExact)
   EXPECT_NEAR(particles.phi[0], expected.phi, 1e-6);
   EXPECT_EQ(particles.log_weight[0], -1.5);
 }
+
+TEST(MotionModel, ScaleErrorsOfOdometryAreThoseOfTheParticle)
+{
+  const MotionModel exact{
+      .std_xy_per_m = 0, .std_phi_per_deg = 0, .std_phi_per_m = 0, .std_xy_per_s = 0, .std_phi_per_s = 0};
+  ParticleSet particles({0, 0}, {{.kind = BiasKind::way_scale}, {.kind = BiasKind::turn_scale}});
+  for (int i = 0; i < 2; ++i) particles.add({1, 2, 0}, 0);
+  particles.bias = {{0.0F, 0.1F}, {0.0F, -0.2F}};
+  RandomStream random(1);
+  moveParticles(particles, exact, {{0.5, 0.1, 0.4}, 0.6, 0.4, 1}, random);
+  EXPECT_TRUE(particles.pose(0).vector().isApprox(compose({1, 2, 0}, {0.5, 0.1, 0.4}).vector(), 1e-6));
+  const Vector2d chord = 1.1 * (rotation(-0.2 * 0.4 / 2) * Vector2d(0.5, 0.1));
+  EXPECT_TRUE(particles.pose(1).vector().isApprox(Vector3d(1 + chord.x(), 2 + chord.y(), 0.8 * 0.4), 1e-6));
+}
+
+TEST(MotionModel, ThreadsChangeNothing)
+{
+  const auto moved = [](unsigned threads)
+  {
+    ParticleSet particles;
+    for (std::size_t i = 0; i < kParticles; ++i) particles.add({0, 0, 0}, 0);
+    RandomStream random(7);
+    moveParticles(particles, kModel, straight(1, 1), random, threads);
+    return particles.x;
+  };
+  EXPECT_EQ(moved(1), moved(2));
+}
 }  // namespace mrpt_ext
