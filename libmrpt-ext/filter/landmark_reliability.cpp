@@ -1,8 +1,11 @@
 #include "mrpt_ext/filter/landmark_reliability.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
+#include "mrpt_ext/filter/weight_kernels.h"
 #include "mrpt_ext/likelihood/landmark_prediction.h"
 
 namespace mrpt_ext
@@ -14,13 +17,23 @@ constexpr std::size_t kSamples = 64;  // draws from the posterior: enough for a 
 /// Evenly spaced draws from the posterior; deterministic, so that learning costs no random numbers.
 std::vector<std::size_t> spacedDraws(const ParticleSet& particles)
 {
+  constexpr std::size_t kChunk = 1024;
   std::vector<std::size_t> draws;
   double cumulative = 0;
-  for (std::size_t i = 0; i < particles.size(); ++i)
+  const auto wanted = [&] { return (static_cast<double>(draws.size()) + 0.5) / kSamples; };
+  std::array<float, kChunk> weight;
+  for (std::size_t first = 0; first < particles.size(); first += kChunk)
   {
-    cumulative += std::exp(double{particles.log_weight[i]});
-    while (draws.size() < kSamples && (static_cast<double>(draws.size()) + 0.5) / kSamples < cumulative)
-      draws.push_back(i);
+    const std::size_t count = std::min(kChunk, particles.size() - first);
+    const double sum =
+        exponentials(std::span(particles.log_weight).subspan(first, count), 0, std::span(weight).first(count));
+    double reached = cumulative;
+    for (std::size_t i = 0; i < count && draws.size() < kSamples && wanted() < cumulative + sum; ++i)
+    {
+      reached += double{weight[i]};
+      while (draws.size() < kSamples && wanted() < reached) draws.push_back(first + i);
+    }
+    cumulative += sum;
   }
   if (draws.empty() && !particles.empty()) draws.push_back(0);
   return draws;
