@@ -12,7 +12,8 @@
 #include "mrpt_ext/vision/conic_mirror.h"
 #include "run_images.h"
 
-// From rendered images of the conic mirror to edges and poses; the truth comes with the images (observations.csv).
+// From rendered images of the conic mirror to edges (ini/images2rawlog/conic-mirror.ini) and poses
+// (ini/landmark-localization/conic-mirror.ini); the truth comes with the images (observations.csv).
 namespace mrpt_ext
 {
 namespace
