@@ -20,8 +20,9 @@ constexpr double kForgottenAfter = 60;                          // [s] without p
 constexpr double kLeastLogWeight = -25;                         // of a place without particles
 constexpr double kDroppedLogWeight = -7;                        // that it starts with
 constexpr double kRevivedAt = 0.05;                             // weight
-constexpr double kDoubt = 3,
-                 kSlack = 0.5;  // standard deviations, log units: how far companion and particles may differ
+// How far companion and particles may differ, in standard deviations and log units: far, because the sampling errors of
+// one frame are felt in the next ones; and how much of it is remembered in the next frame.
+constexpr double kDoubt = 6, kSlack = 1, kRemembered = 0.98;
 
 bool isCompact(const Mode& mode)
 {
@@ -56,8 +57,8 @@ struct ScoredMass
 
 double ModeCompanion::settle(double difference, double variance)
 {
-  owed += difference;
-  owed_variance += variance;
+  owed = kRemembered * owed + difference;
+  owed_variance = kRemembered * kRemembered * owed_variance + variance;
   if (std::abs(owed) <= kSlack + kDoubt * std::sqrt(owed_variance)) return 0;
   const double due = owed;
   owed = owed_variance = 0;
@@ -227,5 +228,16 @@ void ModeCompanions::forget()
       kept.push_back(std::move(companion));
   companions_ = std::move(kept);
   if (companions_.size() == 1 && companions_.front().has_particles) companions_.clear();
+}
+
+std::size_t countPlaces(const ModeSet& modes)
+{
+  double weight = 0;
+  for (std::size_t m = 0; m < modes.modes.size() && isCompact(modes.modes[m]); ++m)
+  {
+    weight += modes.modes[m].weight;
+    if (weight > 0.99) return m + 1;
+  }
+  return 0;
 }
 }  // namespace mrpt_ext

@@ -66,4 +66,7 @@ class ModeCompanions
   std::vector<int> companion_of_;   // per particle, while a frame is in work
   std::vector<double> prior_mass_;  // of its particles, before scoring
 };
+
+/// Number of modes, all of them compact, that together hold 99 % of the weight; 0 when some of it lies elsewhere.
+[[nodiscard]] std::size_t countPlaces(const ModeSet& modes);
 }  // namespace mrpt_ext

@@ -1,6 +1,5 @@
 #include "mrpt_ext/filter/particle_filter.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +7,6 @@
 #include "mrpt_ext/filter/particle_bias.h"
 #include "mrpt_ext/filter/particle_blocks.h"
 #include "mrpt_ext/likelihood/compass_likelihood.h"
-#include "mrpt_ext/likelihood/detection_density.h"
 #include "mrpt_ext/likelihood/reading_scorer.h"
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
 
@@ -16,11 +14,6 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kSeedInflation = 2.0;  // a proposal wider than the posterior it proposes for
-constexpr double kUniformShareStart = 0.3;
-constexpr double kUniformShareInjected = 0.3;
-constexpr double kUniformShareRefined = 0.1;
-constexpr int kRefinements = 2;             // samples drawn again from the modes of the one before
 constexpr std::size_t kMostRedrawn = 4000;  // more particles than that survive a sharp measurement anyway
 constexpr double kPlaceGate = 6;            // standard deviations around a place within which its particles lie
 
@@ -32,12 +25,15 @@ Vector2d originOf(const LandmarkTable& map, const PoseRegion& region)
   return (low + high) / 2;
 }
 
-/// Symmetric square root; directions without spread are allowed.
-Matrix3d squareRoot(const Matrix3d& covariance)
+/// Mean and covariance of n effective particles are themselves uncertain: the covariance that is reported contains the
+/// sampling error of the mean and is free of the bias of a small sample.
+void widenForSampling(FilterStep& step, double effective)
 {
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(covariance);
-  const Matrix3d& V = eigen.eigenvectors();
-  return V * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() * V.transpose();
+  for (Mode& mode : step.modes.modes)
+  {
+    const double n = std::max(4.0, mode.weight * effective);
+    mode.pose.covariance *= (n + 1) / (n - 1);
+  }
 }
 }  // namespace
 
@@ -79,12 +75,18 @@ FilterStep ParticleFilter::process(const Frame& frame, const Proposer& propose)
   const VerdictWithReason verdict = judgeStep(step);
   step.verdict = verdict.verdict;
   step.reason = verdict.reason;
+  step.biases = estimateBiases(particles_);
+  for (const std::string& finding :
+       {disbeliefText(map_, reliability_.histories()), biasText(particles_.bias_states, step.biases)})
+    if (!finding.empty()) step.reason += "; " + finding;
 
+  const double effective = step.effective_ratio * static_cast<double>(step.particles);
   const std::size_t wanted = wantedParticles(step.modes);
   const bool too_many = !options_.adaptive_size && particles_.size() > wanted;
   if (step.effective_ratio < options_.resample_below || too_many) resample(step.modes, wanted);
   step.particles = particles_.size();
   modes_.modes = step.modes.modes;
+  widenForSampling(step, effective);
   return step;
 }
 
@@ -134,62 +136,6 @@ void ParticleFilter::redrawIfFew(const KalmanState& prior, const Frame& frame)
   if (effective() < before) particles_ = std::move(moved);
 }
 
-bool ParticleFilter::start(const Frame& frame, const Proposer& propose)
-{
-  if (options_.initial_mode == InitialMode::gaussian) return startAtKnownPose(frame);
-  const std::size_t count = std::max(options_.initial_particles, options_.particles);
-  const bool analytic = options_.initial_mode == InitialMode::analytic;
-  const Proposal proposal = analytic && propose ? propose() : Proposal{};
-  Frame evidence = frame;
-  if (!proposal.joined_readings.empty()) evidence.readings = proposal.joined_readings;
-
-  const auto draw = [&](const HypothesisSet& hypotheses, double uniform_share)
-  {
-    const SeedMixture mixture(hypotheses, options_.region, uniform_share, kSeedInflation, options_.seed_min_std);
-    particles_ = sampleSeeds(mixture, options_.region, count, random_, particles_);
-    score(evidence);
-    normalizeWeights(particles_);
-  };
-  draw(proposal.hypotheses, kUniformShareStart);
-  for (int pass = 0; analytic && pass < kRefinements; ++pass)
-    draw(hypothesesOf(findModes(particles_, options_.modes)), kUniformShareRefined);
-  return proposal.complete || !proposal.hypotheses.empty();
-}
-
-bool ParticleFilter::startAtKnownPose(const Frame& frame)
-{
-  const Matrix3d factor = squareRoot(options_.initial_pose.covariance);
-  const Pose2& mean = options_.initial_pose.mean;
-  for (std::size_t i = 0; i < options_.particles; ++i)
-  {
-    const double a = random_.gaussian(), b = random_.gaussian(), c = random_.gaussian();
-    const Vector3d offset = factor * Vector3d(a, b, c);
-    particles_.add({mean.x + offset.x(), mean.y + offset.y(), wrap(mean.phi + offset.z())}, 0);
-  }
-  drawBiases(particles_, 0, random_);
-  score(frame);
-  return true;
-}
-
-void ParticleFilter::inject(const Proposer& propose)
-{
-  const HypothesisSet hypotheses = propose ? propose().hypotheses : HypothesisSet{};
-  const SeedMixture mixture(hypotheses, options_.region, kUniformShareInjected, kSeedInflation, options_.seed_min_std);
-  since_injection_ = 0;
-  const double jump = options_.recovery.prior_of_jump;
-  for (float& log_w : particles_.log_weight) log_w += static_cast<float>(std::log1p(-jump));
-  const std::size_t kept = particles_.size();
-  const auto count =
-      static_cast<std::size_t>(std::ceil(options_.recovery.injected_share * static_cast<double>(options_.particles)));
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const Pose2 pose = mixture.sample(random_);
-    const double prior = options_.region.density(pose);
-    if (prior > 0) particles_.add(pose, std::log(jump * prior / (mixture.density(pose) * static_cast<double>(count))));
-  }
-  drawBiases(particles_, kept, random_);
-}
-
 void ParticleFilter::score(const Frame& frame)
 {
   for (const Reading& reading : scoredReadings(frame)) scoreReading(reading);
@@ -208,44 +154,15 @@ void ParticleFilter::scoreReading(const Reading& reading)
                { scorer.addTo(all.block(first, count), out.subspan(first, count)); });
 }
 
-void ParticleFilter::checkAgreement(const Frame& frame, bool learn)
-{
-  double explained = 0, expected = 0, promised = 0;
-  std::size_t detections = 0;
-  for (const Reading& reading : scoredReadings(frame))
-  {
-    const double share = reliability_.observe(reading, map_, particles_, options_.learn_reliability && learn);
-    explained += share * static_cast<double>(reading.detections.size());
-    const LandmarkClutter clutter = reliability_.clutter(reading.model.clutter_probability);
-    for (const Detection& detection : reading.detections)
-    {
-      if (!mayShowAny(detection, map_)) continue;  // not in the map: no pose could explain it
-      const auto known = map_.indexOf(detection.id);
-      expected += 1 - (known ? clutter[*known] : reading.model.clutter_probability);
-      promised += 1 - reading.model.clutter_probability;
-      ++detections;
-    }
-  }
-  if (detections == 0) return;
-  const auto count = static_cast<double>(detections);
-  monitor_.observe(explained / count, expected / count, detections);
-  trust_.observe(explained / count, promised / count, detections);
-  surprise_.observe(explained / count, promised / count, detections);
-}
-
-VerdictWithReason ParticleFilter::judgeStep(const FilterStep& step) const
-{
-  const double effective = step.effective_ratio * static_cast<double>(particles_.size());
-  const bool surprised = surprise_.suspicious() || monitor_.suspicious();
-  const double share = surprised ? std::min(surprise_.average(), monitor_.average()) : trust_.average();
-  return judge(step.modes, {share, monitor_.lost(), effective}, options_.verdict);
-}
-
 std::size_t ParticleFilter::wantedParticles(const ModeSet& modes) const
 {
   // Every place that may still be the right one needs enough particles for its weight to mean something.
   const bool certain = isOnePlace(modes, options_.verdict) && !monitor_.suspicious();
-  return certain ? options_.particles : std::max(options_.particles, options_.initial_particles);
+  const std::size_t many = std::max(options_.particles, options_.initial_particles);
+  if (certain) return options_.particles;
+  // ... unless companions see to that: then each place needs what a single one needs.
+  const std::size_t places = options_.companions && !monitor_.suspicious() ? countPlaces(modes) : 0;
+  return places > 0 ? std::min(many, places * options_.particles) : many;
 }
 
 void ParticleFilter::resample(const ModeSet& modes, std::size_t count)

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "mrpt_ext/filter/filter_findings.h"
 #include "mrpt_ext/filter/filter_verdict.h"
 #include "mrpt_ext/filter/kernel_smoothing.h"
 #include "mrpt_ext/filter/kld_size.h"
@@ -61,11 +62,12 @@ struct ParticleFilterOptions
 struct FilterStep
 {
   ModeSet modes;
-  double effective_ratio = 1;  ///< after scoring, before resampling
-  double explained_share = 1;  ///< of recent detections, relative to what is expected
-  bool reseeded = false;       ///< seeds were injected
-  bool revived = false;        ///< a place that had lost its particles got some again
-  std::size_t particles = 0;   ///< held after the step
+  double effective_ratio = 1;        ///< after scoring, before resampling
+  double explained_share = 1;        ///< of recent detections, relative to what is expected
+  bool reseeded = false;             ///< seeds were injected
+  bool revived = false;              ///< a place that had lost its particles got some again
+  std::size_t particles = 0;         ///< held after the step
+  std::vector<BiasEstimate> biases;  ///< in the order of ParticleFilterOptions::biases
   Verdict verdict = Verdict::ambiguous;
   std::string reason;
 };

@@ -1,0 +1,93 @@
+#include "mrpt_ext/filter/filter_findings.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kEnough = 20;  // named detections
+constexpr double kFalse = 0.5;  // share of them
+
+const char* nameOf(BiasKind kind)
+{
+  switch (kind)
+  {
+    case BiasKind::range_offset:
+      return "range_offset";
+    case BiasKind::range_scale:
+      return "range_scale";
+    case BiasKind::bearing_offset:
+      return "bearing_offset";
+    case BiasKind::way_scale:
+      return "way_scale";
+    case BiasKind::turn_scale:
+      return "turn_scale";
+  }
+  return "";
+}
+
+void append(std::string& text, const std::string& more)
+{
+  if (!text.empty()) text += ", ";
+  text += more;
+}
+}  // namespace
+
+std::vector<BiasEstimate> estimateBiases(const ParticleSet& particles)
+{
+  std::vector<BiasEstimate> estimates;
+  for (const std::vector<float>& column : particles.bias)
+  {
+    double sum = 0, squares = 0;
+    for (std::size_t i = 0; i < column.size(); ++i)
+    {
+      const double w = std::exp(double{particles.log_weight[i]}), value = double{column[i]};
+      sum += w * value;
+      squares += w * value * value;
+    }
+    estimates.push_back({sum, std::sqrt(std::max(0.0, squares - sum * sum))});
+  }
+  return estimates;
+}
+
+std::string biasText(const BiasModel& biases, const std::vector<BiasEstimate>& estimates)
+{
+  std::string text;
+  for (std::size_t k = 0; k < std::min(biases.size(), estimates.size()); ++k)
+  {
+    const bool angle = biases[k].kind == BiasKind::bearing_offset, length = biases[k].kind == BiasKind::range_offset;
+    const double unit = angle ? radToDeg(1.0) : 1.0;
+    char figures[80];
+    std::snprintf(figures, sizeof(figures), " %.4f%s (std %.4f)", unit * estimates[k].mean,
+                  angle    ? " deg"
+                  : length ? " m"
+                           : "",
+                  unit * estimates[k].std);
+    append(text, (biases[k].sensor.empty() ? "" : biases[k].sensor + " ") + nameOf(biases[k].kind) + figures);
+  }
+  return text;
+}
+
+std::vector<std::size_t> disbelievedLandmarks(const std::vector<LandmarkHistory>& histories)
+{
+  std::vector<std::size_t> found;
+  for (std::size_t j = 0; j < histories.size(); ++j)
+    if (histories[j].named >= kEnough && histories[j].false_named > kFalse * histories[j].named) found.push_back(j);
+  return found;
+}
+
+std::string disbeliefText(const LandmarkTable& map, const std::vector<LandmarkHistory>& histories)
+{
+  std::string text;
+  for (const std::size_t j : disbelievedLandmarks(histories))
+  {
+    char figures[120];
+    std::snprintf(figures, sizeof(figures), "landmark %d is not believed (%.0f %% of %.0f detections are false)",
+                  map[j].id, 100 * histories[j].false_named / histories[j].named, histories[j].named);
+    append(text, figures);
+  }
+  return text;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mrpt_ext/filter/landmark_reliability.h"
+#include "mrpt_ext/filter/particle_set.h"
+
+namespace mrpt_ext
+{
+/// What is known by now about a systematic error, in the unit of its kind.
+struct BiasEstimate
+{
+  double mean = 0, std = 0;
+};
+
+/// Mean and deviation of every systematic error over normalised particles, in the order of their bias states.
+[[nodiscard]] std::vector<BiasEstimate> estimateBiases(const ParticleSet& particles);
+
+/// The errors that are estimated, in words: "range_offset 0.120 m (std 0.010)", angles in degrees; empty without any.
+[[nodiscard]] std::string biasText(const BiasModel& biases, const std::vector<BiasEstimate>& estimates);
+
+/// Positions in the table of the landmarks most of whose named detections were not of them, those with enough
+/// detections to tell.
+[[nodiscard]] std::vector<std::size_t> disbelievedLandmarks(const std::vector<LandmarkHistory>& histories);
+
+/// They in words: "landmark 7 is not believed (93 % of 210 detections are false)"; empty without any.
+[[nodiscard]] std::string disbeliefText(const LandmarkTable& map, const std::vector<LandmarkHistory>& histories);
+}  // namespace mrpt_ext

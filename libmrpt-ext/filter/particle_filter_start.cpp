@@ -1,0 +1,83 @@
+// Where a ParticleFilter draws particles that do not descend from others.
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "mrpt_ext/filter/particle_bias.h"
+#include "mrpt_ext/filter/particle_filter.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kSeedInflation = 2.0;  // a proposal wider than the posterior it proposes for
+constexpr double kUniformShareStart = 0.3;
+constexpr double kUniformShareInjected = 0.3;
+constexpr double kUniformShareRefined = 0.1;
+constexpr int kRefinements = 2;  // samples drawn again from the modes of the one before
+
+/// Symmetric square root; directions without spread are allowed.
+Matrix3d squareRoot(const Matrix3d& covariance)
+{
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(covariance);
+  const Matrix3d& V = eigen.eigenvectors();
+  return V * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() * V.transpose();
+}
+}  // namespace
+
+bool ParticleFilter::start(const Frame& frame, const Proposer& propose)
+{
+  if (options_.initial_mode == InitialMode::gaussian) return startAtKnownPose(frame);
+  const std::size_t count = std::max(options_.initial_particles, options_.particles);
+  const bool analytic = options_.initial_mode == InitialMode::analytic;
+  const Proposal proposal = analytic && propose ? propose() : Proposal{};
+  Frame evidence = frame;
+  if (!proposal.joined_readings.empty()) evidence.readings = proposal.joined_readings;
+
+  const auto draw = [&](const HypothesisSet& hypotheses, double uniform_share)
+  {
+    const SeedMixture mixture(hypotheses, options_.region, uniform_share, kSeedInflation, options_.seed_min_std);
+    particles_ = sampleSeeds(mixture, options_.region, count, random_, particles_);
+    score(evidence);
+    normalizeWeights(particles_);
+  };
+  draw(proposal.hypotheses, kUniformShareStart);
+  for (int pass = 0; analytic && pass < kRefinements; ++pass)
+    draw(hypothesesOf(findModes(particles_, options_.modes)), kUniformShareRefined);
+  return proposal.complete || !proposal.hypotheses.empty();
+}
+
+bool ParticleFilter::startAtKnownPose(const Frame& frame)
+{
+  const Matrix3d factor = squareRoot(options_.initial_pose.covariance);
+  const Pose2& mean = options_.initial_pose.mean;
+  for (std::size_t i = 0; i < options_.particles; ++i)
+  {
+    const double a = random_.gaussian(), b = random_.gaussian(), c = random_.gaussian();
+    const Vector3d offset = factor * Vector3d(a, b, c);
+    particles_.add({mean.x + offset.x(), mean.y + offset.y(), wrap(mean.phi + offset.z())}, 0);
+  }
+  drawBiases(particles_, 0, random_);
+  score(frame);
+  return true;
+}
+
+void ParticleFilter::inject(const Proposer& propose)
+{
+  const HypothesisSet hypotheses = propose ? propose().hypotheses : HypothesisSet{};
+  const SeedMixture mixture(hypotheses, options_.region, kUniformShareInjected, kSeedInflation, options_.seed_min_std);
+  since_injection_ = 0;
+  const double jump = options_.recovery.prior_of_jump;
+  for (float& log_w : particles_.log_weight) log_w += static_cast<float>(std::log1p(-jump));
+  const std::size_t kept = particles_.size();
+  const auto count =
+      static_cast<std::size_t>(std::ceil(options_.recovery.injected_share * static_cast<double>(options_.particles)));
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Pose2 pose = mixture.sample(random_);
+    const double prior = options_.region.density(pose);
+    if (prior > 0) particles_.add(pose, std::log(jump * prior / (mixture.density(pose) * static_cast<double>(count))));
+  }
+  drawBiases(particles_, kept, random_);
+}
+}  // namespace mrpt_ext
