@@ -82,6 +82,14 @@ TEST(SimulatedRun, GoalCorners)
   EXPECT_TRUE(summary.at("methods").at("running_fix").at("position_error_m").at("median").is_number());
 }
 
+TEST(SimulatedRun, GoalCornersByStereoWithRangesTooLong)
+{
+  const testing::ScratchFolder folder;
+  const auto log = testing::simulated(folder.path(), "goal-corners-stereo");
+  const auto run = testing::localized(folder.path(), "goal-corners-stereo", log.arguments());
+  expectSuccess(testing::summaryOf(run), 0.03);
+}
+
 TEST(SimulatedRun, Tracking)
 {
   const testing::ScratchFolder folder;
