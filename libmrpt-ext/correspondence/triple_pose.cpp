@@ -33,9 +33,7 @@ void posesOfHits(const TripleBearings& bearings, const Neighbours& first, const 
   float* __restrict jx = poses.jx.data(), * __restrict jy = poses.jy.data(), * __restrict jh = poses.jh.data();
   float* __restrict kx = poses.kx.data(), * __restrict ky = poses.ky.data(), * __restrict kh = poses.kh.data();
   const TripleBearings b = bearings;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
-#endif
+  MRPT_EXT_INDEPENDENT_ITERATIONS
   for (std::size_t n = 0; n < hits.count; ++n)
   {
     const float px = hx[n], py = hy[n];

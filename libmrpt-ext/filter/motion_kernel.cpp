@@ -50,7 +50,7 @@ void moveTogether(const Poses& at, const MotionStep& motion, const Noise& noise)
 {
   const Poses poses = at;
   const MotionStep step = motion;
-#pragma GCC ivdep
+  MRPT_EXT_INDEPENDENT_ITERATIONS
   for (std::size_t i = 0; i < poses.count; ++i) moveOne(poses, i, step, step.x, step.y, step.turn, noise);
 }
 
@@ -59,7 +59,7 @@ void moveEach(const Poses& at, const MotionStep& motion, const Believed& believe
 {
   const Poses poses = at;
   const MotionStep step = motion;
-#pragma GCC ivdep
+  MRPT_EXT_INDEPENDENT_ITERATIONS
   for (std::size_t i = 0; i < poses.count; ++i)
     moveOne(poses, i, step, believed.x[i], believed.y[i], believed.turn[i], noise);
 }
@@ -69,7 +69,7 @@ MRPT_EXT_VECTOR_CLONES
 void believe(const MotionStep& motion, const Chunk& way, const Chunk& turn, Believed& believed)
 {
   const MotionStep step = motion;
-#pragma GCC ivdep
+  MRPT_EXT_INDEPENDENT_ITERATIONS
   for (std::size_t i = 0; i < kChunk; ++i)
   {
     const auto [s, c] = vector_math::sineCosineOf(0.5F * (turn[i] - 1.0F) * step.turn);

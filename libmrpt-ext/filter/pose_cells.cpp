@@ -26,7 +26,7 @@ MRPT_EXT_VECTOR_CLONES
 void divide(const float* values, std::size_t count, float shift, float size, Axis& axis)
 {
   const float inverse = 1.0F / size;
-#pragma GCC ivdep
+  MRPT_EXT_INDEPENDENT_ITERATIONS
   for (std::size_t i = 0; i < count; ++i)
   {
     float at = values[i] * inverse + shift;

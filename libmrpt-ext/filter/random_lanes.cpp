@@ -18,17 +18,16 @@ constexpr std::size_t kChunk = 512;  // numbers made at a time
 MRPT_EXT_VECTOR_CLONES
 void nextBits(std::uint32_t (&state)[4][kLanes], std::size_t rounds, std::uint32_t* values)
 {
-  for (std::size_t r = 0; r < rounds; ++r)
-#pragma GCC ivdep
-    for (std::size_t l = 0; l < kLanes; ++l)
-    {
-      const std::uint32_t s0 = state[0][l], s1 = state[1][l], s2 = state[2][l] ^ s0, s3 = state[3][l] ^ s1;
-      values[r * kLanes + l] = rotated(s0 + state[3][l], 7) + s0;
-      state[1][l] = s1 ^ s2;
-      state[0][l] = s0 ^ s3;
-      state[2][l] = s2 ^ (s1 << 9);
-      state[3][l] = rotated(s3, 11);
-    }
+  for (std::size_t r = 0; r < rounds; ++r) MRPT_EXT_INDEPENDENT_ITERATIONS
+  for (std::size_t l = 0; l < kLanes; ++l)
+  {
+    const std::uint32_t s0 = state[0][l], s1 = state[1][l], s2 = state[2][l] ^ s0, s3 = state[3][l] ^ s1;
+    values[r * kLanes + l] = rotated(s0 + state[3][l], 7) + s0;
+    state[1][l] = s1 ^ s2;
+    state[0][l] = s0 ^ s3;
+    state[2][l] = s2 ^ (s1 << 9);
+    state[3][l] = rotated(s3, 11);
+  }
 }
 
 /// Two Gaussians from two numbers: the radius from the first half of `bits`, the angle from the second.
@@ -36,7 +35,7 @@ MRPT_EXT_VECTOR_CLONES
 void gaussianPairs(const std::uint32_t* bits, std::size_t pairs, float* values)
 {
   constexpr float kUnit = 0x1p-24F;
-#pragma GCC ivdep
+  MRPT_EXT_INDEPENDENT_ITERATIONS
   for (std::size_t i = 0; i < pairs; ++i)
   {
     const auto whole = static_cast<float>(static_cast<std::int32_t>(bits[i] >> 8));

@@ -30,7 +30,7 @@ MRPT_EXT_VECTOR_CLONES
 void compare(Work& work, const SmoothedMode& mode, std::int32_t number)
 {
   const SmoothedMode m = mode;
-#pragma GCC ivdep
+  MRPT_EXT_INDEPENDENT_ITERATIONS
   for (std::size_t i = 0; i < kChunk; ++i)
   {
     const float x = work.x[i] - m.x, y = work.y[i] - m.y, p = wrapped(work.phi[i] - m.phi);
@@ -46,7 +46,7 @@ MRPT_EXT_VECTOR_CLONES
 void move(Work& work, const SmoothedMode& mode, std::int32_t number)
 {
   const SmoothedMode m = mode;
-#pragma GCC ivdep
+  MRPT_EXT_INDEPENDENT_ITERATIONS
   for (std::size_t i = 0; i < kChunk; ++i)
   {
     const float x = work.x[i], y = work.y[i], phi = work.phi[i], a = work.a[i], b = work.b[i], c = work.c[i];

@@ -34,7 +34,7 @@ float largestInLanes(const float* values, std::size_t count)
 MRPT_EXT_VECTOR_CLONES
 void fillWeights(const float* log_weights, std::size_t count, float reference, float* weights)
 {
-#pragma GCC ivdep
+  MRPT_EXT_INDEPENDENT_ITERATIONS
   for (std::size_t i = 0; i < count; ++i) weights[i] = weightOf(log_weights[i], reference);
 }
 

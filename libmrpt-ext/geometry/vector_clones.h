@@ -9,3 +9,10 @@
 #else
 #define MRPT_EXT_VECTOR_CLONES
 #endif
+
+/// Before a loop: no iteration depends on what another one writes, so that it may be done in vectors.
+#if defined(__GNUC__) && !defined(__clang__)
+#define MRPT_EXT_INDEPENDENT_ITERATIONS _Pragma("GCC ivdep")
+#else
+#define MRPT_EXT_INDEPENDENT_ITERATIONS
+#endif

@@ -60,7 +60,7 @@ struct LogMixtures
   template <int Count, bool Bearing, bool Range>
   [[gnu::always_inline]] static void over(const SensorTile& tile, const Sighting* at, float* log_sum)
   {
-#pragma GCC ivdep
+    MRPT_EXT_INDEPENDENT_ITERATIONS
     for (std::size_t i = 0; i < kSize; ++i)
     {
       float product = 1;
@@ -76,7 +76,7 @@ struct LogGaussians
   template <int Count, bool Bearing, bool Range>
   [[gnu::always_inline]] static void over(const SensorTile& tile, const Sighting* at, float* log_sum)
   {
-#pragma GCC ivdep
+    MRPT_EXT_INDEPENDENT_ITERATIONS
     for (std::size_t i = 0; i < kSize; ++i)
     {
       float sum = 0;
@@ -91,7 +91,7 @@ struct Densities
   template <int Count, bool Bearing, bool Range>
   [[gnu::always_inline]] static void over(const SensorTile& tile, const Sighting* at, float* sum)
   {
-#pragma GCC ivdep
+    MRPT_EXT_INDEPENDENT_ITERATIONS
     for (std::size_t i = 0; i < kSize; ++i)
     {
       float more = 0;
@@ -112,7 +112,7 @@ template <bool Bearing, bool Range, bool LimitsBearing>
                                                 const CarriedCovariance& carried, const TileLimits& limits, float* sum)
 {
   constexpr float kInvRootTwoPi = 0.398942280F, kHalfLog2E = -0.721347520F;
-#pragma GCC ivdep
+  MRPT_EXT_INDEPENDENT_ITERATIONS
   for (std::size_t i = 0; i < kSize; ++i)
   {
     const Offset to = offsetTo(at.landmark_x, at.landmark_y, tile.x[i], tile.y[i]);
@@ -205,7 +205,7 @@ void addBroadDensities(const SensorTile& tile, std::span<const Sighting> sightin
 MRPT_EXT_VECTOR_CLONES
 void addLogOfSum(const SensorTile::Column& density, float floor, SensorTile::Column& log_sum)
 {
-#pragma GCC ivdep
+  MRPT_EXT_INDEPENDENT_ITERATIONS
   for (std::size_t i = 0; i < kSize; ++i) log_sum[i] += vector_math::logOf(density[i] + floor);
 }
 }  // namespace mrpt_ext

@@ -62,7 +62,7 @@ MRPT_EXT_VECTOR_CLONES
 void lookFrom(float x, float y, float radius, std::size_t count, const float* landmark_x, const float* landmark_y,
               float* direction, float* half_width, float* distance)
 {
-#pragma GCC ivdep
+  MRPT_EXT_INDEPENDENT_ITERATIONS
   for (std::size_t j = 0; j < count; ++j)
   {
     const float dx = landmark_x[j] - x, dy = landmark_y[j] - y, d = std::sqrt(dx * dx + dy * dy);

@@ -16,7 +16,7 @@ MRPT_EXT_VECTOR_CLONES
 void addLogOfCount(const SensorTile::Column& mean, const SensorTile::Column& variance, float count, float uniform,
                    float gaussian_share, SensorTile::Column& log_sum)
 {
-#pragma GCC ivdep
+  MRPT_EXT_INDEPENDENT_ITERATIONS
   for (std::size_t i = 0; i < SensorTile::kSize; ++i)
   {
     const float error = count - mean[i], inverse = 1.0F / variance[i];

@@ -41,7 +41,7 @@ MRPT_EXT_VECTOR_CLONES
 void placeSensors(const float* x, const float* y, const float* phi, const SensorOffset& offset, SensorTile& tile)
 {
   const SensorOffset at = offset;
-#pragma GCC ivdep
+  MRPT_EXT_INDEPENDENT_ITERATIONS
   for (std::size_t i = 0; i < kSize; ++i)
   {
     const auto [s, c] = vector_math::sineCosineOf(phi[i]);
@@ -55,7 +55,7 @@ void placeSensors(const float* x, const float* y, const float* phi, const Sensor
 MRPT_EXT_VECTOR_CLONES
 void turnTold(const SensorTile::Column& bearing_offset, SensorTile& tile)
 {
-#pragma GCC ivdep
+  MRPT_EXT_INDEPENDENT_ITERATIONS
   for (std::size_t i = 0; i < kSize; ++i)
   {
     const auto [s, c] = vector_math::sineCosineOf(bearing_offset[i]);

@@ -19,7 +19,7 @@ void addLogOfShares(const SensorTile::Column& density, const SensorTile::Column&
                     const SensorTile::Column& clutter, float clutter_density, float clutter_out_of_view,
                     SensorTile::Column& log_sum)
 {
-#pragma GCC ivdep
+  MRPT_EXT_INDEPENDENT_ITERATIONS
   for (std::size_t i = 0; i < SensorTile::kSize; ++i)
   {
     const bool seen = chance[i] > 0.0F;

@@ -22,14 +22,13 @@ template <bool LimitsBearing>
 [[gnu::always_inline]] inline void chances(const SensorTile& tile, std::span<const ViewedLandmark> landmarks,
                                            const TileLimits& limits, float* chance, float* clutter)
 {
-  for (const ViewedLandmark& landmark : landmarks)
-#pragma GCC ivdep
-    for (std::size_t i = 0; i < kSize; ++i)
-    {
-      const float c = chanceAt<LimitsBearing>(tile, i, landmark, limits);
-      chance[i] += c;
-      clutter[i] += c * landmark.clutter;
-    }
+  for (const ViewedLandmark& landmark : landmarks) MRPT_EXT_INDEPENDENT_ITERATIONS
+  for (std::size_t i = 0; i < kSize; ++i)
+  {
+    const float c = chanceAt<LimitsBearing>(tile, i, landmark, limits);
+    chance[i] += c;
+    clutter[i] += c * landmark.clutter;
+  }
 }
 
 template <bool LimitsBearing>
@@ -37,21 +36,20 @@ template <bool LimitsBearing>
                                                 const TileLimits& limits, float detection_probability, float* mean,
                                                 float* variance)
 {
-  for (const ViewedLandmark& landmark : landmarks)
-#pragma GCC ivdep
-    for (std::size_t i = 0; i < kSize; ++i)
-    {
-      const float p = detection_probability * chanceAt<LimitsBearing>(tile, i, landmark, limits);
-      mean[i] += p;
-      variance[i] += p * (1.0F - p);
-    }
+  for (const ViewedLandmark& landmark : landmarks) MRPT_EXT_INDEPENDENT_ITERATIONS
+  for (std::size_t i = 0; i < kSize; ++i)
+  {
+    const float p = detection_probability * chanceAt<LimitsBearing>(tile, i, landmark, limits);
+    mean[i] += p;
+    variance[i] += p * (1.0F - p);
+  }
 }
 
 template <bool LimitsBearing, int Count>
 [[gnu::always_inline]] inline void logReports(const SensorTile& tile, const ViewedLandmark* landmarks,
                                               const TileLimits& limits, float* log_sum)
 {
-#pragma GCC ivdep
+  MRPT_EXT_INDEPENDENT_ITERATIONS
   for (std::size_t i = 0; i < kSize; ++i)
   {
     float product = 1;

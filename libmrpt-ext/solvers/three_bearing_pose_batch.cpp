@@ -17,9 +17,7 @@ template <bool WithHeadings, class Real>
   Real *x = out.x, *y = out.y, *c = headings.c, *s = headings.s;
   Real* valid = out.valid;
   const std::size_t count = in.count;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
-#endif
+  MRPT_EXT_INDEPENDENT_ITERATIONS
   for (std::size_t m = 0; m < count; ++m)
   {
     const ThreeBearingSolution<Real> at = solveThreeBearings<Real>(
