@@ -112,6 +112,8 @@ ParticleFilterOptions filterOptions(const Settings& settings, const LandmarkTabl
       .min_best_weight = settings.number(kFilter, "ok_min_weight"),
       .max_std_xy = settings.optionalNumber(kFilter, "ok_max_std_m").value_or(limits.within_m),
       .max_std_phi = settings.optionalRadians(kFilter, "ok_max_std_deg").value_or(degToRad(limits.within_deg))};
+  options.companions = settings.flag(kFilter, "kalman_companions");
+  options.redraw_below = static_cast<std::size_t>(settings.integer(kFilter, "redraw_below_effective"));
   options.learn_reliability = settings.flag(kFilter, "learn_reliability");
   options.reliability_prior_strength = settings.number(kFilter, "reliability_prior");
   return options;

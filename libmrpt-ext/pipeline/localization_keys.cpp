@@ -1,6 +1,7 @@
 #include "mrpt_ext/pipeline/localization_keys.h"
 
 #include "mrpt_ext/pipeline/bias_config.h"
+#include "mrpt_ext/pipeline/filter_keys.h"
 
 namespace mrpt_ext
 {
@@ -277,108 +278,6 @@ KeyTable sensorKeys()
        {{"known", {}}, {"category", {}}, {"anonymous", {}}},
        "What is believed of the logged names: all, the category only, or nothing."},
       {s, "ignore", T::flag, "", "false", {}, {}, "Leave this sensor out."},
-  }};
-}
-
-KeyTable filterKeys()
-{
-  const std::string s = "ParticleFilter";
-  using T = KeyType;
-  return {{
-      {s,
-       "mode_cell_m",
-       T::number,
-       "m",
-       "0.25",
-       kPositive,
-       {},
-       "Peaks of the posterior closer than about two cells are one mode."},
-      {s, "mode_cell_deg", T::number, "deg", "20", {0.1, 360}, {}, "The same for the heading."},
-      {s, "learn_reliability", T::flag, "", "true", {}, {}, "Learn which landmarks give false readings."},
-      {s,
-       "reliability_prior",
-       T::number,
-       "",
-       "30",
-       kPositive,
-       {},
-       "The sensor's clutter probability counts as much as this many detections of a landmark."},
-      {s,
-       "suspicious_share",
-       T::number,
-       "",
-       "0.5",
-       kShare,
-       {},
-       "When the share of recent detections that the pose explains falls below this, seeds are injected."},
-      {s, "lost_share", T::number, "", "0.3", kShare, {}, "Below this the verdict is `lost`."},
-      {s, "injected_share", T::number, "", "0.25", kShare, {}, "Injected particles per frame, of particles_count."},
-      {s,
-       "prior_of_jump",
-       T::number,
-       "",
-       "0.02",
-       {1e-9, 1},
-       {},
-       "Probability per injection that the robot is somewhere else altogether."},
-      {s, "ok_min_weight", T::number, "", "0.9", kShare, {}, "Least weight of the best mode for verdict `ok`."},
-      {s,
-       "ok_max_std_m",
-       T::number,
-       "m",
-       "",
-       kPositive,
-       {},
-       "Largest standard deviation of the position for `ok`; default: converged_within_m."},
-      {s,
-       "ok_max_std_deg",
-       T::number,
-       "deg",
-       "",
-       kPositive,
-       {},
-       "Largest standard deviation of the heading for `ok`; default: converged_within_deg."},
-  }};
-}
-
-KeyTable mrptKeys()
-{
-  using T = KeyType;
-  return {{
-      {"PF_options",
-       "PF_algorithm",
-       T::choice,
-       "",
-       "pfStandardProposal",
-       {},
-       {{"pfStandardProposal", 0}, {"pfAuxiliaryPFStandard", 1}, {"pfAuxiliaryPFOptimal", 3}},
-       "Proposal of the mrpt engine; the batch engine has the standard proposal only."},
-      {"PF_options",
-       "resamplingMethod",
-       T::choice,
-       "",
-       "prSystematic",
-       {},
-       {{"prMultinomial", 0}, {"prResidual", 1}, {"prStratified", 2}, {"prSystematic", 3}},
-       "How particles are redrawn."},
-      {"PF_options", "adaptiveSampleSize", T::flag, "", "false", {}, {}, "KLD sample size, see [KLD_options]."},
-      {"PF_options", "BETA", T::number, "", "0.5", kShare, {}, "Effective sample ratio below which is resampled."},
-      {"PF_options", "sampleSize", T::integer, "", "2000", kCount, {}, "Number of particles; see particles_count."},
-      {"KLD_options", "KLD_binSize_XY", T::number, "m", "0.2", kPositive, {}, "Size of a bin."},
-      {"KLD_options", "KLD_binSize_PHI_deg", T::number, "deg", "10", {0.1, 360}, {}, "Size of a bin."},
-      {"KLD_options", "KLD_delta", T::number, "", "0.01", {1e-6, 0.5}, {}, "Probability of exceeding KLD_epsilon."},
-      {"KLD_options", "KLD_epsilon", T::number, "", "0.02", kPositive, {}, "Allowed Kullback-Leibler distance."},
-      {"KLD_options", "KLD_minSampleSize", T::integer, "", "250", kCount, {}, "Least number of particles."},
-      {"KLD_options", "KLD_maxSampleSize", T::integer, "", "100000", kCount, {}, "Largest number of particles."},
-      {"MetricMap", "landmarkMap2D_count", T::integer, "", "1", {1, 1}, {}, "Number of landmark maps: one."},
-      {"MetricMap_landmarkMap2D_00_creationOpts",
-       "landmarks_file",
-       T::path,
-       "",
-       "",
-       {},
-       {},
-       "Map as CSV id,x,y,z,category[,std_x,std_y]; --map wins over it."},
   }};
 }
 }  // namespace
