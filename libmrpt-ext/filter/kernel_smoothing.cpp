@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "mrpt_ext/filter/joint_smoothing.h"
 #include "mrpt_ext/filter/particle_blocks.h"
 #include "mrpt_ext/filter/smoothing_kernel.h"
 
@@ -11,17 +12,16 @@ namespace
 {
 constexpr double kMinWeight = 0.01;  // lighter modes are not worth it
 
-std::vector<SmoothedMode> compactModes(const ModeSet& modes, const KernelSmoothing& options, const Vector2d& origin)
+/// Modes narrow enough to be smoothed, and not all in one place: there is no spread to keep.
+std::vector<Mode> compactModes(const ModeSet& modes, const KernelSmoothing& options)
 {
-  std::vector<SmoothedMode> compact;
+  std::vector<Mode> compact;
   for (const Mode& mode : modes.modes)
   {
     const Matrix3d& C = mode.pose.covariance;
     const bool narrow = C(0, 0) + C(1, 1) < square(options.max_std_xy) && C(2, 2) < square(options.max_std_phi);
-    if (mode.weight < kMinWeight || !narrow) continue;
-    const Eigen::LLT<Matrix3d> llt(C);
-    if (llt.info() != Eigen::Success) continue;  // all particles in one place: there is no spread to keep
-    compact.push_back(smoothedMode(mode.pose, origin, llt.matrixL(), options.bandwidth));
+    if (mode.weight >= kMinWeight && narrow && Eigen::LLT<Matrix3d>(C).info() == Eigen::Success)
+      compact.push_back(mode);
   }
   return compact;
 }
@@ -31,9 +31,14 @@ std::vector<SmoothedMode> compactModes(const ModeSet& modes, const KernelSmoothi
 void smoothModes(ParticleSet& particles, const ModeSet& modes, const KernelSmoothing& options, RandomStream& random,
                  unsigned threads)
 {
-  const std::vector<SmoothedMode> compact = compactModes(modes, options, particles.origin);
+  const std::vector<Mode> narrow = compactModes(modes, options);
   const std::uint64_t seed = random.nextBits();
-  if (compact.empty()) return;
+  if (narrow.empty()) return;
+  if (!particles.bias.empty()) return smoothJointly(particles, narrow, options.bandwidth, random);
+  std::vector<SmoothedMode> compact;
+  for (const Mode& mode : narrow)
+    compact.push_back(
+        smoothedMode(mode.pose, particles.origin, mode.pose.covariance.llt().matrixL(), options.bandwidth));
   forEachBlock(particles.size(), threads,
                [&](std::size_t first, std::size_t count)
                {

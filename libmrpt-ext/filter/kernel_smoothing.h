@@ -18,7 +18,8 @@ struct KernelSmoothing
 /// then moved at random, x' = sqrt(1 - h^2) (x - mean) + mean + h L u with L L^T the mode's covariance: mean and
 /// covariance stay what they were (Liu and West, "Combined parameter and state estimation in simulation-based
 /// filtering", 2001).
-/// One number is drawn from `random`, which seeds all blocks of particles; `threads` change nothing but the time.
+/// Systematic errors are moved with the pose (joint_smoothing.h). Without any, one number is drawn from `random`, which
+/// seeds all blocks of particles; `threads` change nothing but the time.
 void smoothModes(ParticleSet& particles, const ModeSet& modes, const KernelSmoothing& options, RandomStream& random,
                  unsigned threads = 1);
 }  // namespace mrpt_ext

@@ -9,15 +9,6 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kMinVariance = 1e-12;
-
-KalmanVector pointOf(const ParticleSet& particles, std::size_t i)
-{
-  KalmanVector point(3 + static_cast<Eigen::Index>(particles.bias.size()));
-  point.head<3>() = particles.pose(i).vector();
-  for (std::size_t k = 0; k < particles.bias.size(); ++k)
-    point[3 + static_cast<Eigen::Index>(k)] = double{particles.bias[k][i]};
-  return point;
-}
 }  // namespace
 
 Vector3d offsetFrom(const Pose2& from, const ParticleSet& particles, std::size_t i)
@@ -67,6 +58,22 @@ Eigen::MatrixXd exactNormals(Eigen::Index size, std::size_t count, RandomStream&
   const Eigen::MatrixXd covariance = draws * draws.transpose() / static_cast<double>(count);
   covariance.llt().matrixL().solveInPlace(draws);
   return draws;
+}
+
+KalmanVector pointOf(const ParticleSet& particles, std::size_t i)
+{
+  KalmanVector point(3 + static_cast<Eigen::Index>(particles.bias.size()));
+  point.head<3>() = particles.pose(i).vector();
+  for (std::size_t k = 0; k < particles.bias.size(); ++k)
+    point[3 + static_cast<Eigen::Index>(k)] = double{particles.bias[k][i]};
+  return point;
+}
+
+void setPoint(ParticleSet& particles, std::size_t i, const KalmanVector& point)
+{
+  particles.setPose(i, {point[0], point[1], wrap(point[2])});
+  for (std::size_t k = 0; k < particles.bias.size(); ++k)
+    particles.bias[k][i] = static_cast<float>(point[3 + static_cast<Eigen::Index>(k)]);
 }
 
 void addParticle(ParticleSet& particles, const KalmanVector& point, double log_w)

@@ -43,6 +43,10 @@ class PoseGate
 /// (second-order exact sampling; Pham, Mon. Weather Rev. 129, 2001).
 [[nodiscard]] Eigen::MatrixXd exactNormals(Eigen::Index size, std::size_t count, RandomStream& random);
 
+/// Particle i as a point of the state space, and the other way.
+[[nodiscard]] KalmanVector pointOf(const ParticleSet& particles, std::size_t i);
+void setPoint(ParticleSet& particles, std::size_t i, const KalmanVector& point);
+
 /// Adds a particle at this point of the state space.
 void addParticle(ParticleSet& particles, const KalmanVector& point, double log_w);
 

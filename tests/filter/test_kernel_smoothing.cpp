@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "mrpt_ext/filter/particle_moments.h"
 #include "mrpt_ext/filter/resampling.h"
 
 namespace mrpt_ext
@@ -61,6 +62,28 @@ TEST(KernelSmoothing, KeepsMeanAndCovariance)
   EXPECT_EQ(particles.log_weight, unmoved.log_weight);
   EXPECT_NE(particles.x, unmoved.x);
   for (const float phi : particles.phi) EXPECT_LE(std::abs(phi), static_cast<float>(kPi));
+}
+
+TEST(KernelSmoothing, SystematicErrorsStayApartTogetherWithThePose)
+{
+  const BiasModel biases{{.kind = BiasKind::range_scale, .std = 0.05}};
+  ParticleSet particles(Vector2d(3, 2), biases);
+  RandomStream random(5);
+  for (int i = 0; i < 4000; ++i)
+  {
+    const double scale = 0.02 + 0.01 * random.gaussian();
+    particles.add({3 + 5 * scale + 0.02 * random.gaussian(), 2 + 0.05 * random.gaussian(), 0.1 * random.gaussian()}, 0);
+    particles.bias[0].back() = static_cast<float>(scale);
+  }
+  normalizeWeights(particles);
+  const auto everyone = [](std::size_t) { return true; };
+  const KalmanState before = *momentsOf(particles, everyone);
+  for (int pass = 0; pass < 20; ++pass) smoothModes(particles, findModes(particles, {}), {}, random);
+  const KalmanState after = *momentsOf(particles, everyone);
+  EXPECT_NEAR(after.mean[3], before.mean[3], 0.001);
+  EXPECT_NEAR(after.covariance(3, 3) / before.covariance(3, 3), 1, 0.15);
+  EXPECT_NEAR(after.covariance(0, 3) / before.covariance(0, 3), 1, 0.15);
+  EXPECT_NEAR(after.covariance(0, 0) / before.covariance(0, 0), 1, 0.15);
 }
 
 TEST(KernelSmoothing, SeparateModesAreNotMixed)
