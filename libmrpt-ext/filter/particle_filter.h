@@ -94,6 +94,8 @@ class ParticleFilter
   bool start(const Frame& frame, const Proposer& propose);
   bool startAtKnownPose(const Frame& frame);
   void inject(const Proposer& propose);
+  /// The places held possible, as wide as they are when odometry was wrong by more than it may be.
+  [[nodiscard]] HypothesisSet slippedPlaces() const;
   void track(const Frame& frame, const Proposer& propose, FilterStep& step);
   void score(const Frame& frame);
   /// The moved particles as a Gaussian, where they are few and at one place.

@@ -14,7 +14,8 @@ constexpr double kSeedInflation = 2.0;  // a proposal wider than the posterior i
 constexpr double kUniformShareStart = 0.3;
 constexpr double kUniformShareInjected = 0.3;
 constexpr double kUniformShareRefined = 0.1;
-constexpr int kRefinements = 2;  // samples drawn again from the modes of the one before
+constexpr double kShareOfSlips = 0.5;  // of jumps: the robot is not far, odometry was wrong by more than it may be
+constexpr int kRefinements = 2;        // samples drawn again from the modes of the one before
 
 /// Symmetric square root; directions without spread are allowed.
 Matrix3d squareRoot(const Matrix3d& covariance)
@@ -64,20 +65,37 @@ bool ParticleFilter::startAtKnownPose(const Frame& frame)
 
 void ParticleFilter::inject(const Proposer& propose)
 {
-  const HypothesisSet hypotheses = propose ? propose().hypotheses : HypothesisSet{};
+  HypothesisSet hypotheses = propose ? propose().hypotheses : HypothesisSet{};
+  const HypothesisSet slipped = slippedPlaces();
+  hypotheses.insert(hypotheses.end(), slipped.begin(), slipped.end());
   const SeedMixture mixture(hypotheses, options_.region, kUniformShareInjected, kSeedInflation, options_.seed_min_std);
+  const SeedMixture nearby(slipped, options_.region, 0, 1, Vector3d::Zero());
   since_injection_ = 0;
   const double jump = options_.recovery.prior_of_jump;
   for (float& log_w : particles_.log_weight) log_w += static_cast<float>(std::log1p(-jump));
   const std::size_t kept = particles_.size();
   const auto count =
       static_cast<std::size_t>(std::ceil(options_.recovery.injected_share * static_cast<double>(options_.particles)));
+  const double share_of_slips = slipped.empty() ? 0 : kShareOfSlips;
   for (std::size_t i = 0; i < count; ++i)
   {
     const Pose2 pose = mixture.sample(random_);
-    const double prior = options_.region.density(pose);
-    if (prior > 0) particles_.add(pose, std::log(jump * prior / (mixture.density(pose) * static_cast<double>(count))));
+    const double anywhere = options_.region.density(pose);
+    if (!(anywhere > 0)) continue;
+    const double prior =
+        (1 - share_of_slips) * anywhere + (slipped.empty() ? 0 : share_of_slips * nearby.density(pose));
+    particles_.add(pose, std::log(jump * prior / (mixture.density(pose) * static_cast<double>(count))));
   }
   drawBiases(particles_, kept, random_);
+}
+
+HypothesisSet ParticleFilter::slippedPlaces() const
+{
+  HypothesisSet places = hypothesesOf(findModes(particles_, options_.modes));
+  const RecoveryOptions& recovery = options_.recovery;
+  for (PoseHypothesis& place : places)
+    place.pose.covariance.diagonal() +=
+        Vector3d(recovery.slip_std_xy, recovery.slip_std_xy, recovery.slip_std_phi).cwiseAbs2();
+  return places;
 }
 }  // namespace mrpt_ext
