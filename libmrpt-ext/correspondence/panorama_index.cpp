@@ -25,8 +25,8 @@ Surroundings lookAround(const LandmarkIndex& map, const MapArea& area, double ma
   const Vector2d step = (area.max - area.min) / kSamples;
   for (int n = 0; n < kSamples * kSamples; ++n)
   {
-    const Vector2d place(area.min.x() + (n % kSamples + 0.5) * step.x(),
-                         area.min.y() + (n / kSamples + 0.5) * step.y());
+    const int column = n % kSamples, row = n / kSamples;
+    const Vector2d place(area.min.x() + (column + 0.5) * step.x(), area.min.y() + (row + 0.5) * step.y());
     for (const Vector2d& landmark : map.positions())
     {
       const double distance = (landmark - place).norm();
@@ -74,8 +74,8 @@ PanoramaIndex::PanoramaIndex(const LandmarkIndex& map, const Plan& plan)
 Vector2d PanoramaIndex::centre(std::size_t cell) const
 {
   const auto columns = static_cast<std::size_t>(plan_.columns);
-  return plan_.area.min +
-         plan_.cell * Vector2d(static_cast<double>(cell % columns) + 0.5, static_cast<double>(cell / columns) + 0.5);
+  const std::size_t column = cell % columns, row = cell / columns;
+  return plan_.area.min + plan_.cell * Vector2d(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
 }
 
 void PanoramaIndex::fillRing(const std::vector<float>& direction, const std::vector<float>& half_width,

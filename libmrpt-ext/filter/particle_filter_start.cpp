@@ -14,8 +14,7 @@ constexpr double kSeedInflation = 2.0;  // a proposal wider than the posterior i
 constexpr double kUniformShareStart = 0.3;
 constexpr double kUniformShareInjected = 0.3;
 constexpr double kUniformShareRefined = 0.1;
-constexpr double kShareOfSlips = 0.5;  // of jumps: the robot is not far, odometry was wrong by more than it may be
-constexpr int kRefinements = 2;        // samples drawn again from the modes of the one before
+constexpr int kRefinements = 2;  // samples drawn again from the modes of the one before
 
 /// Symmetric square root; directions without spread are allowed.
 Matrix3d squareRoot(const Matrix3d& covariance)
@@ -76,7 +75,7 @@ void ParticleFilter::inject(const Proposer& propose)
   const std::size_t kept = particles_.size();
   const auto count =
       static_cast<std::size_t>(std::ceil(options_.recovery.injected_share * static_cast<double>(options_.particles)));
-  const double share_of_slips = slipped.empty() ? 0 : kShareOfSlips;
+  const double share_of_slips = slipped.empty() ? 0 : options_.recovery.share_of_slips;
   for (std::size_t i = 0; i < count; ++i)
   {
     const Pose2 pose = mixture.sample(random_);
@@ -91,8 +90,9 @@ void ParticleFilter::inject(const Proposer& propose)
 
 HypothesisSet ParticleFilter::slippedPlaces() const
 {
-  HypothesisSet places = hypothesesOf(findModes(particles_, options_.modes));
   const RecoveryOptions& recovery = options_.recovery;
+  if (!(recovery.share_of_slips > 0)) return {};
+  HypothesisSet places = hypothesesOf(findModes(particles_, options_.modes));
   for (PoseHypothesis& place : places)
     place.pose.covariance.diagonal() +=
         Vector3d(recovery.slip_std_xy, recovery.slip_std_xy, recovery.slip_std_phi).cwiseAbs2();

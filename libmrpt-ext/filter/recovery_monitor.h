@@ -18,8 +18,10 @@ struct RecoveryOptions
   double injected_share = 0.25;   ///< of the particle count, added per frame while suspicious
   double min_interval = 0.5;      ///< [s] between two injections, which are costly
   double prior_of_jump = 0.02;    ///< probability per injection, that the robot is somewhere else
-  double slip_std_xy = 0.3;  ///< [m] by which odometry may have been wrong unnoticed (wheels slipped, a long gap) ...
-  double slip_std_phi = degToRad(25.0);  ///< [rad] ... in half of the jumps; in the others the robot is anywhere
+  double share_of_slips =
+      0.5;                   ///< of the jumps are errors of odometry (wheels slipped, a long gap); others go anywhere
+  double slip_std_xy = 0.3;  ///< [m] of such an error
+  double slip_std_phi = degToRad(25.0);  ///< [rad]
 };
 
 /// The same with the memory of the average that `ok` rests on.

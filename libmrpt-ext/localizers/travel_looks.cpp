@@ -27,13 +27,13 @@ bool isRepeated(const SensorPlace& at_a, const UnidentifiedDetection& a, const S
   return !(a.range && b.range) || std::abs(*a.range - *b.range) <= kGate * std::hypot(a.std_range, b.std_range);
 }
 
-/// Newest first, each landmark once.
-std::vector<SensorPlace> withoutRepeats(const std::vector<SensorPlace>& oldest_first)
+/// Each landmark once, where it was seen last; `places` oldest first.
+std::vector<SensorPlace> withoutRepeats(std::vector<SensorPlace> places)
 {
+  std::reverse(places.begin(), places.end());
   std::vector<SensorPlace> kept;
-  for (auto place = oldest_first.rbegin(); place != oldest_first.rend(); ++place)
+  for (SensorPlace& rest : places)
   {
-    SensorPlace rest = *place;
     std::erase_if(rest.detections,
                   [&](const UnidentifiedDetection& d)
                   {
