@@ -97,23 +97,6 @@ def mirror(cam, pose):
     return s, R
 
 
-def dead_reckoning(poses, noise, seed):
-    """poses as odometry tells them: starts at zero, every step in robot axes with Gaussian errors"""
-    rng = np.random.default_rng(seed)
-    out = [(0.0, 0.0, 0.0)]
-    for (x0, y0, h0), (x1, y1, h1) in zip(poses, poses[1:]):
-        a = math.radians(h0)
-        dx, dy, dh = x1 - x0, y1 - y0, wrapdeg(h1 - h0)
-        way = math.hypot(dx, dy)
-        fx = dx * math.cos(a) + dy * math.sin(a) + noise["xy_per_m"] * math.sqrt(way) * rng.standard_normal()
-        fy = -dx * math.sin(a) + dy * math.cos(a) + noise["xy_per_m"] * math.sqrt(way) * rng.standard_normal()
-        dh += noise["deg_per_m"] * math.sqrt(way) * rng.standard_normal()
-        x, y, h = out[-1]
-        b = math.radians(h)
-        out.append((x + fx * math.cos(b) - fy * math.sin(b), y + fx * math.sin(b) + fy * math.cos(b), wrapdeg(h + dh)))
-    return out
-
-
 def main():
     cfg = json.load(open(sys.argv[1])); out = sys.argv[2]; clean = "--clean" in sys.argv; truth_only = "--truth-only" in sys.argv
     os.makedirs(out, exist_ok=True)

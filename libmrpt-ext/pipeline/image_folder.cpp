@@ -40,10 +40,9 @@ nlohmann::json readCamera(const fs::path& file)
 {
   if (!fs::exists(file)) return nullptr;
   const auto content = nlohmann::json::parse(readTextFile(file), nullptr, false);
-  const auto camera = content.is_object() ? content.find("camera") : content.end();
-  if (content.is_discarded() || camera == content.end() || !camera->is_object())
-    throw dataError(file.string() + ": damaged, expected JSON with an object \"camera\"");
-  return *camera;
+  for (const char* const name : {"camera", "stereo"})
+    if (content.is_object() && content.contains(name) && content[name].is_object()) return content[name];
+  throw dataError(file.string() + ": damaged, expected JSON with an object \"camera\" or \"stereo\"");
 }
 
 LandmarkTable readMap(const fs::path& file)
@@ -56,6 +55,7 @@ LandmarkTable readMap(const fs::path& file)
     Landmark landmark;
     landmark.id = table.integer(row, table.column("id"));
     landmark.position = {table.number(row, table.column("x_m")), table.number(row, table.column("y_m")), 0};
+    if (const auto category = table.findColumn("category")) landmark.category = table.text(row, *category);
     landmarks.push_back(landmark);
   }
   return LandmarkTable(landmarks);

@@ -43,7 +43,7 @@ class ImageSequence
   /// Nothing at the end.
   [[nodiscard]] virtual std::optional<ImageRecord> next() = 0;
 
-  nlohmann::json camera;    ///< object `camera` of camera.json; null without one
+  nlohmann::json camera;    ///< object `camera` or `stereo` of camera.json; null without one
   LandmarkTable map;        ///< empty when none comes with the images
   Trajectory truth;         ///< likewise
   std::size_t ignored = 0;  ///< records that are neither images nor odometry
@@ -51,7 +51,7 @@ class ImageSequence
 
 /// A folder with `frames.csv` (one row per frame: `frame`, a file name per role, optional `t`, optional
 /// `odometry_x_m,odometry_y_m,odometry_heading_deg`, optional truth `x_m,y_m,heading_deg`), optional `camera.json` and
-/// optional `map.csv` (`id,name,x_m,y_m`). Throws InputError (data) on damaged tables.
+/// optional `map.csv` (`id,name,x_m,y_m`, optional `category`). Throws InputError (data) on damaged tables.
 [[nodiscard]] std::unique_ptr<ImageSequence> openImageFolder(const std::filesystem::path& folder,
                                                              const std::vector<std::string>& roles);
 

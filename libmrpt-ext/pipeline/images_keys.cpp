@@ -1,6 +1,7 @@
 #include "mrpt_ext/pipeline/images_keys.h"
 
 #include "mrpt_ext/pipeline/conic_mirror_front_end.h"
+#include "mrpt_ext/pipeline/stereo_goal_front_end.h"
 
 namespace mrpt_ext
 {
@@ -12,8 +13,9 @@ KeyTable imagesKeys()
                    "",
                    "",
                    {},
-                   {{"conic_mirror", {}}},
-                   "What took the images: conic_mirror, one camera below a cone, giving azimuths of vertical edges."}});
-  return table.append(conicMirrorKeys());
+                   {{"conic_mirror", {}}, {"stereo_goal", {}}},
+                   "What took the images: conic_mirror, one camera below a cone, giving azimuths of vertical edges; "
+                   "stereo_goal, a narrow stereo pair on a football field, giving goal corners and line landmarks."}});
+  return table.append(conicMirrorKeys()).append(stereoGoalKeys());
 }
 }  // namespace mrpt_ext

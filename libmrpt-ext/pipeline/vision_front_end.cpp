@@ -3,12 +3,13 @@
 #include <stdexcept>
 
 #include "mrpt_ext/pipeline/conic_mirror_front_end.h"
+#include "mrpt_ext/pipeline/stereo_goal_front_end.h"
 
 namespace mrpt_ext
 {
 std::vector<std::string> imageRoles(const Settings& settings)
 {
-  static_cast<void>(settings.choice("Images", "sensor"));  // conic_mirror is the only one with a single image so far
+  if (settings.choice("Images", "sensor") == "stereo_goal") return {"left", "right"};
   return {"image"};
 }
 
@@ -16,6 +17,7 @@ std::unique_ptr<VisionFrontEnd> makeFrontEnd(const Settings& settings, const nlo
 {
   const std::string sensor = settings.choice("Images", "sensor");
   if (sensor == "conic_mirror") return std::make_unique<ConicMirrorFrontEnd>(settings, camera);
+  if (sensor == "stereo_goal") return std::make_unique<StereoGoalFrontEnd>(settings, camera);
   throw std::logic_error("no front end for sensor " + sensor);
 }
 }  // namespace mrpt_ext

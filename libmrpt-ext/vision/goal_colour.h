@@ -1,0 +1,34 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+namespace mrpt_ext
+{
+/// How a goal's colour differs from the white wall beside it under the same light: each channel as a share of the
+/// white's. Shares of neighbours do not depend on gain and colour cast, so no white balance is needed.
+class GoalColour
+{
+ public:
+  GoalColour() : GoalColour(cv::Vec3f(0.22F, 0.9F, 1.F)) {}
+  /// Shares of blue, green and red, as coded in the image.
+  explicit GoalColour(const cv::Vec3f& shares);
+
+  /// True if `colour` beside `white` is this colour: the channel that must be dark is nearer to the model than to
+  /// white, the middle one agrees, and it is neither much brighter than the white nor nearly black.
+  [[nodiscard]] bool matches(const cv::Vec3f& white, const cv::Vec3f& colour) const;
+
+  /// The channel in which colour and white differ most.
+  [[nodiscard]] int darkChannel() const { return dark_; }
+
+ private:
+  int dark_ = 0, middle_ = 1, bright_ = 2;
+  float dark_limit_ = 0;                      ///< of the dark channel, share of the bright one
+  float middle_least_ = 0, middle_most_ = 0;  ///< likewise
+};
+
+/// Where white and a goal's colour meet in one row. `side` +1: the colour lies at larger columns. Columns are to
+/// a fraction of a pixel, where the darkest channel is half way between both sides.
+[[nodiscard]] std::vector<double> colourStepsInRow(const cv::Mat& bgr, int row, int first_column, int last_column,
+                                                   const GoalColour& colour, int side);
+}  // namespace mrpt_ext

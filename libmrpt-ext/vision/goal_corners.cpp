@@ -1,0 +1,248 @@
+#include "mrpt_ext/vision/goal_corners.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "mrpt_ext/geometry/angle.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr int kWindow = 10;            ///< [px] around the candidate's column
+constexpr int kInside = 4;             ///< [px] from the step to where the coloured side's height is measured
+constexpr double kSameFeature = 1.5;   ///< [px] disparities of one feature agree
+constexpr double kOutlier = 3;         ///< in robust deviations
+constexpr double kLeastScatter = 0.2;  ///< [px] robust deviation of a row's column is not believed below
+constexpr double kMedianOfNormal = 0.6745;
+constexpr double kAgreeingShare = 0.5;  ///< of the rows of the left image
+constexpr double kEndOfRows = 1.5;      ///< [px] a height in the image is known to
+
+/// The step in one row of the left image, moved along the upright edge to a common row, and where it may be in the
+/// right.
+struct RowStep
+{
+  int row = 0;
+  double left = 0;
+  std::vector<double> disparities;
+  double disparity = 0;
+};
+
+double median(std::vector<double> values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Removes rows whose value lies off the median by more than the scatter explains.
+template <typename Value>
+void removeOutliers(std::vector<RowStep>& rows, const Value& value)
+{
+  if (rows.empty()) return;
+  std::vector<double> values;
+  for (const RowStep& r : rows) values.push_back(value(r));
+  const double middle = median(values);
+  for (double& v : values) v = std::abs(v - middle);
+  const double limit = kOutlier * std::max(kLeastScatter, median(values) / kMedianOfNormal);
+  rows.erase(
+      std::remove_if(rows.begin(), rows.end(), [&](const RowStep& r) { return std::abs(value(r) - middle) > limit; }),
+      rows.end());
+}
+
+double meanOf(const std::vector<RowStep>& rows, double RowStep::*member)
+{
+  double sum = 0;
+  for (const RowStep& r : rows) sum += r.*member;
+  return sum / static_cast<double>(rows.size());
+}
+
+double stdOfMean(const std::vector<RowStep>& rows, double RowStep::*member, double mean)
+{
+  double sum = 0;
+  for (const RowStep& r : rows) sum += square(r.*member - mean);
+  const double n = static_cast<double>(rows.size());
+  return std::sqrt(sum / (n * (n - 1)));
+}
+
+class CornerFinder
+{
+ public:
+  CornerFinder(const cv::Mat& left, const cv::Mat& right, const StereoCamera& camera,
+               const GoalCornerSettings& settings)
+      : left_(left), right_(right), camera_(camera), settings_(settings)
+  {
+  }
+
+  [[nodiscard]] std::optional<GoalCorner> at(const CornerCandidate& candidate) const
+  {
+    const GoalColour& colour = settings_.colours[static_cast<std::size_t>(candidate.colour)];
+    std::vector<RowStep> rows = stepsInLeft(candidate, colour);
+    removeOutliers(rows, [](const RowStep& r) { return r.left; });
+    searchRight(rows, candidate, colour);
+    // A robot and a goal beside it may both agree with some disparity: the one most rows agree with comes first.
+    while (static_cast<int>(rows.size()) >= settings_.min_rows)
+    {
+      const auto disparity = commonDisparity(rows);
+      if (!disparity) return std::nullopt;
+      if (const auto corner = measure(rows, *disparity, candidate, colour)) return corner;
+      for (RowStep& r : rows)
+        r.disparities.erase(std::remove_if(r.disparities.begin(), r.disparities.end(),
+                                           [&](double d) { return std::abs(d - *disparity) <= kSameFeature; }),
+                            r.disparities.end());
+    }
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] std::vector<RowStep> stepsInLeft(const CornerCandidate& candidate, const GoalColour& colour) const
+  {
+    const int middle = (candidate.first_row + candidate.last_row) / 2, margin = settings_.scan_step;
+    const int column = static_cast<int>(std::lround(candidate.column));
+    const double slope = camera_.uprightSlope(cv::Point2d(candidate.column, middle));
+    std::vector<RowStep> rows;
+    for (int row = candidate.first_row - margin; row <= candidate.last_row + margin; ++row)
+    {
+      const auto steps = colourStepsInRow(left_, row, column - kWindow, column + kWindow, colour, candidate.side);
+      if (steps.empty()) continue;
+      const auto nearest = std::min_element(
+          steps.begin(), steps.end(),
+          [&](double a, double b) { return std::abs(a - candidate.column) < std::abs(b - candidate.column); });
+      rows.push_back({row, *nearest - slope * (row - middle), {}, 0});
+    }
+    return rows;
+  }
+
+  void searchRight(std::vector<RowStep>& rows, const CornerCandidate& candidate, const GoalColour& colour) const
+  {
+    const double nearest = camera_.disparityAt(settings_.min_range),
+                 farthest = camera_.disparityAt(settings_.max_range);
+    const int middle = (candidate.first_row + candidate.last_row) / 2;
+    for (RowStep& r : rows)
+    {
+      const int first = static_cast<int>(std::floor(r.left - nearest)) - 2;
+      const int last = static_cast<int>(std::ceil(r.left - farthest)) + 2;
+      for (const double column : colourStepsInRow(right_, r.row, first, last, colour, candidate.side))
+      {
+        const double slope = camera_.uprightSlope(cv::Point2d(column, middle));
+        const double disparity = r.left - (column - slope * (r.row - middle));
+        if (disparity > farthest && disparity < nearest) r.disparities.push_back(disparity);
+      }
+    }
+  }
+
+  /// The disparity that most rows agree with.
+  [[nodiscard]] std::optional<double> commonDisparity(const std::vector<RowStep>& rows) const
+  {
+    std::vector<double> all;
+    for (const RowStep& r : rows) all.insert(all.end(), r.disparities.begin(), r.disparities.end());
+    std::ptrdiff_t most = 0;
+    double best = 0;
+    for (const double d : all)
+    {
+      const auto close = [&](double other) { return std::abs(other - d) <= kSameFeature; };
+      const auto count = std::count_if(all.begin(), all.end(), close);
+      if (count > most) most = count, best = d;
+    }
+    if (most < settings_.min_rows || static_cast<double>(most) < kAgreeingShare * static_cast<double>(rows.size()))
+      return std::nullopt;
+    return best;
+  }
+
+  [[nodiscard]] std::optional<GoalCorner> measure(std::vector<RowStep> rows, double disparity,
+                                                  const CornerCandidate& candidate, const GoalColour& colour) const
+  {
+    std::vector<RowStep> agreeing;
+    for (RowStep& r : rows)
+    {
+      if (r.disparities.empty()) continue;
+      r.disparity =
+          *std::min_element(r.disparities.begin(), r.disparities.end(),
+                            [&](double a, double b) { return std::abs(a - disparity) < std::abs(b - disparity); });
+      if (std::abs(r.disparity - disparity) <= kSameFeature) agreeing.push_back(r);
+    }
+    removeOutliers(agreeing, [](const RowStep& r) { return r.disparity; });
+    if (static_cast<int>(agreeing.size()) < std::max(2, settings_.min_rows)) return std::nullopt;
+
+    const double u = meanOf(agreeing, &RowStep::left), d = meanOf(agreeing, &RowStep::disparity);
+    const double std_u = std::hypot(settings_.std_column, stdOfMean(agreeing, &RowStep::left, u));
+    const double std_d = std::hypot(settings_.std_disparity, stdOfMean(agreeing, &RowStep::disparity, d));
+    const cv::Point2d middle(u, (candidate.first_row + candidate.last_row) / 2);  // the row columns were moved to
+    const auto measured = measureStereo(camera_, middle, d, std_u, std_d);
+    if (!measured) return std::nullopt;
+
+    GoalCorner corner{candidate.colour, candidate.side, u, u - d, 0, 0, *measured};
+    findHeight(corner, agreeing, middle, colour);
+    if (!hasGoalHeight(corner)) return std::nullopt;
+    const double to_foot = corner.row_bottom - middle.y;
+    corner.u_left += to_foot * camera_.uprightSlope(middle);
+    corner.u_right += to_foot * camera_.uprightSlope({u - d, middle.y});
+    return corner;
+  }
+
+  /// How far the coloured side reaches up and down from the rows that were measured.
+  void findHeight(GoalCorner& corner, const std::vector<RowStep>& rows, const cv::Point2d& middle,
+                  const GoalColour& colour) const
+  {
+    cv::Vec3d sum(0, 0, 0);
+    const auto columnAt = [&](int row, int offset)
+    {
+      const double u = middle.x + camera_.uprightSlope(middle) * (row - middle.y) + corner.side * offset;
+      return std::clamp(static_cast<int>(std::lround(u)), 0, left_.cols - 1);
+    };
+    for (const RowStep& r : rows) sum += cv::Vec3d(left_.at<cv::Vec3b>(r.row, columnAt(r.row, -kInside)));
+    const cv::Vec3f white = cv::Vec3f(sum * (1.0 / static_cast<double>(rows.size())));
+    const auto isColoured = [&](int row)
+    { return row >= 0 && row < left_.rows && colour.matches(white, left_.at<cv::Vec3b>(row, columnAt(row, kInside))); };
+    int top = rows[rows.size() / 2].row, bottom = top;
+    while (isColoured(top - 1) || isColoured(top - 2)) --top;
+    while (isColoured(bottom + 1) || isColoured(bottom + 2)) ++bottom;
+    corner.row_top = top - 0.5, corner.row_bottom = bottom + 0.5;
+  }
+
+  [[nodiscard]] bool hasGoalHeight(const GoalCorner& corner) const
+  {
+    const auto foot = camera_.pixelOf(corner.measured.place),
+               top = camera_.pixelOf(corner.measured.place, settings_.goal_height);
+    if (!foot || !top) return false;
+    const double expected = foot->y - top->y, seen = corner.row_bottom - corner.row_top;
+    // The foot of a goal close by may lie below the image.
+    const bool cut = corner.row_bottom >= left_.rows - 1;
+    return seen <= (1 + settings_.height_tolerance) * expected + kEndOfRows &&
+           (cut || seen >= (1 - settings_.height_tolerance) * expected - kEndOfRows);
+  }
+
+  const cv::Mat& left_;
+  const cv::Mat& right_;
+  const StereoCamera& camera_;
+  const GoalCornerSettings& settings_;
+};
+}  // namespace
+
+std::vector<GoalCorner> findGoalCorners(const cv::Mat& left, const cv::Mat& right, const StereoCamera& camera,
+                                        const GoalCornerSettings& settings)
+{
+  const CornerFinder finder(left, right, camera, settings);
+  std::vector<GoalCorner> corners;
+  for (const CornerCandidate& candidate : scanForGoals(left, settings))
+  {
+    const auto corner = finder.at(candidate);
+    if (!corner) continue;
+    const bool known = std::any_of(corners.begin(), corners.end(),
+                                   [&](const GoalCorner& c) {
+                                     return c.colour == corner->colour && c.side == corner->side &&
+                                            std::abs(c.u_left - corner->u_left) < kWindow;
+                                   });
+    if (!known) corners.push_back(*corner);
+  }
+  const auto isAmbiguous = [all = corners](const GoalCorner& c)
+  {
+    return 1 < std::count_if(all.begin(), all.end(),
+                             [&](const GoalCorner& o) { return o.colour == c.colour && o.side == c.side; });
+  };
+  corners.erase(std::remove_if(corners.begin(), corners.end(), isAmbiguous), corners.end());
+  return corners;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,176 @@
+#include <gtest/gtest.h>
+
+#include "../support/synthetic_field.h"
+#include "mrpt_ext/vision/stereo_goal.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+using testing::Board;
+using testing::FieldPicture;
+
+/// A wall with a goal of 40 cm in it.
+FieldPicture withGoal(double wall, double middle, const cv::Vec3d& colour = testing::kYellow)
+{
+  FieldPicture picture;
+  picture.wall = wall;
+  picture.boards.push_back({wall, middle - 0.2, middle + 0.2, 0.05, colour});
+  return picture;
+}
+
+StereoGoalSettings settingsFor(const FieldPicture& picture)
+{
+  StereoGoalSettings settings;
+  settings.camera = picture.camera;
+  settings.with_lines = false;
+  return settings;
+}
+
+std::vector<GoalCorner> cornersOf(const FieldPicture& picture, int seed = 1)
+{
+  const auto pair = testing::paint(picture, seed);
+  const StereoGoalView view = viewStereoGoal(pair.left, pair.right, settingsFor(picture));
+  EXPECT_EQ(view.problem, "");
+  return view.corners;
+}
+
+/// The goal has both corners, at these places.
+void expectGoal(const std::vector<GoalCorner>& corners, double wall, double middle, int colour)
+{
+  ASSERT_EQ(corners.size(), 2u);
+  for (const GoalCorner& corner : corners)
+  {
+    const Eigen::Vector2d place(wall, middle + 0.2 * corner.side);
+    EXPECT_EQ(corner.colour, colour);
+    EXPECT_LT(std::abs(corner.measured.range - place.norm()), 4 * corner.measured.std_range);
+    EXPECT_LT(std::abs(corner.measured.bearing - std::atan2(place.y(), place.x())), 4 * corner.measured.std_bearing);
+    EXPECT_LT(corner.measured.std_range, 0.03);
+  }
+  EXPECT_NE(corners[0].side, corners[1].side);
+}
+}  // namespace
+
+TEST(GoalCorners, AreWhereTheGoalIs)
+{
+  for (const double wall : {0.5, 0.8, 1.2}) expectGoal(cornersOf(withGoal(wall, 0.02)), wall, 0.02, 0);
+  expectGoal(cornersOf(withGoal(0.9, -0.05, testing::kBlue)), 0.9, -0.05, 1);
+}
+
+TEST(GoalCorners, StateHowSureTheyAre)
+{
+  double ranges = 0, bearings = 0;
+  int n = 0;
+  FieldPicture picture = withGoal(0.9, 0);
+  picture.noise = 8;
+  auto settings = settingsFor(picture);
+  settings.corners.std_column = 0, settings.corners.std_disparity = 0;  // there is nothing but noise
+  for (int seed = 1; seed <= 12; ++seed)
+  {
+    const auto pair = testing::paint(picture, seed);
+    for (const GoalCorner& corner : viewStereoGoal(pair.left, pair.right, settings).corners)
+    {
+      const StereoMeasurement& m = corner.measured;
+      ranges += square((m.range - std::hypot(0.9, 0.2)) / m.std_range);
+      bearings += square((m.bearing - std::atan2(0.2 * corner.side, 0.9)) / m.std_bearing);
+      ++n;
+    }
+  }
+  ASSERT_EQ(n, 24);
+  EXPECT_GT(ranges / n, 0.3);
+  EXPECT_LT(ranges / n, 3.0);
+  EXPECT_GT(bearings / n, 0.3);
+  EXPECT_LT(bearings / n, 4.0);
+}
+
+TEST(GoalCorners, AreFoundInOtherLightAndMoreNoise)
+{
+  const FieldPicture picture = withGoal(0.9, 0, testing::kBlue);
+  auto pair = testing::paint(picture);
+  for (cv::Mat* image : {&pair.left, &pair.right})
+  {
+    cv::Mat noise(image->size(), CV_32FC3);
+    image->convertTo(*image, CV_32FC3, 0.7);
+    cv::multiply(*image, cv::Scalar(0.8, 1.0, 1.15), *image);
+    cv::RNG(image == &pair.left ? 5 : 6).fill(noise, cv::RNG::NORMAL, 0, 6);
+    *image += noise;
+    image->convertTo(*image, CV_8UC3);
+  }
+  expectGoal(viewStereoGoal(pair.left, pair.right, settingsFor(picture)).corners, 0.9, 0, 1);
+}
+
+TEST(GoalCorners, AreNotSeenInRobotsBeforeAWhiteWall)
+{
+  for (const cv::Vec3d& colour : {testing::kYellow, testing::kBlue})
+    for (const double forward : {0.4, 0.6, 0.79})
+    {
+      FieldPicture picture;
+      picture.boards = {Board{forward, -0.03, 0.045, 0.075, colour}};
+      EXPECT_TRUE(cornersOf(picture).empty()) << forward;
+    }
+}
+
+TEST(GoalCorners, OfAGoalStayWhenARobotOfItsColourHidesOne)
+{
+  FieldPicture picture = withGoal(0.9, 0);
+  picture.boards.insert(picture.boards.begin(), Board{0.5, 0.08, 0.155, 0.075, testing::kYellow});
+  const auto corners = cornersOf(picture);
+  ASSERT_EQ(corners.size(), 1u);
+  EXPECT_EQ(corners.front().side, -1);
+  EXPECT_NEAR(corners.front().measured.range, std::hypot(0.9, 0.2), 0.03);
+}
+
+TEST(GoalCorners, AreFoundByTheCoarseScanAsByTheFullOne)
+{
+  const auto pair = testing::paint(withGoal(1.0, 0.05));
+  GoalCornerSettings coarse, full;
+  full.scan_step = 1;
+  ASSERT_EQ(scanForGoals(pair.left, coarse).size(), scanForGoals(pair.left, full).size());
+}
+
+TEST(StereoGoal, TellsWhyThereIsNoMeasurement)
+{
+  StereoGoalSettings settings;
+  settings.camera = testing::smallCamera();
+  const auto good = testing::paint(withGoal(0.8, 0));
+  const auto problem = [&](const cv::Mat& left, const cv::Mat& right)
+  {
+    const StereoGoalView view = viewStereoGoal(left, right, settings);
+    EXPECT_TRUE(view.corners.empty() && view.landmarks.empty());
+    static_cast<void>(drawStereoGoal(left, view, settings));
+    return view.problem;
+  };
+  EXPECT_EQ(problem({}, good.right), "left image is empty");
+  EXPECT_EQ(problem(good.left, {}), "right image is empty");
+  EXPECT_EQ(problem(good.left, cv::Mat::zeros(480, 640, CV_8UC3)), "right image is 640x480 pixels, expected 320x240");
+  EXPECT_EQ(problem(cv::Mat::zeros(240, 320, CV_8UC3), good.right), "left image is black or of one colour");
+  cv::Mat grey;
+  cv::cvtColor(good.left, grey, cv::COLOR_BGR2GRAY);
+  EXPECT_EQ(problem(grey, good.right), "left and right image differ in channels");
+  EXPECT_EQ(problem(grey, grey), "image is grey, goals are known by their colour");
+}
+
+TEST(StereoGoal, MeasuresNothingInNoise)
+{
+  StereoGoalSettings settings;
+  settings.camera = testing::smallCamera();
+  cv::Mat left(240, 320, CV_8UC3), right(240, 320, CV_8UC3);
+  cv::RNG random(7);
+  random.fill(left, cv::RNG::UNIFORM, 0, 256), random.fill(right, cv::RNG::UNIFORM, 0, 256);
+  const StereoGoalView view = viewStereoGoal(left, right, settings);
+  EXPECT_TRUE(view.corners.empty());
+  EXPECT_TRUE(view.landmarks.empty());
+}
+
+TEST(StereoGoal, DrawsWhatItFound)
+{
+  const FieldPicture picture = withGoal(0.8, 0);
+  const auto pair = testing::paint(picture);
+  const auto settings = settingsFor(picture);
+  const cv::Mat drawing = drawStereoGoal(pair.left, viewStereoGoal(pair.left, pair.right, settings), settings);
+  ASSERT_EQ(drawing.size(), pair.left.size());
+  cv::Mat changed;
+  cv::cvtColor(drawing != pair.left, changed, cv::COLOR_BGR2GRAY);
+  EXPECT_GT(cv::countNonZero(changed), 20);
+}
+}  // namespace mrpt_ext
