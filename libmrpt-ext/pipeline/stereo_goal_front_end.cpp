@@ -65,6 +65,7 @@ StereoGoalSettings readModel(const Settings& settings, const nlohmann::json& cam
   corners.colours = {readColour(settings, "yellow"), readColour(settings, "blue")};
   corners.scan_step = static_cast<int>(settings.integer(kSection, "scan_step"));
   corners.goal_height = number("goal_height_m"), corners.height_tolerance = number("goal_height_tolerance");
+  corners.goal_depth = number("goal_depth_m");
   corners.min_range = number("min_range_m"), corners.max_range = number("max_range_m");
   if (!(corners.min_range < corners.max_range))
     throw settings.errorAt(kSection, "min_range_m", "expected less than max_range_m");

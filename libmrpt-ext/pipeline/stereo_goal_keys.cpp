@@ -39,6 +39,7 @@ KeyTable goalKeys()
   return {{
       whole("scan_step", "px", "4", {1, 16}, "Every such pixel of every such row is looked at; 1 is a full scan."),
       key("goal_height_m", "m", "0.05", {0.001, 10}, "What is not as high where it stands is no goal."),
+      key("goal_depth_m", "m", "0.15", {0, 10}, "From the goal line to the goal's back."),
       key("goal_height_tolerance", "", "0.25", {0.01, 0.9}, "Share of the goal's height."),
       key("min_range_m", "m", "0.15", {0.01, 100}, "Nearest depth of a corner."),
       key("max_range_m", "m", "2.2", {0.02, 1000}, "Farthest depth of a corner."),

@@ -9,9 +9,11 @@ namespace mrpt_ext
 namespace
 {
 constexpr float kLeastBrightness = 0.4F, kMostBrightness = 1.3F;  ///< of the bright channel, share of the white's
-constexpr float kMiddleFactor = 2;    ///< the middle channel may differ from the model by this factor
-constexpr int kGap = 2, kMean = 3;    ///< [px] from the step to where a side's level begins, and pixels averaged
-constexpr float kLeastShare = 0.25F;  ///< of the white's level the dark channel must fall by
+constexpr float kMiddleFactor = 2;      ///< the middle channel may differ from the model by this factor
+constexpr int kGap = 2, kMean = 3;      ///< [px] from the step to where a side's level begins, and pixels averaged
+constexpr double kWhiteQuantile = 0.9;  ///< of the pixels are darker than the image's white
+constexpr float kWhiteShare = 0.45F;    ///< of it is still white, in the shade
+constexpr float kLeastShare = 0.25F;    ///< of the white's level the dark channel must fall by
 
 cv::Vec3f meanOf(const cv::Vec3b* pixels, int first)
 {
@@ -40,8 +42,37 @@ bool GoalColour::matches(const cv::Vec3f& white, const cv::Vec3f& colour) const
   return middle > middle_least_ && middle < middle_most_;
 }
 
+cv::Vec3f leastWhite(const cv::Mat& bgr, int step)
+{
+  std::array<std::array<int, 256>, 3> counts{};
+  int total = 0;
+  for (int row = step / 2; row < bgr.rows; row += step)
+    for (int column = step / 2; column < bgr.cols; column += step, ++total)
+      for (int channel = 0; channel < 3; ++channel)
+        ++counts[static_cast<std::size_t>(channel)][bgr.at<cv::Vec3b>(row, column)[channel]];
+  cv::Vec3f least;
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    int value = 255;
+    double brighter = 0;
+    while (value > 0 && (brighter += counts[static_cast<std::size_t>(channel)][static_cast<std::size_t>(value)]) <
+                            (1 - kWhiteQuantile) * total)
+      --value;
+    least[channel] = kWhiteShare * static_cast<float>(value);
+  }
+  return least;
+}
+
+cv::Vec3f meanAround(const cv::Mat& bgr, int row, int column)
+{
+  const int first = std::max(column - 1, 0), last = std::min(column + 1, bgr.cols - 1);
+  cv::Vec3f sum(0, 0, 0);
+  for (int i = first; i <= last; ++i) sum += cv::Vec3f(bgr.at<cv::Vec3b>(row, i));
+  return sum * (1.F / static_cast<float>(last - first + 1));
+}
+
 std::vector<double> colourStepsInRow(const cv::Mat& bgr, int row, int first_column, int last_column,
-                                     const GoalColour& colour, int side)
+                                     const GoalColour& colour, int side, const cv::Vec3f& least_white)
 {
   constexpr int kReach = kGap + kMean;
   const int first = std::max(first_column, kReach), last = std::min(last_column, bgr.cols - 1 - kReach);
@@ -59,6 +90,7 @@ std::vector<double> colourStepsInRow(const cv::Mat& bgr, int row, int first_colu
     if (here <= 0 || here < fall(u - 1) || here <= fall(u + 1)) continue;
     cv::Vec3f left = meanOf(pixels, u - kReach + 1), right = meanOf(pixels, u + kGap + 1);
     const cv::Vec3f &white = side > 0 ? left : right, &dyed = side > 0 ? right : left;
+    if (!isWhite(white, least_white)) continue;
     if (white[channel] - dyed[channel] < kLeastShare * white[channel] || !colour.matches(white, dyed)) continue;
     const float half = 0.5F * (white[channel] + dyed[channel]);
     for (int i = u - 1; i <= u + 1; ++i)

@@ -27,8 +27,20 @@ class GoalColour
   float middle_least_ = 0, middle_most_ = 0;  ///< likewise
 };
 
+/// The least level of each channel at which something may be the white of this image: a share of the brightest tenth of
+/// every `step`-th pixel of every `step`-th row. Yellow and blue are far below it in one channel.
+[[nodiscard]] cv::Vec3f leastWhite(const cv::Mat& bgr, int step);
+
+[[nodiscard]] inline bool isWhite(const cv::Vec3f& pixel, const cv::Vec3f& least_white)
+{
+  return pixel[0] >= least_white[0] && pixel[1] >= least_white[1] && pixel[2] >= least_white[2];
+}
+
 /// Where white and a goal's colour meet in one row. `side` +1: the colour lies at larger columns. Columns are to
 /// a fraction of a pixel, where the darkest channel is half way between both sides.
 [[nodiscard]] std::vector<double> colourStepsInRow(const cv::Mat& bgr, int row, int first_column, int last_column,
-                                                   const GoalColour& colour, int side);
+                                                   const GoalColour& colour, int side, const cv::Vec3f& least_white);
+
+/// The mean of three pixels of a row around a column; of fewer at the image's border.
+[[nodiscard]] cv::Vec3f meanAround(const cv::Mat& bgr, int row, int column);
 }  // namespace mrpt_ext

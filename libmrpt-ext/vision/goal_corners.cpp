@@ -12,12 +12,14 @@ namespace mrpt_ext
 namespace
 {
 constexpr int kWindow = 10;            ///< [px] around the candidate's column
+constexpr int kWhiteStep = 16;         ///< [px] between pixels that tell what is white
 constexpr int kInside = 4;             ///< [px] from the step to where the coloured side's height is measured
 constexpr double kSameFeature = 1.5;   ///< [px] disparities of one feature agree
 constexpr double kOutlier = 3;         ///< in robust deviations
 constexpr double kLeastScatter = 0.2;  ///< [px] robust deviation of a row's column is not believed below
 constexpr double kMedianOfNormal = 0.6745;
 constexpr double kAgreeingShare = 0.5;  ///< of the rows of the left image
+constexpr float kAsWhite = 0.6F;        ///< of the white beside the step is still it, share of each channel
 constexpr double kEndOfRows = 1.5;      ///< [px] a height in the image is known to
 
 /// The step in one row of the left image, moved along the upright edge to a common row, and where it may be in the
@@ -72,7 +74,7 @@ class CornerFinder
  public:
   CornerFinder(const cv::Mat& left, const cv::Mat& right, const StereoCamera& camera,
                const GoalCornerSettings& settings)
-      : left_(left), right_(right), camera_(camera), settings_(settings)
+      : left_(left), right_(right), camera_(camera), settings_(settings), least_white_(leastWhite(left, kWhiteStep))
   {
   }
 
@@ -105,7 +107,8 @@ class CornerFinder
     std::vector<RowStep> rows;
     for (int row = candidate.first_row - margin; row <= candidate.last_row + margin; ++row)
     {
-      const auto steps = colourStepsInRow(left_, row, column - kWindow, column + kWindow, colour, candidate.side);
+      const auto steps =
+          colourStepsInRow(left_, row, column - kWindow, column + kWindow, colour, candidate.side, least_white_);
       if (steps.empty()) continue;
       const auto nearest = std::min_element(
           steps.begin(), steps.end(),
@@ -124,7 +127,7 @@ class CornerFinder
     {
       const int first = static_cast<int>(std::floor(r.left - nearest)) - 2;
       const int last = static_cast<int>(std::ceil(r.left - farthest)) + 2;
-      for (const double column : colourStepsInRow(right_, r.row, first, last, colour, candidate.side))
+      for (const double column : colourStepsInRow(right_, r.row, first, last, colour, candidate.side, least_white_))
       {
         const double slope = camera_.uprightSlope(cv::Point2d(column, middle));
         const double disparity = r.left - (column - slope * (r.row - middle));
@@ -173,51 +176,65 @@ class CornerFinder
     const auto measured = measureStereo(camera_, middle, d, std_u, std_d);
     if (!measured) return std::nullopt;
 
-    GoalCorner corner{candidate.colour, candidate.side, u, u - d, 0, 0, *measured};
+    GoalCorner corner{candidate.colour, candidate.side, u, u - d, 0, 0, 0, *measured};
     findHeight(corner, agreeing, middle, colour);
-    if (!hasGoalHeight(corner)) return std::nullopt;
-    const double to_foot = corner.row_bottom - middle.y;
+    if (!looksLikeGoal(corner)) return std::nullopt;
+    const double to_foot = corner.white_bottom - middle.y;
     corner.u_left += to_foot * camera_.uprightSlope(middle);
     corner.u_right += to_foot * camera_.uprightSlope({u - d, middle.y});
     return corner;
   }
 
-  /// How far the coloured side reaches up and down from the rows that were measured.
+  /// How far the coloured side reaches up and down from the rows that were measured, and how far down the white one.
   void findHeight(GoalCorner& corner, const std::vector<RowStep>& rows, const cv::Point2d& middle,
                   const GoalColour& colour) const
   {
-    cv::Vec3d sum(0, 0, 0);
-    const auto columnAt = [&](int row, int offset)
+    const auto beside = [&](int row, int offset)
     {
       const double u = middle.x + camera_.uprightSlope(middle) * (row - middle.y) + corner.side * offset;
-      return std::clamp(static_cast<int>(std::lround(u)), 0, left_.cols - 1);
+      return meanAround(left_, row, std::clamp(static_cast<int>(std::lround(u)), 0, left_.cols - 1));
     };
-    for (const RowStep& r : rows) sum += cv::Vec3d(left_.at<cv::Vec3b>(r.row, columnAt(r.row, -kInside)));
-    const cv::Vec3f white = cv::Vec3f(sum * (1.0 / static_cast<double>(rows.size())));
-    const auto isColoured = [&](int row)
-    { return row >= 0 && row < left_.rows && colour.matches(white, left_.at<cv::Vec3b>(row, columnAt(row, kInside))); };
-    int top = rows[rows.size() / 2].row, bottom = top;
-    while (isColoured(top - 1) || isColoured(top - 2)) --top;
-    while (isColoured(bottom + 1) || isColoured(bottom + 2)) ++bottom;
-    corner.row_top = top - 0.5, corner.row_bottom = bottom + 0.5;
+    cv::Vec3f white(0, 0, 0);
+    for (const RowStep& r : rows) white += beside(r.row, -kInside) * (1.F / static_cast<float>(rows.size()));
+    const auto inImage = [this](int row) { return row >= 0 && row < left_.rows; };
+    const auto isColoured = [&](int row) { return inImage(row) && colour.matches(white, beside(row, kInside)); };
+    const auto isAsWhite = [&](int row) { return inImage(row) && isWhite(beside(row, -kInside), kAsWhite * white); };
+    const int start = rows[rows.size() / 2].row;
+    corner.row_top = lastRow(start, -1, isColoured) - 0.5;
+    corner.row_bottom = lastRow(start, 1, isColoured) + 0.5;
+    corner.white_bottom = lastRow(start, 1, isAsWhite) + 0.5;
   }
 
-  [[nodiscard]] bool hasGoalHeight(const GoalCorner& corner) const
+  /// The last row up or down from `start` for which `holds`; single rows for which it does not are passed over.
+  template <typename Holds>
+  [[nodiscard]] static int lastRow(int start, int direction, const Holds& holds)
   {
-    const auto foot = camera_.pixelOf(corner.measured.place),
-               top = camera_.pixelOf(corner.measured.place, settings_.goal_height);
+    int row = start;
+    while (holds(row + direction) || holds(row + 2 * direction)) row += direction;
+    return row;
+  }
+
+  /// As high as a goal at this distance, and not standing before the wall as a robot does. Seen from the side the
+  /// colour is that of the goal's back, whose foot is farther away and so higher in the image than the corner's.
+  [[nodiscard]] bool looksLikeGoal(const GoalCorner& corner) const
+  {
+    const Eigen::Vector2d& place = corner.measured.place;
+    const auto foot = camera_.pixelOf(place), top = camera_.pixelOf(place, settings_.goal_height);
     if (!foot || !top) return false;
     const double expected = foot->y - top->y, seen = corner.row_bottom - corner.row_top;
+    const double tolerance = settings_.height_tolerance * expected + kEndOfRows;
+    if (seen > expected + tolerance || corner.row_bottom > corner.white_bottom + tolerance) return false;
     // The foot of a goal close by may lie below the image.
-    const bool cut = corner.row_bottom >= left_.rows - 1;
-    return seen <= (1 + settings_.height_tolerance) * expected + kEndOfRows &&
-           (cut || seen >= (1 - settings_.height_tolerance) * expected - kEndOfRows);
+    if (corner.white_bottom >= left_.rows - 1) return true;
+    const double at_back = expected * place.x() / (place.x() + settings_.goal_depth);
+    return seen >= at_back - tolerance && std::abs(corner.white_bottom - corner.row_top - expected) <= tolerance;
   }
 
   const cv::Mat& left_;
   const cv::Mat& right_;
   const StereoCamera& camera_;
   const GoalCornerSettings& settings_;
+  cv::Vec3f least_white_;
 };
 }  // namespace
 

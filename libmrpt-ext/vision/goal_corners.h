@@ -15,6 +15,7 @@ struct GoalCornerSettings
   std::array<GoalColour, 2> colours{GoalColour({0.22F, 0.9F, 1.F}), GoalColour({0.85F, 0.37F, 0.22F})};
   int scan_step = 4;               ///< [px] every fourth pixel of every fourth row
   double goal_height = 0.05;       ///< [m]
+  double goal_depth = 0.15;        ///< [m]
   double height_tolerance = 0.25;  ///< share of the goal's height in the image
   double min_range = 0.15;         ///< [m] depth
   double max_range = 2.2;          ///< [m] depth
@@ -30,6 +31,7 @@ struct GoalCorner
   int side = 0;                    ///< +1: the goal is to the right, so it is the left corner as seen from the field
   double u_left = 0, u_right = 0;  ///< [px] at the corner's foot
   double row_top = 0, row_bottom = 0;  ///< [px] of the coloured side
+  double white_bottom = 0;             ///< [px] of the white side
   StereoMeasurement measured;
 };
 
@@ -46,8 +48,8 @@ struct CornerCandidate
 
 /// Corners of goals by paper 004: a coarse scan, the step searched for at full scale around it row by row, outliers
 /// over the rows removed, the same step in the right image. A robot in the goal's colour in front of a white wall is
-/// not as high as a goal where it stands and is left out; so are both of two that would be the same corner. Images are
-/// BGR of equal size.
+/// not as high as a goal where it stands, and its foot is below the wall's: it is left out; so are both of two that
+/// would be the same corner. Images are BGR of equal size.
 [[nodiscard]] std::vector<GoalCorner> findGoalCorners(const cv::Mat& left, const cv::Mat& right,
                                                       const StereoCamera& camera, const GoalCornerSettings& settings);
 }  // namespace mrpt_ext

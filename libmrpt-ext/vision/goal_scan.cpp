@@ -35,6 +35,7 @@ std::vector<CornerCandidate> scanForGoals(const cv::Mat& bgr, const GoalCornerSe
 {
   std::vector<CornerCandidate> candidates;
   const int step = settings.scan_step;
+  const cv::Vec3f least_white = leastWhite(bgr, 4 * step);
   for (int row = step / 2; row < bgr.rows; row += step)
   {
     const cv::Vec3b* const pixels = bgr.ptr<cv::Vec3b>(row);
@@ -45,8 +46,8 @@ std::vector<CornerCandidate> scanForGoals(const cv::Mat& bgr, const GoalCornerSe
       for (int colour = 0; colour < static_cast<int>(settings.colours.size()); ++colour)
       {
         const GoalColour& model = settings.colours[static_cast<std::size_t>(colour)];
-        if (model.matches(a, b)) add(candidates, {colour, 1, column + kSpan / 2, row});
-        if (model.matches(b, a)) add(candidates, {colour, -1, column + kSpan / 2, row});
+        if (isWhite(a, least_white) && model.matches(a, b)) add(candidates, {colour, 1, column + kSpan / 2, row});
+        if (isWhite(b, least_white) && model.matches(b, a)) add(candidates, {colour, -1, column + kSpan / 2, row});
       }
     }
   }

@@ -50,8 +50,8 @@ cv::Mat drawStereoGoal(const cv::Mat& left, const StereoGoalView& view, const St
   }
   for (const GoalCorner& corner : view.corners)
   {
-    const cv::Point2d foot(corner.u_left, corner.row_bottom);
-    const cv::Point2d top(corner.u_left + (corner.row_top - corner.row_bottom) * settings.camera.uprightSlope(foot),
+    const cv::Point2d foot(corner.u_left, corner.white_bottom);
+    const cv::Point2d top(corner.u_left + (corner.row_top - corner.white_bottom) * settings.camera.uprightSlope(foot),
                           corner.row_top);
     cv::line(drawing, rounded(foot), rounded(top), kCorner, 2, cv::LINE_AA);
     write(drawing, std::to_string(cvRound(100 * corner.measured.range)), rounded(top) - cv::Point(8, 6));
