@@ -24,7 +24,7 @@ constexpr int kLeastMatches = 4;      // three bearings are explained by every c
 constexpr std::size_t kJudgedAtOnce = 64;
 constexpr std::size_t kBoxes = 4'000'000;  // of a scan that are kept
 constexpr std::size_t kMaxJudged = 5000;
-constexpr double kChanceCompetes = 1e-3;  // expected false poses as good as the best
+constexpr double kChanceCompetes = 3e-3;  // expected false poses as good as the best
 constexpr double kNegligible = 1e-3;      // evidence relative to the best pose's
 
 class SearchRun
@@ -37,7 +37,8 @@ class SearchRun
         options_(options),
         readings_(std::move(readings)),
         owner_(owner),
-        proposer_(map, places, options, readings_, owner)
+        proposer_(map, places, options, readings_, owner),
+        log_evidence_below_(logEvidenceBelow(map, places, areaOrMap(map, options.area)))
   {
   }
 
@@ -114,9 +115,9 @@ class SearchRun
       const std::optional<ReadingTriple> triple = cover.next();
       if (!triple) break;
       propose(*triple);
+      if (result_.finished) tolerated_ = std::max(tolerated_, cover.tolerated());
       judgeBest(kJudgedAtOnce);
     }
-    tolerated_ = cover.tolerated();
     judgeBest(std::numeric_limits<std::size_t>::max());
   }
 
@@ -179,6 +180,7 @@ class SearchRun
         if (!isKnown(waiting[next]))
         {
           judge(waiting[next]);
+          if (!result_.finished) complete_from_ = std::max(complete_from_, static_cast<int>(level) + 1);
           least = std::max(lowest, leastNeeded());
           --count;
         }
@@ -197,6 +199,7 @@ class SearchRun
     const auto pose = judgePose(map_, places_, options_, robot, leastNeeded());
     if (!pose) return;
     best_matched_ = std::max(best_matched_, pose->matched);
+    best_log_evidence_ = std::max(best_log_evidence_, pose->log_evidence);
     result_.poses.push_back(*pose);
   }
 
@@ -216,8 +219,8 @@ class SearchRun
 
   // ---- what may be left out
 
-  /// About one true triple in eight fixes its pose too weakly to come through. Where chance can compete with the truth
-  /// that calls for one more.
+  /// About one true triple in fifteen fixes its pose too weakly to come through. Where chance can compete with the
+  /// truth that calls for one more.
   [[nodiscard]] int spareRounds() const
   {
     return best_matched_ > 0 && expectedFalsePoses(chanceMatches(), best_matched_) > kChanceCompetes ? 1 : 0;
@@ -230,21 +233,14 @@ class SearchRun
   {
     if (best_matched_ == 0) return leastMatches();
     int least = best_matched_;
-    while (least > leastMatches() && evidenceBelow(least) > kNegligible) --least;
+    while (least > leastMatches() && logEvidenceOfFewer(least) > best_log_evidence_ + std::log(kNegligible)) --least;
     return least;
   }
 
-  /// Evidence relative to the best pose's that poses with fewer than `least` matches are expected to have together.
-  [[nodiscard]] double evidenceBelow(int least) const
+  /// Than `least` matches.
+  [[nodiscard]] double logEvidenceOfFewer(int least) const
   {
-    const ChanceMatches chance = chanceMatches();
-    double evidence = 0;
-    for (int m = least - 1; m >= 3; --m)
-    {
-      const double poses = expectedFalsePoses(chance, m) - expectedFalsePoses(chance, m + 1);
-      evidence += poses * std::exp(-logEvidencePerMatch() * (best_matched_ - m));
-    }
-    return evidence;
+    return log_evidence_below_[std::min(static_cast<std::size_t>(least), log_evidence_below_.size() - 1)];
   }
 
   [[nodiscard]] ChanceMatches chanceMatches() const
@@ -269,27 +265,11 @@ class SearchRun
     return std::isfinite(range) ? mean_allowed_ * std::min(1.0, kPi * square(range) / mapArea()) : mean_allowed_;
   }
 
-  /// What a match adds to the log-likelihood, typically: it is explained, and not by chance.
-  [[nodiscard]] double logEvidencePerMatch() const
-  {
-    const SensorPlace& place = places_[static_cast<std::size_t>(readings_.front().place)];
-    const double clutter = std::max(place.model.clutter_probability, 1e-6);
-    const double peak = 1 / (std::sqrt(kTwoPi) * meanStd());
-    const double count = static_cast<double>(place.detections.size());
-    const double p = std::min(place.model.detection_probability.value_or(0.5), 0.99);
-    const double odds = place.model.detection_probability ? p / (1 - p) / count : 1 / std::max(1.0, inView(place));
-    return std::log(1 + odds * peak * kTwoPi / clutter) - 0.5;
-  }
-
   void finish()
   {
-    const int searched = std::max(floor_, static_cast<int>(readings_.size()) - std::max(tolerated_, 0));
-    double missed = -kUnlimited;
-    if (!result_.poses.empty())
-    {
-      missed = logEvidenceBelow(map_, places_, areaOrMap(map_, options_.area), searched);
-      result_.expected_false = expectedFalsePoses(chanceMatches(), best_matched_);
-    }
+    const int searched = std::max({floor_, complete_from_, static_cast<int>(readings_.size()) - tolerated_});
+    const double missed = result_.poses.empty() ? -kUnlimited : logEvidenceOfFewer(searched);
+    if (!result_.poses.empty()) result_.expected_false = expectedFalsePoses(chanceMatches(), best_matched_);
     result_.work.tested += proposer_.work().tested;
     result_.work.rounds += proposer_.work().rounds;
     rankPoses(result_, options_, missed, searched);
@@ -303,7 +283,10 @@ class SearchRun
   const BearingSearch& owner_;
   BearingProposer proposer_;
   PoseSearch result_;
+  std::vector<double> log_evidence_below_;  // by the number of matches
+  double best_log_evidence_ = -kUnlimited;
   int best_matched_ = 0, floor_ = 0, tolerated_ = -1;
+  int complete_from_ = 0;    // with so many matches every pose that was proposed has been judged
   bool overflowed_ = false;  // more proposals than can be kept: the lesser ones are lost
   double mean_allowed_ = 0;
 };

@@ -185,14 +185,21 @@ void lookAtAll(const SievePose& pose, const TableInFloat& table, const VisibleLi
     variance[l] = seen_so.variance;
   }
 }
+
+/// A matrix F with F F^T = C; where rounding has made C indefinite, one with F F^T >= C.
+Matrix3d factorOf(const Matrix3d& covariance)
+{
+  const Eigen::LLT<Matrix3d> llt(covariance);
+  if (llt.info() == Eigen::Success) return llt.matrixL();
+  return (3 * covariance.diagonal().cwiseMax(0)).cwiseSqrt().asDiagonal();
+}
 }  // namespace
 
 void lookAround(const GaussianPose& tested, const SieveView& view, double gate, SeenLandmarks& seen)
 {
   const Pose2 sensor = compose(tested.mean, view.T_tested_sensor);
   const VisibleLists::CellAt at = view.lists->cellAt(sensor.position());
-  const Matrix3d factor = tested.covariance.llt().matrixL();
-  const Eigen::Matrix3f f = factor.cast<float>();
+  const Eigen::Matrix3f f = factorOf(tested.covariance).cast<float>();
   const Eigen::Vector2f position = (sensor.position() - at.centre).cast<float>();
   const Eigen::Vector2f offset = (sensor.position() - tested.mean.position()).cast<float>();
   const auto reach =

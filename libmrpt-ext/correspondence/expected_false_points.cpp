@@ -6,7 +6,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kPoseShare = 1.5;  // what the error of the pose adds to the area of a gate
+constexpr double kPoseShare = 0.75;  // of a point's mean variance: what the pose's error adds to that of a prediction
 }
 
 ChancePoints chancePoints(const LandmarkIndex& map, std::span<const ReadingPoint> points, double gate)
@@ -19,15 +19,17 @@ ChancePoints chancePoints(const LandmarkIndex& map, std::span<const ReadingPoint
   const double density = count / area / (kinds ? std::max(1, map.kindsPresent()) : 1);
 
   const auto n = static_cast<double>(points.size());
-  double spread = 0, separation = 0;
+  double variance = 0, area_of_gate = 0, separation = 0;
   for (const ReadingPoint& a : points)
   {
-    spread += a.spread / n;
+    const double worst = square(a.std), best = square(a.spread / a.std), mean = (worst + best) / 2;
+    variance += mean / n;
+    area_of_gate += 4 * square(gate) * std::sqrt((worst + kPoseShare * mean) * (best + kPoseShare * mean)) / n;
     for (const ReadingPoint& b : points) separation += (a.in_robot - b.in_robot).norm() / (n * (n - 1));
   }
-  const double tolerance = gate * std::sqrt(2 * spread);
+  const double tolerance = gate * std::sqrt(2 * variance);
   const double pairs = std::min(4 * kPi * density * area * density * separation * tolerance, count * (count - 1));
-  return {pairs, -std::expm1(-kPoseShare * 4 * square(gate) * spread * density), static_cast<int>(points.size())};
+  return {pairs, -std::expm1(-area_of_gate * density), static_cast<int>(points.size())};
 }
 
 double expectedFalsePoses(const ChancePoints& chance, int matched)

@@ -16,9 +16,9 @@ struct ChancePoints
 };
 
 /// For landmarks strewn with density rho over the map: two points a distance s apart, known to +-t, are matched by N
-/// landmarks each with 2 pi s 2 t rho others, so poses_per_pair = 4 pi N rho s t. A further point is matched within k
-/// deviations in range and in bearing, an area A of 4 k^2 times their product, half as much again for the error of the
-/// pose: a landmark lies there with chance 1 - exp(-A rho).
+/// landmarks each with 2 pi s 2 t rho others, so poses_per_pair = 4 pi N rho s t; t is k times the deviation of a
+/// distance, whatever its direction. A further point is matched within k deviations in range and in bearing, each
+/// enlarged by the error of the pose: in this area A a landmark lies with chance 1 - exp(-A rho).
 /// Kinds divide rho by their number where all points tell theirs.
 [[nodiscard]] ChancePoints chancePoints(const LandmarkIndex& map, std::span<const ReadingPoint> points, double gate);
 

@@ -8,11 +8,17 @@
 
 namespace mrpt_ext
 {
+namespace
+{
+constexpr double kGateShare = 1.9;  // of what a gate per reading lets through, and of the triples' unequal strengths
+}
+
 double expectedFalsePoses(const ChanceMatches& chance, int matched)
 {
   const int m = std::max(matched, 3), n = chance.readings;
   if (n < m) return 0;
-  return chance.poses_per_triple * std::exp(logChoose(n, 3) - logChoose(m, 3)) * std::pow(m / 3.0, 1.5) *
+  const double freedom = m > 3 ? kGateShare * std::exp(0.5 * logChoose(m, 3)) : 1;
+  return chance.poses_per_triple * freedom * std::exp(logChoose(n, 3) - logChoose(m, 3)) *
          binomialTail(n - 3, m - 3, chance.chance);
 }
 

@@ -10,7 +10,7 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
-constexpr double kMinClutter = 1e-6;
+constexpr double kMinClutter = 1e-6, kMaxClutter = 0.999, kMinDetection = 1e-9;
 constexpr double kMaxDetection = 0.99;  // as in place_view.cpp
 
 double logSum(double a, double b)
@@ -59,20 +59,19 @@ std::vector<double> logLikelihoodByMatches(const LandmarkIndex& map, const Senso
   const double extent = areaOf({map.low(), map.high()});
   const double radius = model.max_range.value_or(std::sqrt(extent / kPi));
   const double clutter = std::clamp(model.clutter_probability, kMinClutter, 1.0);
-  const double count = static_cast<double>(place.detections.size());
+  const double false_ones = expectedFalseDetections(map, place);
   std::vector<double> by_matches{0};
   for (const UnidentifiedDetection& z : place.detections)
   {
     const Densities d = densities(map, model, z, radius);
     const double right = model.detection_probability ? 1 : 1 - std::min(clutter, 0.999);
-    const double wrong = model.detection_probability ? count * clutter : clutter;
+    const double wrong = model.detection_probability ? false_ones : clutter;
     by_matches = product(by_matches, {std::log(wrong * d.of_clutter), std::log(right * d.of_landmark)});
   }
   if (!model.detection_probability) return by_matches;
 
-  const double p = std::clamp(*model.detection_probability, 1e-9, kMaxDetection);
-  double in_view = model.max_range ? std::min(1.0, kPi * square(radius) / extent) : 1.0;
-  if (model.has_field_of_view) in_view *= std::min(1.0, model.field_of_view / kTwoPi);
+  const double p = std::clamp(*model.detection_probability, kMinDetection, kMaxDetection);
+  const double in_view = shareInView(map, model);
   const auto n = static_cast<double>(map.size());
   for (std::size_t m = 0; m < by_matches.size(); ++m)
   {
@@ -85,19 +84,41 @@ std::vector<double> logLikelihoodByMatches(const LandmarkIndex& map, const Senso
 }
 }  // namespace
 
+double shareInView(const LandmarkIndex& map, const SensorModel& model)
+{
+  const double extent = areaOf({map.low(), map.high()});
+  const double share = model.max_range ? std::min(1.0, kPi * square(*model.max_range) / extent) : 1.0;
+  return model.has_field_of_view ? share * std::min(1.0, model.field_of_view / kTwoPi) : share;
+}
+
+double expectedFalseDetections(const LandmarkIndex& map, const SensorPlace& place)
+{
+  const SensorModel& model = place.model;
+  const double clutter = std::clamp(model.clutter_probability, kMinClutter, kMaxClutter);
+  if (!model.detection_probability) return clutter * static_cast<double>(place.detections.size());
+  const double p = std::clamp(*model.detection_probability, kMinDetection, kMaxDetection);
+  return clutter / (1 - clutter) * p * shareInView(map, model) * static_cast<double>(map.size());
+}
+
 MapArea areaOrMap(const LandmarkIndex& map, const std::optional<MapArea>& area)
 {
   return area ? *area : MapArea{map.low(), map.high()};
 }
 
-double logEvidenceBelow(const LandmarkIndex& map, std::span<const SensorPlace> places, const MapArea& area, int least)
+std::vector<double> logEvidenceBelow(const LandmarkIndex& map, std::span<const SensorPlace> places, const MapArea& area)
 {
-  if (map.empty()) return kNothing;
   std::vector<double> by_matches{0};
   for (const SensorPlace& place : places) by_matches = product(by_matches, logLikelihoodByMatches(map, place));
-  double total = kNothing;
-  for (std::size_t m = 0; m < by_matches.size() && static_cast<int>(m) < least; ++m)
-    total = logSum(total, by_matches[m]);
-  return total + std::log(kTwoPi * areaOf(area));
+  const double log_volume = std::log(kTwoPi * areaOf(area));
+  std::vector<double> below{kNothing};
+  for (const double log_likelihood : by_matches) below.push_back(logSum(below.back(), log_likelihood + log_volume));
+  if (map.empty()) std::fill(below.begin(), below.end(), kNothing);
+  return below;
+}
+
+double logEvidenceBelow(const LandmarkIndex& map, std::span<const SensorPlace> places, const MapArea& area, int least)
+{
+  const std::vector<double> below = logEvidenceBelow(map, places, area);
+  return below[std::min(static_cast<std::size_t>(std::max(least, 0)), below.size() - 1)];
 }
 }  // namespace mrpt_ext

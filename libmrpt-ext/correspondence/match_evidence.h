@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "mrpt_ext/correspondence/landmark_index.h"
 #include "mrpt_ext/correspondence/map_area.h"
@@ -19,6 +20,17 @@ namespace mrpt_ext
 /// the others. A sensor without P: e_m alone, with the shares of right and false detections.
 [[nodiscard]] double logEvidenceBelow(const LandmarkIndex& map, std::span<const SensorPlace> places,
                                       const MapArea& area, int least);
+/// The same for every `least` from 0 to one more than there are detections.
+[[nodiscard]] std::vector<double> logEvidenceBelow(const LandmarkIndex& map, std::span<const SensorPlace> places,
+                                                   const MapArea& area);
+
+/// Share of the map's landmarks that a sensor has in view from somewhere in it: by range limit and field of view.
+[[nodiscard]] double shareInView(const LandmarkIndex& map, const SensorModel& model);
+
+/// Expected number of false detections of a place. With a detection probability P it is what makes the declared share c
+/// of the detections false on average, c / (1 - c) P n for n landmarks in view on average, however many there are this
+/// time: false ones do not become more when more landmarks are seen. Without P: c times the detections.
+[[nodiscard]] double expectedFalseDetections(const LandmarkIndex& map, const SensorPlace& place);
 
 /// Where the robot can be: `area`, or else the extent of the map.
 [[nodiscard]] MapArea areaOrMap(const LandmarkIndex& map, const std::optional<MapArea>& area);

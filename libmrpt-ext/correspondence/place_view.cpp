@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mrpt_ext/correspondence/match_evidence.h"
 #include "mrpt_ext/geometry/measurement_jacobian.h"
 
 namespace mrpt_ext
@@ -129,9 +130,9 @@ double placeLogLikelihood(const LandmarkIndex& map, const SensorPlace& place,
 
   const SensorModel& model = place.model;
   const double clutter = std::clamp(model.clutter_probability, kMinClutter, 1.0);
-  const auto count = static_cast<double>(place.detections.size());
   const bool counts_gaps = model.detection_probability.has_value();
   const double p = std::clamp(model.detection_probability.value_or(0), 0.0, kMaxDetection);
+  const double false_ones = expectedFalseDetections(map, place);
   double log_likelihood = 0;
   std::vector<double> weight;  // of a landmark as the source of a detection
   for (const ExpectedLandmark& h : expected)
@@ -150,9 +151,10 @@ double placeLogLikelihood(const LandmarkIndex& map, const SensorPlace& place,
       if (weight[h] > 0 && (claimed_by[h] < 0 || claimed_by[h] == static_cast<int>(d)))
         sum += weight[h] * density(z, expected[h]);
     }
-    const double scattered = clutter * falseDensity(map, z, model);
-    log_likelihood += counts_gaps ? std::log(count * scattered + sum)
-                                  : std::log(scattered + (1 - std::min(clutter, 0.999)) * sum / std::max(1.0, visible));
+    const double false_density = falseDensity(map, z, model);
+    log_likelihood +=
+        counts_gaps ? std::log(false_ones * false_density + sum)
+                    : std::log(clutter * false_density + (1 - std::min(clutter, 0.999)) * sum / std::max(1.0, visible));
   }
   return log_likelihood;
 }

@@ -20,6 +20,8 @@ constexpr std::size_t kMaxWaiting = 50000;
 constexpr std::size_t kMaxPairs = 15;  // widest first: they fix the heading best
 /// So few landmarks seen need not be near neighbours of one another, as those of the index are.
 constexpr int kFewMatches = 3;
+constexpr double kDoubt =
+    0.05;  // probability of unlisted poses, or expected number of false ones, that calls for pairs
 constexpr double kPlaneGate = 1.15;  // a gate in the plane reaches further than one on a line for the same share
 constexpr double kSamePose = 0.5;    // standard deviations
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
@@ -43,7 +45,7 @@ class PointSearchRun
     const int count = static_cast<int>(points_.size());
     if (count >= 3) searchTriangles(std::max(3, (count + 1) / 2));
     if (best_matched_ < 3 && count > 4) searchTriangles(3);
-    if (best_matched_ <= kFewMatches) searchPairs();
+    if (best_matched_ <= kFewMatches || !isConvincing()) searchPairs();
     finish();
     return std::move(result_);
   }
@@ -268,12 +270,26 @@ class PointSearchRun
     return result_.finished;
   }
 
+  /// Log of the evidence of the poses that explain less than the best.
+  [[nodiscard]] double missedEvidence() const
+  {
+    return logEvidenceBelow(map_, places_, areaOrMap(map_, options_.area), best_matched_);
+  }
+
+  /// False when the best pose may be chance: the right one may have been seen by no triangle of the index.
+  [[nodiscard]] bool isConvincing() const
+  {
+    double best = kNothing;
+    for (const ConsistentPose& pose : result_.poses) best = std::max(best, pose.log_evidence);
+    return missedEvidence() < best + std::log(kDoubt) && expectedFalsePoses(chance_, best_matched_) < kDoubt;
+  }
+
   void finish()
   {
     double missed = kNothing;
     if (!result_.poses.empty())
     {
-      missed = logEvidenceBelow(map_, places_, areaOrMap(map_, options_.area), best_matched_);
+      missed = missedEvidence();
       result_.expected_false = expectedFalsePoses(chance_, best_matched_);
     }
     rankPoses(result_, options_, missed, best_matched_);

@@ -5,12 +5,18 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr int kRounds = 3;
+constexpr std::size_t kRoundsOnAll = 2;
+constexpr std::size_t kAny = ReadingTable::kMaxReadings;
+/// Readings that only one landmark can explain, added to those of the triple that made the pose, round by round. While
+/// the pose is uncertain that landmark may be a wrong one, so the pose grows firm where this is least likely.
+constexpr std::array<std::size_t, 2> kAddedToTriple{1, 3};
+constexpr std::array<std::size_t, 1> kAddedToBox{kAny};  // the pose is only bounded, by no readings of its own
 constexpr int kMostOfOneLandmark = 4;  // readings within the gates of one landmark, unless it is close
 
 /// The landmark that explains a reading best, and how many could.
@@ -64,14 +70,39 @@ int explain(const SeenLandmarks& seen, const ReadingTable& table, float gate2, E
       std::count_if(found.begin(), found.end(), [](const Explanation& e) { return e.candidates > 0; });
   return std::min(table.size(), static_cast<int>(explained) + close);
 }
+
+/// Variance [rad^2] of the predicted bearing up to which readings take part, so that `count` are added.
+float largestVariance(const Explanations& found, const SieveView& view, const SeenLandmarks& seen, std::size_t count)
+{
+  std::array<float, ReadingTable::kMaxReadings> variance{};
+  std::size_t size = 0;
+  for (int bit = 0; bit < view.table->size(); ++bit)
+  {
+    const Explanation& e = found[static_cast<std::size_t>(bit)];
+    if (e.candidates == 1 && (view.used >> bit & 1U) == 0) variance[size++] = seen.variance[e.landmark];
+  }
+  if (size <= count) return std::numeric_limits<float>::infinity();
+  const auto last = variance.begin() + static_cast<std::ptrdiff_t>(count) - 1;
+  std::nth_element(variance.begin(), last, variance.begin() + static_cast<std::ptrdiff_t>(size));
+  return *last;
+}
+
+/// Numbers of readings to add in the first rounds.
+std::span<const std::size_t> addedBy(std::span<const SieveView> views)
+{
+  const bool of_triple = std::any_of(views.begin(), views.end(), [](const SieveView& view) { return view.used != 0; });
+  return of_triple ? std::span<const std::size_t>(kAddedToTriple) : kAddedToBox;
+}
 }  // namespace
 
 TightenedPose tightenPose(const GaussianPose& sensor, std::span<const SieveView> views, double gate, int least,
                           SeenLandmarks& scratch)
 {
   TightenedPose result{sensor};
-  for (int round = 0;; ++round)
+  const std::span<const std::size_t> added = addedBy(views);
+  for (std::size_t round = 0;; ++round)
   {
+    const bool growing = round < added.size();
     Matrix3d information = Matrix3d::Zero();
     Vector3d gradient = Vector3d::Zero();
     result.explained = 0;
@@ -80,18 +111,20 @@ TightenedPose tightenPose(const GaussianPose& sensor, std::span<const SieveView>
       lookAround(result.sensor, view, gate, scratch);
       Explanations found{};
       result.explained += explain(scratch, *view.table, static_cast<float>(gate * gate), found);
+      const float largest = growing ? largestVariance(found, view, scratch, added[round]) : 0;
       for (int bit = 0; bit < view.table->size(); ++bit)
       {
         const Explanation& e = found[static_cast<std::size_t>(bit)];
+        if (e.candidates == 0) continue;
         const bool own = (view.used >> bit & 1U) != 0;
-        if (e.candidates == 0 || (round == 0 && e.candidates > 1 && !own)) continue;
+        if (growing && !own && (e.candidates > 1 || scratch.variance[e.landmark] > largest)) continue;
         const Vector3d row(scratch.ex[e.landmark], scratch.ey[e.landmark], -scratch.w[e.landmark]);
         const double weight = 1 / square(view.table->reading(bit).std);
         information += weight * row * row.transpose();
         gradient += weight * e.misfit * row;
       }
     }
-    if (result.explained < least || round == kRounds) return result;
+    if (result.explained < least || round == added.size() + kRoundsOnAll) return result;
     const Eigen::LDLT<Matrix3d> factors(information);
     if (factors.info() != Eigen::Success || !(factors.vectorD().minCoeff() > 0)) return result;
     const Vector3d step = factors.solve(gradient);

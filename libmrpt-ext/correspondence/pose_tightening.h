@@ -14,10 +14,10 @@ struct TightenedPose
   bool refined = false;  ///< false: the readings that only one landmark can explain do not fix a pose
 };
 
-/// Refines a sensor pose that comes from few readings on those that it explains, in a few rounds: first on readings
-/// that only one landmark can explain, then, with the smaller gates that result, on all that are explained. Gives up
-/// when fewer than `least` are. `scratch` saves allocations. About a microsecond: it stands between the sieve and the
-/// full judgement.
+/// Refines a sensor pose that comes from few readings on those that it explains, in a few rounds: first on the few
+/// readings that only one landmark can explain and that are predicted best, then, with the smaller gates that result,
+/// on all that are explained. Gives up when fewer than `least` are. `scratch` saves allocations. About a microsecond:
+/// it stands between the sieve and the full judgement.
 [[nodiscard]] TightenedPose tightenPose(const GaussianPose& sensor, std::span<const SieveView> views, double gate,
                                         int least, SeenLandmarks& scratch);
 }  // namespace mrpt_ext

@@ -156,7 +156,7 @@ TEST(BearingSearch, ProbabilitiesLeaveRoomForTheRest)
   options.landmarks = 300;
   const LostMap map = strewLandmarks(options, random);
   const LandmarkIndex index = map.index();
-  for (int t = 0; t < 10; ++t)
+  for (int t = 0; t < 4; ++t)
   {
     const PoseSearch found = searchOne(index, lookAroundSomewhere(map, index, options, random).place);
     double sum = found.elsewhere;

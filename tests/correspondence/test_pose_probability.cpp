@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "calibration.h"
+#include "mrpt_ext/correspondence/bearing_search.h"
 #include "mrpt_ext/correspondence/match_evidence.h"
 #include "mrpt_ext/correspondence/place_view.h"
 #include "mrpt_ext/correspondence/point_search.h"
@@ -71,11 +72,30 @@ TEST(PoseProbability, CalibratedForPoints)
   options.random_false = true;
   options.with_range = true;
   options.std_bearing = degToRad(0.5);
+  std::uint64_t seed = 21;
   for (const double detection : {0.2, 0.3})
   {
     options.detection_probability = detection;
-    run<PointSearch>(options, 16, 22, tally);
+    run<PointSearch>(options, 28, seed++, tally);
   }
+  expectCalibrated(tally);
+}
+
+TEST(PoseProbability, CalibratedForBearings)
+{
+  Tally tally;
+  LostSceneOptions options;
+  options.max_range = options.border = 6;
+  options.random_false = true;
+  options.landmarks = 60;
+  options.detection_probability = 0.45;
+  options.std_bearing = degToRad(0.15);
+  run<BearingSearch>(options, 4, 25, tally);
+  options.landmarks = 100;
+  options.detection_probability = 0.4;
+  options.std_bearing = degToRad(0.3);
+  options.kinds = 2;
+  run<BearingSearch>(options, 20, 26, tally);
   expectCalibrated(tally);
 }
 

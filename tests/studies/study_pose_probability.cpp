@@ -95,13 +95,14 @@ void runBearings(std::ostream& out)
 void runPoints(std::ostream& out)
 {
   Tally tally;
+  std::uint64_t seed = 41;
   for (const double std_bearing_deg : {0.1, 0.5})
     for (const double detection : {0.2, 0.3})
       for (const int kinds : {1, 3})
       {
         LostSceneOptions options = scene(300, detection, std_bearing_deg, kinds);
         options.with_range = true;
-        run<PointSearch>(options, 300, 36, tally);
+        run<PointSearch>(options, 500, seed++, tally);
       }
   tabulate(out, "Bearings with ranges", tally);
 }

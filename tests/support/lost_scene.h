@@ -124,7 +124,7 @@ inline LostView lookAround(const LostMap& map, const LandmarkIndex& index, const
     }
     else
     {
-      const double distance = std::min(radius, map.side) * std::sqrt(random.uniform());
+      const double distance = std::min(radius, map.side) * random.uniform();  // even in range, as models take it
       const double direction = random.uniform(-kPi, kPi);
       const Vector2d offset(distance * std::cos(direction), distance * std::sin(direction));
       UnidentifiedDetection d = measurePoint(offset, options, random);
