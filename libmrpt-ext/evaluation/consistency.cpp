@@ -23,10 +23,9 @@ double chiSquareQuantile(double degrees_of_freedom, double probability)
   return boost::math::quantile(boost::math::chi_squared(degrees_of_freedom), probability);
 }
 
-Consistency consistency(const std::vector<JudgedEstimate>& judged)
+std::vector<NeesSample> neesOf(const std::vector<JudgedEstimate>& judged)
 {
-  Consistency result;
-  double sum = 0, degrees_of_freedom = 0;
+  std::vector<NeesSample> samples;
   for (const JudgedEstimate& entry : judged)
   {
     Vector3d error = entry.estimate.pose.mean.vector() - entry.truth.pose.vector();
@@ -35,16 +34,24 @@ Consistency consistency(const std::vector<JudgedEstimate>& judged)
     const bool heading = entry.estimate.heading_known && entry.truth.heading_known;
     const auto nees = heading ? normalisedSquare<Matrix3d, Vector3d>(P, error)
                               : normalisedSquare<Matrix2d, Vector2d>(P.topLeftCorner<2, 2>(), error.head<2>());
-    if (!nees)
-    {
-      ++result.singular;
-      continue;
-    }
-    sum += *nees;
-    degrees_of_freedom += heading ? 3 : 2;
-    ++result.count;
+    if (nees) samples.push_back({entry.stamp, *nees, heading ? 3 : 2});
   }
-  if (result.count == 0) return result;
+  return samples;
+}
+
+Consistency consistency(const std::vector<JudgedEstimate>& judged)
+{
+  const std::vector<NeesSample> samples = neesOf(judged);
+  Consistency result;
+  result.count = samples.size();
+  result.singular = judged.size() - samples.size();
+  if (samples.empty()) return result;
+  double sum = 0, degrees_of_freedom = 0;
+  for (const NeesSample& sample : samples)
+  {
+    sum += sample.value;
+    degrees_of_freedom += sample.degrees_of_freedom;
+  }
   const auto n = static_cast<double>(result.count);
   result.mean = sum / n;
   result.band_low = chiSquareQuantile(degrees_of_freedom, 0.025) / n;

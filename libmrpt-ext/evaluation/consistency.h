@@ -17,6 +17,17 @@ struct Consistency
   std::size_t singular = 0;                   ///< left out: covariance not positive definite
 };
 
+/// Of one estimate.
+struct NeesSample
+{
+  double stamp = 0;  ///< [s] the scoring stamp
+  double value = 0;
+  int degrees_of_freedom = 3;
+};
+
+/// Of every estimate whose covariance is positive definite.
+[[nodiscard]] std::vector<NeesSample> neesOf(const std::vector<JudgedEstimate>& judged);
+
 /// Three degrees of freedom per estimate, two where truth or estimate have no heading. The errors of neighbouring
 /// estimates of a filter are correlated, so an honest filter leaves the band more often than in 5 % of runs.
 [[nodiscard]] Consistency consistency(const std::vector<JudgedEstimate>& judged);

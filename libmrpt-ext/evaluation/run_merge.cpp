@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "mrpt_ext/evaluation/method_comparison.h"
+#include "mrpt_ext/evaluation/rmse_interval.h"
 
 namespace mrpt_ext
 {
@@ -51,6 +52,13 @@ MethodScore mergeMethod(const std::vector<const MethodScore*>& parts)
   merged.position_error_m = mergeStatistics(parts, &MethodScore::position_error_m);
   merged.heading_error_deg = mergeStatistics(parts, &MethodScore::heading_error_deg);
   merged.position_error_whole_run_m = mergeStatistics(parts, &MethodScore::position_error_whole_run_m);
+  for (const MethodScore* part : parts)
+    if (part->position_error_m.rmse) merged.trial_rmse.push_back(*part->position_error_m.rmse);
+  if (const auto interval = medianInterval(merged.trial_rmse))
+  {
+    merged.rmse_low = interval->low;
+    merged.rmse_high = interval->high;
+  }
   merged.step_ms_median = medianOf(parts, &MethodScore::step_ms_median);
   merged.step_ms_p95 = medianOf(parts, &MethodScore::step_ms_p95);
   return merged;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mrpt_ext/evaluation/frame_geometry.h"
 #include "mrpt_ext/geometry/gaussian_pose.h"
 #include "mrpt_ext/geometry/landmark_table.h"
 #include "mrpt_ext/geometry/trajectory.h"
@@ -85,6 +86,25 @@ struct ObjectRow
   Vector2d position_robot{0, 0};  ///< [m] robot frame
 };
 
+/// A detection as it is drawn: seen from a sensor that sits at `T_robot_sensor`.
+struct Sighting
+{
+  Pose2 T_robot_sensor;
+  int id = kNoId;
+  std::optional<double> bearing;  ///< [rad] CCW from the sensor's forward axis
+  std::optional<double> range;    ///< [m] in the plane where the height of the landmark is known
+  bool fix = false;               ///< second range of a running fix: without a heading, a ring around the landmark
+};
+
+/// What the map of a report shows of one frame.
+struct PlaybackStep
+{
+  double time = 0;               ///< [s]
+  std::vector<Pose2> particles;  ///< drawn by weight, so that all stand for the same share
+  std::vector<ModeSummary> modes;
+  std::vector<Sighting> sightings;
+};
+
 /// Counts of one observation class in the log.
 struct ObservationCount
 {
@@ -102,10 +122,18 @@ struct RunRecord
   FilterRecord filter;
   std::map<std::string, LandmarkRecord> landmarks;  ///< by id as text
   std::vector<ObjectRow> objects;
+  std::vector<PlaybackStep> playback;  ///< of some frames, evenly spread; may be empty
   Verdict verdict = Verdict::lost;
   std::string verdict_reason;
   bool interrupted = false;
   double cpu_s = 0, wall_s = 0, peak_memory_mb = 0;
+};
+
+/// A file that a run read.
+struct InputFile
+{
+  std::string role;  ///< what for: configuration, map, truth
+  std::string path, sha256;
 };
 
 /// What is the same for all trials of a run.
@@ -116,10 +144,13 @@ struct RunContext
   std::string rawlog_path, rawlog_sha256;
   std::size_t rawlog_entries = 0;
   double start_time = 0, duration_s = 0;
+  std::vector<InputFile> inputs;  ///< beside the log
+  std::string built_with;         ///< versions of the compiler and of the libraries
   std::map<std::string, ObservationCount> observations;
   LandmarkTable map;
   Trajectory truth;  ///< empty: nothing to judge against
   bool truth_is_sparse = false;
+  std::vector<FrameGeometry> geometry;  ///< of every frame with a detection, ordered by time
   bool objects_wanted = false;  ///< the configuration names `objects`: objects.csv is written even when none was seen
 };
 }  // namespace mrpt_ext

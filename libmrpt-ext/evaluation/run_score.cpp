@@ -4,6 +4,7 @@
 
 #include "mrpt_ext/evaluation/method_comparison.h"
 #include "mrpt_ext/evaluation/odometry_anchor.h"
+#include "mrpt_ext/evaluation/rmse_interval.h"
 
 namespace mrpt_ext
 {
@@ -67,11 +68,13 @@ FilterScore describe(const FilterRecord& filter)
 }
 
 void addConsistency(FilterScore& score, const MethodTrack& track, const RunContext& context, const Trajectory& odometry,
-                    double from)
+                    std::optional<double> from)
 {
   // Judged where the estimate was made: dead reckoning would add an error that the covariance does not know.
   std::vector<JudgedEstimate> judged = judgeAtOwnTimes(track, context, odometry);
-  std::erase_if(judged, [&](const JudgedEstimate& entry) { return entry.stamp < from; });
+  score.nees = neesOf(judged);
+  if (!from) return;
+  std::erase_if(judged, [&](const JudgedEstimate& entry) { return entry.stamp < *from; });
   const Consistency nees = consistency(judged);
   score.nees_mean = nees.mean;
   score.nees_band_low = nees.band_low;
@@ -130,11 +133,16 @@ void judgeMethods(RunScore& score, const RunContext& context, const RunRecord& r
     method.position_error_whole_run_m = positionStatistics(method.errors, context.start_time);
     if (!count_from) continue;
     method.position_error_m = positionStatistics(method.errors, *count_from);
+    if (const auto interval = rmseInterval(method.errors, *count_from))
+    {
+      method.rmse_low = interval->low;
+      method.rmse_high = interval->high;
+    }
     method.heading_error_deg = headingStatistics(method.errors, *count_from);
     if (judged && method.name == judged->name) trial.rmse = method.position_error_m.rmse;
   }
   if (judged && count_from) score.comparisons = compareMethods(score, *count_from);
-  if (judged && count_from) addConsistency(score.filter, *judged, context, record.odometry, *count_from);
+  if (judged) addConsistency(score.filter, *judged, context, record.odometry, count_from);
 }
 }  // namespace
 

@@ -27,8 +27,10 @@ struct MethodScore
   Figure ambiguous;                                     ///< frames with candidates that it could not rank
   ErrorStatistics position_error_m, heading_error_deg;  ///< from the convergence of the judged method on
   ErrorStatistics position_error_whole_run_m;
+  Figure rmse_low, rmse_high;  ///< [m] 95 % interval of the position RMSE, see rmse_interval.h
   Figure step_ms_median, step_ms_p95;
   std::vector<ErrorSample> errors;  ///< whole run; of one trial only, empty in a merged score
+  std::vector<double> trial_rmse;   ///< [m] of a merged score: the trials' position RMSE, as far as they have one
 };
 
 /// How the filter did by its own account, and how honest its covariance is.
@@ -36,6 +38,7 @@ struct FilterScore
 {
   Figure particles_min, particles_median, particles_max;
   Figure nees_mean, nees_band_low, nees_band_high;
+  std::vector<NeesSample> nees;  ///< whole run; of one trial only, empty in a merged score
   Figure effective_sample_ratio_min;
   Figure lost_steps, reseeds;
   std::optional<std::vector<ModeSummary>> modes_at_end;  ///< absent in a merged score: a list has no median

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <set>
 
+#include "mrpt_ext/evaluation/scoring.h"
 #include "mrpt_ext/files/landmark_csv.h"
 #include "mrpt_ext/files/mrpt_index_truth.h"
 #include "mrpt_ext/files/tum.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/pipeline/method_factory.h"
+#include "mrpt_ext/pipeline/sha256.h"
 
 namespace mrpt_ext
 {
@@ -81,6 +83,17 @@ bool isSparse(const Trajectory& truth)
   return 2 * long_gaps > truth.size();
 }
 
+/// The files beside the log, with what tells whether they are still the same.
+std::vector<InputFile> inputFiles(const Settings& settings)
+{
+  std::vector<InputFile> files{{"configuration", settings.file().string(), {}},
+                               {"map", settings.path(kMapSection, "landmarks_file").string(), {}}};
+  if (settings.hasValue(kExperiment, "ground_truth_path_file"))
+    files.push_back({"truth", settings.path(kExperiment, "ground_truth_path_file").string(), {}});
+  for (InputFile& file : files) file.sha256 = sha256OfFile(file.path);
+  return files;
+}
+
 /// Compares the labels of the configuration with those of the records.
 void matchSensors(LocalizationInput& input, const std::vector<Record>& records)
 {
@@ -134,6 +147,9 @@ LocalizationInput loadLocalization(const Settings& settings, const LogWindow& wi
   (void)MethodFactory(input.config, input.context.map, input.sequence);  // an unknown name is told before the work
   input.context.truth = loadTruth(settings, source);
   input.context.truth_is_sparse = isSparse(input.context.truth);
+  input.context.inputs = inputFiles(settings);
+  input.context.geometry = frameGeometry(input.sequence.frames, input.context.map, input.context.truth,
+                                         input.context.truth_is_sparse ? 0.0 : kMaxTruthGap);
   return input;
 }
 }  // namespace mrpt_ext

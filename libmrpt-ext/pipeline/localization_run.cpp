@@ -166,6 +166,7 @@ int runLocalization(const Settings& settings, const LocalizationRequest& request
 {
   LocalizationInput input = loadLocalization(settings, request.window);
   input.context.version = version();
+  input.context.built_with = builtWith();
   input.context.command_line = request.command_line;
   const std::string head = inputText(input) + request.note;
   if (!request.quiet) out << head << std::flush;

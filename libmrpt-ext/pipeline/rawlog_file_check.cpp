@@ -1,43 +1,22 @@
 #include "mrpt_ext/pipeline/rawlog_file_check.h"
 
-#include <openssl/evp.h>
 #include <zlib.h>
 
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/pipeline/sha256.h"
 
 namespace mrpt_ext
 {
 namespace
 {
 using Bytes = std::span<unsigned char>;
-
-class Sha256
-{
- public:
-  Sha256() : context_(EVP_MD_CTX_new(), &EVP_MD_CTX_free) { EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr); }
-  void add(Bytes bytes) { EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()); }
-  std::string hex()
-  {
-    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-    unsigned int length = 0;
-    EVP_DigestFinal_ex(context_.get(), digest.data(), &length);
-    constexpr const char* kDigits = "0123456789abcdef";
-    std::string text;
-    for (unsigned int i = 0; i < length; ++i) (text += kDigits[digest[i] >> 4]) += kDigits[digest[i] & 15];
-    return text;
-  }
-
- private:
-  std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_;
-};
 
 /// Decompresses only to count and to compare lengths and checksums.
 class GzipChecker

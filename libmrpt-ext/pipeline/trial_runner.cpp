@@ -7,6 +7,7 @@
 #include "mrpt_ext/pipeline/method_factory.h"
 #include "mrpt_ext/pipeline/object_tracker.h"
 #include "mrpt_ext/pipeline/oracle_tracks.h"
+#include "mrpt_ext/pipeline/playback_recorder.h"
 #include "mrpt_ext/pipeline/run_verdict.h"
 
 namespace mrpt_ext
@@ -109,6 +110,7 @@ TrialOutcome runTrial(const TrialInput& input, std::uint64_t seed, int trial)
     run.methods.push_back({.name = localizer->name(), .continuous = localizer->continuous()});
 
   const std::vector<Frame>& frames = input.sequence.frames;
+  PlaybackRecorder playback(frames.size(), input.methods.map());
   for (std::size_t k = 0; k < frames.size() && !input.stop; ++k)
   {
     for (std::size_t m = 0; m < methods.localizers.size(); ++m)
@@ -125,6 +127,7 @@ TrialOutcome runTrial(const TrialInput& input, std::uint64_t seed, int trial)
       else if (!run.methods[m].continuous)
         oracles.add(run.methods[m], estimate, frames[k].time);
     }
+    playback.add(frames[k], methods.filter, run.playback);
     if (input.progress) input.progress(static_cast<double>(k + 1) / static_cast<double>(frames.size()));
   }
   run.interrupted = input.stop;

@@ -6,4 +6,6 @@ namespace mrpt_ext
 {
 /// Version of this project, as in CMakeLists.txt.
 [[nodiscard]] std::string_view version();
+/// Compiler and libraries with their versions.
+[[nodiscard]] std::string_view builtWith();
 }  // namespace mrpt_ext

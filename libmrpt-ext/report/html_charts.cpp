@@ -1,11 +1,11 @@
 #include "mrpt_ext/report/html_charts.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "mrpt_ext/report/figure_text.h"
 #include "mrpt_ext/report/html_text.h"
 #include "mrpt_ext/report/svg_chart.h"
+#include "mrpt_ext/report/verdict_spans.h"
 
 namespace mrpt_ext
 {
@@ -49,24 +49,10 @@ std::string errorChart(const RunContext& context, const RunScore& score, Figure 
 /// Marks closer than this are drawn as one: the drawing could not show them apart.
 double resolutionOf(const Chart& chart) { return chart.duration / 700; }
 
-/// Spans in which the verdict of the track was this one.
 void addVerdictSpans(Chart& chart, const MethodTrack& track, double start, Verdict verdict)
 {
-  const std::size_t first_span = chart.marks.size();
-  const auto& points = track.points;
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    if (points[i].verdict != verdict) continue;
-    const std::size_t first = i;
-    while (i + 1 < points.size() && points[i + 1].verdict == verdict) ++i;
-    const double from = points[first].time - start;
-    const double end = (i + 1 < points.size() ? points[i + 1].time : points[i].time) - start;
-    if (chart.marks.size() > first_span && from - chart.marks.back().to < resolutionOf(chart))
-      chart.marks.back().to = end;
-    else
-      chart.marks.push_back({from, std::max(end, from + resolutionOf(chart)), std::string("span ") + toString(verdict),
-                             toString(verdict)});
-  }
+  for (const VerdictSpan& span : verdictSpans(track, verdict, start, resolutionOf(chart)))
+    chart.marks.push_back({span.from, span.to, std::string("span ") + toString(verdict), toString(verdict)});
 }
 
 void addReseeds(Chart& chart, const std::vector<double>& times, double start)
@@ -125,6 +111,27 @@ std::string confidenceChart(const RunContext& context, const RunRecord& record, 
   addReseeds(chart, record.filter.reseed_times, context.start_time);
   const std::size_t reseeds = record.filter.reseed_times.size();
   if (reseeds > 0) legend.push_back({"reseed", "bar", "re-seeded (" + std::to_string(reseeds) + " times)"});
+  return svgChart(chart) + htmlLegend(legend);
+}
+
+std::string neesChart(const RunContext& context, const RunScore& score)
+{
+  if (score.filter.nees.empty() || !score.judged_method) return {};
+  Chart chart;
+  chart.description = "Normalised estimation error squared over time";
+  chart.unit = "NEES";
+  chart.duration = context.duration_s;
+  const int freedom = score.filter.nees.front().degrees_of_freedom;
+  chart.band = {chiSquareQuantile(freedom, 0.025), chiSquareQuantile(freedom, 0.975)};
+  chart.level = score.filter.nees_mean;
+  ChartSeries series{methodClass(*score.judged_method, methodNames(score.methods)), false, {}};
+  for (const NeesSample& sample : score.filter.nees)
+    series.points.emplace_back(sample.stamp - context.start_time, sample.value);
+  chart.break_after = context.truth_is_sparse ? 0 : 2.5;
+  std::vector<LegendEntry> legend{{series.css_class, "line", "NEES of " + *score.judged_method},
+                                  {"band", "area", "95 % band of one estimate"}};
+  if (chart.level) legend.push_back({"level", "dash", "mean " + figureText(chart.level, 2)});
+  chart.series.push_back(std::move(series));
   return svgChart(chart) + htmlLegend(legend);
 }
 }  // namespace mrpt_ext

@@ -15,4 +15,6 @@ namespace mrpt_ext
 /// Weight of the reported mode and effective sample ratio of the judged method, with its re-seeds and the times at
 /// which its verdict was ambiguous or lost.
 [[nodiscard]] std::string confidenceChart(const RunContext& context, const RunRecord& record, const RunScore& score);
+/// Normalised estimation error squared of the judged method, with the band that 95 % of honest estimates lie in.
+[[nodiscard]] std::string neesChart(const RunContext& context, const RunScore& score);
 }  // namespace mrpt_ext

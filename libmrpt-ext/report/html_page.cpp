@@ -3,15 +3,31 @@
 #include "mrpt_ext/report/comparison_text.h"
 #include "mrpt_ext/report/figure_text.h"
 #include "mrpt_ext/report/html_charts.h"
+#include "mrpt_ext/report/html_geometry.h"
 #include "mrpt_ext/report/html_tables.h"
 #include "mrpt_ext/report/html_text.h"
-#include "mrpt_ext/report/style.h"
+#include "mrpt_ext/report/page_assets.h"
+#include "mrpt_ext/report/page_data.h"
+#include "mrpt_ext/report/residual_chart.h"
 #include "mrpt_ext/report/svg_map.h"
 
 namespace mrpt_ext
 {
 namespace
 {
+/// The page may show and run what is in it, and ask for nothing.
+constexpr const char* kOffline = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
+
+constexpr const char* kIntervalNote =
+    "The interval holds 95 % of resamples: of blocks of ten neighbouring stamps within a trial, of trials in a merged "
+    "report. ";
+constexpr const char* kNeesNote =
+    "Squared error in units of the covariance that the method claims: above the band it is too sure of itself, below "
+    "it is too modest.";
+constexpr const char* kGeometryNote =
+    "Median position error in metres, bars up to the 95 % quantile; below it the share of such frames that the method "
+    "answered at all. Counted from convergence on.";
+
 const char* verdictSymbol(Verdict verdict)
 {
   return verdict == Verdict::ok ? "✓" : verdict == Verdict::ambiguous ? "?" : "✗";
@@ -65,15 +81,40 @@ std::string methodSection(const RunScore& score)
   if (const std::string limit = limitText(score); !limit.empty()) conclusions += element("li", "", escapeHtml(limit));
   for (const std::string& sentence : comparisonSentences(score)) conclusions += element("li", "", escapeHtml(sentence));
   if (!conclusions.empty()) conclusions = element("ul", "", conclusions) + "\n";
-  return section("Methods side by side", methodTable(score) + conclusions,
-                 from + "All methods are judged at the same stamps. A dash: the figure does not exist.");
+  return section(
+      "Methods side by side", methodTable(score) + conclusions,
+      from + kIntervalNote + "All methods are judged at the same stamps. A dash: the figure does not exist.");
 }
 
 std::string commonSections(const RunContext& context, const RunScore& score)
 {
-  return section("Landmarks", landmarkTable(score), "Residuals of the inliers in units of their standard deviation.") +
+  return section("Landmarks", residualChart(score) + landmarkTable(score),
+                 "Residuals of the inliers in units of their standard deviation.") +
          section("Filter", filterTable(score)) + section("Observations", observationTable(context)) +
          section("How to repeat this run", provenanceTable(context, score));
+}
+
+/// A drawing, and the place where scripts put a chart instead of it.
+std::string chartSection(const std::string& title, const std::string& name, const std::string& drawing,
+                         const std::string& note = "")
+{
+  if (drawing.empty()) return {};
+  return section(title, "<div data-chart=\"" + name + "\">" + element("div", "static", "\n" + drawing) + "</div>\n",
+                 note);
+}
+
+std::string mapSection(const RunContext& context, const RunRecord& record, const RunScore& score)
+{
+  const std::string drawing = element("div", "static", "\n" + svgMap(context, record, score)) + "\n";
+  return section("Map", "<div id=\"map\">\n" + drawing + std::string(playbackMarkup()) + "</div>\n");
+}
+
+/// Data first: the scripts read it as soon as they run.
+std::string scripts(const RunContext& context, const RunRecord& record, const RunScore& score)
+{
+  return "<script type=\"application/json\" id=\"run-data\">" + pageData(context, record, score) + "</script>\n" +
+         element("script", "", chartLibrary()) + "\n<script>\n\"use strict\";\n{" + std::string(pageScript()) +
+         "}\n</script>\n";
 }
 
 std::string nameOf(const std::string& path)
@@ -83,18 +124,20 @@ std::string nameOf(const std::string& path)
 }
 
 std::string page(const RunContext& context, const RunScore& score, const std::string& subtitle,
-                 const std::string& sections)
+                 const std::string& sections, const std::string& scripts = "")
 {
   const std::string title = "Landmark localization: " + escapeHtml(nameOf(context.config_path));
   const std::string head =
       "<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
-      "<meta name=\"color-scheme\" content=\"light dark\"/>\n" +
-      element("title", "", title) + "\n" + element("style", "", "\n" + std::string(reportStyle()));
+      "<meta name=\"color-scheme\" content=\"light dark\"/>\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"" +
+      std::string(kOffline) + "\"/>\n" + element("title", "", title) + "\n" +
+      element("style", "", "\n" + std::string(pageStyle()));
   const std::string header =
       element("header", "", element("h1", "", title) + element("p", "note", escapeHtml(subtitle))) + "\n";
   const std::string body = header + verdictStrip(score) + keyFacts(context, score) + sections;
   return "<!DOCTYPE html>\n<html lang=\"en\">\n" + element("head", "", "\n" + head + "\n") + "\n" +
-         element("body", "", "\n" + element("main", "", "\n" + body)) + "\n</html>\n";
+         element("body", "", "\n" + element("main", "", "\n" + body) + "\n" + scripts) + "\n</html>\n";
 }
 }  // namespace
 
@@ -102,13 +145,17 @@ std::string trialPage(const RunContext& context, const RunRecord& record, const 
 {
   const std::string subtitle =
       nameOf(context.rawlog_path) + ", trial " + std::to_string(record.trial) + ", seed " + std::to_string(record.seed);
-  return page(context, score, subtitle,
-              methodSection(score) + section("Map", svgMap(context, record, score)) +
-                  section("Position error over time", positionErrorChart(context, score),
-                          "The dashed line is the limit that counts as converged.") +
-                  section("Heading error over time", headingErrorChart(context, score)) +
-                  section("The filter’s own confidence", confidenceChart(context, record, score)) +
-                  commonSections(context, score));
+  const std::string sections =
+      methodSection(score) + mapSection(context, record, score) +
+      chartSection("Position error over time", "position", positionErrorChart(context, score),
+                   "The dashed line is the limit that counts as converged.") +
+      chartSection("Heading error over time", "heading", headingErrorChart(context, score)) +
+      chartSection("Modes and effective sample size", "confidence", confidenceChart(context, record, score)) +
+      chartSection("Honesty of the covariance", "nees", neesChart(context, score), kNeesNote) +
+      section("Error against geometry", geometrySection(errorsAgainstGeometry(context, record, score), score),
+              kGeometryNote) +
+      commonSections(context, score);
+  return page(context, score, subtitle, sections, scripts(context, record, score));
 }
 
 std::string mergedPage(const RunContext& context, const RunScore& merged)

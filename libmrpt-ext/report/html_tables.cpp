@@ -29,6 +29,11 @@ std::string table(const Cells& titles, const std::string& rows, const std::strin
   return element("div", "scroll", element("table", css_class, "\n" + body)) + "\n";
 }
 
+std::string intervalText(const Figure& low, const Figure& high)
+{
+  return low && high ? magnitudeText(low) + " to " + magnitudeText(high) : kNoFigure;
+}
+
 std::string methodRow(const MethodScore& method, const RunScore& score, bool best)
 {
   const std::string key = element("span", "key dot " + methodClass(method.name, methodNames(score.methods)), "") +
@@ -39,9 +44,9 @@ std::string methodRow(const MethodScore& method, const RunScore& score, bool bes
   const ErrorStatistics& error = method.position_error_m;
   std::string css_class = best ? "best" : method.oracle ? "oracle" : "";
   return row({key + badge, countText(method.estimates), percentText(method.availability), magnitudeText(error.rmse),
-              magnitudeText(error.median), magnitudeText(error.p95), magnitudeText(error.max),
-              figureText(method.heading_error_deg.rmse, 2), magnitudeText(method.position_error_whole_run_m.rmse),
-              figureText(method.step_ms_median, 3)},
+              intervalText(method.rmse_low, method.rmse_high), magnitudeText(error.median), magnitudeText(error.p95),
+              magnitudeText(error.max), figureText(method.heading_error_deg.rmse, 2),
+              magnitudeText(method.position_error_whole_run_m.rmse), figureText(method.step_ms_median, 3)},
              css_class);
 }
 
@@ -72,19 +77,24 @@ std::string methodTable(const RunScore& score)
   const MethodScore* best = bestMethod(score);
   std::string rows;
   for (const MethodScore& method : score.methods) rows += methodRow(method, score, &method == best);
-  return table({"method", "estimates", "available", "RMSE m", "median m", "95 % m", "worst m", "heading RMSE deg",
-                "whole run RMSE m", "ms per step"},
+  return table({"method", "estimates", "available", "RMSE m", "95 % interval", "median m", "95 % m", "worst m",
+                "heading RMSE deg", "whole run RMSE m", "ms per step"},
                rows, "methods");
+}
+
+std::vector<std::string> landmarkOrder(const RunScore& score)
+{
+  std::vector<std::string> ids;
+  for (const auto& [id, landmark] : score.landmarks) ids.push_back(id);
+  std::stable_sort(ids.begin(), ids.end(), idBefore);
+  return ids;
 }
 
 std::string landmarkTable(const RunScore& score)
 {
   if (score.landmarks.empty()) return {};
-  std::vector<std::string> ids;
-  for (const auto& [id, landmark] : score.landmarks) ids.push_back(id);
-  std::stable_sort(ids.begin(), ids.end(), idBefore);
   std::string rows;
-  for (const std::string& id : ids)
+  for (const std::string& id : landmarkOrder(score))
   {
     const LandmarkScore& landmark = score.landmarks.at(id);
     const std::string doubt = landmarkDoubt(landmark);
@@ -150,8 +160,14 @@ std::string provenanceTable(const RunContext& context, const RunScore& score)
   addFact(rows, "configuration", context.config_path);
   addFact(rows, "random seed", std::to_string(context.seed));
   addFact(rows, "version", context.version);
+  addFact(rows, "built with", context.built_with);
   addFact(rows, "log", context.rawlog_path);
   addFact(rows, "log, SHA-256", context.rawlog_sha256);
+  for (const InputFile& file : context.inputs)
+  {
+    if (file.role != "configuration") addFact(rows, file.role, file.path);
+    addFact(rows, file.role + ", SHA-256", file.sha256);
+  }
   addFact(rows, "log, entries and duration",
           std::to_string(context.rawlog_entries) + ", " + figureText(context.duration_s, 1) + " s");
   addFact(rows, "processor time, wall time",

@@ -21,6 +21,9 @@ namespace mrpt_ext
 /// How to get this run again: command, configuration, seed, version, input.
 [[nodiscard]] std::string provenanceTable(const RunContext& context, const RunScore& score);
 
+/// Ids in the order of the table: numbers by value, then text.
+[[nodiscard]] std::vector<std::string> landmarkOrder(const RunScore& score);
+
 /// Name of the sub-folder of a trial.
 [[nodiscard]] std::string trialFolder(int trial);
 }  // namespace mrpt_ext

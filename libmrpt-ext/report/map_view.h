@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "mrpt_ext/evaluation/run_record.h"
 
 namespace mrpt_ext
@@ -22,6 +24,9 @@ class MapView
   double width_ = 0, height_ = 0, scale_ = 1;
 };
 
+/// Corners {low, high} of the box around landmarks, truth within the log, and `path` (may be null) [m]; the origin when
+/// there is nothing.
+[[nodiscard]] std::pair<Vector2d, Vector2d> mapExtent(const RunContext& context, const MethodTrack* path);
 /// View of landmarks, truth within the log, and `path` (may be null); around the origin when there is nothing.
 [[nodiscard]] MapView viewOf(const RunContext& context, const MethodTrack* path);
 }  // namespace mrpt_ext

@@ -46,6 +46,7 @@ Axes axesFor(const Chart& chart)
   for (const ChartSeries& series : chart.series)
     for (const Vector2d& p : series.points)
       if (p.y() > 0) values.push_back(p.y());
+  if (chart.band) values.insert(values.end(), {chart.band->x(), chart.band->y()});
   if (values.empty()) return axes;
   const double largest = *quantile(values, 1.0), small = *quantile(values, kDrawnFrom);
   axes.logarithmic = largest > kLogSpan * small;
@@ -108,6 +109,13 @@ std::string markShape(const ChartMark& mark, const Axes& axes)
          svgNumber(kHeight - kBottom) + "\">" + tip + "</path>\n";
 }
 
+std::string bandShape(const Vector2d& band, const Axes& axes)
+{
+  const double bottom = axes.y(band.x()), top = axes.y(band.y());
+  return "<rect class=\"band\" x=\"" + svgNumber(kLeft) + "\" y=\"" + svgNumber(top) + "\" width=\"" +
+         svgNumber(kWidth - kLeft - kRight) + "\" height=\"" + svgNumber(bottom - top) + "\"/>\n";
+}
+
 std::string curve(const ChartSeries& series, const Axes& axes, double break_after)
 {
   const auto draw = [&](const SvgPoints& part)
@@ -144,6 +152,7 @@ std::string svgChart(const Chart& chart)
                     "\">" + element("title", "", escapeHtml(chart.description)) + "\n";
   for (const ChartMark& mark : chart.marks)
     if (mark.to > mark.from) svg += markShape(mark, axes);
+  if (chart.band) svg += bandShape(*chart.band, axes);
   svg += valueAxis(axes) + timeAxis(axes);
   svg += svgText({4, 15}, "start", "", chart.unit + (axes.logarithmic ? ", logarithmic" : ""));
   for (const ChartSeries& series : chart.series)  // dots lie below the curves

@@ -31,9 +31,10 @@ struct Chart
   double duration = 0;      ///< [s]
   std::vector<ChartSeries> series;
   std::vector<ChartMark> marks;
-  std::optional<double> level;  ///< horizontal line, e.g. a limit
-  std::optional<double> top;    ///< fixed upper end of a linear axis from 0; else chosen from the data
-  double break_after = 0;       ///< curves are interrupted over longer gaps [s]; 0: never
+  std::optional<double> level;   ///< horizontal line, e.g. a limit
+  std::optional<Vector2d> band;  ///< shaded between two values
+  std::optional<double> top;     ///< fixed upper end of a linear axis from 0; else chosen from the data
+  double break_after = 0;        ///< curves are interrupted over longer gaps [s]; 0: never
 };
 
 /// Static drawing with a time axis. The vertical axis is logarithmic when the values span more than a factor 30.

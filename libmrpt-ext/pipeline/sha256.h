@@ -1,0 +1,27 @@
+#pragma once
+
+#include <openssl/evp.h>
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+
+namespace mrpt_ext
+{
+/// SHA-256 of bytes that come piece by piece.
+class Sha256
+{
+ public:
+  Sha256();
+  void add(std::span<const unsigned char> bytes);
+  /// Lower-case hexadecimal; ends the digest.
+  [[nodiscard]] std::string hex();
+
+ private:
+  std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_;
+};
+
+/// Of a whole file; empty when it cannot be read.
+[[nodiscard]] std::string sha256OfFile(const std::filesystem::path& path);
+}  // namespace mrpt_ext

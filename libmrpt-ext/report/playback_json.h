@@ -1,0 +1,18 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "mrpt_ext/evaluation/run_record.h"
+
+namespace mrpt_ext
+{
+/// What the map of the page plays, in the order of the steps; times in seconds since the start of the log, lengths
+/// rounded to millimetres, angles in radians rounded to 1e-3, `null` where a pose does not exist:
+///   t: [...]                                truth, methods.<name>: [x, y, phi, x, y, phi, ...]
+///   modes: [[x, y, phi, weight, cxx, cxy, cyy, ...] per step]
+///   seen: [[sensor x, y, yaw on the robot, bearing, range, index of the landmark or -1, 1 for a fix, ...] per step]
+///   objects: [[x, y, label index, ...] per step], object_labels: [...]
+///   particles: {counts: [...], boxes: [low x, low y, width, height, ...], poses: base64, see packed_particles.h}
+/// `record` with anchored odometry.
+[[nodiscard]] nlohmann::ordered_json playbackJson(const RunContext& context, const RunRecord& record);
+}  // namespace mrpt_ext
