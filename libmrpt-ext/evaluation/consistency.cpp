@@ -34,7 +34,7 @@ std::vector<NeesSample> neesOf(const std::vector<JudgedEstimate>& judged)
     const bool heading = entry.estimate.heading_known && entry.truth.heading_known;
     const auto nees = heading ? normalisedSquare<Matrix3d, Vector3d>(P, error)
                               : normalisedSquare<Matrix2d, Vector2d>(P.topLeftCorner<2, 2>(), error.head<2>());
-    if (nees) samples.push_back({entry.stamp, *nees, heading ? 3 : 2});
+    if (nees) samples.push_back({entry.stamp, *nees, heading ? 3 : 2, P});
   }
   return samples;
 }

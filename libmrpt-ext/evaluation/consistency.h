@@ -23,6 +23,7 @@ struct NeesSample
   double stamp = 0;  ///< [s] the scoring stamp
   double value = 0;
   int degrees_of_freedom = 3;
+  Matrix3d covariance = Matrix3d::Zero();  ///< that the error was measured by
 };
 
 /// Of every estimate whose covariance is positive definite.

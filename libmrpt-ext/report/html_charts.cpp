@@ -1,5 +1,6 @@
 #include "mrpt_ext/report/html_charts.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "mrpt_ext/report/figure_text.h"
@@ -11,6 +12,8 @@ namespace mrpt_ext
 {
 namespace
 {
+constexpr double kLeastNees = 0.02, kMostNees = 1000;  // what lies outside is drawn on the edge
+
 Figure positionOf(const ErrorSample& error) { return error.position_m; }
 Figure headingOf(const ErrorSample& error) { return error.heading_deg; }
 
@@ -126,7 +129,7 @@ std::string neesChart(const RunContext& context, const RunScore& score)
   chart.level = score.filter.nees_mean;
   ChartSeries series{methodClass(*score.judged_method, methodNames(score.methods)), false, {}};
   for (const NeesSample& sample : score.filter.nees)
-    series.points.emplace_back(sample.stamp - context.start_time, sample.value);
+    series.points.emplace_back(sample.stamp - context.start_time, std::clamp(sample.value, kLeastNees, kMostNees));
   chart.break_after = context.truth_is_sparse ? 0 : 2.5;
   std::vector<LegendEntry> legend{{series.css_class, "line", "NEES of " + *score.judged_method},
                                   {"band", "area", "95 % band of one estimate"}};

@@ -11,7 +11,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kWidth = 720, kHeight = 300, kLeft = 62, kRight = 12, kTop = 30, kBottom = 46;
+constexpr double kWidth = 720, kHeight = 310, kLeft = 62, kRight = 12, kTop = 44, kBottom = 46;
 
 /// Logarithmic axis of errors.
 struct ErrorAxis
@@ -88,7 +88,7 @@ std::string drawing(const GeometryErrors& table, const RunScore& score)
 
 std::string cellText(const GeometryCell& cell)
 {
-  if (cell.judged == 0) return cell.answered && *cell.answered > 0 ? percentText(cell.answered) : kNoFigure;
+  if (!cell.answered || *cell.answered == 0) return kNoFigure;
   return magnitudeText(cell.median) + element("small", "", percentText(cell.answered));
 }
 

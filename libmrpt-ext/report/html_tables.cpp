@@ -31,7 +31,7 @@ std::string table(const Cells& titles, const std::string& rows, const std::strin
 
 std::string intervalText(const Figure& low, const Figure& high)
 {
-  return low && high ? magnitudeText(low) + " to " + magnitudeText(high) : kNoFigure;
+  return low && high ? magnitudeText(low) + " – " + magnitudeText(high) : kNoFigure;
 }
 
 std::string methodRow(const MethodScore& method, const RunScore& score, bool best)

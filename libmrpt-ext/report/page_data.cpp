@@ -114,22 +114,34 @@ Json confidenceOf(const RunContext& context, const RunRecord& record)
           {"lost", spansOf(*track, Verdict::lost, context)}};
 }
 
+/// Upper triangle, row by row.
+Json covarianceOf(const Matrix3d& P)
+{
+  Json list = Json::array();
+  for (int r = 0; r < 3; ++r)
+    for (int c = r; c < 3; ++c) list.push_back(rounded(P(r, c), 10));
+  return list;
+}
+
 Json neesOf(const RunContext& context, const RunScore& score)
 {
   if (score.filter.nees.empty()) return nullptr;
-  Json t = Json::array(), value = Json::array();
+  Json t = Json::array(), value = Json::array(), covariance = Json::array();
   const std::size_t joined = score.filter.nees.size() / (kMaxStamps + 1) + 1;
   const auto& samples = score.filter.nees;
   for (std::size_t i = 0; i < samples.size(); i += joined)
   {
-    double worst = 0;
-    for (std::size_t k = i; k < std::min(i + joined, samples.size()); ++k) worst = std::max(worst, samples[k].value);
+    const auto end = samples.begin() + static_cast<std::ptrdiff_t>(std::min(i + joined, samples.size()));
+    const auto worst = std::max_element(samples.begin() + static_cast<std::ptrdiff_t>(i), end,
+                                        [](const NeesSample& a, const NeesSample& b) { return a.value < b.value; });
     t.push_back(rounded(samples[i].stamp - context.start_time, 3));
-    value.push_back(rounded(worst, 3));
+    value.push_back(rounded(worst->value, 3));
+    covariance.push_back(covarianceOf(worst->covariance));
   }
   const int freedom = samples.front().degrees_of_freedom;
   return {{"t", t},
           {"value", value},
+          {"covariance", covariance},
           {"low", rounded(chiSquareQuantile(freedom, 0.025), 4)},
           {"high", rounded(chiSquareQuantile(freedom, 0.975), 4)},
           {"mean", figure(score.filter.nees_mean, 3)}};

@@ -12,7 +12,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kWidth = 720, kHeight = 250, kLeft = 46, kRight = 12, kTop = 26, kBottom = 40;
+constexpr double kWidth = 720, kHeight = 260, kLeft = 46, kRight = 12, kTop = 40, kBottom = 40;
 constexpr std::size_t kMaxLandmarks = 120, kMaxNames = 30;
 
 double heightOf(double sigmas, double reach)

@@ -62,6 +62,17 @@ TrackPoint filterPoint(double t)
   return point;
 }
 
+/// Sees three landmarks with a name by bearing, one by range too, and something without a name.
+std::vector<Sighting> sightings(double t)
+{
+  std::vector<Sighting> seen;
+  const Pose2 truth = onTheOval(t), T_robot_sensor{0.1, 0, 0};
+  for (int id = 1; id <= 3; ++id) seen.push_back({T_robot_sensor, id, 0.7 * id - truth.phi, {}, false});
+  seen.front().range = 2.5;
+  seen.push_back({T_robot_sensor, kNoId, 2.0, {}, false});
+  return seen;
+}
+
 TrackPoint driftingOdometry(double t)
 {
   TrackPoint point;
@@ -70,6 +81,24 @@ TrackPoint driftingOdometry(double t)
   return point;
 }
 }  // namespace
+
+std::vector<PlaybackStep> syntheticPlayback(const MethodTrack& filter, std::size_t steps, std::size_t particles)
+{
+  std::vector<PlaybackStep> playback;
+  const std::size_t stride = std::max<std::size_t>(filter.points.size() / steps, 1);
+  for (std::size_t i = 0; i < filter.points.size() && playback.size() < steps; i += stride)
+  {
+    const TrackPoint& point = filter.points[i];
+    const double t = point.time - kStart;
+    PlaybackStep step{point.time, {}, {{point.pose, point.best_weight}}, sightings(t)};
+    if (point.modes > 1) step.modes.push_back({noisy(t, 0.1, 3).pose, 1 - point.best_weight});
+    for (std::size_t k = 0; k < particles; ++k)
+      step.particles.push_back({point.pose.mean.x + 0.1 * wobble(static_cast<double>(k), t),
+                                point.pose.mean.y + 0.1 * wobble(static_cast<double>(k), t + 1), point.pose.mean.phi});
+    playback.push_back(std::move(step));
+  }
+  return playback;
+}
 
 RunContext syntheticContext(double duration)
 {
@@ -92,6 +121,9 @@ RunContext syntheticContext(double duration)
     landmarks.push_back({static_cast<int>(landmarks.size()) + 1, {corner[0], corner[1], 0}, "pole", {0, 0}});
   context.map = LandmarkTable(std::move(landmarks));
   for (int i = 0; i * 0.1 <= duration; ++i) context.truth.push_back({kStart + i * 0.1, onTheOval(i * 0.1), true});
+  for (int i = 0; i * kFrameStep <= duration; ++i)
+    context.geometry.push_back({kStart + i * kFrameStep, static_cast<std::size_t>(1 + i % 8), 0.4 * (1 + i % 6), 2.0});
+  context.inputs = {{"map", "datasets/room_map.csv", std::string(64, 'b')}};
   return context;
 }
 
@@ -130,6 +162,7 @@ RunRecord syntheticRecord(const RunContext& context, int trial)
   for (int id = 1; id <= 8; ++id) record.landmarks[std::to_string(id)] = {100, 95.5, 0.96, 0.05, 1.02};
   record.landmarks["3"] = {100, 31.0, 0.31, 0.9, 1.8};
   record.objects = {{kStart + 2, "ball", {4, 3}, Matrix2d::Identity() * 0.01, {1, 0.5}}};
+  record.playback = syntheticPlayback(record.methods.back(), 250, 100);
   record.verdict = Verdict::ok;
   record.verdict_reason = "one mode holds 0.93 of the weight, the evidence is as expected";
   record.cpu_s = 3.2;

@@ -9,4 +9,8 @@ namespace mrpt_ext::testing
 /// oracle, re-seeds, modes and an object. Deterministic.
 [[nodiscard]] RunContext syntheticContext(double duration = 120);
 [[nodiscard]] RunRecord syntheticRecord(const RunContext& context, int trial = 0);
+
+/// What the page plays of that filter: that many of its steps, with so many particles each.
+[[nodiscard]] std::vector<PlaybackStep> syntheticPlayback(const MethodTrack& filter, std::size_t steps,
+                                                          std::size_t particles);
 }  // namespace mrpt_ext::testing

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <regex>
 
 #include "mrpt_ext/evaluation/odometry_anchor.h"
@@ -35,6 +36,28 @@ std::string nestingError(const std::string& html)
   if (!open.empty()) return "<" + open.back() + "> is not closed";
   const auto brackets = static_cast<std::size_t>(std::count(html.begin(), html.end(), '<'));
   return brackets == tags + 1 ? "" : "a bracket that belongs to no tag";  // + 1: <!DOCTYPE html>
+}
+
+/// The page without what stands in its script elements.
+std::string withoutScripts(const std::string& html)
+{
+  std::string kept;
+  std::size_t at = 0;
+  for (auto open = html.find("<script"); open != std::string::npos; open = html.find("<script", at))
+  {
+    const auto begin = html.find('>', open) + 1;
+    kept += html.substr(at, begin - at);
+    at = html.find("</script>", begin);
+  }
+  return kept + html.substr(at);
+}
+
+/// What the scripts draw.
+nlohmann::json dataOf(const std::string& html)
+{
+  const std::string start = "<script type=\"application/json\" id=\"run-data\">";
+  const auto begin = html.find(start) + start.size();
+  return nlohmann::json::parse(html.substr(begin, html.find("</script>", begin) - begin));
 }
 
 bool showsNan(const std::string& html) { return std::regex_search(html, std::regex("\\b(nan|inf)\\b")); }
@@ -88,11 +111,39 @@ TEST(TrialPage, IsWellFormedAndSelfContained)
 {
   const RunContext context = syntheticContext();
   const std::string html = pageOf(context, syntheticRecord(context));
-  EXPECT_EQ(nestingError(html), "");
-  EXPECT_EQ(html.find("http"), std::string::npos);
-  EXPECT_EQ(html.find("<script"), std::string::npos);
+  EXPECT_EQ(nestingError(withoutScripts(html)), "");
+  EXPECT_EQ(html.find("http:"), std::string::npos);
+  EXPECT_EQ(html.find("https:"), std::string::npos);
+  EXPECT_EQ(html.find("sourceMappingURL"), std::string::npos);
   EXPECT_EQ(html.find("url("), std::string::npos);
-  EXPECT_FALSE(showsNan(html));
+  EXPECT_NE(html.find("default-src 'none'"), std::string::npos);
+  EXPECT_EQ(countOf(html, "<script"), 3u);
+  EXPECT_FALSE(showsNan(withoutScripts(html)));
+}
+
+TEST(TrialPage, HoldsWhatItPlays)
+{
+  const RunContext context = syntheticContext();
+  const nlohmann::json data = dataOf(pageOf(context, syntheticRecord(context)));
+  const std::size_t steps = data["playback"]["t"].size();
+  EXPECT_GT(steps, 200u);
+  for (const char* rows : {"modes", "seen", "objects"}) EXPECT_EQ(data["playback"][rows].size(), steps) << rows;
+  EXPECT_EQ(data["playback"]["truth"].size(), 3 * steps);
+  EXPECT_EQ(data["playback"]["particles"]["counts"].size(), steps);
+  EXPECT_EQ(data["playback"]["particles"]["boxes"].size(), 4 * steps);
+  EXPECT_EQ(data["landmarks"].size(), 8u);
+  EXPECT_EQ(data["errors"]["position"].size(), data["methods"].size());
+  EXPECT_EQ(data["confidence"]["reseeds"].size(), 2u);
+  EXPECT_GT(data["nees"]["value"].size(), 100u);
+}
+
+TEST(TrialPage, OfFiveHundredStepsWithThreeHundredParticlesIsBelowTwoMegabytes)
+{
+  const RunContext context = syntheticContext(300);
+  RunRecord record = syntheticRecord(context);
+  record.playback = syntheticPlayback(record.methods.back(), 500, 300);
+  ASSERT_EQ(record.playback.size(), 500u);
+  EXPECT_LT(pageOf(context, record).size(), 2u << 20);
 }
 
 TEST(TrialPage, ShowsEveryPart)
@@ -105,9 +156,11 @@ TEST(TrialPage, ShowsEveryPart)
   EXPECT_EQ(countOf(html, "landmark doubtful"), 1u);
   EXPECT_EQ(countOf(html, "<ellipse class=\"mode\""), 2u);
   EXPECT_EQ(countOf(html, "<path class=\"reseed\""), 2u);
-  EXPECT_EQ(countOf(html, "<svg class=\"chart\""), 3u);
+  // position, heading, confidence, NEES, three quantities of the geometry, residuals
+  EXPECT_EQ(countOf(html, "<svg class=\"chart\""), 8u);
   for (const char* part : {"few inliers", "CObservationImage", "ground truth", "class=\"scale\"", "logarithmic",
-                           "span lost", "span ambiguous", "used the truth"})
+                           "span lost", "span ambiguous", "used the truth", "95 % interval", "landmarks in view",
+                           "Honesty of the covariance", "map, SHA-256", "id=\"step-slider\""})
     EXPECT_NE(html.find(part), std::string::npos) << part;
   for (const MethodTrack& method : syntheticRecord(context).methods)
     EXPECT_NE(html.find(method.name), std::string::npos) << method.name;
@@ -119,15 +172,24 @@ TEST(TrialPage, EscapesWhatTheUserWrote)
   RunRecord record = syntheticRecord(context);
   record.verdict_reason = "<script>alert(1)</script>";
   const std::string html = pageOf(context, record);
-  EXPECT_EQ(html.find("<script"), std::string::npos);
+  EXPECT_EQ(html.find("<script>alert"), std::string::npos);
   EXPECT_NE(html.find("&lt;b&gt;&amp;&quot;x&quot;&lt;/b&gt;"), std::string::npos);
+}
+
+TEST(TrialPage, NothingOfTheLogEndsTheDataEarly)
+{
+  RunContext context = syntheticContext();
+  context.map = LandmarkTable({{1, {0, 0, 0}, "</script><script>alert(1)</script>", {0, 0}}});
+  const std::string html = pageOf(context, syntheticRecord(context));
+  EXPECT_EQ(countOf(html, "<script"), 3u);
+  EXPECT_EQ(dataOf(html)["landmarks"][0][3], "</script><script>alert(1)</script>");
 }
 
 TEST(TrialPage, OfAnEmptyRunIsStillAPage)
 {
   RunRecord record;
   record.interrupted = true;
-  const std::string html = pageOf(RunContext{}, record);
+  const std::string html = withoutScripts(pageOf(RunContext{}, record));
   EXPECT_EQ(nestingError(html), "");
   EXPECT_NE(html.find("Interrupted"), std::string::npos);
   EXPECT_FALSE(showsNan(html));
@@ -145,7 +207,8 @@ TEST(MergedPage, LinksToItsTrials)
   const RunContext context = syntheticContext(30);
   const std::string html = mergedPage(context, mergedScore(context));
   EXPECT_EQ(nestingError(html), "");
-  EXPECT_EQ(html.find("http"), std::string::npos);
+  EXPECT_EQ(html.find("http:"), std::string::npos);
+  EXPECT_EQ(html.find("<script"), std::string::npos);
   EXPECT_NE(html.find("href=\"trial_000/report.html\""), std::string::npos);
   EXPECT_NE(html.find("href=\"trial_011/report.html\""), std::string::npos);
   EXPECT_NE(html.find("12 trials: success rate 1.00, 0 lost"), std::string::npos);

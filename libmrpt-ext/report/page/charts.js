@@ -23,12 +23,23 @@ function withGaps(rows) {
 /** Logarithmic when the values span far; values below the axis are drawn on it. */
 function logScale(rows) {
   const values = rows.flatMap((row) => row.slice(1)).filter((v) => v !== null && v > 0).sort((a, b) => a - b);
-  if (values.length === 0) return { rows, logscale: false };
   const largest = values[values.length - 1];
-  const logscale = largest > kLogSpan * values[Math.floor(0.02 * values.length)];
-  const low = largest / 10 ** kDecades;
-  if (logscale) rows = rows.map(([t, ...rest]) => [t, ...rest.map((v) => (v === null ? v : Math.max(v, low)))]);
-  return { rows, logscale };
+  const small = values[Math.floor(0.02 * values.length)];
+  if (values.length === 0 || largest < kLogSpan * small) return { rows, logscale: false, range: null };
+  const low = Math.max(10 ** Math.floor(Math.log10(small)), largest / 10 ** kDecades);
+  return { rows: clamped(rows, [low, largest]), logscale: true, range: [low, 1.5 * largest] };
+}
+
+/** Rows with all values moved into a range. */
+function clamped(rows, [low, high]) {
+  const inside = (v) => (v === null ? v : Math.min(Math.max(v, low), high));
+  return rows.map(([t, ...values]) => [t, ...values.map(inside)]);
+}
+
+/** Rows and value axis of a chart. */
+function scaled(spec) {
+  if (!spec.range) return logScale(spec.rows);
+  return { rows: clamped(spec.rows, spec.range), logscale: spec.log, range: spec.range };
 }
 
 function verticalLine(ctx, area, x, style, dash) {
@@ -103,7 +114,8 @@ function interactionWithoutTouch() {
 }
 
 class TimeChart {
-  /** `spec`: {name, unit, rows, series: [{label, colour, symbol, options}], marks, notes, range, log} */
+  /** `spec`: {unit, rows, series: [{label, colour, symbol, options}], marks, notes}, with a `range` of values to show
+   *  also whether it is `log`. */
   constructor(box, spec, run, onPick) {
     this.spec = spec;
     const plot = document.createElement('div');
@@ -112,12 +124,12 @@ class TimeChart {
     box.append(plot, legend);
     this.cursor = document.createElement('div');
     this.cursor.className = 'cursor';
-    const { rows, logscale } = spec.log === false ? { rows: spec.rows, logscale: false } : logScale(spec.rows);
+    const { rows, logscale, range } = scaled(spec);
     this.graph = new Dygraph(plot, withGaps(rows), {
       labels: ['time', ...spec.series.map((s) => s.label)],
       series: Object.fromEntries(spec.series.map((s) => [s.label, s.options])),
       logscale,
-      valueRange: spec.range || null,
+      valueRange: range,
       dateWindow: [0, run.duration || 1],
       includeZero: !logscale,
       ylabel: spec.unit + (logscale ? ', logarithmic' : ''),
@@ -130,19 +142,18 @@ class TimeChart {
       clickCallback: (_, x) => onPick(x),
       interactionModel: interactionWithoutTouch(),
       axes: { y: { axisLabelFormatter: shortNumber, axisLabelWidth: 44 }, x: { axisLabelFormatter: shortNumber } },
-      connectSeparatedPoints: spec.connect || false,
       highlightCircleSize: 4,
       ...this.colours(),
     });
     plot.append(this.cursor);
     this.time = null;
     legend.addEventListener('click', (event) => {
-      const button = event.target.closest('[data-series]');
-      if (!button) return;
+      const button = /** @type {Element} */ (event.target).closest('[data-series]');
+      if (!(button instanceof HTMLElement)) return;
       const index = Number(button.dataset.series);
       this.graph.setVisibility(index, !this.graph.visibility()[index]);
     });
-    box.querySelector('.static').hidden = true;
+    /** @type {HTMLElement} */ (box.querySelector('.static')).hidden = true;
   }
 
   colours() {
@@ -248,6 +259,8 @@ function neesSpec(run) {
     series: [{ label: 'NEES of ' + judged.name, colour: judged.colour, symbol: 'line', options: { strokeWidth: 1.6 } }],
     rows: t.map((time, i) => [time, value[i]]),
     unit: 'NEES',
+    range: [0.02, 1000], // what lies outside is drawn on the edge
+    log: true,
     notes,
     marks: { band: [low, high], level: mean, converged: run.converged },
   };
@@ -262,7 +275,7 @@ export function createCharts(run, onPick) {
     nees: () => run.nees && neesSpec(run),
   };
   const charts = [];
-  for (const box of document.querySelectorAll('[data-chart]')) {
+  for (const box of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('[data-chart]'))) {
     const spec = specs[box.dataset.chart]();
     if (spec && spec.rows.length > 1 && spec.series.length > 0) charts.push(new TimeChart(box, spec, run, onPick));
   }

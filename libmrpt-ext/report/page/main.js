@@ -9,7 +9,7 @@ let playback = null;
 const charts = createCharts(run, (time) => playback && playback.goTo(time));
 if (run.stepCount > 0) {
   playback = new Playback(run, (time) => charts.forEach((chart) => chart.setTime(time)));
-  document.querySelector('#map .static').hidden = true;
+  /** @type {HTMLElement} */ (document.querySelector('#map .static')).hidden = true;
 }
 onThemeChange(() => {
   charts.forEach((chart) => chart.recolour());

@@ -1,4 +1,4 @@
-// What the map shows, one drawing function per kind of thing. All take (ctx, view, run, step).
+// What the map shows, one drawing function per kind of thing.
 import { colour } from './theme.js';
 import { groups, poseAt } from './run_data.js';
 
@@ -37,7 +37,7 @@ export function drawPath(ctx, view, run, step, poses, style) {
 }
 
 /** Single estimates: all so far as dots, the present one larger. */
-export function drawDots(ctx, view, run, step, poses, style) {
+export function drawDots(ctx, view, step, poses, style) {
   ctx.fillStyle = colour(style.colour);
   for (let s = 0; s <= step; ++s) {
     const pose = poseAt(poses, s);

@@ -25,7 +25,7 @@ function layersOf(run) {
       drawSightings(ctx, view, run, step, looker(step)));
   for (const method of separate) {
     const style = { colour: method.colour, square: method.oracle };
-    const draw = (ctx, view, step) => drawDots(ctx, view, run, step, playback.methods[method.name], style);
+    const draw = (ctx, view, step) => drawDots(ctx, view, step, playback.methods[method.name], style);
     add(method.name, method.colour, method.oracle ? 'dot oracle' : 'dot', draw, !method.oracle);
   }
   if (run.particles.first[stepCount] > 0)
@@ -63,7 +63,9 @@ export class MapView {
     this.canvas = canvas;
     this.ctx = canvas.getContext('2d');
     this.view = new Viewport(run.extent);
-    Object.assign(this, layersOf(run));
+    const { list, looker } = layersOf(run);
+    this.list = list;
+    this.looker = looker; // where measurements are drawn from
     this.step = 0;
     this.follow = false;
     this.touched = false;

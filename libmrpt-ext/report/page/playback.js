@@ -28,10 +28,10 @@ export class Playback {
     this.onStep = onStep;
     this.step = 0;
     this.playing = false;
-    this.slider = document.getElementById('step-slider');
+    this.slider = /** @type {HTMLInputElement} */ (document.getElementById('step-slider'));
     this.slider.max = String(run.stepCount - 1);
     this.readout = document.getElementById('readout');
-    this.speed = document.getElementById('speed');
+    this.speed = /** @type {HTMLSelectElement} */ (document.getElementById('speed'));
     document.getElementById('player').hidden = false;
     this.map = new MapView(run, document.getElementById('map-canvas'));
     this.actions = {
@@ -42,7 +42,10 @@ export class Playback {
       last: () => this.show(run.stepCount - 1),
       'zoom-in': () => this.map.zoom(1.4),
       'zoom-out': () => this.map.zoom(1 / 1.4),
-      fit: () => this.follow(false) || this.map.fit(),
+      fit: () => {
+        this.follow(false);
+        this.map.fit();
+      },
       follow: () => this.follow(!this.map.follow),
     };
     this.chooseSpeed();
@@ -59,7 +62,7 @@ export class Playback {
 
   listen() {
     this.slider.addEventListener('input', () => this.show(Number(this.slider.value)));
-    for (const button of document.querySelectorAll('#player button'))
+    for (const button of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('#player button')))
       button.addEventListener('click', () => this.actions[button.dataset.action]());
     document.addEventListener('keydown', (event) => this.key(event));
   }
