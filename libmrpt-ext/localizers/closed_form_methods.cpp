@@ -101,6 +101,18 @@ void refineJoined(HypothesisSet& candidates, std::vector<Reading> readings, cons
 }
 
 const auto kAnySighting = [](const LandmarkSighting&) { return true; };
+
+/// True when bearings give a pose: of three landmarks, or of two when they are seen from several places on the robot
+/// (paper 001's cameras).
+bool giveAPose(const std::vector<LandmarkSighting>& bearings)
+{
+  const std::size_t landmarks = distinctLandmarks(bearings, kAnySighting);
+  if (landmarks != 2) return landmarks > 2;
+  return bearings.size() > 2 &&
+         std::any_of(bearings.begin(), bearings.end(),
+                     [&](const LandmarkSighting& s)
+                     { return s.T_robot_sensor.position() != bearings.front().T_robot_sensor.position(); });
+}
 }  // namespace
 
 ClosedFormAnswer bearingLeastSquares(const Frame& frame, const LandmarkTable& map)
@@ -119,7 +131,7 @@ ClosedFormAnswer bearingLeastSquares(const Frame& frame, const LandmarkTable& ma
 ClosedFormAnswer bearingMaximumLikelihood(const Frame& frame, const LandmarkTable& map)
 {
   const std::vector<LandmarkSighting> sightings = bearingsOf(frame, map);
-  if (distinctLandmarks(sightings, kAnySighting) < 3) return {};
+  if (!giveAPose(sightings)) return {};
   // A frame in doubt is answered too, and says so by its status.
   const IdentifiedPose solved = solveIdentifiedPose(poseMeasurements(sightings));
   ClosedFormAnswer answer{.status = solved.status};

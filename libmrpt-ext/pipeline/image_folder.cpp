@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
@@ -16,7 +17,8 @@ namespace fs = std::filesystem;
 class PoseColumns
 {
  public:
-  PoseColumns(const TextTable& table, const std::string& prefix) : table_(table)
+  PoseColumns(const TextTable& table, const std::string& prefix, double heading_offset)
+      : table_(table), heading_offset_(heading_offset)
   {
     const std::vector<std::string> names{prefix + "x_m", prefix + "y_m", prefix + "heading_deg"};
     for (const std::string& name : names) present_ = present_ || table.findColumn(name).has_value();
@@ -27,21 +29,65 @@ class PoseColumns
   {
     if (!present_) return std::nullopt;
     return Pose2{table_.number(row, columns_[0]), table_.number(row, columns_[1]),
-                 wrap(degToRad(table_.number(row, columns_[2])))};
+                 wrap(degToRad(table_.number(row, columns_[2])) + heading_offset_)};
   }
 
  private:
   const TextTable& table_;
+  double heading_offset_;
   bool present_ = false;
   std::vector<std::size_t> columns_;
+};
+
+/// Files of a role: in the column of its name, else those named *_POINT_ROLE.* by the column `point`.
+class ImageNames
+{
+ public:
+  ImageNames(const fs::path& folder, const TextTable& table) : table_(table), point_(table.findColumn("point"))
+  {
+    if (!point_) return;
+    for (const auto& entry : fs::directory_iterator(folder))
+      if (const std::string kind = entry.path().extension().string(); kind == ".jpg" || kind == ".png")
+        files_.push_back(entry.path().filename().string());
+    std::sort(files_.begin(), files_.end());
+  }
+  /// A camera that took no image at all is not mounted, where cameras are told by their files alone.
+  [[nodiscard]] bool has(const std::string& role) const
+  {
+    if (table_.findColumn(role) || !point_) return true;
+    for (std::size_t row = 0; row < table_.size(); ++row)
+      if (!at(row, role).empty()) return true;
+    return false;
+  }
+  /// Empty when there is none.
+  [[nodiscard]] std::string at(std::size_t row, const std::string& role) const
+  {
+    if (!point_ || table_.findColumn(role)) return table_.text(row, table_.column(role));
+    const std::string ending = "_" + table_.text(row, *point_) + "_" + role;
+    for (const std::string& file : files_)
+      if (fs::path(file).stem().string().ends_with(ending)) return file;
+    return "";
+  }
+
+ private:
+  const TextTable& table_;
+  std::optional<std::size_t> point_;
+  std::vector<std::string> files_;
 };
 
 nlohmann::json readCamera(const fs::path& file)
 {
   if (!fs::exists(file)) return nullptr;
   const auto content = nlohmann::json::parse(readTextFile(file), nullptr, false);
+  const auto objectNamed = [&](const char* name)
+  { return content.is_object() && content.contains(name) && content[name].is_object(); };
   for (const char* const name : {"camera", "stereo"})
-    if (content.is_object() && content.contains(name) && content[name].is_object()) return content[name];
+  {
+    if (!objectNamed(name)) continue;
+    nlohmann::json camera = content[name];
+    if (objectNamed("field")) camera["field"] = content["field"];
+    return camera;
+  }
   throw dataError(file.string() + ": damaged, expected JSON with an object \"camera\" or \"stereo\"");
 }
 
@@ -64,13 +110,21 @@ LandmarkTable readMap(const fs::path& file)
 class ImageFolder : public ImageSequence
 {
  public:
-  ImageFolder(const fs::path& folder, const std::vector<std::string>& roles)
-      : folder_(folder), table_(folder / "frames.csv", {}), roles_(roles), odometry_(table_, "odometry_")
+  ImageFolder(const fs::path& folder, const std::vector<std::string>& roles, double heading_offset)
+      : folder_(folder),
+        table_(folder / "frames.csv", {}),
+        names_(folder, table_),
+        odometry_(table_, "odometry_", heading_offset)
   {
     camera = readCamera(folder / "camera.json");
     map = readMap(folder / "map.csv");
-    for (const std::string& role : roles_) static_cast<void>(table_.column(role));
-    const PoseColumns poses(table_, "");
+    for (const std::string& role : roles)
+    {
+      if (!names_.has(role)) continue;
+      roles_.push_back(role);
+      if (table_.size() > 0) static_cast<void>(names_.at(0, role));  // tells a missing column
+    }
+    const PoseColumns poses(table_, "", heading_offset);
     for (std::size_t row = 0; row < table_.size(); ++row)
     {
       if (row > 0 && !(timeOf(row) > timeOf(row - 1))) throw table_.errorAt(row, "time does not ascend");
@@ -101,7 +155,7 @@ class ImageFolder : public ImageSequence
     ImageFrame frame{table_.integer(row, table_.column("frame")), timeOf(row), {}};
     for (const std::string& role : roles_)
     {
-      const std::string& name = table_.text(row, table_.column(role));
+      const std::string name = names_.at(row, role);
       const fs::path file = folder_ / name;
       frame.images.push_back({role, name, {}, {}});
       // OpenCV complains on its own about a file that is not there.
@@ -113,6 +167,7 @@ class ImageFolder : public ImageSequence
 
   fs::path folder_;
   TextTable table_;
+  ImageNames names_;
   std::vector<std::string> roles_;
   PoseColumns odometry_;
   std::size_t row_ = 0;
@@ -127,8 +182,9 @@ const FrameImage* ImageFrame::find(const std::string& role) const
   return nullptr;
 }
 
-std::unique_ptr<ImageSequence> openImageFolder(const fs::path& folder, const std::vector<std::string>& roles)
+std::unique_ptr<ImageSequence> openImageFolder(const fs::path& folder, const std::vector<std::string>& roles,
+                                               double heading_offset)
 {
-  return std::make_unique<ImageFolder>(folder, roles);
+  return std::make_unique<ImageFolder>(folder, roles, heading_offset);
 }
 }  // namespace mrpt_ext

@@ -16,7 +16,7 @@ namespace mrpt_ext
 /// One image of a frame; `pixels` is empty when the file is missing or cannot be decoded.
 struct FrameImage
 {
-  std::string role;  ///< "image", or "left" and "right"
+  std::string role;  ///< "image", "left" and "right", or "M1", "M2", "M3"
   std::string name;  ///< for messages and for the names of debug pictures
   cv::Mat pixels;    ///< 8 bits, grey or BGR
   Pose2 T_robot_camera;
@@ -43,7 +43,7 @@ class ImageSequence
   /// Nothing at the end.
   [[nodiscard]] virtual std::optional<ImageRecord> next() = 0;
 
-  nlohmann::json camera;    ///< object `camera` or `stereo` of camera.json; null without one
+  nlohmann::json camera;    ///< object `camera` or `stereo` of camera.json, its object `field` within; null without one
   LandmarkTable map;        ///< empty when none comes with the images
   Trajectory truth;         ///< likewise
   std::size_t ignored = 0;  ///< records that are neither images nor odometry
@@ -51,9 +51,13 @@ class ImageSequence
 
 /// A folder with `frames.csv` (one row per frame: `frame`, a file name per role, optional `t`, optional
 /// `odometry_x_m,odometry_y_m,odometry_heading_deg`, optional truth `x_m,y_m,heading_deg`), optional `camera.json` and
-/// optional `map.csv` (`id,name,x_m,y_m`, optional `category`). Throws InputError (data) on damaged tables.
+/// optional `map.csv` (`id,name,x_m,y_m`, optional `category`). Without a role's column, files are found as
+/// *_POINT_ROLE.* by the column `point`; a role without any file is left out. `heading_offset` [rad] is added to all
+/// headings: what the forward axis is turned against the axis that frames.csv counts from. Throws InputError (data) on
+/// damaged tables.
 [[nodiscard]] std::unique_ptr<ImageSequence> openImageFolder(const std::filesystem::path& folder,
-                                                             const std::vector<std::string>& roles);
+                                                             const std::vector<std::string>& roles,
+                                                             double heading_offset = 0);
 
 /// A rawlog with CObservationImage (role "image") or CObservationStereoImages ("left" and "right") and odometry.
 [[nodiscard]] std::unique_ptr<ImageSequence> openImageRawlog(const std::filesystem::path& rawlog);

@@ -1,5 +1,6 @@
 #include "mrpt_ext/pipeline/images_app.h"
 
+#include <algorithm>
 #include <opencv2/imgcodecs.hpp>
 #include <ostream>
 
@@ -36,9 +37,9 @@ void checkOutput(const fs::path& rawlog)
     throw configurationError("images2rawlog: --output " + rawlog.string() + ": expected a name ending in .rawlog");
 }
 
-std::unique_ptr<ImageSequence> openImages(const fs::path& input, const std::vector<std::string>& roles)
+std::unique_ptr<ImageSequence> openImages(const fs::path& input, const Settings& settings)
 {
-  if (fs::is_directory(input)) return openImageFolder(input, roles);
+  if (fs::is_directory(input)) return openImageFolder(input, imageRoles(settings), headingOffset(settings));
   if (fs::is_regular_file(input)) return openImageRawlog(input);
   throw dataError(input.string() + ": not found, expected a folder with frames.csv or a rawlog with images");
 }
@@ -88,25 +89,43 @@ Outcome measureAll(ImageSequence& images, const VisionFrontEnd& front_end, const
   return outcome;
 }
 
+/// The frames with these numbers and their poses; a first pass over the images.
+std::vector<FrameAtPose> framesAtPose(ImageSequence& images, const std::vector<int>& numbers)
+{
+  std::vector<FrameAtPose> found;
+  while (auto record = images.next())
+    if (auto* frame = std::get_if<ImageFrame>(&*record))
+      for (const TimedPose& truth : images.truth)
+        if (truth.time == frame->time && std::count(numbers.begin(), numbers.end(), frame->number) > 0)
+          found.push_back({std::move(*frame), truth.pose});
+  if (found.size() < numbers.size())
+    throw configurationError("calibration_frame: not all of these frames are there with a pose in frames.csv");
+  return found;
+}
+
 int convert(const ImageOptions& files, const CommonOptions& options, std::ostream& out, std::ostream& err)
 {
   const Settings settings = Settings::load(files.config, imagesKeys(), options.overrides);
   checkOutput(options.output);
-  const auto images = openImages(files.input, imageRoles(settings));
+  const auto images = openImages(files.input, settings);
   const auto front_end = makeFrontEnd(settings, images->camera);
-  const Outcome outcome = measureAll(*images, *front_end, files.debug_images, err);
-  if (outcome.frames == 0) throw dataError(files.input.string() + ": no images in it");
-
   const auto tell = [&](const std::string& line)
   {
     if (!options.quiet) out << line << '\n';
   };
+  if (const auto numbers = front_end->calibrationFrames(); !numbers.empty())
+    for (const std::string& line : front_end->calibrate(framesAtPose(*openImages(files.input, settings), numbers)))
+      tell(line);
+  const Outcome outcome = measureAll(*images, *front_end, files.debug_images, err);
+  if (outcome.frames == 0) throw dataError(files.input.string() + ": no images in it");
+
   if (images->ignored > 0) tell(std::to_string(images->ignored) + " records that are no images were left out");
   tell(std::to_string(outcome.frames) + " frames, " + std::to_string(outcome.measurements) + " measurements, " +
        std::to_string(outcome.without_measurement) + " frames without measurement");
   writeRawlog(options.output, outcome.recording);
   tell("wrote " + options.output.string());
-  if (!images->map.empty()) writeLandmarkCsv(beside(options.output, "_map.csv"), images->map);
+  const LandmarkTable map = images->map.empty() ? front_end->landmarks() : images->map;
+  if (!map.empty()) writeLandmarkCsv(beside(options.output, "_map.csv"), map);
   if (!images->truth.empty()) writeTum(beside(options.output, "_ground_truth.tum"), images->truth);
   if (!files.csv.empty()) writeFileAtomically(files.csv, outcome.csv.text());
   return kExitDone;

@@ -1,6 +1,7 @@
 #include "mrpt_ext/pipeline/images_keys.h"
 
 #include "mrpt_ext/pipeline/conic_mirror_front_end.h"
+#include "mrpt_ext/pipeline/movis_front_end.h"
 #include "mrpt_ext/pipeline/stereo_goal_front_end.h"
 
 namespace mrpt_ext
@@ -13,9 +14,10 @@ KeyTable imagesKeys()
                    "",
                    "",
                    {},
-                   {{"conic_mirror", {}}, {"stereo_goal", {}}},
+                   {{"conic_mirror", {}}, {"movis", {}}, {"stereo_goal", {}}},
                    "What took the images: conic_mirror, one camera below a cone, giving azimuths of vertical edges; "
+                   "movis, three cameras below hyperbolic mirrors, giving azimuths of corner poles and ball; "
                    "stereo_goal, a narrow stereo pair on a football field, giving goal corners and line landmarks."}});
-  return table.append(conicMirrorKeys()).append(stereoGoalKeys());
+  return table.append(conicMirrorKeys()).append(movisKeys()).append(stereoGoalKeys());
 }
 }  // namespace mrpt_ext

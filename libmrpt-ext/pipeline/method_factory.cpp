@@ -19,6 +19,9 @@ MeasurementKinds::MeasurementKinds(const std::vector<Frame>& frames)
   {
     fix = fix || !frame.fixes.empty();
     for (const Reading& reading : frame.readings)
+    {
+      const Vector2d place = reading.T_robot_sensor.position();
+      several_places = several_places || place != frame.readings.front().T_robot_sensor.position();
       for (const Detection& d : reading.detections)
       {
         const bool known = d.id != kNoId;
@@ -27,6 +30,7 @@ MeasurementKinds::MeasurementKinds(const std::vector<Frame>& frames)
         known_point = known_point || (known && d.bearing && d.range);
         unknown_bearing = unknown_bearing || (!known && d.bearing);
       }
+    }
   }
 }
 
@@ -74,7 +78,7 @@ std::vector<MethodFactory::Entry> MethodFactory::closedForms() const
   return {
       entry("bearing_least_squares", kinds_.known_bearing && map.size() >= 3,
             [&map](const Frame& frame) { return bearingLeastSquares(frame, map); }),
-      entry("bearing_maximum_likelihood", kinds_.known_bearing && map.size() >= 3,
+      entry("bearing_maximum_likelihood", kinds_.known_bearing && map.size() >= (kinds_.several_places ? 2U : 3U),
             [&map](const Frame& frame) { return bearingMaximumLikelihood(frame, map); }),
       entry("interpretation_tree", kinds_.unknown_bearing && map.size() >= 3,
             [&map, region, search = search_](const Frame& frame)

@@ -24,6 +24,7 @@ struct Methods
 struct MeasurementKinds
 {
   bool known_bearing = false, known_range = false, known_point = false, unknown_bearing = false, fix = false;
+  bool several_places = false;  ///< sensors at different places on the robot
 
   explicit MeasurementKinds(const std::vector<Frame>& frames);
 };

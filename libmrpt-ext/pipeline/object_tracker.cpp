@@ -23,13 +23,16 @@ std::vector<GaussianPoint> pointsInRobot(const std::vector<LandmarkSighting>& si
   for (const LandmarkSighting& s : sightings)
     if (s.hasPoint()) points.push_back({s.pointInRobot(), s.pointCovariance()});
   if (!points.empty()) return points;
-  // Bearings only: one object seen from two places. More sightings of the kind cannot be told apart.
+  // Bearings only: one object seen from several places, placed by the pair of sensors that sees it best. More sightings
+  // of the kind cannot be told apart.
   for (std::size_t i = 0; i < sightings.size(); ++i)
     for (std::size_t j = i + 1; j < sightings.size(); ++j)
     {
       if (sightings[i].T_robot_sensor.position() == sightings[j].T_robot_sensor.position()) continue;
       const Triangulation meeting = triangulate(rayOf(sightings[i]), rayOf(sightings[j]));
-      if (meeting.status == SolveStatus::ok) return {meeting.point};
+      if (meeting.status != SolveStatus::ok) continue;
+      if (points.empty() || meeting.point.covariance.trace() < points.front().covariance.trace())
+        points.assign(1, meeting.point);
     }
   return points;
 }

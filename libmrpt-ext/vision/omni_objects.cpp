@@ -1,0 +1,134 @@
+#include "mrpt_ext/vision/omni_objects.h"
+
+#include <cmath>
+
+#include "mrpt_ext/geometry/angle.h"
+#include "mrpt_ext/vision/image_check.h"
+#include "mrpt_ext/vision/silhouette.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr int kRimSamples = 90;
+constexpr double kRimDistance = 0.04;  ///< of the samples on either side of the rim, share of its radius
+constexpr double kSliceHeight = 2;     ///< [px]
+constexpr int kMinSliceCount = 5;      ///< of one colour, so that they can be compared
+constexpr double kSliceMargin = 1.5;   ///< [px] from where a colour ends
+constexpr double kBallShare = 0.75;    ///< of the ball's height that is measured: its poles are short
+
+int brightnessAt(const cv::Mat& image, const cv::Point2d& place)
+{
+  const cv::Point pixel(cvRound(place.x), cvRound(place.y));
+  if (!cv::Rect({0, 0}, image.size()).contains(pixel)) return -1;
+  const auto& p = image.at<cv::Vec3b>(pixel);
+  return (p[0] + p[1] + p[2]) / 3;
+}
+
+/// True when enough of the mirror's rim is where it should be: bright inside, dark outside.
+bool rimIsThere(const cv::Mat& image, const OmniCameraSettings& settings)
+{
+  const HyperbolicMirror& mirror = settings.mirror;
+  int seen = 0, counted = 0;
+  for (int i = 0; i < kRimSamples; ++i)
+  {
+    const double azimuth = kTwoPi * i / kRimSamples;
+    const int inside = brightnessAt(image, mirror.pixel(azimuth, (1 - kRimDistance) * mirror.rimRho()));
+    const int outside = brightnessAt(image, mirror.pixel(azimuth, (1 + kRimDistance) * mirror.rimRho()));
+    if (inside < 0 || outside < 0) continue;
+    ++counted;
+    if (inside - outside >= settings.rim_contrast) ++seen;
+  }
+  return counted > 0 && seen >= settings.rim_visible_share * counted;
+}
+
+/// Cuts image radii [low, high], `margin` [px] less at both ends, into slices; `half_width` tells the object's width at
+/// a radius.
+template <typename HalfWidth>
+void addSlices(std::vector<SilhouetteSlice>& slices, const HyperbolicMirror& mirror, double low, double high,
+               double margin, const HalfWidth& half_width)
+{
+  const double pixel = 1 / mirror.focalLength();
+  low += margin * pixel;
+  high = std::min(high - margin * pixel, mirror.rimRho() - 2 * kSliceMargin * pixel);
+  const double pixels = (high - low) / pixel;
+  if (pixels < 1) return;
+  const int count = std::max(kMinSliceCount, static_cast<int>(std::lround(pixels / kSliceHeight)));
+  const double height = (high - low) / count;
+  for (int i = 0; i < count; ++i)
+    slices.push_back({low + i * height, low + (i + 1) * height, half_width(low + (i + 0.5) * height)});
+}
+
+std::vector<SilhouetteSlice> poleSlices(const OmniCameraSettings& settings, const ObjectGuess& guess)
+{
+  const HyperbolicMirror& mirror = settings.mirror;
+  const auto rhoOf = [&](double share)
+  { return mirror.rhoAt(mirror.slopeOf(share * settings.sizes.pole_height, guess.distance)); };
+  std::vector<SilhouetteSlice> slices;
+  for (int band = 0; band < 3; ++band)
+    addSlices(slices, mirror, rhoOf(band / 3.0), rhoOf((band + 1) / 3.0), kSliceMargin,
+              [&](double) { return guess.half_width; });
+  return slices;
+}
+
+/// The outline of a sphere: directions at the angle `radius` from that to its middle.
+std::vector<SilhouetteSlice> ballSlices(const OmniCameraSettings& settings, const ObjectGuess& guess)
+{
+  const HyperbolicMirror& mirror = settings.mirror;
+  const double slope = mirror.slopeOf(settings.sizes.ball_radius, guess.distance);
+  const double middle = std::atan(slope);
+  const double radius = std::asin(std::min(1.0, settings.sizes.ball_radius * std::cos(middle) / guess.distance));
+  std::vector<SilhouetteSlice> slices;
+  addSlices(slices, mirror, mirror.rhoAt(std::tan(middle - kBallShare * radius)),
+            mirror.rhoAt(std::tan(middle + kBallShare * radius)), 0,
+            [&](double rho)
+            {
+              const double elevation = std::atan(mirror.slopeAt(rho));
+              const double cosine = (std::cos(radius) - std::sin(elevation) * std::sin(middle)) /
+                                    (std::cos(elevation) * std::cos(middle));
+              return std::acos(std::clamp(cosine, -1.0, 1.0));
+            });
+  return slices;
+}
+
+bool isBlocked(const std::vector<BlockedSector>& sectors, double azimuth)
+{
+  for (const BlockedSector& sector : sectors)
+    if (std::abs(wrap(azimuth - sector.middle)) < sector.half_width) return true;
+  return false;
+}
+}  // namespace
+
+void OmniCamera::measure(const cv::Mat& image, const std::string& label, const ObjectGuess& guess, OmniView& view) const
+{
+  const auto slices = label == "ball" ? ballSlices(settings_, guess) : poleSlices(settings_, guess);
+  const auto silhouette = measureSilhouette(image, settings_.mirror, guess.azimuth, slices, settings_.min_slices);
+  if (isBlocked(settings_.blocked, silhouette ? silhouette->azimuth : guess.azimuth))
+  {
+    view.hidden.push_back({label, guess.azimuth, guess.half_width, guess.half_width, guess.distance});
+    return;
+  }
+  if (!silhouette || std::abs(silhouette->width_ratio - 1) > settings_.search.width_tolerance) return;
+  view.objects.push_back({label, silhouette->azimuth, std::hypot(silhouette->std_azimuth, settings_.std_floor),
+                          guess.half_width * silhouette->width_ratio, guess.distance});
+}
+
+OmniView OmniCamera::view(const cv::Mat& image) const
+{
+  OmniView view;
+  view.problem = complaintAboutImage(image, settings_.image_size);
+  if (view.problem.empty() && image.channels() != 3) view.problem = "image is grey, expected colours";
+  if (view.problem.empty() && !rimIsThere(image, settings_)) view.problem = "no mirror found";
+  if (!view.problem.empty()) return view;
+  const cv::Mat panorama = panorama_.unroll(image);
+  view.white = settings_.colours.white.value_or(whiteOf(panorama, settings_.colours.white_share));
+  const cv::Mat1b colours = classifyColours(panorama, settings_.colours, view.white);
+  const auto pole = [&](ObjectColour ends, ObjectColour middle)
+  { return findBandedPole(colours, panorama_, settings_.mirror, ends, middle, settings_.sizes, settings_.search); };
+  if (const auto p = pole(ObjectColour::yellow, ObjectColour::blue)) measure(image, "p", *p, view);
+  if (const auto q = pole(ObjectColour::blue, ObjectColour::yellow)) measure(image, "q", *q, view);
+  if (const auto ball = findBall(colours, panorama_, settings_.mirror, settings_.sizes, settings_.search))
+    measure(image, "ball", *ball, view);
+  return view;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,62 @@
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "mrpt_ext/geometry/angle.h"
+#include "mrpt_ext/vision/omni_objects.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+const cv::Scalar kRim(0, 200, 255), kFound(255, 255, 255), kHidden(60, 60, 255), kBlocked(160, 160, 160);
+constexpr int kFractionBits = 4;  ///< of OpenCV's fixed-point drawing coordinates
+
+cv::Point fixedPoint(const cv::Point2d& p)
+{
+  constexpr int kOne = 1 << kFractionBits;
+  return {cvRound(p.x * kOne), cvRound(p.y * kOne)};
+}
+
+void drawRay(cv::Mat& drawing, const HyperbolicMirror& mirror, double azimuth, const cv::Scalar& colour, double from)
+{
+  cv::line(drawing, fixedPoint(mirror.pixel(azimuth, from * mirror.rimRho())),
+           fixedPoint(mirror.pixel(azimuth, mirror.rimRho())), colour, 1, cv::LINE_AA, kFractionBits);
+}
+
+void drawText(cv::Mat& drawing, const std::string& text, const cv::Point& place, const cv::Scalar& colour)
+{
+  cv::putText(drawing, text, place, cv::FONT_HERSHEY_SIMPLEX, 0.4, colour, 1, cv::LINE_AA);
+}
+
+void drawObject(cv::Mat& drawing, const HyperbolicMirror& mirror, const OmniObject& object, const cv::Scalar& colour)
+{
+  drawRay(drawing, mirror, object.azimuth, colour, 0.3);
+  for (const double side : {-1.0, 1.0})
+    drawRay(drawing, mirror, object.azimuth + side * object.half_width, colour, 0.6);
+  const cv::Point2d place = mirror.pixel(object.azimuth, 0.25 * mirror.rimRho());
+  drawText(drawing, object.label + " " + std::to_string(cvRound(radToDeg(object.azimuth))),
+           {cvRound(place.x) - 15, cvRound(place.y)}, colour);
+}
+}  // namespace
+
+cv::Mat OmniCamera::draw(const cv::Mat& image, const OmniView& view) const
+{
+  cv::Mat drawing;
+  if (image.empty() || image.depth() != CV_8U || (image.channels() != 1 && image.channels() != 3)) return drawing;
+  if (image.channels() == 1)
+    cv::cvtColor(image, drawing, cv::COLOR_GRAY2BGR);
+  else
+    drawing = image.clone();
+  const HyperbolicMirror& mirror = settings_.mirror;
+  cv::ellipse(drawing, fixedPoint(mirror.centre),
+              fixedPoint({mirror.fx * mirror.rimRho(), mirror.fy * mirror.rimRho()}), 0, 0, 360, kRim, 1, cv::LINE_AA,
+              kFractionBits);
+  for (const BlockedSector& sector : settings_.blocked)
+    for (const double side : {-1.0, 1.0})
+      drawRay(drawing, mirror, sector.middle + side * sector.half_width, kBlocked, 0.9);
+  for (const OmniObject& object : view.objects) drawObject(drawing, mirror, object, kFound);
+  for (const OmniObject& object : view.hidden) drawObject(drawing, mirror, object, kHidden);
+  if (!view.problem.empty()) drawText(drawing, view.problem, {10, 20}, kHidden);
+  return drawing;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,195 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "mrpt_ext/geometry/angle.h"
+#include "mrpt_ext/vision/omni_objects.h"
+
+// One omnidirectional camera of paper 001: its mirror, its colours, what it sees and what it refuses.
+namespace mrpt_ext
+{
+namespace
+{
+/// Camera M1 of datasets/movis-field.
+OmniCameraSettings ownCamera()
+{
+  OmniCameraSettings settings;
+  settings.image_size = {320, 320};
+  settings.mirror = {0.03, 0.024, 0.031, 0.62, 423, 423, {160.4, 158.7}};
+  settings.sizes = {0.1, 1.0, 0.11};
+  return settings;
+}
+
+cv::Mat ownImage(const std::string& name)
+{
+  return cv::imread(std::string(MRPT_EXT_SOURCE_DIR) + "/datasets/movis-field/" + name);
+}
+
+const OmniObject* find(const std::vector<OmniObject>& objects, const std::string& label)
+{
+  for (const OmniObject& object : objects)
+    if (object.label == label) return &object;
+  return nullptr;
+}
+
+cv::Vec3b pixelOf(double r, double g, double b)
+{
+  const auto level = [](double linear)
+  { return static_cast<unsigned char>(std::lround(255 * (1.055 * std::pow(linear, 1 / 2.4) - 0.055))); };
+  return {level(b), level(g), level(r)};
+}
+
+ObjectColour colourOf(const cv::Vec3b& pixel, const cv::Vec3d& white)
+{
+  return static_cast<ObjectColour>(classifyColours(cv::Mat(1, 1, CV_8UC3, pixel), {}, white)(0, 0));
+}
+}  // namespace
+
+TEST(HyperbolicMirror, MapsElevationsThereAndBack)
+{
+  const HyperbolicMirror mirror = ownCamera().mirror;
+  for (const double slope : {-3.0, -1.0, -0.2, 0.0, 0.1, 0.25})
+    EXPECT_NEAR(mirror.slopeAt(mirror.rhoAt(slope)), slope, 1e-9);
+  // The horizon's radius is b^2 / (2 a c).
+  const double c = std::hypot(mirror.a, mirror.b);
+  EXPECT_NEAR(mirror.rhoAt(0), mirror.b * mirror.b / (2 * mirror.a * c), 1e-12);
+  // A point of the rim lies on the mirror, where the ray through the focus leaves it.
+  const double height = mirror.a * std::hypot(1.0, mirror.rim_radius / mirror.b) - c;
+  EXPECT_NEAR(mirror.slopeAt(mirror.rimRho()), height / mirror.rim_radius, 1e-9);
+}
+
+TEST(MirrorPanorama, HasAzimuthsInColumnsAndSlopesInRows)
+{
+  const HyperbolicMirror mirror = ownCamera().mirror;
+  const MirrorPanorama panorama(mirror, 720, -1.5);
+  EXPECT_EQ(panorama.columns(), 720);
+  for (int row = 1; row < panorama.rows(); ++row) EXPECT_LT(panorama.slope(row), panorama.slope(row - 1));
+  EXPECT_EQ(panorama.rowAt(1e9), 0);
+  EXPECT_EQ(panorama.rowAt(-1e9), panorama.rows());
+  cv::Mat image(320, 320, CV_8UC3, cv::Scalar(0, 0, 0));
+  cv::circle(image, mirror.pixel(degToRad(90.0), mirror.rhoAt(-0.3)), 3, {255, 255, 255}, cv::FILLED);
+  const cv::Mat seen = panorama.unroll(image);
+  EXPECT_EQ(seen.at<cv::Vec3b>(panorama.rowAt(-0.3), 180), cv::Vec3b(255, 255, 255));
+  EXPECT_EQ(seen.at<cv::Vec3b>(panorama.rowAt(-0.3), 0), cv::Vec3b(0, 0, 0));
+}
+
+TEST(ObjectColours, AreHuesAfterWhiteBalance)
+{
+  const cv::Vec3d day(1, 1, 1), lamp(0.55, 0.9, 1.1);  // BGR
+  for (const double brightness : {1.0, 0.5, 0.1})
+    for (const cv::Vec3d& white : {day, lamp})
+    {
+      const auto seen = [&](double r, double g, double b)
+      {
+        return colourOf(
+            pixelOf(0.9 * r * brightness * white[2], 0.9 * g * brightness * white[1], 0.9 * b * brightness * white[0]),
+            white * 0.9);
+      };
+      EXPECT_EQ(seen(0.9, 0.75, 0.05), ObjectColour::yellow);
+      EXPECT_EQ(seen(0.95, 0.3, 0.02), ObjectColour::orange);
+      EXPECT_EQ(seen(0.05, 0.12, 0.6), ObjectColour::blue);
+      EXPECT_EQ(seen(0.05, 0.32, 0.09), ObjectColour::other);
+      EXPECT_EQ(seen(0.6, 0.58, 0.55), ObjectColour::other);
+    }
+}
+
+TEST(ObjectColours, TakeForWhiteWhatIsBrightInAllChannels)
+{
+  cv::Mat image(100, 100, CV_8UC3, cv::Scalar(30, 90, 30));
+  image.rowRange(0, 40).setTo(cv::Scalar(20, 250, 255));    // bright yellow
+  image.rowRange(40, 45).setTo(cv::Scalar(150, 200, 220));  // white in warm light
+  const cv::Vec3d white = whiteOf(image, 0.03);
+  EXPECT_NEAR(white[0], linearLight()[150], 1e-6);
+  EXPECT_NEAR(white[1], linearLight()[200], 1e-6);
+  EXPECT_NEAR(white[2], linearLight()[220], 1e-6);
+}
+
+TEST(OmniCamera, SeesPolesAndBall)
+{
+  const OmniCamera camera(ownCamera());
+  const OmniView view = camera.view(ownImage("field_00_M1.jpg"));
+  EXPECT_EQ(view.problem, "");
+  ASSERT_EQ(view.objects.size(), 3u);
+  // observations.csv, less the half degree by which the camera is turned.
+  EXPECT_NEAR(radToDeg(find(view.objects, "p")->azimuth), 121.127 - 0.5, 0.15);
+  EXPECT_NEAR(radToDeg(find(view.objects, "q")->azimuth), 59.2979 - 0.5, 0.15);
+  EXPECT_NEAR(radToDeg(find(view.objects, "ball")->azimuth), 62.4155 - 0.5, 0.15);
+  EXPECT_NEAR(radToDeg(find(view.objects, "p")->half_width), 1.595, 0.15);
+  EXPECT_NEAR(find(view.objects, "p")->distance, 3.59, 0.4);
+  for (const OmniObject& object : view.objects)
+  {
+    EXPECT_GT(object.std_azimuth, 0);
+    EXPECT_LT(object.std_azimuth, degToRad(0.2));
+  }
+  const cv::Mat drawing = camera.draw(ownImage("field_00_M1.jpg"), view);
+  EXPECT_GT(cv::norm(drawing, ownImage("field_00_M1.jpg"), cv::NORM_L1), 0);
+}
+
+TEST(OmniCamera, TurningTheImageTurnsWhatIsSeen)
+{
+  // A quarter turn, which moves pixels without mixing them: u' = 319 - v, v' = u.
+  cv::Mat turned;
+  cv::rotate(ownImage("field_05_M1.jpg"), turned, cv::ROTATE_90_CLOCKWISE);
+  OmniCameraSettings settings = ownCamera();
+  const OmniView before = OmniCamera(settings).view(ownImage("field_05_M1.jpg"));
+  settings.mirror.centre = {319 - settings.mirror.centre.y, settings.mirror.centre.x};
+  const OmniView after = OmniCamera(settings).view(turned);
+  ASSERT_EQ(before.objects.size(), 3u);
+  ASSERT_EQ(after.objects.size(), 3u);
+  for (const OmniObject& object : before.objects)
+    EXPECT_NEAR(wrap(find(after.objects, object.label)->azimuth - object.azimuth - kPi / 2), 0, degToRad(0.02));
+}
+
+TEST(OmniCamera, DoesNotMeasureBehindItsNeighbours)
+{
+  OmniCameraSettings settings = ownCamera();
+  settings.blocked = {{degToRad(120.0), degToRad(5.0)}};
+  const OmniView view = OmniCamera(settings).view(ownImage("field_00_M1.jpg"));
+  EXPECT_EQ(find(view.objects, "p"), nullptr);
+  EXPECT_NE(find(view.hidden, "p"), nullptr);
+  EXPECT_NE(find(view.objects, "q"), nullptr);
+}
+
+TEST(OmniCamera, APoleHalfCoveredIsLeftOut)
+{
+  const OmniCameraSettings settings = ownCamera();
+  cv::Mat image = ownImage("field_00_M1.jpg");
+  const OmniView whole = OmniCamera(settings).view(image);
+  const OmniObject p = *find(whole.objects, "p");
+  // A black robot in front of one half of it.
+  for (double azimuth = p.azimuth; azimuth < p.azimuth + 3 * p.half_width; azimuth += 0.002)
+    cv::line(image, settings.mirror.pixel(azimuth, 0.4 * settings.mirror.rimRho()),
+             settings.mirror.pixel(azimuth, settings.mirror.rimRho()), {25, 25, 25}, 2);
+  const OmniView view = OmniCamera(settings).view(image);
+  const OmniObject* const seen = find(view.objects, "p");
+  EXPECT_TRUE(!seen || std::abs(wrap(seen->azimuth - p.azimuth)) < 3 * seen->std_azimuth);
+  EXPECT_NE(find(view.objects, "q"), nullptr);
+}
+
+TEST(OmniCamera, SaysWhyNothingCanBeMeasured)
+{
+  const OmniCamera camera(ownCamera());
+  const auto problem = [&](const cv::Mat& image)
+  {
+    const OmniView view = camera.view(image);
+    EXPECT_TRUE(view.objects.empty());
+    static_cast<void>(camera.draw(image, view));
+    return view.problem;
+  };
+  EXPECT_EQ(problem({}), "image is empty");
+  EXPECT_EQ(problem(cv::Mat::zeros(240, 320, CV_8UC3)), "image is 320x240 pixels, expected 320x320");
+  EXPECT_EQ(problem(cv::Mat::zeros(320, 320, CV_8U)), "image is grey, expected colours");
+  EXPECT_EQ(problem(cv::Mat::zeros(320, 320, CV_8UC3)), "no mirror found");
+  cv::Mat noise(320, 320, CV_8UC3);
+  cv::RNG(1).fill(noise, cv::RNG::UNIFORM, 0, 256);
+  const OmniView view = camera.view(noise);
+  EXPECT_TRUE(view.objects.empty());
+  // The mirror is there, with nothing of the field in it.
+  cv::Mat empty = cv::Mat::zeros(320, 320, CV_8UC3);
+  cv::circle(empty, {160, 159}, 150, {120, 140, 130}, cv::FILLED);
+  EXPECT_EQ(problem(empty), "");
+}
+}  // namespace mrpt_ext
