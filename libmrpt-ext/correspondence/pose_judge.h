@@ -16,10 +16,9 @@ namespace mrpt_ext
 ///
 /// log_likelihood of the result: with a detection probability P and n landmarks in view (range limit, field of view),
 ///   sum over places of  n log(1 - P) + sum over detections log(clutter + P / (1 - P) sum_j N(z; h_j, R))
-/// where clutter is the expected density of false detections, clutter_probability * detections / V. Without P the
-/// detections share the landmarks in view: log(c / V + (1 - c) / n sum_j N). A landmark that is matched counts only for
-/// its match. log_evidence adds log sqrt((2 pi)^3 det
-/// C), the Laplace approximation of the integral over the pose.
+/// where clutter is the expected density of false detections (expectedFalseDetections() / V). Without P the detections
+/// share the landmarks in view: log(c / V + (1 - c) / n sum_j N). A landmark that is matched counts only for its match.
+/// log_evidence adds log sqrt((2 pi)^3 det C), the Laplace approximation of the integral over the pose.
 [[nodiscard]] std::optional<ConsistentPose> judgePose(const LandmarkIndex& map, std::span<const SensorPlace> places,
                                                       const PoseSearchOptions& options, const GaussianPose& candidate,
                                                       int least);
