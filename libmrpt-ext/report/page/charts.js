@@ -141,7 +141,7 @@ class TimeChart {
       drawCallback: () => this.setTime(this.time),
       clickCallback: (_, x) => onPick(x),
       interactionModel: interactionWithoutTouch(),
-      axes: { y: { axisLabelFormatter: shortNumber, axisLabelWidth: 44 }, x: { axisLabelFormatter: shortNumber } },
+      axes: { y: { axisLabelFormatter: shortNumber, axisLabelWidth: 44 }, x: { axisLabelFormatter: shortNumber, pixelsPerLabel: 50 } },
       highlightCircleSize: 4,
       ...this.colours(),
     });

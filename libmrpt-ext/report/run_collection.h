@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "mrpt_ext/evaluation/run_score.h"
+
+namespace mrpt_ext
+{
+/// One finished trial, as its summary.json tells it.
+struct FinishedTrial
+{
+  TrialScore score;
+  std::map<std::string, Figure> position_rmse_m, heading_rmse_deg;  ///< by method
+};
+
+/// All trials of one configuration over one log, from however many folders.
+struct FinishedRun
+{
+  std::string name;  ///< of the configuration, made unique
+  std::string rawlog_path, rawlog_sha256, version;
+  std::vector<std::string> folders, methods;
+  std::vector<FinishedTrial> trials;
+  std::size_t repeated = 0;  ///< trials with seed and number of one that was there already: left out
+};
+
+/// Reads the output folders of runs, with their trial_NNN where they have them. Folders with the same log and the same
+/// configuration (but for seed and number of trials) are one run. Throws InputError (data) for a folder without a
+/// complete summary.json.
+[[nodiscard]] std::vector<FinishedRun> readFinishedRuns(const std::vector<std::filesystem::path>& folders);
+}  // namespace mrpt_ext
