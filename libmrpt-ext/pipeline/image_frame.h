@@ -59,6 +59,8 @@ class ImageSequence
                                                              const std::vector<std::string>& roles,
                                                              double heading_offset = 0);
 
-/// A rawlog with CObservationImage (role "image") or CObservationStereoImages ("left" and "right") and odometry.
-[[nodiscard]] std::unique_ptr<ImageSequence> openImageRawlog(const std::filesystem::path& rawlog);
+/// A rawlog with CObservationImage (its label as the role when it is one of `roles`, else "image"; a frame each) or
+/// CObservationStereoImages ("left" and "right") and odometry.
+[[nodiscard]] std::unique_ptr<ImageSequence> openImageRawlog(const std::filesystem::path& rawlog,
+                                                             const std::vector<std::string>& roles);
 }  // namespace mrpt_ext

@@ -5,6 +5,7 @@
 #include <mrpt/obs/CRawlog.h>
 #include <mrpt/obs/CSensoryFrame.h>
 
+#include <algorithm>
 #include <deque>
 
 #include "mrpt_ext/geometry/input_error.h"
@@ -43,7 +44,7 @@ cv::Mat pixelsOf(const mrpt::img::CImage& image)
 class ImageRawlog : public ImageSequence
 {
  public:
-  explicit ImageRawlog(const fs::path& rawlog) : reader_(rawlog)
+  ImageRawlog(const fs::path& rawlog, std::vector<std::string> roles) : reader_(rawlog), roles_(std::move(roles))
   {
     mrpt::img::CImage::setImagesPathBase(mrpt::obs::CRawlog::detectImagesDirectory(rawlog.string()));
   }
@@ -87,7 +88,10 @@ class ImageRawlog : public ImageSequence
     }
     ImageFrame frame{frames_++, time, {}};
     const std::string name = observation.sensorLabel + "_" + std::to_string(frame.number);
-    if (image) frame.images = {{"image", name, pixelsOf(image->image), planarPose(image->cameraPose)}};
+    // A camera that the sensor knows by name, or the only one.
+    const bool named = std::find(roles_.begin(), roles_.end(), observation.sensorLabel) != roles_.end();
+    const std::string role = named ? observation.sensorLabel : "image";
+    if (image) frame.images = {{role, name, pixelsOf(image->image), planarPose(image->cameraPose)}};
     if (stereo)
     {
       frame.images = {{"left", name + "_left", pixelsOf(stereo->imageLeft), {}}};
@@ -97,10 +101,14 @@ class ImageRawlog : public ImageSequence
   }
 
   RawlogReader reader_;
+  std::vector<std::string> roles_;
   std::deque<ImageRecord> waiting_;
   int frames_ = 0;
 };
 }  // namespace
 
-std::unique_ptr<ImageSequence> openImageRawlog(const fs::path& rawlog) { return std::make_unique<ImageRawlog>(rawlog); }
+std::unique_ptr<ImageSequence> openImageRawlog(const fs::path& rawlog, const std::vector<std::string>& roles)
+{
+  return std::make_unique<ImageRawlog>(rawlog, roles);
+}
 }  // namespace mrpt_ext

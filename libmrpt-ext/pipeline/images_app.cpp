@@ -40,7 +40,7 @@ void checkOutput(const fs::path& rawlog)
 std::unique_ptr<ImageSequence> openImages(const fs::path& input, const Settings& settings)
 {
   if (fs::is_directory(input)) return openImageFolder(input, imageRoles(settings), headingOffset(settings));
-  if (fs::is_regular_file(input)) return openImageRawlog(input);
+  if (fs::is_regular_file(input)) return openImageRawlog(input, imageRoles(settings));
   throw dataError(input.string() + ": not found, expected a folder with frames.csv or a rawlog with images");
 }
 

@@ -76,10 +76,12 @@ LandmarkTable MovisFrontEnd::landmarks() const
 FrameMeasurements MovisFrontEnd::measure(const ImageFrame& frame, bool with_drawings) const
 {
   FrameMeasurements result;
+  bool any = false;
   for (const Mounted& mounted : cameras_)
   {
     const FrameImage* const image = frame.find(mounted.label);
     if (!image) continue;
+    any = true;
     const OmniView view = mounted.camera.view(image->pixels);
     if (with_drawings) result.drawings.push_back({image->name, mounted.camera.draw(image->pixels, view)});
     if (!view.problem.empty())
@@ -108,7 +110,7 @@ FrameMeasurements MovisFrontEnd::measure(const ImageFrame& frame, bool with_draw
     }
     result.readings.push_back(std::move(reading));
   }
-  if (frame.images.empty())
+  if (!any)
     result.problems.push_back(
         std::string("frame ").append(std::to_string(frame.number)).append(": no image of M1, M2 or M3"));
   return result;

@@ -1,4 +1,7 @@
 #include <gtest/gtest.h>
+#include <mrpt/io/CFileGZOutputStream.h>
+#include <mrpt/obs/CObservationImage.h>
+#include <mrpt/serialization/CArchive.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +13,7 @@
 #include "movis_run.h"
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/files/text_table.h"
+#include "mrpt_ext/observations/timestamps.h"
 
 // What images2rawlog makes of images of the three omnidirectional cameras in other light, of unusable ones and of
 // mistakes in the configuration.
@@ -95,6 +99,46 @@ TEST(MovisImages, ImagesThatCannotBeUsedAreToldAndCounted)
             "black.png: no mirror found, no measurement\n");
   EXPECT_NE(outcome.out.find("2 frames, 3 measurements, 1 frames without measurement"), std::string::npos)
       << outcome.out;
+}
+
+TEST(MovisImages, ARawlogNamesTheCamerasByItsLabels)
+{
+  const ScratchFolder folder;
+  const fs::path input = folder.path() / "images.rawlog";
+  {
+    mrpt::io::CFileGZOutputStream file(input.string());
+    auto archive = mrpt::serialization::archiveFrom(file);
+    for (const char* const label : {"M1", "M2", "front"})
+    {
+      const std::string name = std::string("field_00_") + (label[0] == 'M' ? label : "M3") + ".jpg";
+      auto image = mrpt::obs::CObservationImage::Create();
+      image->timestamp = timestampOf(100);
+      image->sensorLabel = label;
+      image->image = mrpt::img::CImage(cv::imread((kOwnScene / name).string()), mrpt::img::DEEP_COPY);
+      archive << *image;
+    }
+  }
+  // A rawlog has no camera.json beside it: what it tells goes into the .ini.
+  std::vector<std::string> arguments{testing::shipped("images2rawlog", "movis").string(),
+                                     "-i",
+                                     input.string(),
+                                     "-o",
+                                     (folder.path() / "log.rawlog").string(),
+                                     "--csv",
+                                     (folder.path() / "log.csv").string()};
+  for (const char* const setting :
+       {"mount_radius_m=0.22", "mirror_a_m=0.03", "mirror_b_m=0.024", "mirror_rim_radius_m=0.031",
+        "mirror_focus_height_m=0.62", "focal_length_x_px=423", "focal_length_y_px=423",
+        "centres=160.4 158.7 158.9 160.2 159.8 159.1", "field_half_width_m=2.5", "field_depth_m=4", "pole_radius_m=0.1",
+        "pole_height_m=1", "ball_radius_m=0.11"})
+    for (const std::string& word : {std::string("--set"), std::string("Movis.") + setting}) arguments.push_back(word);
+  const auto outcome = testing::runImages(arguments);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "frame 2: no image of M1, M2 or M3, no measurement\n");
+  const TextTable table(folder.path() / "log.csv", {});
+  ASSERT_EQ(table.size(), 6u);
+  EXPECT_EQ(table.text(0, table.column("sensor")), "M1");
+  EXPECT_EQ(table.text(5, table.column("sensor")), "M2");
 }
 
 TEST(MovisImages, MistakesAreToldInOneLine)
