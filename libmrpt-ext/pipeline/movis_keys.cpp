@@ -66,7 +66,7 @@ std::vector<KeySpec> colourKeys()
               "Hues of the ball, in linear light after white balance; red is 0, green 120, blue 240."),
       several("yellow_hue_deg", "deg", "33 80", kAngle, "Hues of the yellow bands."),
       several("blue_hue_deg", "deg", "200 265", kAngle, "Hues of the blue bands."),
-      key("min_saturation", "", "0.45", {0, 1}, "Of these colours: 1 - darkest / brightest channel, in linear light."),
+      key("min_saturation", "", "0.55", {0, 1}, "Of these colours: 1 - darkest / brightest channel, in linear light."),
       key("min_brightness", "", "0.02", {0, 1}, "Of the brightest channel, share of white in linear light."),
       several("white_rgb", "", "", {1, 255}, "Grey levels of white. Not set: from each image itself."),
       key("white_share", "", "0.03", kShare,
@@ -86,7 +86,7 @@ std::vector<KeySpec> searchKeys()
           "How far an object's width may differ from that of its distance, as a share."),
       key("ball_area", "", "6", {1, 1e6}, "Smallest ball in pixels of the panorama."),
       whole("min_slices", "", "3", {1, 1000}, "Slices of two rows of an object whose middles must agree."),
-      key("std_floor_deg", "deg", "0.02", {0, 10}, "Standard deviation of an azimuth that its slices have in common."),
+      key("std_floor_deg", "deg", "0.03", {0, 10}, "Standard deviation of an azimuth that its slices have in common."),
   };
 }
 }  // namespace

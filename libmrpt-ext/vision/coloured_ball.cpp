@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
@@ -31,12 +32,11 @@ std::vector<Patch> orangePatches(const cv::Mat1b& colours, int overlap, double m
 }
 }  // namespace
 
-std::optional<ObjectGuess> findBall(const cv::Mat1b& colours, const MirrorPanorama& panorama,
-                                    const HyperbolicMirror& mirror, const FieldObjectSizes& sizes,
-                                    const FieldObjectSearch& search)
+std::vector<ObjectGuess> findBalls(const cv::Mat1b& colours, const MirrorPanorama& panorama,
+                                   const HyperbolicMirror& mirror, const FieldObjectSizes& sizes,
+                                   const FieldObjectSearch& search)
 {
-  std::optional<ObjectGuess> found;
-  double best = 0;
+  std::vector<std::pair<double, ObjectGuess>> found;  // with the area
   for (const Patch& patch : orangePatches(colours, colours.cols / 8, search.min_area))
   {
     const double slope = panorama.slope(static_cast<int>(std::lround(patch.row)));
@@ -51,10 +51,12 @@ std::optional<ObjectGuess> findBall(const cv::Mat1b& colours, const MirrorPanora
         panorama.rowAt(std::tan(elevation - half_height)) - panorama.rowAt(std::tan(elevation + half_height));
     const double area = kPi / 4 * rows * 2 * half_width * panorama.columns() / kTwoPi;
     const double ratio = std::min(patch.area / area, area / patch.area);
-    if (ratio < square(1 - search.width_tolerance) || ratio <= best) continue;
-    best = ratio;
-    found = ObjectGuess{panorama.azimuth(patch.column), half_width, distance};
+    if (ratio < square(1 - search.width_tolerance)) continue;
+    found.push_back({patch.area, {panorama.azimuth(patch.column), half_width, distance}});
   }
-  return found;
+  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<ObjectGuess> guesses;
+  for (const auto& [area, guess] : found) guesses.push_back(guess);
+  return guesses;
 }
 }  // namespace mrpt_ext

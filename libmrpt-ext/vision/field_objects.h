@@ -2,6 +2,7 @@
 
 #include <opencv2/core/mat.hpp>
 #include <optional>
+#include <vector>
 
 #include "mrpt_ext/vision/hyperbolic_mirror.h"
 #include "mrpt_ext/vision/mirror_panorama.h"
@@ -43,8 +44,9 @@ struct ObjectGuess
                                                         ObjectColour middle, const FieldObjectSizes& sizes,
                                                         const FieldObjectSearch& search);
 
-/// The ball: an orange patch on the floor as large as a ball at the distance where it touches it.
-[[nodiscard]] std::optional<ObjectGuess> findBall(const cv::Mat1b& colours, const MirrorPanorama& panorama,
-                                                  const HyperbolicMirror& mirror, const FieldObjectSizes& sizes,
-                                                  const FieldObjectSearch& search);
+/// Where the ball may be: orange patches on the floor as large as a ball at the distance where it touches the floor,
+/// the largest first.
+[[nodiscard]] std::vector<ObjectGuess> findBalls(const cv::Mat1b& colours, const MirrorPanorama& panorama,
+                                                 const HyperbolicMirror& mirror, const FieldObjectSizes& sizes,
+                                                 const FieldObjectSearch& search);
 }  // namespace mrpt_ext

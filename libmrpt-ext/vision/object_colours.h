@@ -30,7 +30,7 @@ struct ColourModel
   HueSector orange{degToRad(-10.0), degToRad(33.0)};
   HueSector yellow{degToRad(33.0), degToRad(80.0)};
   HueSector blue{degToRad(200.0), degToRad(265.0)};
-  double min_saturation = 0.45;    ///< 1 - darkest / brightest channel
+  double min_saturation = 0.55;    ///< 1 - darkest / brightest channel
   double min_brightness = 0.02;    ///< of the brightest channel, share of white
   double white_share = 0.03;       ///< of the pixels; these, brightest in all three channels, are taken for white
   std::optional<cv::Vec3d> white;  ///< linear BGR of white [1 = grey level 255]; nothing: from each image itself

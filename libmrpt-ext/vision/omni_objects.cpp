@@ -99,18 +99,19 @@ bool isBlocked(const std::vector<BlockedSector>& sectors, double azimuth)
 }
 }  // namespace
 
-void OmniCamera::measure(const cv::Mat& image, const std::string& label, const ObjectGuess& guess, OmniView& view) const
+bool OmniCamera::measure(const cv::Mat& image, const std::string& label, const ObjectGuess& guess, OmniView& view) const
 {
   const auto slices = label == "ball" ? ballSlices(settings_, guess) : poleSlices(settings_, guess);
   const auto silhouette = measureSilhouette(image, settings_.mirror, guess.azimuth, slices, settings_.min_slices);
   if (isBlocked(settings_.blocked, silhouette ? silhouette->azimuth : guess.azimuth))
   {
     view.hidden.push_back({label, guess.azimuth, guess.half_width, guess.half_width, guess.distance});
-    return;
+    return true;
   }
-  if (!silhouette || std::abs(silhouette->width_ratio - 1) > settings_.search.width_tolerance) return;
+  if (!silhouette || std::abs(silhouette->width_ratio - 1) > settings_.search.width_tolerance) return false;
   view.objects.push_back({label, silhouette->azimuth, std::hypot(silhouette->std_azimuth, settings_.std_floor),
                           guess.half_width * silhouette->width_ratio, guess.distance});
+  return true;
 }
 
 OmniView OmniCamera::view(const cv::Mat& image) const
@@ -127,8 +128,8 @@ OmniView OmniCamera::view(const cv::Mat& image) const
   { return findBandedPole(colours, panorama_, settings_.mirror, ends, middle, settings_.sizes, settings_.search); };
   if (const auto p = pole(ObjectColour::yellow, ObjectColour::blue)) measure(image, "p", *p, view);
   if (const auto q = pole(ObjectColour::blue, ObjectColour::yellow)) measure(image, "q", *q, view);
-  if (const auto ball = findBall(colours, panorama_, settings_.mirror, settings_.sizes, settings_.search))
-    measure(image, "ball", *ball, view);
+  for (const ObjectGuess& ball : findBalls(colours, panorama_, settings_.mirror, settings_.sizes, settings_.search))
+    if (measure(image, "ball", ball, view)) break;
   return view;
 }
 }  // namespace mrpt_ext

@@ -66,7 +66,8 @@ class OmniCamera
   [[nodiscard]] const OmniCameraSettings& settings() const { return settings_; }
 
  private:
-  void measure(const cv::Mat& image, const std::string& label, const ObjectGuess& guess, OmniView& view) const;
+  /// Adds the object to the view; false when it is not where it was guessed.
+  bool measure(const cv::Mat& image, const std::string& label, const ObjectGuess& guess, OmniView& view) const;
 
   OmniCameraSettings settings_;
   MirrorPanorama panorama_;
