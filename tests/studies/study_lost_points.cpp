@@ -49,7 +49,7 @@ void tabulate(std::ostream& out, int landmarks, double std_bearing_deg, int tria
       << wrong << " | " << std::setprecision(2) << returned << " | " << std::setprecision(3) << at(0.5) << " | "
       << at(0.95) << " | " << std::setprecision(1) << static_cast<double>(search.index().bytes()) / 1e6 << " | "
       << std::setprecision(2) << build << " |\n"
-      << std::defaultfloat;
+      << std::defaultfloat << std::flush;
 }
 
 void run(std::ostream& out)
