@@ -16,14 +16,20 @@ class CameraNumbers
  public:
   CameraNumbers(const Settings& settings, const nlohmann::json& camera) : settings_(settings), camera_(camera) {}
 
-  [[nodiscard]] double operator()(const char* key, const char* name) const
+  [[nodiscard]] std::optional<double> optional(const char* key, const char* name) const
   {
-    if (const auto number = settings_.optionalNumber(kSection, key)) return *number;
-    if (!camera_.is_object() || !camera_.contains(name))
-      throw configurationError(settings_.file().string() + ": [StereoGoal] " + key +
-                               " is missing, and camera.json has no \"" + name + "\"");
+    if (const auto number = settings_.optionalNumber(kSection, key)) return number;
+    if (!camera_.is_object() || !camera_.contains(name)) return std::nullopt;
     if (!camera_[name].is_number()) throw dataError(std::string("camera.json: ") + name + " is no number");
     return camera_[name].get<double>();
+  }
+  [[nodiscard]] double operator()(const char* key, const char* name) const
+  {
+    const auto number = optional(key, name);
+    if (!number)
+      throw configurationError(settings_.file().string() + ": [StereoGoal] " + key +
+                               " is missing, and the images' camera has no \"" + name + "\"");
+    return *number;
   }
 
  private:
@@ -98,7 +104,9 @@ Detection detectionOf(const StereoMeasurement& measured)
 
 StereoGoalFrontEnd::StereoGoalFrontEnd(const Settings& settings, const nlohmann::json& camera)
     : model_(readModel(settings, camera)),
-      T_robot_sensor_{CameraNumbers(settings, camera)("sensor_x_m", "forward"), 0.5 * model_.camera.baseline, 0},
+      T_robot_sensor_{
+          CameraNumbers(settings, camera)("sensor_x_m", "forward"),
+          CameraNumbers(settings, camera).optional("sensor_y_m", "left").value_or(0.5 * model_.camera.baseline), 0},
       label_(settings.text(kSection, "sensor_label")),
       line_label_(settings.text(kSection, "line_label"))
 {

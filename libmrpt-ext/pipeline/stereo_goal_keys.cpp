@@ -30,6 +30,8 @@ KeyTable cameraKeys()
       key("camera_height_m", "m", "", kLength, "Above the floor. Not set: height_m of camera.json."),
       key("pitch_deg", "deg", "", {-60, 60}, "Looking down is positive. Not set: pitch_deg of camera.json."),
       key("sensor_x_m", "m", "", {-100, 100}, "Forward of the robot's origin. Not set: forward of camera.json."),
+      key("sensor_y_m", "m", "", {-100, 100},
+          "Of the left camera, left of the robot's origin. Not set: left of camera.json; neither: half the baseline."),
   }};
 }
 
