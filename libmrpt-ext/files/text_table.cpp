@@ -78,10 +78,20 @@ void TextTable::addLine(std::string_view line_text, int line)
       if (findColumn(columns()[i]) != i) throw errorAtLine(line, "column '" + columns()[i] + "' occurs twice");
     return;
   }
+  if (!isWanted(fields.front(), line)) return;
   if (fields.size() != columns().size())
     throw errorAtLine(line, std::to_string(fields.size()) + " fields, expected " + std::to_string(columns().size()) +
                                 " (" + joined(columns()) + ")");
   rows_.push_back({line, std::move(fields)});
+}
+
+bool TextTable::isWanted(const std::string& kind, int line) const
+{
+  const auto& [read, others] = format_.kinds;
+  if (read.empty() || kind == read) return true;
+  if (std::find(others.begin(), others.end(), kind) != others.end()) return false;
+  throw errorAtLine(
+      line, "unknown kind of row '" + kind + "', expected " + read + (others.empty() ? "" : " or " + joined(others)));
 }
 
 std::optional<std::size_t> TextTable::findColumn(std::string_view name) const

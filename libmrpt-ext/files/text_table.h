@@ -16,12 +16,20 @@ enum class Delimiter
   white_space  ///< runs of blanks and tabs separate
 };
 
+/// Which rows are read from a file whose rows begin with a word that tells their kind.
+struct RowKinds
+{
+  std::string read;                 ///< rows that begin with this word; empty: all rows, whatever they begin with
+  std::vector<std::string> others;  ///< known kinds that are skipped; a row of any other kind is an error
+};
+
 /// How a table file is laid out.
 struct TextTableFormat
 {
   Delimiter delimiter = Delimiter::comma;
   std::string comment_prefix = "#";  ///< lines that begin with it are skipped; empty: no comments
   std::vector<std::string> columns;  ///< names, in file order; empty: the first row is a header that names them
+  RowKinds kinds = {};
 };
 
 /// A delimited text file in memory. Every row has one field per column: a row of another length is an error, so that a
@@ -59,6 +67,8 @@ class TextTable
     std::vector<std::string> fields;
   };
   void addLine(std::string_view line_text, int line);
+  /// False for rows of a known kind that is not wanted.
+  [[nodiscard]] bool isWanted(const std::string& kind, int line) const;
   [[nodiscard]] InputError errorAtLine(int line, const std::string& message) const;
   [[nodiscard]] InputError wrongField(std::size_t row, std::size_t column, std::string_view kind) const;
 

@@ -6,6 +6,7 @@
 #include "mrpt_ext/files/landmark_csv.h"
 #include "mrpt_ext/files/text_table.h"
 #include "mrpt_ext/files/tum.h"
+#include "mrpt_ext/importers/ordered_time.h"
 #include "mrpt_ext/importers/reading_collector.h"
 #include "mrpt_ext/importers/recording_notes.h"
 #include "mrpt_ext/importers/truth_heading.h"
@@ -16,14 +17,6 @@ namespace mrpt_ext
 namespace
 {
 namespace fs = std::filesystem;
-
-double orderedTime(const TextTable& table, std::size_t row, std::size_t column)
-{
-  const double time = table.number(row, column);
-  if (row > 0 && time < table.number(row - 1, column))
-    throw table.errorAt(row, "time " + table.text(row, column) + " is before the row above, expected ascending times");
-  return time;
-}
 
 std::vector<OdometryRecord> readPoses(const TextTable& table)
 {

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "mrpt_ext/files/text_file.h"
-#include "mrpt_ext/files/text_table.h"
+#include "mrpt_ext/importers/ordered_time.h"
 
 namespace mrpt_ext
 {
@@ -30,14 +30,6 @@ TextTable read(const fs::path& path, const std::vector<std::string>& columns)
   return TextTable(findPlainOrGzipped(path).value_or(path), {Delimiter::white_space, "#", columns});
 }
 
-// Time of a row, which must not be before the time of the row above.
-double orderedTime(const TextTable& table, std::size_t row, std::size_t column = 0)
-{
-  const double time = table.number(row, column);
-  if (row > 0 && time < table.number(row - 1, column))
-    throw table.errorAt(row, "time " + table.text(row, column) + " is before the row above, expected ascending times");
-  return time;
-}
 }  // namespace
 
 LandmarkTable readMrclamLandmarks(const fs::path& folder)

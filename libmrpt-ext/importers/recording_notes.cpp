@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "mrpt_ext/files/number_format.h"
+#include "mrpt_ext/importers/odometry_lag.h"
 
 namespace mrpt_ext
 {
@@ -33,17 +35,21 @@ struct Series
 struct SensorSeries
 {
   Series stamps;
-  std::size_t detections = 0, bearings = 0, ranges = 0, unknown_ids = 0;
+  std::vector<double> times;
+  std::size_t detections = 0, bearings = 0, ranges = 0, unknown_ids = 0, duplicates = 0;
 
   void add(const Reading& reading, const LandmarkTable& map)
   {
     stamps.add(reading.time);
+    times.push_back(reading.time);
     detections += reading.detections.size();
+    std::set<int> named;
     for (const Detection& detection : reading.detections)
     {
       bearings += detection.bearing.has_value();
       ranges += detection.range.has_value();
       unknown_ids += detection.id != kNoId && !map.indexOf(detection.id);
+      duplicates += detection.id != kNoId && !named.insert(detection.id).second;
     }
   }
   [[nodiscard]] std::string text(const std::string& name) const
@@ -83,11 +89,16 @@ void noteCount(Recording& recording, std::size_t count, const std::string& what)
 std::vector<std::string> describe(const Recording& recording)
 {
   Series odometry;
+  std::vector<double> odometry_times;
   std::map<std::string, SensorSeries> sensors;
   std::map<std::string, Series> others;
   for (const Record& record : recording.records)
   {
-    if (std::get_if<OdometryRecord>(&record)) odometry.add(timeOf(record));
+    if (std::get_if<OdometryRecord>(&record))
+    {
+      odometry.add(timeOf(record));
+      odometry_times.push_back(timeOf(record));
+    }
     if (const auto* reading = std::get_if<Reading>(&record)) sensors[reading->sensor].add(*reading, recording.map);
     if (const auto* fix = std::get_if<RunningFixReading>(&record))
       others["running fixes " + fix->sensor].add(fix->time);
@@ -98,10 +109,13 @@ std::vector<std::string> describe(const Recording& recording)
   lines.push_back("odometry: " + std::to_string(odometry.count) + " records" + odometry.text());
   for (const auto& [name, series] : sensors)
   {
+    const std::string label = "sensor " + name + ": ";
     lines.push_back(series.text(name));
+    if (const auto lag = odometryLag(odometry_times, series.times)) lines.push_back(label + describe(*lag));
+    if (series.duplicates > 0)
+      lines.push_back(label + std::to_string(series.duplicates) + " detections repeat an id of the same reading");
     if (series.unknown_ids > 0)
-      lines.push_back("sensor " + name + ": " + std::to_string(series.unknown_ids) +
-                      " detections have an id that is not in the map");
+      lines.push_back(label + std::to_string(series.unknown_ids) + " detections have an id that is not in the map");
   }
   for (const auto& [name, series] : others) lines.push_back(name + ": " + std::to_string(series.count) + series.text());
   lines.push_back(describeTruth(recording.truth));

@@ -5,8 +5,11 @@
 #include "mrpt_ext/files/landmark_csv.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/importers/csv_recording.h"
+#include "mrpt_ext/importers/cuhksz.h"
+#include "mrpt_ext/importers/labyrinth.h"
 #include "mrpt_ext/importers/mrclam.h"
 #include "mrpt_ext/importers/mrclam_snapshots.h"
+#include "mrpt_ext/importers/plaza.h"
 #include "mrpt_ext/importers/roh.h"
 #include "mrpt_ext/importers/uwb_demo_map.h"
 #include "mrpt_ext/pipeline/closest_name.h"
@@ -47,6 +50,9 @@ Recording readUwbDemo(const DatasetRequest& request)
 }
 
 Recording readRoh(const DatasetRequest& request) { return importRoh(request.inputs[0]); }
+Recording readPlaza(const DatasetRequest& request) { return importPlaza(request.inputs[0]); }
+Recording readLabyrinth(const DatasetRequest& request) { return importLabyrinth(request.inputs[0]); }
+Recording readCuhksz(const DatasetRequest& request) { return importCuhksz(request.inputs[0]); }
 Recording readCsv(const DatasetRequest& request) { return importCsv(findCsvFiles(request.inputs)); }
 
 const std::vector<DatasetFormat>& formats()
@@ -54,10 +60,15 @@ const std::vector<DatasetFormat>& formats()
   static const std::vector<DatasetFormat> kFormats = {
       {"csv", "a folder with landmarks.csv, odometry.csv, detections.csv (and ground_truth.tum), or these files", 1, 4,
        false, false, readCsv},
+      {"cuhksz", "folder with UWB_<run>.csv (and motion_capture_<run>.csv), or FOLDER/RUN", 1, 1, false, false,
+       readCuhksz},
+      {"labyrinth", "folder with <run>_Input.txt (and <run>_GT.txt), or FOLDER/RUN", 1, 1, false, false, readLabyrinth},
       {"mrclam", "folder of a UTIAS MRCLAM data set; needs --robot", 1, 1, true, false, readMrclam},
       {"mrclam-snapshots", "folder of a UTIAS MRCLAM data set with Snapshots.csv", 1, 1, true, false,
        readMrclamSnapshots},
       {"mrpt-uwb", "MRPT's uwb_ro-localization_demo.rawlog (and its truth file)", 1, 2, false, true, readUwbDemo},
+      {"plaza", "folder with <run>_TD.txt, <run>_DR.txt, <run>_TL.txt (and <run>_GT.txt), or FOLDER/RUN", 1, 1, false,
+       false, readPlaza},
       {"roh", "folder with landmark.csv and files (Xx,Yy).csv of bearings", 1, 1, false, false, readRoh}};
   return kFormats;
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/importers/recording_notes.h"
 #include "sample_data.h"
@@ -65,13 +67,26 @@ TEST(KeepMeasurements, DropsAndCountsWhatIsLeftEmpty)
   EXPECT_THROW(keepMeasurements(ranges, Measurements::bearing), InputError);
 }
 
+TEST(DescribeRecording, CountsRepeatedIds)
+{
+  Recording recording = smallRecording();
+  recording.records.push_back(readingOf(3, "c", {{3, "", 0.1, 2.0, 0.01, 0.1}, {3, "", 0.2, 2.0, 0.01, 0.1}}));
+  const auto lines = describe(recording);
+  EXPECT_NE(std::find(lines.begin(), lines.end(), "sensor c: 1 detections repeat an id of the same reading"),
+            lines.end());
+}
+
 TEST(DescribeRecording, CountsRatesGapsAndUnknownIds)
 {
   const auto lines = describe(smallRecording());
   const std::vector<std::string> expected = {"odometry: 1 records",
                                              "sensor a: 1 readings with 2 detections (2 bearings, 1 ranges)",
+                                             "sensor a: at a reading the newest odometry is 1.000 s old (median), "
+                                             "1.000 s at most; 1 readings after the last odometry",
                                              "sensor a: 1 detections have an id that is not in the map",
                                              "sensor b: 1 readings with 1 detections (0 bearings, 1 ranges)",
+                                             "sensor b: at a reading the newest odometry is 2.000 s old (median), "
+                                             "2.000 s at most; 1 readings after the last odometry",
                                              "truth: 0 poses",
                                              "map: 1 landmarks"};
   EXPECT_EQ(lines, expected);
