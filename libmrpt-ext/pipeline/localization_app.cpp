@@ -66,6 +66,10 @@ int LocalizationApp::run(const std::vector<std::string>& arguments)
       ->check(positiveNumber());
   cli.add_option("--fail-above", request.fail_above, "Exit code 3 when the filter's position RMSE exceeds M metres")
       ->check(positiveNumber());
+  CLI::Option* gui = cli.add_flag("--gui", request.gui, "Watch the first trial in a window");
+  cli.add_option("--gui-speed", request.gui_speed, "Seconds of log per second in the window; default 10")
+      ->check(positiveNumber())
+      ->needs(gui);
   cli.add_flag("--dry-run", request.dry_run, "Load and check everything, run nothing");
 
   return shell.run(arguments,

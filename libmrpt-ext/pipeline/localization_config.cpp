@@ -179,6 +179,7 @@ LocalizationConfig localizationConfig(const Settings& settings, const LandmarkTa
   config.methods = words(settings.text(kExperiment, "methods"));
   std::erase(config.methods, "all");
   config.final_scene = settings.flag(kExperiment, "save_final_scene");
+  config.scene_every = static_cast<std::size_t>(settings.integer(kExperiment, "save_scene_every"));
   return config;
 }
 }  // namespace mrpt_ext

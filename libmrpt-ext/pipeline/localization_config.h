@@ -33,6 +33,7 @@ struct LocalizationConfig
   std::vector<std::string> methods;  ///< empty: all that the log gives measurements for
   ConvergenceLimits limits;
   bool final_scene = false;
+  std::size_t scene_every = 0;  ///< a scene of every so many frames; 0: none
 };
 
 /// Reads the configuration; the map is needed for the default box of possible positions. Throws InputError

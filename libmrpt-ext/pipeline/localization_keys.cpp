@@ -151,6 +151,14 @@ KeyTable experimentKeys()
        {},
        {},
        "Write final.3Dscene: map, particles and modes at the end."},
+      {s,
+       "save_scene_every",
+       T::integer,
+       "",
+       "0",
+       kNotNegative,
+       {},
+       "Write scenes/NNNNNN.3Dscene of every so many frames, for SceneViewer3D; 0 writes none."},
   }};
 }
 

@@ -2,6 +2,7 @@
 
 #include <sys/resource.h>
 #include <tbb/global_control.h>
+#include <unistd.h>
 
 #include <mutex>
 #include <ostream>
@@ -11,10 +12,12 @@
 #include "mrpt_ext/files/atomic_file.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/pipeline/exit_codes.h"
-#include "mrpt_ext/pipeline/final_scene.h"
 #include "mrpt_ext/pipeline/frame_bounds.h"
 #include "mrpt_ext/pipeline/interrupt.h"
+#include "mrpt_ext/pipeline/live_view.h"
+#include "mrpt_ext/pipeline/playback_recorder.h"
 #include "mrpt_ext/pipeline/progress_line.h"
+#include "mrpt_ext/pipeline/run_scene.h"
 #include "mrpt_ext/pipeline/run_text.h"
 #include "mrpt_ext/pipeline/tracking_bound.h"
 #include "mrpt_ext/pipeline/trial_pool.h"
@@ -30,6 +33,7 @@ namespace
 {
 namespace fs = std::filesystem;
 const std::string kExperiment = "LocalizationExperiment";
+constexpr std::size_t kShownParticles = 2000;
 
 fs::path outputFolder(const Settings& settings, const LocalizationRequest& request)
 {
@@ -56,9 +60,11 @@ double peakMemoryMegabytes()
 class TrialBatch
 {
  public:
-  TrialBatch(const LocalizationInput& input, const LocalizationRequest& request, fs::path folder, std::uint64_t seed)
+  TrialBatch(const LocalizationInput& input, const LocalizationRequest& request, fs::path folder, std::uint64_t seed,
+             LiveView* view)
       : input_(input),
         request_(request),
+        view_(view),
         methods_(input.config, input.context.map, input.sequence),
         folder_(std::move(folder)),
         seed_(seed)
@@ -104,6 +110,19 @@ class TrialBatch
     return limitFrom(tracking_bound_, input_.context.start_time + *score.converged_at_s);
   }
 
+  /// In the window, and as a file where the configuration wants one.
+  void show(std::size_t number, const Frame& frame, const FilterLocalizer* filter, const fs::path& folder, bool first)
+  {
+    const LandmarkTable& map = input_.context.map;
+    if (first && view_ && view_->isOpen()) view_->show(playbackStep(frame, filter, map, kShownParticles));
+    const std::size_t every = input_.config.scene_every;
+    if (every == 0 || number % every != 0) return;
+    createFolder(folder / "scenes");
+    char name[32];
+    std::snprintf(name, sizeof(name), "%06zu.3Dscene", number);
+    writeScene(folder / "scenes" / name, map, playbackStep(frame, filter, map, kShownParticles));
+  }
+
   void runOne(int trial, const std::atomic<bool>& stop, ProgressLine& line)
   {
     const auto place = static_cast<std::size_t>(trial - request_.first_trial);
@@ -112,15 +131,18 @@ class TrialBatch
       const std::lock_guard lock(mutex_);
       line.show((static_cast<double>(done_) + share) / total);
     };
-    TrialOutcome outcome = runTrial({methods_, input_.sequence, input_.context.truth, stop, progress}, seed_, trial);
+    const fs::path folder = request_.trial_folders ? folder_ / trialFolder(trial) : folder_;
+    const auto watch = [&](std::size_t number, const Frame& frame, const FilterLocalizer* filter)
+    { show(number, frame, filter, folder, trial == request_.first_trial); };
+    TrialOutcome outcome =
+        runTrial({methods_, input_.sequence, input_.context.truth, stop, progress, watch}, seed_, trial);
     outcome.record.peak_memory_mb = peakMemoryMegabytes();
     RunScore score = scoreRun(input_.context, outcome.record, input_.config.limits);
     if (bound_) score.limit = {bound_->position_rmse, bound_->heading_rmse_deg, {}};
     if (!input_.config.frames.independent) score.limit = limitOf(score);
-    const fs::path folder = request_.trial_folders ? folder_ / trialFolder(trial) : folder_;
     createFolder(folder);
     writeTrial(folder, input_.context, outcome.record, score);
-    if (input_.config.final_scene) writeFinalScene(folder / "final.3Dscene", input_.context.map, outcome);
+    if (input_.config.final_scene) writeScene(folder / "final.3Dscene", input_.context.map, outcome.end);
     for (MethodScore& method : score.methods) method.errors.clear();
     const std::lock_guard lock(mutex_);
     texts_[place] = ambiguityText(outcome.record, input_.context.start_time);
@@ -131,6 +153,7 @@ class TrialBatch
 
   const LocalizationInput& input_;
   const LocalizationRequest& request_;
+  LiveView* view_;
   MethodFactory methods_;
   fs::path folder_;
   std::uint64_t seed_;
@@ -183,7 +206,9 @@ int runLocalization(const Settings& settings, const LocalizationRequest& request
   const auto seed = static_cast<std::uint64_t>(settings.integer(kExperiment, "random_seed"));
   input.context.seed = seed;
   input.context.objects_wanted = !input.config.frames.object_categories.empty();
-  TrialBatch batch(input, request, folder, seed);
+  std::optional<LiveView> view;
+  if (request.gui) view.emplace(input.context.map, request.gui_speed, err);
+  TrialBatch batch(input, request, folder, seed, view ? &*view : nullptr);
   batch.run();
 
   const std::vector<RunScore> scores = batch.scores();
@@ -194,6 +219,12 @@ int runLocalization(const Settings& settings, const LocalizationRequest& request
   const std::string tail = (input.config.frames.independent ? boundText(input) : batch.firstText()) + "\n" + table;
   writeFileAtomically(folder / "log.txt", input.context.command_line + "\n" + head + tail);
   out << (request.quiet ? table : tail) << "report   " << (folder / "report.html").string() << '\n';
-  return exitCode(merged, scores, request, batch.interrupted(), err);
+  const int code = exitCode(merged, scores, request, batch.interrupted(), err);
+  if (view && view->isOpen() && isatty(STDERR_FILENO) == 1)
+  {
+    err << "The end is shown: close the window to leave.\n";
+    view->waitUntilClosed();
+  }
+  return code;
 }
 }  // namespace mrpt_ext

@@ -18,6 +18,8 @@ struct LocalizationRequest
   bool trial_folders = false;           ///< one sub-folder per trial and a merged summary on top
   int jobs = 1;
   std::optional<double> fail_above;  ///< [m]
+  bool gui = false;                  ///< a window that follows the first trial
+  double gui_speed = 10;             ///< seconds of log per second there
   bool dry_run = false, quiet = false, verbose = false;
   std::string command_line;
   std::string note;  ///< one line to tell with the input, or empty

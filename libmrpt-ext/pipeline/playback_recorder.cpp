@@ -54,6 +54,17 @@ std::vector<Pose2> particlesByWeight(const ParticleSet& particles, std::size_t c
   return drawn;
 }
 
+PlaybackStep playbackStep(const Frame& frame, const FilterLocalizer* filter, const LandmarkTable& map,
+                          std::size_t particles)
+{
+  PlaybackStep step{frame.time, {}, {}, sightingsOf(frame, map)};
+  if (!filter) return step;
+  step.particles = particlesByWeight(filter->particles(), particles);
+  for (const Mode& mode : filter->lastStep().modes.modes)
+    if (mode.weight >= kMinModeWeight) step.modes.push_back({mode.pose, mode.weight});
+  return step;
+}
+
 PlaybackRecorder::PlaybackRecorder(std::size_t frames, const LandmarkTable& map)
     : map_(map),
       stride_(frames / (kMaxSteps + 1) + 1),
@@ -64,13 +75,6 @@ PlaybackRecorder::PlaybackRecorder(std::size_t frames, const LandmarkTable& map)
 void PlaybackRecorder::add(const Frame& frame, const FilterLocalizer* filter, std::vector<PlaybackStep>& playback)
 {
   if (next_++ % stride_ != 0) return;
-  PlaybackStep step{frame.time, {}, {}, sightingsOf(frame, map_)};
-  if (filter)
-  {
-    step.particles = particlesByWeight(filter->particles(), particles_per_step_);
-    for (const Mode& mode : filter->lastStep().modes.modes)
-      if (mode.weight >= kMinModeWeight) step.modes.push_back({mode.pose, mode.weight});
-  }
-  playback.push_back(std::move(step));
+  playback.push_back(playbackStep(frame, filter, map_, particles_per_step_));
 }
 }  // namespace mrpt_ext

@@ -23,6 +23,10 @@ class PlaybackRecorder
   std::size_t next_ = 0;
 };
 
+/// What can be shown of one frame: the sightings, and of the filter (may be null) the modes and at most `particles`.
+[[nodiscard]] PlaybackStep playbackStep(const Frame& frame, const FilterLocalizer* filter, const LandmarkTable& map,
+                                        std::size_t particles);
+
 /// `count` particles that each stand for the same share of the weight (all of them when there are no more).
 [[nodiscard]] std::vector<Pose2> particlesByWeight(const ParticleSet& particles, std::size_t count);
 }  // namespace mrpt_ext

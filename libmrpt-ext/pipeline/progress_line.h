@@ -6,6 +6,9 @@
 
 namespace mrpt_ext
 {
+/// "localizing 40 %, 12 s left"; the time is told once a second has passed. `fraction` in [0, 1], `elapsed` [s].
+[[nodiscard]] std::string progressText(const std::string& task, double fraction, double elapsed);
+
 /// One line on stderr that shows how far a run is; silent when stderr is not a terminal or `enabled` is false.
 class ProgressLine
 {
@@ -24,6 +27,7 @@ class ProgressLine
   bool enabled_;
   bool drawn_ = false;
   std::string task_;
+  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
   std::chrono::steady_clock::time_point last_{};
 };
 }  // namespace mrpt_ext

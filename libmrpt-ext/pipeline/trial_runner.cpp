@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <limits>
 
 #include "mrpt_ext/pipeline/method_factory.h"
 #include "mrpt_ext/pipeline/object_tracker.h"
@@ -128,12 +129,15 @@ TrialOutcome runTrial(const TrialInput& input, std::uint64_t seed, int trial)
         oracles.add(run.methods[m], estimate, frames[k].time);
     }
     playback.add(frames[k], methods.filter, run.playback);
+    if (input.watch) input.watch(k, frames[k], methods.filter);
     if (input.progress) input.progress(static_cast<double>(k + 1) / static_cast<double>(frames.size()));
   }
   run.interrupted = input.stop;
   for (MethodTrack& track : oracles.take()) run.methods.push_back(std::move(track));
   finish(methods, input, run);
-  if (methods.filter) outcome.particles = methods.filter->particles();
+  if (!frames.empty())
+    outcome.end =
+        playbackStep(frames.back(), methods.filter, input.methods.map(), std::numeric_limits<std::size_t>::max());
   run.wall_s = std::chrono::duration<double>(Clock::now() - started).count();
   run.cpu_s = threadCpuSeconds() - cpu_before;
   return outcome;

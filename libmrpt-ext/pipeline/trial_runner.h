@@ -18,13 +18,15 @@ struct TrialInput
   const Trajectory& truth;               ///< used after the estimates, for the oracle rows only
   const std::atomic<bool>& stop;         ///< set on Ctrl-C: the trial ends after the frame in work
   std::function<void(double)> progress;  ///< told the share done, in [0, 1]
+  /// Shown every frame after the methods have seen it, with its number and the filter (null without one). May be empty.
+  std::function<void(std::size_t, const Frame&, const FilterLocalizer*)> watch;
 };
 
-/// A finished trial with the particles it ended with.
+/// A finished trial, and its end with all particles.
 struct TrialOutcome
 {
   RunRecord record;
-  ParticleSet particles;
+  PlaybackStep end;
 };
 
 /// Feeds all frames to all methods and keeps what they say. The same (seed, trial) gives the same record, whatever

@@ -26,6 +26,7 @@ const std::map<std::string, Names> kAllowed{
     {"importers", {"geometry", "files"}},
     {"calibration", {"geometry", "localizers"}},
     {"vision", {"geometry"}},
+    {"display", {}},
     {"report", {"geometry", "files", "evaluation"}},
     {"observations", {"geometry"}},
     {"maps", {"geometry", "files", "likelihood", "observations"}},

@@ -49,10 +49,10 @@ RC_GTEST_PROP(Tum, WhatIsWrittenIsReadBack, ())
 {
   const auto coordinate = [] { return *rc::gen::inRange(-100000000, 100000000) * 1e-6; };
   const Trajectory written{{1, {coordinate(), coordinate(), coordinate()}, *rc::gen::arbitrary<bool>()}};
-  const auto path = std::filesystem::path(::testing::TempDir()) / "mrpt_ext_round_trip.tum";
+  const ScratchFolder folder;
+  const auto path = folder.path() / "round_trip.tum";
   writeTum(path, written);
   const Trajectory read = readTum(path);
-  std::filesystem::remove(path);
   RC_ASSERT(read.size() == 1u);
   RC_ASSERT(read[0].heading_known == written[0].heading_known);
   RC_ASSERT((read[0].pose.position() - written[0].pose.position()).norm() < 1e-6);

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "../files/scratch_folder.h"
 #include "mrpt_ext/geometry/recording.h"
+#include "scratch_folder.h"
 
 namespace mrpt_ext::testing
 {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "../files/scratch_folder.h"
+#include "scratch_folder.h"
 #include "whole_runs.h"
 
 // The same random seed gives the same bytes, however often and on however many threads.

@@ -2,12 +2,12 @@
 
 #include <cmath>
 
-#include "../files/scratch_folder.h"
 #include "mrpt_ext/files/landmark_csv.h"
 #include "mrpt_ext/files/tum.h"
 #include "mrpt_ext/geometry/random.h"
 #include "mrpt_ext/maps/register_all_classes.h"
 #include "mrpt_ext/pipeline/rawlog_sink.h"
+#include "scratch_folder.h"
 #include "whole_runs.h"
 
 // Evidence is counted once: a running fix is two ranges; where the log has these ranges, the fix adds nothing to them.

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "../files/scratch_folder.h"
 #include "mrpt_ext/geometry/angle.h"
+#include "scratch_folder.h"
 #include "whole_runs.h"
 
 // Our engine and MRPT's own filter over the same map give the same posterior within sampling error. Both run the same

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "../files/scratch_folder.h"
+#include "scratch_folder.h"
 #include "whole_runs.h"
 
 // The Kalman filters beside the particle filter, in whole runs over shipped configurations.

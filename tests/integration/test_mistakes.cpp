@@ -5,9 +5,9 @@
 #include <fstream>
 #include <iterator>
 
-#include "../files/scratch_folder.h"
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/pipeline/rawlog_sink.h"
+#include "scratch_folder.h"
 #include "whole_runs.h"
 
 // A user's mistakes and damaged data: one clear line on stderr and the exit code of the contract. Wrong usage and

@@ -8,10 +8,10 @@
 #include <csignal>
 #include <thread>
 
-#include "../files/scratch_folder.h"
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/files/text_table.h"
 #include "mrpt_ext/files/tum.h"
+#include "scratch_folder.h"
 #include "whole_runs.h"
 
 // The real program as a child: what Ctrl-C leaves, and that nothing but the one line reaches stderr.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "../files/scratch_folder.h"
 #include "../importers/sample_data.h"
+#include "scratch_folder.h"
 #include "whole_runs.h"
 
 // Whole runs of landmark-localization over real recordings. They are not part of the sources: the folder is named by

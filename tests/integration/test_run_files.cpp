@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <set>
 
-#include "../files/scratch_folder.h"
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/files/text_table.h"
 #include "mrpt_ext/files/tum.h"
+#include "scratch_folder.h"
 #include "whole_runs.h"
 
 // What a run leaves: names of files, columns and keys that scripts rely on.

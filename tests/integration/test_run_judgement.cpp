@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "../files/scratch_folder.h"
 #include "mrpt_ext/files/landmark_csv.h"
 #include "mrpt_ext/files/tum.h"
+#include "scratch_folder.h"
 #include "whole_runs.h"
 
 // The verdict of a run is what its exit code says, and a map that does not fit is never answered with a sure pose.

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../files/scratch_folder.h"
 #include "mrpt_ext/files/text_table.h"
 #include "mrpt_ext/files/tum.h"
 #include "mrpt_ext/geometry/angle.h"
+#include "scratch_folder.h"
 #include "whole_runs.h"
 
 // Whole runs of landmark-localization over what landmark-simulator makes: the shipped data sets, and the scenarios that

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
-#include <fstream>
+#include "scratch_folder.h"
 
 namespace mrpt_ext
 {
@@ -23,9 +22,8 @@ TEST(Sha256, OfTheTestVectors)
 TEST(Sha256, OfAFileThatDoesNotExistIsEmpty)
 {
   EXPECT_EQ(sha256OfFile("no/such/file"), "");
-  const std::string path = ::testing::TempDir() + "sha256_of_a_file";
-  std::ofstream(path) << "abc";
+  const testing::ScratchFolder folder;
+  const std::string path = folder.write("abc", "abc").string();
   EXPECT_EQ(sha256OfFile(path), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-  std::remove(path.c_str());
 }
 }  // namespace mrpt_ext

@@ -14,6 +14,7 @@
 #include "mrpt_ext/pipeline/exit_codes.h"
 #include "mrpt_ext/pipeline/settings.h"
 #include "mrpt_ext/pipeline/simulator_keys.h"
+#include "scratch_folder.h"
 
 namespace mrpt_ext
 {
@@ -31,18 +32,10 @@ fs::path scenario(const std::string& name)
   return fs::path(MRPT_EXT_SOURCE_DIR) / "ini" / "landmark-simulator" / name;
 }
 
-class SimulatorAppTest : public testing::Test
+class SimulatorAppTest : public ::testing::Test
 {
  protected:
-  SimulatorAppTest()
-  {
-    registerAllClasses();
-    folder_ = fs::temp_directory_path() /
-              ("simulator_app_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  ~SimulatorAppTest() override { fs::remove_all(folder_); }
+  SimulatorAppTest() { registerAllClasses(); }
 
   int run(std::vector<std::string> arguments)
   {
@@ -61,7 +54,8 @@ class SimulatorAppTest : public testing::Test
 
   std::string content(const std::string& file) { return readTextFile(folder_ / file); }
 
-  fs::path folder_;
+  testing::ScratchFolder scratch_;
+  const fs::path& folder_ = scratch_.path();
   std::ostringstream out_, err_;
 };
 }  // namespace

@@ -9,6 +9,7 @@
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/report/html_tables.h"
 #include "mrpt_ext/report/run_writer.h"
+#include "scratch_folder.h"
 #include "synthetic_run.h"
 
 namespace mrpt_ext
@@ -21,13 +22,10 @@ namespace
 class Collection : public ::testing::Test
 {
  protected:
-  void SetUp() override { fs::remove_all(root_); }
-  void TearDown() override { fs::remove_all(root_); }
-
   /// A run of trials first ... last - 1, each in its folder.
   fs::path writeRun(const std::string& name, int first, int last, const std::string& configuration = "[a]\n")
   {
-    const fs::path folder = root_ / name;
+    const fs::path folder = scratch_.path() / name;
     const RunContext context = syntheticContext(60);
     std::vector<RunScore> scores;
     for (int trial = first; trial < last; ++trial)
@@ -42,7 +40,7 @@ class Collection : public ::testing::Test
     return folder;
   }
 
-  fs::path root_ = fs::path(::testing::TempDir()) / "collection";
+  ScratchFolder scratch_;
 };
 }  // namespace
 
@@ -87,12 +85,12 @@ TEST_F(Collection, APageShowsEveryRunAndMethod)
 
 TEST_F(Collection, AFolderWithoutASummaryIsADataError)
 {
-  fs::create_directories(root_ / "empty");
-  EXPECT_THROW((void)readFinishedRuns({root_ / "empty"}), InputError);
-  std::ofstream(root_ / "empty" / "summary.json") << R"({"schema": 1})";
-  EXPECT_THROW((void)readFinishedRuns({root_ / "empty"}), InputError);
-  std::ofstream(root_ / "empty" / "summary.json") << "{";
-  EXPECT_THROW((void)readFinishedRuns({root_ / "empty"}), InputError);
+  fs::create_directories(scratch_.path() / "empty");
+  EXPECT_THROW((void)readFinishedRuns({scratch_.path() / "empty"}), InputError);
+  std::ofstream(scratch_.path() / "empty" / "summary.json") << R"({"schema": 1})";
+  EXPECT_THROW((void)readFinishedRuns({scratch_.path() / "empty"}), InputError);
+  std::ofstream(scratch_.path() / "empty" / "summary.json") << "{";
+  EXPECT_THROW((void)readFinishedRuns({scratch_.path() / "empty"}), InputError);
 }
 
 // Wilson's interval as tabulated by Newcombe, Statistics in Medicine 17, 1998, table I.

@@ -6,11 +6,11 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "../files/scratch_folder.h"
 #include "mrpt_ext/files/text_table.h"
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/vision/conic_mirror.h"
 #include "run_images.h"
+#include "scratch_folder.h"
 
 // From rendered images of the conic mirror to edges (ini/images2rawlog/conic-mirror.ini) and poses
 // (ini/landmark-localization/conic-mirror.ini); the truth comes with the images (observations.csv).

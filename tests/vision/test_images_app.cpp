@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <opencv2/imgcodecs.hpp>
 
-#include "../files/scratch_folder.h"
 #include "mrpt_ext/files/text_table.h"
 #include "mrpt_ext/observations/CObservationLandmarkBearings.h"
 #include "mrpt_ext/observations/timestamps.h"
 #include "mrpt_ext/pipeline/rawlog_reader.h"
 #include "run_images.h"
+#include "scratch_folder.h"
 #include "synthetic_mirror.h"
 
 // images2rawlog over folders and rawlogs made here.

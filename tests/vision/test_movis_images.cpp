@@ -9,11 +9,11 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "../files/scratch_folder.h"
 #include "movis_run.h"
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/files/text_table.h"
 #include "mrpt_ext/observations/timestamps.h"
+#include "scratch_folder.h"
 
 // What images2rawlog makes of images of the three omnidirectional cameras in other light, of unusable ones and of
 // mistakes in the configuration.

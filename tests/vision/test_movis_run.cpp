@@ -6,13 +6,13 @@
 #include <cstdio>
 #include <numeric>
 
-#include "../files/scratch_folder.h"
 #include "movis_measurements.h"
 #include "movis_run.h"
 #include "mrpt_ext/solvers/object_position.h"
 #include "mrpt_ext/solvers/origin_correction.h"
 #include "mrpt_ext/solvers/pose_information.h"
 #include "mrpt_ext/solvers/pose_ml.h"
+#include "scratch_folder.h"
 
 // From rendered images of the three omnidirectional cameras to azimuths (ini/images2rawlog/movis.ini) and poses
 // (ini/landmark-localization/movis.ini, movis-frames.ini); the truth comes with the images.

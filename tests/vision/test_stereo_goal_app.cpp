@@ -5,13 +5,13 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "../files/scratch_folder.h"
 #include "../support/synthetic_field.h"
 #include "mrpt_ext/files/text_table.h"
 #include "mrpt_ext/observations/CObservationStereoRanges.h"
 #include "mrpt_ext/observations/timestamps.h"
 #include "mrpt_ext/pipeline/rawlog_reader.h"
 #include "run_images.h"
+#include "scratch_folder.h"
 
 // images2rawlog with a stereo pair, over folders and rawlogs made here.
 namespace mrpt_ext

@@ -6,10 +6,10 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "../files/scratch_folder.h"
 #include "mrpt_ext/files/text_table.h"
 #include "mrpt_ext/vision/stereo_goal.h"
 #include "run_images.h"
+#include "scratch_folder.h"
 #include "stereo_truth.h"
 
 // From rendered stereo pairs to goal corners and line landmarks (ini/images2rawlog/stereo-goal.ini) and poses

@@ -1,0 +1,50 @@
+#include <mrpt/gui/CDisplayWindow3D.h>
+
+#include "mrpt_ext/display/scene_window.h"
+
+// Last: it has macros with common names.
+#include <X11/Xlib.h>
+
+namespace mrpt_ext
+{
+namespace
+{
+class MrptSceneWindow : public SceneWindow
+{
+ public:
+  MrptSceneWindow(const char* title, const SceneView& view) : window_(title, 1000, 800)
+  {
+    window_.setCameraPointingToPoint(view.x, view.y, 0);
+    window_.setCameraZoom(1.5F * view.width);
+    window_.setCameraElevationDeg(60);
+    window_.setCameraAzimuthDeg(-90);
+  }
+
+  void show(const mrpt::opengl::COpenGLScene::Ptr& scene) override
+  {
+    window_.get3DSceneAndLock() = scene;
+    window_.unlockAccess3DScene();
+    window_.forceRepaint();
+  }
+
+  [[nodiscard]] bool isOpen() const override { return window_.isOpen(); }
+
+ private:
+  mutable mrpt::gui::CDisplayWindow3D window_;  // MRPT's isOpen() is not const
+};
+
+/// Asked first, because MRPT waits for seconds and prints errors when there is no display.
+bool hasDisplay()
+{
+  Display* display = XOpenDisplay(nullptr);
+  if (!display) return false;
+  XCloseDisplay(display);
+  return true;
+}
+}  // namespace
+}  // namespace mrpt_ext
+
+extern "C" mrpt_ext::SceneWindow* mrpt_ext_open_scene_window(const char* title, const mrpt_ext::SceneView& view)
+{
+  return mrpt_ext::hasDisplay() ? new mrpt_ext::MrptSceneWindow(title, view) : nullptr;
+}

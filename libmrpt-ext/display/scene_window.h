@@ -1,0 +1,30 @@
+#pragma once
+
+#include <mrpt/opengl/COpenGLScene.h>
+
+namespace mrpt_ext
+{
+/// A window that shows a 3-D scene and can be turned and zoomed with the mouse.
+///
+/// It lives in a shared library of its own, loaded only when a window is asked for: MRPT's windows bring some three
+/// hundred libraries, half a second of start-up that nobody else should pay.
+class SceneWindow
+{
+ public:
+  virtual ~SceneWindow() = default;
+  /// Shows `scene` in place of the one before; the window keeps the viewpoint that the user chose.
+  virtual void show(const mrpt::opengl::COpenGLScene::Ptr& scene) = 0;
+  /// False once the user has closed it.
+  [[nodiscard]] virtual bool isOpen() const = 0;
+};
+
+/// Where the window looks at first: a point of the ground and the width [m] to be seen around it.
+struct SceneView
+{
+  float x = 0, y = 0, width = 10;
+};
+
+/// The function of the library that opens a window, and its name there. Null when there is no display.
+using OpenSceneWindow = SceneWindow* (*)(const char* title, const SceneView& view);
+constexpr const char* kOpenSceneWindow = "mrpt_ext_open_scene_window";
+}  // namespace mrpt_ext
