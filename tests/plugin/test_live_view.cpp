@@ -46,8 +46,7 @@ TEST_F(LiveView, FollowsARunAndChangesNothing)
   EXPECT_TRUE(contains(output, "exit code 0")) << output;
   EXPECT_FALSE(contains(output, "no window")) << output;
   EXPECT_TRUE(contains(run(command() + " -o alone"), "report   "));
-  const auto track = [&](const char* name)
-  { return readTextFile(folder() / name / "trajectory_particle_filter.tum"); };
+  const auto track = [&](const char* name) { return readTextFile(folder() / name / "trajectory_particle_filter.tum"); };
   EXPECT_EQ(track("watched"), track("alone"));
 }
 
