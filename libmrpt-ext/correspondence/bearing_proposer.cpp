@@ -29,6 +29,7 @@ BearingProposer::BearingProposer(const LandmarkIndex& map, std::span<const Senso
     tables_.emplace_back(own, options_.gate);
     lists_.push_back(own.empty() ? nullptr : owner.listsFor(rangeLimit(places_[p])));
   }
+  for (const BearingReading& r : readings_) neighbours_.push_back(owner.neighboursOf(r.kind));
 }
 
 TripleRound BearingProposer::roundOf(const ReadingTriple& triple) const
@@ -38,6 +39,8 @@ TripleRound BearingProposer::roundOf(const ReadingTriple& triple) const
   round.map = &map_;
   round.readings = readings_;
   round.triple = triple;
+  for (std::size_t n = 0; n < 2; ++n)
+    round.neighbours[n] = neighbours_[static_cast<std::size_t>(triple.reading[n + 1])].get();
   round.views = viewsFrom(place, bitsOf(place, triple));
   round.max_range = rangeLimit(places_[static_cast<std::size_t>(place)]);
   round.gate = options_.gate;
@@ -124,13 +127,17 @@ void BearingProposer::refine(const GaussianPose& sensor, int place, std::span<co
   if (tight.explained >= least) wait(tight, place);
 }
 
-/// A box in which too many readings can be explained in several ways is split into eight until they cannot.
+/// A box in which too many readings can be explained in several ways, or in which some were explained in a wrong way,
+/// is split into eight until they cannot.
 void BearingProposer::refineBox(const GaussianPose& sensor, int place, std::span<const SieveView> views, int least,
                                 int splits)
 {
+  if (boundOfBox(sensor, views.front(), options_.gate) < least) return;
   const TightenedPose tight = tightenPose(sensor, views, options_.gate, least, scratch_);
-  if (tight.explained < least) return;
-  if (tight.refined || splits == 0) return wait(tight, place);
+  if (!tight.plausible) return;
+  const bool explained = tight.explained >= least;
+  if (explained && (tight.refined || splits == 0)) return wait(tight, place);
+  if (splits == 0) return;
   // A quarter of the box's extent, as poseOf made the deviations of it.
   const Vector3d reach = options_.gate * sensor.covariance.diagonal().cwiseSqrt();
   const Vector3d quarter(reach.x() / 4, reach.y() / 4, reach.z() / std::sqrt(8.0));

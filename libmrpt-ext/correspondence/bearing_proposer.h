@@ -64,7 +64,8 @@ class BearingProposer
   const PoseSearchOptions& options_;
   std::span<const BearingReading> readings_;
   std::vector<ReadingTable> tables_;
-  std::vector<std::shared_ptr<const VisibleLists>> lists_;  // none for a place without bearings
+  std::vector<std::shared_ptr<const VisibleLists>> lists_;        // none for a place without bearings
+  std::vector<std::shared_ptr<const NeighbourGrid>> neighbours_;  // that a reading may show
   std::vector<std::vector<GaussianPose>> waiting_;
   SeenLandmarks scratch_;
   PoseSearch::Work work_;

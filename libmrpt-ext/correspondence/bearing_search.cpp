@@ -101,7 +101,8 @@ class SearchRun
     double mean = 0;
     for (const BearingReading& r : readings_)
       mean += places_[static_cast<std::size_t>(r.place)].model.clutter_probability;
-    return static_cast<int>(std::ceil(mean)) + 1;
+    constexpr double kRounding = 1e-9;  // one false reading of 21 must not count as two
+    return static_cast<int>(std::ceil(mean - kRounding)) + 1;
   }
 
   /// Rounds until every pose that matters and explains `floor_` readings has been proposed.
@@ -313,6 +314,14 @@ std::shared_ptr<const VisibleLists> BearingSearch::listsFor(double max_range) co
     if (lists->maxRange() == max_range) return lists;
   const double margin = std::isfinite(max_range) ? kListMargin * max_range : 0;
   return lists_.emplace_back(std::make_shared<const VisibleLists>(map_, max_range, margin));
+}
+
+std::shared_ptr<const NeighbourGrid> BearingSearch::neighboursOf(int kind) const
+{
+  const std::scoped_lock lock(mutex_);
+  auto& grid = neighbours_[kind];
+  if (!grid) grid = std::make_shared<const NeighbourGrid>(map_, kind);
+  return grid;
 }
 
 std::shared_ptr<const PanoramaIndex> BearingSearch::panoramasFor(const PanoramaIndex::Plan& plan) const

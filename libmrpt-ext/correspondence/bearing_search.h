@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <mutex>
 #include <span>
@@ -7,6 +8,7 @@
 
 #include "mrpt_ext/correspondence/consistent_pose.h"
 #include "mrpt_ext/correspondence/landmark_index.h"
+#include "mrpt_ext/correspondence/neighbour_grid.h"
 #include "mrpt_ext/correspondence/panorama_index.h"
 #include "mrpt_ext/correspondence/sensor_place.h"
 #include "mrpt_ext/correspondence/visible_lists.h"
@@ -43,6 +45,8 @@ class BearingSearch
 
   /// Prepares the tables for this range limit [m] (infinity: none); otherwise the first search does.
   [[nodiscard]] std::shared_ptr<const VisibleLists> listsFor(double max_range) const;
+  /// The landmarks of a kind, as triples look for them.
+  [[nodiscard]] std::shared_ptr<const NeighbourGrid> neighboursOf(int kind) const;
   /// The same for panoramas.
   [[nodiscard]] std::shared_ptr<const PanoramaIndex> panoramasFor(const PanoramaIndex::Plan& plan) const;
   /// Those that exist for this area and range limit; nothing when there are none.
@@ -52,6 +56,7 @@ class BearingSearch
   const LandmarkIndex& map_;
   mutable std::mutex mutex_;
   mutable std::vector<std::shared_ptr<const VisibleLists>> lists_;
+  mutable std::map<int, std::shared_ptr<const NeighbourGrid>> neighbours_;  // by kind
   mutable std::vector<std::shared_ptr<const PanoramaIndex>> panoramas_;
 };
 }  // namespace mrpt_ext

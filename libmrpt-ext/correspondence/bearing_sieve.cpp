@@ -32,13 +32,14 @@ struct Look
 /// A reading table as the inner loop needs it.
 struct TableInFloat
 {
-  const std::uint32_t *sets, *of_kind;
+  const std::uint32_t *sets, *of_kind, *from_kind;
   float inverse_variance, scale;
   int bins, last_level;
 
   explicit TableInFloat(const ReadingTable& t)
       : sets(t.sets()),
         of_kind(t.ofKind()),
+        from_kind(t.fromKind()),
         inverse_variance(t.inverseVariance()),
         scale(0.25F * static_cast<float>(t.bins())),
         bins(t.bins()),
@@ -98,9 +99,11 @@ ViewInFloat inFloat(const SieveView& view, const Vector2d& around)
           std::min(static_cast<float>(lists.maxRange()), kUnlimited)};
 }
 
+/// Lists are sorted by kind. So with kinds a pose is given up as soon as the kinds that are left cannot bring it to
+/// `needed`.
 template <bool HasKinds>
 [[gnu::always_inline]] inline void addExplained(const TriplePoses& poses, const SieveView& view, const ViewInFloat& v,
-                                                float gate, std::uint16_t* explained)
+                                                float gate, int needed, std::uint16_t* explained)
 {
   const TableInFloat table(*view.table);
   for (std::size_t n = 0; n < poses.count; ++n)
@@ -132,36 +135,44 @@ template <bool HasKinds>
                          poses.kh[n],
                          reach * reach};
     std::uint32_t set = view.used;
-    for (std::size_t l = 0; l < cell.count; ++l)
-      set |= look<HasKinds>(pose, table, cell.x[l], cell.y[l], cell.kind[l]).explains;
+    const std::size_t block = HasKinds ? VisibleLists::kBlock : cell.count;
+    for (std::size_t begin = 0; begin < cell.count; begin += block)
+    {
+      if (HasKinds && explained[n] + std::popcount(set | table.from_kind[cell.kind[begin]]) < needed) break;
+      for (std::size_t l = begin; l < begin + block; ++l)
+        set |= look<HasKinds>(pose, table, cell.x[l], cell.y[l], cell.kind[l]).explains;
+    }
     explained[n] = static_cast<std::uint16_t>(explained[n] + std::popcount(set));
   }
 }
 
 MRPT_EXT_VECTOR_CLONES
-void addExplainedAnyKind(const TriplePoses& poses, const SieveView& view, const ViewInFloat& v, float gate,
+void addExplainedAnyKind(const TriplePoses& poses, const SieveView& view, const ViewInFloat& v, float gate, int needed,
                          std::uint16_t* explained)
 {
-  addExplained<false>(poses, view, v, gate, explained);
+  addExplained<false>(poses, view, v, gate, needed, explained);
 }
 
 MRPT_EXT_VECTOR_CLONES
-void addExplainedOfKind(const TriplePoses& poses, const SieveView& view, const ViewInFloat& v, float gate,
+void addExplainedOfKind(const TriplePoses& poses, const SieveView& view, const ViewInFloat& v, float gate, int needed,
                         std::uint16_t* explained)
 {
-  addExplained<true>(poses, view, v, gate, explained);
+  addExplained<true>(poses, view, v, gate, needed, explained);
 }
 }  // namespace
 
 void boundExplained(const TriplePoses& poses, const Vector2d& around, std::span<const SieveView> views, double gate,
-                    std::vector<std::uint16_t>& explained)
+                    int least, std::vector<std::uint16_t>& explained)
 {
   explained.assign(poses.count, 0);
+  int needed = least;
+  for (const SieveView& view : views) needed -= view.table->size();
   for (const SieveView& view : views)
   {
+    needed += view.table->size();  // the views to come may explain all theirs
     const ViewInFloat v = inFloat(view, around);
     const auto add = view.table->hasKinds() ? addExplainedOfKind : addExplainedAnyKind;
-    add(poses, view, v, static_cast<float>(gate), explained.data());
+    add(poses, view, v, static_cast<float>(gate), needed, explained.data());
   }
 }
 
@@ -184,6 +195,49 @@ void lookAtAll(const SievePose& pose, const TableInFloat& table, const VisibleLi
     w[l] = seen_so.w;
     variance[l] = seen_so.variance;
   }
+}
+
+/// A box of sensor poses relative to the centre of a cell.
+struct SieveBox
+{
+  float x, y, c, s;
+  float side2, turn2;  // variances
+  float range2;
+};
+
+struct BoxCount
+{
+  std::uint32_t explains = 0;
+  int close = 0;
+};
+
+/// As look, for a box.
+MRPT_EXT_VECTOR_CLONES
+BoxCount lookFromBox(const SieveBox& box, const TableInFloat& table, const VisibleLists::Cell& cell)
+{
+  std::uint32_t explains = 0;
+  int close = 0;
+  for (std::size_t l = 0; l < cell.count; ++l)
+  {
+    const float dx = cell.x[l] - box.x, dy = cell.y[l] - box.y;
+    const float d2 = dx * dx + dy * dy;
+    const float r2 = d2 > 1e-6F ? d2 : 1e-6F;
+    const float bx = box.c * dx + box.s * dy, by = box.c * dy - box.s * dx;
+    const float norm = std::abs(bx) + std::abs(by) + 1e-9F;
+    const float inverse = 1 / (r2 * norm);
+    const float along = by * (inverse * r2);
+    const float ratio = 1 + table.inverse_variance * (box.side2 * (inverse * norm) + box.turn2);
+    const int step = (std::bit_cast<int>(ratio) >> ReadingTable::kShift) - ReadingTable::kFirstStep;
+    const int level = step < table.last_level ? step : table.last_level;
+    const int bin = static_cast<int>((bx < 0 ? 3 - along : 1 + along) * table.scale) & (table.bins - 1);
+    const std::uint32_t in_range = r2 <= box.range2 ? ~0U : 0U;
+    const std::uint32_t set = table.sets[level * table.bins + bin] & table.of_kind[cell.kind[l]] & in_range;
+    std::uint32_t rest = set;
+    for (int n = 0; n < kMostOfOneLandmark; ++n) rest &= rest - 1;
+    explains |= rest == 0 ? set : 0U;
+    close += rest == 0 ? 0 : 1;
+  }
+  return {explains, close};
 }
 
 /// A matrix F with F F^T = C; where rounding has made C indefinite, one with F F^T >= C.
@@ -228,5 +282,23 @@ void lookAround(const GaussianPose& tested, const SieveView& view, double gate, 
     for (auto* v : {&seen.x, &seen.y, &seen.ex, &seen.ey, &seen.w, &seen.variance}) v->resize(seen.count);
   }
   lookAtAll(pose, TableInFloat(*view.table), at.cell, seen);
+}
+
+int boundOfBox(const GaussianPose& box, const SieveView& view, double gate)
+{
+  const Vector2d position = box.mean.position();
+  const VisibleLists::CellAt at = view.lists->cellAt(position);
+  const double side2 = box.covariance(0, 0);
+  const double reach = view.lists->maxRange() + gate * std::sqrt(2 * side2);
+  const auto range = std::min(static_cast<float>(reach), kUnlimited);
+  const SieveBox tested{static_cast<float>(position.x() - at.centre.x()),
+                        static_cast<float>(position.y() - at.centre.y()),
+                        static_cast<float>(std::cos(box.mean.phi)),
+                        static_cast<float>(std::sin(box.mean.phi)),
+                        static_cast<float>(side2),
+                        static_cast<float>(box.covariance(2, 2)),
+                        range * range};
+  const BoxCount count = lookFromBox(tested, TableInFloat(*view.table), at.cell);
+  return std::min(view.table->size(), std::popcount(count.explains | view.used) + count.close);
 }
 }  // namespace mrpt_ext

@@ -22,9 +22,16 @@ struct SieveView
 
 /// For each pose an upper bound on the number of readings that it explains: readings with a landmark in the gate that
 /// the pose's covariance gives it. Never too low for a pose within `gate` standard deviations of the truth, up to the
-/// curvature of bearings. `around`: landmark i in the world.
+/// curvature of bearings. A bound below `least` may come out lower than it is. `around`: landmark i in the world.
 void boundExplained(const TriplePoses& poses, const Vector2d& around, std::span<const SieveView> views, double gate,
-                    std::vector<std::uint16_t>& explained);
+                    int least, std::vector<std::uint16_t>& explained);
+
+/// An upper bound on the number of readings that a box of sensor poses explains, counted as tightenPose does but
+/// without the details. `box`: its covariance is diagonal, alike in x and y, and the tested sensor is the view's own.
+[[nodiscard]] int boundOfBox(const GaussianPose& box, const SieveView& view, double gate);
+
+/// A landmark within the gates of more readings than this is close, and explains one of them, no matter which.
+constexpr int kMostOfOneLandmark = 4;
 
 /// The landmarks that a place could see, as seen from one tested pose; arrays of equal length.
 struct SeenLandmarks

@@ -13,8 +13,8 @@ namespace
 // Measured, in nanoseconds.
 constexpr double kCostOfTriple = 1.3;   // a constellation tried
 constexpr double kCostOfSieve = 2;      // a landmark in view of a possible pose
-constexpr double kCostOfRotation = 12;  // of a ring, counting included
-constexpr double kCostOfBox = 5000;     // refining what survives
+constexpr double kCostOfRotation = 6;   // of a ring, counting included
+constexpr double kCostOfBox = 5000;     // looking closer at what survives, several times more than by chance
 constexpr double kCostOfDirection = 6;  // building: per cell and landmark
 constexpr double kSearchesPerMap = 20;  // that share the building
 constexpr double kWorthThinking = 1e7;  // triples that cost less are not compared

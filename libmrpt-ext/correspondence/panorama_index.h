@@ -22,7 +22,7 @@ class PanoramaIndex
  public:
   static constexpr int kBins = 2048;                   ///< directions in a full turn
   static constexpr int kWords = kBins / 64;            ///< per cell
-  static constexpr int kReach = 4;                     ///< [bins] see above
+  static constexpr int kReach = 3;                     ///< [bins] see above
   static constexpr double kBinWidth = kTwoPi / kBins;  ///< [rad]
 
   /// The grid that suits a map.

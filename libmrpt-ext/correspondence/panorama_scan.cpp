@@ -32,18 +32,20 @@ std::vector<Rotation> rotationsOf(std::span<const BearingReading> readings, doub
   return rotations;
 }
 
-/// Number of readings without landmark for every heading, in bit slices: bit b of a counter has its value. `over`: more
-/// than seven.
+/// Number of readings without landmark for every heading, in bit slices: bit b of a counter has its value, where it is
+/// at most seven. `within`: headings with no more of them than allowed.
 struct MissCounters
 {
-  alignas(64) std::array<std::uint64_t, kWords> ones, twos, fours, over;
+  alignas(64) std::array<std::uint64_t, kWords> ones, twos, fours, within;
 };
 
 using Lanes [[gnu::vector_size(64)]] = std::uint64_t;
 constexpr int kLanes = sizeof(Lanes) / sizeof(std::uint64_t);
 
+/// True when some heading is within `allowed`.
 MRPT_EXT_VECTOR_CLONES
-void countMisses(const std::uint64_t* ring, const Rotation* rotations, std::size_t count, MissCounters& counters)
+bool countMisses(const std::uint64_t* ring, const Rotation* rotations, std::size_t count, int allowed,
+                 MissCounters& counters)
 {
   // The ring twice, so that a rotation is a read from further on; one word more for the byte beyond.
   alignas(64) std::array<unsigned char, (2 * kWords + 1) * sizeof(std::uint64_t)> twice;
@@ -51,6 +53,7 @@ void countMisses(const std::uint64_t* ring, const Rotation* rotations, std::size
   std::memcpy(twice.data(), ring, kBytes);
   std::memcpy(twice.data() + kBytes, ring, kBytes);
   std::memcpy(twice.data() + 2 * kBytes, ring, sizeof(std::uint64_t));
+  Lanes any{};
   for (int w = 0; w < kWords; w += kLanes)
   {
     Lanes ones{}, twos{}, fours{}, over{}, seen{};
@@ -73,23 +76,22 @@ void countMisses(const std::uint64_t* ring, const Rotation* rotations, std::size
     std::memcpy(&counters.ones[static_cast<std::size_t>(w)], &ones, sizeof(Lanes));
     std::memcpy(&counters.twos[static_cast<std::size_t>(w)], &twos, sizeof(Lanes));
     std::memcpy(&counters.fours[static_cast<std::size_t>(w)], &fours, sizeof(Lanes));
-    std::memcpy(&counters.over[static_cast<std::size_t>(w)], &over, sizeof(Lanes));
+    Lanes below{}, equal = ~over;  // counters that are below what is allowed, and equal to it, digit by digit
+    const auto compare = [&](const Lanes& counter, int digit)
+    {
+      if ((allowed & digit) != 0) below |= equal & ~counter;
+      equal &= (allowed & digit) != 0 ? counter : ~counter;
+    };
+    compare(fours, 4);
+    compare(twos, 2);
+    compare(ones, 1);
+    const Lanes within = below | equal;
+    std::memcpy(&counters.within[static_cast<std::size_t>(w)], &within, sizeof(Lanes));
+    any |= within;
   }
-}
-
-/// Headings of word w with at most `allowed` misses.
-std::uint64_t headingsWithin(const MissCounters& count, std::size_t w, int allowed)
-{
-  std::uint64_t below = 0, equal = ~std::uint64_t{0};
-  const auto compare = [&](std::uint64_t counter, bool wanted)
-  {
-    if (wanted) below |= equal & ~counter;
-    equal &= wanted ? counter : ~counter;
-  };
-  compare(count.fours[w], (allowed & 4) != 0);
-  compare(count.twos[w], (allowed & 2) != 0);
-  compare(count.ones[w], (allowed & 1) != 0);
-  return (below | equal) & ~count.over[w];
+  std::uint64_t found = 0;
+  for (int l = 0; l < kLanes; ++l) found |= any[l];
+  return found != 0;
 }
 
 int missesOf(const MissCounters& count, std::size_t w, int bit)
@@ -121,12 +123,12 @@ PanoramaHits scanPanoramas(const PanoramaIndex& index, std::span<const BearingRe
   std::size_t held = 0;
   for (std::size_t cell = 0; cell < index.plan().cells(); ++cell)
   {
-    countMisses(index.ring(cell), rotations.data(), rotations.size(), count);
     // Landmarks in or close to the cell are not in its ring: each may explain one reading more.
     const int close = index.closeLandmarks(cell);
     const int allowed = std::min(usable - hits.floor + close, kMostPanoramaMisses);
+    if (!countMisses(index.ring(cell), rotations.data(), rotations.size(), allowed, count)) continue;
     for (std::size_t w = 0; w < kWords; ++w)
-      for (std::uint64_t left = headingsWithin(count, w, allowed); left != 0; left &= left - 1)
+      for (std::uint64_t left = count.within[w]; left != 0; left &= left - 1)
       {
         const int bit = std::countr_zero(left);
         const int explained = std::min(usable, usable - missesOf(count, w, bit) + close);

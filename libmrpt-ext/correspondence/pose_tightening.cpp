@@ -17,7 +17,6 @@ constexpr std::size_t kAny = ReadingTable::kMaxReadings;
 /// the pose is uncertain that landmark may be a wrong one, so the pose grows firm where this is least likely.
 constexpr std::array<std::size_t, 2> kAddedToTriple{1, 3};
 constexpr std::array<std::size_t, 1> kAddedToBox{kAny};  // the pose is only bounded, by no readings of its own
-constexpr int kMostOfOneLandmark = 4;  // readings within the gates of one landmark, unless it is close
 
 /// The landmark that explains a reading best, and how many could.
 struct Explanation
@@ -40,6 +39,13 @@ float angleAgainst(const Vector2d& unit, float x, float y)
   return t * (1 - t2 * (1.0F / 3 - t2 * (1.0F / 5 - t2 * (1.0F / 7 - t2 / 9))));
 }
 
+/// True for a set of more than `count` bits.
+bool hasMoreThan(int count, std::uint32_t set)
+{
+  for (; set != 0 && count > 0; --count) set &= set - 1;
+  return set != 0;
+}
+
 /// Which landmark explains each reading; the number that are explained. A landmark so close that it could be in any
 /// direction explains one reading, no matter which.
 int explain(const SeenLandmarks& seen, const ReadingTable& table, float gate2, Explanations& found)
@@ -47,7 +53,8 @@ int explain(const SeenLandmarks& seen, const ReadingTable& table, float gate2, E
   int close = 0;
   for (std::size_t l = 0; l < seen.count; ++l)
   {
-    if (std::popcount(seen.explains[l]) > kMostOfOneLandmark)
+    if (seen.explains[l] == 0) continue;
+    if (hasMoreThan(kMostOfOneLandmark, seen.explains[l]))
     {
       ++close;
       continue;
@@ -124,6 +131,7 @@ TightenedPose tightenPose(const GaussianPose& sensor, std::span<const SieveView>
         gradient += weight * e.misfit * row;
       }
     }
+    if (round == 0) result.plausible = result.explained >= least;
     if (result.explained < least || round == added.size() + kRoundsOnAll) return result;
     const Eigen::LDLT<Matrix3d> factors(information);
     if (factors.info() != Eigen::Success || !(factors.vectorD().minCoeff() > 0)) return result;

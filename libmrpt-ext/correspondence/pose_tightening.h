@@ -10,8 +10,9 @@ namespace mrpt_ext
 struct TightenedPose
 {
   GaussianPose sensor;
-  int explained = 0;     ///< readings with a landmark within the gate of the refined pose
-  bool refined = false;  ///< false: the readings that only one landmark can explain do not fix a pose
+  int explained = 0;       ///< readings with a landmark within the gate of the refined pose
+  bool refined = false;    ///< false: the readings that only one landmark can explain do not fix a pose
+  bool plausible = false;  ///< before it was refined the pose explained enough
 };
 
 /// Refines a sensor pose that comes from few readings on those that it explains, in a few rounds: first on the few

@@ -31,6 +31,7 @@ double ratioAbove(int step)
 ReadingTable::ReadingTable(std::span<const BearingReading> readings, double gate)
     : size_(static_cast<int>(std::min(readings.size(), kMaxReadings))),
       of_kind_(kKinds, 0),
+      from_kind_(kKinds, 0),
       readings_(readings.begin(), readings.end())
 {
   double widest = 0;
@@ -58,6 +59,8 @@ ReadingTable::ReadingTable(std::span<const BearingReading> readings, double gate
                  sets_.data() + static_cast<std::size_t>(level) * static_cast<std::size_t>(bins_));
     }
   }
+  from_kind_ = of_kind_;
+  for (std::size_t kind = kKinds - 1; kind-- > 0;) from_kind_[kind] |= from_kind_[kind + 1];
 }
 
 void ReadingTable::addReading(std::uint32_t bit, double bearing, double half_width, std::uint32_t* level) const
@@ -70,6 +73,11 @@ void ReadingTable::addReading(std::uint32_t bit, double bearing, double half_wid
     first = bin_of(bearing - half_width - rounding) & (bins_ - 1);
     count = ((bin_of(bearing + half_width + rounding) - first) & (bins_ - 1)) + 1;
   }
-  for (int b = 0; b < count; ++b) level[(first + b) & (bins_ - 1)] |= bit;
+  const auto add = [&](int begin, int end)
+  {
+    for (int b = begin; b < end; ++b) level[b] |= bit;
+  };
+  add(first, std::min(first + count, bins_));
+  add(0, first + count - bins_);
 }
 }  // namespace mrpt_ext

@@ -31,6 +31,8 @@ class ReadingTable
   [[nodiscard]] int levels() const { return levels_; }
   [[nodiscard]] const std::uint32_t* sets() const { return sets_.data(); }       ///< [level * bins + bin]
   [[nodiscard]] const std::uint32_t* ofKind() const { return of_kind_.data(); }  ///< [kind, modulo 256]
+  /// Readings that some kind from this one on explains [kind, modulo 256].
+  [[nodiscard]] const std::uint32_t* fromKind() const { return from_kind_.data(); }
   [[nodiscard]] bool hasKinds() const { return has_kinds_; }
   [[nodiscard]] const BearingReading& reading(int bit) const { return readings_[static_cast<std::size_t>(bit)]; }
 
@@ -40,7 +42,7 @@ class ReadingTable
   int size_ = 0, bins_ = 0, levels_ = 0;
   float inverse_variance_ = 0;
   bool has_kinds_ = false;
-  std::vector<std::uint32_t> sets_, of_kind_;
+  std::vector<std::uint32_t> sets_, of_kind_, from_kind_;
   std::vector<BearingReading> readings_;
 };
 }  // namespace mrpt_ext

@@ -99,8 +99,16 @@ class TripleCost
 {
  public:
   TripleCost(std::span<const BearingReading> readings, const SearchDensity& density)
-      : readings_(readings), density_(density)
+      : readings_(readings), density_(density), pairs_(readings.size() * readings.size())
   {
+    const int count = static_cast<int>(readings.size());
+    for (int i = 0; i < count; ++i)
+      for (int j = 0; j < count; ++j)
+      {
+        const double gap = std::abs(wrap(at(i).bearing - at(j).bearing));
+        pairs_[place(i, j)] = {gap, landmarksAround(j, gap)};
+      }
+    for (int i = 0; i < count; ++i) in_range_.push_back(landmarksAround(i, 0));
   }
 
   /// The best choice of the middle one.
@@ -108,14 +116,14 @@ class TripleCost
   {
     const double gap_ij = gap(i, j), gap_jk = gap(j, k), gap_ki = gap(k, i);
     ReadingTriple best{{i, j, k}, std::numeric_limits<double>::infinity()};
-    const auto consider = [&](int middle, int first, int second, double gap_first, double gap_second)
+    const auto consider = [&](int middle, int first, int second)
     {
-      const double tried = allowed(middle) * around(first, gap_first) * around(second, gap_second);
+      const double tried = allowed(middle) * around(middle, first) * around(middle, second);
       if (tried < best.cost) best = {{middle, first, second}, tried};
     };
-    consider(i, j, k, gap_ij, gap_ki);
-    consider(j, i, k, gap_ij, gap_jk);
-    consider(k, i, j, gap_ki, gap_jk);
+    consider(i, j, k);
+    consider(j, i, k);
+    consider(k, i, j);
     const double widest = std::max({gap_ij, gap_jk, gap_ki});
     const double sum = gap_ij + gap_jk + gap_ki;
     const double span = std::min(sum - widest, kTwoPi - widest);  // between the outer two, over the third
@@ -124,20 +132,33 @@ class TripleCost
   }
 
  private:
-  [[nodiscard]] double gap(int i, int j) const { return std::abs(wrap(at(i).bearing - at(j).bearing)); }
+  /// Two readings: the angle between them, and the landmarks that the other one may show around that of the one.
+  struct Pair
+  {
+    double gap, around;
+  };
+
+  [[nodiscard]] std::size_t place(int i, int j) const
+  {
+    return static_cast<std::size_t>(i) * readings_.size() + static_cast<std::size_t>(j);
+  }
+  [[nodiscard]] double gap(int i, int j) const { return pairs_[place(i, j)].gap; }
+  [[nodiscard]] double around(int i, int j) const { return pairs_[place(i, j)].around; }
   [[nodiscard]] const BearingReading& at(int i) const { return readings_[static_cast<std::size_t>(i)]; }
   [[nodiscard]] double allowed(int i) const { return density_.landmarks_allowed[static_cast<std::size_t>(i)]; }
   [[nodiscard]] double range(int i) const { return density_.max_range[static_cast<std::size_t>(at(i).place)]; }
 
-  [[nodiscard]] double around(int i, double gap) const
+  [[nodiscard]] double landmarksAround(int i, double gap) const
   {
     return allowed(i) * std::min(1.0, kPi * square(largestSeparation(gap, range(i))) / density_.area);
   }
 
+  [[nodiscard]] double inRange(int i) const { return in_range_[static_cast<std::size_t>(i)]; }
+
   /// Possible poses: measured to grow linearly with the angle that the triple spans.
   [[nodiscard]] double posesOf(int i, int j, int k, double span) const
   {
-    return allowed(i) * around(j, 0) * around(k, 0) * (0.03 + 0.13 * span);
+    return allowed(i) * inRange(j) * inRange(k) * (0.03 + 0.13 * span);
   }
 
   /// Share of the poses that two of the other readings do not contradict. A narrow triple leaves wide gates.
@@ -150,6 +171,8 @@ class TripleCost
 
   std::span<const BearingReading> readings_;
   const SearchDensity& density_;
+  std::vector<Pair> pairs_;
+  std::vector<double> in_range_;  // landmarks that a reading may show
 };
 }  // namespace
 

@@ -28,20 +28,6 @@ TripleBearings bearingsOf(const BearingReading& middle, const BearingReading& fi
           std(second)};
 }
 
-void collectNeighbours(const LandmarkIndex& map, std::size_t i, double radius, int kind, Neighbours& out)
-{
-  out.clear();
-  const Vector2d& centre = map.position(i);
-  map.forEachNear(centre, radius,
-                  [&](std::size_t l)
-                  {
-                    if (l == i || !map.mayShow(kind, l)) return;
-                    const Vector2d d = map.position(l) - centre;
-                    out.add(static_cast<float>(d.x()), static_cast<float>(d.y()));
-                  });
-  out.pad();
-}
-
 /// Keeps the hits inside the area.
 void keepInside(const MapArea& area, const Vector2d& around, TripleHits& hits)
 {
@@ -117,11 +103,12 @@ TripleRound::Work TripleRound::forEachScan(std::size_t stride, Visit&& visit) co
   {
     const std::uint32_t i = order[o];
     if (!map->mayShow(middle.kind, i)) continue;
-    collectNeighbours(*map, i, radius_first, first.kind, around_first);
-    collectNeighbours(*map, i, radius_second, second.kind, around_second);
-    if (around_first.count == 0 || around_second.count == 0) continue;
-    const std::size_t rows = std::max<std::size_t>(1, kBatch / around_second.x.size());
-    hits.reserve(std::min(rows, around_first.count) * around_second.x.size() + 16);
+    neighbours[0]->collect(map->position(i), radius_first, around_first);
+    if (around_first.count == 0) continue;
+    neighbours[1]->collect(map->position(i), radius_second, around_second);
+    if (around_second.count == 0) continue;
+    const std::size_t rows = std::max<std::size_t>(1, kBatch / around_second.padded);
+    hits.reserve(std::min(rows, around_first.count) * around_second.padded + 16);
     for (std::size_t j = 0; j < around_first.count; j += rows)
     {
       const std::size_t end = std::min(around_first.count, j + rows);
@@ -153,7 +140,7 @@ TripleRound::Work TripleRound::run(ProposalStore& store) const
                      [&](std::uint32_t i, const Neighbours& first, const Neighbours& second, const TripleHits& hits)
                      {
                        posesOfHits(bearings, first, second, hits, poses);
-                       boundExplained(poses, map->position(i), views, gate, explained);
+                       boundExplained(poses, map->position(i), views, gate, store.floor(), explained);
                        for (std::size_t n = 0; n < poses.count; ++n)
                          if (explained[n] >= store.floor())
                            store.add(proposalAt(poses, n, map->position(i), explained[n]));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -7,6 +8,7 @@
 
 #include "mrpt_ext/correspondence/bearing_sieve.h"
 #include "mrpt_ext/correspondence/map_area.h"
+#include "mrpt_ext/correspondence/neighbour_grid.h"
 #include "mrpt_ext/correspondence/triple_cover.h"
 #include "mrpt_ext/geometry/gaussian_pose.h"
 
@@ -42,8 +44,9 @@ struct TripleRound
   const LandmarkIndex* map = nullptr;
   std::span<const BearingReading> readings;
   ReadingTriple triple;
-  std::vector<SieveView> views;  ///< of all places, relative to the triple's sensor
-  double max_range = 0;          ///< of the triple's place; infinity: none
+  std::array<const NeighbourGrid*, 2> neighbours{};  ///< landmarks that the outer readings may show
+  std::vector<SieveView> views;                      ///< of all places, relative to the triple's sensor
+  double max_range = 0;                              ///< of the triple's place; infinity: none
   double gate = 3.3;
   std::optional<MapArea> area;  ///< of the sensor
   std::uint64_t max_tested = 0;

@@ -63,25 +63,19 @@ struct Row
 }
 }  // namespace
 
-void Neighbours::clear()
+void Neighbours::reserve(std::size_t capacity)
 {
-  x.clear();
-  y.clear();
-  count = 0;
-}
-
-void Neighbours::add(float dx, float dy)
-{
-  x.push_back(dx);
-  y.push_back(dy);
-  ++count;
+  if (x.size() >= capacity) return;
+  x.resize(capacity);
+  y.resize(capacity);
 }
 
 void Neighbours::pad()
 {
-  const std::size_t padded = (count + kBlock - 1) / kBlock * kBlock;
-  x.resize(padded, 0);
-  y.resize(padded, 0);
+  padded = (count + kBlock - 1) / kBlock * kBlock;
+  reserve(padded);
+  std::fill(x.begin() + static_cast<std::ptrdiff_t>(count), x.begin() + static_cast<std::ptrdiff_t>(padded), 0.0F);
+  std::fill(y.begin() + static_cast<std::ptrdiff_t>(count), y.begin() + static_cast<std::ptrdiff_t>(padded), 0.0F);
 }
 
 void TripleHits::reserve(std::size_t capacity)
@@ -98,7 +92,7 @@ void scanTriples(const TripleShape& shape, const Neighbours& first, std::size_t 
   Row row;
   for (std::size_t tile = 0; tile < second.count; tile += kTile)
   {
-    const std::size_t size = std::min(kTile, second.x.size() - tile);
+    const std::size_t size = std::min(kTile, second.padded - tile);
     const float *kx = second.x.data() + tile, *ky = second.y.data() + tile;
     for (std::size_t l = 0; l < size; ++l)
     {

@@ -16,14 +16,14 @@ struct TripleShape
   float range2 = 0;       ///< square of how far the landmarks can be [m^2]; infinity: no limit
 };
 
-/// Landmarks around landmark i, relative to it [m]; padded with zeros to a multiple of 16.
+/// Landmarks around landmark i, relative to it [m]; padded with zeros to a multiple of 16. The arrays may be longer.
 struct Neighbours
 {
   std::vector<float> x, y;
-  std::size_t count = 0;  ///< without padding
+  std::size_t count = 0;   ///< without padding
+  std::size_t padded = 0;  ///< with
 
-  void clear();
-  void add(float dx, float dy);
+  void reserve(std::size_t capacity);
   void pad();
 };
 
@@ -39,7 +39,7 @@ struct TripleHits
 
 /// Appends a hit for every j in `first` [j_begin, j_end) and k in `second` for which there is a place that sees i, j
 /// and k under the three bearings, looking the right way, within the range. `hits` must have room for (j_end - j_begin)
-/// * second.x.size().
+/// * second.padded.
 ///
 /// The places that see i and j under a given angle lie on a circle through both, with centre u = (j + cot * perp(j)) /
 /// 2 in coordinates relative to i; i and k give another with centre v. Both pass through i, so the place is the mirror

@@ -13,6 +13,11 @@ constexpr double kMaxBytes = 100e6;
 constexpr double kBytesPerEntry = 2 * sizeof(float) + sizeof(std::uint8_t);
 constexpr double kMaxCells = 4e6;
 constexpr float kFarAway = 1e9F;
+
+std::uint8_t listedKind(const LandmarkIndex& map, std::size_t landmark)
+{
+  return static_cast<std::uint8_t>(map.kind(landmark));
+}
 }  // namespace
 
 VisibleLists::VisibleLists(const LandmarkIndex& map, double max_range, double margin)
@@ -55,20 +60,25 @@ void VisibleLists::fill(const LandmarkIndex& map)
   first_.reserve(cells + 1);
   first_.push_back(0);
   std::size_t listed = 0;
+  std::vector<std::size_t> near;
   for (int row = 0; row < rows_; ++row)
     for (int column = 0; column < columns_; ++column)
     {
       const Vector2d centre = origin_ + cell_ * Vector2d(column + 0.5, row + 0.5);
       const double radius = limited ? max_range_ + margin_ + 0.7072 * cell_ : 2 * cell_;
-      map.forEachNear(centre, radius,
-                      [&](std::size_t l)
-                      {
-                        const Vector2d d = map.position(l) - centre;
-                        x_.push_back(static_cast<float>(d.x()));
-                        y_.push_back(static_cast<float>(d.y()));
-                        kind_.push_back(static_cast<std::uint8_t>(map.kind(l)));
-                        ++listed;
-                      });
+      near.clear();
+      map.forEachNear(centre, radius, [&](std::size_t l) { near.push_back(l); });
+      if (map.kindCount() > 1)
+        std::stable_sort(near.begin(), near.end(),
+                         [&](std::size_t a, std::size_t b) { return listedKind(map, a) < listedKind(map, b); });
+      for (const std::size_t l : near)
+      {
+        const Vector2d d = map.position(l) - centre;
+        x_.push_back(static_cast<float>(d.x()));
+        y_.push_back(static_cast<float>(d.y()));
+        kind_.push_back(listedKind(map, l));
+      }
+      listed += near.size();
       const std::size_t padded = (x_.size() + kBlock - 1) / kBlock * kBlock;
       x_.resize(padded, kFarAway);
       y_.resize(padded, kFarAway);

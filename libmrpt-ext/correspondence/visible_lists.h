@@ -23,7 +23,7 @@ class VisibleLists
   {
     const float* x;  ///< [m] relative to the centre; padding is far away
     const float* y;
-    const std::uint8_t* kind;  ///< kinds beyond 255 share numbers: a kind never excludes its own landmarks
+    const std::uint8_t* kind;  ///< ascending; kinds beyond 255 share numbers: a kind never excludes its own landmarks
     std::size_t count;         ///< with padding
   };
 

@@ -41,6 +41,7 @@ void follow(const LandmarkIndex& index, const LostView& view, Fate& fate)
   std::sort(triples.begin(), triples.end(),
             [](const ReadingTriple& a, const ReadingTriple& b) { return a.cost < b.cost; });
   if (triples.size() > 10) triples.resize(10);
+  const NeighbourGrid neighbours(index, kAnyKind);
   for (const ReadingTriple& triple : triples)
   {
     SieveView seen{&table, &lists, Pose2{}, 0};
@@ -49,6 +50,7 @@ void follow(const LandmarkIndex& index, const LostView& view, Fate& fate)
     round.map = &index;
     round.readings = readings;
     round.triple = triple;
+    round.neighbours = {&neighbours, &neighbours};
     round.views = {seen};
     round.max_range = range;
     round.gate = kGate;
