@@ -24,6 +24,22 @@ double sizeFrom(const Settings& settings, const char* key, const nlohmann::json&
   return cameraNumber(camera, name).value_or(0);
 }
 
+/// All four numbers or none: without them the mirror's axis is taken for the camera's.
+std::optional<MirrorAxis> axisFrom(const Settings& settings, const nlohmann::json& camera)
+{
+  const auto number = [&](const char* key, const char* name)
+  {
+    const auto own = settings.optionalNumber(kSection, key);
+    return own ? own : cameraNumber(camera, name);
+  };
+  const auto u = number("principal_u_px", "cx"), v = number("principal_v_px", "cy");
+  const auto cone = number("cone_half_angle_deg", "cone_half_angle_deg"), rim = number("rim_angle_deg", "rim_phi_deg");
+  if (!u || !v || !cone || !rim) return std::nullopt;
+  if (!(*rim > 0 && *rim < *cone && *cone < 90))
+    throw dataError("camera.json: expected 0 < rim_phi_deg < cone_half_angle_deg < 90");
+  return MirrorAxis{{*u, *v}, degToRad(*cone), degToRad(*rim)};
+}
+
 ConicMirrorSettings readModel(const Settings& settings, const nlohmann::json& camera)
 {
   const auto number = [&](const char* key) { return settings.number(kSection, key); };
@@ -32,6 +48,7 @@ ConicMirrorSettings readModel(const Settings& settings, const nlohmann::json& ca
                       static_cast<int>(sizeFrom(settings, "image_height", camera, "height"))};
   const auto yaw = settings.optionalRadians(kSection, "mount_yaw_deg");
   model.mount_yaw = yaw ? *yaw : degToRad(cameraNumber(camera, "mount_yaw_deg").value_or(0));
+  model.axis = axisFrom(settings, camera);
   model.outline = {number("rim_radius_min"), number("rim_radius_max"),    number("rim_aspect_min"),
                    number("rim_aspect_max"), number("rim_visible_share"), number("rim_contrast")};
   model.grid = {static_cast<int>(settings.integer(kSection, "azimuths")),
@@ -43,6 +60,7 @@ ConicMirrorSettings readModel(const Settings& settings, const nlohmann::json& ca
   model.edges.min_significance = number("edge_significance");
   model.edges.min_contrast = number("edge_contrast");
   model.edges.max_width = settings.radians(kSection, "edge_width_deg");
+  model.edges.blur = number("edge_blur_px");
   model.edges.min_prominence = number("edge_prominence");
   model.edges.std_floor = settings.radians(kSection, "std_floor_deg");
   return model;
@@ -66,17 +84,17 @@ FrameMeasurements ConicMirrorFrontEnd::measure(const ImageFrame& frame, bool wit
     return result;
   }
   const ConicMirrorView view = viewConicMirror(image->pixels, model_);
-  if (with_drawings) result.drawings.push_back({image->name, drawConicMirror(image->pixels, view)});
+  const double yaw = model_.mount_yaw + image->T_robot_camera.phi;
+  if (with_drawings) result.drawings.push_back({image->name, drawConicMirror(image->pixels, view, yaw)});
   if (!view.problem.empty())
   {
-    result.problems.push_back(image->name + ": " + view.problem);
+    result.problems.push_back(frame.nameOf(*image) + ": " + view.problem);
     return result;
   }
   Reading reading;
   reading.time = frame.time;
   reading.sensor = label_;
   reading.T_robot_sensor = compose(T_robot_sensor_, Pose2{image->T_robot_camera.x, image->T_robot_camera.y, 0});
-  const double yaw = model_.mount_yaw + image->T_robot_camera.phi;
   for (const RadialEdge& edge : view.edges)
   {
     Detection detection;

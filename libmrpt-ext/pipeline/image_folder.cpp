@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <opencv2/imgcodecs.hpp>
 
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/files/text_table.h"
+#include "mrpt_ext/pipeline/image_file.h"
 #include "mrpt_ext/pipeline/image_frame.h"
 
 namespace mrpt_ext
@@ -156,11 +156,7 @@ class ImageFolder : public ImageSequence
     for (const std::string& role : roles_)
     {
       const std::string name = names_.at(row, role);
-      const fs::path file = folder_ / name;
-      frame.images.push_back({role, name, {}, {}});
-      // OpenCV complains on its own about a file that is not there.
-      if (!name.empty() && fs::is_regular_file(file))
-        frame.images.back().pixels = cv::imread(file.string(), cv::IMREAD_ANYCOLOR);
+      frame.images.push_back({role, name, name.empty() ? cv::Mat() : readImageFile(folder_ / name), {}});
     }
     return frame;
   }
@@ -174,6 +170,11 @@ class ImageFolder : public ImageSequence
   bool odometry_told_ = false;  ///< of this row
 };
 }  // namespace
+
+std::string ImageFrame::nameOf(const FrameImage& image) const
+{
+  return image.name.empty() ? "frame " + std::to_string(number) + " " + image.role : image.name;
+}
 
 const FrameImage* ImageFrame::find(const std::string& role) const
 {

@@ -31,6 +31,8 @@ struct ImageFrame
 
   /// Null when there is none of this role.
   [[nodiscard]] const FrameImage* find(const std::string& role) const;
+  /// For messages: its file, or frame and role when the table names no file.
+  [[nodiscard]] std::string nameOf(const FrameImage& image) const;
 };
 
 using ImageRecord = std::variant<OdometryRecord, ImageFrame>;

@@ -83,10 +83,10 @@ FrameMeasurements MovisFrontEnd::measure(const ImageFrame& frame, bool with_draw
     if (!image) continue;
     any = true;
     const OmniView view = mounted.camera.view(image->pixels);
-    if (with_drawings) result.drawings.push_back({image->name, mounted.camera.draw(image->pixels, view)});
+    if (with_drawings) result.drawings.push_back({image->name, mounted.camera.draw(image->pixels, view, mounted.yaw)});
     if (!view.problem.empty())
     {
-      result.problems.push_back((image->name.empty() ? mounted.label : image->name) + ": " + view.problem);
+      result.problems.push_back(frame.nameOf(*image) + ": " + view.problem);
       continue;
     }
     Reading reading;

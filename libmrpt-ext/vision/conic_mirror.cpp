@@ -7,6 +7,7 @@ namespace mrpt_ext
 ConicMirrorView viewConicMirror(const cv::Mat& image, const ConicMirrorSettings& settings)
 {
   ConicMirrorView view;
+  view.axis = settings.axis;
   view.problem = complaintAboutImage(image, settings.image_size);
   if (!view.problem.empty()) return view;
   const cv::Mat grey = greyOf(image);
@@ -17,7 +18,8 @@ ConicMirrorView viewConicMirror(const cv::Mat& image, const ConicMirrorSettings&
     return view;
   }
   const AxisEllipse& rim = view.outline->rim;
-  view.edges = findRadialEdges(unroll(grey, rim, settings.grid), view.outline->std_centre, rim.semi_v, settings.edges);
+  view.edges = findRadialEdges(unroll(grey, rim, settings.grid, settings.axis), view.outline->std_centre, rim.semi_v,
+                               settings.edges);
   return view;
 }
 }  // namespace mrpt_ext

@@ -14,8 +14,9 @@ namespace mrpt_ext
 /// counter-clockwise about the robot's vertical axis, from the image's u axis towards its v axis.
 struct ConicMirrorSettings
 {
-  cv::Size image_size;   ///< [px]; empty: any
-  double mount_yaw = 0;  ///< [rad] azimuth of the image's u axis in the robot's frame
+  cv::Size image_size;             ///< [px]; empty: any
+  double mount_yaw = 0;            ///< [rad] azimuth of the image's u axis in the robot's frame
+  std::optional<MirrorAxis> axis;  ///< without it the mirror's axis is taken for the camera's
   OutlineSettings outline;
   PolarGrid grid;
   RadialEdgeSettings edges;
@@ -26,6 +27,7 @@ struct ConicMirrorView
 {
   std::string problem;                   ///< why there is no measurement; empty when there may be some
   std::optional<MirrorOutline> outline;  ///< nothing with a problem
+  std::optional<MirrorAxis> axis;        ///< that of the settings
   std::vector<RadialEdge> edges;         ///< azimuths in the image
 };
 
@@ -33,6 +35,7 @@ struct ConicMirrorView
 /// edges.
 [[nodiscard]] ConicMirrorView viewConicMirror(const cv::Mat& image, const ConicMirrorSettings& settings);
 
-/// The image in colour with the rim and the edges that were found.
-[[nodiscard]] cv::Mat drawConicMirror(const cv::Mat& image, const ConicMirrorView& view);
+/// The image in colour with the rim and the edges that were found, green where it gets brighter counter-clockwise as
+/// the robot sees it, blue where darker, with their azimuths [deg] in the frame in which the u axis has `yaw` [rad].
+[[nodiscard]] cv::Mat drawConicMirror(const cv::Mat& image, const ConicMirrorView& view, double yaw = 0);
 }  // namespace mrpt_ext

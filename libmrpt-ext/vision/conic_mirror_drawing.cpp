@@ -18,7 +18,7 @@ cv::Point fixedPoint(const cv::Point2d& p)
 }
 }  // namespace
 
-cv::Mat drawConicMirror(const cv::Mat& image, const ConicMirrorView& view)
+cv::Mat drawConicMirror(const cv::Mat& image, const ConicMirrorView& view, double yaw)
 {
   cv::Mat drawing;
   if (image.empty() || image.depth() != CV_8U) return drawing;
@@ -38,9 +38,11 @@ cv::Mat drawConicMirror(const cv::Mat& image, const ConicMirrorView& view)
   for (const RadialEdge& edge : view.edges)
   {
     const cv::Point2d direction(std::cos(edge.azimuth), std::sin(edge.azimuth));
-    cv::line(drawing, fixedPoint(rim.at(direction, edge.inner)), fixedPoint(rim.at(direction, edge.outer)),
-             edge.polarity > 0 ? kBrighter : kDarker, 1, cv::LINE_AA, kFractionBits);
-    const std::string text = std::to_string(cvRound(radToDeg(edge.azimuth)));
+    const auto at = [&](double share)
+    { return fixedPoint(rim.at(direction, share) - rim.centre + centreOfAzimuths(rim, view.axis, share)); };
+    cv::line(drawing, at(edge.inner), at(edge.outer), edge.polarity > 0 ? kBrighter : kDarker, 1, cv::LINE_AA,
+             kFractionBits);
+    const std::string text = std::to_string(cvRound(radToDeg(wrap(edge.azimuth + yaw))));
     const cv::Point2d place = rim.at(direction, 1.04);
     cv::putText(drawing, text, {cvRound(place.x) - 10, cvRound(place.y) + 4}, cv::FONT_HERSHEY_SIMPLEX, 0.35, kText, 1,
                 cv::LINE_AA);

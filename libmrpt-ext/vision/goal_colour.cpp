@@ -15,11 +15,13 @@ constexpr double kWhiteQuantile = 0.9;  ///< of the pixels are darker than the i
 constexpr float kWhiteShare = 0.45F;    ///< of it is still white, in the shade
 constexpr float kLeastShare = 0.25F;    ///< of the white's level the dark channel must fall by
 
-cv::Vec3f meanOf(const cv::Vec3b* pixels, int first)
+/// Of the pixels that the row has.
+cv::Vec3f meanOf(const cv::Vec3b* pixels, int columns, int first)
 {
+  const int begin = std::max(first, 0), end = std::min(first + kMean, columns);
   cv::Vec3f sum(0, 0, 0);
-  for (int i = first; i < first + kMean; ++i) sum += cv::Vec3f(pixels[i]);
-  return sum * (1.F / kMean);
+  for (int i = begin; i < end; ++i) sum += cv::Vec3f(pixels[i]);
+  return sum * (1.F / static_cast<float>(end - begin));
 }
 }  // namespace
 
@@ -75,7 +77,7 @@ std::vector<double> colourStepsInRow(const cv::Mat& bgr, int row, int first_colu
                                      const GoalColour& colour, int side, const cv::Vec3f& least_white)
 {
   constexpr int kReach = kGap + kMean;
-  const int first = std::max(first_column, kReach), last = std::min(last_column, bgr.cols - 1 - kReach);
+  const int first = std::max(first_column, kGap), last = std::min(last_column, bgr.cols - 1 - kGap);
   std::vector<double> columns;
   if (row < 0 || row >= bgr.rows) return columns;
   const cv::Vec3b* const pixels = bgr.ptr<cv::Vec3b>(row);
@@ -88,7 +90,7 @@ std::vector<double> colourStepsInRow(const cv::Mat& bgr, int row, int first_colu
   {
     const float here = fall(u);
     if (here <= 0 || here < fall(u - 1) || here <= fall(u + 1)) continue;
-    cv::Vec3f left = meanOf(pixels, u - kReach + 1), right = meanOf(pixels, u + kGap + 1);
+    cv::Vec3f left = meanOf(pixels, bgr.cols, u - kReach + 1), right = meanOf(pixels, bgr.cols, u + kGap + 1);
     const cv::Vec3f &white = side > 0 ? left : right, &dyed = side > 0 ? right : left;
     if (!isWhite(white, least_white)) continue;
     if (white[channel] - dyed[channel] < kLeastShare * white[channel] || !colour.matches(white, dyed)) continue;

@@ -13,7 +13,7 @@ std::string text(const cv::Size& size) { return std::to_string(size.width) + "x"
 
 std::string complaintAboutImage(const cv::Mat& image, const cv::Size& size)
 {
-  if (image.empty()) return "image is empty";
+  if (image.empty()) return "image is missing, empty or damaged";
   if (image.depth() != CV_8U || (image.channels() != 1 && image.channels() != 3))
     return "image has " + std::to_string(image.channels()) + " channels of " + std::to_string(8 * image.elemSize1()) +
            " bits, expected 1 or 3 of 8 bits";

@@ -10,7 +10,7 @@ namespace
 {
 constexpr int kReducedSide = 120;         ///< [px] the shorter side of the image in which votes are cast
 constexpr std::size_t kMostEdges = 4000;  ///< strongest gradients that vote
-constexpr double kAspectStep = 0.12;      ///< between the aspect ratios that are tried
+constexpr double kAspectStep = 0.15;      ///< between the aspect ratios that are tried
 constexpr float kRadialStride = 1.5F;     ///< [px] between the votes of one pixel
 constexpr std::size_t kCentres = 2;       ///< per aspect ratio
 constexpr int kRadiiPerCentre = 2;

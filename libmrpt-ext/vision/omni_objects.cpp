@@ -25,7 +25,8 @@ int brightnessAt(const cv::Mat& image, const cv::Point2d& place)
   return (p[0] + p[1] + p[2]) / 3;
 }
 
-/// True when enough of the mirror's rim is where it should be: bright inside, dark outside.
+/// True when enough of the mirror's rim is where it should be: bright inside, dark outside. What is the other way round
+/// counts against it, else mere noise would have a rim.
 bool rimIsThere(const cv::Mat& image, const OmniCameraSettings& settings)
 {
   const HyperbolicMirror& mirror = settings.mirror;
@@ -38,6 +39,7 @@ bool rimIsThere(const cv::Mat& image, const OmniCameraSettings& settings)
     if (inside < 0 || outside < 0) continue;
     ++counted;
     if (inside - outside >= settings.rim_contrast) ++seen;
+    if (outside - inside >= settings.rim_contrast) --seen;
   }
   return counted > 0 && seen >= settings.rim_visible_share * counted;
 }

@@ -61,8 +61,9 @@ class OmniCamera
 
   /// Poles and ball. A wrong, empty, grey or black image and one without the mirror have a problem and no objects.
   [[nodiscard]] OmniView view(const cv::Mat& image) const;
-  /// The image with the rim, the blocked sectors and what was found.
-  [[nodiscard]] cv::Mat draw(const cv::Mat& image, const OmniView& view) const;
+  /// The image with the rim, the blocked sectors and what was found, with azimuths [deg] in the frame in which the u
+  /// axis has `yaw` [rad].
+  [[nodiscard]] cv::Mat draw(const cv::Mat& image, const OmniView& view, double yaw = 0) const;
   [[nodiscard]] const OmniCameraSettings& settings() const { return settings_; }
 
  private:

@@ -28,18 +28,20 @@ void drawText(cv::Mat& drawing, const std::string& text, const cv::Point& place,
   cv::putText(drawing, text, place, cv::FONT_HERSHEY_SIMPLEX, 0.4, colour, 1, cv::LINE_AA);
 }
 
-void drawObject(cv::Mat& drawing, const HyperbolicMirror& mirror, const OmniObject& object, const cv::Scalar& colour)
+/// `place` of the text, share of the rim's radius.
+void drawObject(cv::Mat& drawing, const HyperbolicMirror& mirror, const OmniObject& object, const cv::Scalar& colour,
+                double place, double yaw)
 {
-  drawRay(drawing, mirror, object.azimuth, colour, 0.3);
+  drawRay(drawing, mirror, object.azimuth, colour, place + 0.05);
   for (const double side : {-1.0, 1.0})
     drawRay(drawing, mirror, object.azimuth + side * object.half_width, colour, 0.6);
-  const cv::Point2d place = mirror.pixel(object.azimuth, 0.25 * mirror.rimRho());
-  drawText(drawing, object.label + " " + std::to_string(cvRound(radToDeg(object.azimuth))),
-           {cvRound(place.x) - 15, cvRound(place.y)}, colour);
+  const cv::Point2d text = mirror.pixel(object.azimuth, place * mirror.rimRho());
+  drawText(drawing, object.label + " " + std::to_string(cvRound(radToDeg(wrap(object.azimuth + yaw)))),
+           {cvRound(text.x) - 15, cvRound(text.y)}, colour);
 }
 }  // namespace
 
-cv::Mat OmniCamera::draw(const cv::Mat& image, const OmniView& view) const
+cv::Mat OmniCamera::draw(const cv::Mat& image, const OmniView& view, double yaw) const
 {
   cv::Mat drawing;
   if (image.empty() || image.depth() != CV_8U || (image.channels() != 1 && image.channels() != 3)) return drawing;
@@ -54,8 +56,10 @@ cv::Mat OmniCamera::draw(const cv::Mat& image, const OmniView& view) const
   for (const BlockedSector& sector : settings_.blocked)
     for (const double side : {-1.0, 1.0})
       drawRay(drawing, mirror, sector.middle + side * sector.half_width, kBlocked, 0.9);
-  for (const OmniObject& object : view.objects) drawObject(drawing, mirror, object, kFound);
-  for (const OmniObject& object : view.hidden) drawObject(drawing, mirror, object, kHidden);
+  // Texts at different radii do not cover each other when objects are close.
+  double place = 0.2;
+  for (const OmniObject& object : view.objects) drawObject(drawing, mirror, object, kFound, place += 0.1, yaw);
+  for (const OmniObject& object : view.hidden) drawObject(drawing, mirror, object, kHidden, place += 0.1, yaw);
   if (!view.problem.empty()) drawText(drawing, view.problem, {10, 20}, kHidden);
   return drawing;
 }

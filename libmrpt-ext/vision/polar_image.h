@@ -3,6 +3,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "mrpt_ext/vision/axis_ellipse.h"
+#include "mrpt_ext/vision/mirror_axis.h"
 
 namespace mrpt_ext
 {
@@ -18,9 +19,9 @@ struct PolarGrid
   [[nodiscard]] double radiusOf(double row) const;  ///< share of the rim's radius
 };
 
-/// The ring unrolled: row k at radius grid.radiusOf(k), column j at the azimuth j * azimuthStep() around the rim's
-/// centre, measured on the undistorted circle; CV_32F grey levels. What lies outside the image repeats its border;
-/// `inside` is 0 there and 255 elsewhere.
+/// The ring unrolled: row k at radius grid.radiusOf(k), column j at the azimuth j * azimuthStep() around the centre
+/// of azimuths at this radius (mirror_axis.h), measured on the undistorted circle; CV_32F grey levels. What lies
+/// outside the image repeats its border; `inside` is 0 there and 255 elsewhere.
 struct PolarImage
 {
   PolarGrid grid;
@@ -28,5 +29,6 @@ struct PolarImage
   cv::Mat inside;  ///< CV_8U
 };
 
-[[nodiscard]] PolarImage unroll(const cv::Mat& grey, const AxisEllipse& rim, const PolarGrid& grid);
+[[nodiscard]] PolarImage unroll(const cv::Mat& grey, const AxisEllipse& rim, const PolarGrid& grid,
+                                const std::optional<MirrorAxis>& axis = std::nullopt);
 }  // namespace mrpt_ext

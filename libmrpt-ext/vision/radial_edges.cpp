@@ -15,6 +15,8 @@ constexpr double kNeighbourhood = 1.3;  ///< a peak is the largest within this m
 constexpr double kFlank = 6;            ///< its flanks reach so many deviations
 /// Neighbouring rows share pixels, and so do the rows of one pixel near the centre.
 constexpr double kRowCorrelation = 1.2;
+constexpr int kNeighbourRounds = 12;  ///< neighbours' moves depend on each other
+constexpr double kMoveUnknown = 0.5;  ///< share of a neighbour's pull that is not known
 
 /// Steps of one run of rows summed with the weights 1/noise^2, for azimuths around one column.
 class RunProfile
@@ -95,6 +97,36 @@ std::vector<int> peakColumns(const std::vector<RadialRun>& runs, int reach, floa
   return peaks;
 }
 
+/// [rad] by which `other`, at `place`, moves the peak of an edge at `own_place`: the slope of its profile there over
+/// the peak's bend. Edges of opposite polarity push each other away.
+double pull(const RadialEdge& edge, double own_place, const RadialEdge& other, double place)
+{
+  if (std::max(edge.inner, other.inner) >= std::min(edge.outer, other.outer)) return 0;  // at different heights
+  const double apart = wrap(place - own_place), variance = square(other.width);
+  const double height = edge.polarity * other.polarity * other.contrast / edge.contrast;
+  return height * square(edge.width) * apart / variance * std::exp(-square(apart) / (2 * variance));
+}
+
+void moveNeighboursBack(std::vector<RadialEdge>& edges)
+{
+  std::vector<double> seen, moves(edges.size(), 0.0);
+  for (const RadialEdge& e : edges) seen.push_back(e.azimuth);
+  for (int round = 0; round < kNeighbourRounds; ++round)
+  {
+    std::vector<double> next(edges.size(), 0.0);
+    for (std::size_t i = 0; i < edges.size(); ++i)
+      for (std::size_t j = 0; j < edges.size(); ++j)
+        if (j != i) next[i] += pull(edges[i], seen[i] - moves[i], edges[j], seen[j] - moves[j]);
+    for (std::size_t i = 0; i < edges.size(); ++i) next[i] = std::clamp(next[i], -edges[i].width, edges[i].width);
+    moves = next;
+  }
+  for (std::size_t i = 0; i < edges.size(); ++i)
+  {
+    edges[i].azimuth = wrap(seen[i] - moves[i]);
+    edges[i].std_azimuth = std::hypot(edges[i].std_azimuth, kMoveUnknown * moves[i]);
+  }
+}
+
 double medianBrightness(const PolarImage& polar)
 {
   std::vector<float> values;
@@ -126,7 +158,10 @@ std::vector<RadialEdge> findRadialEdges(const PolarImage& polar, double centre_s
       const auto peak = gaussianPeak(profile(column - spacing), profile(column), profile(column + spacing), spacing);
       if (!peak || peak->height < least_contrast) continue;
       const double significance = peak->height / profile.noise();
-      if (significance < settings.min_significance || peak->deviation * step > settings.max_width) continue;
+      const double inner = polar.grid.radiusOf(run.first), outer = polar.grid.radiusOf(run.end - 1);
+      const double pixel = 1 / (0.5 * (inner + outer) * radius);  // [rad]
+      const double widest = std::hypot(settings.max_width, settings.smoothing, settings.blur * pixel);
+      if (significance < settings.min_significance || peak->deviation * step > widest) continue;
       if (prominence(profile, column, peak->height, static_cast<int>(kFlank * smoothing)) < settings.min_prominence)
         continue;
       RadialEdge edge;
@@ -134,16 +169,19 @@ std::vector<RadialEdge> findRadialEdges(const PolarImage& polar, double centre_s
       edge.polarity = polarity;
       edge.contrast = peak->height;
       edge.significance = significance;
-      edge.inner = polar.grid.radiusOf(run.first);
-      edge.outer = polar.grid.radiusOf(run.end - 1);
+      // A neighbour makes the peak look narrower than any edge is.
+      edge.width = std::max(peak->deviation * step, std::hypot(settings.smoothing, settings.blur * pixel));
+      edge.inner = inner;
+      edge.outer = outer;
       // White noise through a Gaussian's derivative: the slope's deviation is sqrt(3/2)/smoothing of the value's, and
       // the peak's bend is height/deviation^2.
       const double by_noise = std::sqrt(1.5) * square(peak->deviation) / (smoothing * significance) * step;
-      const double by_centre = centre_std / (0.5 * (edge.inner + edge.outer) * radius);
+      const double by_centre = centre_std * pixel;
       edge.std_azimuth = std::sqrt(square(by_noise) + square(by_centre) + square(settings.std_floor));
       edges.push_back(edge);
     }
   }
+  moveNeighboursBack(edges);
   std::sort(edges.begin(), edges.end(), [](const RadialEdge& a, const RadialEdge& b) { return a.azimuth < b.azimuth; });
   return edges;
 }

@@ -13,7 +13,8 @@ struct RadialEdgeSettings
   double min_length = 0.18;      ///< radial length, share of the sampled ring
   double min_significance = 8;   ///< evidence of the whole edge, in standard deviations of the noise
   double min_contrast = 0.015;   ///< mean step, share of the ring's median brightness
-  double max_width = 0.0150;     ///< [rad] standard deviation of the edge's profile, smoothing included
+  double max_width = 0.0107;     ///< [rad] standard deviation of a soft edge in the room, as an exact camera sees it
+  double blur = 1.05;            ///< [px] standard deviation of what camera and sampling add to an edge's width
   double min_prominence = 0.45;  ///< how far the profile falls on both sides, share of the peak
   double std_floor = 0.0005;     ///< [rad] of what the noise does not explain
 };
@@ -22,6 +23,7 @@ struct RadialEdgeSettings
 struct RadialEdge
 {
   double azimuth = 0;      ///< [rad] in the image: from the u axis towards the v axis, wrapped
+  double width = 0;        ///< [rad] standard deviation of its profile, at least that of smoothing and blur
   double std_azimuth = 0;  ///< [rad]
   int polarity = 0;        ///< +1: brighter towards growing azimuth, -1: darker
   double contrast = 0;     ///< [grey levels] mean step
@@ -34,8 +36,9 @@ struct RadialEdge
 /// radii with most evidence counts, so that edges that end at a table's height are found. Peaks of the evidence are
 /// located to a fraction of a column on the summed steps of the run.
 ///
-/// `centre_std` [px] is that of the rim's centre and `radius` [px] the rim's; both together are an error of azimuth.
-/// Ordered by azimuth. The noise is that of the image itself, so gain and noise need no setting.
+/// Edges closer than their profiles are wide pull at each other's peaks; they are moved back by what Gaussian profiles
+/// tell, and half of the move is an error of azimuth. So is `centre_std` [px] of the rim's centre at `radius` [px], the
+/// rim's. Ordered by azimuth. The noise is that of the image itself, so gain and noise need no setting.
 [[nodiscard]] std::vector<RadialEdge> findRadialEdges(const PolarImage& polar, double centre_std, double radius,
                                                       const RadialEdgeSettings& settings);
 }  // namespace mrpt_ext

@@ -19,6 +19,14 @@ struct Sector
   double brightness = 0;
 };
 
+inline double brightnessTowards(const std::vector<Sector>& sectors, double azimuth)
+{
+  double brightness = sectors.back().brightness;  // the last one reaches over the end of the turn
+  for (const Sector& sector : sectors)
+    if (azimuth >= degToRad(sector.azimuth_deg)) brightness = sector.brightness;
+  return brightness;
+}
+
 /// A mirror image drawn from its definition, without any optics.
 struct MirrorPicture
 {
@@ -34,15 +42,13 @@ struct MirrorPicture
     const double x = (u - rim.centre.x) / rim.semi_u, y = (v - rim.centre.y) / rim.semi_v;
     if (std::hypot(x, y) > 1) return background;
     const double azimuth = std::atan2(y, x);
-    double brightness = sectors.back().brightness;  // the last one reaches over the end of the turn
-    for (const Sector& sector : sectors)
-      if (azimuth >= degToRad(sector.azimuth_deg)) brightness = sector.brightness;
-    return brightness + shading * std::sin(azimuth);
+    return brightnessTowards(sectors, azimuth) + shading * std::sin(azimuth);
   }
 };
 
 /// 8-bit grey, every pixel the mean of 4 x 4 samples, slightly blurred, noise from `seed`.
-inline cv::Mat paint(const MirrorPicture& picture, int seed = 1)
+template <typename Picture>
+cv::Mat paint(const Picture& picture, double noise_level, int seed)
 {
   constexpr int kSamples = 4;
   cv::Mat image(picture.size, CV_32F);
@@ -58,9 +64,11 @@ inline cv::Mat paint(const MirrorPicture& picture, int seed = 1)
   cv::GaussianBlur(image, image, {0, 0}, 0.6);
   cv::Mat noise(picture.size, CV_32F);
   cv::RNG random(static_cast<std::uint64_t>(seed));
-  random.fill(noise, cv::RNG::NORMAL, 0, picture.noise);
+  random.fill(noise, cv::RNG::NORMAL, 0, noise_level);
   image += noise;
   image.convertTo(image, CV_8U);
   return image;
 }
+
+inline cv::Mat paint(const MirrorPicture& picture, int seed = 1) { return paint(picture, picture.noise, seed); }
 }  // namespace mrpt_ext::testing

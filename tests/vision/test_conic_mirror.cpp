@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "mrpt_ext/vision/conic_mirror.h"
-#include "synthetic_mirror.h"
+#include "synthetic_cone.h"
 
 namespace mrpt_ext
 {
@@ -20,7 +20,8 @@ const RadialEdge* edgeAt(const ConicMirrorView& view, double azimuth_deg)
 
 /// Every sector's beginning is an edge of the right polarity, and there is none else. Returns the squared errors in
 /// units of the stated deviations.
-std::vector<double> expectTheSectors(const MirrorPicture& picture, const ConicMirrorView& view)
+template <typename Picture>
+std::vector<double> expectTheSectors(const Picture& picture, const ConicMirrorView& view)
 {
   std::vector<double> squares;
   EXPECT_EQ(view.problem, "");
@@ -65,6 +66,53 @@ TEST(ConicMirror, StatesHowSureItIs)
   for (const double value : squares) mean += value / static_cast<double>(squares.size());
   EXPECT_GT(mean, 0.15);  // not far too careful
   EXPECT_LT(mean, 2.0);   // nor too sure
+}
+
+TEST(ConicMirror, SeesTheSameInSmallImages)
+{
+  MirrorPicture picture;
+  picture.size = {320, 240};
+  picture.rim = {{161.2, 118.4}, 114.0, 107.5};
+  expectTheSectors(picture, viewConicMirror(testing::paint(picture), {}));
+}
+
+TEST(ConicMirror, MayStandBesideTheCamerasAxis)
+{
+  testing::ConePicture picture;
+  ConicMirrorSettings settings;
+  settings.axis = picture.mirror;
+  for (const Eigen::Vector2d& offset : {Eigen::Vector2d(0, 0), Eigen::Vector2d(0.001, -0.0006)})
+  {
+    picture.offset = offset;
+    expectTheSectors(picture, viewConicMirror(testing::paint(picture, 3, 1), settings));
+  }
+  // Taken for the camera's axis, some azimuths are off by tenths of a degree.
+  double worst = 0;
+  const ConicMirrorView view = viewConicMirror(testing::paint(picture, 3, 1), {});
+  for (const testing::Sector& sector : picture.sectors)
+    if (const RadialEdge* const edge = edgeAt(view, sector.azimuth_deg))
+      worst = std::max(worst, std::abs(wrap(edge->azimuth - degToRad(sector.azimuth_deg))));
+  EXPECT_GT(worst, degToRad(0.2));
+}
+
+TEST(ConicMirror, TellsTheDirectionsOfCloseEdges)
+{
+  // A narrow gap: its edges push each other's peaks away, by a quarter of a degree each.
+  MirrorPicture picture;
+  picture.noise = 2;
+  for (const double gap : {0.9, 1.2, 1.6})
+  {
+    picture.sectors = {{-150, 190}, {20, 110}, {20 + gap, 190}, {80, 90}};
+    const ConicMirrorView view = viewConicMirror(testing::paint(picture), {});
+    for (const double azimuth : {20.0, 20 + gap})
+    {
+      const RadialEdge* const edge = edgeAt(view, azimuth);
+      ASSERT_TRUE(edge) << gap;
+      const double error = std::abs(wrap(edge->azimuth - degToRad(azimuth)));
+      EXPECT_LT(error, degToRad(0.15)) << gap;
+      EXPECT_LT(error, 2.5 * edge->std_azimuth) << gap;
+    }
+  }
 }
 
 TEST(ConicMirror, DoesNotTakeShadingForEdges)
@@ -120,7 +168,7 @@ TEST(ConicMirror, TellsWhyThereIsNoMeasurement)
     static_cast<void>(drawConicMirror(image, view));
     return view.problem;
   };
-  EXPECT_EQ(problem({}), "image is empty");
+  EXPECT_EQ(problem({}), "image is missing, empty or damaged");
   EXPECT_EQ(problem(cv::Mat::zeros(240, 320, CV_8U)), "image is 320x240 pixels, expected 640x480");
   EXPECT_EQ(problem(cv::Mat::zeros(480, 640, CV_16U)), "image has 1 channels of 16 bits, expected 1 or 3 of 8 bits");
   EXPECT_EQ(problem(cv::Mat::zeros(480, 640, CV_8U)), "no mirror found");

@@ -57,6 +57,20 @@ TEST(GoalCorners, AreWhereTheGoalIs)
   expectGoal(cornersOf(withGoal(0.9, -0.05, testing::kBlue)), 0.9, -0.05, 1);
 }
 
+TEST(GoalCorners, AreFoundBesideTheBorderOfTheImage)
+{
+  constexpr double kWall = 0.8;
+  for (const double column : {3.0, 4.5})  // [px] of the left corner in the right image
+  {
+    FieldPicture picture = withGoal(kWall, 0);
+    const StereoCamera& camera = picture.camera;
+    const double depth = kWall * std::cos(camera.pitch) + camera.height * std::sin(camera.pitch);
+    const double left_end = (camera.cx - column - camera.disparityAt(depth)) * depth / camera.fx;
+    picture = withGoal(kWall, left_end - 0.2);
+    expectGoal(cornersOf(picture), kWall, left_end - 0.2, 0);
+  }
+}
+
 TEST(GoalCorners, StateHowSureTheyAre)
 {
   double ranges = 0, bearings = 0;
@@ -140,8 +154,8 @@ TEST(StereoGoal, TellsWhyThereIsNoMeasurement)
     static_cast<void>(drawStereoGoal(left, view, settings));
     return view.problem;
   };
-  EXPECT_EQ(problem({}, good.right), "left image is empty");
-  EXPECT_EQ(problem(good.left, {}), "right image is empty");
+  EXPECT_EQ(problem({}, good.right), "left image is missing, empty or damaged");
+  EXPECT_EQ(problem(good.left, {}), "right image is missing, empty or damaged");
   EXPECT_EQ(problem(good.left, cv::Mat::zeros(480, 640, CV_8UC3)), "right image is 640x480 pixels, expected 320x240");
   EXPECT_EQ(problem(cv::Mat::zeros(240, 320, CV_8UC3), good.right), "left image is black or of one colour");
   cv::Mat grey;

@@ -36,7 +36,7 @@ TEST(MirrorOutline, IsFoundInBrightSurroundings)
 TEST(MirrorOutline, FindsSquareAndFlatPixels)
 {
   MirrorPicture picture;
-  for (const double aspect : {0.92, 1.0, 1.12})
+  for (const double aspect : {0.82, 0.92, 1.0, 1.12, 1.23})
   {
     SCOPED_TRACE(aspect);
     picture.rim.semi_v = 205;

@@ -94,8 +94,9 @@ TEST(MovisImages, ImagesThatCannotBeUsedAreToldAndCounted)
       {testing::shipped("images2rawlog", "movis").string(), "-i", folder.path().string(), "-o", log.string()});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err,
-            "black.png: no mirror found, no measurement\ntorn.png: image is empty, no measurement\n"
-            "M1: image is empty, no measurement\nabsent.png: image is empty, no measurement\n"
+            "black.png: no mirror found, no measurement\ntorn.png: image is missing, empty or damaged, no measurement\n"
+            "frame 1 M1: image is missing, empty or damaged, no measurement\nabsent.png: image is missing, empty or "
+            "damaged, no measurement\n"
             "black.png: no mirror found, no measurement\n");
   EXPECT_NE(outcome.out.find("2 frames, 3 measurements, 1 frames without measurement"), std::string::npos)
       << outcome.out;

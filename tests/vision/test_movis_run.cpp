@@ -206,6 +206,13 @@ TEST(MovisRun, TheFilterFindsTheAnglesOfTheCamerasOnADrive)
     const TextTable objects(run / "objects.csv", {});
     EXPECT_GT(objects.size(), 15u);
     EXPECT_EQ(objects.text(0, objects.column("label")), "ball");
+    // Once the angles are known, the ball in the field is where calibrated cameras would see it.
+    const Vector2d ball = MovisScene(kOwnScene).ball;
+    std::vector<double> errors;
+    for (std::size_t row = objects.size() / 2; row < objects.size(); ++row)
+      errors.push_back(
+          (Vector2d(objects.number(row, objects.column("x")), objects.number(row, objects.column("y"))) - ball).norm());
+    EXPECT_LE(meanOf(errors), 0.02) << seed;
   }
 }
 

@@ -35,7 +35,7 @@ constexpr const char* kCamera =
 
 testing::AppOutcome runOn(const fs::path& input, const fs::path& output, const testing::Arguments& more = {})
 {
-  const auto config = testing::shipped("images2rawlog", "stereo-goal").string();
+  const auto config = testing::shipped("images2rawlog", "stereo").string();
   return testing::runImages(testing::joined({config, "-i", input.string(), "-o", output.string()}, more));
 }
 
@@ -147,10 +147,10 @@ TEST(StereoGoalApp, CountsPairsWithoutMeasurement)
   EXPECT_NE(outcome.out.find("5 frames, 0 measurements, 5 frames without measurement"), std::string::npos)
       << outcome.out;
   EXPECT_EQ(outcome.err,
-            "a.png: right image is empty, no measurement\n"
+            "a.png: right image is missing, empty or damaged, no measurement\n"
             "black.png: left image is black or of one colour, no measurement\n"
             "a.png: right image is 640x480 pixels, expected 320x240, no measurement\n"
-            "torn.png: left image is empty, no measurement\n");
+            "torn.png: left image is missing, empty or damaged, no measurement\n");
 }
 
 TEST(StereoGoalApp, SaysWhatIsMissingInOneLine)

@@ -12,7 +12,7 @@
 #include "scratch_folder.h"
 #include "stereo_truth.h"
 
-// From rendered stereo pairs to goal corners and line landmarks (ini/images2rawlog/stereo-goal.ini) and poses
+// From rendered stereo pairs to goal corners and line landmarks (ini/images2rawlog/stereo.ini) and poses
 // (ini/landmark-localization/stereo-goal*.ini); the truth comes with the images.
 namespace mrpt_ext
 {
@@ -29,10 +29,10 @@ StereoScore scoreOf(const fs::path& scene, const testing::Arguments& more = {})
 {
   const testing::ScratchFolder folder;
   const fs::path csv = folder.path() / "log.csv";
-  const auto outcome = testing::runImages(
-      testing::joined({testing::shipped("images2rawlog", "stereo-goal").string(), "-i", scene.string(), "-o",
-                       (folder.path() / "log.rawlog").string(), "--csv", csv.string()},
-                      more));
+  const auto outcome =
+      testing::runImages(testing::joined({testing::shipped("images2rawlog", "stereo").string(), "-i", scene.string(),
+                                          "-o", (folder.path() / "log.rawlog").string(), "--csv", csv.string()},
+                                         more));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   return testing::scoreStereo(csv, scene);
 }
@@ -61,8 +61,8 @@ TEST(StereoGoalRun, OwnImagesGivePosesByCornersByLinesAndByBoth)
 {
   const testing::ScratchFolder folder;
   const auto files = testing::logFiles(folder.path(), "log");
-  const auto outcome = testing::runImages({testing::shipped("images2rawlog", "stereo-goal").string(), "-i",
-                                           kOwnScene.string(), "-o", files.rawlog.string()});
+  const auto outcome = testing::runImages(
+      {testing::shipped("images2rawlog", "stereo").string(), "-i", kOwnScene.string(), "-o", files.rawlog.string()});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   for (const std::string name : {"stereo-goal", "stereo-goal-corners", "stereo-goal-lines"})
   {
