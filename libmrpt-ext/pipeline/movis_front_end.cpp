@@ -28,11 +28,11 @@ std::vector<int> wholeNumbers(const Settings& settings, const char* key)
 }
 
 /// "M1: turned by 0.412 deg, standard deviation 0.020 deg".
-std::string yawText(const std::string& label, const CameraYaw& yaw)
+std::string yawText(const std::string& label, const CameraYaw& yaw, double deviation)
 {
   char text[120];
   std::snprintf(text, sizeof text, "%s: turned by %.3f deg, standard deviation %.3f deg", label.c_str(),
-                radToDeg(-yaw.offset), radToDeg(yaw.std_offset));
+                radToDeg(-yaw.offset), radToDeg(deviation));
   return text;
 }
 }  // namespace
@@ -123,15 +123,21 @@ std::vector<std::string> MovisFrontEnd::calibrate(const std::vector<FrameAtPose>
   for (Mounted& mounted : cameras_)
   {
     std::vector<CalibrationSighting> sightings;
+    double variances = 0;
     for (const auto& [frame, robot] : frames)
       if (const FrameImage* const image = frame.find(mounted.label))
         for (const OmniObject& object : mounted.camera.view(image->pixels).objects)
           if (const auto pole = poles.indexOf(idOf(object.label)))
+          {
             sightings.push_back({robot, poles[*pole].position.head<2>(), bearingOf(mounted, object)});
+            variances += square(object.std_azimuth);
+          }
     const CameraYaw yaw = calibrateCameraYaw(sightings, {mounted.position.x(), mounted.position.y(), 0});
     if (yaw.status != SolveStatus::ok) continue;
     mounted.yaw = wrap(mounted.yaw - yaw.offset);
-    lines.push_back(yawText(mounted.label, yaw));
+    // Two sightings may agree by chance: their scatter alone does not tell how sure the mean is.
+    const double by_sightings = std::sqrt(variances) / static_cast<double>(sightings.size());
+    lines.push_back(yawText(mounted.label, yaw, std::hypot(yaw.std_offset, by_sightings)));
   }
   return lines;
 }

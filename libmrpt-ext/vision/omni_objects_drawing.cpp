@@ -57,9 +57,9 @@ cv::Mat OmniCamera::draw(const cv::Mat& image, const OmniView& view, double yaw)
     for (const double side : {-1.0, 1.0})
       drawRay(drawing, mirror, sector.middle + side * sector.half_width, kBlocked, 0.9);
   // Texts at different radii do not cover each other when objects are close.
-  double place = 0.2;
-  for (const OmniObject& object : view.objects) drawObject(drawing, mirror, object, kFound, place += 0.1, yaw);
-  for (const OmniObject& object : view.hidden) drawObject(drawing, mirror, object, kHidden, place += 0.1, yaw);
+  double place = 0.1;
+  for (const OmniObject& object : view.objects) drawObject(drawing, mirror, object, kFound, place += 0.08, yaw);
+  for (const OmniObject& object : view.hidden) drawObject(drawing, mirror, object, kHidden, place += 0.08, yaw);
   if (!view.problem.empty()) drawText(drawing, view.problem, {10, 20}, kHidden);
   return drawing;
 }

@@ -227,6 +227,7 @@ TEST(MovisRun, ACalibrationFrameStraightensTheCameras)
                             .at("mean");
   const Measured straight = measure(kOwnScene, folder.path(), {"--set", "Movis.calibration_frame=6"});
   EXPECT_NE(straight.outcome.out.find("M2: turned by -0.3"), std::string::npos) << straight.outcome.out;
+  EXPECT_EQ(straight.outcome.out.find("deviation 0.000"), std::string::npos) << straight.outcome.out;
   const double after = posesOfFrames(straight, folder.path())
                            .at("methods")
                            .at("bearing_maximum_likelihood")
