@@ -1,0 +1,24 @@
+#include <gtest/gtest.h>
+
+#include "mrclam_windows.h"
+#include "shared_data.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+using namespace mrclam_windows;
+
+TEST(RealWindows, FromRangesAndBearingsTheTruePoseIsFirstOnceTheWindowTellsEnough)
+{
+  const auto folder = sharedData("mrclam/MRCLAM_Dataset6");
+  if (!folder) GTEST_SKIP() << "MRCLAM data set 6 is not there (LANDMARK_DATA_DIR)";
+  Recording recording = importMrclam(*folder, 3);
+  hideIdentities(recording);
+  const Tally tally = tallyWindows(recording, 90);
+  EXPECT_GE(tally.starts, 7);
+  EXPECT_GE(tally.enough, tally.starts - 2);
+  EXPECT_EQ(tally.first, tally.enough);
+}
+}  // namespace
+}  // namespace mrpt_ext
