@@ -25,12 +25,12 @@ struct TreeCounts
 
 inline constexpr double kTreeGate = degToRad(0.5);
 
-/// Counts for exact or noisy bearings at a gate of 0.5 deg; our rule may also use that the robot is in the square.
-inline TreeCounts countTree(const UnidentifiedScene& s, InterpretationRule rule)
+/// Counts for exact or noisy bearings at this gate [rad]; our rule may also use that the robot is in the square.
+inline TreeCounts countTree(const UnidentifiedScene& s, InterpretationRule rule, double gate = kTreeGate)
 {
   InterpretationOptions options;
   options.rule = rule;
-  options.max_residual = kTreeGate;
+  options.max_residual = gate;
   if (rule == InterpretationRule::complete) options.area = MapArea{{0, 0}, {10, 10}};
   const Interpretations result = interpretBearings(s.scene.landmarks, s.bearings, options);
   TreeCounts counts;
