@@ -1,5 +1,8 @@
 #include "drives.h"
 
+#include <cmath>
+#include <set>
+
 #include "filter_scenario.h"
 #include "mrpt_ext/pipeline/tracking_bound.h"
 
@@ -7,39 +10,49 @@ namespace mrpt_ext::papers
 {
 namespace
 {
-constexpr double kLost = 0.5;  // [m]
+constexpr double kLost = 0.5;         // [m]
+constexpr double kNearStamp = 0.005;  // [s] the bound is told at full seconds
 
-void addDrive(DriveErrors& errors, const FilterScenario& scenario, std::uint64_t seed, double from)
+/// Full seconds after the start at which the filter was judged.
+using Seconds = std::set<long>;
+
+Seconds addDrive(DriveErrors& errors, const FilterScenario& scenario, std::uint64_t seed, double from)
 {
+  Seconds judged;
   Sample dx, dy, distance, heading;
   for (const FilterMoment& moment : runFilter(scenario, seed))
   {
-    if (moment.time < from) continue;
+    if (moment.time < from || std::abs(moment.time - std::round(moment.time)) > kNearStamp) continue;
+    judged.insert(std::lround(moment.time));
     dx.add(std::abs(moment.error.x()));
     dy.add(std::abs(moment.error.y()));
     distance.add(moment.distance());
     heading.add(std::abs(moment.error.z()));
   }
-  if (distance.count() == 0) return;
+  if (judged.empty()) return judged;
   errors.dx.add(dx.mean());
   errors.dy.add(dy.mean());
   errors.distance.add(distance.mean());
   errors.heading.add(heading.mean());
   errors.rmse.add(distance.rms());
   errors.lost += distance.quantile(1) > kLost;
+  return judged;
 }
 
-void addBound(DriveErrors& errors, const FilterScenario& scenario, double from)
+void addBound(DriveErrors& errors, const FilterScenario& scenario, const Seconds& judged)
 {
+  const double start = scenario.truth.front().time;
   LocalizationInput input;
   input.config = scenario.config;
   input.sequence = scenario.sequence;
   input.context.map = scenario.map;
   input.context.truth = scenario.truth;
-  input.context.start_time = scenario.truth.front().time;
-  input.context.duration_s = scenario.truth.back().time - scenario.truth.front().time;
-  const LimitScore limit = limitFrom(trackingBound(input), scenario.truth.front().time + from);
-  if (limit.position_rmse_m) errors.bound.add(*limit.position_rmse_m);
+  input.context.start_time = start;
+  input.context.duration_s = scenario.truth.back().time - start;
+  Sample variance;
+  for (const TrackingBound::Stamp& stamp : trackingBound(input).stamps)
+    if (judged.contains(std::lround(stamp.time - start))) variance.add(stamp.position_variance);
+  if (variance.count() > 0) errors.bound.add(std::sqrt(variance.mean()));
 }
 }  // namespace
 
@@ -47,14 +60,15 @@ DriveErrors runDrives(const Settings& settings)
 {
   const std::string s = "Drive";
   const double from = settings.number(s, "judged_from_s");
+  const std::string name = settings.text(s, "scenario");
+  const auto without_errors = words(settings.text(s, "bound_simulation"));
+  const auto own_noise = words(settings.text(s, "bound_noise"));
   DriveErrors errors;
   for (std::int64_t run = 1; run <= settings.integer(s, "runs"); ++run)
   {
     const auto seed = static_cast<std::uint64_t>(run);
-    const std::string name = settings.text(s, "scenario");
-    addDrive(errors, playScenario(name, seed), seed, from);
-    const auto without_errors = words(settings.text(s, "bound_simulation"));
-    addBound(errors, playScenario(name, seed, without_errors, words(settings.text(s, "bound_noise"))), from);
+    const Seconds judged = addDrive(errors, playScenario(name, seed), seed, from);
+    addBound(errors, playScenario(name, seed, without_errors, own_noise), judged);
   }
   return errors;
 }

@@ -5,13 +5,14 @@
 
 namespace mrpt_ext::papers
 {
-/// The particle filter over simulated drives, from an unknown start; one value per drive, over its judged part.
+/// The particle filter over simulated drives, from an unknown start; one value per drive, over the full
+/// seconds of its judged part at which something is seen.
 struct DriveErrors
 {
   Sample dx, dy, distance;  ///< mean absolute errors [m]
   Sample heading;           ///< mean absolute error [rad]
   Sample rmse;              ///< of the position [m]
-  Sample bound;             ///< posterior Cramer-Rao bound of that, without systematic errors [m]
+  Sample bound;             ///< posterior Cramer-Rao bound at the same moments, without systematic errors [m]
   int lost = 0;             ///< drives with a judged frame more than 0.5 m off
 };
 

@@ -11,22 +11,16 @@ namespace
 constexpr const char* kIntroduction =
     "# The papers, reproduced\n\n"
     "Written by `cmake --build build --target papers`; run again it gives the same bytes. Every figure below comes "
-    "from "
-    "that command, except those in the column *paper*, which are quoted from print.\n\n"
+    "from that command, except those in the column *paper*, which are quoted from print.\n\n"
     "Three papers on localization by landmarks are implemented in this project: *000*, a pose from bearings to "
-    "landmarks "
-    "that nobody names; *001*, MOVIS, three omnidirectional cameras that look at two poles; *004*, running fixes by "
-    "narrow "
-    "stereo on a MiroSot field. This page repeats their tables in simulation. Each row has the printed figure, what "
-    "the "
-    "*same closed form* gives in our simulation, what *our best estimator* makes of the same measurements, and the "
-    "*limit*: what no unbiased estimator can beat (Cramer-Rao), as an error drawn from it where means of distances are "
-    "compared. ± is a standard deviation unless the text says otherwise. The outcome is one of *reproduced*, *differs "
-    "because ...*, and *not reproducible, input missing*: the papers leave out much of what their experiments depend "
-    "on, "
-    "and of some tables only the summary figures are at hand, not the rows. Scenarios are .ini files; the same code "
-    "runs "
-    "on fewer trials in `build/bin/test_papers`.\n\n";
+    "landmarks that nobody names; *001*, MOVIS, three omnidirectional cameras that look at two poles; *004*, running "
+    "fixes by narrow stereo on a MiroSot field. This page repeats their tables in simulation. Each row has the "
+    "printed figure, what the *same closed form* gives in our simulation, what *our best estimator* makes of the same "
+    "measurements, and the *limit*: what no unbiased estimator can beat (Cramer-Rao), as an error drawn from it where "
+    "means of distances are compared. ± is a standard deviation unless the text says otherwise. The outcome is one of "
+    "*reproduced*, *differs because ...*, and *not reproducible, input missing*: the papers leave out much of what "
+    "their experiments depend on, and of some tables only the summary figures are at hand, not the rows. Scenarios "
+    "are .ini files; the same code runs on fewer trials in `build/bin/test_papers`.\n\n";
 
 std::string results()
 {

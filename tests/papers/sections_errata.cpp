@@ -19,12 +19,10 @@ ResultSection sectionErrata()
   ResultSection s;
   s.title = "Errata of the papers";
   s.paragraph =
-      "Every formula and statement of the three papers that is wrong in print, with what it does on two hundred random "
-      "exact examples (median error) and what the corrected form does on the same (largest error). Each row is a test "
-      "of "
-      "its own, `Papers/PrintedFormula.IsWrongAndRightWhenCorrected/<name>` of `build/bin/test_papers`. The formulas "
-      "that "
-      "are not listed are right as printed.";
+      "Every formula and statement of the three papers that is wrong in print, with what it does on two hundred "
+      "random exact examples (median error) and what the corrected form does on the same (largest error). Each row is "
+      "a test of its own, `Papers/PrintedFormula.IsWrongAndRightWhenCorrected/<name>` of `build/bin/test_papers`. The "
+      "formulas that are not listed are right as printed.";
   s.plain.push_back({"where", "print", "right", "error of", "as printed", "corrected", "test"});
   for (const Erratum& e : allErrata())
     s.plain.push_back({e.where, e.print, e.right, e.measure, errorText(e.printed_error), errorText(e.corrected_error),

@@ -36,20 +36,16 @@ ResultSection countSection(const LocatedExperiment& e)
   s.title = "Paper 004, tables 1 and 2: trials that are located";
   s.scenarios = {kScenario};
   s.paragraph =
-      "Of 500 trials with the coarse images the paper locates 176, with the fine ones 381, and says that nothing else "
-      "was "
-      "changed. It does not say how far the robot drove between the two ranges, in which direction, what it knew of "
-      "its "
-      "way, where it stood, nor when a trial counts. We tried " +
+      "Of 500 trials with the coarse images the paper locates 176, with the fine ones 381, and says that nothing "
+      "else was changed. It does not say how far the robot drove between the two ranges, in which direction, what it "
+      "knew of its way, where it stood, nor when a trial counts. We tried " +
       std::to_string(combinations) +
-      " combinations: ways of 5 to 50 cm, straight ahead or in any direction, trials that begin with a corner in view "
-      "or "
-      "anywhere, ranges as they are or five per cent too long, and three meanings of \"located\". " +
+      " combinations: ways of 5 to 50 cm, straight ahead or in any direction, trials that begin with a corner in "
+      "view or anywhere, ranges as they are or five per cent too long, and three meanings of \"located\". " +
       (matching(e) == 0 ? "None gives both counts within two standard deviations of a repetition. "
                         : std::to_string(matching(e)) + " give both counts within two standard deviations. ") +
       "Twice the resolution halves the error of a range, and that alone moves the share of circles that meet far less "
-      "than "
-      "from 35 to 76 %. Each cell is the count for 320 and for 640 columns, per 500; the standard deviation of a "
+      "than from 35 to 76 %. Each cell is the count for 320 and for 640 columns, per 500; the standard deviation of a "
       "repetition of 500 trials is at most 11.";
   for (std::size_t w = 0; w < 2; ++w)
   {
@@ -84,18 +80,15 @@ ResultSection errorSection(const LocatedExperiment& e, const DriveErrors& drive)
                  "ini/landmark-localization/goal-corners-stereo.ini"};
   s.paragraph =
       "Errors of the trials whose circles meet, for a way of 30 cm in any direction; of the two places the one is "
-      "taken "
-      "that the bearing speaks for. The printed errors of both tables are not at hand. Our best estimator uses "
+      "taken that the bearing speaks for. The printed errors of both tables are not at hand. Our best estimator uses "
       "the same two ranges with their scale taken off, the bearing and the heading, by maximum likelihood; the limit "
-      "is "
-      "drawn from its Cramer-Rao bound. A filter does without calibration and without a known heading: on drives of 20 "
-      "s "
-      "from an unknown start, one corner in view at a time and the scale of the ranges unknown, its error over the "
-      "last 10 "
-      "s is in the last row (" +
+      "is drawn from its Cramer-Rao bound. A filter does without calibration and without a known heading: on drives "
+      "of 20 s from an unknown start, one corner in view at a time and the scale of the ranges unknown, its error at "
+      "the full seconds of the last 10 s that show a corner is in the last row (" +
       std::to_string(drive.distance.count()) + " drives, " + std::to_string(drive.lost) +
-      " lost; limit: posterior Cramer-Rao bound of the RMSE " + drive.bound.text(1, kCm) +
-      " cm for ranges without that error, against an RMSE of " + drive.rmse.text(1, kCm) + " cm).";
+      " lost). Their pooled RMSE is " + fixedText(drive.rmse.rms() / kCm, 2) +
+      " cm, its posterior Cramer-Rao bound, for ranges without the error, " + fixedText(drive.bound.rms() / kCm, 2) +
+      " cm.";
   for (std::size_t w = 0; w < e.errors.size() && w < 2; ++w)
   {
     const LocatedErrors& errors = e.errors[w];
@@ -117,7 +110,7 @@ ResultSection errorSection(const LocatedExperiment& e, const DriveErrors& drive)
   }
   ResultRow filter{.what = "QVGA, filter on a drive: mean dx, dy, distance [cm]"};
   filter.best = drive.dx.text(1, kCm) + ", " + drive.dy.text(1, kCm) + ", " + drive.distance.text(1, kCm);
-  filter.limit = drive.bound.text(1, kCm) + " (RMSE)";
+  filter.limit = "RMSE " + fixedText(drive.bound.rms() / kCm, 2);
   filter.trials = std::to_string(drive.distance.count()) + " drives";
   filter.outcome = Outcome::input_missing;
   filter.reason = "the paper has no filter";
@@ -138,16 +131,13 @@ ResultSection sectionFixStudy(const std::vector<FixStudyRow>& rows)
   s.scenarios = {"tests/papers/paper-004-open-study.ini"};
   s.paragraph =
       "One landmark, the robot anywhere around it, its way in any direction, heading known to a degree. The error of "
-      "the "
-      "running fix falls with the way between the ranges against their error, until the error of dead reckoning, which "
-      "grows with the way, takes over: with 10 % the way beyond 20 standard deviations of a range no longer helps. "
-      "Half of "
-      "the fixes whose way is as long as the error of a range have no intersection at all. One more number, the "
-      "bearing to "
-      "the same landmark, makes the second range nearly superfluous: the last columns hardly depend on way and dead "
-      "reckoning. Limits are medians of errors drawn from the Cramer-Rao bound; for short ways the bound of the fix is "
-      "larger than the error itself, because it speaks of small errors only, while circles keep even a bad fix within "
-      "reach of the landmark. Errors in cm, medians, RMS in brackets.";
+      "the running fix falls with the way between the ranges against their error, until the error of dead reckoning, "
+      "which grows with the way, takes over: with 10 % the way beyond 20 standard deviations of a range no longer "
+      "helps. Half of the fixes whose way is as long as the error of a range have no intersection at all. One more "
+      "number, the bearing to the same landmark, makes the second range nearly superfluous: the last columns hardly "
+      "depend on way and dead reckoning. Limits are medians of errors drawn from the Cramer-Rao bound; for short ways "
+      "the bound of the fix is larger than the error itself, because it speaks of small errors only, while circles "
+      "keep even a bad fix within reach of the landmark. Errors in cm, medians, RMS in brackets.";
   s.plain.push_back({"way / error of a range", "dead reckoning", "circles miss", "running fix", "limit of it",
                      "with the bearing, maximum likelihood", "limit of that", "N"});
   const auto both = [](const Sample& sample)

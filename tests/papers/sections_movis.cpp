@@ -45,12 +45,10 @@ ResultSection tableOne(const MovisExperiment& e)
   s.scenarios = {kScenario};
   s.paragraph =
       "The robot, put down straight on each of the thirteen lattice points, finds the object by the lines of sight of "
-      "its "
-      "two front cameras (eq 1-2). The same formulas with turned cameras err by the figure below; with the cameras "
-      "straightened at one known pose what remains is noise. Where the object lay, and the printed rows, are not at "
-      "hand, "
-      "so nothing can be held against them. Each visit looks once at every point; ± is the standard deviation of "
-      "single visits.";
+      "its two front cameras (eq 1-2). The same formulas with turned cameras err by the figure below; with the "
+      "cameras straightened at one known pose what remains is noise. Where the object lay, and the printed rows, are "
+      "not at hand, so nothing can be held against them. Each visit looks once at every point; ± is the standard "
+      "deviation of single visits.";
   s.rows.push_back(missing(rowOf(e, "mean distance of the object from where it is [cm]", "-",
                                  &LatticeErrors::ball_in_robot, e.closed_form, kCm),
                            "the place of the object and the printed rows"));
@@ -65,14 +63,12 @@ ResultSection tableTwo(const MovisExperiment& e)
   s.scenarios = {kScenario};
   s.paragraph =
       "D is the distance between the position by eq 1-7 and the true one. With cameras straight and this noise the "
-      "closed "
-      "form would err by " +
+      "closed form would err by " +
       e.straight_closed.mean_d.text(1, kCm) +
       " cm; with the mounting errors of the scenario, found in the section on the cameras, it errs as the paper "
       "printed. Our best estimator takes the same azimuths, straightens the cameras by one look at the origin, and "
       "maximises the likelihood; that it is not zero is the weak heading: told that the robot stands straight, as it "
-      "did, "
-      "the error falls to " +
+      "did, the error falls to " +
       e.best_told.mean_d.text(1, kCm) + " cm.";
   s.rows.push_back(
       judged(rowOf(e, "mean D [cm]", fixedText(P::kMeanBefore / kCm, 1), &LatticeErrors::mean_d, e.closed_form, kCm),
@@ -107,14 +103,13 @@ ResultSection tableThree(const MovisExperiment& e)
   s.title = "Paper 001, table 3: positions after the correction at the origin (eq 8)";
   s.scenarios = {kScenario};
   s.paragraph =
-      "Eq 8 scales what is measured so that the origin K comes out right. It helps where the geometry is like that at "
-      "the "
-      "origin and harms elsewhere: in the paper it makes C, H and M worse, all on the right; here it does harm in " +
+      "Eq 8 scales what is measured so that the origin K comes out right. It helps where the geometry is like that "
+      "at the origin and harms elsewhere: in the paper it makes C, H and M worse, all on the right; here it does "
+      "harm in " +
       percent(shareWorse(e, 1)) + " of the visits of a point on the right, in " + percent(shareWorse(e, -1)) +
-      " of one on the left (table below), so such a print is a matter of chance, its side is not. The "
-      "text speaks of about 50 %; its own tables give 23.6 % for the mean and 46.5 % for the median. Factors per axis "
-      "cannot undo a turned camera; taking the angles themselves off (best estimator) brings the error to near the "
-      "limit.";
+      " of one on the left (table below), so such a print is a matter of chance, its side is not. The text speaks of "
+      "about 50 %; its own tables give 23.6 % for the mean and 46.5 % for the median. Factors per axis cannot undo a "
+      "turned camera; taking the angles themselves off (best estimator) brings the error to near the limit.";
   s.rows.push_back(judged(
       rowOf(e, "mean D [cm]", fixedText(P::kMeanAfter / kCm, 1), &LatticeErrors::mean_d, e.origin_corrected, kCm),
       e.origin_corrected.mean_d, P::kMeanAfter, reason));
@@ -145,12 +140,9 @@ ResultSection tableFour(const MovisExperiment& e)
   s.scenarios = {kScenario};
   s.paragraph =
       "With the heading the paper assumes, table 4 would be table 1 plus table 3. It is not: ten of thirteen rows fit "
-      "when "
-      "the sum is turned by 2.5 to 11.8 degrees, the heading error that must have been in the data. In our simulation "
-      "the "
-      "same slip is there, but smaller: turned cameras that explain D explain only part of the printed heading errors, "
-      "so "
-      "something else turned the robot or its cameras between points.";
+      "when the sum is turned by 2.5 to 11.8 degrees, the heading error that must have been in the data. In our "
+      "simulation the same slip is there, but smaller: turned cameras that explain D explain only part of the printed "
+      "heading errors, so something else turned the robot or its cameras between points.";
   ResultRow slope = rowOf(e, "mean heading error outside K [deg]", fixedText(P::kHeadingDeg, 1), &LatticeErrors::slope,
                           e.origin_corrected, kDeg);
   s.rows.push_back(judged(slope, e.origin_corrected.slope, degToRad(P::kHeadingDeg),
@@ -175,13 +167,11 @@ ResultSection cameras(const std::vector<YawTry>& scan)
       std::to_string(scan.size()) + " combinations of noise and mounting errors; for " +
       count([](const YawTry& t) { return t.explains; }) +
       " of them all five printed figures of D (means and medians of tables 2 and 3, ratio of their RMS) lie within "
-      "what "
-      "90 % of the visits give, and for " +
+      "what 90 % of the visits give, and for " +
       count([](const YawTry& t) { return t.explains && t.explainsHeading(); }) +
       " of these the heading errors too. Cameras turned by some tenths of a degree are enough for what was printed of "
-      "D, "
-      "but the tables do not tell by how much each was; both turned alike look the same as a robot put down askew. The "
-      "first row is what the scenario uses.";
+      "D, but the tables do not tell by how much each was; both turned alike look the same as a robot put down askew. "
+      "The first row is what the scenario uses.";
   s.plain.push_back({"noise [deg]", "M1, M2 turned by [deg]", "mean D before, after [cm]", "median before, after [cm]",
                      "RMS after / before", "points as printed", "heading error [deg]"});
   s.plain.push_back({"paper", "", "46.6, 35.6", "43, 23", "0.91", "", "7.4"});
@@ -205,9 +195,8 @@ ResultSection methods(const MovisExperiment& e, const DriveErrors& drive)
                  "ini/landmark-localization/movis-lattice.ini"};
   s.paragraph =
       "What each step brings, mean D over the lattice. The calibration of the cameras' angles uses the same single "
-      "look at "
-      "the origin that eq 8 uses. The filter knows no calibration at all: it drives along the lattice from an unknown "
-      "start and finds the angles on the way; its error is the mean over the last two thirds of " +
+      "look at the origin that eq 8 uses. The filter knows no calibration at all: it drives along the lattice from "
+      "an unknown start and finds the angles on the way; its error is the mean over the last two thirds of " +
       std::to_string(drive.distance.count()) + " drives, " + std::to_string(drive.lost) +
       " of them lost. Its limit is the posterior Cramer-Rao bound (RMSE), of cameras that sit straight.";
   const auto row = [&](const std::string& name, const LatticeErrors& errors, const LatticeErrors& bound)
@@ -222,9 +211,9 @@ ResultSection methods(const MovisExperiment& e, const DriveErrors& drive)
   row("maximum likelihood", e.likeliest, e.bound);
   row("maximum likelihood, cameras straightened", e.best, e.bound);
   row("... told that the robot stands straight", e.best_told, e.bound_told);
-  s.plain.push_back({"particle filter on a drive, cameras' angles unknown", drive.distance.text(1, kCm),
-                     drive.heading.text(2, kDeg),
-                     drive.bound.text(1, kCm) + " (RMSE of the filter: " + drive.rmse.text(1, kCm) + ")",
+  s.plain.push_back({"particle filter on a drive, cameras' angles unknown",
+                     drive.distance.text(1, kCm) + "; RMSE " + fixedText(drive.rmse.rms() / kCm, 2),
+                     drive.heading.text(2, kDeg), "RMSE " + fixedText(drive.bound.rms() / kCm, 2),
                      std::to_string(drive.distance.count()) + " drives"});
   return s;
 }

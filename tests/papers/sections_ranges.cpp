@@ -53,20 +53,13 @@ ResultSection sectionRanges(const std::vector<RangeResult>& ranges)
   s.scenarios = {"tests/papers/paper-004-ranges.ini"};
   s.paragraph =
       "Errors of the ranges to goal corners, mean and standard deviation of their absolute values, with 320 and with "
-      "640 "
-      "columns and as many measurements as the paper made. A 60 degree field of view, disparities rounded to whole "
-      "pixels, "
-      "and ranges five per cent too long reproduce both tables within 15 % (what does not is marked). The five per "
-      "cent are "
-      "inferred, the paper does not speak of them: whole pixels alone would give the row \"scale taken off\" below, "
-      "half as "
-      "much with twice the resolution, while the print falls by only 8 %; an error that does not depend on the "
-      "resolution "
-      "must be in both. Taking the scale off and finding the disparity between pixels (here to a tenth of one) is our "
-      "best "
-      "estimator. ± is the standard error of the figure. Why 4206 ranges were measured with the coarse images and 968 "
-      "with "
-      "the fine ones is not said.";
+      "640 columns and as many measurements as the paper made. A 60 degree field of view, disparities rounded to "
+      "whole pixels, and ranges five per cent too long reproduce both tables within 15 % (what does not is marked). "
+      "The five per cent are inferred, the paper does not speak of them: whole pixels alone would give the row "
+      "\"scale taken off\" below, half as much with twice the resolution, while the print falls by only 8 %; an error "
+      "that does not depend on the resolution must be in both. Taking the scale off and finding the disparity between "
+      "pixels (here to a tenth of one) is our best estimator. ± is the standard error of the figure. Why 4206 ranges "
+      "were measured with the coarse images and 968 with the fine ones is not said.";
   for (std::size_t i = 0; i < ranges.size() && i < std::size(kPrinted); ++i)
   {
     const PrintedRanges& p = kPrinted[i];

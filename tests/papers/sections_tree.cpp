@@ -76,24 +76,20 @@ ResultSection sectionTree(const TreeExperiment& tree)
   section.scenarios = {"tests/papers/paper-000-table-1.ini"};
   section.paragraph =
       "A robot sees some of twelve landmarks and cannot tell which. How many of the possible assignments does the "
-      "search "
-      "have to look at, and how many remain? We let the paper's rule and our own search run on random maps with random "
-      "poses; a path counts as examined when a landmark is compared with the prediction of its parent's pose, at depth "
-      "4 "
-      "and deeper. The total is a matter of counting and agrees exactly. The examined paths agree in kind: some "
-      "thousands, "
-      "and hardly more after the fifth bearing. The printed figures themselves fit no convention of counting (3752 is "
-      "not a "
-      "multiple of the nine children every node at depth 4 has), and the paper's map is not printed. Its figures show "
-      "two solutions for five bearings and one for six and seven: that very sequence comes up in " +
+      "search have to look at, and how many remain? We let the paper's rule and our own search run on random maps "
+      "with random poses; a path counts as examined when a landmark is compared with the prediction of its parent's "
+      "pose, at depth 4 and deeper. The total is a matter of counting and agrees exactly. The examined paths agree "
+      "in kind: some thousands, and hardly more after the fifth bearing. The printed figures themselves fit no "
+      "convention of counting (3752 is not a multiple of the nine children every node at depth 4 has), and the "
+      "paper's map is not printed. Its figures show two solutions for five bearings and one for six and seven: that "
+      "very sequence comes up in " +
       percent(tree.two_then_one_paper) + " of our maps with the paper's rule and in " +
       percent(tree.two_then_one_ours) +
       " with ours, and the number falls with every bearing in both. With noise the paper's rule often loses the true "
       "assignment, because it does not count the error of the pose it predicts from; ours keeps it and examines fewer "
       "paths. Figures are medians over the maps and, in brackets, what 90 % of them lie in. The last rows are the "
-      "errors "
-      "of the pose when the names are given: the paper's linear form falls behind the maximum of the likelihood as "
-      "landmarks are added.";
+      "errors of the pose when the names are given: the paper's linear form falls behind the maximum of the "
+      "likelihood as landmarks are added.";
   for (const TreeResult& result : tree.results)
     for (const PrintedTree& printed : kPrinted)
     {

@@ -9,15 +9,10 @@ namespace mrpt_ext::papers
 {
 namespace
 {
-Settings fewVisits(std::vector<std::string> changes = {})
-{
-  changes.push_back("Experiment.trials=150");
-  return paperSettings("paper-001-lattice", changes);
-}
-
 const MovisExperiment& turnedCameras()
 {
-  static const MovisExperiment kMovis = runMovisExperiment(fewVisits());
+  static const MovisExperiment kMovis =
+      runMovisExperiment(paperSettings("paper-001-lattice", {"Experiment.trials=150"}));
   return kMovis;
 }
 }  // namespace
@@ -66,8 +61,9 @@ TEST(PaperMovisTables, NoisefreeStraightCamerasAreExact)
 
 TEST(PaperMovisTables, TheScanPrefersTheScenariosCamerasToStraightOnes)
 {
-  const Settings settings = fewVisits({"YawScan.std_bearing_deg=0.07", "YawScan.common_deg=-0.3 0",
-                                       "YawScan.difference_deg=0 0.2", "YawScan.trials=60"});
+  const Settings settings =
+      paperSettings("paper-001-lattice", {"YawScan.std_bearing_deg=0.07", "YawScan.common_deg=-0.3 0",
+                                          "YawScan.difference_deg=0 0.2", "YawScan.trials=60"});
   const auto tries = scanYaw(settings);
   ASSERT_EQ(tries.size(), 4u);
   const MovisLattice scenario = readLattice(settings);

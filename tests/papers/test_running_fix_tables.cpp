@@ -68,6 +68,8 @@ TEST(PaperLocatedTables, TheFilterDoesWithoutHeadingAndCalibration)
   const DriveErrors drive = runDrives(paperSettings("paper-004-drive", {"Drive.runs=3"}));
   ASSERT_EQ(drive.distance.count(), 3u);
   EXPECT_EQ(drive.lost, 0);
-  EXPECT_LT(drive.distance.mean(), 0.08);
+  EXPECT_LT(drive.distance.mean(), 0.05);
+  ASSERT_EQ(drive.bound.count(), 3u);
+  EXPECT_LT(drive.bound.mean(), 1.2 * drive.rmse.mean());
 }
 }  // namespace mrpt_ext::papers
