@@ -10,8 +10,8 @@ namespace
 {
 constexpr const char* kIntroduction =
     "# The papers, reproduced\n\n"
-    "Written by `cmake --build build --target papers`; run again it gives the same bytes. Every figure below comes "
-    "from that command, except those in the column *paper*, which are quoted from print.\n\n"
+    "Written by `cmake --build build --target papers`; run again on the same machine it gives the same bytes. Every "
+    "figure below comes from that command, except those in the column *paper*, which are quoted from print.\n\n"
     "Three papers on localization by landmarks are implemented in this project: *000*, a pose from bearings to "
     "landmarks that nobody names; *001*, MOVIS, three omnidirectional cameras that look at two poles; *004*, running "
     "fixes by narrow stereo on a MiroSot field. This page repeats their tables in simulation. Each row has the "

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "errata.h"
+#include "mrpt_ext/files/text_file.h"
 #include "results_table.h"
 #include "sample.h"
 
@@ -30,6 +32,22 @@ TEST(ResultsTable, WritesMarkdownWithLinksFromItsOwnFolder)
             "|---|---|---|---|---|---|---|\n"
             "| error | 1.0 | 1.1 | - | - | 7 | reproduced |\n\n"
             "| x | y |\n|---|---|\n| 1 | 2 |\n");
+}
+
+// The page itself takes a minute to measure; what it must at least tell is checked without that.
+TEST(ResultsPage, NamesEveryScenarioAndEveryErratum)
+{
+  const std::string page = readTextFile(std::string(MRPT_EXT_SOURCE_DIR) + "/tests/papers/RESULTS.md");
+  for (const Erratum& erratum : allErrata())
+    EXPECT_NE(page.find("`" + testName(erratum) + "`"), std::string::npos) << erratum;
+  for (const std::string name :
+       {"000-table-1", "001-lattice", "001-drive", "004-ranges", "004-located", "004-drive", "004-open-study"})
+    EXPECT_NE(page.find("(paper-" + name + ".ini)"), std::string::npos) << name;
+  for (const std::string table :
+       {"Paper 000, table 1", "Paper 001, table 1", "Paper 001, table 2", "Paper 001, table 3", "Paper 001, table 4",
+        "Paper 004, tables 1 and 2", "Paper 004, tables 3 and 4"})
+    EXPECT_NE(page.find("## " + table), std::string::npos) << table;
+  EXPECT_NE(page.find("cmake --build build --target papers"), std::string::npos);
 }
 
 TEST(Sample, MeansSpreadsAndTexts)
