@@ -54,6 +54,13 @@ void addBound(DriveErrors& errors, const FilterScenario& scenario, const Seconds
     if (judged.contains(std::lround(stamp.time - start))) variance.add(stamp.position_variance);
   if (variance.count() > 0) errors.bound.add(std::sqrt(variance.mean()));
 }
+
+/// Later ones win.
+std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& second)
+{
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
 }  // namespace
 
 DriveErrors runDrives(const Settings& settings)
@@ -61,13 +68,16 @@ DriveErrors runDrives(const Settings& settings)
   const std::string s = "Drive";
   const double from = settings.number(s, "judged_from_s");
   const std::string name = settings.text(s, "scenario");
-  const auto without_errors = words(settings.text(s, "bound_simulation"));
-  const auto own_noise = words(settings.text(s, "bound_noise"));
+  const auto changes = [&](const char* key)
+  { return settings.hasValue(s, key) ? words(settings.text(s, key)) : std::vector<std::string>{}; };
+  const auto simulation = changes("simulation"), localization = changes("localization");
+  const auto without_errors = joined(simulation, changes("bound_simulation"));
+  const auto own_noise = joined(localization, changes("bound_noise"));
   DriveErrors errors;
   for (std::int64_t run = 1; run <= settings.integer(s, "runs"); ++run)
   {
     const auto seed = static_cast<std::uint64_t>(run);
-    const Seconds judged = addDrive(errors, playScenario(name, seed), seed, from);
+    const Seconds judged = addDrive(errors, playScenario(name, seed, simulation, localization), seed, from);
     addBound(errors, playScenario(name, seed, without_errors, own_noise), judged);
   }
   return errors;

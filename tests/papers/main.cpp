@@ -32,10 +32,12 @@ std::string results()
   note("001, lattice, cameras, drive");
   const Settings lattice = paperSettings("paper-001-lattice");
   for (const ResultSection& section :
-       sectionsMovis(runMovisExperiment(lattice), scanYaw(lattice), runDrives(paperSettings("paper-001-drive"))))
+       sectionsMovis(runMovisExperiment(lattice), scanYaw(lattice), runDrives(paperSettings("paper-001-drive")),
+                     runDrives(paperSettings("paper-001-drive-turned"))))
     add(section);
   note("004, ranges, running fixes, drive");
-  add(sectionRanges(runRangeExperiment(paperSettings("paper-004-ranges"))));
+  const Settings ranges = paperSettings("paper-004-ranges");
+  add(sectionRanges(runRangeExperiment(ranges), tryOtherPlaces(ranges)));
   for (const ResultSection& section : sectionsLocated(runLocatedExperiment(paperSettings("paper-004-located")),
                                                       runDrives(paperSettings("paper-004-drive"))))
     add(section);

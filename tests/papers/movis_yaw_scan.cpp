@@ -90,4 +90,12 @@ std::vector<YawTry> scanYaw(const Settings& settings)
   std::stable_sort(tries.begin(), tries.end(), better);
   return tries;
 }
+
+const YawTry* likeliestMount(const std::vector<YawTry>& tries)
+{
+  const double most = degToRad(0.5) + 1e-9;
+  for (const YawTry& tried : tries)
+    if (std::abs(tried.yaw[0]) <= most && std::abs(tried.yaw[1]) <= most) return &tried;
+  return nullptr;
+}
 }  // namespace mrpt_ext::papers

@@ -32,4 +32,7 @@ struct YawTry
 
 /// All of [YawScan]: those that explain the print first, then by misfit.
 [[nodiscard]] std::vector<YawTry> scanYaw(const Settings& settings);
+
+/// The first of them with cameras turned by at most half a degree, as may happen on a mount; null when there is none.
+[[nodiscard]] const YawTry* likeliestMount(const std::vector<YawTry>& tries);
 }  // namespace mrpt_ext::papers

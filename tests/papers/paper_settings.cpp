@@ -67,6 +67,8 @@ KeyTable stereoKeys()
       number(s, "margin_m", "m", kNotNegative, "The robot stays this far from the border of the field."),
       number(s, "std_subpixel_px", "px", kPositive, "Standard deviation of a disparity found between pixels."),
       numbers("Ranges", "measurements", "", "Measured ranges in each of the paper's tables."),
+      numbers("Ranges", "other_margins_m", "m", "Other values of Stereo.margin_m to try."),
+      numbers("Ranges", "other_min_ranges_m", "m", "Other values of Stereo.min_range_m to try."),
   }};
 }
 
@@ -97,6 +99,8 @@ KeyTable driveKeys()
   const char* const s = "Drive";
   return {{
       {s, "scenario", KeyType::text, "", "", {}, {}, "ini/landmark-simulator/ and ini/landmark-localization/<it>.ini."},
+      {s, "simulation", KeyType::text, "", "", {}, {}, "Section.key=value: changes of the simulated scenario."},
+      {s, "localization", KeyType::text, "", "", {}, {}, "Section.key=value: changes of the localization."},
       {s,
        "bound_simulation",
        KeyType::text,

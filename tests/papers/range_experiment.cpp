@@ -43,4 +43,17 @@ std::vector<RangeResult> runRangeExperiment(const Settings& settings)
   }
   return results;
 }
+
+std::vector<std::vector<RangeResult>> tryOtherPlaces(Settings settings)
+{
+  std::vector<std::vector<RangeResult>> all;
+  for (const double margin : settings.numbers("Ranges", "other_margins_m"))
+    for (const double min_range : settings.numbers("Ranges", "other_min_ranges_m"))
+    {
+      settings.set("Stereo", "margin_m", shortestText(margin), "other_margins_m");
+      settings.set("Stereo", "min_range_m", shortestText(min_range), "other_min_ranges_m");
+      all.push_back(runRangeExperiment(settings));
+    }
+  return all;
+}
 }  // namespace mrpt_ext::papers

@@ -22,4 +22,7 @@ struct RangeResult
 
 /// Tables 3 and 4 of paper 004, one result per image width.
 [[nodiscard]] std::vector<RangeResult> runRangeExperiment(const Settings& settings);
+
+/// The same for all places of [Ranges] other_margins_m and other_min_ranges_m.
+[[nodiscard]] std::vector<std::vector<RangeResult>> tryOtherPlaces(Settings settings);
 }  // namespace mrpt_ext::papers

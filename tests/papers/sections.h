@@ -18,10 +18,11 @@ namespace mrpt_ext::papers
 
 /// Tables 1 to 4 of paper 001, and which cameras explain them.
 [[nodiscard]] std::vector<ResultSection> sectionsMovis(const MovisExperiment& movis, const std::vector<YawTry>& scan,
-                                                       const DriveErrors& drive);
+                                                       const DriveErrors& drive, const DriveErrors& turned_drive);
 
 /// Tables 1 to 4 of paper 004.
-[[nodiscard]] ResultSection sectionRanges(const std::vector<RangeResult>& ranges);
+[[nodiscard]] ResultSection sectionRanges(const std::vector<RangeResult>& ranges,
+                                          const std::vector<std::vector<RangeResult>>& other_places);
 [[nodiscard]] std::vector<ResultSection> sectionsLocated(const LocatedExperiment& located, const DriveErrors& drive);
 /// What it leaves open.
 [[nodiscard]] ResultSection sectionFixStudy(const std::vector<FixStudyRow>& rows);

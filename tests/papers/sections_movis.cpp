@@ -65,8 +65,9 @@ ResultSection tableTwo(const MovisExperiment& e)
       "D is the distance between the position by eq 1-7 and the true one. With cameras straight and this noise the "
       "closed form would err by " +
       e.straight_closed.mean_d.text(1, kCm) +
-      " cm; with the mounting errors of the scenario, found in the section on the cameras, it errs as the paper "
-      "printed. Our best estimator takes the same azimuths, straightens the cameras by one look at the origin, and "
+      " cm; with the noise and the mounting errors of the scenario, which were fitted to these tables (see the "
+      "section on the cameras), it errs as the paper printed; *reproduced* means within two standard deviations of a "
+      "visit. Our best estimator takes the same azimuths, straightens the cameras by one look at the origin, and "
       "maximises the likelihood; that it is not zero is the weak heading: told that the robot stands straight, as it "
       "did, the error falls to " +
       e.best_told.mean_d.text(1, kCm) + " cm.";
@@ -156,6 +157,17 @@ ResultSection tableFour(const MovisExperiment& e)
   return s;
 }
 
+PlainRow scanRow(const YawTry& t)
+{
+  return {fixedText(t.std_bearing / kDeg, 2),
+          fixedText(t.yaw[0] / kDeg, 2) + ", " + fixedText(t.yaw[1] / kDeg, 2),
+          t.mean_before.text(1, kCm) + ", " + t.mean_after.text(1, kCm),
+          t.median_before.text(1, kCm) + ", " + t.median_after.text(1, kCm),
+          t.rms_ratio.text(2),
+          percent(t.agreement),
+          t.slope_after.text(1, kDeg)};
+}
+
 ResultSection cameras(const std::vector<YawTry>& scan)
 {
   ResultSection s;
@@ -171,34 +183,28 @@ ResultSection cameras(const std::vector<YawTry>& scan)
       count([](const YawTry& t) { return t.explains && t.explainsHeading(); }) +
       " of these the heading errors too. Cameras turned by some tenths of a degree are enough for what was printed of "
       "D, but the tables do not tell by how much each was; both turned alike look the same as a robot put down askew. "
-      "The first row is what the scenario uses.";
+      "The scenario uses the best one with cameras turned by at most half a degree, as may happen on a mount (first "
+      "row); the best of all follow.";
   s.plain.push_back({"noise [deg]", "M1, M2 turned by [deg]", "mean D before, after [cm]", "median before, after [cm]",
                      "RMS after / before", "points as printed", "heading error [deg]"});
   s.plain.push_back({"paper", "", "46.6, 35.6", "43, 23", "0.91", "", "7.4"});
-  for (std::size_t i = 0; i < std::min<std::size_t>(scan.size(), 8); ++i)
-  {
-    const YawTry& t = scan[i];
-    s.plain.push_back({fixedText(t.std_bearing / kDeg, 2),
-                       fixedText(t.yaw[0] / kDeg, 2) + ", " + fixedText(t.yaw[1] / kDeg, 2),
-                       t.mean_before.text(1, kCm) + ", " + t.mean_after.text(1, kCm),
-                       t.median_before.text(1, kCm) + ", " + t.median_after.text(1, kCm), t.rms_ratio.text(2),
-                       percent(t.agreement), t.slope_after.text(1, kDeg)});
-  }
+  if (const YawTry* likely = likeliestMount(scan)) s.plain.push_back(scanRow(*likely));
+  for (std::size_t i = 0; i < std::min<std::size_t>(scan.size(), 6); ++i) s.plain.push_back(scanRow(scan[i]));
   return s;
 }
 
-ResultSection methods(const MovisExperiment& e, const DriveErrors& drive)
+ResultSection methods(const MovisExperiment& e, const DriveErrors& drive, const DriveErrors& turned)
 {
   ResultSection s;
   s.title = "Paper 001: the same measurements, other estimators";
-  s.scenarios = {kScenario, "tests/papers/paper-001-drive.ini", "ini/landmark-simulator/movis-lattice.ini",
-                 "ini/landmark-localization/movis-lattice.ini"};
+  s.scenarios = {kScenario, "tests/papers/paper-001-drive.ini", "tests/papers/paper-001-drive-turned.ini",
+                 "ini/landmark-simulator/movis-lattice.ini", "ini/landmark-localization/movis-lattice.ini"};
   s.paragraph =
       "What each step brings, mean D over the lattice. The calibration of the cameras' angles uses the same single "
-      "look at the origin that eq 8 uses. The filter knows no calibration at all: it drives along the lattice from "
-      "an unknown start and finds the angles on the way; its error is the mean over the last two thirds of " +
-      std::to_string(drive.distance.count()) + " drives, " + std::to_string(drive.lost) +
-      " of them lost. Its limit is the posterior Cramer-Rao bound (RMSE), of cameras that sit straight.";
+      "look at the origin that eq 8 uses. The filter knows no calibration at all: it drives along the lattice from an "
+      "unknown start and finds the angles on the way; its error is the mean over the last two thirds of the drives. "
+      "With angles of more than two degrees, which would explain the tables as well, it does not always find them "
+      "(last row). Its limit is the posterior Cramer-Rao bound (RMSE), of cameras that sit straight.";
   const auto row = [&](const std::string& name, const LatticeErrors& errors, const LatticeErrors& bound)
   {
     s.plain.push_back({name, errors.mean_d.text(1, kCm), errors.slope.text(2, kDeg), bound.mean_d.text(1, kCm),
@@ -211,10 +217,14 @@ ResultSection methods(const MovisExperiment& e, const DriveErrors& drive)
   row("maximum likelihood", e.likeliest, e.bound);
   row("maximum likelihood, cameras straightened", e.best, e.bound);
   row("... told that the robot stands straight", e.best_told, e.bound_told);
-  s.plain.push_back({"particle filter on a drive, cameras' angles unknown",
-                     drive.distance.text(1, kCm) + "; RMSE " + fixedText(drive.rmse.rms() / kCm, 2),
-                     drive.heading.text(2, kDeg), "RMSE " + fixedText(drive.bound.rms() / kCm, 2),
-                     std::to_string(drive.distance.count()) + " drives"});
+  const auto drive_row = [&](const std::string& name, const DriveErrors& errors)
+  {
+    s.plain.push_back({name, errors.distance.text(1, kCm) + "; RMSE " + fixedText(errors.rmse.rms() / kCm, 2),
+                       errors.heading.text(2, kDeg), "RMSE " + fixedText(errors.bound.rms() / kCm, 2),
+                       std::to_string(errors.distance.count()) + " drives, " + std::to_string(errors.lost) + " lost"});
+  };
+  drive_row("particle filter on a drive, cameras' angles unknown", drive);
+  drive_row("... cameras turned by more than two degrees", turned);
   return s;
 }
 }  // namespace
@@ -225,8 +235,9 @@ Outcome withinTwoSpreads(const Sample& ours, double printed)
 }
 
 std::vector<ResultSection> sectionsMovis(const MovisExperiment& movis, const std::vector<YawTry>& scan,
-                                         const DriveErrors& drive)
+                                         const DriveErrors& drive, const DriveErrors& turned_drive)
 {
-  return {tableOne(movis), tableTwo(movis), tableThree(movis), tableFour(movis), cameras(scan), methods(movis, drive)};
+  return {tableOne(movis),  tableTwo(movis), tableThree(movis),
+          tableFour(movis), cameras(scan),   methods(movis, drive, turned_drive)};
 }
 }  // namespace mrpt_ext::papers

@@ -3,8 +3,8 @@
 #include "paper_settings.h"
 #include "sections.h"
 
-// Paper 001 by tests/papers/paper-001-lattice.ini and paper-001-drive.ini; the drive is that of
-// ini/landmark-simulator/movis-lattice.ini, localized as in ini/landmark-localization/movis-lattice.ini.
+// Paper 001 by tests/papers/paper-001-lattice.ini, paper-001-drive.ini and paper-001-drive-turned.ini; the drive is
+// that of ini/landmark-simulator/movis-lattice.ini, localized as in ini/landmark-localization/movis-lattice.ini.
 namespace mrpt_ext::papers
 {
 namespace
@@ -67,6 +67,7 @@ TEST(PaperMovisTables, TheScanPrefersTheScenariosCamerasToStraightOnes)
   const auto tries = scanYaw(settings);
   ASSERT_EQ(tries.size(), 4u);
   const MovisLattice scenario = readLattice(settings);
+  ASSERT_EQ(likeliestMount(tries), &tries.front());
   EXPECT_TRUE(tries.front().explains);
   EXPECT_NEAR(tries.front().yaw[0], scenario.yaw[0], 1e-9);
   EXPECT_NEAR(tries.front().yaw[1], scenario.yaw[1], 1e-9);

@@ -40,8 +40,8 @@ TEST(ResultsPage, NamesEveryScenarioAndEveryErratum)
   const std::string page = readTextFile(std::string(MRPT_EXT_SOURCE_DIR) + "/tests/papers/RESULTS.md");
   for (const Erratum& erratum : allErrata())
     EXPECT_NE(page.find("`" + testName(erratum) + "`"), std::string::npos) << erratum;
-  for (const std::string name :
-       {"000-table-1", "001-lattice", "001-drive", "004-ranges", "004-located", "004-drive", "004-open-study"})
+  for (const std::string name : {"000-table-1", "001-lattice", "001-drive", "001-drive-turned", "004-ranges",
+                                 "004-located", "004-drive", "004-open-study"})
     EXPECT_NE(page.find("(paper-" + name + ".ini)"), std::string::npos) << name;
   for (const std::string table :
        {"Paper 000, table 1", "Paper 001, table 1", "Paper 001, table 2", "Paper 001, table 3", "Paper 001, table 4",
