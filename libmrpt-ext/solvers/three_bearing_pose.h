@@ -86,7 +86,8 @@ template <class Real>
   if (!at.firm) return result;
   if (at.ahead())
   {
-    const Real inverse = 1 / at.n2, factor = at.d * inverse, turn = std::copysign(std::sqrt(inverse), at.d);
+    // The root of n2 does not wait for the division.
+    const Real inverse = 1 / at.n2, factor = at.d * inverse, turn = std::copysign(std::sqrt(at.n2) * inverse, at.d);
     result.outcome = ThreeBearingOutcome::pose;
     result.x = first.x - factor * (at.nx * first.c + at.ny * first.s);  // L_0 - R = u_0 / k
     result.y = first.y - factor * (at.nx * first.s - at.ny * first.c);

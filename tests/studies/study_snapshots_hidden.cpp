@@ -19,7 +19,7 @@ namespace
 constexpr double kStdBearing = degToRad(0.5), kScaleRange = 1.033, kStdRange = 0.03, kStdRangePerM = 0.015;
 constexpr double kClutter = 0.05;
 constexpr double kFieldOfView = degToRad(70.0), kMaxRange = 9.5;  // of the camera: no reading of any robot is beyond
-constexpr double kMargin = 3;                                     // [m] around the landmarks, as in mrclam.ini
+constexpr double kMargin = 6;  // [m] around the landmarks, which fill a part of the room in set 5
 constexpr std::size_t kLeastLandmarks = 4;
 constexpr std::size_t kMostSnapshots = 300;                             // of a set, evenly chosen
 constexpr double kRightPosition = 0.5, kRightHeading = degToRad(15.0);  // the contract's convergence
