@@ -1,5 +1,7 @@
 #include "mrpt_ext/localizers/particle_filter_localizer.h"
 
+#include "mrpt_ext/hypotheses/expected_errors.h"
+
 namespace mrpt_ext
 {
 ParticleFilterLocalizer::ParticleFilterLocalizer(const ParticleFilterOptions& options, const LandmarkTable& map,
@@ -8,6 +10,7 @@ ParticleFilterLocalizer::ParticleFilterLocalizer(const ParticleFilterOptions& op
     : map_(map),
       search_(search ? std::move(search) : std::make_shared<const LostRobotSearch>(map)),
       region_(options.region),
+      biases_(options.biases),
       filter_(options, map, seed, stream),
       joiner_(seed_window, options.motion)
 {
@@ -18,9 +21,11 @@ Estimate ParticleFilterLocalizer::process(const Frame& frame)
   joiner_.add(frame);
   const auto propose = [&]
   {
-    const Frame joined = joiner_.joined();
+    Frame joined = joiner_.joined();
+    std::vector<Reading> readings = joined.readings;
+    joined.readings = withExpectedErrors(std::move(joined.readings), biases_);
     Proposal proposal(proposePoses(joined, map_, *search_, {.region = region_}));
-    proposal.joined_readings = joined.readings;
+    proposal.joined_readings = std::move(readings);
     proposal.complete = joiner_.full();
     return proposal;
   };

@@ -25,6 +25,7 @@ class ParticleFilterLocalizer : public FilterLocalizer
   LandmarkTable map_;
   std::shared_ptr<const LostRobotSearch> search_;
   PoseRegion region_;
+  BiasModel biases_;
   ParticleFilter filter_;
   FrameJoiner joiner_;
   FilterStep step_;

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <ostream>
 
+#include "mrpt_ext/files/atomic_file.h"
 #include "mrpt_ext/files/landmark_csv.h"
+#include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/files/tum.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/importers/recording_notes.h"
+#include "mrpt_ext/pipeline/radio_doctor.h"
 #include "mrpt_ext/pipeline/rawlog_sink.h"
 
 namespace mrpt_ext
@@ -60,6 +63,8 @@ DatasetApp::DatasetApp(std::ostream& out, std::ostream& err)
   addNamed(cli, "--identity", request_.identity, kIdentities, "What is kept of landmark names (default: known)");
   addNamed(cli, "--measurements", request_.measurements, kMeasurements,
            "What is kept of them (default: range-bearing)");
+  cli.add_flag("--examine", examine_, "Tell what the ranges say about the radios, and which lines of an .ini follow");
+  cli.add_option("--calibrate", calibrated_, "Also write these lines into this configuration (.ini)");
 }
 
 int DatasetApp::run(std::vector<std::string> arguments)
@@ -79,7 +84,9 @@ int DatasetApp::convert()
   const Recording recording = importDataset(request_);
   tell(recording);
   if (!hasReading(recording)) throw dataError(request_.inputs[0].string() + ": holds no reading, nothing was written");
+  const std::string calibrated = calibrated_.empty() ? "" : readTextFile(calibrated_);
   write(recording, rawlog);
+  if (examine_ || !calibrated_.empty()) examine(recording, calibrated);
   return kExitDone;
 }
 
@@ -94,6 +101,20 @@ void DatasetApp::tell(const Recording& recording)
   }
   if (shell_.options().quiet) return;
   for (const std::string& line : describe(recording)) shell_.out() << line << '\n';
+}
+
+void DatasetApp::examine(const Recording& recording, const std::string& calibrated)
+{
+  const RadioFindings findings = examineRadios(recording);
+  if (!shell_.options().quiet)
+  {
+    for (const std::string& line : findings.lines) shell_.out() << line << '\n';
+    for (const ConfigurationLine& line : findings.configuration)
+      shell_.out() << "set [" << line.section << "] " << line.key << " = " << line.value << '\n';
+  }
+  if (calibrated_.empty() || findings.configuration.empty()) return;
+  writeFileAtomically(calibrated_, withConfiguration(calibrated, findings.configuration));
+  if (!shell_.options().quiet) shell_.out() << "wrote " << calibrated_.string() << '\n';
 }
 
 void DatasetApp::write(const Recording& recording, const fs::path& rawlog)

@@ -22,9 +22,13 @@ class DatasetApp
   int convert();
   void tell(const Recording& recording);
   void write(const Recording& recording, const std::filesystem::path& rawlog);
+  /// `calibrated`: text of the configuration to write into.
+  void examine(const Recording& recording, const std::string& calibrated);
 
   AppShell shell_;
   DatasetRequest request_;
   std::vector<double> truth_origin_;  // x y phi_deg
+  bool examine_ = false;
+  std::filesystem::path calibrated_;
 };
 }  // namespace mrpt_ext

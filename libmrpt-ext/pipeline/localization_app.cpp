@@ -70,6 +70,7 @@ int LocalizationApp::run(const std::vector<std::string>& arguments)
   cli.add_option("--gui-speed", request.gui_speed, "Seconds of log per second in the window; default 10")
       ->check(positiveNumber())
       ->needs(gui);
+  cli.add_flag("--resume", request.resume, "Leave out the trials that the output folder holds already");
   cli.add_flag("--dry-run", request.dry_run, "Load and check everything, run nothing");
 
   return shell.run(arguments,

@@ -10,6 +10,7 @@
 #include "mrpt_ext/evaluation/run_merge.h"
 #include "mrpt_ext/evaluation/run_score.h"
 #include "mrpt_ext/files/atomic_file.h"
+#include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/pipeline/exit_codes.h"
 #include "mrpt_ext/pipeline/frame_bounds.h"
@@ -26,6 +27,7 @@
 #include "mrpt_ext/report/comparison_table.h"
 #include "mrpt_ext/report/html_tables.h"
 #include "mrpt_ext/report/run_writer.h"
+#include "mrpt_ext/report/summary_reader.h"
 
 namespace mrpt_ext
 {
@@ -54,6 +56,27 @@ double peakMemoryMegabytes()
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+/// What a summary does not tell about its methods.
+void complete(RunScore& score, const Methods& methods)
+{
+  RunRecord record;
+  for (const auto& localizer : methods.localizers)
+    record.methods.push_back({.name = localizer->name(), .continuous = localizer->continuous()});
+  for (MethodScore& method : score.methods)
+    for (const MethodTrack& track : record.methods)
+      if (track.name == method.name) method.continuous = track.continuous;
+  if (const MethodTrack* judged = judgedMethod(record)) score.judged_method = judged->name;
+}
+
+/// A folder with results of other settings must not become a mixture.
+void expectSameSettings(const fs::path& folder, const Settings& settings)
+{
+  const fs::path file = folder / "config_resolved.ini";
+  if (fs::exists(file) && readTextFile(file) != settings.resolvedText())
+    throw configurationError("--resume: " + file.string() +
+                             " is of other settings, expected the same ones, or -o with another folder");
 }
 
 /// Runs, judges and writes the trials; keeps what the merged report needs.
@@ -86,7 +109,7 @@ class TrialBatch
     runTrials(request_.first_trial, request_.last_trial, threads,
               [&](int trial)
               {
-                if (!interrupt.flag()) runOne(trial, interrupt.flag(), line);
+                if (!interrupt.flag() && !takeFinished(trial)) runOne(trial, interrupt.flag(), line);
               });
     interrupted_ = interrupt.flag();
   }
@@ -101,6 +124,8 @@ class TrialBatch
   }
   [[nodiscard]] const std::string& firstText() const { return texts_.front(); }
   [[nodiscard]] bool interrupted() const { return interrupted_; }
+  /// Trials that an earlier run had finished.
+  [[nodiscard]] std::size_t resumed() const { return resumed_; }
 
  private:
   /// From the moment of convergence on, like the errors that it is compared with.
@@ -123,21 +148,44 @@ class TrialBatch
     writeScene(folder / "scenes" / name, map, playbackStep(frame, filter, map, kShownParticles));
   }
 
+  [[nodiscard]] std::size_t placeOf(int trial) const { return static_cast<std::size_t>(trial - request_.first_trial); }
+  [[nodiscard]] fs::path folderOf(int trial) const
+  {
+    return request_.trial_folders ? folder_ / trialFolder(trial) : folder_;
+  }
+
+  /// True when the trial is there already: its score is that of its summary.
+  bool takeFinished(int trial)
+  {
+    if (!request_.resume) return false;
+    auto score = readTrialScore(folderOf(trial), input_.context, trial);
+    if (!score) return false;
+    complete(*score, methods_.make(seed_, trial));
+    score->limits = input_.config.limits;
+    score->limit.why_none = tracking_bound_.why_none;
+    const std::lock_guard lock(mutex_);
+    scores_[placeOf(trial)] = std::move(score);
+    ++done_;
+    ++resumed_;
+    return true;
+  }
+
   void runOne(int trial, const std::atomic<bool>& stop, ProgressLine& line)
   {
-    const auto place = static_cast<std::size_t>(trial - request_.first_trial);
+    const std::size_t place = placeOf(trial);
     const auto progress = [&, total = static_cast<double>(scores_.size())](double share)
     {
       const std::lock_guard lock(mutex_);
       line.show((static_cast<double>(done_) + share) / total);
     };
-    const fs::path folder = request_.trial_folders ? folder_ / trialFolder(trial) : folder_;
+    const fs::path folder = folderOf(trial);
     const auto watch = [&](std::size_t number, const Frame& frame, const FilterLocalizer* filter)
     { show(number, frame, filter, folder, trial == request_.first_trial); };
     TrialOutcome outcome =
         runTrial({methods_, input_.sequence, input_.context.truth, stop, progress, watch}, seed_, trial);
     outcome.record.peak_memory_mb = peakMemoryMegabytes();
     RunScore score = scoreRun(input_.context, outcome.record, input_.config.limits);
+    if (outcome.record.interrupted) score.verdict_reason = kInterruptedReason + ("; " + score.verdict_reason);
     if (bound_) score.limit = {bound_->position_rmse, bound_->heading_rmse_deg, {}};
     if (!input_.config.frames.independent) score.limit = limitOf(score);
     createFolder(folder);
@@ -162,7 +210,7 @@ class TrialBatch
   std::optional<FrameBound> bound_;  // of frames that are solved one by one
   TrackingBound tracking_bound_;     // of a robot that moves
   std::mutex mutex_;
-  std::size_t done_ = 0;
+  std::size_t done_ = 0, resumed_ = 0;
   bool interrupted_ = false;
 };
 
@@ -202,6 +250,7 @@ int runLocalization(const Settings& settings, const LocalizationRequest& request
 
   const fs::path folder = outputFolder(settings, request);
   createFolder(folder);
+  if (request.resume) expectSameSettings(folder, settings);
   writeFileAtomically(folder / "config_resolved.ini", settings.resolvedText());
   const auto seed = static_cast<std::uint64_t>(settings.integer(kExperiment, "random_seed"));
   input.context.seed = seed;
@@ -218,6 +267,8 @@ int runLocalization(const Settings& settings, const LocalizationRequest& request
   const std::string table = comparisonTable(merged);
   const std::string tail = (input.config.frames.independent ? boundText(input) : batch.firstText()) + "\n" + table;
   writeFileAtomically(folder / "log.txt", input.context.command_line + "\n" + head + tail);
+  if (batch.resumed() > 0 && !request.quiet)
+    out << "resumed  " << batch.resumed() << " of " << trials << " trials were there already\n";
   out << (request.quiet ? table : tail) << "report   " << (folder / "report.html").string() << '\n';
   const int code = exitCode(merged, scores, request, batch.interrupted(), err);
   if (view && view->isOpen() && isatty(STDERR_FILENO) == 1)

@@ -20,6 +20,7 @@ struct LocalizationRequest
   std::optional<double> fail_above;  ///< [m]
   bool gui = false;                  ///< a window that follows the first trial
   double gui_speed = 10;             ///< seconds of log per second there
+  bool resume = false;               ///< trials that the output folder holds already are not run again
   bool dry_run = false, quiet = false, verbose = false;
   std::string command_line;
   std::string note;  ///< one line to tell with the input, or empty

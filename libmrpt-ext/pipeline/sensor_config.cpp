@@ -43,11 +43,18 @@ void forgetNames(Detection& detection, SensorConfig::Association association, co
   if (association == SensorConfig::Association::anonymous) detection.category.clear();
 }
 
+/// Measured minus scaled true range, for ranges that name this landmark.
+double rangeBias(const SensorConfig& config, int id)
+{
+  const bool named = config.association == SensorConfig::Association::known && id != kNoId;
+  return config.bias_range + (named ? valueOf(config.landmark_bias_range, id) : 0);
+}
+
 /// Corrects a measured range and its deviation; `depth_share` of the true range was measured.
-void correctRange(double& range, double& std, const SensorConfig& config, const std::string& sensor,
+void correctRange(double& range, double& std, const SensorConfig& config, const std::string& sensor, int id,
                   double depth_share = 1)
 {
-  range = (range - config.bias_range) / (config.scale_range * depth_share);
+  range = (range - rangeBias(config, id)) / (config.scale_range * depth_share);
   if (config.std_range) std = *config.std_range;
   std += config.std_range_per_m * std::max(range, 0.0);
   if (!(std > 0)) throw missingDeviation(sensor, "ranges", "std_range_m");
@@ -106,6 +113,7 @@ SensorConfigs sensorConfigs(const Settings& settings)
     c.bias_bearing = settings.radians(section, "bias_bearing_deg");
     c.bias_range = settings.number(section, "bias_range_m");
     c.scale_range = settings.number(section, "scale_range");
+    c.landmark_bias_range = landmarkValues(settings, section, "landmark_bias_range_m");
     c.range_along_axis = settings.flag(section, "range_along_axis");
     c.field_of_view = settings.optionalRadians(section, "field_of_view_deg");
     c.max_range = settings.optionalNumber(section, "max_range_m");
@@ -131,7 +139,8 @@ Reading configured(Reading reading, const SensorConfigs& configs, const Landmark
   {
     if (detection.bearing) correctBearing(*detection.bearing, detection.std_bearing, config, reading.sensor);
     const double depth_share = depthShare(detection, config);
-    if (detection.range) correctRange(*detection.range, detection.std_range, config, reading.sensor, depth_share);
+    if (detection.range)
+      correctRange(*detection.range, detection.std_range, config, reading.sensor, detection.id, depth_share);
     const std::string why = detection.range && depth_share < kLeastDepthShare
                                 ? "depth of a landmark that is not ahead"
                                 : whyUnusable(detection, reading, map, config.association);
@@ -154,8 +163,8 @@ std::optional<RunningFixReading> configured(RunningFixReading fix, const SensorC
   fix.time -= config.delay;
   fix.first_time -= config.delay;
   fix.model = configured(fix.model, config);
-  correctRange(fix.first_range, fix.first_std, config, fix.sensor);
-  correctRange(fix.second_range, fix.second_std, config, fix.sensor);
+  correctRange(fix.first_range, fix.first_std, config, fix.sensor, fix.id);
+  correctRange(fix.second_range, fix.second_std, config, fix.sensor, fix.id);
   if (fix.second_bearing) correctBearing(*fix.second_bearing, fix.second_bearing_std, config, fix.sensor);
   const std::string why = whyUnusable(fix, map, config.association);
   if (why.empty()) return fix;

@@ -6,6 +6,7 @@
 
 #include "mrpt_ext/geometry/measurement.h"
 #include "mrpt_ext/geometry/recording.h"
+#include "mrpt_ext/pipeline/landmark_values.h"
 #include "mrpt_ext/pipeline/settings.h"
 
 namespace mrpt_ext
@@ -24,6 +25,7 @@ struct SensorConfig
   double std_range_per_m = 0;
   std::optional<double> std_heading;                         ///< [rad]
   double bias_bearing = 0, bias_range = 0, scale_range = 1;  ///< measured = scale * true + bias
+  LandmarkValues landmark_bias_range;                        ///< [m] on top of bias_range, by landmark
   bool range_along_axis = false;  ///< ... where true is the depth along the forward axis, of detections with a bearing
   std::optional<double> field_of_view, max_range;  ///< [rad], [m]
   double clutter_probability = 0.05;

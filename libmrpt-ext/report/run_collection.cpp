@@ -51,6 +51,8 @@ FinishedTrial trialOf(const Json& summary)
   for (const auto& [name, method] : summary.at("methods").items())
   {
     trial.position_rmse_m[name] = figureOf(method.at("position_error_m").at("rmse"));
+    trial.position_median_m[name] = figureOf(method.at("position_error_m").at("median"));
+    trial.position_p95_m[name] = figureOf(method.at("position_error_m").at("p95"));
     trial.heading_rmse_deg[name] = figureOf(method.at("heading_error_deg").at("rmse"));
   }
   return trial;
@@ -76,6 +78,23 @@ std::string configurationText(const fs::path& folder)
   for (std::string line; std::getline(file, line);)
     if (!line.starts_with("random_seed") && !line.starts_with("experimentRepetitions")) kept += line + "\n";
   return kept;
+}
+
+/// That text as Section.key and value.
+std::map<std::string, std::string> settingsOf(const std::string& configuration)
+{
+  std::map<std::string, std::string> settings;
+  std::istringstream lines(configuration);
+  std::string section;
+  for (std::string line; std::getline(lines, line);)
+  {
+    const std::size_t equals = line.find(" = ");
+    if (line.starts_with("[") && line.ends_with("]"))
+      section = line.substr(1, line.size() - 2);
+    else if (!line.starts_with(";") && equals != std::string::npos)
+      settings[section + "." + line.substr(0, equals)] = line.substr(equals + 3);
+  }
+  return settings;
 }
 
 void addTrials(FinishedRun& run, const fs::path& folder)
@@ -124,9 +143,13 @@ std::vector<FinishedRun> readFinishedRuns(const std::vector<fs::path>& folders)
     const Json summary = readSummary(folder);
     try
     {
-      const std::string key = summary.at("rawlog").dump() + configurationText(folder);
+      const std::string configuration = configurationText(folder), key = summary.at("rawlog").dump() + configuration;
       const auto [place, is_new] = run_of.try_emplace(key, runs.size());
-      if (is_new) runs.push_back(runOf(summary, runs));
+      if (is_new)
+      {
+        runs.push_back(runOf(summary, runs));
+        runs.back().settings = settingsOf(configuration);
+      }
       FinishedRun& run = runs[place->second];
       run.folders.push_back(folder.string());
       for (const auto& [name, method] : summary.at("methods").items())

@@ -13,7 +13,7 @@ namespace mrpt_ext
 struct FinishedTrial
 {
   TrialScore score;
-  std::map<std::string, Figure> position_rmse_m, heading_rmse_deg;  ///< by method
+  std::map<std::string, Figure> position_rmse_m, position_median_m, position_p95_m, heading_rmse_deg;  ///< by method
 };
 
 /// All trials of one configuration over one log, from however many folders.
@@ -23,7 +23,8 @@ struct FinishedRun
   std::string rawlog_path, rawlog_sha256, version;
   std::vector<std::string> folders, methods;
   std::vector<FinishedTrial> trials;
-  std::size_t repeated = 0;  ///< trials with seed and number of one that was there already: left out
+  std::map<std::string, std::string> settings;  ///< Section.key of the resolved configuration, without the seed
+  std::size_t repeated = 0;                     ///< trials with seed and number of one that was there already: left out
 };
 
 /// Reads the output folders of runs, with their trial_NNN where they have them. Folders with the same log and the same

@@ -92,6 +92,31 @@ TEST_F(Determinism, TrialsOfALongerStudyAreTheSameTrials)
   EXPECT_GE(compared, 2 * 5);
 }
 
+// A study that was killed and resumed leaves what one that ran through leaves.
+TEST_F(Determinism, AResumedStudyIsTheWholeStudy)
+{
+  const Arguments brief{"--duration", "15", "--repeat", "3"};
+  const fs::path whole = testing::localized(folder_.path() / "whole", "half-field", brief);
+  const fs::path killed = folder_.path() / "killed" / "half-field";
+  fs::create_directories(killed.parent_path());
+  fs::copy(whole, killed, fs::copy_options::recursive);
+  for (const char* last :
+       {"summary.json", "report.html", "trial_001/summary.json", "trial_001/trajectory_odometry.tum"})
+    EXPECT_TRUE(fs::remove(killed / last)) << last;
+  fs::remove_all(killed / "trial_002");
+  const auto untouched = fs::last_write_time(killed / "trial_000" / "summary.json");
+
+  const Arguments resume = testing::joined(brief, {"--resume"});
+  testing::localized(killed.parent_path(), "half-field", resume);
+  expectSame(testing::reproducibleContent(whole), testing::reproducibleContent(killed));
+  EXPECT_EQ(fs::last_write_time(killed / "trial_000" / "summary.json"), untouched) << "it was finished";
+
+  const auto other = testing::localize(
+      testing::joined({testing::shipped("landmark-localization", "half-field"), "-o", killed, "--seed", "7"}, resume));
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_NE(other.err.find("is of other settings"), std::string::npos) << other.err;
+}
+
 TEST_F(Determinism, ReferenceEngine)
 {
   const auto log = testing::simulated(folder_.path(), "tracking", {"--set", "Simulation.duration_s=5"});

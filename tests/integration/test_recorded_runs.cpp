@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "../importers/sample_data.h"
+#include "mrpt_ext/files/text_file.h"
 #include "scratch_folder.h"
 #include "whole_runs.h"
 
@@ -70,6 +71,68 @@ TEST(RecordedRun, UwbDemo)
   ASSERT_EQ(landmarks.size(), 3U);
   for (const char* reliable : {"2", "3"})
     EXPECT_LT(landmarks.at("1").at("inlier_rate"), landmarks.at(reliable).at("inlier_rate").get<double>() - 0.1);
+}
+
+TEST(RecordedRun, Labyrinth)
+{
+  const fs::path recording = testing::recordingsFolder("labyrinth_uwb");
+  if (!fs::exists(recording)) GTEST_SKIP() << recording << " is absent";
+  const testing::ScratchFolder folder;
+  const auto log = converted(folder.path(), {"labyrinth", recording});
+  const auto summary = testing::summaryOf(testing::localized(
+      folder.path(), "labyrinth", testing::joined(log.arguments(), {"--repeat", "5", "--jobs", "2"})));
+  EXPECT_EQ(summary.at("success_rate"), 1.0);
+  for (const auto& trial : summary.at("trials_detail")) EXPECT_LE(trial.at("rmse"), 0.15);
+  EXPECT_TRUE(summary.at("methods").at("particle_filter").at("heading_error_deg").at("rmse").is_null())
+      << "the truth has no heading";
+}
+
+// The first minutes, in which one range after the other must tell mirror images apart.
+TEST(RecordedRun, Plaza)
+{
+  const fs::path recording = testing::recordingsFolder("plaza");
+  if (!fs::exists(recording)) GTEST_SKIP() << recording << " is absent";
+  const testing::ScratchFolder folder;
+  const testing::LogFiles log = testing::logFiles(folder.path(), "log");
+  const auto import = testing::convert({"plaza", recording, "-q", "-o", log.rawlog});
+  EXPECT_EQ(import.exit_code, 0);
+  EXPECT_NE(import.err.find("Plaza1_TD.txt:1990: time goes back"), std::string::npos) << import.err;
+  const auto summary = testing::summaryOf(
+      testing::localized(folder.path(), "plaza",
+                         testing::joined(log.arguments(), {"--repeat", "2", "--duration", "400", "--set",
+                                                           "LocalizationExperiment.methods=particle_filter"})));
+  EXPECT_EQ(summary.at("success_rate"), 1.0);
+  for (const auto& trial : summary.at("trials_detail")) EXPECT_LE(trial.at("rmse"), 0.4);
+}
+
+// The shipped delays are those that the recording itself tells, without the truth.
+TEST(RecordedRun, CuhkszDelaysAreTold)
+{
+  const fs::path recording = testing::recordingsFolder("cuhksz_uwb_planar");
+  if (!fs::exists(recording)) GTEST_SKIP() << recording << " is absent";
+  const testing::ScratchFolder folder;
+  const fs::path shipped = testing::shipped("landmark-localization", "cuhksz"), again = folder.path() / "cuhksz.ini";
+  fs::copy(shipped, again);
+  (void)converted(folder.path(), {"cuhksz", recording, "--calibrate", again});
+  EXPECT_EQ(readTextFile(again), readTextFile(shipped));
+}
+
+// Three tags on one body tell its heading, without odometry.
+TEST(RecordedRun, Cuhksz)
+{
+  const fs::path recording = testing::recordingsFolder("cuhksz_uwb_planar");
+  if (!fs::exists(recording)) GTEST_SKIP() << recording << " is absent";
+  const testing::ScratchFolder folder;
+  const auto log = converted(folder.path(), {"cuhksz", recording});
+  const auto summary = testing::summaryOf(testing::localized(
+      folder.path(), "cuhksz",
+      testing::joined(log.arguments(), {"--duration", "20", "--set",
+                                        "LocalizationExperiment.methods=particle_filter,kalman_filter_bank"})));
+  EXPECT_EQ(summary.at("success_rate"), 1.0);
+  EXPECT_LE(testing::positionRmse(summary), 0.08);
+  EXPECT_LE(testing::positionRmse(summary, "kalman_filter_bank"), 0.08);
+  // The motion capture's body is turned by 7 deg against the tags.
+  EXPECT_NEAR(summary.at("methods").at("particle_filter").at("heading_error_deg").at("median").get<double>(), 7, 4);
 }
 
 TEST(RecordedRun, MrclamRangesAndBearings) { expectMrclamRobotIsFound("range-bearing"); }

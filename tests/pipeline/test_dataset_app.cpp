@@ -45,6 +45,21 @@ bool isOneLine(const std::string& text)
 }
 }  // namespace
 
+TEST(DatasetApp, TellsThatAShortRecordingCalibratesNothing)
+{
+  const testing::ScratchFolder folder;
+  const auto ini = folder.write("a.ini", "[S]\na = 1\n");
+  const Outcome outcome =
+      runApp({"cuhksz", testing::sampleFolder("cuhksz"), "-o", folder.path() / "c.rawlog", "--calibrate", ini});
+  EXPECT_EQ(outcome.exit_code, kExitDone) << outcome.err;
+  EXPECT_NE(outcome.out.find("radios: no delays can be told, not at ten moments"), std::string::npos) << outcome.out;
+  EXPECT_EQ(readTextFile(ini), "[S]\na = 1\n");
+  const Outcome missing = runApp({"cuhksz", testing::sampleFolder("cuhksz"), "-o", folder.path() / "d.rawlog",
+                                  "--calibrate", folder.path() / "none.ini"});
+  EXPECT_EQ(missing.exit_code, kExitFailed);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "d.rawlog")) << "nothing is half done";
+}
+
 TEST(DatasetApp, WritesLogMapAndTruthThatReadBack)
 {
   const testing::ScratchFolder folder;
@@ -133,7 +148,7 @@ TEST(DatasetApp, WrongUsageIsOneLineAndExitCodeTwo)
   const std::string roh = testing::sampleFolder("roh"), mrclam = testing::sampleFolder("mrclam");
   const std::pair<std::vector<std::string>, std::string> cases[] = {
       {{"foo", roh, "-o", "a.rawlog"},
-       "unknown format 'foo', expected one of csv mrclam mrclam-snapshots mrpt-uwb roh"},
+       "unknown format 'foo', expected one of csv cuhksz labyrinth mrclam mrclam-snapshots mrpt-uwb plaza roh"},
       {{"mrclm", roh, "-o", "a.rawlog"}, "did you mean mrclam?"},
       {{"roh"}, "INPUT is required"},
       {{"roh", roh}, "expected -o STEM.rawlog"},

@@ -82,6 +82,23 @@ TEST(SensorConfig, DelayBiasAndScaleAreTakenOff)
   EXPECT_NEAR(*turned.bearing, kPi + 0.01 - degToRad(10), 1e-12);
 }
 
+TEST(SensorConfig, ALandmarkMayHaveABiasOfItsOwn)
+{
+  const std::string keys = "bias_range_m = 0.5\nlandmark_bias_range_m = 2:-0.25 1:0.125\n";
+  EXPECT_NEAR(*configuredDetection(kBoth, keys).range, 4 - 0.625, 1e-12);
+  EXPECT_NEAR(*configuredDetection(kBoth, keys + "association = anonymous\n").range, 4 - 0.5, 1e-12);
+  Detection other = kBoth;
+  other.id = 2;
+  EXPECT_NEAR(*configuredDetection(other, keys).range, 4 - 0.25, 1e-12);
+  EXPECT_EQ(errorOf([] { (void)configsOf("landmark_bias_range_m = 1:0.1 1:0.2\n"); }),
+            "/a/b.ini:2: landmark_bias_range_m = 1:0.1 1:0.2: landmark 1 occurs twice, expected it once");
+  for (const char* wrong : {"1", "1:x", "a:1", "1:0.1,2:0.2"})
+    EXPECT_NE(errorOf([&] { (void)configsOf(std::string("landmark_bias_range_m = ") + wrong + "\n"); })
+                  .find("expected id:value pairs"),
+              std::string::npos)
+        << wrong;
+}
+
 TEST(SensorConfig, DepthAlongTheAxisBecomesARange)
 {
   const Detection corrected =

@@ -1,0 +1,124 @@
+#include "mrpt_ext/report/summary_reader.h"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace mrpt_ext
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+Figure figureOf(const Json& value) { return value.is_number() ? Figure(value.get<double>()) : std::nullopt; }
+
+ErrorStatistics statisticsOf(const Json& value)
+{
+  ErrorStatistics s;
+  s.rmse = figureOf(value.at("rmse"));
+  s.mean = figureOf(value.at("mean"));
+  s.median = figureOf(value.at("median"));
+  s.std = figureOf(value.at("std"));
+  s.min = figureOf(value.at("min"));
+  s.max = figureOf(value.at("max"));
+  s.p95 = figureOf(value.at("p95"));
+  return s;
+}
+
+MethodScore methodOf(const std::string& name, const Json& value)
+{
+  MethodScore method;
+  method.name = name;
+  method.oracle = name.starts_with("oracle_");
+  method.estimates = figureOf(value.at("estimates"));
+  method.availability = figureOf(value.at("availability"));
+  method.position_error_m = statisticsOf(value.at("position_error_m"));
+  method.heading_error_deg = statisticsOf(value.at("heading_error_deg"));
+  method.position_error_whole_run_m = statisticsOf(value.at("position_error_whole_run_m"));
+  method.step_ms_median = figureOf(value.at("time_per_step_ms").at("median"));
+  method.step_ms_p95 = figureOf(value.at("time_per_step_ms").at("p95"));
+  return method;
+}
+
+FilterScore filterOf(const Json& value)
+{
+  FilterScore filter;
+  filter.particles_min = figureOf(value.at("particles").at("min"));
+  filter.particles_median = figureOf(value.at("particles").at("median"));
+  filter.particles_max = figureOf(value.at("particles").at("max"));
+  filter.nees_mean = figureOf(value.at("nees").at("mean"));
+  filter.nees_band_low = figureOf(value.at("nees").at("band_low"));
+  filter.nees_band_high = figureOf(value.at("nees").at("band_high"));
+  filter.effective_sample_ratio_min = figureOf(value.at("effective_sample_ratio_min"));
+  filter.lost_steps = figureOf(value.at("lost_steps"));
+  filter.reseeds = figureOf(value.at("reseeds"));
+  return filter;
+}
+
+LandmarkScore landmarkOf(const Json& value)
+{
+  return {figureOf(value.at("seen")), figureOf(value.at("associated")), figureOf(value.at("inlier_rate")),
+          figureOf(value.at("residual_mean")), figureOf(value.at("residual_std"))};
+}
+
+Verdict verdictOf(const std::string& name)
+{
+  return name == "ok" ? Verdict::ok : name == "ambiguous" ? Verdict::ambiguous : Verdict::lost;
+}
+
+TrialScore trialOf(const Json& detail)
+{
+  TrialScore trial;
+  trial.trial = detail.at("trial");
+  trial.seed = detail.at("seed");
+  if (detail.at("success").is_boolean()) trial.success = detail.at("success").get<bool>();
+  trial.verdict = verdictOf(detail.at("verdict"));
+  trial.rmse = figureOf(detail.at("rmse"));
+  trial.converged_at_s = figureOf(detail.at("converged_at_s"));
+  return trial;
+}
+
+RunScore scoreOf(const Json& summary)
+{
+  RunScore score;
+  for (const auto& [name, method] : summary.at("methods").items()) score.methods.push_back(methodOf(name, method));
+  score.filter = filterOf(summary.at("filter"));
+  for (const auto& [id, landmark] : summary.at("landmarks").items()) score.landmarks[id] = landmarkOf(landmark);
+  score.limit.position_rmse_m = figureOf(summary.at("limit").at("pcrlb_position_rmse_m"));
+  score.limit.heading_rmse_deg = figureOf(summary.at("limit").at("pcrlb_heading_rmse_deg"));
+  const Json& cost = summary.at("cost");
+  score.cost = {figureOf(cost.at("cpu_s")), figureOf(cost.at("wall_s")), figureOf(cost.at("peak_memory_mb")),
+                figureOf(cost.at("realtime_factor"))};
+  score.converged_at_s = figureOf(summary.at("filter").at("converged_at_s"));
+  score.trials = {trialOf(summary.at("trials_detail").at(0))};
+  score.success_rate = figureOf(summary.at("success_rate"));
+  score.verdict = verdictOf(summary.at("verdict"));
+  score.verdict_reason = summary.at("verdict_reason");
+  return score;
+}
+
+bool belongsTo(const Json& summary, const RunContext& context, int trial)
+{
+  const Json& log = summary.at("rawlog").at("sha256");
+  const std::string reason = summary.at("verdict_reason");
+  return !reason.starts_with(kInterruptedReason) && summary.at("schema") == 1 && summary.at("trials") == 1 &&
+         summary.at("seed") == context.seed && summary.at("trials_detail").at(0).at("trial") == trial &&
+         (log.is_string() ? log.get<std::string>() : std::string()) == context.rawlog_sha256;
+}
+}  // namespace
+
+std::optional<RunScore> readTrialScore(const std::filesystem::path& folder, const RunContext& context, int trial)
+{
+  std::ifstream file(folder / "summary.json");
+  if (!file) return std::nullopt;
+  try
+  {
+    const Json summary = Json::parse(file);
+    if (!belongsTo(summary, context, trial)) return std::nullopt;
+    return scoreOf(summary);
+  }
+  catch (const Json::exception&)
+  {
+    return std::nullopt;
+  }
+}
+}  // namespace mrpt_ext

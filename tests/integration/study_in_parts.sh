@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# One study in one piece, in parts with GNU parallel, killed and called again: the same bytes. A sweep: a table.
+#   study_in_parts.sh BIN_FOLDER SOURCE_FOLDER
+set -euo pipefail
+if ! command -v parallel >/dev/null; then
+  echo "SKIPPED: no GNU parallel"
+  exit 77
+fi
+export PATH=$1:$PATH
+apps=$2/apps/landmark-localization config=$2/ini/landmark-localization/quickstart.ini
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+brief=(--duration 6 --set LocalizationExperiment.methods=particle_filter
+  --set LocalizationExperiment.particles_count=200 --set LocalizationExperiment.initial_particles_count=2000)
+
+same() {
+  local compared=0 file
+  while IFS= read -r file; do
+    cmp "whole/$file" parts/part_*/"$file"
+    compared=$((compared + 1))
+  done < <(cd whole && find trial_* -name '*.csv' -o -name '*.tum')
+  [ "$compared" -eq 36 ] || { echo "$compared files compared, expected 3 for each of 12 trials"; exit 1; }
+}
+
+landmark-localization "$config" "${brief[@]}" --trials 0:12 -o whole -q >/dev/null
+"$apps/study_parallel.sh" "$config" parts 12 3 "${brief[@]}"
+same
+rm -r parts/part_000004/trial_006 parts/part_000008/summary.json parts/report.html
+"$apps/study_parallel.sh" "$config" parts 12 3 "${brief[@]}"
+same
+[ -s parts/report.html ]
+
+"$apps/sweep.sh" "$config" sweep 2 LocalizationExperiment.particles_count=100,300 PF_options.BETA=0.3,0.6 -- "${brief[@]:0:4}" >/dev/null
+head -1 sweep/sweep.csv | grep -q '^LocalizationExperiment.particles_count,PF_options.BETA,run,log,method,trials,'
+[ "$(wc -l <sweep/sweep.csv)" -eq 5 ] || { cat sweep/sweep.csv; exit 1; }
+grep -q '^300,0.6,quickstart 4,room,particle_filter,2,' sweep/sweep.csv
+echo "all the same"
