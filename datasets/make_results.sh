@@ -35,7 +35,7 @@ study() {
 
 demo=/usr/share/mrpt/datasets/uwb_ro-localization_demo.rawlog
 [ ! -e "$demo" ] || run mrpt-uwb-demo mrpt-uwb-demo "$trials"
-study plaza1 plaza "$trials" plaza "$recordings/plaza/Plaza1"
+study plaza1 plaza "$trials" plaza "$recordings/plaza"
 study labyrinth labyrinth "$trials" labyrinth "$recordings/labyrinth_uwb"
 study cuhksz-fast cuhksz "$trials" cuhksz "$recordings/cuhksz_uwb_planar"
 for robot in 1 2 3 4 5; do
