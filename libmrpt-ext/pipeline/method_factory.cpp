@@ -124,7 +124,8 @@ std::vector<MethodFactory::Entry> MethodFactory::entries(std::uint64_t seed, int
                        return std::make_unique<JoinedLocalizer>(make(), config_.join_window, config_.filter.motion);
                      }});
   }
-  all.push_back({"running_fix", moving && (kinds_.fix || kinds_.known_range),
+  // A fix from single ranges needs the way between them.
+  all.push_back({"running_fix", moving && (kinds_.fix || (kinds_.known_range && has_odometry_)),
                  [this, &methods]
                  {
                    RunningFixLocalizer::FilterHeading heading;
