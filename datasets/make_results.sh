@@ -54,7 +54,8 @@ localization-report "${folders[@]}" -o "$out/report.html" --table "$out/table.md
   echo "Made by \`datasets/make_results.sh\`: unknown start, the shipped configurations, up to $trials random seeds per"
   echo "recording; every figure is the median over the trials. Position errors count from the convergence of the filter on"
   echo "(\`converged_within_m\` of the configuration); independent frames count all. \`successes\` converged in time and"
-  echo "stayed. Closed forms give a pose for some frames only."
+  echo "stayed; like \`lost\` and the time to converge it tells of the particle filter, also in the rows of other methods."
+  echo "Closed forms give a pose for some frames only; an oracle chose among its candidates with the truth."
   echo
   cat "$out/table.md"
 } >"$root/datasets/RESULTS.md"
