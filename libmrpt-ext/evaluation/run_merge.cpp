@@ -90,6 +90,17 @@ std::vector<const Part*> partsOf(const std::vector<RunScore>& trials, Part RunSc
   return parts;
 }
 
+std::map<std::string, BiasScore> mergeBiases(const std::vector<const FilterScore*>& parts)
+{
+  std::map<std::string, std::vector<const BiasScore*>> groups;
+  for (const FilterScore* part : parts)
+    for (const auto& [name, bias] : part->biases) groups[name].push_back(&bias);
+  std::map<std::string, BiasScore> merged;
+  for (const auto& [name, biases] : groups)
+    merged[name] = {medianOf(biases, &BiasScore::mean), medianOf(biases, &BiasScore::std)};
+  return merged;
+}
+
 FilterScore mergeFilter(const std::vector<const FilterScore*>& parts)
 {
   FilterScore merged;
@@ -97,6 +108,7 @@ FilterScore mergeFilter(const std::vector<const FilterScore*>& parts)
                             &FilterScore::nees_mean, &FilterScore::nees_band_low, &FilterScore::nees_band_high,
                             &FilterScore::effective_sample_ratio_min, &FilterScore::lost_steps, &FilterScore::reseeds})
     merged.*figure = medianOf(parts, figure);
+  merged.biases = mergeBiases(parts);
   return merged;
 }
 

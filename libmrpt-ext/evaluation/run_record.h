@@ -66,6 +66,14 @@ struct FilterRecord
   std::vector<ModeSummary> modes_at_end;
 };
 
+/// What the filter knew of a systematic error after one frame (a row of biases.csv).
+struct BiasRow
+{
+  double time = 0;
+  std::string name;  ///< "stereo.range_scale", "bearing_offset_deg"
+  double mean = 0, std = 0;
+};
+
 /// How a landmark behaved under the filter's posterior.
 struct LandmarkRecord
 {
@@ -120,6 +128,7 @@ struct RunRecord
   Trajectory odometry;  ///< dead-reckoned, own frame: carries continuous methods to the scoring stamps
   std::vector<HypothesisRow> hypotheses;
   FilterRecord filter;
+  std::vector<BiasRow> biases;                      ///< ordered by time
   std::map<std::string, LandmarkRecord> landmarks;  ///< by id as text
   std::vector<ObjectRow> objects;
   std::vector<PlaybackStep> playback;  ///< of some frames, evenly spread; may be empty

@@ -67,6 +67,13 @@ FilterScore describe(const FilterRecord& filter)
   return score;
 }
 
+std::map<std::string, BiasScore> atTheEnd(const std::vector<BiasRow>& rows)
+{
+  std::map<std::string, BiasScore> scores;
+  for (const BiasRow& row : rows) scores[row.name] = {row.mean, row.std};
+  return scores;
+}
+
 void addConsistency(FilterScore& score, const MethodTrack& track, const RunContext& context, const Trajectory& odometry,
                     std::optional<double> from)
 {
@@ -162,6 +169,7 @@ RunScore scoreRun(const RunContext& context, const RunRecord& record, const Conv
 {
   RunScore score;
   score.filter = describe(record.filter);
+  score.filter.biases = atTheEnd(record.biases);
   score.landmarks = describe(record.landmarks);
   score.cost = describeCost(context, record);
   score.limits = limits;

@@ -33,6 +33,12 @@ struct MethodScore
   std::vector<double> trial_rmse;   ///< [m] of a merged score: the trials' position RMSE, as far as they have one
 };
 
+/// A systematic error as the filter knew it at the end.
+struct BiasScore
+{
+  Figure mean, std;
+};
+
 /// How the filter did by its own account, and how honest its covariance is.
 struct FilterScore
 {
@@ -41,6 +47,7 @@ struct FilterScore
   std::vector<NeesSample> nees;  ///< whole run; of one trial only, empty in a merged score
   Figure effective_sample_ratio_min;
   Figure lost_steps, reseeds;
+  std::map<std::string, BiasScore> biases;
   std::optional<std::vector<ModeSummary>> modes_at_end;  ///< absent in a merged score: a list has no median
 };
 

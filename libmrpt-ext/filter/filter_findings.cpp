@@ -52,6 +52,14 @@ std::vector<BiasEstimate> estimateBiases(const ParticleSet& particles)
   return estimates;
 }
 
+std::string biasName(const BiasState& bias)
+{
+  const char* unit = bias.kind == BiasKind::bearing_offset ? "_deg" : bias.kind == BiasKind::range_offset ? "_m" : "";
+  return (bias.sensor.empty() ? "" : bias.sensor + ".") + nameOf(bias.kind) + unit;
+}
+
+double fileUnit(const BiasState& bias) { return bias.kind == BiasKind::bearing_offset ? radToDeg(1.0) : 1.0; }
+
 std::string biasText(const BiasModel& biases, const std::vector<BiasEstimate>& estimates)
 {
   std::string text;

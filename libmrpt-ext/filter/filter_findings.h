@@ -17,6 +17,11 @@ struct BiasEstimate
 /// Mean and deviation of every systematic error over normalised particles, in the order of their bias states.
 [[nodiscard]] std::vector<BiasEstimate> estimateBiases(const ParticleSet& particles);
 
+/// "stereo.range_scale", "bearing_offset_deg": its sensor, if it has one, its kind, and the unit that files have it in.
+[[nodiscard]] std::string biasName(const BiasState& bias);
+/// Files have angles in degrees: what a value of this error is multiplied by.
+[[nodiscard]] double fileUnit(const BiasState& bias);
+
 /// The errors that are estimated, in words: "range_offset 0.120 m (std 0.010)", angles in degrees; empty without any.
 [[nodiscard]] std::string biasText(const BiasModel& biases, const std::vector<BiasEstimate>& estimates);
 

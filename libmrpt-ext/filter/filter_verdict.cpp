@@ -61,6 +61,10 @@ VerdictWithReason judge(const ModeSet& modes, const VerdictEvidence& evidence, c
             text("one place, but it explains only %.0f %% of the recent detections expected of it", percent)};
   if (!(evidence.effective >= options.min_effective))
     return {Verdict::ambiguous, text("one place, but it rests on %.0f effective particles", evidence.effective)};
+  if (!evidence.proven)
+    return {
+        Verdict::ambiguous,
+        text("one place, but fresh readings do not yet tell it from a chance fit (log odds %.1f)", evidence.log_odds)};
   return {Verdict::ok, text("one place, weight %.2f, %.3f m and %.1f deg standard deviation, explains %.0f %% of the "
                             "recent detections expected of it",
                             best.weight, spread.xy, radToDeg(spread.phi), percent)};

@@ -29,6 +29,8 @@ struct VerdictEvidence
   double explained_share = 1;  ///< of recent detections, relative to what is expected
   bool lost = false;           ///< the recovery monitor's alarm
   double effective = 1e9;      ///< effective number of particles
+  double log_odds = 0;         ///< of the place against a chance fit, from fresh looks
+  bool proven = true;          ///< they suffice
 };
 
 /// True when the posterior is one sharp place, whether the detections agree with it or not.

@@ -47,6 +47,8 @@ ParticleFilter::ParticleFilter(const ParticleFilterOptions& options, const Landm
       monitor_(options.recovery),
       trust_(trustOptions(options.recovery)),
       surprise_(surpriseOptions(options.recovery)),
+      kinds_(options.recovery),
+      evidence_(options.evidence, options.motion, map_),
       companions_(options.motion, options.biases)
 {
 }
@@ -69,6 +71,7 @@ FilterStep ParticleFilter::process(const Frame& frame, const Proposer& propose)
     particles_.clear();
     return step;
   }
+  followEvidence(frame, step.modes);
   if (options_.companions) companions_.follow(step.modes, particles_);
   checkAgreement(frame, isOnePlace(step.modes, options_.verdict) && !monitor_.suspicious());
   step.explained_share = monitor_.average();
@@ -77,7 +80,7 @@ FilterStep ParticleFilter::process(const Frame& frame, const Proposer& propose)
   step.reason = verdict.reason;
   step.biases = estimateBiases(particles_);
   for (const std::string& finding :
-       {disbeliefText(map_, reliability_.histories()), biasText(particles_.bias_states, step.biases)})
+       {kinds_.finding(), disbeliefText(map_, reliability_.histories()), biasText(particles_.bias_states, step.biases)})
     if (!finding.empty()) step.reason += "; " + finding;
 
   const double effective = step.effective_ratio * static_cast<double>(step.particles);
@@ -92,13 +95,19 @@ FilterStep ParticleFilter::process(const Frame& frame, const Proposer& propose)
 
 void ParticleFilter::track(const Frame& frame, const Proposer& propose, FilterStep& step)
 {
-  step.reseeded = monitor_.suspicious() && since_injection_ + frame.motion.duration >= options_.recovery.min_interval;
-  if (step.reseeded && options_.companions) companions_.watch(modes_.modes.front(), particles_);
-  const bool settled = isOnePlace(modes_, options_.verdict) && !monitor_.suspicious();
+  step.reseeded = looksElsewhere() && since_injection_ + frame.motion.duration >= options_.recovery.min_interval;
+  step.challenged = !step.reseeded && challengeDue(frame);
+  const bool injects = step.reseeded || step.challenged;
+  if (injects && options_.companions) companions_.watch(modes_.modes.front(), particles_);
+  const bool one_place = isOnePlace(modes_, options_.verdict), settled = one_place && !monitor_.suspicious();
   moveParticles(particles_, options_.motion, frame.motion, random_, options_.threads);
   walkBiases(particles_, frame.motion.duration, random_);
   since_injection_ += frame.motion.duration;
-  if (step.reseeded) inject(propose);
+  if (one_place && !injects)
+    evidence_.observe(frame, map_, particles_);
+  else
+    evidence_.note(frame);
+  if (injects) inject(propose);
   companions_.accompany(particles_, frame, map_);
   const std::optional<KalmanState> prior = settled ? priorOfOnePlace(frame) : std::nullopt;
   score(frame);

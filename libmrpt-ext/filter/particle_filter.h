@@ -9,12 +9,14 @@
 #include "mrpt_ext/filter/filter_findings.h"
 #include "mrpt_ext/filter/filter_verdict.h"
 #include "mrpt_ext/filter/kernel_smoothing.h"
+#include "mrpt_ext/filter/kind_monitors.h"
 #include "mrpt_ext/filter/kld_size.h"
 #include "mrpt_ext/filter/landmark_reliability.h"
 #include "mrpt_ext/filter/mode_companions.h"
 #include "mrpt_ext/filter/modes.h"
 #include "mrpt_ext/filter/motion_model.h"
 #include "mrpt_ext/filter/particle_set.h"
+#include "mrpt_ext/filter/place_evidence.h"
 #include "mrpt_ext/filter/recovery_monitor.h"
 #include "mrpt_ext/filter/resampling.h"
 #include "mrpt_ext/filter/seeding.h"
@@ -49,6 +51,7 @@ struct ParticleFilterOptions
   ModeOptions modes;
   RecoveryOptions recovery;
   VerdictOptions verdict;
+  PlaceEvidenceOptions evidence;
   bool companions = true;          ///< Kalman filters divide the weight between compact modes
   std::size_t redraw_below = 400;  ///< effective particles: fewer are drawn anew around an analytic posterior
   bool learn_reliability = true;
@@ -64,7 +67,8 @@ struct FilterStep
   ModeSet modes;
   double effective_ratio = 1;        ///< after scoring, before resampling
   double explained_share = 1;        ///< of recent detections, relative to what is expected
-  bool reseeded = false;             ///< seeds were injected
+  bool reseeded = false;             ///< seeds were injected, because the detections do not agree
+  bool challenged = false;           ///< seeds were injected beside a place that only a rival can put to the test
   bool revived = false;              ///< a place that had lost its particles got some again
   std::size_t particles = 0;         ///< held after the step
   std::vector<BiasEstimate> biases;  ///< in the order of ParticleFilterOptions::biases
@@ -96,6 +100,10 @@ class ParticleFilter
   void inject(const Proposer& propose);
   /// The places held possible, as wide as they are when odometry was wrong by more than it may be.
   [[nodiscard]] HypothesisSet slippedPlaces() const;
+  [[nodiscard]] bool looksElsewhere() const { return monitor_.suspicious() || kinds_.dropped() || evidence_.refuted(); }
+  [[nodiscard]] bool challengeDue(const Frame& frame) const;
+  /// What fresh looks prove is one place: the best mode, as long as it stays the same one.
+  void followEvidence(const Frame& frame, const ModeSet& modes);
   void track(const Frame& frame, const Proposer& propose, FilterStep& step);
   void score(const Frame& frame);
   /// The moved particles as a Gaussian, where they are few and at one place.
@@ -115,6 +123,8 @@ class ParticleFilter
   RecoveryMonitor monitor_;   // quick, against what is learned about the landmarks: tells when to look elsewhere
   RecoveryMonitor trust_;     // slow, against what the configuration promises: tells when to claim `ok`
   RecoveryMonitor surprise_;  // quickest: `ok` is not said in the face of it
+  KindMonitors kinds_;        // of each sensor by itself
+  PlaceEvidence evidence_;    // fresh looks: tells whether the place is more than a chance fit
   ModeCompanions companions_;
   ModeSet modes_;                                                     // of the last step
   double since_injection_ = std::numeric_limits<double>::infinity();  // [s]

@@ -5,6 +5,7 @@
 
 #include "mrpt_ext/filter/particle_bias.h"
 #include "mrpt_ext/filter/particle_filter.h"
+#include "mrpt_ext/likelihood/running_fix_likelihood.h"
 
 namespace mrpt_ext
 {
@@ -14,7 +15,9 @@ constexpr double kSeedInflation = 2.0;  // a proposal wider than the posterior i
 constexpr double kUniformShareStart = 0.3;
 constexpr double kUniformShareInjected = 0.3;
 constexpr double kUniformShareRefined = 0.1;
-constexpr int kRefinements = 2;  // samples drawn again from the modes of the one before
+constexpr int kRefinements = 2, kMostRefinements = 12;   // samples drawn again from the modes of the one before
+constexpr double kLeastEffective = 40;                   // samples, to draw the next ones from
+const Vector3d kSharpest{0.002, 0.002, degToRad(0.02)};  // spread that a proposal has at least
 
 /// Symmetric square root; directions without spread are allowed.
 Matrix3d squareRoot(const Matrix3d& covariance)
@@ -34,16 +37,36 @@ bool ParticleFilter::start(const Frame& frame, const Proposer& propose)
   Frame evidence = frame;
   if (!proposal.joined_readings.empty()) evidence.readings = proposal.joined_readings;
 
-  const auto draw = [&](const HypothesisSet& hypotheses, double uniform_share)
+  ParticleSet samples;
+  // Weights the samples with as much of the likelihood as they can tell, all of it where they lie well.
+  const auto draw = [&](const SeedMixture& mixture)
   {
-    const SeedMixture mixture(hypotheses, options_.region, uniform_share, kSeedInflation, options_.seed_min_std);
-    particles_ = sampleSeeds(mixture, options_.region, count, random_, particles_);
+    samples = sampleSeeds(mixture, options_.region, count, random_, particles_);
+    particles_ = samples;
     score(evidence);
-    normalizeWeights(particles_);
+    if (!analytic) return 1.0;
+    const double exponent = annealingExponent(samples.log_weight, particles_.log_weight, kLeastEffective);
+    if (exponent < 1)
+      for (std::size_t i = 0; i < count; ++i)
+        particles_.log_weight[i] =
+            samples.log_weight[i] + static_cast<float>(exponent) * (particles_.log_weight[i] - samples.log_weight[i]);
+    return exponent;
   };
-  draw(proposal.hypotheses, kUniformShareStart);
-  for (int pass = 0; analytic && pass < kRefinements; ++pass)
-    draw(hypothesesOf(findModes(particles_, options_.modes)), kUniformShareRefined);
+  const auto around = [&](const HypothesisSet& places, double uniform_share)
+  {
+    return SeedMixture(sharpAndWide(places, options_.seed_min_std), options_.region, uniform_share, kSeedInflation,
+                       kSharpest);
+  };
+  double exponent = draw(around(proposal.hypotheses, kUniformShareStart));
+  for (int pass = 0; analytic && (pass < kRefinements || exponent < 1) && pass < kMostRefinements; ++pass)
+  {
+    normalizeWeights(particles_);
+    HypothesisSet places = hypothesesOf(findModes(particles_, options_.modes));
+    // While the likelihood is held back, the modes are blurred: the seeds stay, so that none of them is lost.
+    if (exponent < 1) places.insert(places.end(), proposal.hypotheses.begin(), proposal.hypotheses.end());
+    exponent = draw(around(places, kUniformShareRefined));
+  }
+  evidence_.begin(scoredReadings(evidence), map_, samples);
   return proposal.complete || !proposal.hypotheses.empty();
 }
 
@@ -58,6 +81,8 @@ bool ParticleFilter::startAtKnownPose(const Frame& frame)
     particles_.add({mean.x + offset.x(), mean.y + offset.y(), wrap(mean.phi + offset.z())}, 0);
   }
   drawBiases(particles_, 0, random_);
+  evidence_.note(frame);
+  evidence_.assume();
   score(frame);
   return true;
 }
@@ -67,7 +92,8 @@ void ParticleFilter::inject(const Proposer& propose)
   HypothesisSet hypotheses = propose ? propose().hypotheses : HypothesisSet{};
   const HypothesisSet slipped = slippedPlaces();
   hypotheses.insert(hypotheses.end(), slipped.begin(), slipped.end());
-  const SeedMixture mixture(hypotheses, options_.region, kUniformShareInjected, kSeedInflation, options_.seed_min_std);
+  const SeedMixture mixture(sharpAndWide(hypotheses, options_.seed_min_std), options_.region, kUniformShareInjected,
+                            kSeedInflation, kSharpest);
   const SeedMixture nearby(slipped, options_.region, 0, 1, Vector3d::Zero());
   since_injection_ = 0;
   const double jump = options_.recovery.prior_of_jump;

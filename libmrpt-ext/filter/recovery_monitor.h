@@ -17,6 +17,8 @@ struct RecoveryOptions
   double surprise_memory = 4;     ///< [detections] the same for the average that withholds `ok` at once
   double injected_share = 0.25;   ///< of the particle count, added per frame while suspicious
   double min_interval = 0.5;      ///< [s] between two injections, which are costly
+  double challenge_interval = 3;  ///< [s] after which seeds challenge a place that is not proven
+  double review_interval = 20;    ///< [s] likewise a proven one, where detections have no names
   double prior_of_jump = 0.02;    ///< probability per injection, that the robot is somewhere else
   double share_of_slips =
       0.5;                   ///< of the jumps are errors of odometry (wheels slipped, a long gap); others go anywhere

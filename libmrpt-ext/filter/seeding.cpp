@@ -1,5 +1,6 @@
 #include "mrpt_ext/filter/seeding.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "mrpt_ext/filter/particle_bias.h"
@@ -10,6 +11,8 @@ namespace
 {
 constexpr double kMinWeight = 1e-4;
 constexpr std::size_t kMaxModes = 500;
+constexpr int kHalvings = 14;
+constexpr double kLeastExponent = 1e-4;
 }  // namespace
 
 ParticleSet sampleSeeds(const SeedMixture& mixture, const PoseRegion& region, std::size_t count, RandomStream& random,
@@ -26,6 +29,43 @@ ParticleSet sampleSeeds(const SeedMixture& mixture, const PoseRegion& region, st
   }
   drawBiases(particles, 0, random);
   return particles;
+}
+
+HypothesisSet sharpAndWide(const HypothesisSet& hypotheses, const Vector3d& wide_std)
+{
+  HypothesisSet both = hypotheses;
+  for (PoseHypothesis wide : hypotheses)
+  {
+    wide.pose.covariance.diagonal() += wide_std.cwiseAbs2();
+    both.push_back(std::move(wide));
+  }
+  return both;
+}
+
+double annealingExponent(std::span<const float> log_prior, std::span<const float> log_weight, double effective)
+{
+  const auto effectiveAt = [&](double exponent)
+  {
+    const auto at = [&](std::size_t i)
+    { return double{log_prior[i]} + exponent * (double{log_weight[i]} - double{log_prior[i]}); };
+    double best = at(0), sum = 0, squares = 0;
+    for (std::size_t i = 1; i < log_prior.size(); ++i) best = std::max(best, at(i));
+    for (std::size_t i = 0; i < log_prior.size(); ++i)
+    {
+      const double w = std::exp(at(i) - best);
+      sum += w;
+      squares += w * w;
+    }
+    return sum * sum / squares;
+  };
+  if (log_prior.empty() || effectiveAt(1) >= effective) return 1;
+  double low = 0, high = 1;
+  for (int k = 0; k < kHalvings; ++k)
+  {
+    const double middle = (low + high) / 2;
+    (effectiveAt(middle) >= effective ? low : high) = middle;
+  }
+  return std::max(low, kLeastExponent);
 }
 
 HypothesisSet hypothesesOf(const ModeSet& modes)

@@ -35,9 +35,12 @@ using BiasModel = std::vector<BiasState>;
   return kind == BiasKind::way_scale || kind == BiasKind::turn_scale;
 }
 
-/// True when the error acts on readings of the sensor with this label.
+/// True when the error acts on readings of the sensor with this label: its own, or one that is continued after a
+/// dot ("camera" has a part in "camera.4").
 [[nodiscard]] inline bool actsOn(const BiasState& bias, std::string_view sensor)
 {
-  return !belongsToOdometry(bias.kind) && (bias.sensor.empty() || bias.sensor == sensor);
+  if (belongsToOdometry(bias.kind)) return false;
+  const bool begins = sensor.starts_with(bias.sensor);
+  return bias.sensor.empty() || (begins && (sensor.size() == bias.sensor.size() || sensor[bias.sensor.size()] == '_'));
 }
 }  // namespace mrpt_ext

@@ -59,7 +59,7 @@ void addReadings(Recording& recording, const fs::path& folder, int robot)
     else if (!recording.map.indexOf(subject->second))
       ++unmapped;
     else
-      collector.add(row.time, kMrclamSensor,
+      collector.add(row.time, mrclamCamera(robot),
                     {subject->second, kMrclamCategory, row.bearing, row.range, kMrclamStdBearing, kMrclamStdRange});
   }
   recording.records.insert(recording.records.end(), collector.readings().begin(), collector.readings().end());
@@ -100,6 +100,8 @@ Recording importMrclam(const fs::path& folder, int robot)
   correctTruthHeading(recording);
   return recording;
 }
+
+std::string mrclamCamera(int robot) { return std::string(kMrclamSensor) + "." + std::to_string(robot); }
 
 std::vector<int> mrclamRobots(const fs::path& folder)
 {

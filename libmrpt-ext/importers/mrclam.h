@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "mrpt_ext/geometry/recording.h"
@@ -14,6 +15,8 @@ namespace mrpt_ext
 inline constexpr double kMrclamStdBearing = degToRad(1.0);  ///< [rad]
 inline constexpr double kMrclamStdRange = 0.155;            ///< [m]
 inline constexpr const char* kMrclamSensor = "camera";
+/// Label of a robot's own camera, "camera.<robot>": the five are not alike.
+[[nodiscard]] std::string mrclamCamera(int robot);
 
 /// One robot of a UTIAS MRCLAM data set (format: mrclam_files.h).
 /// Odometry: commanded velocities integrated as arcs. Readings: rows of one stamp, barcodes replaced by landmark ids;

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <limits>
+
 #include "mrpt_ext/hypotheses/propose_poses.h"
 #include "mrpt_ext/localizers/filter_localizer.h"
 #include "mrpt_ext/localizers/frame_joiner.h"
 
 namespace mrpt_ext
 {
-/// The batch particle filter, seeded by the closed forms over the readings of the last seconds.
+/// The batch particle filter, seeded by the closed forms over the readings of the last seconds, and by what was seen
+/// without names along the way (searchAlongWay).
 class ParticleFilterLocalizer : public FilterLocalizer
 {
  public:
@@ -22,12 +25,18 @@ class ParticleFilterLocalizer : public FilterLocalizer
   [[nodiscard]] std::vector<LandmarkHistory> landmarkHistories() const override;
 
  private:
+  void remember(const Frame& frame);
+  [[nodiscard]] HypothesisSet proposeAlongWay();
+
   LandmarkTable map_;
   std::shared_ptr<const LostRobotSearch> search_;
   PoseRegion region_;
   BiasModel biases_;
   ParticleFilter filter_;
   FrameJoiner joiner_;
+  MotionModel motion_;
+  double searched_at_ = -std::numeric_limits<double>::infinity();  // [s] along the way
+  std::vector<Frame> recent_;  // of the last kTravelled seconds, where detections have no names
   FilterStep step_;
 };
 }  // namespace mrpt_ext

@@ -63,8 +63,12 @@ void append(BiasModel& model, const Settings& settings, const std::string& secti
   for (const BiasName& bias : kNames)
   {
     if (section != kCommon && belongsToOdometry(bias.kind)) continue;
+    // What a more general section says acts on this sensor already.
     const auto value = [&](const std::string& key)
-    { return bias.unit == "deg" ? settings.radians(section, key) : settings.number(section, key); };
+    {
+      if (!settings.isSet(section, key)) return 0.0;
+      return bias.unit == "deg" ? settings.radians(section, key) : settings.number(section, key);
+    };
     const BiasState state{.kind = bias.kind,
                           .sensor = sensor,
                           .mean = value(meanKey(bias)),

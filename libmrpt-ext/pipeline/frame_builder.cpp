@@ -36,11 +36,7 @@ SortedMeasurements sortMeasurements(const std::vector<Record>& records, const La
                                     const FrameOptions& options, UnusableDetections& unusable)
 {
   SortedMeasurements sorted;
-  const auto ignored = [&](const std::string& label)
-  {
-    const auto config = options.sensors.find(label);
-    return config != options.sensors.end() && config->second.ignore;
-  };
+  const auto ignored = [&](const std::string& label) { return configOf(options.sensors, label).ignore; };
   for (const Record& record : records)
   {
     if (const auto* odometry = std::get_if<OdometryRecord>(&record)) sorted.odometry.push_back(*odometry);

@@ -11,13 +11,6 @@ namespace
 const std::string kPrefix = "Sensor_";
 constexpr double kLeastDepthShare = 0.1;  // beside the sensor or behind it a depth tells no range
 
-const SensorConfig& configOf(const SensorConfigs& configs, const std::string& label)
-{
-  static const SensorConfig kDefaults;
-  const auto found = configs.find(label);
-  return found == configs.end() ? kDefaults : found->second;
-}
-
 InputError missingDeviation(const std::string& sensor, const std::string& what, const std::string& key)
 {
   return configurationError("sensor '" + sensor + "' logs " + what + " without a standard deviation, set [" + kPrefix +
@@ -68,7 +61,7 @@ double depthShare(const Detection& detection, const SensorConfig& config)
 
 void correctBearing(double& bearing, double& std, const SensorConfig& config, const std::string& sensor)
 {
-  bearing = wrap(bearing - config.bias_bearing);
+  bearing = wrap(wrap(bearing - config.bias_bearing) / config.scale_bearing);
   if (config.std_bearing) std = *config.std_bearing;
   if (!(std > 0)) throw missingDeviation(sensor, "bearings", "std_bearing_deg");
 }
@@ -99,6 +92,16 @@ std::string whyUnusable(const RunningFixReading& fix, const LandmarkTable& map, 
 }
 }  // namespace
 
+const SensorConfig& configOf(const SensorConfigs& configs, const std::string& label)
+{
+  static const SensorConfig kDefaults;
+  for (std::string name = label;; name.resize(name.rfind('.')))
+  {
+    if (const auto found = configs.find(name); found != configs.end()) return found->second;
+    if (name.find('.') == std::string::npos) return kDefaults;
+  }
+}
+
 SensorConfigs sensorConfigs(const Settings& settings)
 {
   SensorConfigs configs;
@@ -111,6 +114,7 @@ SensorConfigs sensorConfigs(const Settings& settings)
     c.std_range_per_m = settings.number(section, "std_range_per_m");
     c.std_heading = settings.optionalRadians(section, "std_heading_deg");
     c.bias_bearing = settings.radians(section, "bias_bearing_deg");
+    c.scale_bearing = settings.number(section, "scale_bearing");
     c.bias_range = settings.number(section, "bias_range_m");
     c.scale_range = settings.number(section, "scale_range");
     c.landmark_bias_range = landmarkValues(settings, section, "landmark_bias_range_m");

@@ -23,9 +23,9 @@ struct SensorConfig
   double delay = 0;                              ///< [s]
   std::optional<double> std_bearing, std_range;  ///< [rad], [m]
   double std_range_per_m = 0;
-  std::optional<double> std_heading;                         ///< [rad]
-  double bias_bearing = 0, bias_range = 0, scale_range = 1;  ///< measured = scale * true + bias
-  LandmarkValues landmark_bias_range;                        ///< [m] on top of bias_range, by landmark
+  std::optional<double> std_heading;                                            ///< [rad]
+  double bias_bearing = 0, scale_bearing = 1, bias_range = 0, scale_range = 1;  ///< measured = scale * true + bias
+  LandmarkValues landmark_bias_range;  ///< [m] on top of bias_range, by landmark
   bool range_along_axis = false;  ///< ... where true is the depth along the forward axis, of detections with a bearing
   std::optional<double> field_of_view, max_range;  ///< [rad], [m]
   double clutter_probability = 0.05;
@@ -34,10 +34,12 @@ struct SensorConfig
   bool ignore = false;
 };
 
-/// By sensor label; labels without a section have the defaults.
+/// By sensor label. A label without a section has that of the label it continues after a dot (camera.4 that of
+/// camera), else the defaults.
 using SensorConfigs = std::map<std::string, SensorConfig>;
 
 [[nodiscard]] SensorConfigs sensorConfigs(const Settings& settings);
+[[nodiscard]] const SensorConfig& configOf(const SensorConfigs& configs, const std::string& label);
 
 /// Detections that cannot be used, by reason, e.g. "uwb: slant range shorter than the height difference".
 using UnusableDetections = std::map<std::string, std::size_t>;

@@ -78,8 +78,20 @@ const KeySpec& Settings::specOf(const std::string& section, const std::string& k
 std::optional<std::string> Settings::effective(const std::string& section, const std::string& key) const
 {
   const KeySpec& spec = specOf(section, key);
-  if (const IniEntry* entry = ini_.find(section, key)) return entry->value;
+  for (std::optional<std::string> from = section; from && fitsPattern(*from, spec.section);
+       from = generalSection(*from))
+    if (const IniEntry* entry = ini_.find(*from, key)) return entry->value;
   if (!spec.default_value.empty()) return spec.default_value;
+  return std::nullopt;
+}
+
+std::optional<std::string> Settings::generalSection(const std::string& section) const
+{
+  for (std::size_t end = section.rfind('.'); end != std::string::npos && end > 0; end = section.rfind('.', end - 1))
+  {
+    std::string name = section.substr(0, end);
+    if (hasSection(name)) return name;
+  }
   return std::nullopt;
 }
 
@@ -171,7 +183,10 @@ void Settings::writeResolved(std::ostream& out, const std::string& section) cons
   for (const KeySpec& spec : table_.keys())
   {
     if (!fitsPattern(section, spec.section) || spec.name == "*") continue;
-    if (!hasValue(section, spec.name))
+    const bool from_general = !isSet(section, spec.name) && generalSection(section);
+    if (from_general)
+      out << "; " << spec.name << " as in [" << *generalSection(section) << "]\n";
+    else if (!hasValue(section, spec.name))
       out << "; " << spec.name << " is not set\n";
     else if (spec.type == KeyType::path)
       out << spec.name << " = " << path(section, spec.name).string() << "\n";

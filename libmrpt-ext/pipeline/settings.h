@@ -15,6 +15,9 @@ namespace mrpt_ext
 /// An .ini file checked against a table of keys, with the changes of --set on top. Every mistake in it is found at
 /// loading and reported as InputError (configuration), `file:line: ...` or `--set Section.key=value: ...`.
 ///
+/// A section of a kind ([Sensor_<label>]) takes what it does not say from a more general one in the file, whose name it
+/// continues after a dot: [Sensor_camera.4] from [Sensor_camera].
+///
 /// The getters give the effective value: set in the file or by --set, else the table's default. Asking for a value
 /// that is neither is an InputError naming the missing key; `hasValue` tells beforehand. Asking for a key that is not
 /// in the table is a programmer's mistake (std::logic_error).
@@ -36,6 +39,8 @@ class Settings
   /// True if there is an effective value that is not empty.
   [[nodiscard]] bool hasValue(const std::string& section, const std::string& key) const;
   [[nodiscard]] bool hasSection(const std::string& section) const { return ini_.find(section) != nullptr; }
+  /// The section that this one takes from what it does not say itself.
+  [[nodiscard]] std::optional<std::string> generalSection(const std::string& section) const;
   /// Names of the sections present that start with `prefix`, in the order of the file.
   [[nodiscard]] std::vector<std::string> sectionsMatching(const std::string& prefix) const;
 

@@ -42,13 +42,19 @@ void record(const Estimate& estimate, const Frame& frame, double milliseconds, M
   if (estimate.point) track.points.push_back(*estimate.point);
 }
 
-void recordFilter(const FilterStep& step, const Estimate& estimate, double time, RunRecord& run)
+void recordFilter(const FilterStep& step, const BiasModel& biases, const Estimate& estimate, double time,
+                  RunRecord& run)
 {
   run.filter.particle_counts.push_back(step.particles);
   run.filter.effective_sample_ratio_min =
       std::min(run.filter.effective_sample_ratio_min.value_or(1.0), step.effective_ratio);
   if (step.verdict == Verdict::lost) ++run.filter.lost_steps;
   if (step.reseeded) run.filter.reseed_times.push_back(time);
+  for (std::size_t k = 0; k < step.biases.size(); ++k)
+  {
+    const double unit = fileUnit(biases[k]);
+    run.biases.push_back({time, biasName(biases[k]), unit * step.biases[k].mean, unit * step.biases[k].std});
+  }
   int rank = 0;
   for (const PoseHypothesis& h : estimate.candidates)
     run.hypotheses.push_back({time, rank++, h.pose.mean, h.weight, h.source});
@@ -122,7 +128,8 @@ TrialOutcome runTrial(const TrialInput& input, std::uint64_t seed, int trial)
       record(estimate, frames[k], ms, run.methods[m]);
       if (methods.localizers[m].get() == methods.filter)
       {
-        recordFilter(methods.filter->lastStep(), estimate, frames[k].time, run);
+        recordFilter(methods.filter->lastStep(), methods.filter->particles().bias_states, estimate, frames[k].time,
+                     run);
         if (estimate.point) objects.place(*estimate.point, run.objects);
       }
       else if (!run.methods[m].continuous)

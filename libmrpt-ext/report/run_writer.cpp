@@ -6,6 +6,7 @@
 
 #include "mrpt_ext/evaluation/odometry_anchor.h"
 #include "mrpt_ext/files/atomic_file.h"
+#include "mrpt_ext/report/biases_csv.h"
 #include "mrpt_ext/report/html_page.h"
 #include "mrpt_ext/report/hypotheses_csv.h"
 #include "mrpt_ext/report/objects_csv.h"
@@ -21,7 +22,7 @@ namespace
 void removeOldResults(const std::filesystem::path& folder)
 {
   std::error_code ignored;
-  std::vector<std::filesystem::path> old{folder / "summary.json", folder / "objects.csv"};
+  std::vector<std::filesystem::path> old{folder / "summary.json", folder / "objects.csv", folder / "biases.csv"};
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
   {
     const std::string name = entry.path().filename().string();
@@ -40,6 +41,7 @@ void writeTrial(const std::filesystem::path& folder, const RunContext& context, 
   writeFileAtomically(folder / "hypotheses.csv", hypothesesCsv(placed.hypotheses));
   if (context.objects_wanted || !placed.objects.empty())
     writeFileAtomically(folder / "objects.csv", objectsCsv(placed.objects));
+  if (!placed.biases.empty()) writeFileAtomically(folder / "biases.csv", biasesCsv(placed.biases));
   for (const MethodTrack& method : placed.methods) writeTrajectoryTum(folder, method);
   writeFileAtomically(folder / "report.html", trialPage(context, placed, score));
   // Last: who finds a summary finds everything that it belongs to.

@@ -79,10 +79,17 @@ Json modes(const std::optional<std::vector<ModeSummary>>& modes_at_end)
   return list;
 }
 
+Json biases(const std::map<std::string, BiasScore>& scores)
+{
+  Json all = Json::object();
+  for (const auto& [name, bias] : scores) all[name] = {{"mean", number(bias.mean)}, {"std", number(bias.std)}};
+  return all;
+}
+
 Json filter(const RunScore& score)
 {
   const FilterScore& f = score.filter;
-  return {
+  Json json = {
       {"particles",
        {{"min", count(f.particles_min)}, {"median", count(f.particles_median)}, {"max", count(f.particles_max)}}},
       {"nees",
@@ -92,6 +99,8 @@ Json filter(const RunScore& score)
       {"lost_steps", count(f.lost_steps)},
       {"reseeds", count(f.reseeds)},
       {"modes_at_end", modes(f.modes_at_end)}};
+  if (!f.biases.empty()) json["biases"] = biases(f.biases);  // only where the configuration asks for some
+  return json;
 }
 
 Json landmarks(const std::map<std::string, LandmarkScore>& scores)

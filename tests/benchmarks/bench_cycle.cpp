@@ -1,6 +1,7 @@
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
 
+#include "allocation_peak.h"
 #include "mrpt_ext/filter/particle_filter.h"
 #include "mrpt_ext/geometry/measurement_jacobian.h"
 #include "mrpt_ext/pipeline/mrpt_filter_localizer.h"
@@ -80,12 +81,15 @@ void ours(benchmark::State& state, unsigned threads)
   ParticleFilterOptions options = optionsFor(drive, kParticles);
   options.threads = threads;
   std::optional<ParticleFilter> filter;
+  const std::size_t without = allocatedBytes();
+  startPeak();
   std::size_t k = drive.frames.size();
   for (auto _ : state)
   {
     if (k == drive.frames.size())
     {
       state.PauseTiming();
+      filter.reset();
       filter.emplace(options, drive.map, 1, 0);
       filter->process(drive.frames[0], {});
       k = 1;
@@ -93,6 +97,7 @@ void ours(benchmark::State& state, unsigned threads)
     }
     benchmark::DoNotOptimize(filter->process(drive.frames[k++], {}).effective_ratio);
   }
+  state.counters["bytes_per_particle"] = static_cast<double>(peakBytes() - without) / kParticles;
   const auto estimate = filter->process({}, {}).modes.modes.front().pose.mean;
   Pose2 truth = drive.start;
   for (std::size_t i = 0; i < k; ++i) truth = compose(truth, {0.1, 0, 0.1 / 7});

@@ -61,7 +61,7 @@ TEST(FilterRecovery, AKidnappedRobotIsMissedThenFound)
         EXPECT_TRUE(right && step.verdict == Verdict::ok && !step.reseeded) << run << " " << k;
       }
       if (k < 60) continue;
-      reseeded = reseeded || step.reseeded;
+      reseeded = reseeded || step.reseeded || step.challenged;
       wrong_and_ok += !right && step.verdict == Verdict::ok ? 1 : 0;
       not_ok += step.verdict != Verdict::ok ? 1 : 0;
       if (found_after < 0 && right) found_after = k - 60;

@@ -98,4 +98,35 @@ TEST(HypothesesOf, LeavesTheLightOnesToTheUniformShare)
   EXPECT_EQ(hypothesesOf(modes).size(), 500u);
   EXPECT_TRUE(hypothesesOf({}).empty());
 }
+TEST(SharpAndWide, HoldsEveryHypothesisTwice)
+{
+  const HypothesisSet both = sharpAndWide(twoPlaces(), {0.3, 0.4, 0.5});
+  ASSERT_EQ(both.size(), 4u);
+  EXPECT_EQ(both[1].pose.covariance, twoPlaces()[1].pose.covariance);
+  EXPECT_EQ(both[3].pose.mean.x, twoPlaces()[1].pose.mean.x);
+  EXPECT_NEAR(both[3].pose.covariance(1, 1), 0.04 + 0.16, 1e-12);
+}
+
+TEST(AnnealingExponent, KeepsAsManyEffectiveSamplesAsAsked)
+{
+  RandomStream random(5);
+  std::vector<float> prior(5000), weight(5000);
+  for (std::size_t i = 0; i < prior.size(); ++i)
+  {
+    prior[i] = static_cast<float>(random.gaussian() * 0.1);
+    const double x = random.uniform(-1, 1);
+    weight[i] = prior[i] + static_cast<float>(-0.5 * square(x / 1e-3));  // a likelihood that few samples feel
+  }
+  const double exponent = annealingExponent(prior, weight, 200);
+  ASSERT_LT(exponent, 1);
+  double sum = 0, squares = 0;
+  for (std::size_t i = 0; i < prior.size(); ++i)
+  {
+    const double w = std::exp(double{prior[i]} + exponent * double{weight[i] - prior[i]});
+    sum += w;
+    squares += w * w;
+  }
+  EXPECT_NEAR(sum * sum / squares, 200, 5);
+  EXPECT_EQ(annealingExponent(prior, prior, 200), 1);
+}
 }  // namespace mrpt_ext

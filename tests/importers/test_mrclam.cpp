@@ -20,7 +20,7 @@ TEST(Mrclam, BarcodesBecomeLandmarksAndNothingIsLostSilently)
   const auto readings = recordsOf<Reading>(recording);
   ASSERT_EQ(readings.size(), 2u);
   EXPECT_EQ(readings[0].time, 1000.5);
-  EXPECT_EQ(readings[0].sensor, "camera");
+  EXPECT_EQ(readings[0].sensor, "camera.1");
   ASSERT_EQ(readings[0].detections.size(), 2u);
   EXPECT_EQ(readings[0].detections[0].id, 6);
   EXPECT_EQ(readings[0].detections[1].id, 7);

@@ -246,4 +246,21 @@ TEST(SensorConfig, EverySectionIsASensor)
   EXPECT_TRUE(configs.at("a").ignore);
   EXPECT_FALSE(configs.at("b").ignore);
 }
+TEST(SensorConfig, BearingsAreFreedOfOffsetAndScale)
+{
+  const Detection d = configuredDetection(kBoth, "bias_bearing_deg = -1.5\nscale_bearing = 1.04\n");
+  EXPECT_NEAR(*d.bearing, (0.5 + degToRad(1.5)) / 1.04, 1e-12);
+}
+
+TEST(SensorConfig, ALabelTakesWhatItsSectionDoesNotSayFromTheOneItContinues)
+{
+  const SensorConfigs configs = sensorConfigs(
+      Settings::parse("[Sensor_eye]\nscale_range = 1.1\nbias_range_m = 0.5\n[Sensor_eye.2]\nscale_range = 1.2\n",
+                      "/a/b.ini", localizationKeys()));
+  EXPECT_EQ(configOf(configs, "eye.2").scale_range, 1.2);
+  EXPECT_EQ(configOf(configs, "eye.2").bias_range, 0.5);
+  EXPECT_EQ(configOf(configs, "eye.3").scale_range, 1.1);  // no section of its own
+  EXPECT_EQ(configOf(configs, "eye").scale_range, 1.1);
+  EXPECT_EQ(configOf(configs, "eyelid").scale_range, 1.0);
+}
 }  // namespace mrpt_ext

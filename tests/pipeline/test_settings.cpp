@@ -183,4 +183,19 @@ TEST(KeyTable, PatternsNeedSomethingInThePlaceholder)
   EXPECT_FALSE(fitsPattern("MetricMap__opts", "MetricMap_<name>_opts"));
   EXPECT_FALSE(fitsPattern("Runs", "Run"));
 }
+TEST(Settings, ASectionTakesWhatItDoesNotSayFromTheOneItContinues)
+{
+  const std::string text =
+      "[Sensor_eye]\nmax_range_m = 5\nfield_of_view_deg = 90\n[Sensor_eye.left]\nmax_range_m = 7\n";
+  const Settings settings = parse(text);
+  EXPECT_EQ(settings.number("Sensor_eye.left", "max_range_m"), 7);
+  EXPECT_EQ(settings.number("Sensor_eye.left", "field_of_view_deg"), 90);
+  EXPECT_FALSE(settings.isSet("Sensor_eye.left", "field_of_view_deg"));
+  EXPECT_EQ(settings.generalSection("Sensor_eye.left"), "Sensor_eye");
+  EXPECT_FALSE(settings.generalSection("Sensor_eye"));
+  EXPECT_EQ(parse(text, {"Sensor_eye.max_range_m=6"}).number("Sensor_eye.left", "max_range_m"), 7);
+  const Settings again = parse(settings.resolvedText());
+  EXPECT_EQ(again.number("Sensor_eye.left", "field_of_view_deg"), 90);
+  EXPECT_FALSE(again.isSet("Sensor_eye.left", "field_of_view_deg"));
+}
 }  // namespace mrpt_ext

@@ -2,6 +2,8 @@
 
 #include <sstream>
 
+#include "mrpt_ext/report/biases_csv.h"
+#include "mrpt_ext/report/csv_field.h"
 #include "mrpt_ext/report/hypotheses_csv.h"
 #include "mrpt_ext/report/objects_csv.h"
 #include "mrpt_ext/report/steps_csv.h"
@@ -91,5 +93,12 @@ TEST(TrajectoryOf, TheLastEstimateOfAStampStays)
   ASSERT_EQ(trajectory.size(), 2u);
   EXPECT_EQ(trajectory[0].pose.x, 2);
   EXPECT_FALSE(trajectory[1].heading_known);
+}
+TEST(BiasesCsv, OneRowPerErrorAndFrame)
+{
+  EXPECT_EQ(biasesCsv({{12.5, "stereo.range_scale", 0.05, 0.002}, {12.5, "way_scale", -0.01, 0.01}}),
+            "t,bias,mean,std\n" + timeField(12.5) + ",stereo.range_scale," + lengthField(0.05) + "," +
+                lengthField(0.002) + "\n" + timeField(12.5) + ",way_scale," + lengthField(-0.01) + "," +
+                lengthField(0.01) + "\n");
 }
 }  // namespace mrpt_ext

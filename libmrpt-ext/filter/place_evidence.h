@@ -1,0 +1,79 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mrpt_ext/filter/motion_model.h"
+#include "mrpt_ext/filter/particle_set.h"
+#include "mrpt_ext/geometry/frame.h"
+#include "mrpt_ext/geometry/landmark_table.h"
+
+namespace mrpt_ext
+{
+/// When fresh looks have singled a place out.
+struct PlaceEvidenceOptions
+{
+  double proven = 9;          ///< log odds against chance: one wrong place in exp(9) = 8000 gets that far
+  double refuted = 5;         ///< log odds for chance, at which the robot is sought elsewhere
+  double most = 14;           ///< log odds that are remembered at most, so that a wrong turn is felt soon
+  double look_share = 0.02;   ///< of the map's diagonal: the way after which a landmark may be looked at again ...
+  double longest_look = 0.3;  ///< [m] ... or this, whichever is less
+};
+
+/// A sequential test (Wald, Ann. Math. Stat. 16(2), 1945) of "the robot is where its particles are" against "the
+/// readings fit there by chance".
+///
+/// A filter whose particles missed the right place settles at the best wrong one and finds that it explains nearly all:
+/// it was chosen for that. What it was chosen by proves nothing, nor does the same landmark seen again and again from
+/// one spot. So only fresh looks count: detections of something not seen in that direction before, or seen again after
+/// a piece of way, scored by the particles as they were *before*. Each adds the logarithm of its density over that of a
+/// false detection. Where readings fit by chance alone, the odds exceed 1/a with probability a at most, whenever one
+/// looks (Ville's inequality); at the right place they grow with every look.
+class PlaceEvidence
+{
+ public:
+  PlaceEvidence(const PlaceEvidenceOptions& options, const MotionModel& motion, const LandmarkTable& map);
+
+  /// The start: `samples` of the uniform prior with log weights log(prior / density), not yet weighted with `readings`.
+  /// The best of many places, it is never proven by that alone: maps are not made by chance, rooms look alike.
+  void begin(const std::vector<Reading>& readings, const LandmarkTable& map, const ParticleSet& samples);
+  /// Scores the frame's fresh looks by the particles moved to it and not yet weighted with it (normalised).
+  void observe(const Frame& frame, const LandmarkTable& map, const ParticleSet& moved_particles);
+  /// Remembers the frame's looks without counting them: the place is chosen by them.
+  void note(const Frame& frame);
+  /// Another place: nothing speaks for it yet.
+  void restart() { log_odds_ = 0; }
+  /// The place is known.
+  void assume() { log_odds_ = options_.most; }
+
+  [[nodiscard]] double logOdds() const { return log_odds_; }
+  [[nodiscard]] bool proven() const { return log_odds_ >= options_.proven; }
+  [[nodiscard]] bool refuted() const { return log_odds_ <= -options_.refuted; }
+
+ private:
+  /// Something seen, as odometry tells where: way so far [m], direction in odometry's axes [rad].
+  struct Look
+  {
+    std::string sensor;
+    Detection detection;
+    Vector2d from;
+    double direction = 0;
+    double heading_variance = 0;  ///< of odometry, since the start [rad^2]
+  };
+
+  void move(const OdometryMotion& motion);
+  /// Adds to the log odds what the fresh looks among the readings tell; `particles` are weighted with them.
+  void test(const std::vector<Reading>& readings, const LandmarkTable& map, ParticleSet particles);
+  /// The detections nothing like which was seen near here; they are remembered.
+  [[nodiscard]] Reading fresh(const Reading& reading);
+  [[nodiscard]] bool isRepeat(const Look& look) const;
+
+  PlaceEvidenceOptions options_;
+  MotionModel motion_;
+  double look_way_;
+  Pose2 odometry_;  // since the start
+  double heading_variance_ = 0;
+  std::vector<Look> looks_;
+  double log_odds_ = 0;
+};
+}  // namespace mrpt_ext
