@@ -1,5 +1,6 @@
 // How a ParticleFilter judges itself.
 #include <algorithm>
+#include <cmath>
 
 #include "mrpt_ext/filter/particle_filter.h"
 #include "mrpt_ext/likelihood/detection_density.h"
@@ -23,6 +24,8 @@ bool ParticleFilter::challengeDue(const Frame& frame) const
 
 void ParticleFilter::followEvidence(const Frame& frame, const ModeSet& modes)
 {
+  // From a known start, and nothing else tried since, a wide place is still the known one.
+  if (options_.initial_mode == InitialMode::gaussian && std::isinf(since_injection_)) return;
   if (!isOnePlace(modes, options_.verdict))
     evidence_.restart();
   else if (isOnePlace(modes_, options_.verdict))
