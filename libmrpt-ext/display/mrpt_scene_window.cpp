@@ -1,5 +1,9 @@
 #include <mrpt/gui/CDisplayWindow3D.h>
 
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+
 #include "mrpt_ext/display/scene_window.h"
 
 // Last: it has macros with common names.
@@ -9,10 +13,22 @@ namespace mrpt_ext
 {
 namespace
 {
+/// Ends the program without MRPT's window thread: in one of ten runs it crashes when the window or the program's static
+/// objects are destroyed (MRPT 2.5.8, C3DWindowDialog's destructor).
+void leaveAtOnce(int status, void*)
+{
+  std::cout.flush();
+  std::cerr.flush();
+  std::fflush(nullptr);
+  std::_Exit(status);
+}
+
+/// Its window is never destroyed, for the same reason: it goes with the program.
 class MrptSceneWindow : public SceneWindow
 {
  public:
-  MrptSceneWindow(const char* title, const SceneView& view) : window_(title, 1000, 800)
+  MrptSceneWindow(const char* title, const SceneView& view)
+      : window_(*new mrpt::gui::CDisplayWindow3D(title, 1000, 800))
   {
     window_.setCameraPointingToPoint(view.x, view.y, 0);
     window_.setCameraZoom(1.5F * view.width);
@@ -30,7 +46,7 @@ class MrptSceneWindow : public SceneWindow
   [[nodiscard]] bool isOpen() const override { return window_.isOpen(); }
 
  private:
-  mutable mrpt::gui::CDisplayWindow3D window_;  // MRPT's isOpen() is not const
+  mrpt::gui::CDisplayWindow3D& window_;
 };
 
 /// Asked first, because MRPT waits for seconds and prints errors when there is no display.
@@ -46,5 +62,8 @@ bool hasDisplay()
 
 extern "C" mrpt_ext::SceneWindow* mrpt_ext_open_scene_window(const char* title, const mrpt_ext::SceneView& view)
 {
-  return mrpt_ext::hasDisplay() ? new mrpt_ext::MrptSceneWindow(title, view) : nullptr;
+  if (!mrpt_ext::hasDisplay()) return nullptr;
+  auto* window = new mrpt_ext::MrptSceneWindow(title, view);
+  on_exit(mrpt_ext::leaveAtOnce, nullptr);
+  return window;
 }
