@@ -51,4 +51,16 @@ TEST(StudyTable, CsvNamesTheSettingsThatDiffer)
             "100,room,first,particle_filter,3,2,1,2.0,0.200,0.100,0.400,\n"
             "\"a, b\",room 2,first,particle_filter,2,2,0,2.0,0.200,0.100,0.400,\n");
 }
+
+TEST(StudyTable, AStudyWithoutASuccessHasItsRow)
+{
+  std::vector<FinishedRun> runs = twoRuns();
+  for (FinishedTrial& trial : runs[1].trials)
+  {
+    trial.score.success = false;
+    trial.score.converged_at_s.reset();
+    trial.position_rmse_m = trial.position_median_m = trial.position_p95_m = {};
+  }
+  EXPECT_NE(studyCsv(runs).find("\"a, b\",room 2,first,particle_filter,2,0,0,,,,,\n"), std::string::npos);
+}
 }  // namespace mrpt_ext
