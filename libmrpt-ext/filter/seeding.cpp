@@ -44,7 +44,7 @@ HypothesisSet sharpAndWide(const HypothesisSet& hypotheses, const Vector3d& wide
 
 double annealingExponent(std::span<const float> log_prior, std::span<const float> log_weight, double effective)
 {
-  const auto effectiveAt = [&](double exponent)
+  const auto effective_at = [&](double exponent)
   {
     const auto at = [&](std::size_t i)
     { return double{log_prior[i]} + exponent * (double{log_weight[i]} - double{log_prior[i]}); };
@@ -58,12 +58,12 @@ double annealingExponent(std::span<const float> log_prior, std::span<const float
     }
     return sum * sum / squares;
   };
-  if (log_prior.empty() || effectiveAt(1) >= effective) return 1;
+  if (log_prior.empty() || effective_at(1) >= effective) return 1;
   double low = 0, high = 1;
   for (int k = 0; k < kHalvings; ++k)
   {
     const double middle = (low + high) / 2;
-    (effectiveAt(middle) >= effective ? low : high) = middle;
+    (effective_at(middle) >= effective ? low : high) = middle;
   }
   return std::max(low, kLeastExponent);
 }
