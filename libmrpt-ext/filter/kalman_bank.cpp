@@ -13,9 +13,28 @@ constexpr double kClearWeight = 0.9;        // of one place, or of all that are 
 constexpr double kSharp = 0.5;              // of the deviations that the verdict `ok` allows
 constexpr double kPatience = 15;            // [s] after which filters start from what there is
 constexpr double kMinWeight = 1e-6;         // lighter hypotheses are dropped
+constexpr std::size_t kHeadings = 30;       // filters for a place with any heading: each sharp enough to start
 constexpr std::size_t kMinDetections = 12;  // a filter that started by itself has to agree with before it is trusted
 
 double logVolume(const Matrix3d& covariance) { return 0.5 * std::log(std::max(covariance.determinant(), 1e-30)); }
+
+/// A place that ranges alone tell has any heading: one Gaussian for each sector of the circle.
+HypothesisSet withHeadings(const HypothesisSet& proposals)
+{
+  HypothesisSet result;
+  for (PoseHypothesis proposal : proposals)
+  {
+    const std::size_t headings = proposal.heading_known ? 1 : kHeadings;
+    const double spacing = kTwoPi / static_cast<double>(headings);
+    if (!proposal.heading_known) proposal.pose.covariance(2, 2) = square(spacing / 4);  // widened later
+    for (std::size_t k = 0; k < headings; ++k)
+    {
+      result.push_back(proposal);
+      result.back().pose.mean.phi = wrap(proposal.pose.mean.phi + spacing * static_cast<double>(k));
+    }
+  }
+  return result;
+}
 
 /// So that a proposal's own readings, where they are the frame's, do not count for much twice.
 void widen(KalmanHypothesis& filter) { filter.state.covariance.topLeftCorner<3, 3>() *= square(kSeedInflation); }
@@ -50,7 +69,7 @@ KalmanHypothesis KalmanBank::filterAt(const GaussianPose& pose, double log_weigh
 KalmanHypotheses KalmanBank::filtersFor(const HypothesisSet& proposals) const
 {
   KalmanHypotheses filters;
-  for (const PoseHypothesis& proposal : proposals)
+  for (const PoseHypothesis& proposal : withHeadings(proposals))
   {
     if (!isFinite(proposal.pose.mean) || !proposal.pose.covariance.allFinite()) continue;
     GaussianPose pose = proposal.pose;

@@ -53,7 +53,7 @@ ParticleFilter::ParticleFilter(const ParticleFilterOptions& options, const Landm
 {
 }
 
-FilterStep ParticleFilter::process(const Frame& frame, const Proposer& propose)
+FilterStep ParticleFilter::process(const Frame& frame, const Proposer& propose, std::span<const Reading> since_start)
 {
   FilterStep step;
   bool settled = true;
@@ -86,7 +86,11 @@ FilterStep ParticleFilter::process(const Frame& frame, const Proposer& propose)
   const double effective = step.effective_ratio * static_cast<double>(step.particles);
   const std::size_t wanted = wantedParticles(step.modes);
   const bool too_many = !options_.adaptive_size && particles_.size() > wanted;
-  if (step.effective_ratio < options_.resample_below || too_many) resample(step.modes, wanted);
+  if (step.effective_ratio < options_.resample_below || too_many)
+  {
+    resample(step.modes, wanted);
+    if (!since_start.empty() && !isOnePlace(step.modes, options_.verdict)) moveByReadings(since_start);
+  }
   step.particles = particles_.size();
   modes_.modes = step.modes.modes;
   widenForSampling(step, effective);

@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "mrpt_ext/filter/filter_findings.h"
@@ -88,7 +89,9 @@ class ParticleFilter
   ParticleFilter(const ParticleFilterOptions& options, const LandmarkTable& map, std::uint64_t seed,
                  std::uint64_t stream);
 
-  FilterStep process(const Frame& frame, const Proposer& propose);
+  /// `since_start`: all readings so far, seen from the newest frame, while they are all there and odometry between them
+  /// is surer than they are; else empty. With them particles are kept apart until the place is known (resample_move.h).
+  FilterStep process(const Frame& frame, const Proposer& propose, std::span<const Reading> since_start = {});
 
   [[nodiscard]] const ParticleSet& particles() const { return particles_; }
   [[nodiscard]] const LandmarkReliability& reliability() const { return reliability_; }
@@ -114,6 +117,7 @@ class ParticleFilter
   [[nodiscard]] VerdictWithReason judgeStep(const FilterStep& step) const;
   [[nodiscard]] std::size_t wantedParticles(const ModeSet& modes) const;
   void resample(const ModeSet& modes, std::size_t count);
+  void moveByReadings(std::span<const Reading> since_start);
 
   ParticleFilterOptions options_;
   LandmarkTable map_;

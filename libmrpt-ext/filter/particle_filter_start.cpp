@@ -5,6 +5,7 @@
 
 #include "mrpt_ext/filter/particle_bias.h"
 #include "mrpt_ext/filter/particle_filter.h"
+#include "mrpt_ext/filter/resample_move.h"
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
 
 namespace mrpt_ext
@@ -18,6 +19,8 @@ constexpr double kUniformShareRefined = 0.1;
 constexpr int kRefinements = 2, kMostRefinements = 12;   // samples drawn again from the modes of the one before
 constexpr double kLeastEffective = 40;                   // samples, to draw the next ones from
 const Vector3d kSharpest{0.002, 0.002, degToRad(0.02)};  // spread that a proposal has at least
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 /// Symmetric square root; directions without spread are allowed.
 Matrix3d squareRoot(const Matrix3d& covariance)
@@ -112,6 +115,28 @@ void ParticleFilter::inject(const Proposer& propose)
     particles_.add(pose, std::log(jump * prior / (mixture.density(pose) * static_cast<double>(count))));
   }
   drawBiases(particles_, kept, random_);
+}
+
+void ParticleFilter::moveByReadings(std::span<const Reading> since_start)
+{
+  Frame all;
+  all.readings.assign(since_start.begin(), since_start.end());
+  Vector2d pivot = Vector2d::Zero();
+  for (const Reading& reading : since_start)
+    pivot += reading.T_robot_sensor.position() / static_cast<double>(since_start.size());
+  const auto posterior = [&](ParticleSet& particles)
+  {
+    std::swap(particles, particles_);
+    std::fill(particles_.log_weight.begin(), particles_.log_weight.end(), 0.0F);
+    score(all);
+    addBiasLogPrior(particles_);
+    for (std::size_t i = 0; i < particles_.size(); ++i)
+      if (!options_.region.contains(particles_.pose(i))) particles_.log_weight[i] = -kInfinity;
+    std::swap(particles, particles_);
+  };
+  ParticleSet moved = particles_;
+  moveByPosterior(moved, findModes(moved, options_.modes, options_.threads), pivot, posterior, random_);
+  particles_ = std::move(moved);
 }
 
 HypothesisSet ParticleFilter::slippedPlaces() const

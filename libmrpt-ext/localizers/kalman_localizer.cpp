@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "mrpt_ext/hypotheses/expected_errors.h"
 #include "mrpt_ext/localizers/frame_joiner.h"
 
 namespace mrpt_ext
@@ -23,7 +24,9 @@ Proposal KalmanLocalizer::propose() const
 {
   FrameJoiner joiner(seed_window_, motion_);
   for (const Frame& frame : recent_) joiner.add(frame);
-  Proposal proposal(proposePoses(joiner.joined(), map_, *search_, {.region = region_}));
+  Frame joined = joiner.joined();
+  joined.readings = withExpectedErrors(std::move(joined.readings), biases_);
+  Proposal proposal(proposePoses(joined, map_, *search_, {.region = region_}));
   proposal.complete = recent_.back().time - first_time_ >= seed_window_;
   return proposal;
 }

@@ -25,6 +25,7 @@ class KalmanLocalizer : public Localizer
         search_(std::move(search)),
         bank_(options, map),
         motion_(options.motion),
+        biases_(options.biases),
         seed_window_(seed_window)
   {
   }
@@ -45,6 +46,7 @@ class KalmanLocalizer : public Localizer
   std::shared_ptr<const LostRobotSearch> search_;
   KalmanBank bank_;
   MotionModel motion_;
+  BiasModel biases_;
   double seed_window_;
   std::deque<Frame> recent_;  // those of the window, joined only when hypotheses are asked for
   double first_time_ = 0;

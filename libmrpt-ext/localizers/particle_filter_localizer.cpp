@@ -29,6 +29,7 @@ ParticleFilterLocalizer::ParticleFilterLocalizer(const ParticleFilterOptions& op
       biases_(options.biases),
       filter_(options, map, seed, stream),
       joiner_(seed_window, options.motion),
+      history_(options.motion),
       motion_(options.motion)
 {
 }
@@ -36,6 +37,7 @@ ParticleFilterLocalizer::ParticleFilterLocalizer(const ParticleFilterOptions& op
 Estimate ParticleFilterLocalizer::process(const Frame& frame)
 {
   joiner_.add(frame);
+  history_.add(frame);
   remember(frame);
   const auto propose = [&]
   {
@@ -49,7 +51,8 @@ Estimate ParticleFilterLocalizer::process(const Frame& frame)
     proposal.complete = joiner_.full();
     return proposal;
   };
-  step_ = filter_.process(frame, propose);
+  step_ = filter_.process(frame, propose, history_.readings());
+  if (step_.verdict != Verdict::ambiguous) history_.end();
   return estimateFrom(step_, frame.time);
 }
 

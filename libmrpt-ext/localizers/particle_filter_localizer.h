@@ -5,6 +5,7 @@
 #include "mrpt_ext/hypotheses/propose_poses.h"
 #include "mrpt_ext/localizers/filter_localizer.h"
 #include "mrpt_ext/localizers/frame_joiner.h"
+#include "mrpt_ext/localizers/starting_history.h"
 
 namespace mrpt_ext
 {
@@ -34,6 +35,7 @@ class ParticleFilterLocalizer : public FilterLocalizer
   BiasModel biases_;
   ParticleFilter filter_;
   FrameJoiner joiner_;
+  StartingHistory history_;
   MotionModel motion_;
   double searched_at_ = -std::numeric_limits<double>::infinity();  // [s] along the way
   std::vector<Frame> recent_;  // of the last kTravelled seconds, where detections have no names

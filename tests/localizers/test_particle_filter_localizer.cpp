@@ -88,6 +88,43 @@ TEST(ParticleFilterLocalizer, ListsAllPlacesWhileSeveralExplainWhatIsSeen)
   }
 }
 
+// Ranges say nothing about the heading of a robot that stands: whichever it is, it must still be there when the robot
+// starts to drive.
+TEST(ParticleFilterLocalizer, AStandingRobotThatHearsRangesKeepsAllHeadings)
+{
+  const LandmarkTable map = fiveLandmarks();
+  ParticleFilterOptions options = optionsFor({-3, -3}, {9, 9});
+  options.biases = {{.kind = BiasKind::range_offset, .std = 0.3}, {.kind = BiasKind::range_scale, .std = 0.1}};
+  ParticleFilterLocalizer filter(options, map, 3, 4);
+  RandomStream random(8);
+  Pose2 robot{2.5, 2, -2.2};
+  const auto hear = [&](int k, const Pose2& step)
+  {
+    robot = compose(robot, step);
+    const ExactSensor radio{.bearing = false, .range = true, .std_range = 0.1};
+    Reading reading = seenFrom(robot, map, {static_cast<std::size_t>(k % 4)}, radio, 0.5 * k);
+    *reading.detections.front().range *= 1.06;
+    *reading.detections.front().range += 0.1 * random.gaussian();
+    return filter.process({.time = 0.5 * k,
+                           .motion = {step, step.position().norm(), std::abs(step.phi), k > 0 ? 0.5 : 0.0},
+                           .readings = {reading}});
+  };
+  for (int k = 0; k < 60; ++k) (void)hear(k, {});
+  std::vector<double> share(12);
+  const ParticleSet& particles = filter.particles();
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    share[static_cast<std::size_t>((particles.pose(i).phi + kPi) / kTwoPi * 12) % 12] +=
+        1.0 / static_cast<double>(particles.size());
+  for (const double held : share) EXPECT_GT(held, 0.04);  // of 1 / 12
+  EXPECT_NE(filter.lastStep().verdict, Verdict::ok);
+
+  Estimate estimate;
+  for (int k = 60; k < 100; ++k) estimate = hear(k, {0.1, 0, 0.02});
+  ASSERT_TRUE(estimate.point);
+  EXPECT_LT(distance(estimate.point->pose.mean, robot), 0.4);
+  EXPECT_LT(turned(estimate.point->pose.mean, robot), degToRad(12));
+}
+
 TEST(ParticleFilterLocalizer, TheSameSeedGivesTheSameEstimates)
 {
   const LandmarkTable map = fiveLandmarks();
