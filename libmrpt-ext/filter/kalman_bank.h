@@ -42,6 +42,8 @@ struct KalmanStep
 /// detections, new proposals enter with the prior probability of a jump. The estimate is the heaviest one, never a
 /// mean.
 ///
+/// A place with any heading (ranges alone) is followed by thirty filters, one per sector of the circle.
+///
 /// A place that is hardly narrowed down has no Gaussian shape, and a linearised filter there soon believes too much:
 /// the bank waits until nine tenths of the weight are in places twice as sharp as the verdict `ok` asks, up to 15 s.
 ///

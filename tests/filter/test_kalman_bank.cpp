@@ -98,6 +98,25 @@ TEST(KalmanBank, ManyPlacesThatAllExplainTheDetectionsAreNotLost)
   EXPECT_EQ(step.verdict, Verdict::ambiguous) << step.reason;
 }
 
+// Ranges alone tell a place, but no heading.
+TEST(KalmanBank, APlaceWithoutHeadingIsFollowedUnderAllHeadingsUntilOneIsSeen)
+{
+  RoundTrip trip({}, 4);
+  const auto proposal = [&] {
+    return HypothesisSet{{.pose = {{trip.truth.x, trip.truth.y, 0}, diagonal(0.1, 0)}, .heading_known = false}};
+  };
+  KalmanBank bank(optionsFor({}, 50), trip.map);
+  KalmanStep step = bank.process({}, proposal);
+  std::vector<double> share(12);
+  for (const Mode& mode : step.modes.modes)
+    share[static_cast<std::size_t>((mode.pose.mean.phi + kPi) / kTwoPi * 12) % 12] += mode.weight;
+  for (const double held : share) EXPECT_NEAR(held, 1.0 / 12, 0.04);
+  EXPECT_EQ(step.verdict, Verdict::ambiguous);
+  for (int k = 0; k < 5; ++k) step = bank.process(trip.next(), noProposals);
+  EXPECT_LT(std::abs(wrap(step.modes.modes.front().pose.mean.phi - trip.truth.phi)), degToRad(5));
+  EXPECT_GT(step.modes.modes.front().weight, 0.9);
+}
+
 TEST(KalmanBank, TwinsBecomeOneWithTheSumOfTheirWeights)
 {
   RoundTrip trip({}, 3);

@@ -22,7 +22,7 @@ ParticleSet copies(std::size_t ancestors, RandomStream& random)
   ParticleSet few({0, 0}, kBiases), all({0, 0}, kBiases);
   for (std::size_t i = 0; i < ancestors; ++i)
   {
-    few.add({random.gaussian(), 0.5 * random.gaussian(), 0.3 * random.gaussian()}, 0);
+    few.add({2 + 0.2 * random.gaussian(), -1 + 0.2 * random.gaussian(), 0.1 * random.gaussian()}, 0);
     few.bias[0][i] = static_cast<float>(0.5 + 0.2 * random.gaussian());
     few.bias[1][i] = static_cast<float>(0.1 * random.gaussian());
   }
@@ -52,7 +52,7 @@ TEST(ResampleMove, CopiesBecomeDrawsOfThePosterior)
   RandomStream random(1);
   ParticleSet particles = copies(15, random);
   const std::vector<float> way_scale = particles.bias[1], weight = particles.log_weight;
-  for (int k = 0; k < 25; ++k) moveByPosterior(particles, oneMode(), {0, 0}, posterior, random);
+  for (int k = 0; k < 80; ++k) moveByPosterior(particles, oneMode(), {0, 0}, posterior, random);
   EXPECT_GT(distinct(particles.x), kCount * 9 / 10);
   const auto all = momentsOf(particles, [](std::size_t) { return true; });
   ASSERT_TRUE(all);
