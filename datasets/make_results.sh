@@ -2,7 +2,8 @@
 # Writes datasets/RESULTS.md: all methods over all recordings that are there, from an unknown start.
 #   make_results.sh FOLDER_OF_RECORDINGS OUT [TRIALS]
 # FOLDER_OF_RECORDINGS holds mrclam/, plaza/, labyrinth_uwb/, cuhksz_uwb_planar/ and roh_angulation/, what is not there is
-# left out; MRPT's UWB demo comes with mrpt-common. Goes on where it stopped when it is called again.
+# left out; MRPT's UWB demo comes with mrpt-common. TRIALS (20): random seeds per recording, run on all cores. Goes on
+# where it stopped when it is called again.
 set -euo pipefail
 if [ $# -lt 2 ]; then
   sed -n '2,6s/^# \{0,1\}//p' "$0" >&2
@@ -19,7 +20,7 @@ folders=()
 run() {
   local folder=$out/$1 config=$root/ini/landmark-localization/$2.ini count=$3 status=0
   shift 3
-  landmark-localization "$config" "$@" --repeat "$count" -o "$folder" --resume -q >/dev/null || status=$?
+  landmark-localization "$config" "$@" --repeat "$count" --jobs "$(nproc)" -o "$folder" --resume -q >/dev/null || status=$?
   [ "$status" -eq 0 ] || [ "$status" -eq 3 ] || exit "$status"
   folders+=("$folder")
 }

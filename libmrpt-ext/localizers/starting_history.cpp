@@ -29,7 +29,8 @@ void StartingHistory::add(const Frame& frame)
 {
   if (ended_) return;
   joiner_.add(frame);
-  ended_ = joiner_.full() || !tellsRangesAlone(frame);
+  ranges_ += frame.readings.size();
+  ended_ = joiner_.full() || ranges_ > kMostRanges || !tellsRangesAlone(frame);
 }
 
 std::vector<Reading> StartingHistory::readings() const
@@ -37,7 +38,6 @@ std::vector<Reading> StartingHistory::readings() const
   if (ended_) return {};
   std::vector<Reading> all = joiner_.readings();
   std::erase_if(all, [](const Reading& reading) { return reading.detections.empty(); });
-  const bool usable = all.size() <= kMostRanges && std::all_of(all.begin(), all.end(), isWellCarried);
-  return usable ? all : std::vector<Reading>{};
+  return std::all_of(all.begin(), all.end(), isWellCarried) ? all : std::vector<Reading>{};
 }
 }  // namespace mrpt_ext

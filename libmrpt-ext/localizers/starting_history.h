@@ -15,14 +15,15 @@ class StartingHistory
 
   void add(const Frame& frame);
   void end() { ended_ = true; }
-  /// Seen from the newest frame; empty once it has ended.
+  /// Seen from the newest frame; empty once it has ended or odometry is less sure.
   [[nodiscard]] std::vector<Reading> readings() const;
 
  private:
   static constexpr double kLongest = 120;          // [s]
-  static constexpr std::size_t kMostRanges = 400;  // every one of them is scored for every particle
+  static constexpr std::size_t kMostRanges = 400;  // readings: each of them is scored for every particle
 
   FrameJoiner joiner_;
+  std::size_t ranges_ = 0;
   bool ended_ = false;
 };
 }  // namespace mrpt_ext

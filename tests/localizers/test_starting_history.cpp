@@ -57,6 +57,15 @@ TEST(StartingHistory, IsOfNoUseWhereOdometryIsLessSureThanTheRanges)
   EXPECT_TRUE(history.readings().empty());
 }
 
+TEST(StartingHistory, EndsWhenThereAreTooManyToScore)
+{
+  StartingHistory history(MotionModel{});
+  for (int k = 0; k < 400; ++k) history.add(heard(0.1 * k, 0));
+  EXPECT_EQ(history.readings().size(), 400U);
+  history.add(heard(40, 0));
+  EXPECT_TRUE(history.readings().empty());
+}
+
 TEST(StartingHistory, EndsWhenItIsTold)
 {
   StartingHistory history(MotionModel{});
