@@ -6,7 +6,7 @@
 # where it stopped when it is called again.
 set -euo pipefail
 if [ $# -lt 2 ]; then
-  sed -n '2,6s/^# \{0,1\}//p' "$0" >&2
+  sed -n '2,7s/^# \{0,1\}//p' "$0" >&2
   exit 2
 fi
 recordings=$(realpath "$1") trials=${3:-20}
