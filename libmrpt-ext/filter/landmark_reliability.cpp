@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <span>
 
+#include "mrpt_ext/filter/particle_blocks.h"
 #include "mrpt_ext/filter/weight_kernels.h"
 #include "mrpt_ext/likelihood/landmark_prediction.h"
 
@@ -14,28 +16,45 @@ namespace
 {
 constexpr std::size_t kSamples = 64;  // draws from the posterior: enough for a probability to a few per cent
 
-/// Evenly spaced draws from the posterior; deterministic, so that learning costs no random numbers.
-std::vector<std::size_t> spacedDraws(const ParticleSet& particles)
+/// Weights of the particles of one block, and their sum.
+struct BlockWeights
 {
-  constexpr std::size_t kChunk = 1024;
-  std::vector<std::size_t> draws;
-  double cumulative = 0;
-  const auto wanted = [&] { return (static_cast<double>(draws.size()) + 0.5) / kSamples; };
-  std::array<float, kChunk> weight;
-  for (std::size_t first = 0; first < particles.size(); first += kChunk)
+  BlockWeights(const ParticleSet& particles, std::size_t first, std::size_t count)
+      : sum(exponentials(std::span(particles.log_weight).subspan(first, count), 0, std::span(weight).first(count)))
   {
-    const std::size_t count = std::min(kChunk, particles.size() - first);
-    const double sum =
-        exponentials(std::span(particles.log_weight).subspan(first, count), 0, std::span(weight).first(count));
-    double reached = cumulative;
-    for (std::size_t i = 0; i < count && draws.size() < kSamples && wanted() < cumulative + sum; ++i)
-    {
-      reached += double{weight[i]};
-      while (draws.size() < kSamples && wanted() < reached) draws.push_back(first + i);
-    }
-    cumulative += sum;
   }
-  if (draws.empty() && !particles.empty()) draws.push_back(0);
+  std::array<float, kParticleBlock> weight;
+  double sum;
+};
+
+/// Evenly spaced draws from the posterior; deterministic, so that learning costs no random numbers.
+std::vector<std::size_t> spacedDraws(const ParticleSet& particles, unsigned threads)
+{
+  std::vector<double> before(blockCount(particles.size()) + 1, 0.0);  // sums of all blocks before each one
+  forEachBlock(particles.size(), threads,
+               [&](std::size_t first, std::size_t count)
+               { before[first / kParticleBlock + 1] = BlockWeights(particles, first, count).sum; });
+  std::partial_sum(before.begin(), before.end(), before.begin());
+  const auto wanted = [&](std::size_t draw) { return (static_cast<double>(draw) + 0.5) / kSamples * before.back(); };
+  std::vector<std::size_t> draws(kSamples, 0);
+  forEachBlock(particles.size(), threads,
+               [&](std::size_t first, std::size_t count)
+               {
+                 const double start = before[first / kParticleBlock], end = before[first / kParticleBlock + 1];
+                 std::size_t draw = 0;
+                 while (draw < kSamples && wanted(draw) < start) ++draw;
+                 if (draw == kSamples || wanted(draw) >= end) return;
+                 const BlockWeights weights(particles, first, count);
+                 double reached = start;
+                 for (std::size_t i = 0; i < count && draw < kSamples && wanted(draw) < end; ++i)
+                 {
+                   reached += double{weights.weight[i]};
+                   // What rounding leaves over belongs to the last one.
+                   for (; draw < kSamples && wanted(draw) < (i + 1 < count ? reached : end); ++draw)
+                     draws[draw] = first + i;
+                 }
+               });
+  if (particles.empty()) draws.clear();
   return draws;
 }
 
@@ -72,9 +91,9 @@ LandmarkClutter LandmarkReliability::clutter(double sensor_clutter) const
 }
 
 double LandmarkReliability::observe(const Reading& reading, const LandmarkTable& map, const ParticleSet& particles,
-                                    bool learn)
+                                    bool learn, unsigned threads)
 {
-  const std::vector<std::size_t> draws = spacedDraws(particles);
+  const std::vector<std::size_t> draws = spacedDraws(particles, threads);
   if (draws.empty() || reading.detections.empty()) return 0;
   const LandmarkClutter current = clutter(reading.model.clutter_probability);
   const double share = 1.0 / static_cast<double>(draws.size());

@@ -34,7 +34,8 @@ class LandmarkReliability
 
   /// Share of the reading's detections that landmarks explain, averaged over the posterior (normalised particles);
   /// with `learn`, the histories are updated too.
-  double observe(const Reading& reading, const LandmarkTable& map, const ParticleSet& particles, bool learn);
+  double observe(const Reading& reading, const LandmarkTable& map, const ParticleSet& particles, bool learn,
+                 unsigned threads = 1);
 
   [[nodiscard]] const std::vector<LandmarkHistory>& histories() const { return histories_; }
 

@@ -70,7 +70,7 @@ double meanHeading(const PoseCells& grid, const std::vector<std::size_t>& cells,
   double c = 0, s = 0;
   for (const std::size_t cell : cells)
   {
-    const CellMoments& moments = grid.moments(cell);
+    const CellMoments moments = grid.moments(cell);
     if (!(moments.weight > 0)) continue;
     const double heading = grid.middle(cell).phi + moments.first.z() / moments.weight;
     c += moments.weight * std::cos(heading);
@@ -79,7 +79,10 @@ double meanHeading(const PoseCells& grid, const std::vector<std::size_t>& cells,
   const double about = std::atan2(s, c);
   double difference = 0;
   for (const std::size_t cell : cells)
-    difference += grid.moments(cell).weight * wrap(grid.middle(cell).phi - about) + grid.moments(cell).first.z();
+  {
+    const CellMoments moments = grid.moments(cell);
+    difference += moments.weight * wrap(grid.middle(cell).phi - about) + moments.first.z();
+  }
   return wrap(about + difference / weight);
 }
 
@@ -90,7 +93,7 @@ Mode describe(const PoseCells& grid, const std::vector<std::size_t>& cells)
   Vector2d position = Vector2d::Zero();
   for (const std::size_t cell : cells)
   {
-    const CellMoments& moments = grid.moments(cell);
+    const CellMoments moments = grid.moments(cell);
     mode.weight += moments.weight;
     position += moments.weight * grid.middle(cell).position() + moments.first.head<2>();
   }
@@ -99,13 +102,11 @@ Mode describe(const PoseCells& grid, const std::vector<std::size_t>& cells)
   mode.pose.mean = {position.x(), position.y(), meanHeading(grid, cells, mode.weight)};
   for (const std::size_t cell : cells)
   {
-    const CellMoments& m = grid.moments(cell);
+    const CellMoments m = grid.moments(cell);
     Vector3d d = grid.middle(cell).vector() - mode.pose.mean.vector();
     d.z() = wrap(d.z());
-    Matrix3d second;
-    second << m.xx, m.xy, m.xp, m.xy, m.yy, m.yp, m.xp, m.yp, m.pp;
     const Matrix3d cross = d * m.first.transpose();
-    mode.pose.covariance += (second + cross + cross.transpose() + m.weight * d * d.transpose()) / mode.weight;
+    mode.pose.covariance += (m.second + cross + cross.transpose() + m.weight * d * d.transpose()) / mode.weight;
   }
   for (int i = 0; i < 3; ++i)  // differences of rounded sums
     mode.pose.covariance(i, i) = std::max(0.0, mode.pose.covariance(i, i));
@@ -113,11 +114,11 @@ Mode describe(const PoseCells& grid, const std::vector<std::size_t>& cells)
 }
 }  // namespace
 
-ModeSet findModes(const ParticleSet& particles, const ModeOptions& options, unsigned threads)
+ModeSet findModes(const ParticleSet& particles, const ModeOptions& options, unsigned threads, std::vector<int> memory)
 {
   ModeSet result;
   if (particles.empty()) return result;
-  const PoseCells grid(particles, options.cell_xy, options.cell_phi, threads);
+  PoseCells grid(particles, options.cell_xy, options.cell_phi, threads, std::move(memory));
   double heaviest = 0;
   for (std::size_t cell = 0; cell < grid.size(); ++cell) heaviest = std::max(heaviest, grid.weight(cell));
   std::vector<int> label(grid.size(), kNone);
@@ -139,12 +140,7 @@ ModeSet findModes(const ParticleSet& particles, const ModeOptions& options, unsi
     result.modes.push_back(modes[order[rank]]);
     for (const std::size_t cell : cells[order[rank]]) rank_of[cell] = static_cast<int>(rank);
   }
-  result.mode_of.resize(particles.size());
-  forEachBlock(particles.size(), threads,
-               [&](std::size_t first, std::size_t count)
-               {
-                 for (std::size_t i = first; i < first + count; ++i) result.mode_of[i] = rank_of[grid.cellOf()[i]];
-               });
+  result.mode_of = std::move(grid).labelParticles(rank_of, threads);
   return result;
 }
 }  // namespace mrpt_ext

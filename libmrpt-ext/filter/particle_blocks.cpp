@@ -12,7 +12,7 @@ void forEachBlock(std::size_t particles, unsigned threads, const std::function<v
   { work(b * kParticleBlock, std::min(kParticleBlock, particles - b * kParticleBlock)); };
   const std::size_t blocks = blockCount(particles);
   if (threads > 1 && blocks > 1)
-    tbb::parallel_for(std::size_t{0}, blocks, block);
+    tbb::parallel_for(std::size_t{0}, blocks, block, tbb::static_partitioner());
   else
     for (std::size_t b = 0; b < blocks; ++b) block(b);
 }

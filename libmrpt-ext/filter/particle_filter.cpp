@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "mrpt_ext/filter/gaussian_redraw.h"
 #include "mrpt_ext/filter/particle_bias.h"
@@ -61,9 +62,8 @@ FilterStep ParticleFilter::process(const Frame& frame, const Proposer& propose, 
     settled = start(frame, propose);
   else
     track(frame, propose, step);
-  normalizeWeights(particles_);
-  step.effective_ratio = effectiveSampleRatio(particles_);
-  step.modes = findModes(particles_, options_.modes, options_.threads);
+  step.effective_ratio = normalizeWeights(particles_, options_.threads).effective_ratio;
+  step.modes = findModes(particles_, options_.modes, options_.threads, std::move(mode_memory_));
   step.particles = particles_.size();
   if (!settled)
   {
@@ -92,6 +92,8 @@ FilterStep ParticleFilter::process(const Frame& frame, const Proposer& propose, 
     if (!since_start.empty() && !isOnePlace(step.modes, options_.verdict)) moveByReadings(since_start);
   }
   step.particles = particles_.size();
+  mode_memory_ = std::move(step.modes.mode_of);
+  step.modes.mode_of.clear();
   modes_.modes = step.modes.modes;
   widenForSampling(step, effective);
   return step;
@@ -117,6 +119,7 @@ void ParticleFilter::track(const Frame& frame, const Proposer& propose, FilterSt
   score(frame);
   companions_.divideWeight(particles_);
   if (prior) redrawIfFew(*prior, frame);
+  if (companions_.empty()) return;
   const auto revived =
       static_cast<std::size_t>(std::ceil(options_.recovery.injected_share * static_cast<double>(options_.particles)));
   normalizeWeights(particles_);
@@ -134,8 +137,8 @@ std::optional<KalmanState> ParticleFilter::priorOfOnePlace(const Frame& frame) c
 
 void ParticleFilter::redrawIfFew(const KalmanState& prior, const Frame& frame)
 {
-  const auto effective = [&] { return effectiveSampleRatio(particles_) * static_cast<double>(particles_.size()); };
-  normalizeWeights(particles_);
+  const auto effective = [&]
+  { return normalizeWeights(particles_).effective_ratio * static_cast<double>(particles_.size()); };
   const double before = effective();
   if (before > static_cast<double>(options_.redraw_below) ||
       before > options_.resample_below * static_cast<double>(particles_.size()))
@@ -145,7 +148,6 @@ void ParticleFilter::redrawIfFew(const KalmanState& prior, const Frame& frame)
   ParticleSet moved = std::move(particles_);
   particles_ = redrawn(moved, prior, update.state, moved.size(), random_);
   score(frame);
-  normalizeWeights(particles_);
   if (effective() < before) particles_ = std::move(moved);
 }
 
@@ -190,7 +192,9 @@ void ParticleFilter::resample(const ModeSet& modes, std::size_t count)
     count = static_cast<std::size_t>(
         std::clamp(needed, static_cast<double>(options_.kld.min_size), static_cast<double>(options_.kld.max_size)));
   }
-  particles_ = resampleByMode(particles_, modes.mode_of, options_.resampling, count, random_, options_.threads);
+  ParticleSet drawn = resampleByMode(particles_, modes.mode_of, options_.resampling, count, random_, options_.threads,
+                                     std::move(spare_));
+  spare_ = std::exchange(particles_, std::move(drawn));
   smoothModes(particles_, modes, options_.smoothing, random_, options_.threads);
 }
 }  // namespace mrpt_ext

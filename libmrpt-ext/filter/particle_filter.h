@@ -65,7 +65,7 @@ struct ParticleFilterOptions
 /// What the filter says after one frame.
 struct FilterStep
 {
-  ModeSet modes;
+  ModeSet modes;                     ///< without mode_of: resampling has renumbered the particles
   double effective_ratio = 1;        ///< after scoring, before resampling
   double explained_share = 1;        ///< of recent detections, relative to what is expected
   bool reseeded = false;             ///< seeds were injected, because the detections do not agree
@@ -123,6 +123,8 @@ class ParticleFilter
   LandmarkTable map_;
   RandomStream random_;
   ParticleSet particles_;
+  ParticleSet spare_;             // memory to resample into
+  std::vector<int> mode_memory_;  // memory for the modes of the particles
   LandmarkReliability reliability_;
   RecoveryMonitor monitor_;   // quick, against what is learned about the landmarks: tells when to look elsewhere
   RecoveryMonitor trust_;     // slow, against what the configuration promises: tells when to claim `ok`

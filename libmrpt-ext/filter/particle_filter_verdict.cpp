@@ -47,7 +47,8 @@ void ParticleFilter::checkAgreement(const Frame& frame, bool learn)
   {
     std::size_t before = detections;
     const double expected_before = expected;
-    const double share = reliability_.observe(reading, map_, particles_, options_.learn_reliability && learn);
+    const double share =
+        reliability_.observe(reading, map_, particles_, options_.learn_reliability && learn, options_.threads);
     explained += share * static_cast<double>(reading.detections.size());
     const LandmarkClutter clutter = reliability_.clutter(reading.model.clutter_probability);
     for (const Detection& detection : reading.detections)

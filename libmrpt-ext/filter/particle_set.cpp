@@ -2,11 +2,58 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "mrpt_ext/filter/particle_blocks.h"
 #include "mrpt_ext/filter/weight_kernels.h"
 
 namespace mrpt_ext
 {
+namespace
+{
+/// The weights of some particles, relative to the largest one.
+struct RelativeSums
+{
+  float largest = -std::numeric_limits<float>::infinity();
+  WeightSums sums;
+};
+
+RelativeSums relativeSums(std::span<const float> log_weights)
+{
+  RelativeSums result{.largest = largestOf(log_weights)};
+  if (std::isfinite(result.largest)) result.sums = weightSums(log_weights, result.largest);
+  return result;
+}
+
+/// Of all blocks together.
+RelativeSums joined(const std::vector<RelativeSums>& blocks)
+{
+  RelativeSums all;
+  for (const RelativeSums& block : blocks) all.largest = std::max(all.largest, block.largest);
+  if (!std::isfinite(all.largest)) return all;
+  for (const RelativeSums& block : blocks)
+  {
+    const double scale = std::exp(double{block.largest} - double{all.largest});
+    all.sums += {scale * block.sums.first, square(scale) * block.sums.second};
+  }
+  return all;
+}
+
+RelativeSums relativeSums(std::span<const float> log_weights, unsigned threads)
+{
+  std::vector<RelativeSums> blocks(blockCount(log_weights.size()));
+  forEachBlock(log_weights.size(), threads,
+               [&](std::size_t first, std::size_t count)
+               { blocks[first / kParticleBlock] = relativeSums(log_weights.subspan(first, count)); });
+  return joined(blocks);
+}
+
+double effectiveRatio(const WeightSums& sums, std::size_t count)
+{
+  return square(sums.first) / (sums.second * static_cast<double>(count));
+}
+}  // namespace
+
 PoseBatch ParticleSet::poses() const
 {
   PoseBatch batch{.origin = origin, .x = x, .y = y, .phi = phi, .bias_states = bias_states};
@@ -45,32 +92,38 @@ void ParticleSet::clear()
   for (auto& column : bias) column.clear();
 }
 
+void ParticleSet::resize(std::size_t count)
+{
+  for (auto* column : {&x, &y, &phi, &log_weight}) column->resize(count);
+  for (auto& column : bias) column.resize(count);
+}
+
 void ParticleSet::reserve(std::size_t count)
 {
   for (auto* column : {&x, &y, &phi, &log_weight}) column->reserve(count);
   for (auto& column : bias) column.reserve(count);
 }
 
-double normalizeWeights(ParticleSet& particles)
+Normalization normalizeWeights(ParticleSet& particles, unsigned threads)
 {
-  if (particles.empty()) return 0;
-  const float best = largestOf(particles.log_weight);
-  if (!std::isfinite(best))  // no particle is possible: nothing tells them apart
+  if (particles.empty()) return {};
+  const std::span<float> logs = particles.log_weight;
+  const auto [largest, sums] = relativeSums(logs, threads);
+  if (!std::isfinite(largest))  // no particle is possible: nothing tells them apart
   {
-    std::fill(particles.log_weight.begin(), particles.log_weight.end(),
-              -std::log(static_cast<float>(particles.size())));
-    return best;
+    std::fill(logs.begin(), logs.end(), -std::log(static_cast<float>(logs.size())));
+    return {largest, 1};
   }
-  const double log_sum = std::log(weightSums(particles.log_weight, best).first);
-  subtractAll(particles.log_weight, best, static_cast<float>(log_sum));
-  return best + log_sum;
+  const double log_sum = std::log(sums.first);
+  forEachBlock(logs.size(), threads,
+               [&, best = largest](std::size_t first, std::size_t count)
+               { subtractAll(logs.subspan(first, count), best, static_cast<float>(log_sum)); });
+  return {largest + log_sum, effectiveRatio(sums, logs.size())};
 }
 
 double effectiveSampleRatio(const ParticleSet& particles)
 {
-  if (particles.empty()) return 0;
-  const WeightSums sums = weightSums(particles.log_weight, 0);
-  return square(sums.first) / (sums.second * static_cast<double>(particles.size()));
+  return particles.empty() ? 0 : effectiveRatio(weightSums(particles.log_weight, 0), particles.size());
 }
 
 std::vector<double> weights(const ParticleSet& particles)

@@ -38,13 +38,21 @@ struct ParticleSet
   void addCopy(const ParticleSet& from, std::size_t i, double log_w);
   void clear();
   void reserve(std::size_t count);
+  /// To `count` particles; what new ones hold means nothing yet.
+  void resize(std::size_t count);
   /// An empty set with the same origin and bias states.
   [[nodiscard]] ParticleSet emptyLikeThis() const { return ParticleSet(origin, bias_states); }
 };
 
-/// Scales the weights to sum 1 and returns the logarithm of what they summed to before. If that is not a positive
-/// number, all weights become equal.
-double normalizeWeights(ParticleSet& particles);
+struct Normalization
+{
+  double log_sum = 0;          ///< logarithm of what the weights summed to before
+  double effective_ratio = 0;  ///< effectiveSampleRatio()
+};
+
+/// Scales the weights to sum 1. If what they sum to is not a positive number, all weights become equal.
+/// `threads` change nothing but the time.
+Normalization normalizeWeights(ParticleSet& particles, unsigned threads = 1);
 
 /// Effective sample size 1 / sum w^2 of normalised weights, as a share of the particle count, in (0, 1].
 [[nodiscard]] double effectiveSampleRatio(const ParticleSet& particles);

@@ -97,7 +97,8 @@ void PlaceEvidence::begin(const std::vector<Reading>& readings, const LandmarkTa
 {
   looks_.clear();
   ParticleSet particles = samples;
-  log_odds_ = normalizeWeights(particles) - std::log(static_cast<double>(std::max<std::size_t>(1, samples.size())));
+  log_odds_ =
+      normalizeWeights(particles).log_sum - std::log(static_cast<double>(std::max<std::size_t>(1, samples.size())));
   test(readings, map, std::move(particles));
   log_odds_ = std::min(log_odds_, options_.proven / 2);
 }
@@ -117,7 +118,7 @@ void PlaceEvidence::test(const std::vector<Reading>& readings, const LandmarkTab
     if (looks.detections.empty()) continue;
     const ReadingScorer scorer(looks, map, clutter, particles.origin);
     scorer.addTo(particles.poses(), particles.log_weight);
-    log_odds_ += normalizeWeights(particles) - logChance(looks, defaultMaxRange(map));
+    log_odds_ += normalizeWeights(particles).log_sum - logChance(looks, defaultMaxRange(map));
   }
   log_odds_ = std::min(log_odds_, options_.most);
 }

@@ -1,62 +1,22 @@
 #include "mrpt_ext/filter/pose_cells.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "mrpt_ext/filter/particle_blocks.h"
 #include "mrpt_ext/filter/weight_kernels.h"
-#include "mrpt_ext/geometry/vector_clones.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr std::size_t kChunk = 512;
-constexpr float kFarthest = 1e9F;  // [cells] beyond it all is one cell
-
-/// Cell numbers along one axis and offsets from the cells' middles.
-struct Axis
-{
-  std::int32_t cell[kChunk];
-  float offset[kChunk];
-};
-
-/// `shift` [cells]: where zero lies in its cell, so that cells begin at whole multiples in the map frame.
-MRPT_EXT_VECTOR_CLONES
-void divide(const float* values, std::size_t count, float shift, float size, Axis& axis)
-{
-  const float inverse = 1.0F / size;
-  MRPT_EXT_INDEPENDENT_ITERATIONS
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    float at = values[i] * inverse + shift;
-    at = at < kFarthest ? at : kFarthest;
-    at = at > -kFarthest ? at : -kFarthest;
-    const auto cut = static_cast<std::int32_t>(at);
-    const std::int32_t cell = cut - (static_cast<float>(cut) > at ? 1 : 0);
-    axis.cell[i] = cell;
-    axis.offset[i] = (at - (static_cast<float>(cell) + 0.5F)) * size;
-  }
-}
-
 std::uint64_t mixed(std::uint64_t v)
 {
   v *= 0x9e3779b97f4a7c15ULL;
   return v ^ (v >> 32);
 }
 }  // namespace
-
-void CellMoments::operator+=(const CellMoments& more)
-{
-  weight += more.weight;
-  first += more.first;
-  xx += more.xx;
-  xy += more.xy;
-  xp += more.xp;
-  yy += more.yy;
-  yp += more.yp;
-  pp += more.pp;
-}
 
 std::size_t PoseCells::Index::slotOf(const Cell& cell, const std::vector<Cell>& cells) const
 {
@@ -82,34 +42,66 @@ std::uint32_t PoseCells::Index::insert(const Cell& cell, std::vector<Cell>& cell
   return number;
 }
 
-PoseCells::PoseCells(const ParticleSet& particles, double cell_xy, double cell_phi, unsigned threads)
+/// The cells about the first one asked for, in a table of their own: quicker than by hash, and mostly all there are.
+class PoseCells::NearCells
+{
+ public:
+  NearCells() { numbers_.fill(kNone); }
+
+  std::uint32_t numberOf(const Cell& cell, Gathered& block)
+  {
+    if (block.cells.empty()) corner_ = {cell.x - kSide / 2, cell.y - kSide / 2, cell.phi - kSide / 2};
+    const auto from = [](std::int32_t low, std::int32_t at)
+    { return static_cast<std::uint32_t>(at) - static_cast<std::uint32_t>(low); };
+    const std::uint32_t x = from(corner_.x, cell.x), y = from(corner_.y, cell.y), phi = from(corner_.phi, cell.phi);
+    if ((x | y | phi) >= kSide) return block.index.insert(cell, block.cells);
+    std::uint32_t& number = numbers_[(x * kSide + y) * kSide + phi];
+    if (number == kNone) number = block.index.insert(cell, block.cells);
+    return number;
+  }
+
+ private:
+  static constexpr std::int32_t kSide = 8;  // a power of two
+  Cell corner_{};
+  std::array<std::uint32_t, kSide * kSide * kSide> numbers_;
+};
+
+PoseCells::PoseCells(const ParticleSet& particles, double cell_xy, double cell_phi, unsigned threads,
+                     std::vector<int> memory)
     : origin_(particles.origin),
       cell_xy_(cell_xy),
       turns_(static_cast<std::int32_t>(std::max(1LL, std::llround(kTwoPi / cell_phi)))),
-      cell_of_(particles.size())
+      cell_of_(std::move(memory))
 {
+  cell_of_.resize(particles.size());
   cell_phi_ = kTwoPi / turns_;
   std::vector<Gathered> blocks(blockCount(particles.size()));
   forEachBlock(particles.size(), threads,
                [&](std::size_t first, std::size_t count)
                { gather(particles, first, count, blocks[first / kParticleBlock]); });
-  std::vector<std::vector<std::uint32_t>> joined;
-  for (Gathered& block : blocks)
+  for (const Gathered& block : blocks)
   {
-    auto& numbers = joined.emplace_back();
+    auto& numbers = joined_.emplace_back();
     for (std::size_t k = 0; k < block.cells.size(); ++k)
     {
       numbers.push_back(index_.insert(block.cells[k], cells_));
-      moments_.resize(cells_.size());
-      moments_[numbers.back()] += block.moments[k];
+      sums_.resize(cells_.size());
+      sums_[numbers.back()] += block.sums[k];
     }
   }
-  forEachBlock(particles.size(), threads,
+}
+
+std::vector<int> PoseCells::labelParticles(const std::vector<int>& label_of_cell, unsigned threads) &&
+{
+  forEachBlock(cell_of_.size(), threads,
                [&](std::size_t first, std::size_t count)
                {
-                 const auto& numbers = joined[first / kParticleBlock];
-                 for (std::size_t i = first; i < first + count; ++i) cell_of_[i] = numbers[cell_of_[i]];
+                 std::vector<int> labels;
+                 for (const std::uint32_t cell : joined_[first / kParticleBlock]) labels.push_back(label_of_cell[cell]);
+                 for (std::size_t i = first; i < first + count; ++i)
+                   cell_of_[i] = labels[static_cast<std::size_t>(cell_of_[i])];
                });
+  return std::move(cell_of_);
 }
 
 void PoseCells::gather(const ParticleSet& particles, std::size_t first, std::size_t count, Gathered& block)
@@ -118,39 +110,41 @@ void PoseCells::gather(const ParticleSet& particles, std::size_t first, std::siz
   { return static_cast<float>(origin / cell_xy_ - std::floor(origin / cell_xy_)); };
   const float shift_x = shift_of(origin_.x()), shift_y = shift_of(origin_.y());
   const auto size = static_cast<float>(cell_xy_), turn = static_cast<float>(cell_phi_);
-  Axis x, y, phi;
-  float weight[kChunk];
-  std::uint32_t number = kNone;  // neighbours in the list are often neighbours in the room
-  for (const std::size_t end = first + count; first < end; first += kChunk)
+  CellChunk chunk;
+  NearCells near;
+  std::vector<CellSums> sums;
+  for (const std::size_t end = first + count; first < end; first += kCellChunk)
   {
-    const std::size_t n = std::min(kChunk, end - first);
-    divide(&particles.x[first], n, shift_x, size, x);
-    divide(&particles.y[first], n, shift_y, size, y);
-    divide(&particles.phi[first], n, 0.5F * static_cast<float>(turns_), turn, phi);
-    exponentials(std::span(particles.log_weight).subspan(first, n), 0, std::span(weight).first(n));
+    const std::size_t n = std::min(kCellChunk, end - first);
+    divideIntoCells(&particles.x[first], n, shift_x, size, chunk.x);
+    divideIntoCells(&particles.y[first], n, shift_y, size, chunk.y);
+    divideIntoCells(&particles.phi[first], n, 0.5F * static_cast<float>(turns_), turn, chunk.phi);
+    exponentials(std::span(particles.log_weight).subspan(first, n), 0, std::span(chunk.weight).first(n));
     for (std::size_t i = 0; i < n; ++i)
     {
-      const std::int32_t heading =
-          phi.cell[i] >= 0 && phi.cell[i] < turns_ ? phi.cell[i] : ((phi.cell[i] % turns_) + turns_) % turns_;
-      const Cell cell{x.cell[i], y.cell[i], heading};
-      if (number == kNone || !(block.cells[number] == cell)) number = block.index.insert(cell, block.cells);
-      cell_of_[first + i] = number;
-      if (number == block.moments.size()) block.moments.emplace_back();
-      CellMoments& sums = block.moments[number];
-      const double w = weight[i], dx = x.offset[i], dy = y.offset[i], dp = phi.offset[i];
-      sums.weight += w;
-      sums.first += w * Vector3d(dx, dy, dp);
-      sums.xx += w * dx * dx;
-      sums.xy += w * dx * dy;
-      sums.xp += w * dx * dp;
-      sums.yy += w * dy * dy;
-      sums.yp += w * dy * dp;
-      sums.pp += w * dp * dp;
+      const std::int32_t phi = chunk.phi.cell[i];
+      const std::int32_t heading = phi >= 0 && phi < turns_ ? phi : ((phi % turns_) + turns_) % turns_;
+      chunk.number[i] = near.numberOf({chunk.x.cell[i], chunk.y.cell[i], heading}, block);
+      cell_of_[first + i] = static_cast<int>(chunk.number[i]);
     }
+    sums.resize(block.cells.size() * kCellTurns);
+    addToCells(chunk, n, sums.data());
   }
+  block.sums.resize(block.cells.size());
+  for (std::size_t k = 0; k < sums.size(); ++k) block.sums[k / kCellTurns] += sums[k];
 }
 
 std::uint32_t PoseCells::find(const Cell& cell) const { return index_.slots[index_.slotOf(cell, cells_)]; }
+
+CellMoments PoseCells::moments(std::size_t cell) const
+{
+  const CellSums& s = sums_[cell];
+  CellMoments moments{.weight = s.first[0], .first = {s.first[1], s.first[2], s.first[3]}};
+  moments.second << s.squares[1], s.products[1], s.products[3],  //
+      s.products[1], s.squares[2], s.products[2],                //
+      s.products[3], s.products[2], s.squares[3];
+  return moments;
+}
 
 Pose2 PoseCells::middle(std::size_t cell) const
 {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mrpt_ext/filter/cell_kernel.h"
 #include "mrpt_ext/filter/particle_set.h"
 
 namespace mrpt_ext
@@ -13,9 +14,7 @@ struct CellMoments
 {
   double weight = 0;
   Vector3d first = Vector3d::Zero();
-  double xx = 0, xy = 0, xp = 0, yy = 0, yp = 0, pp = 0;
-
-  void operator+=(const CellMoments& more);
+  Matrix3d second = Matrix3d::Zero();
 };
 
 /// The cells of a grid over (x, y, phi) that particles occupy, in order of first appearance; headings close at +-pi.
@@ -29,15 +28,16 @@ class PoseCells
     [[nodiscard]] bool operator==(const Cell& other) const { return x == other.x && y == other.y && phi == other.phi; }
   };
 
-  /// Cells of `cell_xy` [m] and about `cell_phi` [rad]; normalised particles.
-  PoseCells(const ParticleSet& particles, double cell_xy, double cell_phi, unsigned threads);
+  /// Cells of `cell_xy` [m] and about `cell_phi` [rad]; normalised particles. `memory` holds the labels then.
+  PoseCells(const ParticleSet& particles, double cell_xy, double cell_phi, unsigned threads,
+            std::vector<int> memory = {});
 
   [[nodiscard]] std::size_t size() const { return cells_.size(); }
-  [[nodiscard]] double weight(std::size_t cell) const { return moments_[cell].weight; }
-  [[nodiscard]] const CellMoments& moments(std::size_t cell) const { return moments_[cell]; }
+  [[nodiscard]] double weight(std::size_t cell) const { return sums_[cell].first[0]; }
+  [[nodiscard]] CellMoments moments(std::size_t cell) const;
   [[nodiscard]] Pose2 middle(std::size_t cell) const;
-  /// Number of the cell of every particle.
-  [[nodiscard]] const std::vector<std::uint32_t>& cellOf() const { return cell_of_; }
+  /// The label of every particle's cell. The cells forget their particles then.
+  [[nodiscard]] std::vector<int> labelParticles(const std::vector<int>& label_of_cell, unsigned threads) &&;
 
   /// Calls `visit(cell)` for the occupied ones of the 26 cells around.
   template <typename Visit>
@@ -67,8 +67,10 @@ class PoseCells
   {
     Index index;
     std::vector<Cell> cells;
-    std::vector<CellMoments> moments;
+    std::vector<CellSums> sums;
   };
+
+  class NearCells;
 
   void gather(const ParticleSet& particles, std::size_t first, std::size_t count, Gathered& block);
   [[nodiscard]] std::uint32_t find(const Cell& cell) const;
@@ -78,7 +80,8 @@ class PoseCells
   std::int32_t turns_;
   Index index_;
   std::vector<Cell> cells_;
-  std::vector<CellMoments> moments_;
-  std::vector<std::uint32_t> cell_of_;
+  std::vector<CellSums> sums_;
+  std::vector<std::vector<std::uint32_t>> joined_;  // of each block: the numbers of its cells among all
+  std::vector<int> cell_of_;                        // among those of the particle's block
 };
 }  // namespace mrpt_ext

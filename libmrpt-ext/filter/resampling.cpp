@@ -78,11 +78,30 @@ std::vector<std::size_t> drawIndices(ResamplingMethod method, const std::vector<
   return indices;
 }
 
+std::vector<std::size_t> allotSystematically(const std::vector<double>& weights, std::size_t count,
+                                             RandomStream& random)
+{
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0), offset = random.uniform();
+  std::vector<std::size_t> allotted(weights.size(), 0);
+  double cumulative = 0;
+  std::size_t given = 0;
+  for (std::size_t i = 0; i < weights.size(); ++i)
+  {
+    cumulative += weights[i];
+    // The points (k + offset) sum / count lie one in each equal part of the line of weights.
+    const double below = static_cast<double>(count) * cumulative / sum + (1 - offset);
+    const std::size_t reached = std::clamp(static_cast<std::size_t>(below), given, count);
+    allotted[i] = reached - given;
+    given = reached;
+  }
+  return allotted;
+}
+
 ParticleSet resampleByMode(const ParticleSet& particles, const std::vector<int>& mode_of, ResamplingMethod method,
-                           std::size_t count, RandomStream& random, unsigned threads)
+                           std::size_t count, RandomStream& random, unsigned threads, ParticleSet memory)
 {
   if (method == ResamplingMethod::systematic)
-    if (auto resampled = resampleSystematically(particles, mode_of, count, random, threads))
+    if (auto resampled = resampleSystematically(particles, mode_of, count, random, threads, std::move(memory)))
       return *std::move(resampled);
   const int modes = mode_of.empty() ? 0 : *std::max_element(mode_of.begin(), mode_of.end()) + 1;
   std::vector<std::vector<std::size_t>> members(static_cast<std::size_t>(modes));
@@ -93,10 +112,7 @@ ParticleSet resampleByMode(const ParticleSet& particles, const std::vector<int>&
     members[static_cast<std::size_t>(mode_of[i])].push_back(i);
     mode_weight[static_cast<std::size_t>(mode_of[i])] += w[i];
   }
-  // Systematic allotment: every mode gets its expected number, rounded up or down.
-  std::vector<std::size_t> allotted(members.size(), 0);
-  for (const std::size_t mode : drawIndices(ResamplingMethod::systematic, mode_weight, count, random)) ++allotted[mode];
-
+  const std::vector<std::size_t> allotted = allotSystematically(mode_weight, count, random);
   const double total = std::accumulate(mode_weight.begin(), mode_weight.end(), 0.0);
   ParticleSet result = particles.emptyLikeThis();
   result.reserve(count);

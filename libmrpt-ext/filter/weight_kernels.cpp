@@ -1,8 +1,10 @@
 #include "mrpt_ext/filter/weight_kernels.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 
+#include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/geometry/vector_clones.h"
 #include "mrpt_ext/likelihood/vector_math.h"
 
@@ -11,6 +13,7 @@ namespace mrpt_ext
 namespace
 {
 constexpr std::size_t kLanes = 16, kChunk = 1024;  // sums of a chunk are in single precision, lane by lane
+using Lanes [[gnu::vector_size(kLanes * sizeof(float))]] = float;
 
 /// Differences to -87 and below count as nothing.
 [[gnu::always_inline]] inline float weightOf(float log_weight, float reference)
@@ -41,25 +44,18 @@ void fillWeights(const float* log_weights, std::size_t count, float reference, f
 MRPT_EXT_VECTOR_CLONES
 WeightSums chunkSums(const float* weights, std::size_t count)
 {
-  float first[kLanes] = {}, second[kLanes] = {};
+  Lanes first{}, second{};
   std::size_t i = 0;
   for (; i + kLanes <= count; i += kLanes)
-    for (std::size_t l = 0; l < kLanes; ++l)
-    {
-      first[l] += weights[i + l];
-      second[l] += weights[i + l] * weights[i + l];
-    }
-  for (; i < count; ++i)
   {
-    first[0] += weights[i];
-    second[0] += weights[i] * weights[i];
+    Lanes w;
+    std::memcpy(&w, weights + i, sizeof w);
+    first += w;
+    second += w * w;
   }
   WeightSums sums;
-  for (std::size_t l = 0; l < kLanes; ++l)
-  {
-    sums.first += double{first[l]};
-    sums.second += double{second[l]};
-  }
+  for (; i < count; ++i) sums += {double{weights[i]}, square(double{weights[i]})};
+  for (std::size_t l = 0; l < kLanes; ++l) sums += {double{first[l]}, double{second[l]}};
   return sums;
 }
 }  // namespace
@@ -88,9 +84,7 @@ WeightSums weightSums(std::span<const float> log_weights, float reference)
   {
     const std::size_t count = std::min(kChunk, log_weights.size() - first);
     fillWeights(log_weights.data() + first, count, reference, weights);
-    const WeightSums sums = chunkSums(weights, count);
-    total.first += sums.first;
-    total.second += sums.second;
+    total += chunkSums(weights, count);
   }
   return total;
 }

@@ -17,6 +17,12 @@ void subtractAll(std::span<float> values, float first, float second);
 struct WeightSums
 {
   double first = 0, second = 0;
+
+  void operator+=(const WeightSums& more)
+  {
+    first += more.first;
+    second += more.second;
+  }
 };
 [[nodiscard]] WeightSums weightSums(std::span<const float> log_weights, float reference);
 }  // namespace mrpt_ext

@@ -149,9 +149,7 @@ class MrptFilterLocalizer : public FilterLocalizer
     particles_.clear();
     for (const auto& particle : pdf_.m_particles)
       particles_.add({particle.d.x, particle.d.y, wrap(particle.d.phi)}, particle.log_w);
-    normalizeWeights(particles_);
-    step_ = {};
-    step_.effective_ratio = effectiveSampleRatio(particles_);
+    step_ = {.effective_ratio = normalizeWeights(particles_).effective_ratio};
     step_.particles = particles_.size();
     step_.modes = findModes(particles_, options_.modes);
     for (const Reading& reading : scoredReadings(frame))

@@ -146,6 +146,28 @@ TEST(Resampling, SystematicCountsAreRoundedExpectations)
             });
 }
 
+TEST(Resampling, AllotmentsAreRoundedExpectationsAndSumToTheCount)
+{
+  rc::check("each allotment is the floor or the ceiling of its expectation",
+            [](const std::vector<unsigned>& raw, std::uint64_t seed)
+            {
+              std::vector<double> w;
+              for (const unsigned v : raw) w.push_back(v % 1000);
+              const double sum = std::accumulate(w.begin(), w.end(), 0.0);
+              RC_PRE(sum > 0);
+              const std::size_t count = 1 + seed % 9973;
+              RandomStream random(seed);
+              const auto allotted = allotSystematically(w, count, random);
+              RC_ASSERT(std::accumulate(allotted.begin(), allotted.end(), std::size_t{0}) == count);
+              for (std::size_t i = 0; i < w.size(); ++i)
+              {
+                const double expected = static_cast<double>(count) * w[i] / sum;
+                RC_ASSERT(static_cast<double>(allotted[i]) >= std::floor(expected - 1e-9));
+                RC_ASSERT(static_cast<double>(allotted[i]) <= std::ceil(expected + 1e-9));
+              }
+            });
+}
+
 TEST(Resampling, StratifiedDrawsOnePerStratum)
 {
   RandomStream random(9);

@@ -76,6 +76,35 @@ TEST(SystematicResampling, ThreadsChangeNothing)
   EXPECT_EQ(one->log_weight, four->log_weight);
 }
 
+TEST(SystematicResampling, OneParticleWithAllTheWeightFillsEveryPlace)
+{
+  Drawn drawn = twoModes(5000);
+  std::fill(drawn.particles.log_weight.begin(), drawn.particles.log_weight.end(), -1e6F);
+  drawn.particles.log_weight[4000] = 0;
+  RandomStream random(5);
+  const auto result = resampleSystematically(drawn.particles, drawn.mode_of, 20001, random, 2);
+  ASSERT_TRUE(result);
+  for (const float x : result->x) ASSERT_EQ(x, 4000.0F);
+  EXPECT_NEAR(weightOf(*result, 1e9), 1, 1e-3);
+}
+
+TEST(SystematicResampling, WhatTheMemoryHeldMeansNothing)
+{
+  const Drawn drawn = twoModes(3000);
+  ParticleSet used(Vector2d(7, 7), {{.kind = BiasKind::way_scale}});
+  for (int i = 0; i < 5000; ++i) used.add({1, 2, 3}, 4);
+  RandomStream first(3), second(3);
+  const auto fresh = resampleSystematically(drawn.particles, drawn.mode_of, 2000, first, 1);
+  const auto reused = resampleSystematically(drawn.particles, drawn.mode_of, 2000, second, 1, std::move(used));
+  ASSERT_TRUE(fresh && reused);
+  EXPECT_EQ(fresh->origin, reused->origin);
+  EXPECT_EQ(fresh->bias.size(), reused->bias.size());
+  EXPECT_EQ(fresh->x, reused->x);
+  EXPECT_EQ(fresh->y, reused->y);
+  EXPECT_EQ(fresh->phi, reused->phi);
+  EXPECT_EQ(fresh->log_weight, reused->log_weight);
+}
+
 TEST(SystematicResampling, NothingWithoutWeightOrCount)
 {
   const Drawn drawn = twoModes(1000);

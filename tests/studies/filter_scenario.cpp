@@ -53,7 +53,6 @@ std::vector<FilterMoment> runFilter(const FilterScenario& scenario, std::uint64_
     const auto truth = interpolate(scenario.truth, frame.time, kMaxGap);
     if (!truth || filter.lastStep().modes.modes.empty()) continue;
     FilterMoment moment{frame.time - scenario.truth.front().time, &frame, truth->pose, filter.lastStep()};
-    moment.step.modes.mode_of.clear();
     moment.error = moment.best().pose.mean.vector() - moment.truth.vector();
     moment.error.z() = wrap(moment.error.z());
     moments.push_back(std::move(moment));
