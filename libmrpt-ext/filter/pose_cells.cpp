@@ -50,7 +50,7 @@ class PoseCells::NearCells
 
   std::uint32_t numberOf(const Cell& cell, Gathered& block)
   {
-    if (block.cells.empty()) corner_ = {cell.x - kSide / 2, cell.y - kSide / 2, cell.phi - kSide / 2};
+    if (block.cells.empty()) corner_ = {cell.x - kHalf, cell.y - kHalf, cell.phi - kHalf};
     const auto from = [](std::int32_t low, std::int32_t at)
     { return static_cast<std::uint32_t>(at) - static_cast<std::uint32_t>(low); };
     const std::uint32_t x = from(corner_.x, cell.x), y = from(corner_.y, cell.y), phi = from(corner_.phi, cell.phi);
@@ -61,7 +61,8 @@ class PoseCells::NearCells
   }
 
  private:
-  static constexpr std::int32_t kSide = 8;  // a power of two
+  static constexpr std::int32_t kHalf = 4;
+  static constexpr std::size_t kSide = 2 * kHalf;  // a power of two
   Cell corner_{};
   std::array<std::uint32_t, kSide * kSide * kSide> numbers_;
 };
