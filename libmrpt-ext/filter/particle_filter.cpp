@@ -1,5 +1,6 @@
 #include "mrpt_ext/filter/particle_filter.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -26,15 +27,19 @@ Vector2d originOf(const LandmarkTable& map, const PoseRegion& region)
   return (low + high) / 2;
 }
 
-/// Mean and covariance of n effective particles are themselves uncertain: the covariance that is reported contains the
-/// sampling error of the mean and is free of the bias of a small sample.
-void widenForSampling(FilterStep& step, double effective)
+constexpr double kFewestEffective = 4;
+
+/// Mean and covariance of n effective particles are themselves uncertain: the covariance that is reported is free of
+/// the bias of a small sample and contains the sampling error of the mean, 1 / n, and `earlier` times as much again of
+/// the first mode.
+void widenForSampling(FilterStep& step, double effective, double earlier)
 {
   for (Mode& mode : step.modes.modes)
   {
-    const double n = std::max(4.0, mode.weight * effective);
+    const double n = std::max(kFewestEffective, mode.weight * effective);
     mode.pose.covariance *= (n + 1) / (n - 1);
   }
+  if (!step.modes.modes.empty()) step.modes.modes.front().pose.covariance *= 1 + earlier;
 }
 }  // namespace
 
@@ -94,9 +99,24 @@ FilterStep ParticleFilter::process(const Frame& frame, const Proposer& propose, 
   step.particles = particles_.size();
   mode_memory_ = std::move(step.modes.mode_of);
   step.modes.mode_of.clear();
+  const double earlier = earlierSamplingError(frame, step.modes);
+  sampling_error_ = earlier + 1 / std::max(kFewestEffective, effective);
   modes_.modes = step.modes.modes;
-  widenForSampling(step, effective);
+  widenForSampling(step, effective, earlier);
   return step;
+}
+
+double ParticleFilter::earlierSamplingError(const Frame& frame, const ModeSet& modes) const
+{
+  if (!isOnePlace(modes_, options_.verdict) || !isOnePlace(modes, options_.verdict)) return 0;
+  const GaussianPose before = modes_.modes.front().pose;
+  const KalmanState moved =
+      predict(startingState(before, particles_.bias_states), particles_.bias_states, options_.motion, frame.motion);
+  // An error e of the prior mean is one of P M^-1 e after the measurement (M, P: covariance before and after it). With
+  // e a share of the covariance of the step before, it is this times that share of P, taken as a mean over directions:
+  const double M = moved.gaussianPose().covariance.determinant();
+  const double kept = before.covariance.determinant() * modes.modes.front().pose.covariance.determinant() / square(M);
+  return M > 0 && kept > 0 ? sampling_error_ * std::min(1.0, std::cbrt(kept)) : 0;
 }
 
 void ParticleFilter::track(const Frame& frame, const Proposer& propose, FilterStep& step)

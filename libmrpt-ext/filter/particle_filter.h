@@ -118,6 +118,8 @@ class ParticleFilter
   [[nodiscard]] std::size_t wantedParticles(const ModeSet& modes) const;
   void resample(const ModeSet& modes, std::size_t count);
   void moveByReadings(std::span<const Reading> since_start);
+  /// What is left in the mean of the sampling errors of the steps before, as a share of its covariance.
+  [[nodiscard]] double earlierSamplingError(const Frame& frame, const ModeSet& modes) const;
 
   ParticleFilterOptions options_;
   LandmarkTable map_;
@@ -132,7 +134,8 @@ class ParticleFilter
   KindMonitors kinds_;        // of each sensor by itself
   PlaceEvidence evidence_;    // fresh looks: tells whether the place is more than a chance fit
   ModeCompanions companions_;
-  ModeSet modes_;                                                     // of the last step
+  ModeSet modes_;              // of the last step
+  double sampling_error_ = 0;  // variance of the last mean by sampling alone, as a share of its covariance
   double since_injection_ = std::numeric_limits<double>::infinity();  // [s]
 };
 }  // namespace mrpt_ext

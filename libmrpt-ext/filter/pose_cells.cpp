@@ -61,8 +61,8 @@ class PoseCells::NearCells
   }
 
  private:
-  static constexpr std::int32_t kHalf = 4;
-  static constexpr std::size_t kSide = 2 * kHalf;  // a power of two
+  static constexpr std::size_t kSide = 8;  // a power of two
+  static constexpr std::int32_t kHalf = kSide / 2;
   Cell corner_{};
   std::array<std::uint32_t, kSide * kSide * kSide> numbers_;
 };
