@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mrpt_ext/geometry/frame.h"
-#include "mrpt_ext/pipeline/odometry_path.h"
+#include "mrpt_ext/geometry/odometry_path.h"
 #include "mrpt_ext/pipeline/sensor_config.h"
 
 namespace mrpt_ext

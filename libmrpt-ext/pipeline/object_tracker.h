@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/evaluation/run_record.h"
 #include "mrpt_ext/geometry/frame.h"
-#include "mrpt_ext/pipeline/odometry_path.h"
+#include "mrpt_ext/geometry/odometry_path.h"
 
 namespace mrpt_ext
 {

@@ -1,4 +1,4 @@
-#include "mrpt_ext/pipeline/odometry_path.h"
+#include "mrpt_ext/geometry/odometry_path.h"
 
 #include <algorithm>
 

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "mrpt_ext/geometry/measurement_jacobian.h"
+
+namespace mrpt_ext
+{
+/// What the normal equations of a PoseChain say.
+struct ChainSolution
+{
+  std::vector<Vector3d> steps;           ///< of the poses
+  Eigen::VectorXd shared_step;           ///< of the shared unknowns
+  Eigen::MatrixXd shared_information;    ///< about them, all poses being unknown
+  Eigen::MatrixXd pull;                  ///< rows 3k ...: how pose k follows the shared unknowns, negative
+  std::vector<Matrix3d> covariance;      ///< of the poses, the shared unknowns being known
+  std::vector<Matrix3d> with_successor;  ///< between pose k and pose k + 1
+};
+
+/// Normal equations of a chain of poses (x, y, phi), each tied to its neighbours only, and of a few unknowns that touch
+/// all of them. Everything added is a residual (measured minus predicted), its derivative of the prediction, and a
+/// weight. Solved by block elimination along the chain, in time linear in its length (Schur complement for the shared
+/// unknowns; Bryson-Frazier-like backward pass for the covariances).
+class PoseChain
+{
+ public:
+  using SharedRow = Eigen::RowVectorXd;
+  using SharedRows = Eigen::Matrix<double, 3, Eigen::Dynamic>;
+
+  PoseChain(std::size_t poses, Eigen::Index shared);
+
+  /// A scalar that depends on one pose.
+  void addReading(std::size_t pose, double residual, const JacobianRow& own, const SharedRow& shared, double weight);
+  /// Three scalars that depend on a pose and the one after it.
+  void addLink(std::size_t pose, const Vector3d& residual, const Matrix3d& own, const Matrix3d& next,
+               const SharedRows& shared, double weight);
+  /// A weak belief that a shared unknown is to move by `residual`.
+  void addShared(Eigen::Index unknown, double residual, double std);
+
+  /// Nothing when some pose or shared unknown stays undetermined.
+  [[nodiscard]] std::optional<ChainSolution> solve() const;
+
+ private:
+  std::vector<Matrix3d> diagonal_, above_;  // information of each pose, and between it and the next
+  Eigen::MatrixXd side_;                    // by pose: gradient, then the coupling with the shared unknowns
+  Eigen::MatrixXd shared_;
+  Eigen::VectorXd shared_side_;
+};
+}  // namespace mrpt_ext

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "mrpt_ext/geometry/odometry_path.h"
+
+namespace mrpt_ext
+{
+/// Systematic errors of a recording.
+enum class RecordingError
+{
+  delay,           ///< [s] how old a reading of the sensor is at its stamp, by the clock of odometry
+  bearing_offset,  ///< [rad] measured = true + offset
+  range_offset,    ///< [m] measured = (1 + scale) true + offset
+  range_scale,
+  way_scale,   ///< true way = (1 + scale) way told by odometry
+  turn_scale,  ///< true turn = (1 + scale) turn told by odometry + veer times the way
+  veer         ///< [rad/m] to the left
+};
+
+/// True for the errors of odometry; the others belong to a sensor.
+[[nodiscard]] constexpr bool isOfOdometry(RecordingError error) { return error >= RecordingError::way_scale; }
+
+/// An unknown error: its kind, and the number of its sensor.
+struct ErrorTerm
+{
+  RecordingError kind = RecordingError::delay;
+  std::size_t sensor = 0;
+};
+
+/// One number that a sensor measured of a known landmark.
+struct WayReading
+{
+  std::size_t pose = 0;    ///< number of the pose of its stamp
+  std::size_t sensor = 0;  ///< number of the sensor
+  bool is_range = false;   ///< else a bearing
+  Vector2d place{0, 0};    ///< of the landmark [m], world frame
+  Pose2 T_robot_sensor;    ///< at the stamp
+  double height = 0;       ///< [m] of the landmark above the sensor; 0 for horizontal ranges
+  double value = 0;        ///< [rad] or [m]
+  double std = 0;          ///< likewise, as declared
+};
+
+/// A pose of the way, first guess.
+struct WayPose
+{
+  double time = 0;  ///< [s]
+  Pose2 pose;
+  /// Of the increment of odometry since the pose before it, as declared; absent: not tied to it.
+  std::optional<Matrix3d> since_previous;
+};
+
+/// A recording with poses that are roughly known.
+struct RecordedWay
+{
+  std::vector<WayPose> poses;            ///< ordered by time
+  std::vector<WayReading> readings;      ///< ordered by pose
+  std::vector<OdometryRecord> odometry;  ///< empty: the poses drift by `since_previous` alone
+  std::size_t sensors = 0;
+};
+}  // namespace mrpt_ext
