@@ -92,6 +92,13 @@ KeyTable biasKeys()
   return table;
 }
 
+std::string biasMeanKey(BiasKind kind)
+{
+  for (const BiasName& bias : kNames)
+    if (bias.kind == kind) return meanKey(bias);
+  return {};
+}
+
 BiasModel biasModel(const Settings& settings)
 {
   BiasModel model;

@@ -4,6 +4,7 @@
 
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/pipeline/app_shell.h"
+#include "mrpt_ext/pipeline/examination.h"
 #include "mrpt_ext/pipeline/localization_keys.h"
 #include "mrpt_ext/pipeline/localization_run.h"
 
@@ -71,6 +72,11 @@ int LocalizationApp::run(const std::vector<std::string>& arguments)
       ->check(positiveNumber())
       ->needs(gui);
   cli.add_flag("--resume", request.resume, "Leave out the trials that the output folder holds already");
+  ExaminationRequest examination;
+  bool examine = false;
+  cli.add_flag("--examine", examine,
+               "Tell what the log says about its sensors and its odometry, and which lines of an .ini follow; no run");
+  cli.add_option("--calibrate", examination.calibrated, "Also write these lines into this configuration (.ini)");
   cli.add_flag("--dry-run", request.dry_run, "Load and check everything, run nothing");
 
   return shell.run(arguments,
@@ -99,6 +105,12 @@ int LocalizationApp::run(const std::vector<std::string>& arguments)
                      request.trial_folders = repeat > 0 || repetitions > 1;
                      if (!trials.empty()) parseTrials(trials, request);
                      if (with_duration->count() > 0) request.window.duration = duration;
+                     if (examine || !examination.calibrated.empty())
+                     {
+                       examination.window = request.window;
+                       examination.quiet = common.quiet;
+                       return runExamination(settings, examination, out_);
+                     }
                      request.output = common.output;
                      request.quiet = common.quiet;
                      request.verbose = common.verbose;

@@ -128,6 +128,7 @@ std::vector<KeySpec> odometryKeys()
       number(s, "std_phi_min_deg", "deg", "0", kNotNegative,
              "Standard deviation of the heading after one second, also at standstill."),
       number(s, "scale_error", "", "0", {-0.5, 0.5}, "Measured way / true way - 1."),
+      number(s, "turn_scale_error", "", "0", {-0.5, 0.5}, "Measured turn / true turn - 1."),
   };
 }
 

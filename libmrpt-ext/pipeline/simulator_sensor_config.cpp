@@ -66,6 +66,7 @@ SimulatedSensor readSimulatedSensor(const Settings& settings, const std::string&
   sensor.kind = kindFrom(settings.choice(section, "kind"));
   sensor.rate_hz = settings.number(section, "rate_hz");
   sensor.phase_s = settings.number(section, "phase_s");
+  sensor.delay_s = settings.number(section, "delay_s");
   const std::vector<double> pose = settings.numbers(section, "pose");
   if (pose.size() != 4) throw settings.errorAt(section, "pose", "expected 4 numbers, x y z yaw_deg");
   sensor.T_robot_sensor = {pose[0], pose[1], wrap(degToRad(pose[3]))};

@@ -31,6 +31,7 @@ std::vector<KeySpec> viewKeys()
        "What it measures. running_fix: the range of one landmark, and again after the robot has moved on."},
       number("rate_hz", "Hz", "5", {1e-3, 1000}, "Readings per second."),
       number("phase_s", "s", "0", kNotNegative, "Time of the first reading after the start."),
+      number("delay_s", "s", "0", {-10, 10}, "How old a reading is at its stamp: stamps are this much late."),
       {kSection,
        "pose",
        KeyType::numbers,

@@ -21,7 +21,7 @@ DeadReckoning::DeadReckoning(const RobotPath& path, const OdometryNoise& noise, 
     const double scale = 1 + noise.scale_error;
     const double dx = scale * moved.x + std.x() * random.gaussian();
     const double dy = scale * moved.y + std.y() * random.gaussian();
-    const double dphi = moved.phi + std.z() * random.gaussian();
+    const double dphi = (1 + noise.turn_scale_error) * moved.phi + std.z() * random.gaussian();
     reckoned = compose(reckoned, {dx, dy, dphi});
     records_.push_back({rounded(end), rounded(reckoned)});
   }

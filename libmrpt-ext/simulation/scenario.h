@@ -22,6 +22,7 @@ struct OdometryNoise
   double std_xy_min = 0;           ///< [m] after one second, also at standstill
   double std_phi_min_deg = 0;      ///< [deg] after one second, also at standstill
   double scale_error = 0;          ///< measured way / true way - 1
+  double turn_scale_error = 0;     ///< measured turn / true turn - 1
 };
 
 enum class SensorKind
@@ -47,6 +48,7 @@ struct SimulatedSensor
   SensorKind kind = SensorKind::bearings;
   double rate_hz = 5;
   double phase_s = 0;               ///< time of the first reading after the start
+  double delay_s = 0;               ///< stamps are this much later than what is measured
   Pose2 T_robot_sensor;             ///< yaw = direction of the forward axis
   double height = 0;                ///< [m] above the floor
   bool horizontal_range = false;    ///< ranges in the floor plane instead of slant ranges

@@ -98,21 +98,21 @@ class Simulation
       if (sensor.kind == SensorKind::compass)
       {
         CompassRecord record = simulateCompass(sensor, robot, random);
-        record.time = stamp(time);
+        record.time = stamp(time + sensor.delay_s);
         records.push_back(record);
       }
       else if (sensor.kind == SensorKind::running_fix)
       {
         auto fix = fixes.look(time, robot, featuresAt(time));
         if (!fix) continue;
-        fix->time = stamp(fix->time);
-        fix->first_time = stamp(fix->first_time);
+        fix->time = stamp(fix->time + sensor.delay_s);
+        fix->first_time = stamp(fix->first_time + sensor.delay_s);
         records.push_back(*fix);
       }
       else
       {
         Reading reading = simulateReading(sensor, robot, featuresAt(time), random);
-        reading.time = stamp(time);
+        reading.time = stamp(time + sensor.delay_s);
         records.push_back(reading);
       }
     }

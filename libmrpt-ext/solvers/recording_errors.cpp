@@ -59,6 +59,31 @@ double mostDeviation(const ErrorTerm& term, const RecordedWay& way)
   return 0;
 }
 
+/// True when the robot moves by more than odometry errs: else scales and delays would be fitted to its noise.
+bool moves(const RecordedWay& way, double way_scatter)
+{
+  constexpr double kStretch = 5, kLeast = 4;  // [s]; squared motion over its variance, per axis
+  const OdometryPath path(way.odometry, {});
+  Matrix3d noise = Matrix3d::Zero();
+  double sum = 0, axes = 0;
+  for (std::size_t k = 1, first = 0; k < way.poses.size(); ++k)
+  {
+    const bool tied = way.poses[k].since_previous.has_value(), last = k + 1 == way.poses.size();
+    if (tied) noise += *way.poses[k].since_previous;
+    if (tied && !last && way.poses[k].time - way.poses[first].time < kStretch) continue;
+    const Vector3d motion = path.between(way.poses[first].time, way.poses[tied ? k : k - 1].time).increment.vector();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (!(noise(axis, axis) > 0)) continue;
+      sum += square(motion[axis] / way_scatter) / noise(axis, axis);
+      ++axes;
+    }
+    noise.setZero();
+    first = k;
+  }
+  return sum > kLeast * axes;
+}
+
 /// Scatters and adjustment in turns, then the adjustment alone.
 bool settle(WayAdjuster& adjuster, int rounds)
 {
@@ -130,7 +155,16 @@ RecordingErrors estimateRecordingErrors(const RecordedWay& way, const std::vecto
   std::vector<std::size_t> numbers;
   for (std::size_t k = 0; k < terms.size(); ++k) numbers.push_back(k);
   std::optional<WayAdjuster> adjuster(std::in_place, way, left);
-  if (!settle(*adjuster, 2) || !tryDelays(*adjuster) || !settle(*adjuster, kRounds)) return result;
+  if (!settle(*adjuster, 2)) return result;
+  if (!moves(way, adjuster->wayScatter()))
+  {
+    std::erase_if(numbers,
+                  [&](std::size_t k) { return terms[k].kind == RecordingError::delay || isOfOdometry(terms[k].kind); });
+    left.clear();
+    for (const std::size_t k : numbers) left.push_back(terms[k]);
+    adjuster.emplace(way, left);
+  }
+  if (!tryDelays(*adjuster) || !settle(*adjuster, kRounds)) return result;
   for (;;)
   {
     const std::optional<Eigen::VectorXd> deviations = adjuster->deviations();

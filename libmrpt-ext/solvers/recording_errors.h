@@ -20,7 +20,7 @@ struct EstimatedError
   ErrorTerm term;
   bool told = false;  ///< false: the recording does not determine it; it was held at 0 for all others
   double value = 0;   ///< in the unit of its kind; 0 when not told
-  double std = 0;     ///< likewise; when not told, what a free one would have had
+  double std = 0;     ///< likewise; when not told, what a free one would have had, or 0
 };
 
 struct RecordingErrors
@@ -44,7 +44,8 @@ struct RecordingErrors
 /// the parts of the recording show by disagreeing with each other (sandwich over up to thirty blocks of time: errors
 /// that last are counted as what they are). An error whose deviation exceeds what makes it of use (delay 0.1 s, bearing
 /// 3 deg, range a twentieth of the typical range, range scale 0.05, odometry scales 0.1, veer 0.05 rad/m) is not told;
-/// the worst one is held at 0 and the others are estimated again.
+/// the worst one is held at 0 and the others are estimated again. A robot that does not move by more than odometry errs
+/// tells no delays and no errors of odometry.
 /// Status: `too_few` below 20 readings or 3 per error, `degenerate` when poses stay undetermined, `bad_input`.
 [[nodiscard]] RecordingErrors estimateRecordingErrors(const RecordedWay& way, const std::vector<ErrorTerm>& terms);
 }  // namespace mrpt_ext
