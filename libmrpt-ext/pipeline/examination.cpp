@@ -94,6 +94,8 @@ int runExamination(Settings settings, const ExaminationRequest& request, std::os
   else
   {
     for (const std::string& line : findingsTable(findings)) out << line << '\n';
+    if (!examined.way.odometry.empty())
+      out << "odometry errs " << fixedText(errors.way_scatter, 1) << " times as much as [MotionModel] declares\n";
     for (const std::string& line : landmarkLines(errors, examined, input.context.map)) out << line << '\n';
   }
   if (request.calibrated.empty() || lines.empty()) return kExitDone;

@@ -36,8 +36,9 @@ struct RecordingErrors
 
 /// Systematic errors of a recording from the recording and the map alone: all poses and all errors are adjusted
 /// together, readings against predictions, the way between poses against odometry (Gauss-Newton, PoseChain). Outliers
-/// do not count (Geman-McClure loss, readings and slips of odometry alike); scatters of readings (median) and odometry
-/// (its redundancy) are estimated beside it, so that declared deviations need only be right to a factor of ten.
+/// do not count (Geman-McClure loss of four deviations for readings; of odometry only what is beyond twenty). Scatters of
+/// readings (median) and of odometry (its redundancy) are estimated beside it, so that declared deviations of odometry
+/// need only be right to a factor of ten; readings are never believed more than declared.
 /// Delays are also tried from starts of up to 1 s either way.
 ///
 /// Standard deviations are the larger of two: those of the normal equations with the scatters found, and those that

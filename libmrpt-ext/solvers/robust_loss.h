@@ -10,9 +10,9 @@ namespace robust
 {
 inline constexpr double kScale2 = 16;  // c^2: four standard deviations
 
-[[nodiscard]] inline double loss(double e2) { return e2 / (1 + e2 / kScale2); }
+[[nodiscard]] inline double loss(double e2, double scale2 = kScale2) { return e2 / (1 + e2 / scale2); }
 /// Weight in the normal equations: d loss / d e2.
-[[nodiscard]] inline double weight(double e2) { return 1 / square(1 + e2 / kScale2); }
+[[nodiscard]] inline double weight(double e2, double scale2 = kScale2) { return 1 / square(1 + e2 / scale2); }
 /// Second derivative of half the loss: what a residual really adds to the information.
 [[nodiscard]] inline double curvature(double e2)
 {

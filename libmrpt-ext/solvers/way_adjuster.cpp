@@ -13,6 +13,9 @@ constexpr double kSettled = 1e-3;          // step over its deviation
 constexpr double kLoosePose = 1e-6;        // [1/m^2], [1/rad^2] keeps poses that nothing holds
 constexpr double kLeastRedundancy = 0.05;  // of a residual, below it tells nothing of its scatter
 constexpr double kLeastScatter = 0.1, kMostScatter = 30;
+// Slips belong to odometry: scales are to be right on the whole, not for the pieces that go well. Only a robot that was
+// carried away does not count.
+constexpr double kSlip2 = 400;  // squared deviations
 constexpr int kMostBlocks = 30, kLeastBlocks = 8;
 
 /// Wide beliefs, so that an error that nothing tells stays a number.
@@ -56,6 +59,10 @@ double WayAdjuster::scatterOf(const WayReading& r) const
   return r.is_range ? scatters_[r.sensor].range : scatters_[r.sensor].bearing;
 }
 
+/// Never below what is declared: neighbouring readings that share their errors scatter less than they err, and poses
+/// that followed them would make odometry look wrong.
+double WayAdjuster::believedScatterOf(const WayReading& r) const { return std::max(1.0, scatterOf(r)); }
+
 void WayAdjuster::restart(const WayAdjuster& start, const Eigen::VectorXd& errors)
 {
   poses_ = start.poses_;
@@ -70,7 +77,8 @@ PoseChain WayAdjuster::linearised() const
   for (const WayReading& r : way_.readings)
   {
     const WayReadingRow row = model_.reading(r, poses_[r.pose]);
-    const double scatter = scatterOf(r), weight = robust::weight(square(row.residual / scatter)) / square(scatter);
+    const double scatter = believedScatterOf(r),
+                 weight = robust::weight(square(row.residual / scatter)) / square(scatter);
     chain.addReading(r.pose, row.residual, row.own, row.shared, weight);
   }
   for (std::size_t k = 0; k < poses_.size(); ++k)
@@ -79,7 +87,7 @@ PoseChain WayAdjuster::linearised() const
       chain.addReading(k, 0, JacobianRow::Unit(axis), Eigen::RowVectorXd::Zero(model_.errors().size()), kLoosePose);
     if (k == 0 || !way_.poses[k].since_previous) continue;
     const WayLinkRow row = model_.link(k, poses_[k - 1], poses_[k]);
-    const double weight = robust::weight((linkScale() * row.residual).squaredNorm()) * square(linkScale());
+    const double weight = robust::weight((linkScale() * row.residual).squaredNorm(), kSlip2) * square(linkScale());
     chain.addLink(k - 1, row.residual, row.own, row.next, row.shared, weight);
   }
   for (std::size_t k = 0; k < model_.terms().size(); ++k)
@@ -94,10 +102,10 @@ double WayAdjuster::cost() const
 {
   double cost = 0;
   for (const WayReading& r : way_.readings)
-    cost += robust::loss(square(model_.reading(r, poses_[r.pose]).residual / scatterOf(r)));
+    cost += robust::loss(square(model_.reading(r, poses_[r.pose]).residual / believedScatterOf(r)));
   for (std::size_t k = 1; k < poses_.size(); ++k)
     if (way_.poses[k].since_previous)
-      cost += robust::loss((linkScale() * model_.linkResidual(k, poses_[k - 1], poses_[k])).squaredNorm());
+      cost += robust::loss((linkScale() * model_.linkResidual(k, poses_[k - 1], poses_[k])).squaredNorm(), kSlip2);
   for (std::size_t k = 0; k < model_.terms().size(); ++k)
     cost += square(model_.errors()[static_cast<Eigen::Index>(k)] / priorStd(model_.terms()[k].kind));
   return cost;
@@ -142,8 +150,8 @@ bool WayAdjuster::estimateScatters()
   for (const WayReading& r : way_.readings)
   {
     const WayReadingRow row = model_.reading(r, poses_[r.pose]);
-    const double weight = robust::weight(square(row.residual / scatterOf(r)));
-    const double explained = row.own.dot(row.own * solution->covariance[r.pose]) / square(scatterOf(r));
+    const double weight = robust::weight(square(row.residual / believedScatterOf(r)));
+    const double explained = row.own.dot(row.own * solution->covariance[r.pose]) / square(believedScatterOf(r));
     const double redundancy = std::max(1 - weight * explained, kLeastRedundancy);
     (r.is_range ? ranges : bearings)[r.sensor].push_back(std::abs(row.residual) / std::sqrt(redundancy));
   }
@@ -154,7 +162,7 @@ bool WayAdjuster::estimateScatters()
   {
     if (!way_.poses[k].since_previous) continue;
     const WayLinkRow row = model_.link(k, poses_[k - 1], poses_[k]);
-    const double weight = robust::weight((linkScale() * row.residual).squaredNorm());
+    const double weight = robust::weight((linkScale() * row.residual).squaredNorm(), kSlip2);
     const Matrix3d cross = row.own * solution->with_successor[k - 1] * row.next.transpose();
     const Matrix3d explained = row.own * solution->covariance[k - 1] * row.own.transpose() +
                                row.next * solution->covariance[k] * row.next.transpose() + cross + cross.transpose();
@@ -193,7 +201,7 @@ Eigen::MatrixXd WayAdjuster::scoresByBlock(const ChainSolution& solution, double
   for (const WayReading& r : way_.readings)
   {
     const WayReadingRow row = model_.reading(r, poses_[r.pose]);
-    const double scatter = scatterOf(r), e2 = square(row.residual / scatter);
+    const double scatter = believedScatterOf(r), e2 = square(row.residual / scatter);
     const Eigen::RowVectorXd reduced = row.shared - row.own * pullOf(r.pose);
     scores.row(blockOf(r.pose)) += robust::weight(e2) * row.residual / square(scatter) * reduced;
     weights += robust::weight(e2);
@@ -203,7 +211,7 @@ Eigen::MatrixXd WayAdjuster::scoresByBlock(const ChainSolution& solution, double
   {
     if (!way_.poses[k].since_previous) continue;
     const WayLinkRow row = model_.link(k, poses_[k - 1], poses_[k]);
-    const double weight = robust::weight((linkScale() * row.residual).squaredNorm()) * square(linkScale());
+    const double weight = robust::weight((linkScale() * row.residual).squaredNorm(), kSlip2) * square(linkScale());
     const Eigen::MatrixXd reduced = row.shared - row.own * pullOf(k - 1) - row.next * pullOf(k);
     scores.row(blockOf(k)) += weight * row.residual.transpose() * reduced;
   }

@@ -35,6 +35,7 @@ class WayAdjuster
 
  private:
   [[nodiscard]] double scatterOf(const WayReading& reading) const;
+  [[nodiscard]] double believedScatterOf(const WayReading& reading) const;
   [[nodiscard]] double linkScale() const { return 1 / way_scatter_; }
   [[nodiscard]] PoseChain linearised() const;
   void move(const ChainSolution& solution, double share, const std::vector<Pose2>& from, const Eigen::VectorXd& errors);
