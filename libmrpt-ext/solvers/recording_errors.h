@@ -36,10 +36,10 @@ struct RecordingErrors
 
 /// Systematic errors of a recording from the recording and the map alone: all poses and all errors are adjusted
 /// together, readings against predictions, the way between poses against odometry (Gauss-Newton, PoseChain). Outliers
-/// do not count (Geman-McClure loss of four deviations for readings; of odometry only what is beyond twenty). Scatters of
-/// readings (median) and of odometry (its redundancy) are estimated beside it, so that declared deviations of odometry
-/// need only be right to a factor of ten; readings are never believed more than declared.
-/// Delays are also tried from starts of up to 1 s either way.
+/// do not count (Geman-McClure loss of four deviations for readings; of odometry only what is beyond twenty). Scatters
+/// of readings (median) and of odometry (its redundancy) are estimated beside it, so that declared deviations of
+/// odometry need only be right to a factor of ten; readings are never believed more than declared. Delays are also
+/// tried from starts of up to 1 s either way.
 ///
 /// Standard deviations are the larger of two: those of the normal equations with the scatters found, and those that
 /// the parts of the recording show by disagreeing with each other (sandwich over up to thirty blocks of time: errors
