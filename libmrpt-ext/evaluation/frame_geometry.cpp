@@ -67,20 +67,16 @@ double angularSpread(std::vector<double> directions)
   return kTwoPi - widest_gap;
 }
 
-std::vector<FrameGeometry> frameGeometry(const std::vector<Frame>& frames, const LandmarkTable& map,
-                                         const Trajectory& truth, double max_gap)
+std::optional<FrameGeometry> frameGeometry(const Frame& frame, const LandmarkTable& map, const Trajectory& truth,
+                                           double max_gap)
 {
-  std::vector<FrameGeometry> all;
-  for (const Frame& frame : frames)
-  {
-    Surroundings seen(map, interpolate(truth, frame.time, max_gap));
-    for (const Reading& reading : frame.readings)
-      for (const Detection& detection : reading.detections)
-        seen.add(reading.T_robot_sensor, detection.id, detection.bearing, detection.range);
-    for (const RunningFixReading& fix : frame.fixes)
-      seen.add(fix.T_robot_sensor, fix.id, fix.second_bearing, fix.second_range);
-    if (const FrameGeometry geometry = seen.at(frame.time); geometry.landmarks > 0) all.push_back(geometry);
-  }
-  return all;
+  Surroundings seen(map, interpolate(truth, frame.time, max_gap));
+  for (const Reading& reading : frame.readings)
+    for (const Detection& detection : reading.detections)
+      seen.add(reading.T_robot_sensor, detection.id, detection.bearing, detection.range);
+  for (const RunningFixReading& fix : frame.fixes)
+    seen.add(fix.T_robot_sensor, fix.id, fix.second_bearing, fix.second_range);
+  const FrameGeometry geometry = seen.at(frame.time);
+  return geometry.landmarks > 0 ? std::optional(geometry) : std::nullopt;
 }
 }  // namespace mrpt_ext

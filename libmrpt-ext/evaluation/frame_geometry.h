@@ -16,13 +16,19 @@ struct FrameGeometry
   std::size_t landmarks = 0;     ///< detections, those of one landmark by several sensors counted once
   std::optional<double> spread;  ///< [rad] smallest angle that holds all directions; absent below two of them
   std::optional<double> range;   ///< [m] median distance to what is seen
+
+  template <class Self, class Archive>
+  static void archive(Self& g, Archive& fields)
+  {
+    fields(g.time, g.landmarks, g.spread, g.range);
+  }
 };
 
-/// Of every frame with a detection. A direction is the measured bearing, a distance the measured range; what was not
-/// measured is taken from the map for detections with an id, where the true pose is known: the geometry explains errors
-/// afterwards, no method sees it. `max_gap` [s]: of the truth, see interpolate().
-[[nodiscard]] std::vector<FrameGeometry> frameGeometry(const std::vector<Frame>& frames, const LandmarkTable& map,
-                                                       const Trajectory& truth, double max_gap);
+/// Nothing for a frame without a detection. A direction is the measured bearing, a distance the measured range; what
+/// was not measured is taken from the map for detections with an id, where the true pose is known: the geometry
+/// explains errors afterwards, no method sees it. `max_gap` [s]: of the truth, see interpolate().
+[[nodiscard]] std::optional<FrameGeometry> frameGeometry(const Frame& frame, const LandmarkTable& map,
+                                                         const Trajectory& truth, double max_gap);
 
 /// Smallest angle [rad] in which all `directions` lie; 0 for fewer than two.
 [[nodiscard]] double angularSpread(std::vector<double> directions);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <set>
 
 #include "mrpt_ext/geometry/angle.h"
 
@@ -14,7 +13,7 @@ namespace
 constexpr double kOldest = 1.0;  // [s] of the frame that an error is explained by
 constexpr int kRangeClasses = 6;
 
-using Geometries = std::vector<FrameGeometry>;
+using Geometries = LongSequence<FrameGeometry>;
 /// Class of a frame, by its position in a list of classes; nothing when the quantity does not exist.
 using Classify = std::function<std::optional<std::size_t>(const FrameGeometry&)>;
 
@@ -71,14 +70,39 @@ Quantity distanceOfLandmarks(const Geometries& frames)
   return quantity;
 }
 
-const FrameGeometry* frameOf(const Geometries& frames, double time)
+/// Finds the frame that each of ascending times belongs to.
+class FrameFinder
 {
-  constexpr double kSameTime = 1e-6;
-  const auto after = std::upper_bound(frames.begin(), frames.end(), time + kSameTime,
-                                      [](double wanted, const FrameGeometry& frame) { return wanted < frame.time; });
-  if (after == frames.begin() || (after - 1)->time < time - kOldest) return nullptr;
-  return &*(after - 1);
-}
+ public:
+  explicit FrameFinder(const Geometries& frames) : next_(frames.begin()), end_(frames.end()) {}
+
+  std::optional<FrameGeometry> at(double time)
+  {
+    constexpr double kSameTime = 1e-6;
+    for (; next_ != end_ && next_->time <= time + kSameTime; ++next_) last_ = *next_;
+    return last_ && last_->time >= time - kOldest ? last_ : std::nullopt;
+  }
+
+ private:
+  Geometries::const_iterator next_, end_;
+  std::optional<FrameGeometry> last_;
+};
+
+/// Tells of ascending times whether the track has an estimate of exactly that time.
+class AnswerFinder
+{
+ public:
+  explicit AnswerFinder(const MethodTrack& track) : next_(track.points.begin()), end_(track.points.end()) {}
+
+  bool hasAnswerAt(double time)
+  {
+    while (next_ != end_ && next_->time < time) ++next_;
+    return next_ != end_ && next_->time == time;
+  }
+
+ private:
+  LongSequence<TrackPoint>::const_iterator next_, end_;
+};
 
 double countedFrom(const RunContext& context, const RunScore& score)
 {
@@ -91,16 +115,16 @@ void addMethod(GeometryErrors& table, const Quantity& quantity, const Geometries
 {
   std::vector<std::vector<double>> errors(table.classes.size());
   std::vector<std::size_t> answered(table.classes.size(), 0);
+  FrameFinder explaining(frames);
   for (const ErrorSample& error : method.errors)
   {
     if (error.stamp < from) continue;
-    const FrameGeometry* frame = frameOf(frames, error.time);
+    const auto frame = explaining.at(error.time);
     if (const auto c = frame ? quantity.classify(*frame) : std::nullopt) errors[*c].push_back(error.position_m);
   }
-  std::set<double> answer_times;
-  for (const TrackPoint& point : track.points) answer_times.insert(point.time);
+  AnswerFinder answers(track);
   for (const FrameGeometry& frame : frames)
-    if (const auto c = quantity.classify(frame); c && frame.time >= from && answer_times.contains(frame.time))
+    if (const auto c = quantity.classify(frame); c && frame.time >= from && answers.hasAnswerAt(frame.time))
       ++answered[*c];
   for (std::size_t c = 0; c < table.classes.size(); ++c)
   {

@@ -6,12 +6,16 @@ namespace mrpt_ext
 {
 namespace
 {
-Trajectory trajectoryOf(const MethodTrack& track)
+/// The poses up to the first at or after `end` [s].
+Trajectory beginningOf(const MethodTrack& track, double end)
 {
-  Trajectory trajectory;
-  trajectory.reserve(track.points.size());
-  for (const TrackPoint& point : track.points) trajectory.push_back({point.time, point.pose.mean, true});
-  return trajectory;
+  Trajectory beginning;
+  for (const TrackPoint& point : track.points)
+  {
+    beginning.push_back({point.time, point.pose.mean, true});
+    if (point.time >= end) break;
+  }
+  return beginning;
 }
 
 void turnCovariance(Matrix3d& covariance, double angle)
@@ -30,13 +34,16 @@ bool anchorToTruth(MethodTrack& odometry, const Trajectory& truth)
   {
     if (!anchor.heading_known || anchor.time < begin || anchor.time > end) continue;
     const Pose2 first = odometry.points.front().pose.mean;
-    const Pose2 then = compose(first, motionBetween(trajectoryOf(odometry), begin, anchor.time));
+    const Pose2 then = compose(first, motionBetween(beginningOf(odometry, anchor.time), begin, anchor.time));
     const Pose2 T_map_own = compose(anchor.pose, inverse(then));
-    for (TrackPoint& point : odometry.points)
+    LongSequence<TrackPoint> anchored;
+    for (TrackPoint point : odometry.points)
     {
       point.pose.mean = compose(T_map_own, point.pose.mean);
       turnCovariance(point.pose.covariance, T_map_own.phi);
+      anchored.push_back(point);
     }
+    odometry.points = std::move(anchored);
     return true;
   }
   return false;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mrpt_ext/evaluation/frame_geometry.h"
+#include "mrpt_ext/files/long_sequence.h"
 #include "mrpt_ext/geometry/gaussian_pose.h"
 #include "mrpt_ext/geometry/landmark_table.h"
 #include "mrpt_ext/geometry/trajectory.h"
@@ -24,6 +25,13 @@ struct TrackPoint
   double best_weight = 1;                   ///< weight of the reported mode
   std::optional<double> effective_samples;  ///< share in [0, 1], filters only
   Verdict verdict = Verdict::ok;
+
+  template <class Self, class Archive>
+  static void archive(Self& p, Archive& fields)
+  {
+    fields(p.time, p.pose.mean, p.pose.covariance, p.heading_known, p.modes, p.best_weight, p.effective_samples,
+           p.verdict);
+  }
 };
 
 /// Everything one method said during one trial.
@@ -32,7 +40,7 @@ struct MethodTrack
   std::string name;         ///< key in summary.json, file name part of trajectory_<name>.tum
   bool continuous = false;  ///< lives between frames by odometry (odometry, EKF, filter); closed forms do not
   bool oracle = false;      ///< its choice among candidates used the truth
-  std::vector<TrackPoint> points;
+  LongSequence<TrackPoint> points;
   std::size_t frames_offered = 0;    ///< frames with any detection
   std::size_t frames_answered = 0;   ///< ... that it gave an estimate for
   std::size_t frames_ambiguous = 0;  ///< ... with candidates it could not rank: no row
@@ -47,6 +55,12 @@ struct HypothesisRow
   Pose2 pose;
   double weight = 0;
   std::string source;
+
+  template <class Self, class Archive>
+  static void archive(Self& row, Archive& fields)
+  {
+    fields(row.time, row.rank, row.pose, row.weight, row.source);
+  }
 };
 
 /// A mode of the filter's posterior.
@@ -72,6 +86,12 @@ struct BiasRow
   double time = 0;
   std::string name;  ///< "stereo.range_scale", "bearing_offset_deg"
   double mean = 0, std = 0;
+
+  template <class Self, class Archive>
+  static void archive(Self& row, Archive& fields)
+  {
+    fields(row.time, row.name, row.mean, row.std);
+  }
 };
 
 /// How a landmark behaved under the filter's posterior.
@@ -92,6 +112,12 @@ struct ObjectRow
   Vector2d position{0, 0};  ///< [m] map frame
   Matrix2d covariance = Matrix2d::Zero();
   Vector2d position_robot{0, 0};  ///< [m] robot frame
+
+  template <class Self, class Archive>
+  static void archive(Self& row, Archive& fields)
+  {
+    fields(row.time, row.label, row.position, row.covariance, row.position_robot);
+  }
 };
 
 /// A detection as it is drawn: seen from a sensor that sits at `T_robot_sensor`.
@@ -119,18 +145,17 @@ struct ObservationCount
   std::size_t total = 0, used = 0, ignored = 0;
 };
 
-/// What one trial leaves behind before it is judged.
+/// What one trial leaves behind before it is judged. What grows with the log is in sequences that go to disk.
 struct RunRecord
 {
   int trial = 0;
   std::uint64_t seed = 0;
   std::vector<MethodTrack> methods;
-  Trajectory odometry;  ///< dead-reckoned, own frame: carries continuous methods to the scoring stamps
-  std::vector<HypothesisRow> hypotheses;
+  LongSequence<HypothesisRow> hypotheses;
   FilterRecord filter;
-  std::vector<BiasRow> biases;                      ///< ordered by time
+  LongSequence<BiasRow> biases;                     ///< ordered by time
   std::map<std::string, LandmarkRecord> landmarks;  ///< by id as text
-  std::vector<ObjectRow> objects;
+  LongSequence<ObjectRow> objects;
   std::vector<PlaybackStep> playback;  ///< of some frames, evenly spread; may be empty
   Verdict verdict = Verdict::lost;
   std::string verdict_reason;
@@ -159,7 +184,8 @@ struct RunContext
   LandmarkTable map;
   Trajectory truth;  ///< empty: nothing to judge against
   bool truth_is_sparse = false;
-  std::vector<FrameGeometry> geometry;  ///< of every frame with a detection, ordered by time
+  Trajectory odometry;                   ///< dead-reckoned, own frame: carries continuous methods to the scoring stamps
+  LongSequence<FrameGeometry> geometry;  ///< of every frame with a detection, ordered by time
   bool objects_wanted = false;  ///< the configuration names `objects`: objects.csv is written even when none was seen
 };
 }  // namespace mrpt_ext

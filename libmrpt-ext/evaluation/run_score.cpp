@@ -44,12 +44,12 @@ MethodScore describe(const MethodTrack& track)
 }
 
 /// Errors of a method over the whole run; none for dead reckoning that cannot be placed in the map.
-std::vector<ErrorSample> errorsOfMethod(const MethodTrack& track, const RunContext& context, const Trajectory& odometry)
+std::vector<ErrorSample> errorsOfMethod(const MethodTrack& track, const RunContext& context)
 {
-  if (track.name != kOdometryMethod) return errorsOf(judge(track, context, odometry));
+  if (track.name != kOdometryMethod) return errorsOf(judge(track, context));
   MethodTrack anchored = track;
   if (!anchorToTruth(anchored, context.truth)) return {};
-  return errorsOf(judge(anchored, context, odometry));
+  return errorsOf(judge(anchored, context));
 }
 
 FilterScore describe(const FilterRecord& filter)
@@ -67,18 +67,17 @@ FilterScore describe(const FilterRecord& filter)
   return score;
 }
 
-std::map<std::string, BiasScore> atTheEnd(const std::vector<BiasRow>& rows)
+std::map<std::string, BiasScore> atTheEnd(const LongSequence<BiasRow>& rows)
 {
   std::map<std::string, BiasScore> scores;
   for (const BiasRow& row : rows) scores[row.name] = {row.mean, row.std};
   return scores;
 }
 
-void addConsistency(FilterScore& score, const MethodTrack& track, const RunContext& context, const Trajectory& odometry,
-                    std::optional<double> from)
+void addConsistency(FilterScore& score, const MethodTrack& track, const RunContext& context, std::optional<double> from)
 {
   // Judged where the estimate was made: dead reckoning would add an error that the covariance does not know.
-  std::vector<JudgedEstimate> judged = judgeAtOwnTimes(track, context, odometry);
+  std::vector<JudgedEstimate> judged = judgeAtOwnTimes(track, context);
   score.nees = neesOf(judged);
   if (!from) return;
   std::erase_if(judged, [&](const JudgedEstimate& entry) { return entry.stamp < *from; });
@@ -125,7 +124,7 @@ void judgeMethods(RunScore& score, const RunContext& context, const RunRecord& r
   for (const MethodTrack& track : record.methods)
   {
     MethodScore method = describe(track);
-    method.errors = errorsOfMethod(track, context, record.odometry);
+    method.errors = errorsOfMethod(track, context);
     if (&track == judged && something_to_judge)
     {
       count_from = convergenceStamp(method.errors, limits);
@@ -149,7 +148,7 @@ void judgeMethods(RunScore& score, const RunContext& context, const RunRecord& r
     if (judged && method.name == judged->name) trial.rmse = method.position_error_m.rmse;
   }
   if (judged && count_from) score.comparisons = compareMethods(score, *count_from);
-  if (judged) addConsistency(score.filter, *judged, context, record.odometry, count_from);
+  if (judged) addConsistency(score.filter, *judged, context, count_from);
 }
 }  // namespace
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 #include "mrpt_ext/evaluation/dead_reckoning.h"
 
@@ -9,48 +10,64 @@ namespace mrpt_ext
 {
 namespace
 {
-using Points = std::vector<TrackPoint>;
-
-/// First estimate after `time`.
-Points::const_iterator firstAfter(const Points& points, double time)
+/// Goes through the estimates of a track as the stamps ascend.
+class EstimateWindow
 {
-  return std::upper_bound(points.begin(), points.end(), time,
-                          [](double wanted, const TrackPoint& point) { return wanted < point.time; });
-}
+ public:
+  explicit EstimateWindow(const MethodTrack& track) : next_(track.points.begin()), end_(track.points.end()) {}
+
+  /// The estimates from `from` to `to` [s], and the last one before them; neither may go back from call to call.
+  const std::deque<TrackPoint>& moveTo(double from, double to)
+  {
+    for (; next_ != end_ && next_->time <= to; ++next_)
+    {
+      dropBefore(from);
+      window_.push_back(*next_);
+    }
+    dropBefore(from);
+    return window_;
+  }
+
+ private:
+  void dropBefore(double from)
+  {
+    while (window_.size() > 1 && window_[1].time < from) window_.pop_front();
+  }
+
+  LongSequence<TrackPoint>::const_iterator next_, end_;
+  std::deque<TrackPoint> window_;
+};
 
 std::optional<TimedPose> truthAt(const RunContext& context, double time)
 {
   return interpolate(context.truth, time, context.truth_is_sparse ? 0.0 : kMaxTruthGap);
 }
 
-const TrackPoint* nearestEstimate(const Points& points, double stamp)
+const TrackPoint* nearestEstimate(EstimateWindow& estimates, double stamp)
 {
+  const double from = stamp - kSparseTruthWindow;
   const TrackPoint* nearest = nullptr;
-  for (auto point = firstAfter(points, std::nextafter(stamp - kSparseTruthWindow, -HUGE_VAL)); point != points.end();
-       ++point)
-  {
-    if (point->time > stamp + kSparseTruthWindow) break;
-    if (!nearest || std::abs(point->time - stamp) <= std::abs(nearest->time - stamp)) nearest = &*point;
-  }
+  for (const TrackPoint& point : estimates.moveTo(from, stamp + kSparseTruthWindow))
+    if (point.time >= from && (!nearest || std::abs(point.time - stamp) <= std::abs(nearest->time - stamp)))
+      nearest = &point;
   return nearest;
 }
 
-std::optional<JudgedEstimate> judgeNearSparseStamp(const Points& points, const RunContext& context,
-                                                   const Trajectory& odometry, double stamp)
+std::optional<JudgedEstimate> judgeNearSparseStamp(EstimateWindow& estimates, const RunContext& context, double stamp)
 {
-  const TrackPoint* nearest = nearestEstimate(points, stamp);
+  const TrackPoint* nearest = nearestEstimate(estimates, stamp);
   const auto truth = truthAt(context, stamp);
   if (!nearest || !truth) return std::nullopt;
-  return JudgedEstimate{stamp, carry(*nearest, odometry, stamp), *truth};
+  return JudgedEstimate{stamp, carry(*nearest, context.odometry, stamp), *truth};
 }
 
-std::optional<JudgedEstimate> judgeLastOfSecond(const Points& points, const RunContext& context, double stamp)
+std::optional<JudgedEstimate> judgeLastOfSecond(EstimateWindow& estimates, const RunContext& context, double stamp)
 {
-  const auto after = firstAfter(points, stamp);
-  if (after == points.begin() || (after - 1)->time <= stamp - 1.0) return std::nullopt;
-  const auto truth = truthAt(context, (after - 1)->time);
+  const auto& window = estimates.moveTo(stamp, stamp);
+  if (window.empty() || window.back().time <= stamp - 1.0) return std::nullopt;
+  const auto truth = truthAt(context, window.back().time);
   if (!truth) return std::nullopt;
-  return JudgedEstimate{stamp, *(after - 1), *truth};
+  return JudgedEstimate{stamp, window.back(), *truth};
 }
 }  // namespace
 
@@ -69,27 +86,25 @@ std::vector<double> scoringStamps(const RunContext& context)
   return stamps;
 }
 
-std::vector<JudgedEstimate> judge(const MethodTrack& track, const RunContext& context, const Trajectory& odometry)
+std::vector<JudgedEstimate> judge(const MethodTrack& track, const RunContext& context)
 {
-  if (!track.continuous) return judgeAtOwnTimes(track, context, odometry);
+  if (!track.continuous) return judgeAtOwnTimes(track, context);
   std::vector<JudgedEstimate> judged;
+  EstimateWindow estimates(track);
   for (const double stamp : scoringStamps(context))
-  {
-    const auto after = firstAfter(track.points, stamp);
-    if (after == track.points.begin()) continue;
-    judged.push_back({stamp, carry(*(after - 1), odometry, stamp), *truthAt(context, stamp)});
-  }
+    if (const auto& window = estimates.moveTo(stamp, stamp); !window.empty())
+      judged.push_back({stamp, carry(window.back(), context.odometry, stamp), *truthAt(context, stamp)});
   return judged;
 }
 
-std::vector<JudgedEstimate> judgeAtOwnTimes(const MethodTrack& track, const RunContext& context,
-                                            const Trajectory& odometry)
+std::vector<JudgedEstimate> judgeAtOwnTimes(const MethodTrack& track, const RunContext& context)
 {
   std::vector<JudgedEstimate> judged;
+  EstimateWindow estimates(track);
   for (const double stamp : scoringStamps(context))
   {
-    const auto entry = context.truth_is_sparse ? judgeNearSparseStamp(track.points, context, odometry, stamp)
-                                               : judgeLastOfSecond(track.points, context, stamp);
+    const auto entry = context.truth_is_sparse ? judgeNearSparseStamp(estimates, context, stamp)
+                                               : judgeLastOfSecond(estimates, context, stamp);
     if (entry) judged.push_back(*entry);
   }
   return judged;

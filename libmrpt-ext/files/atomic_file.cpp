@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <utility>
 
 #include "mrpt_ext/geometry/input_error.h"
 
@@ -18,34 +19,62 @@ InputError cannotWrite(const std::filesystem::path& path, const std::string& rea
   return dataError(path.string() + ": cannot be written (" + reason + ")");
 }
 
-// Returns an errno value, 0 when every byte reached the file.
-int writeAll(const std::filesystem::path& path, std::string_view content)
+}  // namespace
+
+AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path))
+{
+  std::error_code error;
+  if (path_.has_parent_path()) std::filesystem::create_directories(path_.parent_path(), error);
+  if (error) throw cannotWrite(path_, error.message());
+  temporary_ = temporaryNameFor(path_);
+  errno = 0;
+  file_ = std::fopen(temporary_.c_str(), "wb");
+  if (!file_) fail(errno);
+}
+
+AtomicFile::~AtomicFile()
+{
+  if (!file_) return;
+  std::fclose(file_);
+  std::error_code ignored;
+  std::filesystem::remove(temporary_, ignored);
+}
+
+void AtomicFile::write(std::string_view text)
 {
   errno = 0;
-  std::FILE* file = std::fopen(path.c_str(), "wb");
-  if (!file) return errno;
-  const bool written = std::fwrite(content.data(), 1, content.size(), file) == content.size();
-  const int write_error = errno;
-  // A full disk often shows only when the buffer is flushed on closing.
-  const bool closed = std::fclose(file) == 0;
-  if (written && closed) return 0;
-  const int error = written ? errno : write_error;
-  return error != 0 ? error : EIO;
+  if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) fail(errno);
 }
-}  // namespace
+
+void AtomicFile::commit()
+{
+  // A full disk often shows only when the buffer is flushed.
+  errno = 0;
+  if (std::fflush(file_) != 0) fail(errno);
+  if (std::fclose(std::exchange(file_, nullptr)) != 0)
+  {
+    const int reason = errno;
+    std::error_code ignored;
+    std::filesystem::remove(temporary_, ignored);
+    fail(reason);
+  }
+  renameIntoPlace(temporary_, path_);
+}
+
+void AtomicFile::fail(int error) const { throw cannotWrite(path_, std::strerror(error != 0 ? error : EIO)); }
+
+void writeFileAtomically(const std::filesystem::path& path, const std::function<void(const TextSink&)>& content)
+{
+  AtomicFile file(path);
+  content([&file](std::string_view text) { file.write(text); });
+  file.commit();
+}
 
 void writeFileAtomically(const std::filesystem::path& path, std::string_view content)
 {
-  std::error_code error;
-  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
-  if (error) throw cannotWrite(path, error.message());
-  const std::filesystem::path temporary = temporaryNameFor(path);
-  if (const int failure = writeAll(temporary, content))
-  {
-    std::filesystem::remove(temporary, error);
-    throw cannotWrite(path, std::strerror(failure));
-  }
-  renameIntoPlace(temporary, path);
+  AtomicFile file(path);
+  file.write(content);
+  file.commit();
 }
 
 std::filesystem::path temporaryNameFor(const std::filesystem::path& path)

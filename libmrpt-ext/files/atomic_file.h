@@ -1,13 +1,39 @@
 #pragma once
 
+#include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <string_view>
 
 namespace mrpt_ext
 {
-/// Writes a file so that readers see either the old content or all of the new: under a temporary name in the same
-/// folder, then renamed. Missing parent folders are created. Throws InputError (data) when the place is not writable
-/// or the disk is full; no temporary file is left behind then.
+/// Takes a text piece by piece.
+using TextSink = std::function<void(std::string_view)>;
+
+/// A file that readers see either with its old content or with all of the new: written under a temporary name in the
+/// same folder, then renamed. Missing parent folders are created. Throws InputError (data) when the place is not
+/// writable or the disk is full; no temporary file is left behind then.
+class AtomicFile
+{
+ public:
+  explicit AtomicFile(std::filesystem::path path);
+  ~AtomicFile();  ///< what was not committed is gone
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  void write(std::string_view text);
+  /// The new content is complete.
+  void commit();
+
+ private:
+  [[noreturn]] void fail(int error) const;
+
+  std::filesystem::path path_, temporary_;
+  std::FILE* file_ = nullptr;
+};
+
+/// Writes what `content` gives as an AtomicFile.
+void writeFileAtomically(const std::filesystem::path& path, const std::function<void(const TextSink&)>& content);
 void writeFileAtomically(const std::filesystem::path& path, std::string_view content);
 
 /// A name beside `path` for writers that stream into a file themselves; follow with renameIntoPlace().

@@ -12,9 +12,9 @@ namespace mrpt_ext
 namespace
 {
 constexpr const char* kExpected = ", expected a readable text file (plain or gzip)";
-}
 
-std::string readTextFile(const std::filesystem::path& path)
+/// Unpacks a file block by block.
+void forEachBlock(const std::filesystem::path& path, const std::function<void(std::string_view)>& take)
 {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored)) throw dataError(path.string() + ": no such file");
@@ -22,17 +22,41 @@ std::string readTextFile(const std::filesystem::path& path)
 
   const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose);
   if (!file) throw dataError(path.string() + ": cannot be opened" + kExpected);
-  std::string content;
   std::array<char, 1 << 16> block;
   int count = 0;
-  while ((count = gzread(file.get(), block.data(), block.size())) > 0) content.append(block.data(), count);
+  while ((count = gzread(file.get(), block.data(), block.size())) > 0)
+    take({block.data(), static_cast<std::size_t>(count)});
 
   // gzread hands out what it could unpack and then ends like a whole file; only gzerror tells that data was cut off.
   int status = Z_OK;
   gzerror(file.get(), &status);
   if (count < 0 || (status != Z_OK && status != Z_STREAM_END))
     throw dataError(path.string() + ": damaged or cut off gzip data" + kExpected);
+}
+}  // namespace
+
+std::string readTextFile(const std::filesystem::path& path)
+{
+  std::string content;
+  forEachBlock(path, [&](std::string_view block) { content += block; });
   return content;
+}
+
+void forEachLine(const std::filesystem::path& path, const std::function<void(std::string_view)>& take)
+{
+  std::string begun;  // a line that ends in a later block
+  const auto split = [&](std::string_view block)
+  {
+    for (std::size_t end = 0; (end = block.find('\n')) != std::string_view::npos; block.remove_prefix(end + 1))
+    {
+      begun += block.substr(0, end);
+      take(begun);
+      begun.clear();
+    }
+    begun += block;
+  };
+  forEachBlock(path, split);
+  if (!begun.empty()) take(begun);
 }
 
 std::optional<std::filesystem::path> findPlainOrGzipped(const std::filesystem::path& path)

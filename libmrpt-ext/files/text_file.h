@@ -1,14 +1,20 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace mrpt_ext
 {
 /// The whole content of a file, unpacked when it is gzip data (told by its first bytes, not by its name).
 /// Throws InputError (data) when the file is missing, unreadable or its gzip data is damaged or cut off.
 [[nodiscard]] std::string readTextFile(const std::filesystem::path& path);
+
+/// The same line by line, without the ends "\n", so that a long file takes no memory. Damage is told where it is
+/// reached; the last line of a damaged file is not given.
+void forEachLine(const std::filesystem::path& path, const std::function<void(std::string_view)>& take);
 
 /// `path` itself when it exists, else `path`.gz when that exists, else nothing.
 [[nodiscard]] std::optional<std::filesystem::path> findPlainOrGzipped(const std::filesystem::path& path);

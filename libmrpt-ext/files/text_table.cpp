@@ -53,15 +53,35 @@ std::string_view withoutByteOrderMark(std::string_view text)
 TextTable::TextTable(const std::filesystem::path& path, TextTableFormat format)
     : path_(path), format_(std::move(format))
 {
-  const std::string content = readTextFile(path);
-  std::string_view rest = withoutByteOrderMark(content);
-  for (int line = 1; !rest.empty(); ++line)
+  read([] {});
+}
+
+void TextTable::read(const std::function<void()>& row_added)
+{
+  int line = 0;
+  const auto take = [&](std::string_view text)
   {
-    const std::size_t end = rest.find('\n');
-    addLine(rest.substr(0, end), line);
-    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-  }
+    const std::size_t before = rows_.size();
+    if (++line == 1) text = withoutByteOrderMark(text);
+    addLine(text, line);
+    if (rows_.size() > before) row_added();
+  };
+  forEachLine(path_, take);
   if (format_.columns.empty()) throw errorAtLine(1, "the file is empty, expected a header line with column names");
+}
+
+void forEachRow(const std::filesystem::path& path, TextTableFormat format,
+                const std::function<void(const TextTable&)>& take)
+{
+  TextTable table;
+  table.path_ = path;
+  table.format_ = std::move(format);
+  const auto take_row = [&]
+  {
+    take(table);
+    table.rows_.clear();
+  };
+  table.read(take_row);
 }
 
 void TextTable::addLine(std::string_view line_text, int line)

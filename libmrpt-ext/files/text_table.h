@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -66,6 +67,10 @@ class TextTable
     int line = 0;
     std::vector<std::string> fields;
   };
+  TextTable() = default;
+  friend void forEachRow(const std::filesystem::path& path, TextTableFormat format,
+                         const std::function<void(const TextTable&)>& take);
+  void read(const std::function<void()>& row_added);
   void addLine(std::string_view line_text, int line);
   /// False for rows of a known kind that is not wanted.
   [[nodiscard]] bool isWanted(const std::string& kind, int line) const;
@@ -77,4 +82,8 @@ class TextTable
   int header_line_ = 1;
   std::vector<Row> rows_;
 };
+
+/// Reads such a file without keeping it: `take` is given every row as a table of that row alone.
+void forEachRow(const std::filesystem::path& path, TextTableFormat format,
+                const std::function<void(const TextTable&)>& take);
 }  // namespace mrpt_ext

@@ -27,35 +27,38 @@ std::optional<double> readYaw(const TextTable& table, std::size_t row)
 
 Trajectory readTum(const std::filesystem::path& path)
 {
-  const TextTable table(path, {Delimiter::white_space, "#", {"timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw"}});
   Trajectory trajectory;
-  trajectory.reserve(table.size());
-  for (std::size_t row = 0; row < table.size(); ++row)
+  const auto add = [&](const TextTable& table)
   {
-    const double time = table.number(row, 0);
+    const double time = table.number(0, 0);
     if (!trajectory.empty() && time <= trajectory.back().time)
-      throw table.errorAt(row, "time " + table.text(row, 0) + " is not after the one before, expected ascending times");
-    const std::optional<double> yaw = readYaw(table, row);
-    static_cast<void>(table.number(row, 3));  // the height is checked, and not used in the plane
-    trajectory.push_back({time, {table.number(row, 1), table.number(row, 2), yaw.value_or(0)}, yaw.has_value()});
-  }
+      throw table.errorAt(0, "time " + table.text(0, 0) + " is not after the one before, expected ascending times");
+    const std::optional<double> yaw = readYaw(table, 0);
+    static_cast<void>(table.number(0, 3));  // the height is checked, and not used in the plane
+    trajectory.push_back({time, {table.number(0, 1), table.number(0, 2), yaw.value_or(0)}, yaw.has_value()});
+  };
+  forEachRow(path, {Delimiter::white_space, "#", {"timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw"}}, add);
   return trajectory;
+}
+
+std::string tumRow(const TimedPose& entry)
+{
+  constexpr int kDecimals = 6, kQuaternionDecimals = 9;
+  const double half = wrap(entry.pose.phi) / 2;  // half of (-pi, pi]: qw is never negative
+  std::string row = fixedText(entry.time, kDecimals) + ' ' + fixedText(entry.pose.x, kDecimals) + ' ' +
+                    fixedText(entry.pose.y, kDecimals) + " 0 0 0 ";  // tz qx qy
+  row += entry.heading_known
+             ? fixedText(std::sin(half), kQuaternionDecimals) + ' ' + fixedText(std::cos(half), kQuaternionDecimals)
+             : "0 0";
+  return row + '\n';
 }
 
 void writeTum(const std::filesystem::path& path, const Trajectory& trajectory)
 {
-  constexpr int kDecimals = 6, kQuaternionDecimals = 9;
-  std::string content;
-  for (const auto& [time, pose, heading_known] : trajectory)
-  {
-    const double half = wrap(pose.phi) / 2;  // half of (-pi, pi]: qw is never negative
-    content += fixedText(time, kDecimals) + ' ' + fixedText(pose.x, kDecimals) + ' ' + fixedText(pose.y, kDecimals);
-    content += " 0 0 0 ";  // tz qx qy
-    content += heading_known ? fixedText(std::sin(half), kQuaternionDecimals) + ' ' +
-                                   fixedText(std::cos(half), kQuaternionDecimals)
-                             : "0 0";
-    content += '\n';
-  }
-  writeFileAtomically(path, content);
+  writeFileAtomically(path,
+                      [&](const TextSink& write)
+                      {
+                        for (const TimedPose& entry : trajectory) write(tumRow(entry));
+                      });
 }
 }  // namespace mrpt_ext

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "mrpt_ext/geometry/trajectory.h"
 
@@ -14,4 +15,6 @@ namespace mrpt_ext
 /// Writes TUM rows (single spaces, no trailing space, no header): times and coordinates with 6 decimals, the
 /// quaternion with 9 (heading exact to 2e-9 rad).
 void writeTum(const std::filesystem::path& path, const Trajectory& trajectory);
+/// One of these rows, with the end of the line.
+[[nodiscard]] std::string tumRow(const TimedPose& entry);
 }  // namespace mrpt_ext

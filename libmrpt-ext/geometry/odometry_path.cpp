@@ -1,30 +1,35 @@
 #include "mrpt_ext/geometry/odometry_path.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mrpt_ext
 {
 OdometryPath::OdometryPath(std::vector<OdometryRecord> records, const OdometryCorrection& correction)
+    : correction_(correction)
 {
   std::stable_sort(records.begin(), records.end(),
                    [](const OdometryRecord& a, const OdometryRecord& b) { return a.time < b.time; });
-  for (const OdometryRecord& record : records)
+  for (const OdometryRecord& record : records) add(record);
+}
+
+void OdometryPath::add(const OdometryRecord& record)
+{
+  const Pose2 before = std::exchange(logged_, record.pose);
+  if (path_.empty())
   {
-    if (path_.empty())
-    {
-      path_.push_back({record.time + correction.delay, record.pose, true});
-      length_.push_back(0);
-      turned_.push_back(0);
-      continue;
-    }
-    Pose2 step = mrpt_ext::between(records[path_.size() - 1].pose, record.pose);
-    step.x *= correction.scale;
-    step.y *= correction.scale;
-    step.phi = correction.turn_scale * step.phi + correction.turn_per_m * step.position().norm();
-    length_.push_back(length_.back() + step.position().norm());
-    turned_.push_back(turned_.back() + std::abs(step.phi));
-    path_.push_back({record.time + correction.delay, compose(path_.back().pose, step), true});
+    path_.push_back({record.time + correction_.delay, record.pose, true});
+    length_.push_back(0);
+    turned_.push_back(0);
+    return;
   }
+  Pose2 step = mrpt_ext::between(before, record.pose);
+  step.x *= correction_.scale;
+  step.y *= correction_.scale;
+  step.phi = correction_.turn_scale * step.phi + correction_.turn_per_m * step.position().norm();
+  length_.push_back(length_.back() + step.position().norm());
+  turned_.push_back(turned_.back() + std::abs(step.phi));
+  path_.push_back({record.time + correction_.delay, compose(path_.back().pose, step), true});
 }
 
 OdometryPath::Milestone OdometryPath::milestone(double time) const

@@ -20,9 +20,12 @@ struct OdometryCorrection
 class OdometryPath
 {
  public:
+  explicit OdometryPath(const OdometryCorrection& correction = {}) : correction_(correction) {}
   /// Records in any order of time, corrected as configured.
   OdometryPath(std::vector<OdometryRecord> records, const OdometryCorrection& correction);
 
+  /// A record that is not earlier than those before.
+  void add(const OdometryRecord& record);
   [[nodiscard]] bool empty() const { return path_.empty(); }
   /// Interpolated between records; standing still before the first and after the last.
   [[nodiscard]] Pose2 at(double time) const;
@@ -38,6 +41,8 @@ class OdometryPath
   };
   [[nodiscard]] Milestone milestone(double time) const;
 
+  OdometryCorrection correction_;
+  Pose2 logged_;  // of the record added last, not corrected
   Trajectory path_;
   std::vector<double> length_, turned_;  // accumulated, one per pose of path_
 };

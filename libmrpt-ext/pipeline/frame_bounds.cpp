@@ -10,15 +10,15 @@
 
 namespace mrpt_ext
 {
-std::optional<FrameBound> boundOfFrames(const std::vector<Frame>& frames, const LandmarkTable& map,
-                                        const Trajectory& truth, BoundOf what)
+std::optional<FrameBound> boundOfFrames(const FrameFeed& frames, const LandmarkTable& map, const Trajectory& truth,
+                                        BoundOf what)
 {
   std::vector<double> position, heading;
-  for (const Frame& frame : frames)
+  while (const auto frame = frames())
   {
-    const auto pose = interpolate(truth, frame.time, kMaxTruthGap);
+    const auto pose = interpolate(truth, frame->time, kMaxTruthGap);
     if (!pose) continue;
-    std::vector<LandmarkSighting> seen = identifiedSightings(frame.readings, map);
+    std::vector<LandmarkSighting> seen = identifiedSightings(frame->readings, map);
     if (what == BoundOf::bearings)
       for (LandmarkSighting& s : seen) s.range.reset();
     const auto bound = informationBound(poseInformation(poseMeasurements(seen), pose->pose));

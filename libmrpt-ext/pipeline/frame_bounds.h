@@ -1,11 +1,10 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
-#include "mrpt_ext/geometry/frame.h"
 #include "mrpt_ext/geometry/landmark_table.h"
 #include "mrpt_ext/geometry/trajectory.h"
+#include "mrpt_ext/pipeline/frame_cutter.h"
 
 namespace mrpt_ext
 {
@@ -27,6 +26,6 @@ enum class BoundOf
 /// The limit at the true poses, with the configured standard deviations. Nothing when no frame with a true pose
 /// determines one. Where the truth knows no heading, zero stands for it: turning the robot changes no position bound,
 /// for sensors in its centre exactly.
-[[nodiscard]] std::optional<FrameBound> boundOfFrames(const std::vector<Frame>& frames, const LandmarkTable& map,
+[[nodiscard]] std::optional<FrameBound> boundOfFrames(const FrameFeed& frames, const LandmarkTable& map,
                                                       const Trajectory& truth, BoundOf what);
 }  // namespace mrpt_ext

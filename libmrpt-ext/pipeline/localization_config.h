@@ -8,7 +8,7 @@
 #include "mrpt_ext/filter/particle_filter.h"
 #include "mrpt_ext/geometry/bias_model.h"
 #include "mrpt_ext/localizers/running_fix_localizer.h"
-#include "mrpt_ext/pipeline/frame_builder.h"
+#include "mrpt_ext/pipeline/frame_cutter.h"
 #include "mrpt_ext/pipeline/settings.h"
 
 namespace mrpt_ext

@@ -1,6 +1,7 @@
 #include "mrpt_ext/pipeline/localization_input.h"
 
 #include <algorithm>
+#include <memory>
 #include <set>
 
 #include "mrpt_ext/evaluation/scoring.h"
@@ -8,7 +9,9 @@
 #include "mrpt_ext/files/mrpt_index_truth.h"
 #include "mrpt_ext/files/tum.h"
 #include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/pipeline/frame_builder.h"
 #include "mrpt_ext/pipeline/method_factory.h"
+#include "mrpt_ext/pipeline/rawlog_source.h"
 #include "mrpt_ext/pipeline/sha256.h"
 
 namespace mrpt_ext
@@ -35,14 +38,20 @@ LandmarkTable loadMap(const Settings& settings)
   return map;
 }
 
-std::vector<Record> readWindow(RawlogSource& source, const LogWindow& window)
+/// The records within the window; `source` must outlive them.
+RecordFeed recordsOf(RawlogSource& source, const LogWindow& window)
 {
-  std::vector<Record> records = readAll(source);
-  if (records.empty()) return records;
-  const double from = timeOf(records.front()) + window.start;
-  const double to = window.duration ? from + *window.duration : std::numeric_limits<double>::infinity();
-  std::erase_if(records, [&](const Record& record) { return timeOf(record) < from || timeOf(record) > to; });
-  return records;
+  return [&source, window, from = std::optional<double>()]() mutable -> std::optional<Record>
+  {
+    while (auto record = source.next())
+    {
+      const double time = timeOf(*record);
+      if (!from) from = time + window.start;
+      if (window.duration && time > *from + *window.duration) break;
+      if (time >= *from) return record;
+    }
+    return std::nullopt;
+  };
 }
 
 Trajectory indexedTruth(const Settings& settings, const std::filesystem::path& path, const RawlogSource& source)
@@ -95,22 +104,68 @@ std::vector<InputFile> inputFiles(const Settings& settings)
 }
 
 /// Compares the labels of the configuration with those of the records.
-void matchSensors(LocalizationInput& input, const std::vector<Record>& records)
+void matchSensors(LocalizationInput& input, const std::set<std::string>& logged)
 {
-  std::set<std::string> logged;
-  const auto collect = [&](const auto& record)
-  {
-    if constexpr (requires { record.sensor; }) logged.insert(record.sensor);
-  };
-  for (const Record& record : records) std::visit(collect, record);
   input.logged_sensors.assign(logged.begin(), logged.end());
   for (const auto& [label, config] : input.config.frames.sensors)
     if (logged.count(label) == 0) input.unmatched_sensors.push_back(label);
 }
 
+/// First pass: what the records tell about the log as a whole.
+void readOverview(LocalizationInput& input, RawlogSource& source)
+{
+  RunContext& context = input.context;
+  std::optional<double> first, last;
+  std::set<std::string> sensors;
+  const auto collect = [&](const auto& record)
+  {
+    if constexpr (requires { record.sensor; }) sensors.insert(record.sensor);
+  };
+  const RecordFeed records = recordsOf(source, input.log.window);
+  const auto watched = [&]
+  {
+    auto record = records();
+    if (!record) return record;
+    last = timeOf(*record);
+    if (!first) first = last;
+    std::visit(collect, *record);
+    return record;
+  };
+  input.log.overview = overviewOf(watched, input.config.frames.odometry);
+  while (source.next()) continue;  // damage and counts are told of the whole log
+  if (first) context.start_time = *first;
+  if (first) context.duration_s = *last - *first;
+  matchSensors(input, sensors);
+  const RawlogStatistics statistics = source.statistics();
+  context.rawlog_sha256 = source.sha256();
+  context.rawlog_entries = statistics.entries;
+  context.observations = statistics.observations;
+  input.unusable = statistics.unusable;
+}
+
+/// Second pass: what can be known from the frames.
+void readFrames(LocalizationInput& input)
+{
+  const RunContext& context = input.context;
+  const double max_gap = context.truth_is_sparse ? 0.0 : kMaxTruthGap;
+  FrameLog& log = input.log;
+  log.kinds.odometry = !log.overview.odometry.empty();
+  FrameCutter frames = framesOf(input);
+  while (const auto frame = frames.next())
+  {
+    static_cast<void>(frames.takeObjectFrames());
+    ++log.frames;
+    log.kinds.add(*frame);
+    if (const auto geometry = frameGeometry(*frame, context.map, context.truth, max_gap))
+      input.context.geometry.push_back(*geometry);
+  }
+  log.detections = frames.detections();
+  for (const auto& [reason, count] : frames.unusable()) input.unusable[reason] += count;
+}
+
 void checkAnythingToScore(const LocalizationInput& input)
 {
-  if (input.sequence.detections > 0) return;
+  if (input.log.detections > 0) return;
   std::string seen;
   for (const auto& [name, count] : input.context.observations)
     seen += (seen.empty() ? "" : ", ") + std::to_string(count.total) + " " + name;
@@ -125,31 +180,35 @@ LocalizationInput loadLocalization(const Settings& settings, const LogWindow& wi
   LocalizationInput input;
   input.context.map = loadMap(settings);
   input.config = localizationConfig(settings, input.context.map);
-  const auto rawlog = requiredPath(settings, kExperiment, "rawlog_file", "RAWLOG");
-  RawlogSource source(rawlog);
-  const std::vector<Record> records = readWindow(source, window);
-  const RawlogStatistics statistics = source.statistics();
+  input.log.path = requiredPath(settings, kExperiment, "rawlog_file", "RAWLOG");
+  input.log.window = window;
   input.context.config_path = settings.file().string();
-  input.context.rawlog_path = rawlog.string();
-  input.context.rawlog_sha256 = source.sha256();
-  input.context.rawlog_entries = statistics.entries;
-  input.context.observations = statistics.observations;
-  if (!records.empty())
-  {
-    input.context.start_time = timeOf(records.front());
-    input.context.duration_s = timeOf(records.back()) - timeOf(records.front());
-  }
-  input.sequence = buildFrames(records, input.context.map, input.config.frames);
-  input.unusable = statistics.unusable;
-  for (const auto& [reason, count] : input.sequence.unusable) input.unusable[reason] += count;
-  checkAnythingToScore(input);
-  matchSensors(input, records);
-  (void)MethodFactory(input.config, input.context.map, input.sequence);  // an unknown name is told before the work
+  input.context.rawlog_path = input.log.path.string();
+  RawlogSource source(input.log.path);
+  readOverview(input, source);
+  input.context.odometry = input.log.overview.odometry.trajectory();
   input.context.truth = loadTruth(settings, source);
   input.context.truth_is_sparse = isSparse(input.context.truth);
+  readFrames(input);
+  checkAnythingToScore(input);
+  (void)MethodFactory(input.config, input.context.map, input.log.kinds);  // an unknown name is told before the work
   input.context.inputs = inputFiles(settings);
-  input.context.geometry = frameGeometry(input.sequence.frames, input.context.map, input.context.truth,
-                                         input.context.truth_is_sparse ? 0.0 : kMaxTruthGap);
   return input;
+}
+
+FrameCutter framesOf(const LocalizationInput& input)
+{
+  const auto source = std::make_shared<RawlogSource>(input.log.path);
+  const auto records = [source, next = recordsOf(*source, input.log.window)] { return next(); };
+  return {records, input.context.map, input.config.frames, input.log.overview};
+}
+
+FrameFeed feedOf(const LocalizationInput& input)
+{
+  return [cutter = std::make_shared<FrameCutter>(framesOf(input))]
+  {
+    static_cast<void>(cutter->takeObjectFrames());
+    return cutter->next();
+  };
 }
 }  // namespace mrpt_ext

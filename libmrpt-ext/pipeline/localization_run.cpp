@@ -6,6 +6,7 @@
 
 #include <mutex>
 #include <ostream>
+#include <set>
 
 #include "mrpt_ext/evaluation/run_merge.h"
 #include "mrpt_ext/evaluation/run_score.h"
@@ -79,6 +80,22 @@ void expectSameSettings(const fs::path& folder, const Settings& settings)
                              " is of other settings, expected the same ones, or -o with another folder");
 }
 
+/// A line about trials in the folder that are not of this run; empty without any.
+std::string otherTrialsText(const fs::path& folder, const LocalizationRequest& request)
+{
+  std::set<std::string> others;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (const std::string name = entry.path().filename().string();
+        name.starts_with("trial_") && fs::exists(entry.path() / "summary.json"))
+      others.insert(name);
+  for (int trial = request.first_trial; request.trial_folders && trial < request.last_trial; ++trial)
+    others.erase(trialFolder(trial));
+  if (others.empty()) return {};
+  return "note     " + folder.string() + " holds " + std::to_string(others.size()) + " more trial" +
+         (others.size() > 1 ? "s" : "") + " of earlier runs (" + *others.begin() + (others.size() > 1 ? " ..." : "") +
+         "), which localization-report counts as well\n";
+}
+
 /// Runs, judges and writes the trials; keeps what the merged report needs.
 class TrialBatch
 {
@@ -88,7 +105,7 @@ class TrialBatch
       : input_(input),
         request_(request),
         view_(view),
-        methods_(input.config, input.context.map, input.sequence),
+        methods_(input.config, input.context.map, input.log.kinds),
         folder_(std::move(folder)),
         seed_(seed)
   {
@@ -96,9 +113,9 @@ class TrialBatch
     scores_.resize(static_cast<std::size_t>(count));
     texts_.resize(scores_.size());
     if (input.config.frames.independent)
-      bound_ = boundOfFrames(input.sequence.frames, input.context.map, input.context.truth, BoundOf::everything);
+      bound_ = boundOfFrames(feedOf(input), input.context.map, input.context.truth, BoundOf::everything);
     else
-      tracking_bound_ = trackingBound(input);
+      tracking_bound_ = trackingBound(input.context, input.config.filter, input.log.overview.odometry, feedOf(input));
   }
 
   void run()
@@ -181,20 +198,20 @@ class TrialBatch
     const fs::path folder = folderOf(trial);
     const auto watch = [&](std::size_t number, const Frame& frame, const FilterLocalizer* filter)
     { show(number, frame, filter, folder, trial == request_.first_trial); };
-    TrialOutcome outcome =
-        runTrial({methods_, input_.sequence, input_.context.truth, stop, progress, watch}, seed_, trial);
+    TrialOutcome outcome = runTrial({methods_, input_, stop, progress, watch}, seed_, trial);
     outcome.record.peak_memory_mb = peakMemoryMegabytes();
     RunScore score = scoreRun(input_.context, outcome.record, input_.config.limits);
     if (outcome.record.interrupted) score.verdict_reason = kInterruptedReason + ("; " + score.verdict_reason);
     if (bound_) score.limit = {bound_->position_rmse, bound_->heading_rmse_deg, {}};
     if (!input_.config.frames.independent) score.limit = limitOf(score);
     createFolder(folder);
-    writeTrial(folder, input_.context, outcome.record, score);
+    std::string text = ambiguityText(outcome.record, input_.context.start_time);
+    if (request_.verbose) text += verdictText(outcome.record, input_.context.start_time);
+    writeTrial(folder, input_.context, std::move(outcome.record), score);
     if (input_.config.final_scene) writeScene(folder / "final.3Dscene", input_.context.map, outcome.end);
     for (MethodScore& method : score.methods) method.errors.clear();
     const std::lock_guard lock(mutex_);
-    texts_[place] = ambiguityText(outcome.record, input_.context.start_time);
-    if (request_.verbose) texts_[place] += verdictText(outcome.record, input_.context.start_time);
+    texts_[place] = std::move(text);
     scores_[place] = std::move(score);
     ++done_;
   }
@@ -269,6 +286,7 @@ int runLocalization(const Settings& settings, const LocalizationRequest& request
   writeFileAtomically(folder / "log.txt", input.context.command_line + "\n" + head + tail);
   if (batch.resumed() > 0 && !request.quiet)
     out << "resumed  " << batch.resumed() << " of " << trials << " trials were there already\n";
+  if (!request.quiet) out << otherTrialsText(folder, request);
   out << (request.quiet ? table : tail) << "report   " << (folder / "report.html").string() << '\n';
   const int code = exitCode(merged, scores, request, batch.interrupted(), err);
   if (view && view->isOpen() && isatty(STDERR_FILENO) == 1)

@@ -13,23 +13,20 @@
 
 namespace mrpt_ext
 {
-MeasurementKinds::MeasurementKinds(const std::vector<Frame>& frames)
+void MeasurementKinds::add(const Frame& frame)
 {
-  for (const Frame& frame : frames)
+  fix = fix || !frame.fixes.empty();
+  for (const Reading& reading : frame.readings)
   {
-    fix = fix || !frame.fixes.empty();
-    for (const Reading& reading : frame.readings)
+    const Vector2d place = reading.T_robot_sensor.position();
+    several_places = several_places || place != frame.readings.front().T_robot_sensor.position();
+    for (const Detection& d : reading.detections)
     {
-      const Vector2d place = reading.T_robot_sensor.position();
-      several_places = several_places || place != frame.readings.front().T_robot_sensor.position();
-      for (const Detection& d : reading.detections)
-      {
-        const bool known = d.id != kNoId;
-        known_bearing = known_bearing || (known && d.bearing);
-        known_range = known_range || (known && d.range);
-        known_point = known_point || (known && d.bearing && d.range);
-        unknown_bearing = unknown_bearing || (!known && d.bearing);
-      }
+      const bool known = d.id != kNoId;
+      known_bearing = known_bearing || (known && d.bearing);
+      known_range = known_range || (known && d.range);
+      known_point = known_point || (known && d.bearing && d.range);
+      unknown_bearing = unknown_bearing || (!known && d.bearing);
     }
   }
 }
@@ -51,12 +48,8 @@ KalmanBankOptions kalmanOptions(const LocalizationConfig& config, bool iterated,
 }
 }  // namespace
 
-MethodFactory::MethodFactory(const LocalizationConfig& config, const LandmarkTable& map, const FrameSequence& sequence)
-    : config_(config),
-      map_(map),
-      has_odometry_(!sequence.odometry.empty()),
-      kinds_(sequence.frames),
-      search_(std::make_shared<const LostRobotSearch>(map))
+MethodFactory::MethodFactory(const LocalizationConfig& config, const LandmarkTable& map, const MeasurementKinds& kinds)
+    : config_(config), map_(map), kinds_(kinds), search_(std::make_shared<const LostRobotSearch>(map))
 {
   checkNames();
 }
@@ -113,7 +106,7 @@ std::vector<MethodFactory::Entry> MethodFactory::entries(std::uint64_t seed, int
   const bool moving = !config_.frames.independent;
   std::vector<Entry> all{
       {"particle_filter", moving, [this, seed, trial] { return makeFilter(seed, trial); }},
-      {"odometry", moving && has_odometry_,
+      {"odometry", moving && kinds_.odometry,
        [this] { return std::make_unique<OdometryLocalizer>(config_.filter.motion, config_.filter.initial_pose); }}};
   for (Entry& entry : kalmanFilters()) all.push_back(std::move(entry));
   for (Entry& entry : closedForms())
@@ -125,7 +118,7 @@ std::vector<MethodFactory::Entry> MethodFactory::entries(std::uint64_t seed, int
                      }});
   }
   // A fix from single ranges needs the way between them.
-  all.push_back({"running_fix", moving && (kinds_.fix || (kinds_.known_range && has_odometry_)),
+  all.push_back({"running_fix", moving && (kinds_.fix || (kinds_.known_range && kinds_.odometry)),
                  [this, &methods]
                  {
                    RunningFixLocalizer::FilterHeading heading;

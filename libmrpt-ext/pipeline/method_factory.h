@@ -25,18 +25,19 @@ struct MeasurementKinds
 {
   bool known_bearing = false, known_range = false, known_point = false, unknown_bearing = false, fix = false;
   bool several_places = false;  ///< sensors at different places on the robot
+  bool odometry = false;
 
-  explicit MeasurementKinds(const std::vector<Frame>& frames);
+  void add(const Frame& frame);
 };
 
-/// Builds the methods of each trial: those named in the configuration, or all for which the frames hold measurements.
+/// Builds the methods of each trial: those named in the configuration, or all for which the log holds measurements.
 /// What is the same for all trials is made once; trials may ask at the same time. Everything given must outlive the
 /// factory and the methods.
 class MethodFactory
 {
  public:
   /// Throws InputError (configuration) for an unknown name.
-  MethodFactory(const LocalizationConfig& config, const LandmarkTable& map, const FrameSequence& sequence);
+  MethodFactory(const LocalizationConfig& config, const LandmarkTable& map, const MeasurementKinds& kinds);
 
   [[nodiscard]] Methods make(std::uint64_t seed, int trial) const;
   [[nodiscard]] const LandmarkTable& map() const { return map_; }
@@ -57,7 +58,6 @@ class MethodFactory
 
   const LocalizationConfig& config_;
   const LandmarkTable& map_;
-  bool has_odometry_;
   MeasurementKinds kinds_;
   std::shared_ptr<const LostRobotSearch> search_;
 };

@@ -1,5 +1,7 @@
 #include "mrpt_ext/pipeline/object_tracker.h"
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <string>
 
@@ -38,11 +40,16 @@ std::vector<GaussianPoint> pointsInRobot(const std::vector<LandmarkSighting>& si
 }
 }  // namespace
 
-void ObjectTracker::place(const TrackPoint& robot, std::vector<ObjectRow>& rows)
+void ObjectTracker::add(std::vector<Frame> sightings)
 {
-  for (; next_ < sightings_.size() && sightings_[next_].time <= robot.time; ++next_)
+  std::move(sightings.begin(), sightings.end(), std::back_inserter(sightings_));
+}
+
+void ObjectTracker::place(const TrackPoint& robot, LongSequence<ObjectRow>& rows)
+{
+  for (; !sightings_.empty() && sightings_.front().time <= robot.time; sightings_.pop_front())
   {
-    const Frame& frame = sightings_[next_];
+    const Frame& frame = sightings_.front();
     GaussianPose then = robot.pose;
     then.mean = compose(robot.pose.mean, odometry_.between(robot.time, frame.time).increment);
     std::map<std::string, std::vector<LandmarkSighting>> by_category;

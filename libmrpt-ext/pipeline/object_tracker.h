@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <vector>
 
 #include "mrpt_ext/evaluation/run_record.h"
@@ -13,18 +14,16 @@ namespace mrpt_ext
 class ObjectTracker
 {
  public:
-  ObjectTracker(const std::vector<Frame>& sightings, const OdometryPath& odometry)
-      : sightings_(sightings), odometry_(odometry)
-  {
-  }
+  explicit ObjectTracker(const OdometryPath& odometry) : odometry_(odometry) {}
 
+  /// Takes in what was seen, ordered by time.
+  void add(std::vector<Frame> sightings);
   /// Places everything seen up to the time of `robot` that has not been placed yet, from that pose moved back by
   /// odometry to the time of the sighting.
-  void place(const TrackPoint& robot, std::vector<ObjectRow>& rows);
+  void place(const TrackPoint& robot, LongSequence<ObjectRow>& rows);
 
  private:
-  const std::vector<Frame>& sightings_;
   const OdometryPath& odometry_;
-  std::size_t next_ = 0;
+  std::deque<Frame> sightings_;  // not placed yet
 };
 }  // namespace mrpt_ext

@@ -23,15 +23,18 @@ namespace
 using ObservationPtr = mrpt::obs::CObservation::Ptr;
 constexpr double kLatestTime = 1e11;  ///< [s] well inside what MRPT's stamps can hold
 
+/// What must be known of all records before the first one is written.
+struct LogSummary
+{
+  std::size_t entries = 0;
+  double first_time = 0;                  ///< [s]
+  std::set<std::string> ranging_sensors;  ///< that measure a range at least once
+};
+
 class ObservationMaker
 {
  public:
-  explicit ObservationMaker(const Recording& recording)
-  {
-    for (const Record& record : recording.records)
-      if (const auto* reading = std::get_if<Reading>(&record); reading && hasRange(*reading))
-        ranging_sensors_.insert(reading->sensor);
-  }
+  explicit ObservationMaker(std::set<std::string> ranging_sensors) : ranging_sensors_(std::move(ranging_sensors)) {}
 
   ObservationPtr operator()(const OdometryRecord& odometry) const
   {
@@ -60,49 +63,60 @@ class ObservationMaker
   std::set<std::string> ranging_sensors_;
 };
 
-ObservationPtr countComment(const Recording& recording)
+ObservationPtr countComment(const LogSummary& summary)
 {
   auto comment = mrpt::obs::CObservationComment::Create();
-  comment->text = "entries=" + std::to_string(recording.records.size());
+  comment->text = "entries=" + std::to_string(summary.entries);
   comment->sensorLabel = "entries";
-  comment->timestamp = timestampOf(recording.records.empty() ? 0 : timeOf(recording.records.front()));
+  comment->timestamp = timestampOf(summary.first_time);
   return comment;
 }
 
-void checkRecords(const std::filesystem::path& path, const Recording& recording)
+/// Reads all records, and throws where they cannot be written.
+LogSummary summaryOf(const std::filesystem::path& path, const RecordFeed& records)
 {
+  LogSummary summary;
   double latest = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < recording.records.size(); ++i)
+  for (; const auto record = records(); ++summary.entries)
   {
-    const std::string where = path.string() + ": record " + std::to_string(i) + ": ";
-    const double time = timeOf(recording.records[i]);
-    if (!std::isfinite(time) || std::abs(time) > kLatestTime) throw dataError(where + "time is not a finite Unix time");
-    if (time < latest) throw dataError(where + "earlier than the record before it, expected the order of time");
+    const auto fail = [&](const std::string& what)
+    { return dataError(path.string() + ": record " + std::to_string(summary.entries) + ": " + what); };
+    const double time = timeOf(*record);
+    if (!std::isfinite(time) || std::abs(time) > kLatestTime) throw fail("time is not a finite Unix time");
+    if (time < latest) throw fail("earlier than the record before it, expected the order of time");
+    if (summary.entries == 0) summary.first_time = time;
     latest = time;
-    const auto* reading = std::get_if<Reading>(&recording.records[i]);
-    if (reading && reading->sensor.empty()) throw dataError(where + "a reading without sensor label");
+    const auto* reading = std::get_if<Reading>(&*record);
+    if (reading && reading->sensor.empty()) throw fail("a reading without sensor label");
+    if (reading && hasRange(*reading)) summary.ranging_sensors.insert(reading->sensor);
   }
+  return summary;
 }
 
-void writeTo(const std::filesystem::path& file, const Recording& recording)
+void writeTo(const std::filesystem::path& file, const LogSummary& summary, const RecordFeed& records)
 {
   mrpt::io::CFileGZOutputStream stream;
   if (!stream.open(file.string())) throw std::runtime_error("cannot be opened");
   auto archive = mrpt::serialization::archiveFrom(stream);
-  const ObservationMaker make(recording);
-  archive << *countComment(recording);
-  for (const Record& record : recording.records) archive << *std::visit(make, record);
+  const ObservationMaker make(summary.ranging_sensors);
+  archive << *countComment(summary);
+  while (const auto record = records()) archive << *std::visit(make, *record);
 }
 }  // namespace
 
 void writeRawlog(const std::filesystem::path& path, const Recording& recording)
 {
-  checkRecords(path, recording);
+  writeRawlog(path, [&recording] { return feedOf(recording.records); });
+}
+
+std::size_t writeRawlog(const std::filesystem::path& path, const std::function<RecordFeed()>& records)
+{
+  const LogSummary summary = summaryOf(path, records());
   const std::filesystem::path temporary = temporaryNameFor(path);
   try
   {
     if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
-    writeTo(temporary, recording);
+    writeTo(temporary, summary, records());
     // Closing does not report a full disk: look whether the checksum at the end is there.
     if (!checkRawlogFile(temporary).damage.empty()) throw std::runtime_error("is the disk full?");
   }
@@ -114,5 +128,6 @@ void writeRawlog(const std::filesystem::path& path, const Recording& recording)
     throw dataError(path.string() + ": cannot be written (" + text.substr(0, text.find('\n')) + ")");
   }
   renameIntoPlace(temporary, path);
+  return summary.entries;
 }
 }  // namespace mrpt_ext

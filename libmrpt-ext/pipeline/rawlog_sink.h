@@ -1,8 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 
-#include "mrpt_ext/geometry/recording.h"
+#include "mrpt_ext/geometry/record_feed.h"
 
 namespace mrpt_ext
 {
@@ -17,4 +18,8 @@ namespace mrpt_ext
 /// The same recording gives the same bytes. Throws InputError (data) for a record with a time that is not finite,
 /// a sensor without label or records out of order, and when the file cannot be written completely.
 void writeRawlog(const std::filesystem::path& path, const Recording& recording);
+
+/// The same for records that need not fit into memory: `records` begins anew with every call, and is called twice,
+/// since the first entry tells of all. Returns their number.
+std::size_t writeRawlog(const std::filesystem::path& path, const std::function<RecordFeed()>& records);
 }  // namespace mrpt_ext

@@ -58,7 +58,7 @@ std::string inputText(const LocalizationInput& input)
   for (const std::string& label : input.unmatched_sensors)
     result += "         [Sensor_" + label + "] applies to no record, the log has sensors " +
               joined(input.logged_sensors) + "\n";
-  result += text("frames   %zu, %zu detections\n", input.sequence.frames.size(), input.sequence.detections);
+  result += text("frames   %zu, %zu detections\n", input.log.frames, input.log.detections);
   return result + truthText(context);
 }
 
@@ -67,7 +67,7 @@ std::string boundText(const LocalizationInput& input)
   std::string result;
   for (const auto& [what, name] :
        {std::pair(BoundOf::bearings, "bearings alone"), std::pair(BoundOf::everything, "all measurements")})
-    if (const auto bound = boundOfFrames(input.sequence.frames, input.context.map, input.context.truth, what))
+    if (const auto bound = boundOfFrames(feedOf(input), input.context.map, input.context.truth, what))
       result += text("limit    Cramer-Rao bound of %s: position RMSE %.3f m, median %.3f m (%zu frames)\n", name,
                      bound->position_rmse, bound->position_median, bound->frames);
   return result;
@@ -76,16 +76,16 @@ std::string boundText(const LocalizationInput& input)
 std::string verdictText(const RunRecord& record, double start_time)
 {
   std::string result;
-  const TrackPoint* before = nullptr;
+  std::optional<Verdict> before;
   for (const MethodTrack& track : record.methods)
     for (const TrackPoint& point : track.points)
     {
       if (track.name != "particle_filter") break;
-      if (!before || before->verdict != point.verdict)
+      if (before != point.verdict)
         result += text("%8.1f s %-9s x %.2f m, y %.2f m, heading %.1f deg, %d mode%s, weight %.2f\n",
                        point.time - start_time, toString(point.verdict), point.pose.mean.x, point.pose.mean.y,
                        radToDeg(point.pose.mean.phi), point.modes, point.modes == 1 ? "" : "s", point.best_weight);
-      before = &point;
+      before = point.verdict;
     }
   return result;
 }

@@ -22,11 +22,8 @@ VerdictWithReason verdictOfFilter(const RunRecord& run, const FilterStep& last)
   const MethodTrack* track = trackOf(run, "particle_filter");
   if (!track || track->points.empty()) return {Verdict::lost, "the filter was given no frame"};
   std::array<std::size_t, 3> count{};
-  for (auto point = track->points.rbegin(); point != track->points.rend(); ++point)
-  {
-    if (point->time < track->points.back().time - kLastSeconds) break;
-    ++count[static_cast<std::size_t>(point->verdict)];
-  }
+  for (const TrackPoint& point : track->points)
+    if (point.time >= track->points.back().time - kLastSeconds) ++count[static_cast<std::size_t>(point.verdict)];
   const auto usual = static_cast<Verdict>(std::max_element(count.begin(), count.end()) - count.begin());
   VerdictWithReason verdict{std::max(last.verdict, usual), last.reason};
   if (usual > last.verdict)

@@ -5,12 +5,24 @@
 #include <stdexcept>
 
 #include "mrpt_ext/files/number_format.h"
+#include "mrpt_ext/files/trimmed.h"
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/pipeline/setting_value.h"
 
 namespace mrpt_ext
 {
 namespace fs = std::filesystem;
+
+namespace
+{
+/// False for a value that would be cut off as a comment, or joined with the next line, when it is read again.
+bool survivesAnIniFile(const std::string& value)
+{
+  if (value.find('\n') != std::string::npos) return false;
+  const IniFile again = IniFile::parse("[section]\nkey = " + value + "\n", "");
+  return again.find("section", "key")->value == trimmed(value);
+}
+}  // namespace
 
 Settings Settings::load(const fs::path& file, KeyTable table, const std::vector<std::string>& overrides)
 {
@@ -179,6 +191,15 @@ InputError Settings::errorAt(const std::string& section, const std::string& key,
 
 void Settings::writeResolved(std::ostream& out, const std::string& section) const
 {
+  const auto write = [&](const std::string& key, const std::string& value)
+  {
+    if (!survivesAnIniFile(value))
+      throw errorAt(section, key,
+                    "'" + value +
+                        "' cannot be written into config_resolved.ini, where a blank and then ; # or // begin a "
+                        "comment: expected a value (or a folder of the configuration) without them");
+    out << key << " = " << value << "\n";
+  };
   out << "[" << section << "]\n";
   for (const KeySpec& spec : table_.keys())
   {
@@ -189,15 +210,15 @@ void Settings::writeResolved(std::ostream& out, const std::string& section) cons
     else if (!hasValue(section, spec.name))
       out << "; " << spec.name << " is not set\n";
     else if (spec.type == KeyType::path)
-      out << spec.name << " = " << path(section, spec.name).string() << "\n";
+      write(spec.name, path(section, spec.name).string());
     else if (spec.type == KeyType::choice)
-      out << spec.name << " = " << choice(section, spec.name) << "\n";
+      write(spec.name, choice(section, spec.name));
     else
-      out << spec.name << " = " << *effective(section, spec.name) << "\n";
+      write(spec.name, *effective(section, spec.name));
   }
   if (const IniSection* written = ini_.find(section))
     for (const IniEntry& entry : written->entries)
-      if (table_.find(section, entry.key)->name == "*") out << entry.key << " = " << entry.value << "\n";
+      if (table_.find(section, entry.key)->name == "*") write(entry.key, entry.value);
 }
 
 std::string Settings::resolvedText() const

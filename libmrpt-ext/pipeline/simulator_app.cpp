@@ -1,5 +1,6 @@
 #include "mrpt_ext/pipeline/simulator_app.h"
 
+#include <memory>
 #include <ostream>
 
 #include "mrpt_ext/files/landmark_csv.h"
@@ -39,16 +40,27 @@ int simulateToFiles(const fs::path& config, const CommonOptions& options, std::o
   checkOutput(options.output);
 
   ProgressLine progress(!options.quiet, "simulating");
-  const Recording recording = simulate(scenario, [&](double share) { progress.show(share); });
-  progress.clear();
+  const auto drive = [&, passes = 0]() mutable -> RecordFeed
+  {
+    const double before = passes++ / 2.0;  // one pass to count the records, one to write them
+    return [&, before, drive = std::make_shared<SimulatedDrive>(scenario)]
+    {
+      auto record = drive->next();
+      if (record) progress.show(before + (timeOf(*record) - scenario.start_time) / scenario.duration / 2);
+      return record;
+    };
+  };
   const fs::path truth = beside(options.output, "_ground_truth.tum"), map = beside(options.output, "_map.csv");
-  writeRawlog(options.output, recording);
-  writeTum(truth, recording.truth);
-  writeLandmarkCsv(map, recording.map);
+  const std::size_t records = writeRawlog(options.output, drive);
+  progress.clear();
+  const SimulatedDrive driven(scenario);
+  const Trajectory poses = driven.truth();
+  writeTum(truth, poses);
+  writeLandmarkCsv(map, driven.map());
   if (!options.quiet)
-    out << options.output.string() << ": " << recording.records.size() << " records, " << scenario.duration << " s\n"
-        << truth.string() << ": " << recording.truth.size() << " poses\n"
-        << map.string() << ": " << recording.map.size() << " landmarks\n";
+    out << options.output.string() << ": " << records << " records, " << scenario.duration << " s\n"
+        << truth.string() << ": " << poses.size() << " poses\n"
+        << map.string() << ": " << driven.map().size() << " landmarks\n";
   return kExitDone;
 }
 }  // namespace

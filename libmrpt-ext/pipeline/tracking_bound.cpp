@@ -1,6 +1,8 @@
 #include "mrpt_ext/pipeline/tracking_bound.h"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 #include "mrpt_ext/evaluation/posterior_bound.h"
 #include "mrpt_ext/evaluation/scoring.h"
@@ -49,71 +51,86 @@ Matrix3d priorCovariance(const ParticleFilterOptions& filter)
   return Vector3d(square(extent.x()), square(extent.y()), square(filter.region.turn())).asDiagonal() * (1.0 / 12);
 }
 
-bool hasNamelessDetection(const std::vector<Frame>& frames)
+bool hasNamelessDetection(const Frame& frame)
 {
-  return std::any_of(frames.begin(), frames.end(),
-                     [](const Frame& frame)
-                     {
-                       return std::any_of(frame.readings.begin(), frame.readings.end(),
-                                          [](const Reading& reading)
-                                          {
-                                            return std::any_of(reading.detections.begin(), reading.detections.end(),
-                                                               [](const Detection& d) { return d.id == kNoId; });
-                                          });
-                     });
+  const auto isNameless = [](const Detection& d) { return d.id == kNoId; };
+  return std::any_of(frame.readings.begin(), frame.readings.end(),
+                     [&](const Reading& reading)
+                     { return std::any_of(reading.detections.begin(), reading.detections.end(), isNameless); });
 }
 
-/// A moment at which something is measured, or at which methods are scored.
-struct Moment
+/// Follows the bound from moment to moment along the true poses.
+class BoundAlongTruth
 {
-  double time = 0;
-  const Frame* frame = nullptr;  // null: a scoring stamp
+ public:
+  BoundAlongTruth(const RunContext& context, const ParticleFilterOptions& filter, const OdometryPath& odometry)
+      : context_(context), filter_(filter), odometry_(odometry)
+  {
+  }
+
+  /// At the time of a frame, or at a scoring stamp (no frame); nothing when there is no true pose with heading then.
+  std::optional<Matrix3d> advance(double time, const Frame* frame)
+  {
+    const auto truth = interpolate(context_.truth, time, kMaxTruthGap);
+    if (!truth || !truth->heading_known) return std::nullopt;
+    BoundStep step;
+    if (!bound_)
+      bound_.emplace(truth->pose, priorCovariance(filter_));
+    else
+    {
+      OdometryMotion motion = odometry_.between(time_before_, time);
+      motion.increment = between(before_, truth->pose);
+      step.increment = motion.increment;
+      step.odometry_covariance = incrementCovariance(filter_.motion, motion);
+    }
+    if (frame) step.measurement_information = informationOf(*frame, context_.map, truth->pose);
+    before_ = truth->pose;
+    time_before_ = time;
+    return bound_->advance(step);
+  }
+
+ private:
+  const RunContext& context_;
+  const ParticleFilterOptions& filter_;
+  const OdometryPath& odometry_;
+  std::optional<BoundRecursion> bound_;
+  Pose2 before_;
+  double time_before_ = 0;
 };
 
-std::vector<Moment> momentsOf(const LocalizationInput& input)
+/// The bound at the stamps that lie between the frames; at one time the frame comes first. False where the truth ends.
+bool addStamps(TrackingBound& result, BoundAlongTruth& bound, std::vector<double>::const_iterator& stamp,
+               const std::vector<double>::const_iterator& end, double before)
 {
-  std::vector<Moment> moments;
-  for (const Frame& frame : input.sequence.frames) moments.push_back({frame.time, &frame});
-  for (const double stamp : scoringStamps(input.context))
-    if (stamp >= moments.front().time) moments.push_back({stamp, nullptr});
-  std::stable_sort(moments.begin(), moments.end(), [](const Moment& a, const Moment& b) { return a.time < b.time; });
-  return moments;
+  for (; stamp != end && *stamp < before; ++stamp)
+  {
+    const auto P = bound.advance(*stamp, nullptr);
+    if (!P) return false;
+    result.stamps.push_back({*stamp, (*P)(0, 0) + (*P)(1, 1), (*P)(2, 2)});
+  }
+  return true;
 }
 }  // namespace
 
-TrackingBound trackingBound(const LocalizationInput& input)
+TrackingBound trackingBound(const RunContext& context, const ParticleFilterOptions& filter,
+                            const OdometryPath& odometry, const FrameFeed& frames)
 {
-  if (input.sequence.frames.empty() || input.context.truth.empty()) return {{}, "there is no truth"};
-  if (input.context.truth_is_sparse) return {{}, "the truth is sparse"};
-  if (hasNamelessDetection(input.sequence.frames)) return {{}, "detections have no names, the true ones are not known"};
-  const std::vector<Moment> moments = momentsOf(input);
-  std::vector<BoundStep> steps;
-  std::optional<Pose2> start, before;
-  double time_before = 0;
-  for (const Moment& moment : moments)
-  {
-    const auto truth = interpolate(input.context.truth, moment.time, kMaxTruthGap);
-    if (!truth || !truth->heading_known) return {{}, "the truth has no pose or no heading for some frames"};
-    BoundStep step;
-    if (before)
-    {
-      OdometryMotion motion = input.sequence.odometry.between(time_before, moment.time);
-      motion.increment = between(*before, truth->pose);
-      step.increment = motion.increment;
-      step.odometry_covariance = incrementCovariance(input.config.filter.motion, motion);
-    }
-    else
-      start = truth->pose;
-    if (moment.frame) step.measurement_information = informationOf(*moment.frame, input.context.map, truth->pose);
-    steps.push_back(step);
-    before = truth->pose;
-    time_before = moment.time;
-  }
-  const auto bounds = posteriorBound(*start, priorCovariance(input.config.filter), steps);
+  std::optional<Frame> frame = frames();
+  if (!frame || context.truth.empty()) return {{}, "there is no truth"};
+  if (context.truth_is_sparse) return {{}, "the truth is sparse"};
   TrackingBound result;
-  for (std::size_t k = 0; k < moments.size(); ++k)
-    if (!moments[k].frame)
-      result.stamps.push_back({moments[k].time, bounds[k](0, 0) + bounds[k](1, 1), bounds[k](2, 2)});
+  BoundAlongTruth bound(context, filter, odometry);
+  const std::vector<double> stamps = scoringStamps(context);
+  auto stamp = std::lower_bound(stamps.begin(), stamps.end(), frame->time);
+  bool known = true;
+  for (; frame; frame = frames())
+  {
+    if (hasNamelessDetection(*frame)) return {{}, "detections have no names, the true ones are not known"};
+    known = known && addStamps(result, bound, stamp, stamps.end(), frame->time) &&
+            bound.advance(frame->time, &*frame).has_value();
+  }
+  known = known && addStamps(result, bound, stamp, stamps.end(), std::numeric_limits<double>::infinity());
+  if (!known) return {{}, "the truth has no pose or no heading for some frames"};
   return result;
 }
 

@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "mrpt_ext/evaluation/run_score.h"
-#include "mrpt_ext/pipeline/localization_input.h"
+#include "mrpt_ext/filter/particle_filter.h"
+#include "mrpt_ext/pipeline/frame_cutter.h"
 
 namespace mrpt_ext
 {
@@ -21,13 +22,14 @@ struct TrackingBound
   std::string why_none;  ///< why there is no bound, for people; empty where there is one
 };
 
-/// The bound along the true trajectory with the configured models: initial deviations (of the box of possible poses
-/// where the start is not told), noise of odometry for the way that was driven, deviations of the detections and of the
-/// map. Systematic errors count as known, which makes the bound lower where they have to be found. Detections that are
-/// more than five standard deviations from what the true pose predicts are false and tell nothing.
-/// Needs a true pose with heading at every frame and a name on every detection, since the true associations are not
-/// known otherwise.
-[[nodiscard]] TrackingBound trackingBound(const LocalizationInput& input);
+/// The bound along the true trajectory with the configured models (of the particle filter): initial deviations (of the
+/// box of possible poses where the start is not told), noise of odometry for the way that was driven, deviations of the
+/// detections and of the map. Systematic errors count as known, which makes the bound lower where they have to be
+/// found. Detections that are more than five standard deviations from what the true pose predicts are false and tell
+/// nothing. Needs a true pose with heading at every frame and a name on every detection, since the true associations
+/// are not known otherwise.
+[[nodiscard]] TrackingBound trackingBound(const RunContext& context, const ParticleFilterOptions& filter,
+                                          const OdometryPath& odometry, const FrameFeed& frames);
 
 /// Root of the mean over the stamps from `from` on: what a method's RMSE over the same stamps is compared with.
 /// No stamp: no figures.

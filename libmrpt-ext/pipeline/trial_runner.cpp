@@ -109,42 +109,45 @@ TrialOutcome runTrial(const TrialInput& input, std::uint64_t seed, int trial)
   RunRecord& run = outcome.record;
   run.trial = trial;
   run.seed = seed;
-  run.odometry = input.sequence.odometry.trajectory();
   const Methods methods = input.methods.make(seed, trial);
-  OracleTracks oracles(input.truth);
-  ObjectTracker objects(input.sequence.object_frames, input.sequence.odometry);
+  OracleTracks oracles(input.run.context.truth);
+  ObjectTracker objects(input.run.log.overview.odometry);
   for (const auto& localizer : methods.localizers)
     run.methods.push_back({.name = localizer->name(), .continuous = localizer->continuous()});
 
-  const std::vector<Frame>& frames = input.sequence.frames;
-  PlaybackRecorder playback(frames.size(), input.methods.map());
-  for (std::size_t k = 0; k < frames.size() && !input.stop; ++k)
+  const std::size_t count = input.run.log.frames;
+  PlaybackRecorder playback(count, input.methods.map());
+  FrameCutter frames = framesOf(input.run);
+  std::optional<Frame> last;
+  for (std::size_t k = 0; !input.stop; ++k)
   {
+    auto frame = frames.next();
+    if (!frame) break;
+    objects.add(frames.takeObjectFrames());
     for (std::size_t m = 0; m < methods.localizers.size(); ++m)
     {
       const auto before = Clock::now();
-      const Estimate estimate = methods.localizers[m]->process(frames[k]);
+      const Estimate estimate = methods.localizers[m]->process(*frame);
       const double ms = std::chrono::duration<double, std::milli>(Clock::now() - before).count();
-      record(estimate, frames[k], ms, run.methods[m]);
+      record(estimate, *frame, ms, run.methods[m]);
       if (methods.localizers[m].get() == methods.filter)
       {
-        recordFilter(methods.filter->lastStep(), methods.filter->particles().bias_states, estimate, frames[k].time,
-                     run);
+        recordFilter(methods.filter->lastStep(), methods.filter->particles().bias_states, estimate, frame->time, run);
         if (estimate.point) objects.place(*estimate.point, run.objects);
       }
       else if (!run.methods[m].continuous)
-        oracles.add(run.methods[m], estimate, frames[k].time);
+        oracles.add(run.methods[m], estimate, frame->time);
     }
-    playback.add(frames[k], methods.filter, run.playback);
-    if (input.watch) input.watch(k, frames[k], methods.filter);
-    if (input.progress) input.progress(static_cast<double>(k + 1) / static_cast<double>(frames.size()));
+    playback.add(*frame, methods.filter, run.playback);
+    if (input.watch) input.watch(k, *frame, methods.filter);
+    if (input.progress) input.progress(static_cast<double>(k + 1) / static_cast<double>(count));
+    last = std::move(*frame);
   }
   run.interrupted = input.stop;
   for (MethodTrack& track : oracles.take()) run.methods.push_back(std::move(track));
   finish(methods, input, run);
-  if (!frames.empty())
-    outcome.end =
-        playbackStep(frames.back(), methods.filter, input.methods.map(), std::numeric_limits<std::size_t>::max());
+  if (last)
+    outcome.end = playbackStep(*last, methods.filter, input.methods.map(), std::numeric_limits<std::size_t>::max());
   run.wall_s = std::chrono::duration<double>(Clock::now() - started).count();
   run.cpu_s = threadCpuSeconds() - cpu_before;
   return outcome;

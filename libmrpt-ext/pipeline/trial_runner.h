@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "mrpt_ext/evaluation/run_record.h"
-#include "mrpt_ext/pipeline/frame_builder.h"
+#include "mrpt_ext/pipeline/localization_input.h"
 #include "mrpt_ext/pipeline/method_factory.h"
 
 namespace mrpt_ext
@@ -14,8 +14,7 @@ namespace mrpt_ext
 struct TrialInput
 {
   const MethodFactory& methods;
-  const FrameSequence& sequence;
-  const Trajectory& truth;               ///< used after the estimates, for the oracle rows only
+  const LocalizationInput& run;          ///< its truth is used after the estimates, for the oracle rows only
   const std::atomic<bool>& stop;         ///< set on Ctrl-C: the trial ends after the frame in work
   std::function<void(double)> progress;  ///< told the share done, in [0, 1]
   /// Shown every frame after the methods have seen it, with its number and the filter (null without one). May be empty.

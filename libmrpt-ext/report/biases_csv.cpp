@@ -4,12 +4,11 @@
 
 namespace mrpt_ext
 {
-std::string biasesCsv(const std::vector<BiasRow>& biases)
+void biasesCsv(const LongSequence<BiasRow>& biases, const TextSink& write)
 {
-  std::string text = "t,bias,mean,std\n";
+  write("t,bias,mean,std\n");
   for (const BiasRow& row : biases)
-    text += timeField(row.time) + ',' + textField(row.name) + ',' + lengthField(row.mean) + ',' + lengthField(row.std) +
-            '\n';
-  return text;
+    write(timeField(row.time) + ',' + textField(row.name) + ',' + lengthField(row.mean) + ',' + lengthField(row.std) +
+          '\n');
 }
 }  // namespace mrpt_ext

@@ -1,12 +1,10 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "mrpt_ext/evaluation/run_record.h"
+#include "mrpt_ext/files/atomic_file.h"
 
 namespace mrpt_ext
 {
-/// Text of biases.csv: `t,bias,mean,std`, the systematic errors as the filter knew them after every frame.
-[[nodiscard]] std::string biasesCsv(const std::vector<BiasRow>& biases);
+/// Writes biases.csv: `t,bias,mean,std`, the systematic errors as the filter knew them after every frame.
+void biasesCsv(const LongSequence<BiasRow>& biases, const TextSink& write);
 }  // namespace mrpt_ext

@@ -4,13 +4,12 @@
 
 namespace mrpt_ext
 {
-std::string hypothesesCsv(const std::vector<HypothesisRow>& hypotheses)
+void hypothesesCsv(const LongSequence<HypothesisRow>& hypotheses, const TextSink& write)
 {
-  std::string text = "t,rank,x,y,phi_deg,weight,source\n";
+  write("t,rank,x,y,phi_deg,weight,source\n");
   for (const HypothesisRow& row : hypotheses)
-    text += timeField(row.time) + ',' + std::to_string(row.rank) + ',' + lengthField(row.pose.x) + ',' +
-            lengthField(row.pose.y) + ',' + angleField(row.pose.phi) + ',' + shareField(row.weight) + ',' +
-            textField(row.source) + '\n';
-  return text;
+    write(timeField(row.time) + ',' + std::to_string(row.rank) + ',' + lengthField(row.pose.x) + ',' +
+          lengthField(row.pose.y) + ',' + angleField(row.pose.phi) + ',' + shareField(row.weight) + ',' +
+          textField(row.source) + '\n');
 }
 }  // namespace mrpt_ext

@@ -1,12 +1,10 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "mrpt_ext/evaluation/run_record.h"
+#include "mrpt_ext/files/atomic_file.h"
 
 namespace mrpt_ext
 {
-/// Text of hypotheses.csv: `t,rank,x,y,phi_deg,weight,source` in the order given; rank 0 is the best.
-[[nodiscard]] std::string hypothesesCsv(const std::vector<HypothesisRow>& hypotheses);
+/// Writes hypotheses.csv: `t,rank,x,y,phi_deg,weight,source` in the order given; rank 0 is the best.
+void hypothesesCsv(const LongSequence<HypothesisRow>& hypotheses, const TextSink& write);
 }  // namespace mrpt_ext

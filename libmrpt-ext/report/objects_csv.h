@@ -1,13 +1,11 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "mrpt_ext/evaluation/run_record.h"
+#include "mrpt_ext/files/atomic_file.h"
 
 namespace mrpt_ext
 {
-/// Text of objects.csv: `t,label,x,y,cxx,cxy,cyy,x_robot,y_robot`, seen things that are not landmarks, in the map
+/// Writes objects.csv: `t,label,x,y,cxx,cxy,cyy,x_robot,y_robot`, seen things that are not landmarks, in the map
 /// frame with covariance [m^2] and in the robot frame [m].
-[[nodiscard]] std::string objectsCsv(const std::vector<ObjectRow>& objects);
+void objectsCsv(const LongSequence<ObjectRow>& objects, const TextSink& write);
 }  // namespace mrpt_ext

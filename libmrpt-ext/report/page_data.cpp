@@ -85,20 +85,19 @@ Json confidenceOf(const RunContext& context, const RunRecord& record)
   Json t = Json::array(), weight = Json::array(), ess = Json::array(), modes = Json::array();
   const MethodTrack* track = judgedMethod(record);
   if (!track) return nullptr;
-  const auto& points = track->points;
-  const std::size_t joined = points.size() / (kMaxStamps + 1) + 1;
-  for (std::size_t i = 0; i < points.size(); i += joined)
+  const std::size_t joined = track->points.size() / (kMaxStamps + 1) + 1;
+  for (auto point = track->points.begin(); point != track->points.end();)
   {
     double least_weight = 1;
     Figure least_ess;
     int most_modes = 0;
-    for (std::size_t k = i; k < std::min(i + joined, points.size()); ++k)
+    t.push_back(rounded(point->time - context.start_time, 3));
+    for (std::size_t k = 0; k < joined && point != track->points.end(); ++k, ++point)
     {
-      least_weight = std::min(least_weight, points[k].best_weight);
-      if (const auto& e = points[k].effective_samples) least_ess = std::min(least_ess.value_or(1), *e);
-      most_modes = std::max(most_modes, points[k].modes);
+      least_weight = std::min(least_weight, point->best_weight);
+      if (const auto& e = point->effective_samples) least_ess = std::min(least_ess.value_or(1), *e);
+      most_modes = std::max(most_modes, point->modes);
     }
-    t.push_back(rounded(points[i].time - context.start_time, 3));
     weight.push_back(rounded(least_weight, 3));
     ess.push_back(figure(least_ess, 4));
     modes.push_back(most_modes);

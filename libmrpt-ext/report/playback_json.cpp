@@ -41,12 +41,12 @@ Json truthAtSteps(const RunContext& context, const Steps& steps)
 Json posesAtSteps(const MethodTrack& track, const Steps& steps)
 {
   Json list = Json::array();
-  std::size_t i = 0;
+  auto point = track.points.begin();
   for (const PlaybackStep& step : steps)
   {
-    while (i < track.points.size() && track.points[i].time < step.time - kSameTime) ++i;
-    if (i < track.points.size() && track.points[i].time <= step.time + kSameTime)
-      addPose(list, track.points[i].pose.mean, track.points[i].heading_known);
+    while (point != track.points.end() && point->time < step.time - kSameTime) ++point;
+    if (point != track.points.end() && point->time <= step.time + kSameTime)
+      addPose(list, point->pose.mean, point->heading_known);
     else
       addNoPose(list);
   }
@@ -101,17 +101,16 @@ void addObjects(Json& json, const RunRecord& record)
 {
   std::vector<std::string> labels;
   Json per_step = Json::array();
-  std::size_t next = 0;
+  auto object = record.objects.begin();
   for (const PlaybackStep& step : record.playback)
   {
     Json list = Json::array();
-    for (; next < record.objects.size() && record.objects[next].time <= step.time + kSameTime; ++next)
+    for (; object != record.objects.end() && object->time <= step.time + kSameTime; ++object)
     {
-      const ObjectRow& object = record.objects[next];
-      auto label = std::find(labels.begin(), labels.end(), object.label);
-      if (label == labels.end()) label = labels.insert(labels.end(), object.label);
-      list.push_back(rounded(object.position.x(), 3));
-      list.push_back(rounded(object.position.y(), 3));
+      auto label = std::find(labels.begin(), labels.end(), object->label);
+      if (label == labels.end()) label = labels.insert(labels.end(), object->label);
+      list.push_back(rounded(object->position.x(), 3));
+      list.push_back(rounded(object->position.y(), 3));
       list.push_back(label - labels.begin());
     }
     per_step.push_back(std::move(list));

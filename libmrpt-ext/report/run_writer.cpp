@@ -2,6 +2,7 @@
 
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "mrpt_ext/evaluation/odometry_anchor.h"
@@ -32,16 +33,16 @@ void removeOldResults(const std::filesystem::path& folder)
 }
 }  // namespace
 
-void writeTrial(const std::filesystem::path& folder, const RunContext& context, const RunRecord& record,
-                const RunScore& score)
+void writeTrial(const std::filesystem::path& folder, const RunContext& context, RunRecord record, const RunScore& score)
 {
-  const RunRecord placed = withAnchoredOdometry(record, context.truth);
+  const RunRecord placed = withAnchoredOdometry(std::move(record), context.truth);
   removeOldResults(folder);
-  writeFileAtomically(folder / "steps.csv", stepsCsv(placed));
-  writeFileAtomically(folder / "hypotheses.csv", hypothesesCsv(placed.hypotheses));
-  if (context.objects_wanted || !placed.objects.empty())
-    writeFileAtomically(folder / "objects.csv", objectsCsv(placed.objects));
-  if (!placed.biases.empty()) writeFileAtomically(folder / "biases.csv", biasesCsv(placed.biases));
+  const auto write = [&folder](const char* name, auto table, const auto& rows)
+  { writeFileAtomically(folder / name, [&](const TextSink& sink) { table(rows, sink); }); };
+  write("steps.csv", stepsCsv, placed);
+  write("hypotheses.csv", hypothesesCsv, placed.hypotheses);
+  if (context.objects_wanted || !placed.objects.empty()) write("objects.csv", objectsCsv, placed.objects);
+  if (!placed.biases.empty()) write("biases.csv", biasesCsv, placed.biases);
   for (const MethodTrack& method : placed.methods) writeTrajectoryTum(folder, method);
   writeFileAtomically(folder / "report.html", trialPage(context, placed, score));
   // Last: who finds a summary finds everything that it belongs to.

@@ -10,7 +10,7 @@ namespace mrpt_ext
 /// when objects were asked for or seen), trajectory_<method>.tum. Dead reckoning is anchored to the truth first, where
 /// there is one, so that the files agree with the score. Each file appears complete or not at all.
 /// Throws InputError (data) when a file cannot be written.
-void writeTrial(const std::filesystem::path& folder, const RunContext& context, const RunRecord& record,
+void writeTrial(const std::filesystem::path& folder, const RunContext& context, RunRecord record,
                 const RunScore& score);
 
 /// Writes summary.json and report.html over several trials; the trials themselves lie in trial_NNN (trialFolder()).

@@ -8,17 +8,20 @@ namespace mrpt_ext
 {
 namespace
 {
-struct Row
+/// A track with the estimate of it that is not written yet.
+struct Column
 {
+  explicit Column(const MethodTrack& track) : method(&track), next(track.points.begin()) {}
+  [[nodiscard]] bool atEnd() const { return next == method->points.end(); }
+
   const MethodTrack* method;
-  const TrackPoint* point;
+  LongSequence<TrackPoint>::const_iterator next;
 };
 
-std::string rowText(const Row& row)
+std::string rowText(const MethodTrack& method, const TrackPoint& p)
 {
-  const TrackPoint& p = *row.point;
   const Matrix3d& P = p.pose.covariance;
-  return timeField(p.time) + ',' + textField(row.method->name) + ',' + lengthField(p.pose.mean.x) + ',' +
+  return timeField(p.time) + ',' + textField(method.name) + ',' + lengthField(p.pose.mean.x) + ',' +
          lengthField(p.pose.mean.y) + ',' + (p.heading_known ? angleField(p.pose.mean.phi) : "") + ',' +
          covarianceField(P(0, 0)) + ',' + covarianceField(P(0, 1)) + ',' + covarianceField(P(1, 1)) + ',' +
          (p.heading_known ? covarianceField(P(2, 2)) : "") + ',' + std::to_string(p.modes) + ',' +
@@ -27,15 +30,18 @@ std::string rowText(const Row& row)
 }
 }  // namespace
 
-std::string stepsCsv(const RunRecord& record)
+void stepsCsv(const RunRecord& record, const TextSink& write)
 {
-  std::vector<Row> rows;
-  for (const MethodTrack& method : record.methods)
-    for (const TrackPoint& point : method.points) rows.push_back({&method, &point});
-  std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.point->time < b.point->time; });
-
-  std::string text = "t,method,x,y,phi_deg,cxx,cxy,cyy,cpp,modes,w_best,ess,verdict\n";
-  for (const Row& row : rows) text += rowText(row);
-  return text;
+  write("t,method,x,y,phi_deg,cxx,cxy,cyy,cpp,modes,w_best,ess,verdict\n");
+  std::vector<Column> columns(record.methods.begin(), record.methods.end());
+  const auto isEarlier = [](const Column& a, const Column& b)
+  { return !a.atEnd() && (b.atEnd() || a.next->time < b.next->time); };
+  while (!columns.empty())
+  {
+    Column& first = *std::min_element(columns.begin(), columns.end(), isEarlier);
+    if (first.atEnd()) return;
+    write(rowText(*first.method, *first.next));
+    ++first.next;
+  }
 }
 }  // namespace mrpt_ext

@@ -23,25 +23,27 @@ constexpr double kJump = 0.08;       // of the map's width, between two estimate
 
 /// Splits a path where a sensor or the truth was silent for long, and where the estimate jumped to another place, so
 /// that no line claims a way that was not driven.
-template <typename Point, typename Position>
-std::string pathShape(const std::vector<Point>& points, Position position, double max_gap, const MapView& view,
+template <typename Points, typename Position>
+std::string pathShape(const Points& points, Position position, double max_gap, const MapView& view,
                       const std::string& css_class)
 {
   const auto thinned = [&](const SvgPoints& part)
   { return thinnedPath(part, kResolution, 50 + kMaxPathPoints * part.size() / points.size()); };
   std::string svg;
   SvgPoints part;
-  for (std::size_t i = 0; i < points.size(); ++i)
+  double time_before = 0;
+  for (const auto& point : points)
   {
-    const Vector2d drawn = view.draw(position(points[i]));
-    const bool silent = i > 0 && max_gap > 0 && points[i].time - points[i - 1].time > max_gap;
-    const bool jumped = i > 0 && (drawn - part.back()).norm() > kJump * view.width();
+    const Vector2d drawn = view.draw(position(point));
+    const bool silent = !part.empty() && max_gap > 0 && point.time - time_before > max_gap;
+    const bool jumped = !part.empty() && (drawn - part.back()).norm() > kJump * view.width();
     if (silent || jumped)
     {
       svg += svgPolyline(thinned(part), css_class);
       part.clear();
     }
     part.push_back(drawn);
+    time_before = point.time;
   }
   return svg + svgPolyline(thinned(part), css_class);
 }
@@ -124,8 +126,9 @@ std::string methodShapes(const RunRecord& record, const RunScore& score, const M
     }
     SvgPoints dots;
     const std::size_t stride = method.points.size() / kMaxDots + 1;
-    for (std::size_t i = 0; i < method.points.size(); i += stride)
-      if (const Vector2d p = view.draw(position(method.points[i])); view.contains(p)) dots.push_back(p);
+    std::size_t i = 0;
+    for (const TrackPoint& point : method.points)
+      if (const Vector2d p = view.draw(position(point)); i++ % stride == 0 && view.contains(p)) dots.push_back(p);
     below += svgDots(dots, colour);
   }
   return below + above;

@@ -1,26 +1,24 @@
 #include "mrpt_ext/report/trajectory_tum.h"
 
+#include <optional>
+
+#include "mrpt_ext/files/atomic_file.h"
 #include "mrpt_ext/files/tum.h"
 
 namespace mrpt_ext
 {
-Trajectory trajectoryOf(const MethodTrack& track)
-{
-  Trajectory trajectory;
-  trajectory.reserve(track.points.size());
-  for (const TrackPoint& point : track.points)
-  {
-    const TimedPose pose{point.time, point.pose.mean, point.heading_known};
-    if (!trajectory.empty() && trajectory.back().time == pose.time)
-      trajectory.back() = pose;
-    else
-      trajectory.push_back(pose);
-  }
-  return trajectory;
-}
-
 void writeTrajectoryTum(const std::filesystem::path& folder, const MethodTrack& track)
 {
-  writeTum(folder / ("trajectory_" + track.name + ".tum"), trajectoryOf(track));
+  const auto rows = [&track](const TextSink& write)
+  {
+    std::optional<TimedPose> last;
+    for (const TrackPoint& point : track.points)
+    {
+      if (last && last->time != point.time) write(tumRow(*last));
+      last = TimedPose{point.time, point.pose.mean, point.heading_known};
+    }
+    if (last) write(tumRow(*last));
+  };
+  writeFileAtomically(folder / ("trajectory_" + track.name + ".tum"), rows);
 }
 }  // namespace mrpt_ext

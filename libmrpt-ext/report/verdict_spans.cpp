@@ -7,17 +7,19 @@ namespace mrpt_ext
 std::vector<VerdictSpan> verdictSpans(const MethodTrack& track, Verdict verdict, double start, double resolution)
 {
   std::vector<VerdictSpan> spans;
-  const auto& points = track.points;
-  for (std::size_t i = 0; i < points.size(); ++i)
+  const auto last = track.points.end();
+  for (auto point = track.points.begin(); point != last; ++point)
   {
-    if (points[i].verdict != verdict) continue;
-    const double from = points[i].time - start;
-    while (i + 1 < points.size() && points[i + 1].verdict == verdict) ++i;
-    const double end = (i + 1 < points.size() ? points[i + 1].time : points[i].time) - start;
+    if (point->verdict != verdict) continue;
+    const double from = point->time - start;
+    double end = from;
+    for (; point != last && point->verdict == verdict; ++point) end = point->time - start;
+    if (point != last) end = point->time - start;
     if (!spans.empty() && from - spans.back().to < resolution)
       spans.back().to = end;
     else
       spans.push_back({from, std::max(end, from + resolution)});
+    if (point == last) break;
   }
   return spans;
 }

@@ -1,7 +1,9 @@
 #include "mrpt_ext/simulation/simulator.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "mrpt_ext/geometry/record_feed.h"
 #include "mrpt_ext/simulation/odometry_simulator.h"
 #include "mrpt_ext/simulation/rounding.h"
 #include "mrpt_ext/simulation/running_fix_simulator.h"
@@ -20,8 +22,9 @@ enum Stream : std::uint64_t
   kFirstObjectStream = 1000,
   kFirstSensorStream = 2000
 };
+}  // namespace
 
-class Simulation
+class SimulatedDrive::Simulation
 {
  public:
   explicit Simulation(const Scenario& scenario)
@@ -35,25 +38,41 @@ class Simulation
     for (std::size_t i = 0; i < scenario.objects.size(); ++i)
       object_paths_.push_back(planned<RobotPath>(kFirstObjectStream + i, [&](RandomStream& r)
                                                  { return planPath(scenario.objects[i].path, scenario.duration, r); }));
+    sources_.push_back({odometryRecords(), {}});
+    for (std::size_t i = 0; i < scenario.sensors.size(); ++i)
+    {
+      const auto run = std::make_shared<SensorRun>(*this, scenario.sensors[i],
+                                                   RandomStream(scenario.random_seed, kFirstSensorStream + i));
+      sources_.push_back({[run] { return run->next(); }, {}});
+    }
+  }
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  /// The earliest of what the sources give next. At one time odometry comes first, then the sensors in the order of the
+  /// scenario.
+  std::optional<Record> next()
+  {
+    Source* first = nullptr;
+    for (Source& source : sources_)
+    {
+      if (!source.waiting) source.waiting = source.next();
+      if (source.waiting && (!first || timeOf(*source.waiting) < timeOf(*first->waiting))) first = &source;
+    }
+    return first ? std::exchange(first->waiting, std::nullopt) : std::nullopt;
   }
 
-  Recording play(const std::function<void(double)>& progress)
+  [[nodiscard]] const LandmarkTable& map() const { return map_; }
+
+  [[nodiscard]] Trajectory truth() const
   {
-    Recording recording;
-    recording.map = map_;
-    for (const TimedPose& record : odometry_.records())
-      if (record.time <= scenario_.duration)
-        recording.records.push_back(OdometryRecord{stamp(record.time), record.pose});
-    for (std::size_t i = 0; i < scenario_.sensors.size(); ++i)
+    Trajectory truth;
+    for (int tick = 0;; ++tick)
     {
-      runSensor(scenario_.sensors[i], RandomStream(scenario_.random_seed, kFirstSensorStream + i), recording.records);
-      if (progress) progress(static_cast<double>(i + 1) / static_cast<double>(scenario_.sensors.size()));
+      const double time = std::min(tick / scenario_.truth_rate_hz, scenario_.duration);
+      truth.push_back({stamp(time), rounded(robotAt(time))});
+      if (time >= scenario_.duration) return truth;
     }
-    // Stable: at one time odometry comes first, then the sensors in the order of the scenario.
-    std::stable_sort(recording.records.begin(), recording.records.end(),
-                     [](const Record& a, const Record& b) { return timeOf(a) < timeOf(b); });
-    recording.truth = truth();
-    return recording;
   }
 
  private:
@@ -87,58 +106,97 @@ class Simulation
     return features;
   }
 
-  void runSensor(const SimulatedSensor& sensor, RandomStream random, std::vector<Record>& records) const
+  RecordFeed odometryRecords()
   {
-    RunningFixSimulator fixes(sensor, path_, odometry_, random);
-    for (int tick = 0;; ++tick)
+    return [this, i = std::size_t{0}]() mutable -> std::optional<Record>
     {
-      const double time = sensor.phase_s + tick / sensor.rate_hz;
-      if (time > scenario_.duration) return;
-      const Pose2 robot = robotAt(time);
-      if (sensor.kind == SensorKind::compass)
-      {
-        CompassRecord record = simulateCompass(sensor, robot, random);
-        record.time = stamp(time + sensor.delay_s);
-        records.push_back(record);
-      }
-      else if (sensor.kind == SensorKind::running_fix)
-      {
-        auto fix = fixes.look(time, robot, featuresAt(time));
-        if (!fix) continue;
-        fix->time = stamp(fix->time + sensor.delay_s);
-        fix->first_time = stamp(fix->first_time + sensor.delay_s);
-        records.push_back(*fix);
-      }
-      else
-      {
-        Reading reading = simulateReading(sensor, robot, featuresAt(time), random);
-        reading.time = stamp(time + sensor.delay_s);
-        records.push_back(reading);
-      }
-    }
+      if (i == odometry_.records().size() || odometry_.records()[i].time > scenario_.duration) return std::nullopt;
+      const TimedPose& record = odometry_.records()[i++];
+      return OdometryRecord{stamp(record.time), record.pose};
+    };
   }
 
-  [[nodiscard]] Trajectory truth() const
+  /// What one sensor measures, tick by tick.
+  class SensorRun
   {
-    Trajectory truth;
-    for (int tick = 0;; ++tick)
+   public:
+    SensorRun(const Simulation& simulation, const SimulatedSensor& sensor, const RandomStream& random)
+        : simulation_(simulation),
+          sensor_(sensor),
+          random_(random),
+          fixes_(sensor, simulation.path_, simulation.odometry_, random)
     {
-      const double time = std::min(tick / scenario_.truth_rate_hz, scenario_.duration);
-      truth.push_back({stamp(time), rounded(robotAt(time))});
-      if (time >= scenario_.duration) return truth;
     }
-  }
+
+    std::optional<Record> next()
+    {
+      while (true)
+      {
+        const double time = sensor_.phase_s + tick_++ / sensor_.rate_hz;
+        if (time > simulation_.scenario_.duration) return std::nullopt;
+        if (auto record = measure(time)) return record;
+      }
+    }
+
+   private:
+    std::optional<Record> measure(double time)
+    {
+      const Pose2 robot = simulation_.robotAt(time);
+      if (sensor_.kind == SensorKind::compass)
+      {
+        CompassRecord record = simulateCompass(sensor_, robot, random_);
+        record.time = simulation_.stamp(time + sensor_.delay_s);
+        return record;
+      }
+      if (sensor_.kind == SensorKind::running_fix)
+      {
+        auto fix = fixes_.look(time, robot, simulation_.featuresAt(time));
+        if (!fix) return std::nullopt;
+        fix->time = simulation_.stamp(fix->time + sensor_.delay_s);
+        fix->first_time = simulation_.stamp(fix->first_time + sensor_.delay_s);
+        return *fix;
+      }
+      Reading reading = simulateReading(sensor_, robot, simulation_.featuresAt(time), random_);
+      reading.time = simulation_.stamp(time + sensor_.delay_s);
+      return reading;
+    }
+
+    const Simulation& simulation_;
+    const SimulatedSensor& sensor_;
+    RandomStream random_;
+    RunningFixSimulator fixes_;
+    int tick_ = 0;
+  };
+
+  /// Records of one origin, ordered by time, with the one that waits for its turn.
+  struct Source
+  {
+    RecordFeed next;
+    std::optional<Record> waiting;
+  };
 
   const Scenario& scenario_;
   LandmarkTable map_;
   RobotPath path_;
   DeadReckoning odometry_;
   std::vector<RobotPath> object_paths_;
+  std::vector<Source> sources_;
 };
-}  // namespace
 
-Recording simulate(const Scenario& scenario, const std::function<void(double)>& progress)
+SimulatedDrive::SimulatedDrive(const Scenario& scenario) : simulation_(std::make_unique<Simulation>(scenario)) {}
+SimulatedDrive::~SimulatedDrive() = default;
+SimulatedDrive::SimulatedDrive(SimulatedDrive&&) noexcept = default;
+std::optional<Record> SimulatedDrive::next() { return simulation_->next(); }
+const LandmarkTable& SimulatedDrive::map() const { return simulation_->map(); }
+Trajectory SimulatedDrive::truth() const { return simulation_->truth(); }
+
+Recording simulate(const Scenario& scenario)
 {
-  return Simulation(scenario).play(progress);
+  SimulatedDrive drive(scenario);
+  Recording recording;
+  while (auto record = drive.next()) recording.records.push_back(std::move(*record));
+  recording.map = drive.map();
+  recording.truth = drive.truth();
+  return recording;
 }
 }  // namespace mrpt_ext

@@ -1,15 +1,35 @@
 #pragma once
 
-#include <functional>
+#include <memory>
+#include <optional>
 
 #include "mrpt_ext/geometry/recording.h"
 #include "mrpt_ext/simulation/scenario.h"
 
 namespace mrpt_ext
 {
-/// Plays a scenario: log, map and truth (sampled at truth_rate_hz, and at the end). Same scenario, same result.
-/// Map, path, odometry, every object and every sensor draw from random streams of their own, so that changing one
-/// leaves the others as they were. `progress` is told the share done, in [0, 1]. Throws InputError (configuration) for
-/// a scenario that cannot be played.
-[[nodiscard]] Recording simulate(const Scenario& scenario, const std::function<void(double)>& progress = {});
+/// A scenario while it is played: the log comes record by record, so that hours of it need no memory. Same scenario,
+/// same records. Map, path, odometry, every object and every sensor draw from random streams of their own, so that
+/// changing one leaves the others as they were.
+class SimulatedDrive
+{
+ public:
+  /// Throws InputError (configuration) for a scenario that cannot be played; the scenario must outlive the drive.
+  explicit SimulatedDrive(const Scenario& scenario);
+  ~SimulatedDrive();
+  SimulatedDrive(SimulatedDrive&&) noexcept;
+
+  /// The next record in the order of time; nothing at the end.
+  [[nodiscard]] std::optional<Record> next();
+  [[nodiscard]] const LandmarkTable& map() const;
+  /// Sampled at truth_rate_hz, and at the end.
+  [[nodiscard]] Trajectory truth() const;
+
+ private:
+  class Simulation;
+  std::unique_ptr<Simulation> simulation_;
+};
+
+/// The whole drive in memory: log, map and truth.
+[[nodiscard]] Recording simulate(const Scenario& scenario);
 }  // namespace mrpt_ext

@@ -20,7 +20,7 @@ const std::map<std::string, Names> kAllowed{
     {"likelihood", {"geometry"}},
     {"hypotheses", {"geometry", "solvers", "correspondence", "likelihood"}},
     {"filter", {"geometry", "likelihood", "hypotheses"}},
-    {"evaluation", {"geometry"}},
+    {"evaluation", {"geometry", "files"}},
     {"localizers", {"geometry", "solvers", "correspondence", "likelihood", "hypotheses", "filter", "evaluation"}},
     {"simulation", {"geometry", "files"}},
     {"importers", {"geometry", "files"}},

@@ -24,7 +24,7 @@ inline RunContext straightRun(double duration)
   RunContext context;
   context.start_time = kLogStart;
   context.duration_s = duration;
-  context.truth = straightLine(duration, 0.1);
+  context.truth = context.odometry = straightLine(duration, 0.1);
   return context;
 }
 
@@ -49,11 +49,23 @@ inline MethodTrack trackWithError(const std::string& name, double from, double t
   return track;
 }
 
-inline RunRecord recordOf(std::vector<MethodTrack> methods, double duration)
+/// The track with all its poses moved and turned.
+inline MethodTrack movedBy(const Pose2& T, const MethodTrack& track)
+{
+  MethodTrack moved = track;
+  moved.points.clear();
+  for (TrackPoint point : track.points)
+  {
+    point.pose.mean = compose(T, point.pose.mean);
+    moved.points.push_back(point);
+  }
+  return moved;
+}
+
+inline RunRecord recordOf(std::vector<MethodTrack> methods)
 {
   RunRecord record;
   record.methods = std::move(methods);
-  record.odometry = straightLine(duration, 0.1);
   record.verdict = Verdict::ok;
   return record;
 }

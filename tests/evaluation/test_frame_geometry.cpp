@@ -34,27 +34,28 @@ TEST(AngularSpread, IsTheSmallestAngleAroundAll)
 
 TEST(FrameGeometry, OfMeasuredBearingsNeedsNoTruth)
 {
-  const auto all = frameGeometry({frameOf({{.bearing = 0.1}, {.bearing = 1.1}}, {0, 0, 2})}, kMap, {}, 0.5);
-  ASSERT_EQ(all.size(), 1u);
-  EXPECT_EQ(all[0].landmarks, 2u);
-  EXPECT_NEAR(*all[0].spread, 1.0, 1e-12);
-  EXPECT_FALSE(all[0].range);
+  const auto geometry = frameGeometry(frameOf({{.bearing = 0.1}, {.bearing = 1.1}}, {0, 0, 2}), kMap, {}, 0.5);
+  ASSERT_TRUE(geometry);
+  EXPECT_EQ(geometry->landmarks, 2u);
+  EXPECT_NEAR(*geometry->spread, 1.0, 1e-12);
+  EXPECT_FALSE(geometry->range);
 }
 
 TEST(FrameGeometry, WhatWasNotMeasuredComesFromTheMap)
 {
-  const auto all = frameGeometry({frameOf({{.id = 1, .range = 3}, {.id = 2, .range = 4}})}, kMap, kTruth, 0.5);
-  ASSERT_EQ(all.size(), 1u);
-  EXPECT_NEAR(*all[0].spread, kPi / 2, 1e-12);
-  EXPECT_NEAR(*all[0].range, 3.5, 1e-12);
+  const auto geometry = frameGeometry(frameOf({{.id = 1, .range = 3}, {.id = 2, .range = 4}}), kMap, kTruth, 0.5);
+  ASSERT_TRUE(geometry);
+  EXPECT_NEAR(*geometry->spread, kPi / 2, 1e-12);
+  EXPECT_NEAR(*geometry->range, 3.5, 1e-12);
 }
 
 TEST(FrameGeometry, ALandmarkCountsOnceAndEmptyFramesDoNotCount)
 {
-  const auto all =
-      frameGeometry({frameOf({{.id = 1, .bearing = 0.0}, {.id = 1, .bearing = 0.0}}), frameOf({})}, kMap, kTruth, 0.5);
-  ASSERT_EQ(all.size(), 1u);
-  EXPECT_EQ(all[0].landmarks, 1u);
-  EXPECT_FALSE(all[0].spread);
+  const auto geometry =
+      frameGeometry(frameOf({{.id = 1, .bearing = 0.0}, {.id = 1, .bearing = 0.0}}), kMap, kTruth, 0.5);
+  ASSERT_TRUE(geometry);
+  EXPECT_EQ(geometry->landmarks, 1u);
+  EXPECT_FALSE(geometry->spread);
+  EXPECT_FALSE(frameGeometry(frameOf({}), kMap, kTruth, 0.5));
 }
 }  // namespace mrpt_ext

@@ -13,9 +13,7 @@ namespace
 /// Drives straight in its own frame, which is turned and moved against the map.
 MethodTrack odometryInItsOwnFrame()
 {
-  MethodTrack track = trackWithError(kOdometryMethod, 0, 5, 0.5, [](double) { return 0.0; });
-  for (TrackPoint& point : track.points) point.pose.mean = compose({7, -3, 2.0}, point.pose.mean);
-  return track;
+  return movedBy({7, -3, 2.0}, trackWithError(kOdometryMethod, 0, 5, 0.5, [](double) { return 0.0; }));
 }
 }  // namespace
 
@@ -47,7 +45,7 @@ TEST(OdometryAnchor, OtherMethodsStay)
 {
   const RunContext context = straightRun(5);
   const RunRecord record = withAnchoredOdometry(
-      recordOf({odometryInItsOwnFrame(), trackWithError("f", 0, 5, 1, [](double) { return 0.4; })}, 5), context.truth);
+      recordOf({odometryInItsOwnFrame(), trackWithError("f", 0, 5, 1, [](double) { return 0.4; })}), context.truth);
   EXPECT_NEAR(record.methods[0].points.front().pose.mean.x, 0, 1e-9);
   EXPECT_NEAR(record.methods[1].points.front().pose.mean.y, 0.4, 1e-9);
 }

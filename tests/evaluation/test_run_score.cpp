@@ -34,7 +34,7 @@ TEST(RunScore, TheJumpIsFoundAndSplitsTheErrors)
 {
   const RunContext context = straightRun(40);
   const RunScore score =
-      scoreRun(context, recordOf({filterWithError(40, jumpAtTwelve), closedFormWithError(39.5, 0.3)}, 40), kLimits);
+      scoreRun(context, recordOf({filterWithError(40, jumpAtTwelve), closedFormWithError(39.5, 0.3)}), kLimits);
   EXPECT_EQ(score.judged_method, "particle_filter");
   EXPECT_NEAR(*score.converged_at_s, 12, 1e-9);
   EXPECT_EQ(score.trials.front().success, true);
@@ -53,7 +53,7 @@ TEST(RunScore, TheJumpIsFoundAndSplitsTheErrors)
 TEST(RunScore, NeverConvergedLeavesOnlyTheWholeRun)
 {
   const RunScore score =
-      scoreRun(straightRun(40), recordOf({filterWithError(40, [](double) { return 3.0; })}, 40), kLimits);
+      scoreRun(straightRun(40), recordOf({filterWithError(40, [](double) { return 3.0; })}), kLimits);
   EXPECT_FALSE(score.converged_at_s);
   EXPECT_EQ(score.trials.front().success, false);
   EXPECT_EQ(score.success_rate, 0.0);
@@ -66,7 +66,7 @@ TEST(RunScore, NeverConvergedLeavesOnlyTheWholeRun)
 TEST(RunScore, ElevenSecondsLostAfterConvergenceIsAFailure)
 {
   const auto lost = [](double t) { return t > 19.9 && t < 30.6 ? 2.0 : 0.1; };  // stamps 20 .. 30
-  const RunScore score = scoreRun(straightRun(60), recordOf({filterWithError(60, lost)}, 60), kLimits);
+  const RunScore score = scoreRun(straightRun(60), recordOf({filterWithError(60, lost)}), kLimits);
   EXPECT_NEAR(*score.converged_at_s, 0, 1e-9);
   EXPECT_EQ(score.trials.front().success, false);
 }
@@ -75,7 +75,7 @@ TEST(RunScore, WithoutTruthNoErrorExists)
 {
   RunContext context = straightRun(40);
   context.truth.clear();
-  const RunScore score = scoreRun(context, recordOf({filterWithError(40, jumpAtTwelve)}, 40), kLimits);
+  const RunScore score = scoreRun(context, recordOf({filterWithError(40, jumpAtTwelve)}), kLimits);
   EXPECT_FALSE(score.trials.front().success);
   EXPECT_FALSE(score.success_rate);
   EXPECT_FALSE(score.methods[0].position_error_whole_run_m.rmse);
@@ -84,7 +84,7 @@ TEST(RunScore, WithoutTruthNoErrorExists)
 
 TEST(RunScore, ClosedFormsAloneCountEverything)
 {
-  const RunScore score = scoreRun(straightRun(20), recordOf({closedFormWithError(19.5, 0.3)}, 20), kLimits);
+  const RunScore score = scoreRun(straightRun(20), recordOf({closedFormWithError(19.5, 0.3)}), kLimits);
   EXPECT_FALSE(score.judged_method);
   EXPECT_FALSE(score.trials.front().success);
   EXPECT_NEAR(*score.methods[0].position_error_m.rmse, 0.3, 1e-9);
@@ -94,9 +94,9 @@ TEST(RunScore, ClosedFormsAloneCountEverything)
 
 TEST(RunScore, OdometryIsAnchoredAndNeverTheJudgedMethod)
 {
-  MethodTrack odometry = trackWithError("odometry", 0, 20, 0.5, [](double) { return 0.0; });
-  for (TrackPoint& point : odometry.points) point.pose.mean = compose({7, -3, 2.0}, point.pose.mean);
-  const RunScore score = scoreRun(straightRun(20), recordOf({odometry}, 20), kLimits);
+  const MethodTrack odometry =
+      movedBy({7, -3, 2.0}, trackWithError("odometry", 0, 20, 0.5, [](double) { return 0.0; }));
+  const RunScore score = scoreRun(straightRun(20), recordOf({odometry}), kLimits);
   EXPECT_FALSE(score.judged_method);
   EXPECT_NEAR(*score.methods[0].position_error_m.rmse, 0, 1e-9);
 }
@@ -105,7 +105,7 @@ TEST(RunScore, AnotherContinuousMethodIsJudgedWithoutAFilter)
 {
   MethodTrack ekf = filterWithError(40, jumpAtTwelve);
   ekf.name = "extended_kalman_filter";
-  const RunScore score = scoreRun(straightRun(40), recordOf({ekf}, 40), kLimits);
+  const RunScore score = scoreRun(straightRun(40), recordOf({ekf}), kLimits);
   EXPECT_EQ(score.judged_method, "extended_kalman_filter");
   EXPECT_NEAR(*score.converged_at_s, 12, 1e-9);
 }
@@ -114,9 +114,8 @@ TEST(RunScore, UnknownTruthHeadingIsNotJudged)
 {
   RunContext context = straightRun(30);
   for (TimedPose& pose : context.truth) pose.heading_known = false;
-  MethodTrack filter = filterWithError(30, [](double) { return 0.1; });
-  for (TrackPoint& point : filter.points) point.pose.mean.phi = 0;
-  const RunScore score = scoreRun(context, recordOf({filter}, 30), kLimits);
+  const MethodTrack filter = filterWithError(30, [](double) { return 0.1; });
+  const RunScore score = scoreRun(context, recordOf({filter}), kLimits);
   EXPECT_FALSE(score.methods[0].heading_error_deg.rmse);
   EXPECT_EQ(score.trials.front().success, true);
   EXPECT_NEAR(*score.filter.nees_mean, 1,
@@ -130,7 +129,7 @@ TEST(RunScore, AvailabilityAndTimesComeFromTheTrack)
   track.frames_answered = 5;
   track.frames_ambiguous = 3;
   track.step_milliseconds = {1, 2, 3, 4, 5};
-  const MethodScore score = scoreRun(straightRun(10), recordOf({track}, 10), kLimits).methods[0];
+  const MethodScore score = scoreRun(straightRun(10), recordOf({track}), kLimits).methods[0];
   EXPECT_EQ(score.availability, 0.25);
   EXPECT_EQ(score.ambiguous, 3.0);
   EXPECT_EQ(score.step_ms_median, 3.0);
@@ -141,7 +140,7 @@ TEST(RunScore, FiguresOfAnEmptyTrackDoNotExist)
 {
   MethodTrack track;
   track.name = "running_fix";
-  const MethodScore score = scoreRun(straightRun(10), recordOf({track}, 10), kLimits).methods[0];
+  const MethodScore score = scoreRun(straightRun(10), recordOf({track}), kLimits).methods[0];
   EXPECT_EQ(score.estimates, 0.0);
   EXPECT_FALSE(score.availability);
   EXPECT_FALSE(score.step_ms_median);

@@ -56,8 +56,8 @@ TEST(Judge, ContinuousEstimatesAreCarriedByDeadReckoning)
 {
   const RunContext context = straightRun(4);
   // One estimate only, at 1.5 s and 0.2 m to the side: the odometry carries it along.
-  const RunRecord record = recordOf({trackWithError("f", 1.5, 1.5, 1, [](double) { return 0.2; })}, 4);
-  const auto judged = judge(record.methods[0], context, record.odometry);
+  const RunRecord record = recordOf({trackWithError("f", 1.5, 1.5, 1, [](double) { return 0.2; })});
+  const auto judged = judge(record.methods[0], context);
   EXPECT_EQ(stampsOf(judged), (std::vector<double>{2, 3, 4}));  // nothing before the first estimate
   for (const ErrorSample& error : errorsOf(judged))
   {

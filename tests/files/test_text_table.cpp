@@ -68,4 +68,22 @@ TEST(TextTable, RowOfAnotherLengthIsAnError)
   EXPECT_NE(read("a,a\n").find("t.csv:1: column 'a' occurs twice"), std::string::npos);
   EXPECT_NE(read("# only a comment\n").find("the file is empty"), std::string::npos);
 }
+
+TEST(TextTable, RowsCanBeReadOneByOne)
+{
+  const ScratchFolder folder;
+  const auto path = folder.write("t.csv", "a,b\n1,2\n# note\n3,x\n5,6");
+  std::vector<std::string> seen;
+  const auto take = [&](const TextTable& row)
+  {
+    EXPECT_EQ(row.size(), 1u);
+    seen.push_back(row.text(0, 1));
+    if (seen.back() == "x") throw row.errorAt(0, "no x");
+  };
+  EXPECT_EQ(messageOf<InputError>([&] { forEachRow(path, {}, take); }), path.string() + ":4: no x");
+  EXPECT_EQ(seen, (std::vector<std::string>{"2", "x"}));
+  seen.clear();
+  forEachRow(folder.write("u.csv", "a,b\n1,2\n3,4"), {}, take);
+  EXPECT_EQ(seen, (std::vector<std::string>{"2", "4"}));
+}
 }  // namespace mrpt_ext

@@ -158,6 +158,13 @@ TEST(RunFiles, RepeatedRuns)
       EXPECT_TRUE(names.contains(name)) << trial << '/' << name;
   }
   EXPECT_NEAR(testing::positionRmse(merged), sum / 2, 1e-12) << "each figure is the median over the trials";
+
+  const auto fewer = testing::localize(
+      testing::joined({testing::shipped("landmark-localization", "half-field"), "-o", run, "--repeat", "1"}, kBrief));
+  EXPECT_EQ(fewer.exit_code, 0) << fewer.err;
+  EXPECT_NE(fewer.out.find("holds 1 more trial of earlier runs (trial_001), which localization-report counts as well"),
+            std::string::npos)
+      << fewer.out;
 }
 
 TEST(RunFiles, DryRunWritesNothing)

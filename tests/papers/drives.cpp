@@ -42,15 +42,17 @@ Seconds addDrive(DriveErrors& errors, const FilterScenario& scenario, std::uint6
 void addBound(DriveErrors& errors, const FilterScenario& scenario, const Seconds& judged)
 {
   const double start = scenario.truth.front().time;
-  LocalizationInput input;
-  input.config = scenario.config;
-  input.sequence = scenario.sequence;
-  input.context.map = scenario.map;
-  input.context.truth = scenario.truth;
-  input.context.start_time = start;
-  input.context.duration_s = scenario.truth.back().time - start;
+  RunContext context;
+  context.map = scenario.map;
+  context.truth = scenario.truth;
+  context.start_time = start;
+  context.duration_s = scenario.truth.back().time - start;
+  const std::vector<Frame>& frames = scenario.sequence.frames;
+  const auto feed = [&frames, next = std::size_t{0}]() mutable
+  { return next < frames.size() ? std::optional(frames[next++]) : std::nullopt; };
+  const TrackingBound bound = trackingBound(context, scenario.config.filter, scenario.sequence.odometry, feed);
   Sample variance;
-  for (const TrackingBound::Stamp& stamp : trackingBound(input).stamps)
+  for (const TrackingBound::Stamp& stamp : bound.stamps)
     if (judged.contains(std::lround(stamp.time - start))) variance.add(stamp.position_variance);
   if (variance.count() > 0) errors.bound.add(std::sqrt(variance.mean()));
 }

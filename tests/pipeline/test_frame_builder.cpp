@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "mrpt_ext/geometry/measurement_jacobian.h"
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
 
@@ -226,5 +228,50 @@ TEST(FrameBuilder, AnEmptyLogHasNoFrames)
   const FrameSequence sequence = buildFrames({}, kMap, {});
   EXPECT_TRUE(sequence.frames.empty());
   EXPECT_TRUE(sequence.odometry.empty());
+}
+
+TEST(FrameCutter, ReadsNoFurtherThanTheWindowAndTheDelaysDemand)
+{
+  constexpr double kStep = 0.1, kDelay = 0.35;
+  std::vector<Record> records;
+  for (int k = 0; k < 300; ++k) records.emplace_back(bearingTo(0, k * kStep, k % 2 == 0 ? "eye" : "left"));
+  FrameOptions options;
+  options.sensors["left"].delay = kDelay;
+  const RecordFeed all = feedOf(records);
+  double newest = 0;
+  const auto watched = [&]
+  {
+    auto record = all();
+    if (record) newest = timeOf(*record);
+    return record;
+  };
+  const LogOverview overview;
+  FrameCutter cutter(watched, kMap, options, overview);
+  std::vector<double> stamps;
+  while (const auto frame = cutter.next())
+  {
+    EXPECT_LE(newest, frame->time + options.window + kDelay + 5 * kStep);
+    stamps.push_back(frame->time);
+  }
+  EXPECT_EQ(newest, timeOf(records.back()));
+  EXPECT_TRUE(std::is_sorted(stamps.begin(), stamps.end()));
+  EXPECT_EQ(stamps, stampsOf(buildFrames(records, kMap, options).frames));
+  EXPECT_EQ(cutter.detections(), records.size());
+  EXPECT_FALSE(cutter.next());
+}
+
+TEST(FrameCutter, RangesAreRememberedAsLongAsAFixMayAskForThem)
+{
+  Reading range{.time = 1, .sensor = "sonar"};
+  range.detections = {{.id = 1, .range = 3, .std_range = 0.1}};
+  RunningFixReading fix{.time = 61, .first_time = 1, .sensor = "sonar", .id = 1, .first_range = 3, .first_std = 0.1};
+  fix.second_range = 4;
+  fix.second_std = 0.1;
+  std::vector<Record> records{range};
+  for (int k = 2; k < 61; ++k) records.emplace_back(bearingTo(0, k));
+  records.emplace_back(fix);
+  EXPECT_TRUE(buildFrames(records, kMap, {}).frames.back().fixes.at(0).ranges_logged_too);
+  records.front() = bearingTo(0, 1);
+  EXPECT_FALSE(buildFrames(records, kMap, {}).frames.back().fixes.at(0).ranges_logged_too);
 }
 }  // namespace mrpt_ext

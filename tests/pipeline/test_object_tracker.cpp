@@ -34,10 +34,11 @@ TrackPoint pointAt(double time, const Pose2& pose)
 std::vector<ObjectRow> placed(const std::vector<Frame>& sightings, const TrackPoint& robot,
                               const OdometryPath& odometry = {{}, {}})
 {
-  ObjectTracker tracker(sightings, odometry);
-  std::vector<ObjectRow> rows;
+  ObjectTracker tracker(odometry);
+  tracker.add(sightings);
+  LongSequence<ObjectRow> rows;
   tracker.place(robot, rows);
-  return rows;
+  return {rows.begin(), rows.end()};
 }
 }  // namespace
 
@@ -101,8 +102,9 @@ TEST(ObjectTracker, EverySightingIsPlacedOnceInItsTurn)
                                      frameAt(2, {ballSeenBy(kRobot, {}, true, "eye")}),
                                      frameAt(5, {ballSeenBy(kRobot, {}, true, "eye")})};
   const OdometryPath odometry({}, {});
-  ObjectTracker tracker(sightings, odometry);
-  std::vector<ObjectRow> rows;
+  ObjectTracker tracker(odometry);
+  tracker.add(sightings);
+  LongSequence<ObjectRow> rows;
   tracker.place(pointAt(0.5, kRobot), rows);
   EXPECT_EQ(rows.size(), 0u);
   tracker.place(pointAt(2, kRobot), rows);

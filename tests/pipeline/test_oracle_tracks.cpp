@@ -26,10 +26,10 @@ TEST(OracleTracks, KeepsTheCandidateNearestTheTruth)
   EXPECT_TRUE(tracks[0].oracle);
   EXPECT_EQ(tracks[0].frames_answered, 1u);
   ASSERT_EQ(tracks[0].points.size(), 1u);
-  EXPECT_EQ(tracks[0].points[0].time, 0.25);
-  EXPECT_EQ(tracks[0].points[0].pose.mean.x, 0.3);
-  EXPECT_EQ(tracks[0].points[0].modes, 3);
-  EXPECT_EQ(tracks[0].points[0].best_weight, 0.2);
+  EXPECT_EQ(tracks[0].points.front().time, 0.25);
+  EXPECT_EQ(tracks[0].points.front().pose.mean.x, 0.3);
+  EXPECT_EQ(tracks[0].points.front().modes, 3);
+  EXPECT_EQ(tracks[0].points.front().best_weight, 0.2);
 }
 
 TEST(OracleTracks, MethodsThatNeverHadAChoiceHaveNoOracle)

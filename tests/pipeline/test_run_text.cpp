@@ -17,8 +17,8 @@ LocalizationInput sampleInput()
   input.context.observations["CObservationB"] = {.total = 10, .used = 7, .ignored = 3};
   input.context.observations["CObservationC"] = {.total = 2, .used = 0, .ignored = 2};
   input.unusable["eye: id not in the map"] = 5;
-  input.sequence.frames.resize(30);
-  input.sequence.detections = 100;
+  input.log.frames = 30;
+  input.log.detections = 100;
   return input;
 }
 

@@ -33,7 +33,7 @@ RunRecord closedForm(std::size_t offered, std::size_t answered, std::size_t ambi
   RunRecord run;
   run.methods = {{.name = "tree", .frames_offered = offered, .frames_answered = answered}};
   run.methods[0].frames_ambiguous = ambiguous;
-  run.methods[0].points.resize(answered);  // each the only candidate of its frame
+  run.methods[0].points = std::vector<TrackPoint>(answered);  // each the only candidate of its frame
   return run;
 }
 
@@ -95,9 +95,12 @@ TEST(RunVerdict, ClosedFormsAreJudgedByWhatTheBestOfThemAnswered)
 TEST(RunVerdict, TheBestOfSeveralCandidatesIsNoSureAnswer)
 {
   RunRecord run = closedForm(10, 8, 0);
-  for (std::size_t i = 0; i < 4; ++i) run.methods[0].points[i].verdict = kAmbiguous;
+  std::vector<TrackPoint> points(8);
+  for (std::size_t i = 0; i < 4; ++i) points[i].verdict = kAmbiguous;
+  run.methods[0].points = points;
   EXPECT_EQ(verdictOfClosedForms(run).verdict, kAmbiguous);
-  run.methods[0].points[0].verdict = kOk;
+  points[0].verdict = kOk;
+  run.methods[0].points = points;
   EXPECT_EQ(verdictOfClosedForms(run).verdict, kOk);
 }
 }  // namespace mrpt_ext

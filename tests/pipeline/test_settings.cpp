@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "mrpt_ext/geometry/angle.h"
+#include "scratch_folder.h"
 
 namespace mrpt_ext
 {
@@ -160,6 +161,17 @@ TEST(Settings, ResolvedTextLoadsAgainToTheSame)
             "; note is not set\n[Sensor_b]\nmax_range_m = 2\nfield_of_view_deg = 360\n[Sensor_a]\n"
             "; max_range_m is not set\nfield_of_view_deg = 360\n[MetricMap_x_opts]\nanything = 1 2\n");
   EXPECT_EQ(Settings::parse(resolved, "/elsewhere/config_resolved.ini", table()).resolvedText(), resolved);
+}
+
+TEST(Settings, ValuesThatAnIniFileCannotHoldAreRefused)
+{
+  for (const std::string folder : {"my #1 runs", "a ;b", "x //y"})
+  {
+    const std::string text = testing::messageOf<InputError>(
+        [&] { (void)Settings::parse("[Run]\nlog = a.rawlog\n", "/" + folder + "/run.ini", table()).resolvedText(); });
+    EXPECT_NE(text.find("'/" + folder + "/a.rawlog' cannot be written into config_resolved.ini"), std::string::npos);
+  }
+  EXPECT_NO_THROW((void)Settings::parse("[Run]\nlog = a.rawlog\n", "/a#1;b//c/run.ini", table()).resolvedText());
 }
 
 TEST(KeyTable, ListsAndExplainsItself)

@@ -12,17 +12,32 @@ namespace
 const Pose2 kPlace{2, 1, 0.4};
 constexpr int kFrames = 20;
 
-/// A robot that stands still, knows it, and sees three landmarks once in a second.
-LocalizationInput standingRobot()
+struct BoundInput
 {
-  LocalizationInput input;
+  RunContext context;
+  ParticleFilterOptions filter;
+  OdometryPath odometry;
+  std::vector<Frame> frames;
+};
+
+TrackingBound boundOf(const BoundInput& input)
+{
+  const auto feed = [&input, next = std::size_t{0}]() mutable
+  { return next < input.frames.size() ? std::optional(input.frames[next++]) : std::nullopt; };
+  return trackingBound(input.context, input.filter, input.odometry, feed);
+}
+
+/// A robot that stands still, knows it, and sees three landmarks once in a second.
+BoundInput standingRobot()
+{
+  BoundInput input;
   input.context.map = LandmarkTable(
       {{.id = 1, .position = {0, 0, 0}}, {.id = 2, .position = {5, 1, 0}}, {.id = 3, .position = {1, 6, 0}}});
   input.context.start_time = 10;
   input.context.duration_s = kFrames - 1;
-  MotionModel& motion = input.config.filter.motion;
+  MotionModel& motion = input.filter.motion;
   motion.std_xy_per_s = motion.std_phi_per_s = 0;
-  input.config.filter.region = {{0, 0}, {6, 6}};
+  input.filter.region = {{0, 0}, {6, 6}};
   for (int k = 0; k < kFrames; ++k)
   {
     Frame frame;
@@ -33,7 +48,7 @@ LocalizationInput standingRobot()
       reading.detections.push_back(
           {.id = landmark.id, .bearing = predictBearing(kPlace, landmark.position.head<2>()), .std_bearing = 0.02});
     frame.readings = {reading};
-    input.sequence.frames.push_back(frame);
+    input.frames.push_back(frame);
     input.context.truth.push_back({frame.time, kPlace, true});
     input.context.truth.push_back({frame.time + 0.4, kPlace, true});
     input.context.truth.push_back({frame.time + 0.8, kPlace, true});
@@ -42,7 +57,7 @@ LocalizationInput standingRobot()
 }
 
 /// What one frame tells.
-Matrix3d informationOfAFrame(const LocalizationInput& input)
+Matrix3d informationOfAFrame(const BoundInput& input)
 {
   Matrix3d information = Matrix3d::Zero();
   for (const Landmark& landmark : input.context.map.all())
@@ -53,8 +68,8 @@ Matrix3d informationOfAFrame(const LocalizationInput& input)
 
 TEST(TrackingBound, InformationAddsUpWhileTheRobotStands)
 {
-  const LocalizationInput input = standingRobot();
-  const TrackingBound bound = trackingBound(input);
+  const BoundInput input = standingRobot();
+  const TrackingBound bound = boundOf(input);
   EXPECT_EQ(bound.why_none, "");
   ASSERT_EQ(bound.stamps.size(), static_cast<std::size_t>(kFrames));
   // The box of possible places, 6 x 6 m, tells next to nothing beside three bearings.
@@ -70,47 +85,47 @@ TEST(TrackingBound, InformationAddsUpWhileTheRobotStands)
 
 TEST(TrackingBound, FalseDetectionsTellNothing)
 {
-  LocalizationInput input = standingRobot();
-  const double honest = trackingBound(input).stamps.back().position_variance;
-  for (Frame& frame : input.sequence.frames)
+  BoundInput input = standingRobot();
+  const double honest = boundOf(input).stamps.back().position_variance;
+  for (Frame& frame : input.frames)
   {
     Detection lie = frame.readings[0].detections[0];
     lie.bearing = wrap(*lie.bearing + 1);
     frame.readings[0].detections.push_back(lie);
   }
-  EXPECT_EQ(trackingBound(input).stamps.back().position_variance, honest);
+  EXPECT_EQ(boundOf(input).stamps.back().position_variance, honest);
 }
 
 TEST(TrackingBound, AKnownStartAndOdometryCount)
 {
-  LocalizationInput input = standingRobot();
-  const double unknown = trackingBound(input).stamps.front().position_variance;
-  input.config.filter.initial_mode = InitialMode::gaussian;
-  input.config.filter.initial_pose.covariance = Matrix3d::Identity() * 1e-4;
-  EXPECT_LT(trackingBound(input).stamps.front().position_variance, 0.5 * unknown);
+  BoundInput input = standingRobot();
+  const double unknown = boundOf(input).stamps.front().position_variance;
+  input.filter.initial_mode = InitialMode::gaussian;
+  input.filter.initial_pose.covariance = Matrix3d::Identity() * 1e-4;
+  EXPECT_LT(boundOf(input).stamps.front().position_variance, 0.5 * unknown);
 
-  const double still = trackingBound(input).stamps.back().position_variance;
-  input.config.filter.motion.std_xy_per_s = 0.1;
-  EXPECT_GT(trackingBound(input).stamps.back().position_variance, 2 * still) << "odometry forgets";
+  const double still = boundOf(input).stamps.back().position_variance;
+  input.filter.motion.std_xy_per_s = 0.1;
+  EXPECT_GT(boundOf(input).stamps.back().position_variance, 2 * still) << "odometry forgets";
 }
 
 TEST(TrackingBound, SaysWhyThereIsNone)
 {
-  LocalizationInput nameless = standingRobot();
-  nameless.sequence.frames[3].readings[0].detections[0].id = kNoId;
-  EXPECT_NE(trackingBound(nameless).why_none.find("names"), std::string::npos);
+  BoundInput nameless = standingRobot();
+  nameless.frames[3].readings[0].detections[0].id = kNoId;
+  EXPECT_NE(boundOf(nameless).why_none.find("names"), std::string::npos);
 
-  LocalizationInput blind = standingRobot();
+  BoundInput blind = standingRobot();
   blind.context.truth.clear();
-  EXPECT_NE(trackingBound(blind).why_none.find("no truth"), std::string::npos);
+  EXPECT_NE(boundOf(blind).why_none.find("no truth"), std::string::npos);
 
-  LocalizationInput sparse = standingRobot();
+  BoundInput sparse = standingRobot();
   sparse.context.truth_is_sparse = true;
-  EXPECT_NE(trackingBound(sparse).why_none.find("sparse"), std::string::npos);
+  EXPECT_NE(boundOf(sparse).why_none.find("sparse"), std::string::npos);
 
-  LocalizationInput gap = standingRobot();
+  BoundInput gap = standingRobot();
   gap.context.truth.erase(gap.context.truth.begin() + 15, gap.context.truth.begin() + 21);
-  EXPECT_FALSE(trackingBound(gap).why_none.empty());
-  EXPECT_TRUE(trackingBound(gap).stamps.empty());
+  EXPECT_FALSE(boundOf(gap).why_none.empty());
+  EXPECT_TRUE(boundOf(gap).stamps.empty());
 }
 }  // namespace mrpt_ext

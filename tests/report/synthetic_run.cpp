@@ -86,9 +86,10 @@ std::vector<PlaybackStep> syntheticPlayback(const MethodTrack& filter, std::size
 {
   std::vector<PlaybackStep> playback;
   const std::size_t stride = std::max<std::size_t>(filter.points.size() / steps, 1);
-  for (std::size_t i = 0; i < filter.points.size() && playback.size() < steps; i += stride)
+  std::size_t i = 0;
+  for (const TrackPoint& point : filter.points)
   {
-    const TrackPoint& point = filter.points[i];
+    if (i++ % stride != 0 || playback.size() >= steps) continue;
     const double t = point.time - kStart;
     PlaybackStep step{point.time, {}, {{point.pose, point.best_weight}}, sightings(t)};
     if (point.modes > 1) step.modes.push_back({noisy(t, 0.1, 3).pose, 1 - point.best_weight});
@@ -123,6 +124,8 @@ RunContext syntheticContext(double duration)
   for (int i = 0; i * 0.1 <= duration; ++i) context.truth.push_back({kStart + i * 0.1, onTheOval(i * 0.1), true});
   for (int i = 0; i * kFrameStep <= duration; ++i)
     context.geometry.push_back({kStart + i * kFrameStep, static_cast<std::size_t>(1 + i % 8), 0.4 * (1 + i % 6), 2.0});
+  for (const TrackPoint& point : track("odometry", true, kFrameStep, duration, driftingOdometry).points)
+    context.odometry.push_back({point.time, point.pose.mean, true});
   context.inputs = {{"map", "datasets/room_map.csv", std::string(64, 'b')}};
   return context;
 }
@@ -145,8 +148,6 @@ RunRecord syntheticRecord(const RunContext& context, int trial)
   record.methods.push_back(
       track("extended_kalman_filter", true, kFrameStep, duration, [](double t) { return noisy(t, 0.2, 4); }));
   record.methods.push_back(track("particle_filter", true, kFrameStep, duration, filterPoint));
-  for (const TrackPoint& point : record.methods.front().points)
-    record.odometry.push_back({point.time, point.pose.mean, true});
   record.hypotheses = {{kStart, 0, {1, 2, 0.5}, 0.6, "interpretation_tree"},
                        {kStart, 1, {9, 5, -2.6}, 0.4, "particles"}};
   record.filter.particle_counts = {4000, 900, 500};

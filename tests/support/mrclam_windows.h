@@ -8,6 +8,7 @@
 #include "mrpt_ext/hypotheses/travel_search.h"
 #include "mrpt_ext/importers/mrclam.h"
 #include "mrpt_ext/localizers/travel_looks.h"
+#include "mrpt_ext/pipeline/frame_builder.h"
 #include "mrpt_ext/pipeline/localization_config.h"
 #include "mrpt_ext/pipeline/localization_keys.h"
 

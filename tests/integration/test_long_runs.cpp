@@ -1,0 +1,58 @@
+#include <gtest/gtest.h>
+
+#include "allocation_peak.h"
+#include "scratch_folder.h"
+#include "whole_runs.h"
+
+// A log may be of any length: what a run keeps of every second is little, and every file is as complete as ever.
+namespace mrpt_ext
+{
+namespace
+{
+using testing::Arguments;
+
+class LongRuns : public ::testing::Test
+{
+ protected:
+  /// Most memory that the run over the first `seconds` of the log had at one time [bytes].
+  std::size_t peakOf(int seconds, const Arguments& more)
+  {
+    const std::size_t before = allocatedBytes();
+    startPeak();
+    run_ = testing::localized(
+        folder_.path(), "long",
+        testing::joined(testing::joined(log_.arguments(), {"--duration", std::to_string(seconds), "--set",
+                                                           "LocalizationExperiment.particles_count=150"}),
+                        more));
+    return peakBytes() - before;
+  }
+
+  static constexpr int kShort = 1500, kLong = 4500;  // s
+  testing::ScratchFolder folder_;
+  testing::LogFiles log_ =
+      testing::simulated(folder_.path(), "long", {"--set", "Simulation.duration_s=" + std::to_string(kLong)});
+  std::filesystem::path run_;
+};
+}  // namespace
+
+TEST_F(LongRuns, MemoryHardlyGrowsWithTheLog)
+{
+  // 10 poses of odometry, 5 of the truth, 5 frames: at 100 bytes for each, no measurement and no estimate is kept.
+  constexpr std::size_t kPerSecond = 2000;
+  const std::size_t little = peakOf(kShort, {}), much = peakOf(kLong, {});
+  RecordProperty("bytes_per_second", std::to_string((much - little) / (kLong - kShort)));
+  EXPECT_LT(much, little + kPerSecond * (kLong - kShort)) << "short: " << little;
+  EXPECT_EQ(testing::stepsOf(run_).size(), 5u * kLong + 1);
+  EXPECT_EQ(testing::stepsOf(run_, "odometry").size(), 5u * kLong + 1);
+}
+
+TEST_F(LongRuns, ClosedFormsBesideTheFilterKeepAsLittle)
+{
+  constexpr std::size_t kPerSecond = 2500;
+  const Arguments methods{"--set",
+                          "LocalizationExperiment.methods=particle_filter odometry extended_kalman_filter "
+                          "bearing_maximum_likelihood two_landmark_pose"};
+  const std::size_t little = peakOf(kShort / 2, methods), much = peakOf(kShort, methods);
+  EXPECT_LT(much, little + kPerSecond * kShort / 2) << "short: " << little;
+}
+}  // namespace mrpt_ext
