@@ -38,6 +38,7 @@ Trajectory readTum(const std::filesystem::path& path)
     trajectory.push_back({time, {table.number(0, 1), table.number(0, 2), yaw.value_or(0)}, yaw.has_value()});
   };
   forEachRow(path, {Delimiter::white_space, "#", {"timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw"}}, add);
+  trajectory.shrink_to_fit();
   return trajectory;
 }
 

@@ -13,6 +13,7 @@ LogOverview overviewOf(const RecordFeed& records, const OdometryCorrection& corr
     if (const auto* fix = std::get_if<RunningFixReading>(&*record))
       overview.fix_span = std::max(overview.fix_span.value_or(0), fix->time - fix->first_time);
   }
+  overview.odometry = OdometryPath(overview.odometry);  // a copy has no room to grow, which is not needed any more
   return overview;
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "mrpt_ext/evaluation/odometry_anchor.h"
 #include "mrpt_ext/report/figure_text.h"
@@ -102,12 +103,13 @@ bool isDrawn(const MethodTrack& method, const RunScore& score)
                      [](const MethodScore& m) { return m.name == kOdometryMethod && !m.errors.empty(); });
 }
 
-Trajectory truthWithinLog(const RunContext& context)
+std::span<const TimedPose> truthWithinLog(const RunContext& context)
 {
-  Trajectory truth = context.truth;
-  std::erase_if(truth, [&](const TimedPose& pose)
-                { return pose.time < context.start_time || pose.time > context.start_time + context.duration_s; });
-  return truth;
+  const auto isBefore = [](const TimedPose& pose, double time) { return pose.time < time; };
+  const auto isAfter = [](double time, const TimedPose& pose) { return time < pose.time; };
+  const auto first = std::lower_bound(context.truth.begin(), context.truth.end(), context.start_time, isBefore);
+  const double end = context.start_time + context.duration_s;
+  return {first, std::upper_bound(first, context.truth.end(), end, isAfter)};
 }
 
 std::string methodShapes(const RunRecord& record, const RunScore& score, const MapView& view)
