@@ -20,7 +20,8 @@ struct OdometryCorrection
 class OdometryPath
 {
  public:
-  explicit OdometryPath(const OdometryCorrection& correction = {}) : correction_(correction) {}
+  OdometryPath() = default;
+  explicit OdometryPath(const OdometryCorrection& correction) : correction_(correction) {}
   /// Records in any order of time, corrected as configured.
   OdometryPath(std::vector<OdometryRecord> records, const OdometryCorrection& correction);
 

@@ -46,7 +46,7 @@ std::string whyNothing(SolveStatus status, const std::vector<TrackPoint>& track)
 /// How much of the log the filter knew its place in.
 std::string headline(const LocalizationInput& input, const ExaminedWay& examined, const std::vector<TrackPoint>& track)
 {
-  const auto frames = static_cast<double>(input.sequence.frames.size());
+  const auto frames = static_cast<double>(input.log.frames);
   std::string text = "examined " + std::to_string(examined.way.readings.size()) + " bearings and ranges in " +
                      fixedText(input.context.duration_s, 1) + " s, where the place was sure (" +
                      fixedText(100 * static_cast<double>(track.size()) / frames, 0) + " % of the frames)";

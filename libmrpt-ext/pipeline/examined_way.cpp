@@ -60,7 +60,7 @@ class WayBuilder
  public:
   WayBuilder(const LocalizationInput& input) : input_(input)
   {
-    for (const TimedPose& entry : input.sequence.odometry.trajectory())
+    for (const TimedPose& entry : input.log.overview.odometry.trajectory())
       result_.way.odometry.push_back({entry.time, entry.pose});
     result_.sensors = input.logged_sensors;
     result_.way.sensors = result_.sensors.size();
@@ -80,7 +80,7 @@ class WayBuilder
  private:
   [[nodiscard]] OdometryMotion moved(double from, double to) const
   {
-    return believedMotion(input_.config.filter.motion, input_.sequence.odometry.between(from, to));
+    return believedMotion(input_.config.filter.motion, input_.log.overview.odometry.between(from, to));
   }
 
   void bridgeTo(double time)
@@ -144,15 +144,16 @@ std::vector<TrackPoint> sureTrack(const LocalizationInput& input, std::uint64_t 
   LocalizationConfig config = input.config;
   config.methods = {"particle_filter"};
   if (config.frames.independent) config.methods = {"bearing_maximum_likelihood", "two_landmark_pose"};
-  const MethodFactory factory(config, input.context.map, input.sequence);
+  const MethodFactory factory(config, input.context.map, input.log.kinds);
   const Methods methods = factory.make(seed, 0);
   std::vector<TrackPoint> track;
-  for (const Frame& frame : input.sequence.frames)
+  const FrameFeed frames = feedOf(input);
+  while (const auto frame = frames())
     for (const auto& method : methods.localizers)
     {
-      const Estimate estimate = method->process(frame);
+      const Estimate estimate = method->process(*frame);
       const bool sure = estimate.point && estimate.point->verdict == Verdict::ok && estimate.point->heading_known;
-      const bool first = track.empty() || track.back().time < frame.time;
+      const bool first = track.empty() || track.back().time < frame->time;
       if (sure && first) track.push_back(*estimate.point);
     }
   return track;
@@ -162,12 +163,13 @@ ExaminedWay examinedWay(const LocalizationInput& input, const std::vector<TrackP
 {
   constexpr double kRounding = 1e-6;  // [s]
   WayBuilder builder(input);
-  for (const Frame& frame : input.sequence.frames)
+  const FrameFeed frames = feedOf(input);
+  while (const auto frame = frames())
   {
-    const auto sure = std::lower_bound(track.begin(), track.end(), frame.time - kRounding,
+    const auto sure = std::lower_bound(track.begin(), track.end(), frame->time - kRounding,
                                        [](const TrackPoint& point, double time) { return point.time < time; });
-    if (sure != track.end() && sure->time - frame.time <= window + kRounding && !frame.readings.empty())
-      builder.add(frame, *sure);
+    if (sure != track.end() && sure->time - frame->time <= window + kRounding && !frame->readings.empty())
+      builder.add(*frame, *sure);
   }
   return builder.take();
 }

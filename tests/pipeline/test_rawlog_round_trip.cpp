@@ -109,7 +109,7 @@ TEST_F(RawlogRoundTrip, MrptReadsItToo)
 
 TEST_F(RawlogRoundTrip, AnEmptyRecordingIsAnEmptyLog)
 {
-  writeRawlog(inFolder("log.rawlog"), {});
+  writeRawlog(inFolder("log.rawlog"), Recording{});
   const ReadResult result = readLog(inFolder("log.rawlog"));
   EXPECT_EQ(result.error, "");
   EXPECT_TRUE(result.records.empty());
