@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "mrpt_ext/geometry/frame.h"
-#include "mrpt_ext/geometry/record_feed.h"
 #include "mrpt_ext/geometry/odometry_path.h"
+#include "mrpt_ext/geometry/record_feed.h"
 #include "mrpt_ext/pipeline/range_history.h"
 #include "mrpt_ext/pipeline/rawlog_queue.h"
 #include "mrpt_ext/pipeline/sensor_config.h"
