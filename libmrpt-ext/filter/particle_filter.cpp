@@ -126,12 +126,7 @@ void ParticleFilter::track(const Frame& frame, const Proposer& propose, FilterSt
   step.reseeded = looksElsewhere() && since_injection_ + frame.motion.duration >= options_.recovery.min_interval;
   step.challenged = !step.reseeded && challengeDue(frame);
   const bool injects = step.reseeded || step.challenged;
-  double jump = options_.recovery.prior_of_jump;
-  if (step.challenged)
-  {
-    jump *= options_.recovery.challenge_interval / challenge_pause_;
-    challenge_pause_ = std::min(2 * challenge_pause_, options_.recovery.review_interval);
-  }
+  if (step.challenged) challenge_pause_ = std::min(2 * challenge_pause_, options_.recovery.review_interval);
   if (injects && options_.companions) companions_.watch(modes_.modes.front(), particles_);
   const bool one_place = isOnePlace(modes_, options_.verdict), settled = one_place && !monitor_.suspicious();
   moveParticles(particles_, options_.motion, frame.motion, random_, options_.threads);
@@ -143,7 +138,7 @@ void ParticleFilter::track(const Frame& frame, const Proposer& propose, FilterSt
     evidence_.observe(frame, map_, particles_);
   else
     evidence_.note(frame);
-  if (injects) inject(propose, jump);
+  if (injects) inject(propose);
   Frame told = frame;
   told.readings = weighed(frame.readings, sought);
   companions_.accompany(particles_, told, map_);

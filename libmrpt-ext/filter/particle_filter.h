@@ -101,8 +101,7 @@ class ParticleFilter
   /// Draws and scores the first particles; false when a later frame can make a better start.
   bool start(const Frame& frame, const Proposer& propose);
   bool startAtKnownPose(const Frame& frame);
-  /// Seeds that have the weight `jump` together.
-  void inject(const Proposer& propose, double jump);
+  void inject(const Proposer& propose);
   /// The places held possible, as wide as they are when odometry was wrong by more than it may be.
   [[nodiscard]] HypothesisSet slippedPlaces() const;
   [[nodiscard]] bool looksElsewhere() const { return monitor_.suspicious() || kinds_.dropped() || evidence_.refuted(); }
@@ -141,9 +140,9 @@ class ParticleFilter
   PlaceEvidence evidence_;    // fresh looks: tells whether the place is more than a chance fit
   ModeCompanions companions_;
   std::optional<KalmanState> tested_;  // the place that evidence_ is about
-  double challenge_pause_;             // [s] until it is challenged; each one it stands doubles it
+  double challenge_pause_;             // [s] until it is challenged: every challenge that it stands doubles it
   ModeSet modes_;                      // of the last step
-  double sampling_error_ = 0;          // variance of the last mean by sampling alone, as a share of its covariance
+  double sampling_error_ = 0;  // variance of the last mean by sampling alone, as a share of its covariance
   double since_injection_ = std::numeric_limits<double>::infinity();  // [s]
 };
 }  // namespace mrpt_ext

@@ -95,7 +95,7 @@ bool ParticleFilter::startAtKnownPose(const Frame& frame)
   return true;
 }
 
-void ParticleFilter::inject(const Proposer& propose, double jump)
+void ParticleFilter::inject(const Proposer& propose)
 {
   HypothesisSet hypotheses = propose ? propose().hypotheses : HypothesisSet{};
   const HypothesisSet slipped = slippedPlaces();
@@ -104,6 +104,7 @@ void ParticleFilter::inject(const Proposer& propose, double jump)
                             kSeedInflation, kSharpest);
   const SeedMixture nearby(slipped, options_.region, 0, 1, Vector3d::Zero());
   since_injection_ = 0;
+  const double jump = options_.recovery.prior_of_jump;
   for (float& log_w : particles_.log_weight) log_w += static_cast<float>(std::log1p(-jump));
   const std::size_t kept = particles_.size();
   const auto count =
