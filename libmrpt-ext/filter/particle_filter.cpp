@@ -54,10 +54,8 @@ ParticleFilter::ParticleFilter(const ParticleFilterOptions& options, const Landm
       trust_(trustOptions(options.recovery)),
       surprise_(surpriseOptions(options.recovery)),
       kinds_(options.recovery),
-      looks_(options.evidence.looks, options.motion, map_),
       evidence_(options.evidence, options.motion, map_),
-      companions_(options.motion, options.biases),
-      challenge_pause_(options.recovery.challenge_interval)
+      companions_(options.motion, options.biases)
 {
 }
 
@@ -126,26 +124,21 @@ void ParticleFilter::track(const Frame& frame, const Proposer& propose, FilterSt
   step.reseeded = looksElsewhere() && since_injection_ + frame.motion.duration >= options_.recovery.min_interval;
   step.challenged = !step.reseeded && challengeDue(frame);
   const bool injects = step.reseeded || step.challenged;
-  if (step.challenged) challenge_pause_ = std::min(2 * challenge_pause_, options_.recovery.review_interval);
   if (injects && options_.companions) companions_.watch(modes_.modes.front(), particles_);
   const bool one_place = isOnePlace(modes_, options_.verdict), settled = one_place && !monitor_.suspicious();
   moveParticles(particles_, options_.motion, frame.motion, random_, options_.threads);
   walkBiases(particles_, frame.motion.duration, random_);
   since_injection_ += frame.motion.duration;
-  looks_.move(frame.motion);
-  const bool sought = !evidence_.proven() || !one_place;
   if (one_place && !injects)
     evidence_.observe(frame, map_, particles_);
   else
     evidence_.note(frame);
   if (injects) inject(propose);
-  Frame told = frame;
-  told.readings = weighed(frame.readings, sought);
-  companions_.accompany(particles_, told, map_);
-  const std::optional<KalmanState> prior = settled ? priorOfOnePlace(told) : std::nullopt;
-  score(told);
+  companions_.accompany(particles_, frame, map_);
+  const std::optional<KalmanState> prior = settled ? priorOfOnePlace(frame) : std::nullopt;
+  score(frame);
   companions_.divideWeight(particles_);
-  if (prior) redrawIfFew(*prior, told);
+  if (prior) redrawIfFew(*prior, frame);
   if (companions_.empty()) return;
   const auto revived =
       static_cast<std::size_t>(std::ceil(options_.recovery.injected_share * static_cast<double>(options_.particles)));
@@ -176,13 +169,6 @@ void ParticleFilter::redrawIfFew(const KalmanState& prior, const Frame& frame)
   particles_ = redrawn(moved, prior, update.state, moved.size(), random_);
   score(frame);
   if (effective() < before) particles_ = std::move(moved);
-}
-
-std::vector<Reading> ParticleFilter::weighed(const std::vector<Reading>& readings, bool sought)
-{
-  std::vector<Reading> fresh;
-  for (const Reading& reading : readings) fresh.push_back(looks_.withoutNamelessRepeats(reading));
-  return sought ? fresh : readings;
 }
 
 void ParticleFilter::score(const Frame& frame)

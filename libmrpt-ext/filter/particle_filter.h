@@ -9,7 +9,6 @@
 
 #include "mrpt_ext/filter/filter_findings.h"
 #include "mrpt_ext/filter/filter_verdict.h"
-#include "mrpt_ext/filter/fresh_looks.h"
 #include "mrpt_ext/filter/kernel_smoothing.h"
 #include "mrpt_ext/filter/kind_monitors.h"
 #include "mrpt_ext/filter/kld_size.h"
@@ -106,12 +105,9 @@ class ParticleFilter
   [[nodiscard]] HypothesisSet slippedPlaces() const;
   [[nodiscard]] bool looksElsewhere() const { return monitor_.suspicious() || kinds_.dropped() || evidence_.refuted(); }
   [[nodiscard]] bool challengeDue(const Frame& frame) const;
-  /// What fresh looks prove is one place: the best mode, until another one has most of the weight or it grows vague. A
-  /// rival that comes and goes takes nothing from what was proven before.
+  /// What fresh looks prove is one place: the best mode, as long as it stays the same one.
   void followEvidence(const Frame& frame, const ModeSet& modes);
   void track(const Frame& frame, const Proposer& propose, FilterStep& step);
-  /// The readings that the particles are weighed by: all, or, while the place is not proven, without repeated looks.
-  [[nodiscard]] std::vector<Reading> weighed(const std::vector<Reading>& readings, bool sought);
   void score(const Frame& frame);
   /// The moved particles as a Gaussian, where they are few and at one place.
   [[nodiscard]] std::optional<KalmanState> priorOfOnePlace(const Frame& frame) const;
@@ -136,12 +132,9 @@ class ParticleFilter
   RecoveryMonitor trust_;     // slow, against what the configuration promises: tells when to claim `ok`
   RecoveryMonitor surprise_;  // quickest: `ok` is not said in the face of it
   KindMonitors kinds_;        // of each sensor by itself
-  FreshLooks looks_;          // what a robot that is sought is weighed by
   PlaceEvidence evidence_;    // fresh looks: tells whether the place is more than a chance fit
   ModeCompanions companions_;
-  std::optional<KalmanState> tested_;  // the place that evidence_ is about
-  double challenge_pause_;             // [s] until it is challenged: every challenge that it stands doubles it
-  ModeSet modes_;                      // of the last step
+  ModeSet modes_;              // of the last step
   double sampling_error_ = 0;  // variance of the last mean by sampling alone, as a share of its covariance
   double since_injection_ = std::numeric_limits<double>::infinity();  // [s]
 };

@@ -39,11 +39,6 @@ bool ParticleFilter::start(const Frame& frame, const Proposer& propose)
   const Proposal proposal = analytic && propose ? propose() : Proposal{};
   Frame evidence = frame;
   if (!proposal.joined_readings.empty()) evidence.readings = proposal.joined_readings;
-  looks_.clear();
-  // The newest first: of repeated looks they have suffered least from odometry.
-  std::reverse(evidence.readings.begin(), evidence.readings.end());
-  evidence.readings = weighed(evidence.readings, true);
-  std::reverse(evidence.readings.begin(), evidence.readings.end());
 
   ParticleSet samples;
   // Weights the samples with as much of the likelihood as they can tell, all of it where they lie well.

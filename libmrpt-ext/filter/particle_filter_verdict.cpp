@@ -8,11 +8,6 @@
 
 namespace mrpt_ext
 {
-namespace
-{
-constexpr double kMajority = 0.5;  // of the weight: another place that has it is put to the test instead
-}  // namespace
-
 bool ParticleFilter::challengeDue(const Frame& frame) const
 {
   if (!isOnePlace(modes_, options_.verdict)) return false;
@@ -23,7 +18,7 @@ bool ParticleFilter::challengeDue(const Frame& frame) const
                        [](const Detection& d) { return d.id == kNoId; });
   };
   const double waited = since_injection_ + frame.motion.duration;
-  if (!evidence_.proven()) return waited >= challenge_pause_;
+  if (!evidence_.proven()) return waited >= recovery.challenge_interval;
   return waited >= recovery.review_interval && std::any_of(frame.readings.begin(), frame.readings.end(), is_nameless);
 }
 
@@ -31,26 +26,17 @@ void ParticleFilter::followEvidence(const Frame& frame, const ModeSet& modes)
 {
   // From a known start, and nothing else tried since, a wide place is still the known one.
   if (options_.initial_mode == InitialMode::gaussian && std::isinf(since_injection_)) return;
-  const VerdictOptions& limits = options_.verdict;
-  const Mode& best = modes.modes.front();
-  const bool one_place = isOnePlace(modes, limits);
-  bool restart = !tested_ && !one_place;
-  if (tested_)
-  {
-    tested_ = predict(*tested_, particles_.bias_states, options_.motion, frame.motion);
-    const Vector2d away = best.pose.mean.position() - tested_->mean.head<2>();
-    const double turned = wrap(best.pose.mean.phi - tested_->mean.z());
-    const bool elsewhere = away.norm() > limits.max_std_xy || std::abs(turned) > limits.max_std_phi;
-    const bool vague = !isOnePlace({{{tested_->gaussianPose(), 1}}, {}}, limits);
-    restart = vague || (elsewhere && best.weight > kMajority);
-  }
-  if (restart)
-  {
-    tested_.reset();
+  if (!isOnePlace(modes, options_.verdict))
     evidence_.restart();
-    challenge_pause_ = options_.recovery.challenge_interval;
+  else if (isOnePlace(modes_, options_.verdict))
+  {
+    const KalmanState moved = predict(startingState(modes_.modes.front().pose, particles_.bias_states),
+                                      particles_.bias_states, options_.motion, frame.motion);
+    const Vector2d away = modes.modes.front().pose.mean.position() - moved.mean.head<2>();
+    const double turned = wrap(modes.modes.front().pose.mean.phi - moved.mean.z());
+    if (away.norm() > options_.verdict.max_std_xy || std::abs(turned) > options_.verdict.max_std_phi)
+      evidence_.restart();
   }
-  if (one_place) tested_ = startingState(best.pose, particles_.bias_states);
 }
 
 void ParticleFilter::checkAgreement(const Frame& frame, bool learn)

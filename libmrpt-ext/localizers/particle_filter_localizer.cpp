@@ -11,7 +11,7 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kTravelled = 45, kLook = 1;  // [s] of the way that is searched, and of what makes one look
-constexpr double kBetweenSearches = 5, kLongestPause = 80;  // [s] they are costly: each one doubles the pause
+constexpr double kBetweenSearches = 5;        // [s] they are costly
 
 bool isNameless(const Reading& reading)
 {
@@ -30,8 +30,7 @@ ParticleFilterLocalizer::ParticleFilterLocalizer(const ParticleFilterOptions& op
       filter_(options, map, seed, stream),
       joiner_(seed_window, options.motion),
       history_(options.motion),
-      motion_(options.motion),
-      pause_(kBetweenSearches)
+      motion_(options.motion)
 {
 }
 
@@ -54,7 +53,6 @@ Estimate ParticleFilterLocalizer::process(const Frame& frame)
   };
   step_ = filter_.process(frame, propose, history_.readings());
   if (step_.verdict != Verdict::ambiguous) history_.end();
-  if (step_.verdict == Verdict::ok) pause_ = kBetweenSearches;
   return estimateFrom(step_, frame.time);
 }
 
@@ -70,8 +68,7 @@ void ParticleFilterLocalizer::remember(const Frame& frame)
 
 HypothesisSet ParticleFilterLocalizer::proposeAlongWay()
 {
-  if (recent_.empty() || recent_.back().time - searched_at_ < pause_) return {};
-  pause_ = std::min(2 * pause_, kLongestPause);
+  if (recent_.empty() || recent_.back().time - searched_at_ < kBetweenSearches) return {};
   searched_at_ = recent_.back().time;
   std::vector<Frame> way = recent_;
   way.front().motion = {};

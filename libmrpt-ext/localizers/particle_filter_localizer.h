@@ -38,7 +38,6 @@ class ParticleFilterLocalizer : public FilterLocalizer
   StartingHistory history_;
   MotionModel motion_;
   double searched_at_ = -std::numeric_limits<double>::infinity();  // [s] along the way
-  double pause_;                                                   // [s] until it may be searched again
   std::vector<Frame> recent_;  // of the last kTravelled seconds, where detections have no names
   FilterStep step_;
 };
