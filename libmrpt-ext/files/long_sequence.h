@@ -31,7 +31,7 @@ class LongSequence
     for (Row& row : rows) push_back(std::move(row));
   }
 
-  void push_back(Row row)
+  void push_back(Row row)  // NOLINT(readability-identifier-naming): as in std::vector
   {
     if (tail_.size() == kRowsPerPage) turnPage();
     tail_.push_back(std::move(row));
@@ -89,11 +89,11 @@ template <typename Row>
 class LongSequence<Row>::const_iterator
 {
  public:
-  using iterator_category = std::input_iterator_tag;
-  using value_type = Row;
-  using difference_type = std::ptrdiff_t;
-  using pointer = const Row*;
-  using reference = const Row&;
+  using iterator_category = std::input_iterator_tag;  // NOLINT(readability-identifier-naming)
+  using value_type = Row;  // NOLINT(readability-identifier-naming)
+  using difference_type = std::ptrdiff_t;  // NOLINT(readability-identifier-naming)
+  using pointer = const Row*;  // NOLINT(readability-identifier-naming)
+  using reference = const Row&;  // NOLINT(readability-identifier-naming)
 
   const_iterator(const LongSequence& rows, std::size_t index) : rows_(&rows), index_(index) {}
 

@@ -155,7 +155,7 @@ bool WayAdjuster::estimateScatters()
     const double redundancy = std::max(1 - weight * explained, kLeastRedundancy);
     (r.is_range ? ranges : bearings)[r.sensor].push_back(std::abs(row.residual) / std::sqrt(redundancy));
   }
-  const auto scatterFrom = [](const std::vector<double>& sizes)
+  const auto scatter_from = [](const std::vector<double>& sizes)
   { return sizes.empty() ? 1 : std::clamp(1.4826 * medianOf(sizes), kLeastScatter, kMostScatter); };
   double misfit = 0, redundancy = 0;
   for (std::size_t k = 1; k < poses_.size(); ++k)
@@ -171,8 +171,8 @@ bool WayAdjuster::estimateScatters()
   }
   for (std::size_t s = 0; s < way_.sensors; ++s)
   {
-    scatters_[s].bearing = scatterFrom(bearings[s]);
-    scatters_[s].range = scatterFrom(ranges[s]);
+    scatters_[s].bearing = scatter_from(bearings[s]);
+    scatters_[s].range = scatter_from(ranges[s]);
   }
   if (redundancy > 10) way_scatter_ = std::clamp(std::sqrt(misfit / redundancy), kLeastScatter, kMostScatter);
   return true;
@@ -195,15 +195,15 @@ Eigen::MatrixXd WayAdjuster::scoresByBlock(const ChainSolution& solution, double
   const Eigen::Index blocks = std::min<Eigen::Index>(kMostBlocks, poses / 10);
   Eigen::MatrixXd scores = Eigen::MatrixXd::Zero(blocks, terms);
   if (blocks < kLeastBlocks) return scores;
-  const auto blockOf = [&](std::size_t k) { return static_cast<Eigen::Index>(k) * blocks / poses; };
-  const auto pullOf = [&](std::size_t k) { return solution.pull.middleRows<3>(3 * static_cast<Eigen::Index>(k)); };
+  const auto block_of = [&](std::size_t k) { return static_cast<Eigen::Index>(k) * blocks / poses; };
+  const auto pull_of = [&](std::size_t k) { return solution.pull.middleRows<3>(3 * static_cast<Eigen::Index>(k)); };
   double weights = 0, curvatures = 0;
   for (const WayReading& r : way_.readings)
   {
     const WayReadingRow row = model_.reading(r, poses_[r.pose]);
     const double scatter = believedScatterOf(r), e2 = square(row.residual / scatter);
-    const Eigen::RowVectorXd reduced = row.shared - row.own * pullOf(r.pose);
-    scores.row(blockOf(r.pose)) += robust::weight(e2) * row.residual / square(scatter) * reduced;
+    const Eigen::RowVectorXd reduced = row.shared - row.own * pull_of(r.pose);
+    scores.row(block_of(r.pose)) += robust::weight(e2) * row.residual / square(scatter) * reduced;
     weights += robust::weight(e2);
     curvatures += robust::curvature(e2);
   }
@@ -212,8 +212,8 @@ Eigen::MatrixXd WayAdjuster::scoresByBlock(const ChainSolution& solution, double
     if (!way_.poses[k].since_previous) continue;
     const WayLinkRow row = model_.link(k, poses_[k - 1], poses_[k]);
     const double weight = robust::weight((linkScale() * row.residual).squaredNorm(), kSlip2) * square(linkScale());
-    const Eigen::MatrixXd reduced = row.shared - row.own * pullOf(k - 1) - row.next * pullOf(k);
-    scores.row(blockOf(k)) += weight * row.residual.transpose() * reduced;
+    const Eigen::MatrixXd reduced = row.shared - row.own * pull_of(k - 1) - row.next * pull_of(k);
+    scores.row(block_of(k)) += weight * row.residual.transpose() * reduced;
   }
   curvature = std::clamp(curvatures / weights, 0.3, 1.0);
   return scores;
