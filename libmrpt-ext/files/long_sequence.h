@@ -90,10 +90,10 @@ class LongSequence<Row>::const_iterator
 {
  public:
   using iterator_category = std::input_iterator_tag;  // NOLINT(readability-identifier-naming)
-  using value_type = Row;  // NOLINT(readability-identifier-naming)
-  using difference_type = std::ptrdiff_t;  // NOLINT(readability-identifier-naming)
-  using pointer = const Row*;  // NOLINT(readability-identifier-naming)
-  using reference = const Row&;  // NOLINT(readability-identifier-naming)
+  using value_type = Row;                             // NOLINT(readability-identifier-naming)
+  using difference_type = std::ptrdiff_t;             // NOLINT(readability-identifier-naming)
+  using pointer = const Row*;                         // NOLINT(readability-identifier-naming)
+  using reference = const Row&;                       // NOLINT(readability-identifier-naming)
 
   const_iterator(const LongSequence& rows, std::size_t index) : rows_(&rows), index_(index) {}
 
