@@ -106,15 +106,19 @@ FilterStep ParticleFilter::process(const Frame& frame, const Proposer& propose, 
   return step;
 }
 
+KalmanState ParticleFilter::bestPlaceAfter(const OdometryMotion& motion) const
+{
+  const BiasModel& biases = particles_.bias_states;
+  return predict(startingState(modes_.modes.front().pose, biases), biases, options_.motion, motion);
+}
+
 double ParticleFilter::earlierSamplingError(const Frame& frame, const ModeSet& modes) const
 {
   if (!isOnePlace(modes_, options_.verdict) || !isOnePlace(modes, options_.verdict)) return 0;
   const GaussianPose before = modes_.modes.front().pose;
-  const KalmanState moved =
-      predict(startingState(before, particles_.bias_states), particles_.bias_states, options_.motion, frame.motion);
   // An error e of the prior mean is one of P M^-1 e after the measurement (M, P: covariance before and after it). With
   // e a share of the covariance of the step before, it is this times that share of P, taken as a mean over directions:
-  const double M = moved.gaussianPose().covariance.determinant();
+  const double M = bestPlaceAfter(frame.motion).gaussianPose().covariance.determinant();
   const double kept = before.covariance.determinant() * modes.modes.front().pose.covariance.determinant() / square(M);
   return M > 0 && kept > 0 ? sampling_error_ * std::min(1.0, std::cbrt(kept)) : 0;
 }
@@ -149,9 +153,7 @@ void ParticleFilter::track(const Frame& frame, const Proposer& propose, FilterSt
 std::optional<KalmanState> ParticleFilter::priorOfOnePlace(const Frame& frame) const
 {
   if (particles_.size() > kMostRedrawn || !companions_.empty()) return std::nullopt;
-  const KalmanState around = predict(startingState(modes_.modes.front().pose, particles_.bias_states),
-                                     particles_.bias_states, options_.motion, frame.motion);
-  const PoseGate gate(around, kPlaceGate);
+  const PoseGate gate(bestPlaceAfter(frame.motion), kPlaceGate);
   return momentsOf(particles_, [&](std::size_t i) { return gate.contains(particles_, i); });
 }
 

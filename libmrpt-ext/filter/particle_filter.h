@@ -109,6 +109,8 @@ class ParticleFilter
   void followEvidence(const Frame& frame, const ModeSet& modes);
   void track(const Frame& frame, const Proposer& propose, FilterStep& step);
   void score(const Frame& frame);
+  /// Where the best mode of the last step is after a motion, by odometry alone.
+  [[nodiscard]] KalmanState bestPlaceAfter(const OdometryMotion& motion) const;
   /// The moved particles as a Gaussian, where they are few and at one place.
   [[nodiscard]] std::optional<KalmanState> priorOfOnePlace(const Frame& frame) const;
   void redrawIfFew(const KalmanState& prior, const Frame& frame);

@@ -30,8 +30,7 @@ void ParticleFilter::followEvidence(const Frame& frame, const ModeSet& modes)
     evidence_.restart();
   else if (isOnePlace(modes_, options_.verdict))
   {
-    const KalmanState moved = predict(startingState(modes_.modes.front().pose, particles_.bias_states),
-                                      particles_.bias_states, options_.motion, frame.motion);
+    const KalmanState moved = bestPlaceAfter(frame.motion);
     const Vector2d away = modes.modes.front().pose.mean.position() - moved.mean.head<2>();
     const double turned = wrap(modes.modes.front().pose.mean.phi - moved.mean.z());
     if (away.norm() > options_.verdict.max_std_xy || std::abs(turned) > options_.verdict.max_std_phi)

@@ -9,7 +9,7 @@
 namespace mrpt_ext
 {
 /// Sets the log weights to the logarithm of the posterior density at the particles, up to a constant; minus infinity
-/// where it is zero. Systematic errors of sensors count with their prior, see biasLogPrior().
+/// where it is zero. Systematic errors of sensors count with their prior, see addBiasLogPrior().
 using LogPosterior = std::function<void(ParticleSet&)>;
 
 /// Moves every particle by steps that leave the posterior as it is (resample-move: Gilks and Berzuini, J. R. Stat. Soc.

@@ -143,7 +143,7 @@ class Survivors
     from_ = from;
   }
 
-  /// At least four are noted, which is quicker than asking how many: the next ones overwrite what is too much.
+  /// Several are noted at once, which is quicker than asking how many: the next ones overwrite what is too much.
   void note(std::size_t particle, std::size_t times)
   {
     const auto number = static_cast<std::uint32_t>(particle);

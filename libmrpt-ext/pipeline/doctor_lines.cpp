@@ -4,6 +4,7 @@
 #include <map>
 
 #include "mrpt_ext/files/number_format.h"
+#include "mrpt_ext/geometry/median.h"
 #include "mrpt_ext/pipeline/bias_config.h"
 
 namespace mrpt_ext
@@ -173,13 +174,6 @@ void settleLine(DoctorFinding& found, bool differs)
 bool differs(const DoctorFinding& found)
 {
   return found.why_not.empty() && std::abs(found.estimate - found.now) > kSignificant * found.std;
-}
-
-double medianOf(std::vector<double> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// Readings of one kind of one sensor.

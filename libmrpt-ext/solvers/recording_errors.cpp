@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mrpt_ext/geometry/median.h"
 #include "mrpt_ext/solvers/way_adjuster.h"
 
 namespace mrpt_ext
@@ -33,9 +34,7 @@ double typicalRange(const RecordedWay& way, std::size_t sensor)
   std::vector<double> ranges;
   for (const WayReading& r : way.readings)
     if (r.is_range && r.sensor == sensor) ranges.push_back(r.value);
-  if (ranges.empty()) return 1;
-  std::sort(ranges.begin(), ranges.end());
-  return ranges[ranges.size() / 2];
+  return ranges.empty() ? 1 : medianOf(std::move(ranges));
 }
 
 /// A deviation above it makes the error useless.

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "mrpt_ext/geometry/median.h"
 #include "mrpt_ext/solvers/robust_loss.h"
 
 namespace mrpt_ext
@@ -32,13 +33,6 @@ double priorStd(RecordingError kind)
     default:
       return 1;
   }
-}
-
-double medianOf(std::vector<double> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 Pose2 moved(const Pose2& pose, const Vector3d& by)
