@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 
 namespace mrpt_ext
 {
@@ -42,6 +43,8 @@ SeedMixture::SeedMixture(const HypothesisSet& hypotheses, const PoseRegion& regi
     sum += component.share;
     component.cumulative = sum;
     components_.push_back(component);
+    const Vector2d half = (kReach2 * covariance.diagonal().head<2>()).cwiseSqrt();
+    reach_.push_back({component.mean.x, component.mean.y, half.x(), half.y()});
   }
   for (Component& component : components_)
   {
@@ -66,8 +69,11 @@ Pose2 SeedMixture::sample(RandomStream& random) const
 double SeedMixture::density(const Pose2& pose) const
 {
   double sum = 0;
-  for (const Component& component : components_)
+  for (std::size_t k = 0; k < components_.size(); ++k)
   {
+    const Reach& reach = reach_[k];
+    if (std::abs(pose.x - reach.x) > reach.half_x || std::abs(pose.y - reach.y) > reach.half_y) continue;
+    const Component& component = components_[k];
     Vector3d d(pose.x - component.mean.x, pose.y - component.mean.y, 0.0);
     const auto add = [&](double turned)
     {

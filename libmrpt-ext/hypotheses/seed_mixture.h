@@ -35,7 +35,13 @@ class SeedMixture
     double share = 0;
     bool heading_known = true;
   };
+  /// Box beyond which a component's density counts as zero, by itself: most of them are far from most poses.
+  struct Reach
+  {
+    double x = 0, y = 0, half_x = 0, half_y = 0;  // [m]
+  };
   std::vector<Component> components_;
+  std::vector<Reach> reach_;  // of each component
   PoseRegion region_;
   double uniform_share_;
 };

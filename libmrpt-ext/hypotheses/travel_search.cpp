@@ -1,25 +1,25 @@
 #include "mrpt_ext/hypotheses/travel_search.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
-#include <array>
-#include <numeric>
-#include <optional>
+#include <cmath>
 
-#include "mrpt_ext/correspondence/tree_search.h"
-#include "mrpt_ext/solvers/pose_information.h"
-#include "mrpt_ext/solvers/three_bearing_pose.h"
+#include "mrpt_ext/hypotheses/joined_bearings.h"
+#include "mrpt_ext/hypotheses/pose_grid.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr double kStdParallax = degToRad(0.7);  // of bearings taken within a look, from one place to the other
-constexpr std::size_t kMostProposed = 500;      // by one look
+constexpr std::size_t kMostProposed = 500;  // by one look
 constexpr std::size_t kMostFollowed = 400;
 constexpr std::size_t kMostTracks = 40;  // judged from the beginning
 constexpr double kSamePose = 1;          // standard deviations in each coordinate
-constexpr std::size_t kApart = 3;        // looks between two that propose
+// Spread of a pose that is judged from the beginning: more than the looks leave open, and no more than a Kalman filter
+// can start from; beyond it, a few bearings in a narrow view would throw the mean out of where it is linear.
+const Vector3d kHardlyKnown(1.0, 1.0, degToRad(20.0));
+constexpr std::size_t kApart = 3;  // looks between two that propose
 
 class WaySearch
 {
@@ -30,14 +30,14 @@ class WaySearch
   {
   }
 
-  TravelSearch run()
+  TravelSearch run(std::span<const GaussianPose> supposed)
   {
+    judge(proposedAs(supposed), steps_.size() - 1);
     for (const std::size_t birth : births())
     {
       std::vector<Travelled> tracks = proposed(birth);
       result_.proposed += tracks.size();
-      follow(tracks, birth);
-      for (Travelled& track : tracks) judgeFromBeginning(std::move(track), birth);
+      judge(std::move(tracks), birth);
     }
     rank();
     return std::move(result_);
@@ -58,7 +58,7 @@ class WaySearch
   {
     std::vector<std::size_t> order, chosen;
     for (std::size_t k = 0; k < steps_.size(); ++k)
-      if (detections(k) >= 2) order.push_back(k);
+      if (detections(k) >= (pointCount(steps_[k].seen) > 0 ? 2 : 1)) order.push_back(k);
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return detections(a) > detections(b); });
     for (const std::size_t k : order)
@@ -72,6 +72,13 @@ class WaySearch
   }
 
   // ---- proposals
+
+  static std::vector<Travelled> proposedAs(std::span<const GaussianPose> supposed)
+  {
+    std::vector<Travelled> tracks;
+    for (const GaussianPose& pose : supposed) tracks.push_back({{pose, 0}, pose, {}});
+    return tracks;
+  }
 
   [[nodiscard]] std::vector<Travelled> proposed(std::size_t birth) const
   {
@@ -88,7 +95,7 @@ class WaySearch
     if (pointCount(seen) >= 2)
       for (const ConsistentPose& pose : search_.search(seen, options).poses) add(pose.pose);
     else
-      for (const GaussianPose& pose : fromBearings(seen)) add(pose);
+      for (const GaussianPose& pose : likelyPoses(joinedBearings(steps_, birth), map_, region_)) add(pose);
     return tracks;
   }
 
@@ -99,77 +106,6 @@ class WaySearch
       points += static_cast<std::size_t>(std::count_if(place.detections.begin(), place.detections.end(),
                                                        [](const auto& d) { return d.bearing && d.range; }));
     return points;
-  }
-
-  /// Three bearings of a look, the widest apart and one between, as if all were taken from its last place, against all
-  /// triples of landmarks.
-  [[nodiscard]] std::vector<GaussianPose> fromBearings(std::span<const SensorPlace> seen) const
-  {
-    std::vector<PoseMeasurement> bearings;
-    std::vector<int> kinds;
-    for (const SensorPlace& place : seen)
-      for (const UnidentifiedDetection& d : place.detections)
-        if (d.bearing && d.kind != kNoSuchKind)
-          bearings.push_back({PoseMeasurement::Kind::bearing, Vector2d::Zero(), *d.bearing,
-                              std::hypot(d.std_bearing, kStdParallax), place.T_robot_sensor});
-    for (const SensorPlace& place : seen)
-      for (const UnidentifiedDetection& d : place.detections)
-        if (d.bearing && d.kind != kNoSuchKind) kinds.push_back(d.kind);
-    if (bearings.size() < 3 || map_.size() > kLargestTreeMap) return {};
-    const std::array<std::size_t, 3> chosen = widest(bearings);
-    std::array<PoseMeasurement, 3> three;
-    for (std::size_t k = 0; k < 3; ++k) three[k] = bearings[chosen[k]];
-
-    std::vector<GaussianPose> poses;
-    const auto may = [&](std::size_t k, std::size_t landmark) { return map_.mayShow(kinds[chosen[k]], landmark); };
-    for (std::size_t i = 0; i < map_.size(); ++i)
-      for (std::size_t j = 0; j < map_.size() && may(0, i); ++j)
-        for (std::size_t l = 0; l < map_.size() && j != i && may(1, j); ++l)
-        {
-          if (l == i || l == j || !may(2, l)) continue;
-          three[0].landmark = map_.position(i);
-          three[1].landmark = map_.position(j);
-          three[2].landmark = map_.position(l);
-          if (const auto pose = poseOf(three, seen.back().T_robot_sensor)) poses.push_back(*pose);
-        }
-    return poses;
-  }
-
-  static double robotAngle(const PoseMeasurement& m) { return m.value + m.T_robot_sensor.phi; }
-
-  /// In angular order: the first, the one nearest to the middle, the last.
-  static std::array<std::size_t, 3> widest(const std::vector<PoseMeasurement>& bearings)
-  {
-    std::vector<std::size_t> order(bearings.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto angle = [&](std::size_t k) { return wrap(robotAngle(bearings[k]) - robotAngle(bearings.front())); };
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return angle(a) < angle(b); });
-    const double middle = 0.5 * (angle(order.front()) + angle(order.back()));
-    const auto centre = std::min_element(order.begin() + 1, order.end() - 1,
-                                         [&](std::size_t a, std::size_t b)
-                                         { return std::abs(angle(a) - middle) < std::abs(angle(b) - middle); });
-    return {order.front(), *centre, order.back()};
-  }
-
-  /// The robot's pose when the bearings are taken from one place on it.
-  [[nodiscard]] std::optional<GaussianPose> poseOf(const std::array<PoseMeasurement, 3>& bearings,
-                                                   const Pose2& T_robot_sensor) const
-  {
-    std::array<SightedLandmark<double>, 3> sighted;
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const double angle = robotAngle(bearings[k]);
-      sighted[k] = {bearings[k].landmark.x(), bearings[k].landmark.y(), std::cos(angle), std::sin(angle)};
-    }
-    const ThreeBearingPose<double> solved = solveThreeBearingPose(sighted[0], sighted[1], sighted[2]);
-    if (solved.outcome != ThreeBearingOutcome::pose) return std::nullopt;
-    // Found in the robot's axes, but at the sensor's place.
-    const Pose2 robot =
-        compose({solved.x, solved.y, std::atan2(solved.s, solved.c)}, {-T_robot_sensor.x, -T_robot_sensor.y, 0});
-    if (!region_.contains(robot)) return std::nullopt;
-    const std::optional<Matrix3d> covariance = covarianceFromInformation(poseInformation(bearings, robot));
-    if (!covariance) return std::nullopt;
-    return GaussianPose{robot, *covariance};
   }
 
   // ---- tracks
@@ -230,11 +166,17 @@ class WaySearch
 
   // ---- judgement
 
+  void judge(std::vector<Travelled> tracks, std::size_t birth)
+  {
+    if (tracks.empty()) return;
+    follow(tracks, birth);
+    for (Travelled& track : tracks) judgeFromBeginning(std::move(track), birth);
+  }
+
   void judgeFromBeginning(Travelled track, std::size_t birth)
   {
     PoseTrack again{track.track.pose, 0};
-    const Vector2d extent = region_.extent();
-    again.pose.covariance = Vector3d(square(extent.x()), square(extent.y()), square(kTwoPi)).asDiagonal();
+    again.pose.covariance = kHardlyKnown.cwiseAbs2().asDiagonal();
     for (std::size_t k = 0; k < steps_.size(); ++k)
     {
       if (k > 0) moveForward(again, steps_[k]);
@@ -248,7 +190,7 @@ class WaySearch
 
   void rank()
   {
-    if (result_.proposed == 0) return;
+    if (judged_.empty() && result_.proposed == 0) return;
     result_.status = SolveStatus::none;
     std::stable_sort(judged_.begin(), judged_.end(),
                      [](const PoseTrack& a, const PoseTrack& b) { return a.log_evidence > b.log_evidence; });
@@ -263,6 +205,8 @@ class WaySearch
     if (distinct.empty()) return;
     double expected = std::log(options_.missed);
     for (const TravelStep& step : steps_) expected += expectedEvidence(map_, step.seen);
+    // What it costs every pose not to have been known at first.
+    expected -= kHardlyKnown.array().log().sum() - 0.5 * std::log(distinct.front().pose.covariance.determinant());
     const double best = distinct.front().log_evidence;
     double total = std::exp(expected - best);
     if (!(total < 1e300)) total = 1e300;
@@ -298,8 +242,9 @@ class WaySearch
 }  // namespace
 
 TravelSearch searchAlongWay(std::span<const TravelStep> oldest_first, const LostRobotSearch& search,
-                            const PoseRegion& region, const TravelSearchOptions& options)
+                            const PoseRegion& region, std::span<const GaussianPose> supposed,
+                            const TravelSearchOptions& options)
 {
-  return WaySearch(oldest_first, search, region, options).run();
+  return WaySearch(oldest_first, search, region, options).run(supposed);
 }
 }  // namespace mrpt_ext

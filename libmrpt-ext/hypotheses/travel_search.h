@@ -29,12 +29,14 @@ struct TravelSearch
 /// Finds a lost robot from what it saw, without names, along a way of any length. The looks with most detections
 /// propose poses (correspondence/lost_robot_search.h); each is carried along odometry, forward and back, and confronted
 /// with all other looks (pose_track.h); what falls behind is given up. Survivors start once more at the beginning of
-/// the way from a pose that is as good as unknown, so that the evidences of all of them count every detection once and
+/// the way from a pose that is hardly known, so that the evidences of all of them count every detection once and
 /// compare. The poses that they have reached at the end are ranked by that evidence, beside the evidence that a pose
 /// which no look has proposed would have.
 ///
 /// In contrast to joining all looks into one constellation (correspondence/joined_constellation.h), which odometry
-/// limits to a few metres, the way may be long, and a look may be poor. `map` must be that of `search`.
+/// limits to a few metres, the way may be long, and a look may be poor. Bearings alone propose poses by a grid over the
+/// region (pose_grid.h). `supposed`: poses at the end of the way that are judged with the others, by the same evidence.
 [[nodiscard]] TravelSearch searchAlongWay(std::span<const TravelStep> oldest_first, const LostRobotSearch& search,
-                                          const PoseRegion& region, const TravelSearchOptions& options = {});
+                                          const PoseRegion& region, std::span<const GaussianPose> supposed = {},
+                                          const TravelSearchOptions& options = {});
 }  // namespace mrpt_ext

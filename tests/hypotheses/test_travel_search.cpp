@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 
 #include "mrpt_ext/geometry/random.h"
 
@@ -120,6 +121,25 @@ TEST(TravelSearch, BearingsAlongAWayFindTheRobot)
   const Tally tally = tallyOf(12, 25, false);
   EXPECT_GE(tally.sure, 5);
   EXPECT_GE(tally.right, 0.9 * tally.sure);
+}
+
+TEST(TravelSearch, SupposedPosesAreJudgedByTheSameEvidence)
+{
+  RandomStream random(9);
+  int right_first = 0;
+  for (int t = 0; t < 10; ++t)
+  {
+    const Travel way = travel(25, false, random);
+    const Matrix3d covariance = Vector3d(0.01, 0.01, 0.002).asDiagonal();
+    const std::vector<GaussianPose> supposed{{{6, 4, wrap(way.end.phi + 2)}, covariance}, {way.end, covariance}};
+    const TravelSearch found = searchAlongWay(way.steps, kSearch, kRegion, supposed);
+    ASSERT_FALSE(found.hypotheses.empty());
+    const bool among = std::any_of(found.hypotheses.begin(), found.hypotheses.end(),
+                                   [&](const PoseHypothesis& h) { return isAt(h.pose.mean, way.end); });
+    EXPECT_TRUE(among) << t;
+    right_first += isAt(found.hypotheses.front().pose.mean, way.end);
+  }
+  EXPECT_GE(right_first, 9);
 }
 
 TEST(TravelSearch, WeightsLeaveRoomForElsewhere)
