@@ -65,6 +65,8 @@ VerdictWithReason judge(const ModeSet& modes, const VerdictEvidence& evidence, c
     return {
         Verdict::ambiguous,
         text("one place, but fresh readings do not yet tell it from a chance fit (log odds %.1f)", evidence.log_odds)};
+  if (evidence.contested)
+    return {Verdict::ambiguous, "one place, but what was seen along the way behind fits another one better"};
   return {Verdict::ok, text("one place, weight %.2f, %.3f m and %.1f deg standard deviation, explains %.0f %% of the "
                             "recent detections expected of it",
                             best.weight, spread.xy, radToDeg(spread.phi), percent)};

@@ -31,6 +31,7 @@ struct VerdictEvidence
   double effective = 1e9;      ///< effective number of particles
   double log_odds = 0;         ///< of the place against a chance fit, from fresh looks
   bool proven = true;          ///< they suffice
+  bool contested = false;      ///< all that was seen along the way fits other places better
 };
 
 /// True when the posterior is one sharp place, whether the detections agree with it or not.

@@ -12,6 +12,7 @@ constexpr double kSeedInflation = 2.0;      // of the deviations of a proposal
 constexpr double kClearWeight = 0.9;        // of one place, or of all that are lost
 constexpr double kSharp = 0.5;              // of the deviations that the verdict `ok` allows
 constexpr double kPatience = 15;            // [s] after which filters start from what there is
+constexpr double kLongestPause = 8;         // [s] between two looks elsewhere
 constexpr double kMinWeight = 1e-6;         // lighter hypotheses are dropped
 constexpr std::size_t kHeadings = 30;       // filters for a place with any heading: each sharp enough to start
 constexpr std::size_t kMinDetections = 12;  // a filter that started by itself has to agree with before it is trusted
@@ -130,8 +131,9 @@ void KalmanBank::track(const Frame& frame, const Proposer& propose, KalmanStep& 
 {
   since_restart_ += frame.motion.duration;
   for (KalmanHypothesis& h : hypotheses_) h.state = predict(h.state, options_.biases, options_.motion, frame.motion);
-  if (hypotheses_.front().quick.suspicious() && since_restart_ >= options_.recovery.min_interval)
-    lookElsewhere(propose, step);
+  const KalmanHypothesis& first = hypotheses_.front();
+  if (!first.quick.suspicious() && first.detections >= kMinDetections) pause_ = options_.recovery.min_interval;
+  if (first.quick.suspicious() && since_restart_ >= pause_) lookElsewhere(propose, step);
   std::size_t best = 0;
   for (std::size_t i = 0; i < hypotheses_.size(); ++i)
   {
@@ -151,6 +153,7 @@ void KalmanBank::lookElsewhere(const Proposer& propose, KalmanStep& step)
   const bool single = options_.max_hypotheses == 1;
   if (single && !hypotheses_.front().quick.lost()) return;
   since_restart_ = 0;
+  pause_ = std::min(2 * pause_, std::max(kLongestPause, options_.recovery.min_interval));
   KalmanHypotheses filters = filtersFor(propose ? propose().hypotheses : HypothesisSet{});
   std::erase_if(filters, [this](const KalmanHypothesis& filter) { return !isSharp(filter); });
   if (filters.empty()) return;

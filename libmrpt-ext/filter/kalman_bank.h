@@ -55,7 +55,10 @@ class KalmanBank
  public:
   using Proposer = std::function<Proposal()>;
 
-  KalmanBank(KalmanBankOptions options, const LandmarkTable& map) : options_(std::move(options)), map_(map) {}
+  KalmanBank(KalmanBankOptions options, const LandmarkTable& map)
+      : options_(std::move(options)), map_(map), pause_(options_.recovery.min_interval)
+  {
+  }
 
   KalmanStep process(const Frame& frame, const Proposer& propose);
 
@@ -79,5 +82,6 @@ class KalmanBank
   KalmanHypotheses hypotheses_;
   double waited_ = 0;         // [s] for a start
   double since_restart_ = 0;  // [s]
+  double pause_;              // [s] until it looks elsewhere again: what was sought in vain is sought less often
 };
 }  // namespace mrpt_ext

@@ -140,8 +140,14 @@ void ModeCompanions::divideWeight(ParticleSet& particles)
     const auto k = static_cast<std::size_t>(companion_of_[i]);
     if (counts(k)) particles.log_weight[i] += static_cast<float>(said[k] + log_scored - total - scored[k].logSum());
   }
-  for (ModeCompanion& companion : companions_)
-    if (!companion.has_particles) companion.log_weight += companion.log_evidence + common - std::log(all);
+  for (std::size_t k = 0; k < companions_.size(); ++k)
+  {
+    ModeCompanion& companion = companions_[k];
+    if (counts(k))
+      companion.log_weight = said[k] + log_scored - total - std::log(all);
+    else
+      companion.log_weight += companion.log_evidence + common - std::log(all);
+  }
 }
 
 bool ModeCompanions::revive(ParticleSet& particles, std::size_t count, RandomStream& random)
@@ -203,13 +209,13 @@ void ModeCompanions::seat(const ModeSet& modes, std::size_t mode, const Particle
 {
   if (companions_.size() >= kMaxCompanions) return;
   const auto state = momentsOf(particles, [&](std::size_t i) { return modes.mode_of[i] == static_cast<int>(mode); });
-  if (state) companions_.push_back({.state = *state});
+  if (state) companions_.push_back({.state = *state, .log_weight = std::log(modes.modes[mode].weight)});
 }
 
 void ModeCompanions::retire(ModeCompanion& companion)
 {
   companion.has_particles = false;
-  companion.log_weight = kDroppedLogWeight;
+  companion.log_weight = std::min(companion.log_weight, kDroppedLogWeight);
 }
 
 void ModeCompanions::forget()

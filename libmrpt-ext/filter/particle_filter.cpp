@@ -54,19 +54,22 @@ ParticleFilter::ParticleFilter(const ParticleFilterOptions& options, const Landm
       trust_(trustOptions(options.recovery)),
       surprise_(surpriseOptions(options.recovery)),
       kinds_(options.recovery),
+      looks_(options.evidence.looks, options.motion, map_),
       evidence_(options.evidence, options.motion, map_),
-      companions_(options.motion, options.biases)
+      companions_(options.motion, options.biases),
+      challenge_pause_(options.recovery.challenge_interval)
 {
 }
 
-FilterStep ParticleFilter::process(const Frame& frame, const Proposer& propose, std::span<const Reading> since_start)
+FilterStep ParticleFilter::process(const Frame& frame, const Proposer& propose, std::span<const Reading> since_start,
+                                   const WaySearch& along_way)
 {
   FilterStep step;
   bool settled = true;
   if (particles_.empty())
     settled = start(frame, propose);
   else
-    track(frame, propose, step);
+    track(frame, propose, along_way, step);
   step.effective_ratio = normalizeWeights(particles_, options_.threads).effective_ratio;
   step.modes = findModes(particles_, options_.modes, options_.threads, std::move(mode_memory_));
   step.particles = particles_.size();
@@ -123,26 +126,38 @@ double ParticleFilter::earlierSamplingError(const Frame& frame, const ModeSet& m
   return M > 0 && kept > 0 ? sampling_error_ * std::min(1.0, std::cbrt(kept)) : 0;
 }
 
-void ParticleFilter::track(const Frame& frame, const Proposer& propose, FilterStep& step)
+void ParticleFilter::track(const Frame& frame, const Proposer& propose, const WaySearch& along_way, FilterStep& step)
 {
-  step.reseeded = looksElsewhere() && since_injection_ + frame.motion.duration >= options_.recovery.min_interval;
-  step.challenged = !step.reseeded && challengeDue(frame);
-  const bool injects = step.reseeded || step.challenged;
-  if (injects && options_.companions) companions_.watch(modes_.modes.front(), particles_);
   const bool one_place = isOnePlace(modes_, options_.verdict), settled = one_place && !monitor_.suspicious();
+  step.reseeded = looksElsewhere() && since_injection_ + frame.motion.duration >= options_.recovery.min_interval;
+  step.challenged = !step.reseeded && challengeDue(frame, one_place, along_way != nullptr);
+  const bool injects = step.reseeded || step.challenged;
+  double jump = options_.recovery.prior_of_jump;
+  if (step.challenged)
+  {
+    jump *= options_.recovery.challenge_interval / challenge_pause_;
+    challenge_pause_ = std::min(2 * challenge_pause_, options_.recovery.review_interval);
+  }
+  if (injects && options_.companions) companions_.watch(modes_.modes.front(), particles_);
   moveParticles(particles_, options_.motion, frame.motion, random_, options_.threads);
   walkBiases(particles_, frame.motion.duration, random_);
   since_injection_ += frame.motion.duration;
+  looks_.move(frame.motion);
+  const bool sought = !evidence_.proven() || !one_place;
   if (one_place && !injects)
     evidence_.observe(frame, map_, particles_);
   else
     evidence_.note(frame);
-  if (injects) inject(propose);
-  companions_.accompany(particles_, frame, map_);
-  const std::optional<KalmanState> prior = settled ? priorOfOnePlace(frame) : std::nullopt;
-  score(frame);
+  // Where the way tells of places far off, a challenge needs no closed forms: odometry's slips remain.
+  if (injects) inject(step.challenged && along_way ? Proposer() : propose, jump);
+  if (injects && along_way) believe(along_way(), frame.motion);
+  Frame told = frame;
+  told.readings = weighed(frame.readings, sought);
+  companions_.accompany(particles_, told, map_);
+  const std::optional<KalmanState> prior = settled ? priorOfOnePlace(told) : std::nullopt;
+  score(told);
   companions_.divideWeight(particles_);
-  if (prior) redrawIfFew(*prior, frame);
+  if (prior) redrawIfFew(*prior, told);
   if (companions_.empty()) return;
   const auto revived =
       static_cast<std::size_t>(std::ceil(options_.recovery.injected_share * static_cast<double>(options_.particles)));
@@ -171,6 +186,13 @@ void ParticleFilter::redrawIfFew(const KalmanState& prior, const Frame& frame)
   particles_ = redrawn(moved, prior, update.state, moved.size(), random_);
   score(frame);
   if (effective() < before) particles_ = std::move(moved);
+}
+
+std::vector<Reading> ParticleFilter::weighed(const std::vector<Reading>& readings, bool sought)
+{
+  std::vector<Reading> fresh;
+  for (const Reading& reading : readings) fresh.push_back(looks_.withoutRepeatedBearings(reading));
+  return sought ? fresh : readings;
 }
 
 void ParticleFilter::score(const Frame& frame)

@@ -9,6 +9,7 @@
 
 #include "mrpt_ext/filter/filter_findings.h"
 #include "mrpt_ext/filter/filter_verdict.h"
+#include "mrpt_ext/filter/fresh_looks.h"
 #include "mrpt_ext/filter/kernel_smoothing.h"
 #include "mrpt_ext/filter/kind_monitors.h"
 #include "mrpt_ext/filter/kld_size.h"
@@ -85,13 +86,18 @@ class ParticleFilter
  public:
   /// Asked for hypotheses only when the filter needs some: at the start and on recovery.
   using Proposer = std::function<Proposal()>;
+  /// Asked for the places where the robot may be at the newest frame, weighted by all that was seen along the way
+  /// behind it; those that the filter holds likeliest are among them, and the weights leave room for none of them.
+  /// Empty: it has nothing new to say. Absent: it is not there to be asked.
+  using WaySearch = std::function<HypothesisSet()>;
 
   ParticleFilter(const ParticleFilterOptions& options, const LandmarkTable& map, std::uint64_t seed,
                  std::uint64_t stream);
 
   /// `since_start`: all readings so far, seen from the newest frame, while they are all there and odometry between them
   /// is surer than they are; else empty. With them particles are kept apart until the place is known (resample_move.h).
-  FilterStep process(const Frame& frame, const Proposer& propose, std::span<const Reading> since_start = {});
+  FilterStep process(const Frame& frame, const Proposer& propose, std::span<const Reading> since_start = {},
+                     const WaySearch& along_way = {});
 
   [[nodiscard]] const ParticleSet& particles() const { return particles_; }
   [[nodiscard]] const LandmarkReliability& reliability() const { return reliability_; }
@@ -100,14 +106,20 @@ class ParticleFilter
   /// Draws and scores the first particles; false when a later frame can make a better start.
   bool start(const Frame& frame, const Proposer& propose);
   bool startAtKnownPose(const Frame& frame);
-  void inject(const Proposer& propose);
+  /// Seeds that have the weight `jump` together.
+  void inject(const Proposer& propose, double jump);
+  /// Particles for the places that the way behind speaks for, with the weight that it gives them (way_places.h).
+  void believe(const HypothesisSet& along_way, const OdometryMotion& motion);
   /// The places held possible, as wide as they are when odometry was wrong by more than it may be.
   [[nodiscard]] HypothesisSet slippedPlaces() const;
   [[nodiscard]] bool looksElsewhere() const { return monitor_.suspicious() || kinds_.dropped() || evidence_.refuted(); }
-  [[nodiscard]] bool challengeDue(const Frame& frame) const;
-  /// What fresh looks prove is one place: the best mode, as long as it stays the same one.
+  [[nodiscard]] bool challengeDue(const Frame& frame, bool one_place, bool way_is_known) const;
+  /// What fresh looks prove is one place: the best mode, until another one has most of the weight or it grows vague. A
+  /// rival that comes and goes takes nothing from what was proven before.
   void followEvidence(const Frame& frame, const ModeSet& modes);
-  void track(const Frame& frame, const Proposer& propose, FilterStep& step);
+  void track(const Frame& frame, const Proposer& propose, const WaySearch& along_way, FilterStep& step);
+  /// The readings that the particles are weighed by: all, or, while the place is not proven, without repeated looks.
+  [[nodiscard]] std::vector<Reading> weighed(const std::vector<Reading>& readings, bool sought);
   void score(const Frame& frame);
   /// Where the best mode of the last step is after a motion, by odometry alone.
   [[nodiscard]] KalmanState bestPlaceAfter(const OdometryMotion& motion) const;
@@ -134,10 +146,14 @@ class ParticleFilter
   RecoveryMonitor trust_;     // slow, against what the configuration promises: tells when to claim `ok`
   RecoveryMonitor surprise_;  // quickest: `ok` is not said in the face of it
   KindMonitors kinds_;        // of each sensor by itself
+  FreshLooks looks_;          // what a robot that is sought is weighed by
   PlaceEvidence evidence_;    // fresh looks: tells whether the place is more than a chance fit
   ModeCompanions companions_;
-  ModeSet modes_;              // of the last step
-  double sampling_error_ = 0;  // variance of the last mean by sampling alone, as a share of its covariance
+  std::optional<KalmanState> tested_;  // the place that evidence_ is about
+  double challenge_pause_;             // [s] until it is challenged; each one it stands doubles it
+  bool contested_ = false;             // the way behind speaks for another place than the one that is held
+  ModeSet modes_;                      // of the last step
+  double sampling_error_ = 0;          // variance of the last mean by sampling alone, as a share of its covariance
   double since_injection_ = std::numeric_limits<double>::infinity();  // [s]
 };
 }  // namespace mrpt_ext

@@ -6,6 +6,7 @@
 #include "mrpt_ext/filter/particle_bias.h"
 #include "mrpt_ext/filter/particle_filter.h"
 #include "mrpt_ext/filter/resample_move.h"
+#include "mrpt_ext/filter/way_places.h"
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
 
 namespace mrpt_ext
@@ -13,6 +14,7 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kSeedInflation = 2.0;  // a proposal wider than the posterior it proposes for
+constexpr double kMajority = 0.5;       // of the weight along the way
 constexpr double kUniformShareStart = 0.3;
 constexpr double kUniformShareInjected = 0.3;
 constexpr double kUniformShareRefined = 0.1;
@@ -39,6 +41,10 @@ bool ParticleFilter::start(const Frame& frame, const Proposer& propose)
   const Proposal proposal = analytic && propose ? propose() : Proposal{};
   Frame evidence = frame;
   if (!proposal.joined_readings.empty()) evidence.readings = proposal.joined_readings;
+  // The newest first: they have suffered least from odometry.
+  std::reverse(evidence.readings.begin(), evidence.readings.end());
+  looks_.clear();
+  evidence.readings = weighed(evidence.readings, true);
 
   ParticleSet samples;
   // Weights the samples with as much of the likelihood as they can tell, all of it where they lie well.
@@ -90,7 +96,7 @@ bool ParticleFilter::startAtKnownPose(const Frame& frame)
   return true;
 }
 
-void ParticleFilter::inject(const Proposer& propose)
+void ParticleFilter::inject(const Proposer& propose, double jump)
 {
   HypothesisSet hypotheses = propose ? propose().hypotheses : HypothesisSet{};
   const HypothesisSet slipped = slippedPlaces();
@@ -99,7 +105,6 @@ void ParticleFilter::inject(const Proposer& propose)
                             kSeedInflation, kSharpest);
   const SeedMixture nearby(slipped, options_.region, 0, 1, Vector3d::Zero());
   since_injection_ = 0;
-  const double jump = options_.recovery.prior_of_jump;
   for (float& log_w : particles_.log_weight) log_w += static_cast<float>(std::log1p(-jump));
   const std::size_t kept = particles_.size();
   const auto count =
@@ -115,6 +120,19 @@ void ParticleFilter::inject(const Proposer& propose)
     particles_.add(pose, std::log(jump * prior / (mixture.density(pose) * static_cast<double>(count))));
   }
   drawBiases(particles_, kept, random_);
+}
+
+void ParticleFilter::believe(const HypothesisSet& along_way, const OdometryMotion& motion)
+{
+  since_injection_ = 0;
+  if (along_way.empty()) return;
+  const double others = weightOfOthers(along_way, bestPlaceAfter(motion).gaussianPose().mean);
+  const double share = shareOfWay(others, evidence_.logOdds());
+  contested_ = others > kMajority && share < kMajority;
+  if (share < kLeastPlaceShare) return;
+  normalizeWeights(particles_);
+  addPlaces(particles_, along_way, share, options_.particles, random_);
+  companions_.clear();
 }
 
 void ParticleFilter::moveByReadings(std::span<const Reading> since_start)

@@ -8,34 +8,42 @@
 
 namespace mrpt_ext
 {
-bool ParticleFilter::challengeDue(const Frame& frame) const
+namespace
 {
-  if (!isOnePlace(modes_, options_.verdict)) return false;
-  const RecoveryOptions& recovery = options_.recovery;
-  const auto is_nameless = [](const Reading& reading)
-  {
-    return std::any_of(reading.detections.begin(), reading.detections.end(),
-                       [](const Detection& d) { return d.id == kNoId; });
-  };
+constexpr double kMajority = 0.5;  // of the weight: another place that has it is put to the test instead
+}  // namespace
+
+bool ParticleFilter::challengeDue(const Frame& frame, bool one_place, bool way_is_known) const
+{
   const double waited = since_injection_ + frame.motion.duration;
-  if (!evidence_.proven()) return waited >= recovery.challenge_interval;
-  return waited >= recovery.review_interval && std::any_of(frame.readings.begin(), frame.readings.end(), is_nameless);
+  if (!one_place || !evidence_.proven()) return waited >= challenge_pause_ && (one_place || way_is_known);
+  return waited >= options_.recovery.review_interval && (way_is_known || hasNameless(frame));
 }
 
 void ParticleFilter::followEvidence(const Frame& frame, const ModeSet& modes)
 {
   // From a known start, and nothing else tried since, a wide place is still the known one.
   if (options_.initial_mode == InitialMode::gaussian && std::isinf(since_injection_)) return;
-  if (!isOnePlace(modes, options_.verdict))
-    evidence_.restart();
-  else if (isOnePlace(modes_, options_.verdict))
+  const VerdictOptions& limits = options_.verdict;
+  const Mode& best = modes.modes.front();
+  const bool one_place = isOnePlace(modes, limits);
+  bool restart = !tested_ && !one_place;
+  if (tested_)
   {
-    const KalmanState moved = bestPlaceAfter(frame.motion);
-    const Vector2d away = modes.modes.front().pose.mean.position() - moved.mean.head<2>();
-    const double turned = wrap(modes.modes.front().pose.mean.phi - moved.mean.z());
-    if (away.norm() > options_.verdict.max_std_xy || std::abs(turned) > options_.verdict.max_std_phi)
-      evidence_.restart();
+    tested_ = predict(*tested_, particles_.bias_states, options_.motion, frame.motion);
+    const Vector2d away = best.pose.mean.position() - tested_->mean.head<2>();
+    const double turned = wrap(best.pose.mean.phi - tested_->mean.z());
+    const bool elsewhere = away.norm() > limits.max_std_xy || std::abs(turned) > limits.max_std_phi;
+    const bool vague = !isOnePlace({{{tested_->gaussianPose(), 1}}, {}}, limits);
+    restart = vague || (elsewhere && best.weight > kMajority);
   }
+  if (restart)
+  {
+    tested_.reset();
+    evidence_.restart();
+    challenge_pause_ = options_.recovery.challenge_interval;
+  }
+  if (one_place) tested_ = startingState(best.pose, particles_.bias_states);
 }
 
 void ParticleFilter::checkAgreement(const Frame& frame, bool learn)
@@ -74,7 +82,7 @@ VerdictWithReason ParticleFilter::judgeStep(const FilterStep& step) const
   const double effective = step.effective_ratio * static_cast<double>(particles_.size());
   const bool surprised = surprise_.suspicious() || monitor_.suspicious();
   const double share = surprised ? std::min(surprise_.average(), monitor_.average()) : trust_.average();
-  return judge(step.modes, {share, monitor_.lost(), effective, evidence_.logOdds(), evidence_.proven()},
+  return judge(step.modes, {share, monitor_.lost(), effective, evidence_.logOdds(), evidence_.proven(), contested_},
                options_.verdict);
 }
 }  // namespace mrpt_ext

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "mrpt_ext/filter/fresh_looks.h"
+#include "mrpt_ext/filter/mapless_world.h"
 #include "mrpt_ext/filter/motion_model.h"
 #include "mrpt_ext/filter/particle_set.h"
 #include "mrpt_ext/geometry/frame.h"
@@ -13,11 +14,10 @@ namespace mrpt_ext
 /// When fresh looks have singled a place out.
 struct PlaceEvidenceOptions
 {
-  double proven = 9;          ///< log odds against chance: one wrong place in exp(9) = 8000 gets that far
-  double refuted = 5;         ///< log odds for chance, at which the robot is sought elsewhere
-  double most = 14;           ///< log odds that are remembered at most, so that a wrong turn is felt soon
-  double look_share = 0.02;   ///< of the map's diagonal: the way after which a landmark may be looked at again ...
-  double longest_look = 0.3;  ///< [m] ... or this, whichever is less
+  double proven = 9;   ///< log odds against chance: one wrong place in exp(9) = 8000 gets that far
+  double refuted = 5;  ///< log odds for chance, at which the robot is sought elsewhere
+  double most = 14;    ///< log odds that are remembered at most, so that a wrong turn is felt soon
+  LookSpacing looks;   ///< what makes a look fresh
 };
 
 /// A sequential test (Wald, Ann. Math. Stat. 16(2), 1945) of "the robot is where its particles are" against "the
@@ -51,29 +51,15 @@ class PlaceEvidence
   [[nodiscard]] bool refuted() const { return log_odds_ <= -options_.refuted; }
 
  private:
-  /// Something seen, as odometry tells where: way so far [m], direction in odometry's axes [rad].
-  struct Look
-  {
-    std::string sensor;
-    Detection detection;
-    Vector2d from;
-    double direction = 0;
-    double heading_variance = 0;  ///< of odometry, since the start [rad^2]
-  };
-
   void move(const OdometryMotion& motion);
+  /// Logarithm of the density that fresh looks have without a map; remembers them.
+  double logChance(const Reading& looks, double default_max_range);
   /// Adds to the log odds what the fresh looks among the readings tell; `particles` are weighted with them.
   void test(const std::vector<Reading>& readings, const LandmarkTable& map, ParticleSet particles);
-  /// The detections nothing like which was seen near here; they are remembered.
-  [[nodiscard]] Reading fresh(const Reading& reading);
-  [[nodiscard]] bool isRepeat(const Look& look) const;
 
   PlaceEvidenceOptions options_;
-  MotionModel motion_;
-  double look_way_;
-  Pose2 odometry_;  // since the start
-  double heading_variance_ = 0;
-  std::vector<Look> looks_;
+  FreshLooks looks_;
+  MaplessWorld mapless_;
   double log_odds_ = 0;
 };
 }  // namespace mrpt_ext

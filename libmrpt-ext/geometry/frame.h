@@ -27,4 +27,10 @@ struct Frame
   std::vector<RunningFixReading> fixes;
   std::optional<CompassRecord> compass;
 };
+/// True when some detection of the frame has no name.
+[[nodiscard]] inline bool hasNameless(const Frame& frame)
+{
+  return std::any_of(frame.readings.begin(), frame.readings.end(),
+                     [](const Reading& reading) { return hasNameless(reading); });
+}
 }  // namespace mrpt_ext

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -67,4 +68,10 @@ struct RunningFixReading
   double second_bearing_std = 0;
   bool ranges_logged_too = false;  ///< its single ranges are in the log as well: propose from it, do not score it
 };
+/// True when the sensor could not tell which landmark some detection shows.
+[[nodiscard]] inline bool hasNameless(const Reading& reading)
+{
+  return std::any_of(reading.detections.begin(), reading.detections.end(),
+                     [](const Detection& d) { return d.id == kNoId; });
+}
 }  // namespace mrpt_ext

@@ -3,23 +3,9 @@
 #include <algorithm>
 
 #include "mrpt_ext/hypotheses/expected_errors.h"
-#include "mrpt_ext/hypotheses/travel_search.h"
-#include "mrpt_ext/localizers/travel_looks.h"
 
 namespace mrpt_ext
 {
-namespace
-{
-constexpr double kTravelled = 45, kLook = 1;  // [s] of the way that is searched, and of what makes one look
-constexpr double kBetweenSearches = 5;        // [s] they are costly
-
-bool isNameless(const Reading& reading)
-{
-  return std::any_of(reading.detections.begin(), reading.detections.end(),
-                     [](const Detection& d) { return d.id == kNoId; });
-}
-}  // namespace
-
 ParticleFilterLocalizer::ParticleFilterLocalizer(const ParticleFilterOptions& options, const LandmarkTable& map,
                                                  double seed_window, std::uint64_t seed, std::uint64_t stream,
                                                  std::shared_ptr<const LostRobotSearch> search)
@@ -30,7 +16,7 @@ ParticleFilterLocalizer::ParticleFilterLocalizer(const ParticleFilterOptions& op
       filter_(options, map, seed, stream),
       joiner_(seed_window, options.motion),
       history_(options.motion),
-      motion_(options.motion)
+      way_(map, search_, options.region, options.motion)
 {
 }
 
@@ -38,41 +24,29 @@ Estimate ParticleFilterLocalizer::process(const Frame& frame)
 {
   joiner_.add(frame);
   history_.add(frame);
-  remember(frame);
+  way_.add(frame);
   const auto propose = [&]
   {
     Frame joined = joiner_.joined();
     std::vector<Reading> readings = joined.readings;
     joined.readings = withExpectedErrors(std::move(joined.readings), biases_);
     Proposal proposal(proposePoses(joined, map_, *search_, {.region = region_}));
-    const HypothesisSet along = proposeAlongWay();
-    proposal.hypotheses.insert(proposal.hypotheses.end(), along.begin(), along.end());
+    if (filter_.particles().empty())
+    {
+      const HypothesisSet along = way_.search({});
+      proposal.hypotheses.insert(proposal.hypotheses.end(), along.begin(), along.end());
+    }
     proposal.joined_readings = std::move(readings);
     proposal.complete = joiner_.full();
     return proposal;
   };
-  step_ = filter_.process(frame, propose, history_.readings());
+  const bool was_ok = step_.verdict == Verdict::ok;
+  ParticleFilter::WaySearch along_way;
+  if (way_.tellsAll()) along_way = [&] { return way_.search(step_.modes); };
+  step_ = filter_.process(frame, propose, history_.readings(), along_way);
   if (step_.verdict != Verdict::ambiguous) history_.end();
+  if (was_ok && step_.verdict != Verdict::ok) way_.endPause();
   return estimateFrom(step_, frame.time);
-}
-
-void ParticleFilterLocalizer::remember(const Frame& frame)
-{
-  const bool nameless = std::any_of(frame.readings.begin(), frame.readings.end(), isNameless);
-  if (!nameless && recent_.empty()) return;
-  recent_.push_back(frame);
-  const auto kept = std::find_if(recent_.begin(), recent_.end(),
-                                 [&](const Frame& old) { return frame.time - old.time <= kTravelled; });
-  recent_.erase(recent_.begin(), kept);
-}
-
-HypothesisSet ParticleFilterLocalizer::proposeAlongWay()
-{
-  if (recent_.empty() || recent_.back().time - searched_at_ < kBetweenSearches) return {};
-  searched_at_ = recent_.back().time;
-  std::vector<Frame> way = recent_;
-  way.front().motion = {};
-  return searchAlongWay(travelLooks(way, motion_, map_, search_->index(), kLook), *search_, region_).hypotheses;
 }
 
 std::vector<LandmarkHistory> ParticleFilterLocalizer::landmarkHistories() const

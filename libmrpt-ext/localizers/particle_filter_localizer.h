@@ -1,11 +1,10 @@
 #pragma once
 
-#include <limits>
-
 #include "mrpt_ext/hypotheses/propose_poses.h"
 #include "mrpt_ext/localizers/filter_localizer.h"
 #include "mrpt_ext/localizers/frame_joiner.h"
 #include "mrpt_ext/localizers/starting_history.h"
+#include "mrpt_ext/localizers/way_memory.h"
 
 namespace mrpt_ext
 {
@@ -26,9 +25,6 @@ class ParticleFilterLocalizer : public FilterLocalizer
   [[nodiscard]] std::vector<LandmarkHistory> landmarkHistories() const override;
 
  private:
-  void remember(const Frame& frame);
-  [[nodiscard]] HypothesisSet proposeAlongWay();
-
   LandmarkTable map_;
   std::shared_ptr<const LostRobotSearch> search_;
   PoseRegion region_;
@@ -36,9 +32,7 @@ class ParticleFilterLocalizer : public FilterLocalizer
   ParticleFilter filter_;
   FrameJoiner joiner_;
   StartingHistory history_;
-  MotionModel motion_;
-  double searched_at_ = -std::numeric_limits<double>::infinity();  // [s] along the way
-  std::vector<Frame> recent_;  // of the last kTravelled seconds, where detections have no names
+  WayMemory way_;
   FilterStep step_;
 };
 }  // namespace mrpt_ext

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mrpt_ext/filter/fresh_looks.h"
 #include "mrpt_ext/hypotheses/sensor_places.h"
 #include "mrpt_ext/localizers/frame_joiner.h"
 
@@ -63,6 +64,7 @@ std::vector<TravelStep> travelLooks(std::span<const Frame> frames, const MotionM
                                     const LandmarkIndex& index, double look_duration)
 {
   std::vector<TravelStep> steps;
+  FreshLooks fresh({}, motion, map);
   for (std::size_t begin = 0, end = 0; begin < frames.size(); begin = end)
   {
     TravelStep step;
@@ -71,7 +73,10 @@ std::vector<TravelStep> travelLooks(std::span<const Frame> frames, const MotionM
     {
       const OdometryMotion believed = believedMotion(motion, frames[end].motion);
       extend(step, believed.increment, incrementCovariance(motion, frames[end].motion));
-      look.add(frames[end]);
+      fresh.move(frames[end].motion);
+      Frame seen = frames[end];
+      for (Reading& reading : seen.readings) reading = fresh.take(reading);
+      look.add(seen);
     }
     step.seen = withoutRepeats(sensorPlaces(look.readings(), map, index));
     steps.push_back(std::move(step));

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "simulated_run.h"
 
 namespace mrpt_ext
@@ -162,5 +164,66 @@ TEST(ParticleFilter, ACompassTurnsTheParticles)
   for (int k = 0; k < 5; ++k) step = filter.process(frame, {});
   EXPECT_NEAR(std::abs(wrap(step.modes.modes.front().pose.mean.phi - 3.1)), 0, 0.05);
   EXPECT_EQ(step.verdict, Verdict::ambiguous);
+}
+
+namespace
+{
+/// A map that half a turn leaves as it is, and a filter that is shown the wrong one of two places from the start.
+/// `way`: what it is told about the way behind, given the truth and its twin; empty: it is not told.
+FilterStep stepAtTheTwin(int frames, const std::function<HypothesisSet(const Pose2&)>& way, Pose2& truth)
+{
+  const LandmarkTable map({{.id = 1, .position = {2, 2, 0}}, {.id = 2, .position = {8, 8, 0}}});
+  const Matrix3d covariance = Vector3d(0.01, 0.01, 0.002).asDiagonal();
+  ParticleFilter filter(smallOptions(), map, 1, 0);
+  RandomStream random(7);
+  truth = {5, 2, 0};
+  FilterStep step;
+  for (int k = 0; k < frames; ++k)
+  {
+    truth = compose(truth, roundTripStep(k));
+    const Pose2 twin{10 - truth.x, 10 - truth.y, wrap(truth.phi + kPi)};
+    const auto propose = [&]() -> HypothesisSet { return {{.pose = {twin, covariance}, .weight = 1}}; };
+    ParticleFilter::WaySearch along_way;
+    if (way) along_way = [&] { return way(truth); };
+    const Frame frame =
+        simulatedFrame({.measures_range = true, .named = false, .clutter = 0.02}, map, truth, roundTripStep(k), random);
+    step = filter.process(frame, propose, {}, along_way);
+  }
+  return step;
+}
+
+HypothesisSet placeOf(const Pose2& pose)
+{
+  return {{.pose = {pose, Vector3d(0.01, 0.01, 0.002).asDiagonal()}, .weight = 0.97}};
+}
+
+double weightAt(const FilterStep& step, const Pose2& pose)
+{
+  double sum = 0;
+  for (const Mode& mode : step.modes.modes) sum += distance(mode.pose.mean, pose) < 1 ? mode.weight : 0;
+  return sum;
+}
+}  // namespace
+
+TEST(ParticleFilter, TheWayBehindMovesItToWhereAllThatWasSeenFits)
+{
+  Pose2 truth;
+  EXPECT_LT(weightAt(stepAtTheTwin(6, {}, truth), truth), 0.01);
+  EXPECT_GT(weightAt(stepAtTheTwin(6, placeOf, truth), truth), 0.05);
+}
+
+TEST(ParticleFilter, IsNotOkWhereTheWayBehindFitsAnotherPlaceBetter)
+{
+  Pose2 truth;
+  const FilterStep alone = stepAtTheTwin(40, {}, truth);  // nothing tells it from the truth
+  EXPECT_EQ(alone.verdict, Verdict::ok) << alone.reason;
+  EXPECT_LT(weightAt(alone, truth), 0.1);
+  // The way speaks when the twin is proven.
+  const auto late = [calls = 0](const Pose2& pose) mutable { return ++calls > 1 ? placeOf(pose) : HypothesisSet{}; };
+  for (const int frames : {30, 45})
+  {
+    const FilterStep step = stepAtTheTwin(frames, late, truth);
+    EXPECT_TRUE(step.verdict == Verdict::ambiguous || weightAt(step, truth) > 0.5) << frames << ": " << step.reason;
+  }
 }
 }  // namespace mrpt_ext
