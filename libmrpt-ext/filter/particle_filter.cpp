@@ -130,7 +130,9 @@ void ParticleFilter::track(const Frame& frame, const Proposer& propose, const Wa
 {
   const bool one_place = isOnePlace(modes_, options_.verdict), settled = one_place && !monitor_.suspicious();
   step.reseeded = looksElsewhere() && since_injection_ + frame.motion.duration >= options_.recovery.min_interval;
-  step.challenged = !step.reseeded && challengeDue(frame, one_place, along_way != nullptr);
+  // The way does not know what was told about the start: only when nothing agrees with that any more it is asked.
+  const bool asks_way = along_way && (step.reseeded || options_.initial_mode != InitialMode::gaussian);
+  step.challenged = !step.reseeded && challengeDue(frame, one_place, asks_way);
   const bool injects = step.reseeded || step.challenged;
   double jump = options_.recovery.prior_of_jump;
   if (step.challenged)
@@ -149,8 +151,8 @@ void ParticleFilter::track(const Frame& frame, const Proposer& propose, const Wa
   else
     evidence_.note(frame);
   // Where the way tells of places far off, a challenge needs no closed forms: odometry's slips remain.
-  if (injects) inject(step.challenged && along_way ? Proposer() : propose, jump);
-  if (injects && along_way) believe(along_way(), frame.motion);
+  if (injects) inject(step.challenged && asks_way ? Proposer() : propose, jump);
+  if (injects && asks_way) believe(along_way(), frame.motion);
   Frame told = frame;
   told.readings = weighed(frame.readings, sought);
   companions_.accompany(particles_, told, map_);

@@ -226,4 +226,26 @@ TEST(ParticleFilter, IsNotOkWhereTheWayBehindFitsAnotherPlaceBetter)
     EXPECT_TRUE(step.verdict == Verdict::ambiguous || weightAt(step, truth) > 0.5) << frames << ": " << step.reason;
   }
 }
+
+TEST(ParticleFilter, AKnownStartIsNotOverruledByAWayThatDoesNotKnowIt)
+{
+  const LandmarkTable map({{.id = 1, .position = {2, 2, 0}}, {.id = 2, .position = {8, 8, 0}}});
+  ParticleFilterOptions options = smallOptions();
+  options.initial_mode = InitialMode::gaussian;
+  options.initial_pose = {{5, 2, 0}, Vector3d(0.01, 0.01, 0.002).asDiagonal()};
+  ParticleFilter filter(options, map, 1, 0);
+  RandomStream random(7);
+  Pose2 truth{5, 2, 0};
+  FilterStep step;
+  for (int k = 0; k < 60; ++k)
+  {
+    truth = compose(truth, roundTripStep(k));
+    const auto twin = [&] { return placeOf({10 - truth.x, 10 - truth.y, wrap(truth.phi + kPi)}); };
+    const Frame frame =
+        simulatedFrame({.measures_range = true, .named = false, .clutter = 0.02}, map, truth, roundTripStep(k), random);
+    step = filter.process(frame, noProposals, {}, twin);
+    EXPECT_GT(weightAt(step, truth), 0.9) << k;
+  }
+  EXPECT_EQ(step.verdict, Verdict::ok) << step.reason;
+}
 }  // namespace mrpt_ext
