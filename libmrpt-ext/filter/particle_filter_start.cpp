@@ -125,7 +125,7 @@ void ParticleFilter::inject(const Proposer& propose, double jump)
 void ParticleFilter::believe(const HypothesisSet& along_way, const OdometryMotion& motion)
 {
   since_injection_ = 0;
-  if (along_way.empty()) return;
+  if (along_way.empty() || modes_.modes.empty()) return;
   const double others = weightOfOthers(along_way, bestPlaceAfter(motion).gaussianPose().mean);
   const double share = shareOfWay(others, evidence_.logOdds());
   contested_ = others > kMajority && share < kMajority;

@@ -24,6 +24,7 @@ void ParticleFilter::followEvidence(const Frame& frame, const ModeSet& modes)
 {
   // From a known start, and nothing else tried since, a wide place is still the known one.
   if (options_.initial_mode == InitialMode::gaussian && std::isinf(since_injection_)) return;
+  if (modes.modes.empty()) return;
   const VerdictOptions& limits = options_.verdict;
   const Mode& best = modes.modes.front();
   const bool one_place = isOnePlace(modes, limits);

@@ -32,7 +32,7 @@ class WaySearch
 
   TravelSearch run(std::span<const GaussianPose> supposed)
   {
-    judge(proposedAs(supposed), steps_.size() - 1);
+    if (!steps_.empty()) judge(proposedAs(supposed), steps_.size() - 1);
     for (const std::size_t birth : births())
     {
       std::vector<Travelled> tracks = proposed(birth);

@@ -154,6 +154,8 @@ TEST(TravelSearch, WeightsLeaveRoomForElsewhere)
 TEST(TravelSearch, NothingSeenIsTooFew)
 {
   EXPECT_EQ(searchAlongWay({}, kSearch, kRegion).status, SolveStatus::too_few);
+  const GaussianPose supposed{{4, 4, 0}, Matrix3d::Identity()};
+  EXPECT_EQ(searchAlongWay({}, kSearch, kRegion, {&supposed, 1}).status, SolveStatus::too_few);
   const std::vector<TravelStep> blind(5);
   EXPECT_EQ(searchAlongWay(blind, kSearch, kRegion).status, SolveStatus::too_few);
   EXPECT_EQ(searchAlongWay(blind, kSearch, kRegion).elsewhere, 1);
