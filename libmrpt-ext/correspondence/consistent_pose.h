@@ -17,6 +17,8 @@ struct PoseSearchOptions
   std::size_t max_poses = 200;                ///< returned at most, the likeliest
   std::optional<MapArea> area;                ///< where the robot can be; absent: anywhere
   std::uint64_t max_tested = 50'000'000'000;  ///< constellations after which the search gives up (see `finished`)
+  std::uint64_t max_tree_nodes = 200'000;     ///< the same where an interpretation tree is searched: few bearings in a
+                                              ///< narrow view fit thousands of poses
 };
 
 /// A place where the robot may be: its pose explains the detections that `assignment` matches.

@@ -12,10 +12,9 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr int kLeastMatches = 4;              // three bearings are explained by every constellation
-constexpr double kPosesPerTriple = 0.25;      // share of landmark triples that can be seen so from within the map
-constexpr double kRangeMargin = 1.3;          // a pose from few bearings may put its landmarks a little too far away
-constexpr std::uint64_t kMaxTested = 200000;  // clusters of look-alike landmarks would take for ever
+constexpr int kLeastMatches = 4;          // three bearings are explained by every constellation
+constexpr double kPosesPerTriple = 0.25;  // share of landmark triples that can be seen so from within the map
+constexpr double kRangeMargin = 1.3;      // a pose from few bearings may put its landmarks a little too far away
 
 /// What the tree is asked.
 struct TreeQuestion
@@ -58,7 +57,7 @@ InterpretationOptions treeOptions(const TreeQuestion& question, const PoseSearch
   tree.max_residual = options.gate * question.std_bearing;
   tree.std_bearing = question.std_bearing;
   if (question.place->model.max_range) tree.max_range = kRangeMargin * *question.place->model.max_range;
-  tree.max_tested = std::min(kMaxTested, options.max_tested);
+  tree.max_tested = std::min(options.max_tree_nodes, options.max_tested);
   if (options.area)
   {
     const double offset = question.place->T_robot_sensor.position().norm();

@@ -19,7 +19,8 @@ struct Proposal
   /// Readings of the last seconds seen from the newest frame, the newest included: the evidence to start on. Empty:
   /// that of the frame alone.
   std::vector<Reading> joined_readings;
-  /// False while more readings will be joined: a start without hypotheses is better put off.
+  /// False while more readings will be joined: a start without hypotheses, or, without names, one that does not single
+  /// out a place, is better put off.
   bool complete = true;
 };
 

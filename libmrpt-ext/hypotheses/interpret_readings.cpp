@@ -49,7 +49,8 @@ GaussianPose robotPose(const GaussianPose& sensor, const Pose2& T_robot_sensor)
 }  // namespace
 
 ReadingInterpretation interpretReadings(std::span<const Reading> readings, const LandmarkTable& map,
-                                        const LostRobotSearch& search, const PoseRegion& region)
+                                        const LostRobotSearch& search, const PoseRegion& region,
+                                        std::uint64_t max_tree_nodes)
 {
   std::vector<SensorPlace> places = joinedPlaces(readings, map, search.index());
   if (places.empty()) return {};
@@ -61,6 +62,7 @@ ReadingInterpretation interpretReadings(std::span<const Reading> readings, const
   PoseSearchOptions options;
   options.gate = kGate;
   options.area = MapArea{region.low, region.low + region.extent()};
+  options.max_tree_nodes = max_tree_nodes;
   const PoseSearch found = search.search(places, options);
 
   ReadingInterpretation result{.status = found.status, .unique = found.unique, .finished = found.finished};

@@ -23,8 +23,9 @@ struct ReadingInterpretation
 /// scale: lost_robot_search.h). Readings of several places are explained together; those of
 /// several moments, oldest first, are joined through odometry into one constellation first (joined_constellation.h).
 /// `map` must be the table of `search`.
-[[nodiscard]] ReadingInterpretation interpretReadings(std::span<const Reading> readings, const LandmarkTable& map,
-                                                      const LostRobotSearch& search, const PoseRegion& region);
+[[nodiscard]] ReadingInterpretation interpretReadings(
+    std::span<const Reading> readings, const LandmarkTable& map, const LostRobotSearch& search,
+    const PoseRegion& region, std::uint64_t max_tree_nodes = PoseSearchOptions{}.max_tree_nodes);
 
 /// Poses of three bearings, or of three out of four, by the interpretation tree: many, and nothing verifies them. For
 /// seeding only, where interpretReadings has too few detections; empty with more than four bearings or more than

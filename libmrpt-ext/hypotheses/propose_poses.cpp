@@ -63,6 +63,7 @@ void score(HypothesisSet& hypotheses, const Frame& frame, const LandmarkTable& m
 HypothesisSet proposePoses(const Frame& frame, const LandmarkTable& map, const LostRobotSearch& search,
                            const ProposalOptions& options)
 {
+  const std::uint64_t nodes = options.max_tree_nodes;
   const std::vector<LandmarkSighting> identified = identifiedSightings(frame.readings, map);
   HypothesisSet all = proposeFromPointPairs(identified);
   append(all, proposeFromBearings(identified));
@@ -76,9 +77,9 @@ HypothesisSet proposePoses(const Frame& frame, const LandmarkTable& map, const L
   {
     append(all, proposeFromCarriedLandmarks(frame.readings, map, frame.compass, options.ring_points));
     // Joining may fail where one look is enough.
-    append(all, interpretReadings(fullestReading(frame.readings), map, search, options.region).hypotheses);
+    append(all, interpretReadings(fullestReading(frame.readings), map, search, options.region, nodes).hypotheses);
   }
-  append(all, interpretReadings(frame.readings, map, search, options.region).hypotheses);
+  append(all, interpretReadings(frame.readings, map, search, options.region, nodes).hypotheses);
   append(all, interpretThreeBearings(frame.readings, map, search, options.region));
 
   std::erase_if(all, [&](const PoseHypothesis& h) { return !options.region.contains(h.pose.mean); });

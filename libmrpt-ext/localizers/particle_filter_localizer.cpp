@@ -1,11 +1,14 @@
 #include "mrpt_ext/localizers/particle_filter_localizer.h"
 
-#include <algorithm>
-
 #include "mrpt_ext/hypotheses/expected_errors.h"
 
 namespace mrpt_ext
 {
+namespace
+{
+constexpr std::uint64_t kNodesOnTheWay = 20'000;  // a robot that drives does not wait for a proposal among others
+}  // namespace
+
 ParticleFilterLocalizer::ParticleFilterLocalizer(const ParticleFilterOptions& options, const LandmarkTable& map,
                                                  double seed_window, std::uint64_t seed, std::uint64_t stream,
                                                  std::shared_ptr<const LostRobotSearch> search)
@@ -30,8 +33,10 @@ Estimate ParticleFilterLocalizer::process(const Frame& frame)
     Frame joined = joiner_.joined();
     std::vector<Reading> readings = joined.readings;
     joined.readings = withExpectedErrors(std::move(joined.readings), biases_);
-    Proposal proposal(proposePoses(joined, map_, *search_, {.region = region_}));
-    if (filter_.particles().empty())
+    ProposalOptions options{.region = region_};
+    if (!filter_.particles().empty()) options.max_tree_nodes = kNodesOnTheWay;
+    Proposal proposal(proposePoses(joined, map_, *search_, options));
+    if (filter_.particles().empty() && joiner_.full())
     {
       const HypothesisSet along = way_.search({});
       proposal.hypotheses.insert(proposal.hypotheses.end(), along.begin(), along.end());

@@ -205,6 +205,33 @@ double weightAt(const FilterStep& step, const Pose2& pose)
 }
 }  // namespace
 
+TEST(ParticleFilter, PutsTheStartOffUntilOnePlaceIsLeftOrAllReadingsAreJoined)
+{
+  const LandmarkTable twofold({{.id = 1, .position = {2, 2, 0}}, {.id = 2, .position = {8, 8, 0}}});
+  const auto particles_after = [](const LandmarkTable& map, bool named, bool complete)
+  {
+    ParticleFilter filter(smallOptions(), map, 1, 0);
+    RandomStream random(7);
+    const Pose2 truth{5, 2, 0}, twin{5, 8, kPi};
+    const auto propose = [&]
+    {
+      HypothesisSet both = placeOf(truth);
+      both.push_back(placeOf(twin).front());
+      Proposal proposal(both);
+      proposal.complete = complete;
+      return proposal;
+    };
+    const SimulatedRobot robot{.measures_range = true, .named = named};
+    const FilterStep step = filter.process(simulatedFrame(robot, map, truth, {}, random), propose);
+    EXPECT_FALSE(step.modes.modes.empty());
+    EXPECT_EQ(step.verdict, Verdict::ambiguous);
+    return filter.particles().size();
+  };
+  EXPECT_EQ(particles_after(twofold, false, false), 0u);
+  EXPECT_GT(particles_after(twofold, false, true), 1000u);
+  EXPECT_GT(particles_after(kMap, true, false), 1000u) << "one place only";
+}
+
 TEST(ParticleFilter, TheWayBehindMovesItToWhereAllThatWasSeenFits)
 {
   Pose2 truth;
