@@ -34,13 +34,26 @@ PlaceEvidence::PlaceEvidence(const PlaceEvidenceOptions& options, const MotionMo
 void PlaceEvidence::note(const Frame& frame)
 {
   move(frame.motion);
-  for (const Reading& reading : scoredReadings(frame)) (void)logChance(looks_.take(reading), 1);
+  for (const Reading& reading : scoredReadings(frame))
+  {
+    endBlindSpell(reading);
+    (void)logChance(looks_.take(reading), 1);
+  }
 }
 
 void PlaceEvidence::move(const OdometryMotion& motion)
 {
   looks_.move(motion);
   mapless_.move(motion);
+  blind_for_ += motion.duration;
+}
+
+void PlaceEvidence::endBlindSpell(const Reading& reading)
+{
+  if (reading.detections.empty()) return;
+  const double forgotten = options_.forgotten_per_s * std::max(0.0, blind_for_ - options_.blind_after);
+  if (hasNameless(reading) && log_odds_ > 0) log_odds_ = std::max(0.0, log_odds_ - forgotten);
+  blind_for_ = 0;
 }
 
 double PlaceEvidence::logChance(const Reading& looks, double default_max_range)
@@ -74,6 +87,7 @@ void PlaceEvidence::test(const std::vector<Reading>& readings, const LandmarkTab
   const LandmarkClutter clutter;
   for (const Reading& reading : readings)
   {
+    endBlindSpell(reading);
     const Reading looks = looks_.take(reading);
     if (looks.detections.empty()) continue;
     const ReadingScorer scorer(looks, map, clutter, particles.origin);

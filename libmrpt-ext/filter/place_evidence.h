@@ -17,7 +17,10 @@ struct PlaceEvidenceOptions
   double proven = 9;   ///< log odds against chance: one wrong place in exp(9) = 8000 gets that far
   double refuted = 5;  ///< log odds for chance, at which the robot is sought elsewhere
   double most = 14;    ///< log odds that are remembered at most, so that a wrong turn is felt soon
-  LookSpacing looks;   ///< what makes a look fresh
+  /// A robot that saw nothing for a while may have slipped, or turned more than it knows, and what it sees then without
+  /// names fits wrong places too. Each second beyond `blind_after` [s] takes this much of what spoke for its place.
+  double forgotten_per_s = 0.3, blind_after = 5;
+  LookSpacing looks;  ///< what makes a look fresh
 };
 
 /// A sequential test (Wald, Ann. Math. Stat. 16(2), 1945) of "the robot is where its particles are" against "the
@@ -52,6 +55,8 @@ class PlaceEvidence
 
  private:
   void move(const OdometryMotion& motion);
+  /// Where something is detected again: what was proven before counts less, the longer ago that is.
+  void endBlindSpell(const Reading& reading);
   /// Logarithm of the density that fresh looks have without a map; remembers them.
   double logChance(const Reading& looks, double default_max_range);
   /// Adds to the log odds what the fresh looks among the readings tell; `particles` are weighted with them.
@@ -61,5 +66,6 @@ class PlaceEvidence
   FreshLooks looks_;
   MaplessWorld mapless_;
   double log_odds_ = 0;
+  double blind_for_ = 0;  // [s] since the last detection
 };
 }  // namespace mrpt_ext

@@ -122,6 +122,30 @@ TEST(PlaceEvidence, ARichFirstFrameSpeaksForItsPlaceAndProvesNothing)
   EXPECT_LT(begun(1), begun(8));
 }
 
+TEST(PlaceEvidence, WhatWasProvenBeforeABlindSpellHasToBeShownAgain)
+{
+  const PlaceEvidenceOptions options;
+  const LandmarkTable map({{.id = 1, .position = {2, 2, 0}}});
+  const auto after = [&](double blind, double log_odds, bool named = false)
+  {
+    PlaceEvidence evidence({.most = log_odds}, motionModelOf({}), map);
+    RandomStream random(3);
+    const Frame seen = simulatedFrame({.named = named}, map, {5, 2, 0}, {}, random);
+    evidence.note(seen);
+    evidence.assume();
+    evidence.note({.motion = {.duration = blind - 1}});
+    EXPECT_EQ(evidence.logOdds(), log_odds) << "nothing is seen yet";
+    evidence.note(seen);  // a second later
+    return evidence.logOdds();
+  };
+  EXPECT_EQ(after(options.blind_after, 14), 14);
+  EXPECT_NEAR(after(options.blind_after + 10, 14), 14 - 10 * options.forgotten_per_s, 1e-9);
+  EXPECT_LT(after(30, 14), options.proven);
+  EXPECT_EQ(after(600, 14), 0) << "that it was wrong is not shown either";
+  EXPECT_EQ(after(600, -3), -3);
+  EXPECT_EQ(after(600, 14, true), 14) << "a name is not mistaken for another";
+}
+
 TEST(PlaceEvidence, RemembersOnlySoMuch)
 {
   RandomStream random(1);
