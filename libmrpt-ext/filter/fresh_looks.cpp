@@ -33,15 +33,14 @@ FreshLooks::FreshLooks(const LookSpacing& spacing, const MotionModel& motion, co
 
 void FreshLooks::move(const OdometryMotion& motion)
 {
-  odometry_ = compose(odometry_, believedMotion(motion_, motion).increment);
-  heading_variance_ += incrementCovariance(motion_, motion)(2, 2);
-  std::erase_if(looks_, [&](const Look& look) { return (look.from - odometry_.position()).norm() > look_way_; });
+  odometry_.move(motion_, motion);
+  std::erase_if(looks_, [&](const Look& look) { return (look.from - odometry_.pose.position()).norm() > look_way_; });
 }
 
 FreshLooks::Look FreshLooks::lookOf(const Reading& reading, const Detection& detection) const
 {
-  Look look{reading.sensor, detection, odometry_.position(), 0, heading_variance_};
-  if (detection.bearing) look.direction = odometry_.phi + reading.T_robot_sensor.phi + *detection.bearing;
+  Look look{reading.sensor, detection, odometry_.pose.position(), 0, odometry_.heading_variance};
+  if (detection.bearing) look.direction = odometry_.pose.phi + reading.T_robot_sensor.phi + *detection.bearing;
   return look;
 }
 

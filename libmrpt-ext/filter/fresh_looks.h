@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "mrpt_ext/filter/motion_model.h"
+#include "mrpt_ext/filter/dead_reckoning.h"
 #include "mrpt_ext/geometry/frame.h"
 #include "mrpt_ext/geometry/landmark_table.h"
 
@@ -52,8 +52,7 @@ class FreshLooks
 
   MotionModel motion_;
   double look_way_;
-  Pose2 odometry_;  // since the start
-  double heading_variance_ = 0;
+  DeadReckoning odometry_;  // since the start
   std::vector<Look> looks_;
 };
 }  // namespace mrpt_ext

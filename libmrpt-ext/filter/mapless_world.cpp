@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "mrpt_ext/likelihood/detection_density.h"
 
 namespace mrpt_ext
 {
@@ -22,15 +23,11 @@ MaplessWorld::MaplessWorld(const MotionModel& motion, double max_range)
 {
 }
 
-void MaplessWorld::move(const OdometryMotion& motion)
-{
-  odometry_ = compose(odometry_, believedMotion(motion_, motion).increment);
-  heading_variance_ += incrementCovariance(motion_, motion)(2, 2);
-}
+void MaplessWorld::move(const OdometryMotion& motion) { odometry_.move(motion_, motion); }
 
-MaplessWorld::Expected MaplessWorld::expect(const Thing& thing, const Reading& reading, const Detection& bearing) const
+MaplessWorld::Expected MaplessWorld::expect(const Thing& thing, const Pose2& sensor, const SensorModel& model,
+                                            const Detection& bearing) const
 {
-  const Pose2 sensor = compose(odometry_, reading.T_robot_sensor);
   std::array<double, kRanges> seen_at{};
   for (std::size_t k = 0; k < kRanges; ++k)
   {
@@ -38,14 +35,14 @@ MaplessWorld::Expected MaplessWorld::expect(const Thing& thing, const Reading& r
     seen_at[k] = wrap(std::atan2(away.y(), away.x()) - sensor.phi);
   }
   const double variance = square(bearing.std_bearing) + square(thing.std_bearing) +
-                          std::max(0.0, heading_variance_ - thing.heading_variance);
+                          std::max(0.0, odometry_.heading_variance - thing.heading_variance);
   Expected expected;
   for (std::size_t k = 0; k < kRanges; ++k)
   {
     // Each range stands for those half way to its neighbours.
     const double spread = 0.25 * wrap(seen_at[std::min(k + 1, kRanges - 1)] - seen_at[k > 0 ? k - 1 : 0]);
     const double density = normalDensity(wrap(*bearing.bearing - seen_at[k]), variance + square(spread));
-    if (std::abs(seen_at[k]) <= reading.model.field_of_view / 2) expected.in_view += thing.share[k];
+    if (std::abs(seen_at[k]) <= model.field_of_view / 2) expected.in_view += thing.share[k];
     expected.share[k] = thing.share[k] * density;
     expected.density += expected.share[k];
   }
@@ -61,20 +58,20 @@ void MaplessWorld::place(Thing& thing, const Pose2& sensor, const Detection& bea
   const Vector2d ray(std::cos(direction), std::sin(direction));
   for (std::size_t k = 0; k < kRanges; ++k) thing.where[k] = sensor.position() + ranges[k] * ray;
   thing.std_bearing = bearing.std_bearing;
-  thing.heading_variance = heading_variance_;
+  thing.heading_variance = odometry_.heading_variance;
 }
 
 double MaplessWorld::take(const Reading& reading, const Detection& bearing)
 {
-  const Pose2 sensor = compose(odometry_, reading.T_robot_sensor);
-  const double even = 1 / (reading.model.has_field_of_view ? reading.model.field_of_view : kTwoPi);
+  const Pose2 sensor = compose(odometry_.pose, reading.T_robot_sensor);
+  const double even = 1 / measurementVolume(bearing, reading.model, max_range_);
   double in_view = 0, of_things = 0;
   Thing* likeliest = nullptr;
   Expected as_seen;
   for (Thing& thing : things_)
   {
     if (thing.sensor != reading.sensor || thing.category != bearing.category) continue;
-    const Expected expected = expect(thing, reading, bearing);
+    const Expected expected = expect(thing, sensor, reading.model, bearing);
     in_view += expected.in_view;
     of_things += expected.density;
     if (!likeliest || expected.density > as_seen.density)

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "mrpt_ext/filter/motion_model.h"
+#include "mrpt_ext/filter/dead_reckoning.h"
 #include "mrpt_ext/geometry/frame.h"
 
 namespace mrpt_ext
@@ -48,13 +48,13 @@ class MaplessWorld
     std::array<double, kRanges> share;
   };
 
-  [[nodiscard]] Expected expect(const Thing& thing, const Reading& reading, const Detection& bearing) const;
+  [[nodiscard]] Expected expect(const Thing& thing, const Pose2& sensor, const SensorModel& model,
+                                const Detection& bearing) const;
   void place(Thing& thing, const Pose2& sensor, const Detection& bearing, const std::array<double, kRanges>& ranges);
 
   MotionModel motion_;
   double max_range_;
-  Pose2 odometry_;  // since the start
-  double heading_variance_ = 0;
+  DeadReckoning odometry_;  // since the start
   double taken_ = 0, new_ones_ = 0;
   std::vector<Thing> things_;
 };

@@ -27,6 +27,7 @@ struct Frame
   std::vector<RunningFixReading> fixes;
   std::optional<CompassRecord> compass;
 };
+
 /// True when some detection of the frame has no name.
 [[nodiscard]] inline bool hasNameless(const Frame& frame)
 {

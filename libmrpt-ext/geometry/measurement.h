@@ -68,6 +68,7 @@ struct RunningFixReading
   double second_bearing_std = 0;
   bool ranges_logged_too = false;  ///< its single ranges are in the log as well: propose from it, do not score it
 };
+
 /// True when the sensor could not tell which landmark some detection shows.
 [[nodiscard]] inline bool hasNameless(const Reading& reading)
 {

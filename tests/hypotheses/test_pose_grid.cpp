@@ -45,37 +45,29 @@ bool anyCovers(const std::vector<GaussianPose>& cells, std::size_t first, const 
   return std::any_of(cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(std::min(first, cells.size())),
                      [&](const GaussianPose& cell) { return covers(cell, pose); });
 }
-}  // namespace
 
-TEST(PoseGrid, TheTruePoseIsAmongTheFirstCells)
+/// Of thirty rooms, those where the true pose is among the `first` cells with so many of twelve bearings false.
+int roomsFound(std::uint64_t seed, std::size_t false_bearings, std::size_t first)
 {
-  RandomStream random(4);
-  int found = 0;
-  for (std::uint64_t trial = 0; trial < 30; ++trial)
-  {
-    const std::vector<Vector2d> landmarks = landmarksOf(trial);
-    const Pose2 robot{random.uniform(1, 7), random.uniform(1, 5), random.uniform(-kPi, kPi)};
-    const auto cells = likelyPoses(seenFrom(robot, landmarks, random), LandmarkIndex(landmarks), kRoom);
-    EXPECT_LE(cells.size(), PoseGridOptions{}.max_poses);
-    found += anyCovers(cells, 20, robot);
-  }
-  EXPECT_GE(found, 29);
-}
-
-TEST(PoseGrid, FalseBearingsDoNotHideIt)
-{
-  RandomStream random(5);
+  RandomStream random(seed);
   int found = 0;
   for (std::uint64_t trial = 0; trial < 30; ++trial)
   {
     const std::vector<Vector2d> landmarks = landmarksOf(trial);
     const Pose2 robot{random.uniform(1, 7), random.uniform(1, 5), random.uniform(-kPi, kPi)};
     std::vector<JoinedBearing> seen = seenFrom(robot, landmarks, random);
-    for (std::size_t k = 0; k < 2; ++k) seen[5 * k].bearing = random.uniform(-kPi, kPi);
-    found += anyCovers(likelyPoses(seen, LandmarkIndex(landmarks), kRoom), 40, robot);
+    for (std::size_t k = 0; k < false_bearings; ++k) seen[5 * k].bearing = random.uniform(-kPi, kPi);
+    const auto cells = likelyPoses(seen, LandmarkIndex(landmarks), kRoom);
+    EXPECT_LE(cells.size(), PoseGridOptions{}.max_poses);
+    found += anyCovers(cells, first, robot);
   }
-  EXPECT_GE(found, 28);
+  return found;
 }
+}  // namespace
+
+TEST(PoseGrid, TheTruePoseIsAmongTheFirstCells) { EXPECT_GE(roomsFound(4, 0, 20), 29); }
+
+TEST(PoseGrid, FalseBearingsDoNotHideIt) { EXPECT_GE(roomsFound(5, 2, 40), 28); }
 
 TEST(PoseGrid, OnlyHeadingsOfTheRegionAreTried)
 {
