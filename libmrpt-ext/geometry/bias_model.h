@@ -41,6 +41,6 @@ using BiasModel = std::vector<BiasState>;
 {
   if (belongsToOdometry(bias.kind)) return false;
   const bool begins = sensor.starts_with(bias.sensor);
-  return bias.sensor.empty() || (begins && (sensor.size() == bias.sensor.size() || sensor[bias.sensor.size()] == '_'));
+  return bias.sensor.empty() || (begins && (sensor.size() == bias.sensor.size() || sensor[bias.sensor.size()] == '.'));
 }
 }  // namespace mrpt_ext
