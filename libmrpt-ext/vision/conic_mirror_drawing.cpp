@@ -1,31 +1,20 @@
 #include <cmath>
-#include <opencv2/imgproc.hpp>
 
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/vision/conic_mirror.h"
+#include "mrpt_ext/vision/drawing.h"
 
 namespace mrpt_ext
 {
 namespace
 {
 const cv::Scalar kRimColour(0, 200, 255), kBrighter(80, 220, 80), kDarker(255, 120, 60), kText(60, 60, 255);
-constexpr int kFractionBits = 4;  ///< of OpenCV's fixed-point drawing coordinates
-
-cv::Point fixedPoint(const cv::Point2d& p)
-{
-  constexpr int kOne = 1 << kFractionBits;
-  return {cvRound(p.x * kOne), cvRound(p.y * kOne)};
-}
 }  // namespace
 
 cv::Mat drawConicMirror(const cv::Mat& image, const ConicMirrorView& view, double yaw)
 {
-  cv::Mat drawing;
-  if (image.empty() || image.depth() != CV_8U) return drawing;
-  if (image.channels() == 1)
-    cv::cvtColor(image, drawing, cv::COLOR_GRAY2BGR);
-  else
-    drawing = image.clone();
+  if (image.empty() || image.depth() != CV_8U) return {};
+  cv::Mat drawing = coloured(image);
   if (!view.outline)
   {
     cv::putText(drawing, view.problem, {10, 24}, cv::FONT_HERSHEY_SIMPLEX, 0.6, kText, 1, cv::LINE_AA);

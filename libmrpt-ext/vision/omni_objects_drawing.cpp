@@ -1,7 +1,7 @@
 #include <cmath>
-#include <opencv2/imgproc.hpp>
 
 #include "mrpt_ext/geometry/angle.h"
+#include "mrpt_ext/vision/drawing.h"
 #include "mrpt_ext/vision/omni_objects.h"
 
 namespace mrpt_ext
@@ -9,13 +9,6 @@ namespace mrpt_ext
 namespace
 {
 const cv::Scalar kRim(0, 200, 255), kFound(255, 255, 255), kHidden(60, 60, 255), kBlocked(160, 160, 160);
-constexpr int kFractionBits = 4;  ///< of OpenCV's fixed-point drawing coordinates
-
-cv::Point fixedPoint(const cv::Point2d& p)
-{
-  constexpr int kOne = 1 << kFractionBits;
-  return {cvRound(p.x * kOne), cvRound(p.y * kOne)};
-}
 
 void drawRay(cv::Mat& drawing, const HyperbolicMirror& mirror, double azimuth, const cv::Scalar& colour, double from)
 {
@@ -43,12 +36,8 @@ void drawObject(cv::Mat& drawing, const HyperbolicMirror& mirror, const OmniObje
 
 cv::Mat OmniCamera::draw(const cv::Mat& image, const OmniView& view, double yaw) const
 {
-  cv::Mat drawing;
-  if (image.empty() || image.depth() != CV_8U || (image.channels() != 1 && image.channels() != 3)) return drawing;
-  if (image.channels() == 1)
-    cv::cvtColor(image, drawing, cv::COLOR_GRAY2BGR);
-  else
-    drawing = image.clone();
+  if (image.empty() || image.depth() != CV_8U || (image.channels() != 1 && image.channels() != 3)) return {};
+  cv::Mat drawing = coloured(image);
   const HyperbolicMirror& mirror = settings_.mirror;
   cv::ellipse(drawing, fixedPoint(mirror.centre),
               fixedPoint({mirror.fx * mirror.rimRho(), mirror.fy * mirror.rimRho()}), 0, 0, 360, kRim, 1, cv::LINE_AA,

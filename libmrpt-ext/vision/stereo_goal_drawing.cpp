@@ -1,5 +1,4 @@
-#include <opencv2/imgproc.hpp>
-
+#include "mrpt_ext/vision/drawing.h"
 #include "mrpt_ext/vision/stereo_goal.h"
 
 namespace mrpt_ext
@@ -26,17 +25,12 @@ void write(cv::Mat& drawing, const std::string& text, const cv::Point& place)
 {
   cv::putText(drawing, text, place, cv::FONT_HERSHEY_SIMPLEX, 0.4, kText, 1, cv::LINE_AA);
 }
-
 }  // namespace
 
 cv::Mat drawStereoGoal(const cv::Mat& left, const StereoGoalView& view, const StereoGoalSettings& settings)
 {
-  cv::Mat drawing;
-  if (left.empty() || left.depth() != CV_8U) return drawing;
-  if (left.channels() == 1)
-    cv::cvtColor(left, drawing, cv::COLOR_GRAY2BGR);
-  else
-    drawing = left.clone();
+  if (left.empty() || left.depth() != CV_8U) return {};
+  cv::Mat drawing = coloured(left);
   if (!view.problem.empty()) write(drawing, view.problem, {10, 24});
   drawLines(drawing, view.markings.stripes, settings.camera, kStripe);
   drawLines(drawing, view.markings.walls, settings.camera, kWall);
