@@ -7,8 +7,8 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kEnough = 20;  // named detections
-constexpr double kFalse = 0.5;  // share of them
+constexpr double kEnough = 20;   // named detections
+constexpr double kOften = 0.3;  // share of them that is false
 
 const char* nameOf(BiasKind kind)
 {
@@ -78,22 +78,22 @@ std::string biasText(const BiasModel& biases, const std::vector<BiasEstimate>& e
   return text;
 }
 
-std::vector<std::size_t> disbelievedLandmarks(const std::vector<LandmarkHistory>& histories)
+std::vector<std::size_t> lyingLandmarks(const std::vector<LandmarkHistory>& histories)
 {
   std::vector<std::size_t> found;
   for (std::size_t j = 0; j < histories.size(); ++j)
-    if (histories[j].named >= kEnough && histories[j].false_named > kFalse * histories[j].named) found.push_back(j);
+    if (histories[j].named >= kEnough && histories[j].false_named > kOften * histories[j].named) found.push_back(j);
   return found;
 }
 
-std::string disbeliefText(const LandmarkTable& map, const std::vector<LandmarkHistory>& histories)
+std::string lyingText(const LandmarkTable& map, const std::vector<LandmarkHistory>& histories)
 {
   std::string text;
-  for (const std::size_t j : disbelievedLandmarks(histories))
+  for (const std::size_t j : lyingLandmarks(histories))
   {
     char figures[120];
-    std::snprintf(figures, sizeof(figures), "landmark %d is not believed (%.0f %% of %.0f detections are false)",
-                  map[j].id, 100 * histories[j].false_named / histories[j].named, histories[j].named);
+    std::snprintf(figures, sizeof(figures), "landmark %d is often wrong (%.0f %% of its %.0f detections)", map[j].id,
+                  100 * histories[j].false_named / histories[j].named, histories[j].named);
     append(text, figures);
   }
   return text;

@@ -25,10 +25,10 @@ struct BiasEstimate
 /// The errors that are estimated, in words: "range_offset 0.120 m (std 0.010)", angles in degrees; empty without any.
 [[nodiscard]] std::string biasText(const BiasModel& biases, const std::vector<BiasEstimate>& estimates);
 
-/// Positions in the table of the landmarks most of whose named detections were not of them, those with enough
-/// detections to tell.
-[[nodiscard]] std::vector<std::size_t> disbelievedLandmarks(const std::vector<LandmarkHistory>& histories);
+/// Positions in the table of the landmarks of whose named detections three in ten or more were not of them, as far as
+/// there are enough to tell.
+[[nodiscard]] std::vector<std::size_t> lyingLandmarks(const std::vector<LandmarkHistory>& histories);
 
-/// They in words: "landmark 7 is not believed (93 % of 210 detections are false)"; empty without any.
-[[nodiscard]] std::string disbeliefText(const LandmarkTable& map, const std::vector<LandmarkHistory>& histories);
+/// They in words: "landmark 7 is often wrong (93 % of its 210 detections)"; empty without any.
+[[nodiscard]] std::string lyingText(const LandmarkTable& map, const std::vector<LandmarkHistory>& histories);
 }  // namespace mrpt_ext

@@ -88,7 +88,7 @@ FilterStep ParticleFilter::process(const Frame& frame, const Proposer& propose, 
   step.reason = verdict.reason;
   step.biases = estimateBiases(particles_);
   for (const std::string& finding :
-       {kinds_.finding(), disbeliefText(map_, reliability_.histories()), biasText(particles_.bias_states, step.biases)})
+       {kinds_.finding(), lyingText(map_, reliability_.histories()), biasText(particles_.bias_states, step.biases)})
     if (!finding.empty()) step.reason += "; " + finding;
 
   const double effective = step.effective_ratio * static_cast<double>(step.particles);

@@ -32,8 +32,19 @@ TEST(FilterFindings, ALyingBeaconIsNamedAndNoOther)
     step = filter.process(frame, noProposals);
   }
   EXPECT_LT(distance(step.modes.modes.front().pose.mean, truth), 0.2);
-  EXPECT_EQ(disbelievedLandmarks(filter.reliability().histories()), std::vector<std::size_t>{2});
-  EXPECT_NE(step.reason.find("landmark 3 is not believed"), std::string::npos) << step.reason;
+  EXPECT_EQ(lyingLandmarks(filter.reliability().histories()), std::vector<std::size_t>{2});
+  EXPECT_NE(step.reason.find("landmark 3 is often wrong"), std::string::npos) << step.reason;
+}
+
+TEST(FilterFindings, ALandmarkThatIsWrongTwoTimesInFiveIsNamed)
+{
+  const LandmarkTable map(
+      {{.id = 7, .position = {0, 0, 0}}, {.id = 8, .position = {1, 0, 0}}, {.id = 9, .position = {}}});
+  const std::vector<LandmarkHistory> histories{{.named = 100, .false_named = 40},
+                                               {.named = 100, .false_named = 10},
+                                               {.named = 5, .false_named = 4}};  // too few to tell
+  EXPECT_EQ(lyingLandmarks(histories), std::vector<std::size_t>{0});
+  EXPECT_EQ(lyingText(map, histories), "landmark 7 is often wrong (40 % of its 100 detections)");
 }
 
 TEST(FilterFindings, SystematicErrorsAreToldWithTheirUnits)
