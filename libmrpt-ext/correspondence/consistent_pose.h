@@ -17,8 +17,9 @@ struct PoseSearchOptions
   std::size_t max_poses = 200;                ///< returned at most, the likeliest
   std::optional<MapArea> area;                ///< where the robot can be; absent: anywhere
   std::uint64_t max_tested = 50'000'000'000;  ///< constellations after which the search gives up (see `finished`)
-  std::uint64_t max_tree_nodes = 200'000;     ///< the same where an interpretation tree is searched: few bearings in a
-                                              ///< narrow view fit thousands of poses
+  /// Nodes after which an interpretation tree is given up, for each number of false readings (see `finished`): few
+  /// bearings in a narrow view fit thousands of poses.
+  std::uint64_t max_tree_nodes = 200'000;
 };
 
 /// A place where the robot may be: its pose explains the detections that `assignment` matches.
@@ -40,7 +41,7 @@ struct PoseSearch
   double elsewhere = 0;               ///< probability that none of the poses is right
   double expected_false = 0;          ///< wrong poses that would explain as much as the best, by chance
   bool unique = false;                ///< one pose stands out (probability > 0.95) and expected_false <= 0.05
-  bool finished = true;               ///< false: `max_tested` stopped the search, poses may be missing
+  bool finished = true;               ///< false: the search was given up, poses may be missing
 
   struct Work
   {

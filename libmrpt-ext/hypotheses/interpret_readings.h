@@ -22,7 +22,7 @@ struct ReadingInterpretation
 /// All robot poses in the region from which the unidentified detections can be explained (paper 000, section 3, at any
 /// scale: lost_robot_search.h). Readings of several places are explained together; those of
 /// several moments, oldest first, are joined through odometry into one constellation first (joined_constellation.h).
-/// `map` must be the table of `search`.
+/// `map` must be the table of `search`. `max_tree_nodes`: see PoseSearchOptions.
 [[nodiscard]] ReadingInterpretation interpretReadings(
     std::span<const Reading> readings, const LandmarkTable& map, const LostRobotSearch& search,
     const PoseRegion& region, std::uint64_t max_tree_nodes = PoseSearchOptions{}.max_tree_nodes);

@@ -13,6 +13,7 @@ struct ProposalOptions
   PoseRegion region;                 ///< poses outside are not proposed
   std::size_t max_hypotheses = 400;  ///< best ones kept
   std::size_t ring_points = 36;      ///< hypotheses that stand for a ring of unknown heading
+  /// See PoseSearchOptions.
   std::uint64_t max_tree_nodes = PoseSearchOptions{}.max_tree_nodes;
 };
 

@@ -6,7 +6,9 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr std::uint64_t kNodesOnTheWay = 20'000;  // a robot that drives does not wait for a proposal among others
+// Of an interpretation tree where another proposal follows: before the start and, every half second, of a robot that is
+// lost, whom the search along the way finds as well. It does not stand still for the search meanwhile.
+constexpr std::uint64_t kFewNodes = 20'000;
 }  // namespace
 
 ParticleFilterLocalizer::ParticleFilterLocalizer(const ParticleFilterOptions& options, const LandmarkTable& map,
@@ -34,7 +36,7 @@ Estimate ParticleFilterLocalizer::process(const Frame& frame)
     std::vector<Reading> readings = joined.readings;
     joined.readings = withExpectedErrors(std::move(joined.readings), biases_);
     ProposalOptions options{.region = region_};
-    if (!filter_.particles().empty()) options.max_tree_nodes = kNodesOnTheWay;
+    if (!filter_.particles().empty() || !joiner_.full()) options.max_tree_nodes = kFewNodes;
     Proposal proposal(proposePoses(joined, map_, *search_, options));
     if (filter_.particles().empty() && joiner_.full())
     {

@@ -58,6 +58,25 @@ TEST(LostRobotSearch, PointsInASmallMap)
   EXPECT_GE(shareFound(15, 5, 1, true, 100), 0.98);
 }
 
+TEST(LostRobotSearch, ATreeThatIsGivenUpSaysSo)
+{
+  RandomStream random(5);
+  std::vector<Landmark> landmarks;
+  for (int i = 0; i < 12; ++i) landmarks.push_back({.position = {random.uniform(0, 10), random.uniform(0, 10), 0}});
+  const LandmarkTable map(landmarks);
+  const Pose2 robot{4, 5, 0.3};
+  SensorPlace place;
+  for (std::size_t l = 0; l < 6; ++l)
+    place.detections.push_back({.bearing = predictBearing(robot, map[l].position.head<2>()), .std_bearing = 0.005});
+  const LostRobotSearch search(map);
+  const PoseSearch whole = search.search({&place, 1}, {});
+  ASSERT_TRUE(whole.finished && !whole.poses.empty());
+  EXPECT_LT((whole.poses.front().pose.mean.position() - robot.position()).norm(), 0.05);
+  const PoseSearch part = search.search({&place, 1}, {.max_tree_nodes = 20});
+  EXPECT_FALSE(part.finished);
+  EXPECT_LT(part.work.tested, whole.work.tested);
+}
+
 TEST(LostRobotSearch, NothingToGoOnIsAValue)
 {
   const LostRobotSearch search(LandmarkTable({{.position = {0, 0, 0}}, {.position = {1, 0, 0}}}));
