@@ -4,11 +4,11 @@
 
 namespace mrpt_ext
 {
-/// Where odometry says that the robot is, in axes of its own, and how far its heading may have drifted since it began.
+/// Where odometry says that the robot is, in axes of its own.
 struct DeadReckoning
 {
-  Pose2 pose;
-  double heading_variance = 0;  ///< [rad^2]
+  Pose2 pose;                   ///< [m, rad] since it began
+  double heading_variance = 0;  ///< of its drift since then [rad^2]
 
   void move(const MotionModel& model, const OdometryMotion& motion)
   {

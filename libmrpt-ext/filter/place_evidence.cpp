@@ -34,11 +34,8 @@ PlaceEvidence::PlaceEvidence(const PlaceEvidenceOptions& options, const MotionMo
 void PlaceEvidence::note(const Frame& frame)
 {
   move(frame.motion);
-  for (const Reading& reading : scoredReadings(frame))
-  {
-    endBlindSpell(reading);
-    (void)logChance(looks_.take(reading), 1);
-  }
+  endBlindSpell(frame);
+  for (const Reading& reading : scoredReadings(frame)) (void)logChance(looks_.take(reading), 1);
 }
 
 void PlaceEvidence::move(const OdometryMotion& motion)
@@ -48,12 +45,19 @@ void PlaceEvidence::move(const OdometryMotion& motion)
   blind_for_ += motion.duration;
 }
 
-void PlaceEvidence::endBlindSpell(const Reading& reading)
+void PlaceEvidence::endBlindSpell(const Frame& frame)
 {
-  if (reading.detections.empty()) return;
+  const auto any = [&](auto&& is)
+  {
+    return std::any_of(frame.readings.begin(), frame.readings.end(),
+                       [&](const Reading& reading)
+                       { return std::any_of(reading.detections.begin(), reading.detections.end(), is); });
+  };
+  if (!any([](const Detection&) { return true; })) return;
   const double forgotten = options_.forgotten_per_s * std::max(0.0, blind_for_ - options_.blind_after);
-  if (hasNameless(reading) && log_odds_ > 0) log_odds_ = std::max(0.0, log_odds_ - forgotten);
   blind_for_ = 0;
+  if (log_odds_ > 0 && !any([](const Detection& d) { return d.id != kNoId; }))
+    log_odds_ = std::max(0.0, log_odds_ - forgotten);
 }
 
 double PlaceEvidence::logChance(const Reading& looks, double default_max_range)
@@ -79,6 +83,7 @@ void PlaceEvidence::begin(const std::vector<Reading>& readings, const LandmarkTa
 void PlaceEvidence::observe(const Frame& frame, const LandmarkTable& map, const ParticleSet& moved_particles)
 {
   move(frame.motion);
+  endBlindSpell(frame);
   test(scoredReadings(frame), map, thinned(moved_particles));
 }
 
@@ -87,7 +92,6 @@ void PlaceEvidence::test(const std::vector<Reading>& readings, const LandmarkTab
   const LandmarkClutter clutter;
   for (const Reading& reading : readings)
   {
-    endBlindSpell(reading);
     const Reading looks = looks_.take(reading);
     if (looks.detections.empty()) continue;
     const ReadingScorer scorer(looks, map, clutter, particles.origin);

@@ -55,8 +55,9 @@ class PlaceEvidence
 
  private:
   void move(const OdometryMotion& motion);
-  /// Where something is detected again: what was proven before counts less, the longer ago that is.
-  void endBlindSpell(const Reading& reading);
+  /// Where the frame shows something again, and nothing of it has a name: what was proven before counts less, the
+  /// longer ago that is.
+  void endBlindSpell(const Frame& frame);
   /// Logarithm of the density that fresh looks have without a map; remembers them.
   double logChance(const Reading& looks, double default_max_range);
   /// Adds to the log odds what the fresh looks among the readings tell; `particles` are weighted with them.

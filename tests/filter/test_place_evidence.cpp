@@ -146,6 +146,29 @@ TEST(PlaceEvidence, WhatWasProvenBeforeABlindSpellHasToBeShownAgain)
   EXPECT_EQ(after(600, 14, true), 14) << "a name is not mistaken for another";
 }
 
+TEST(PlaceEvidence, ANameInTheFrameEndsABlindSpellWhateverElseItShows)
+{
+  const LandmarkTable map({{.id = 1, .position = {2, 2, 0}}, {.id = 2, .position = {7, 3, 0}}});
+  RandomStream random(3);
+  const Pose2 truth{5, 2, 0};
+  const Reading named = simulatedFrame({}, map, truth, {}, random).readings.front();
+  const Reading nameless = simulatedFrame({.named = false}, map, truth, {}, random).readings.front();
+  const ParticleSet particles = particlesAt(truth, random);
+  const auto after = [&](const std::vector<Reading>& seen)
+  {
+    PlaceEvidence evidence({}, motionModelOf({}), map);
+    evidence.assume();
+    evidence.note({.motion = {.duration = 600}});
+    evidence.observe({.readings = seen}, map, particles);
+    return evidence.logOdds();
+  };
+  EXPECT_GT(after({named, nameless}), 12);
+  EXPECT_GT(after({nameless, named}), 12);
+  EXPECT_GT(after({named}), 12);
+  EXPECT_LT(after({nameless}), PlaceEvidenceOptions{}.proven) << "all that was known is forgotten";
+  EXPECT_GT(after({}), 13) << "nothing is seen yet";
+}
+
 TEST(PlaceEvidence, RemembersOnlySoMuch)
 {
   RandomStream random(1);
