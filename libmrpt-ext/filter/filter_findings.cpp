@@ -7,8 +7,8 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kEnough = 20;   // named detections
-constexpr double kOften = 0.3;  // share of them that is false
+constexpr double kFewest = 10;  // named detections, to say anything
+constexpr double kOften = 0.3;  // share of named detections that is false
 
 const char* nameOf(BiasKind kind)
 {
@@ -27,6 +27,9 @@ const char* nameOf(BiasKind kind)
   }
   return "";
 }
+
+/// Of so many detections as many as are false where kOften of all are, and two standard deviations more.
+double likelyAtMost(double named) { return kOften * named + 2 * std::sqrt(kOften * (1 - kOften) * named); }
 
 void append(std::string& text, const std::string& more)
 {
@@ -82,7 +85,8 @@ std::vector<std::size_t> lyingLandmarks(const std::vector<LandmarkHistory>& hist
 {
   std::vector<std::size_t> found;
   for (std::size_t j = 0; j < histories.size(); ++j)
-    if (histories[j].named >= kEnough && histories[j].false_named > kOften * histories[j].named) found.push_back(j);
+    if (histories[j].named >= kFewest && histories[j].false_named > likelyAtMost(histories[j].named))
+      found.push_back(j);
   return found;
 }
 

@@ -25,8 +25,8 @@ struct BiasEstimate
 /// The errors that are estimated, in words: "range_offset 0.120 m (std 0.010)", angles in degrees; empty without any.
 [[nodiscard]] std::string biasText(const BiasModel& biases, const std::vector<BiasEstimate>& estimates);
 
-/// Positions in the table of the landmarks of whose named detections three in ten or more were not of them, as far as
-/// there are enough to tell.
+/// Positions in the table of the landmarks of whose named detections more than three in ten are false, and more than
+/// chance makes of three in ten.
 [[nodiscard]] std::vector<std::size_t> lyingLandmarks(const std::vector<LandmarkHistory>& histories);
 
 /// They in words: "landmark 7 is often wrong (93 % of its 210 detections)"; empty without any.

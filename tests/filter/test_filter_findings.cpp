@@ -36,14 +36,22 @@ TEST(FilterFindings, ALyingBeaconIsNamedAndNoOther)
   EXPECT_NE(step.reason.find("landmark 3 is often wrong"), std::string::npos) << step.reason;
 }
 
-TEST(FilterFindings, ALandmarkThatIsWrongTwoTimesInFiveIsNamed)
+TEST(FilterFindings, ALandmarkIsNamedWhereMoreThanChanceMakesOfThreeInTenIsWrong)
 {
-  const LandmarkTable map(
-      {{.id = 7, .position = {0, 0, 0}}, {.id = 8, .position = {1, 0, 0}}, {.id = 9, .position = {}}});
-  const std::vector<LandmarkHistory> histories{{.named = 100, .false_named = 40},
-                                               {.named = 100, .false_named = 10},
-                                               {.named = 5, .false_named = 4}};  // too few to tell
-  EXPECT_EQ(lyingLandmarks(histories), std::vector<std::size_t>{0});
+  const auto is_named = [](double named, double false_named)
+  { return !lyingLandmarks({{.named = named, .false_named = false_named}}).empty(); };
+  EXPECT_TRUE(is_named(1000, 350));
+  EXPECT_FALSE(is_named(1000, 250));
+  EXPECT_FALSE(is_named(20, 7)) << "chance, where a fifth is false";
+  EXPECT_TRUE(is_named(20, 12));
+  EXPECT_FALSE(is_named(3, 3));
+  EXPECT_FALSE(is_named(0, 0));
+}
+
+TEST(FilterFindings, LandmarksAreNamedByTheirIds)
+{
+  const LandmarkTable map({{.id = 7, .position = {0, 0, 0}}, {.id = 8, .position = {1, 0, 0}}});
+  const std::vector<LandmarkHistory> histories{{.named = 100, .false_named = 40.2}, {.named = 100, .false_named = 10}};
   EXPECT_EQ(lyingText(map, histories), "landmark 7 is often wrong (40 % of its 100 detections)");
 }
 
