@@ -76,6 +76,10 @@ FilterStep ParticleFilter::process(const Frame& frame, const Proposer& propose, 
   if (!settled)
   {
     step.reason = "waiting for readings that narrow the place down";
+    mode_memory_ = std::move(step.modes.mode_of);
+    step.modes.mode_of.clear();
+    step.effective_ratio = 1;
+    step.particles = 0;
     particles_.clear();
     return step;
   }
@@ -145,11 +149,12 @@ void ParticleFilter::track(const Frame& frame, const Proposer& propose, const Wa
   walkBiases(particles_, frame.motion.duration, random_);
   since_injection_ += frame.motion.duration;
   looks_.move(frame.motion);
-  const bool sought = !evidence_.proven() || !one_place;
+  const bool was_proven = evidence_.proven(), sought = !was_proven || !one_place;
   if (one_place && !injects)
     evidence_.observe(frame, map_, particles_);
   else
     evidence_.note(frame);
+  if (was_proven && !evidence_.proven()) challenge_pause_ = options_.recovery.challenge_interval;
   // Where the way tells of places far off, a challenge needs no closed forms: odometry's slips remain.
   if (injects) inject(step.challenged && asks_way ? Proposer() : propose, jump);
   if (injects && asks_way) believe(along_way(), frame.motion);

@@ -73,7 +73,7 @@ struct FilterStep
   bool challenged = false;           ///< seeds were injected beside a place that only a rival can put to the test
   bool revived = false;              ///< a place that had lost its particles got some again
   std::size_t particles = 0;         ///< held after the step
-  std::vector<BiasEstimate> biases;  ///< in the order of ParticleFilterOptions::biases
+  std::vector<BiasEstimate> biases;  ///< in the order of ParticleFilterOptions::biases; empty before the start
   Verdict verdict = Verdict::ambiguous;
   std::string reason;
 };
@@ -106,6 +106,9 @@ class ParticleFilter
   /// Draws and scores the first particles; false when a later frame can make a better start.
   bool start(const Frame& frame, const Proposer& propose);
   bool startAtKnownPose(const Frame& frame);
+  /// Judges the first sample, which is normalised for it. Named detections need a hypothesis only. What nameless ones
+  /// fit is many places, and sometimes the right one less than others: one place must be left, or all be joined.
+  [[nodiscard]] bool mayStart(const Proposal& proposal, const Frame& evidence);
   /// Seeds that have the weight `jump` together.
   void inject(const Proposer& propose, double jump);
   /// Particles for the places that the way behind speaks for, with the weight that it gives them (way_places.h).

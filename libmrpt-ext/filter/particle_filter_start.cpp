@@ -67,15 +67,7 @@ bool ParticleFilter::start(const Frame& frame, const Proposer& propose)
                        kSharpest);
   };
   double exponent = draw(around(proposal.hypotheses, kUniformShareStart));
-  const auto is_narrowed_down = [&]
-  {
-    if (proposal.hypotheses.empty() || !hasNameless(evidence)) return !proposal.hypotheses.empty();
-    normalizeWeights(particles_);
-    return isOnePlace(findModes(particles_, options_.modes), options_.verdict);
-  };
-  // A place that the first sample misses is lost. Few readings without names fit many places, and sometimes the right
-  // one less than others: more of them had better draw it.
-  if (!proposal.complete && !is_narrowed_down()) return false;
+  if (!mayStart(proposal, evidence)) return false;
   for (int pass = 0; analytic && (pass < kRefinements || exponent < 1) && pass < kMostRefinements; ++pass)
   {
     normalizeWeights(particles_);
@@ -86,6 +78,14 @@ bool ParticleFilter::start(const Frame& frame, const Proposer& propose)
   }
   evidence_.begin(scoredReadings(evidence), map_, samples);
   return true;
+}
+
+bool ParticleFilter::mayStart(const Proposal& proposal, const Frame& evidence)
+{
+  if (proposal.complete) return true;
+  if (proposal.hypotheses.empty() || !hasNameless(evidence)) return !proposal.hypotheses.empty();
+  normalizeWeights(particles_);
+  return isOnePlace(findModes(particles_, options_.modes), options_.verdict);
 }
 
 bool ParticleFilter::startAtKnownPose(const Frame& frame)

@@ -88,7 +88,9 @@ KeyTable biasKeys()
         belongsToOdometry(bias.kind) ? "after odometry_scale and the like were applied" : "the same for all sensors"));
   for (const BiasName& bias : kNames)
     if (!belongsToOdometry(bias.kind))
-      table.append(keysOf(bias, kSensorPrefix + "<label>", "of this sensor alone, on top of [Bias]"));
+      table.append(
+          keysOf(bias, kSensorPrefix + "<label>",
+                 "of this sensor and of its parts after a dot together, on top of what more general sections say"));
   return table;
 }
 

@@ -115,7 +115,8 @@ KeyTable experimentKeys()
        "3",
        kNotNegative,
        {},
-       "How far back readings are joined by odometry when the filter needs hypotheses."},
+       "How far back readings are joined by odometry when the filter needs hypotheses; without names it starts after "
+       "that time, or when one place is left."},
       {s,
        "independent_frames",
        T::flag,

@@ -225,11 +225,14 @@ TEST(ParticleFilter, PutsTheStartOffUntilOnePlaceIsLeftOrAllReadingsAreJoined)
     const FilterStep step = filter.process(simulatedFrame(robot, map, truth, {}, random), propose);
     EXPECT_FALSE(step.modes.modes.empty());
     EXPECT_EQ(step.verdict, Verdict::ambiguous);
+    EXPECT_EQ(step.particles, filter.particles().size());
+    EXPECT_TRUE(step.modes.mode_of.empty());
     return filter.particles().size();
   };
   EXPECT_EQ(particles_after(twofold, false, false), 0u);
   EXPECT_GT(particles_after(twofold, false, true), 1000u);
-  EXPECT_GT(particles_after(kMap, true, false), 1000u) << "one place only";
+  EXPECT_GT(particles_after(kMap, false, false), 1000u) << "one place only";
+  EXPECT_GT(particles_after(twofold, true, false), 1000u) << "names do not wait";
 }
 
 TEST(ParticleFilter, TheWayBehindMovesItToWhereAllThatWasSeenFits)

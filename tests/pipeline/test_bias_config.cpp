@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/pipeline/localization_config.h"
@@ -54,6 +56,16 @@ TEST(BiasConfig, ASensorMayHaveErrorsOfItsOwn)
   EXPECT_EQ(model[2].sensor, "right");
   EXPECT_DOUBLE_EQ(model[2].mean, degToRad(3.0));
   EXPECT_EQ(model[2].std, 0) << "known, not estimated";
+}
+
+TEST(BiasConfig, ErrorsOfASensorActOnItsPartsBesideTheirOwn)
+{
+  const BiasModel model =
+      modelOf("[Sensor_camera]\nrange_scale_std = 0.05\n[Sensor_camera.4]\nrange_scale_std = 0.02\n");
+  ASSERT_EQ(model.size(), 2u);
+  for (const BiasState& state : model) EXPECT_TRUE(actsOn(state, "camera.4")) << state.sensor;
+  EXPECT_EQ(std::count_if(model.begin(), model.end(), [](const BiasState& state) { return actsOn(state, "camera.3"); }),
+            1);
 }
 
 TEST(BiasConfig, OdometryHasNoErrorsPerSensorAndNoDeviationIsNegative)
