@@ -149,12 +149,11 @@ void ParticleFilter::track(const Frame& frame, const Proposer& propose, const Wa
   walkBiases(particles_, frame.motion.duration, random_);
   since_injection_ += frame.motion.duration;
   looks_.move(frame.motion);
-  const bool was_proven = evidence_.proven(), sought = !was_proven || !one_place;
+  const bool sought = !evidence_.proven() || !one_place;
   if (one_place && !injects)
     evidence_.observe(frame, map_, particles_);
   else
     evidence_.note(frame);
-  if (was_proven && !evidence_.proven()) challenge_pause_ = options_.recovery.challenge_interval;
   // Where the way tells of places far off, a challenge needs no closed forms: odometry's slips remain.
   if (injects) inject(step.challenged && asks_way ? Proposer() : propose, jump);
   if (injects && asks_way) believe(along_way(), frame.motion);
