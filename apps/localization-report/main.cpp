@@ -1,7 +1,7 @@
 #include <iostream>
 
-#include "mrpt_ext/pipeline/app_shell.h"
-#include "mrpt_ext/pipeline/report_app.h"
+#include "mrpt_ext/app/app_shell.h"
+#include "mrpt_ext/app/report_app.h"
 
 int main(int argc, char** argv)
 {

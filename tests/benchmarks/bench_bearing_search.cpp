@@ -3,8 +3,8 @@
 #include <chrono>
 
 #include "limit/plain_bearing_search.h"
-#include "lost_scene.h"
-#include "mrpt_ext/correspondence/bearing_search.h"
+#include "global_search_scene.h"
+#include "mrpt_ext/correspondence/bearings/bearing_search.h"
 
 namespace mrpt_ext
 {

@@ -4,8 +4,8 @@
 #include <chrono>
 
 #include "limit/plain_triangle_hash.h"
-#include "lost_scene.h"
-#include "mrpt_ext/correspondence/point_search.h"
+#include "global_search_scene.h"
+#include "mrpt_ext/correspondence/points/point_search.h"
 
 namespace mrpt_ext
 {

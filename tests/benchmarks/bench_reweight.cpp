@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "limit/limit_reweight.h"
-#include "mrpt_ext/filter/particle_set.h"
+#include "mrpt_ext/filter/particles/particle_set.h"
 #include "mrpt_ext/geometry/random.h"
 #include "mrpt_ext/likelihood/density_kernels.h"
 #include "mrpt_ext/likelihood/reading_likelihood.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "limit/plain_tree.h"
-#include "mrpt_ext/correspondence/interpretation_tree.h"
+#include "mrpt_ext/correspondence/tree/interpretation_tree.h"
 #include "random_scene.h"
 
 namespace mrpt_ext

@@ -1,10 +1,10 @@
-#include "mrpt_ext/correspondence/bearing_search.h"
+#include "mrpt_ext/correspondence/bearings/bearing_search.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "lost_scene.h"
+#include "global_search_scene.h"
 
 namespace mrpt_ext
 {

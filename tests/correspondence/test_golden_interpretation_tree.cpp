@@ -1,7 +1,7 @@
 #include <set>
 
 #include "golden_vectors.h"
-#include "mrpt_ext/correspondence/interpretation_tree.h"
+#include "mrpt_ext/correspondence/tree/interpretation_tree.h"
 
 namespace mrpt_ext
 {

@@ -1,4 +1,4 @@
-#include "mrpt_ext/correspondence/interpretation_tree.h"
+#include "mrpt_ext/correspondence/tree/interpretation_tree.h"
 
 #include <gtest/gtest.h>
 

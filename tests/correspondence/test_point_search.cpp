@@ -1,11 +1,11 @@
-#include "mrpt_ext/correspondence/point_search.h"
+#include "mrpt_ext/correspondence/points/point_search.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
 #include "calibration.h"
-#include "lost_scene.h"
+#include "global_search_scene.h"
 
 namespace mrpt_ext
 {

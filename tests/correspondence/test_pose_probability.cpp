@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
 #include "calibration.h"
-#include "mrpt_ext/correspondence/bearing_search.h"
-#include "mrpt_ext/correspondence/match_evidence.h"
-#include "mrpt_ext/correspondence/place_view.h"
-#include "mrpt_ext/correspondence/point_search.h"
+#include "mrpt_ext/correspondence/bearings/bearing_search.h"
+#include "mrpt_ext/correspondence/unsearched_evidence.h"
+#include "mrpt_ext/correspondence/scan_matching.h"
+#include "mrpt_ext/correspondence/points/point_search.h"
 
 namespace mrpt_ext
 {

@@ -1,4 +1,4 @@
-#include "mrpt_ext/correspondence/triangle_index.h"
+#include "mrpt_ext/correspondence/points/triangle_index.h"
 
 #include <gtest/gtest.h>
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "lost_scene.h"
-#include "mrpt_ext/correspondence/bearing_reading.h"
-#include "mrpt_ext/correspondence/pose_tightening.h"
-#include "mrpt_ext/correspondence/triple_round.h"
+#include "global_search_scene.h"
+#include "mrpt_ext/correspondence/scan_bearing.h"
+#include "mrpt_ext/correspondence/bearings/inlier_refinement.h"
+#include "mrpt_ext/correspondence/bearings/triple_hypotheses.h"
 
 namespace mrpt_ext
 {

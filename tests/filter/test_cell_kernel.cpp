@@ -1,4 +1,4 @@
-#include "mrpt_ext/filter/cell_kernel.h"
+#include "mrpt_ext/filter/modes/cell_kernel.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "mrpt_ext/filter/filter_verdict.h"
+#include "mrpt_ext/filter/integrity/filter_verdict.h"
 
 #include <gtest/gtest.h>
 

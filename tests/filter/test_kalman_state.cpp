@@ -1,4 +1,4 @@
-#include "mrpt_ext/filter/kalman_state.h"
+#include "mrpt_ext/filter/kalman/kalman_state.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

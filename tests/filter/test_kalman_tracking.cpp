@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/evaluation/consistency.h"
 #include "mrpt_ext/evaluation/posterior_bound.h"
-#include "mrpt_ext/filter/kalman_update.h"
+#include "mrpt_ext/filter/kalman/kalman_update.h"
 #include "simulated_run.h"
 
 namespace mrpt_ext

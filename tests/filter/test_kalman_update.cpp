@@ -1,4 +1,4 @@
-#include "mrpt_ext/filter/kalman_update.h"
+#include "mrpt_ext/filter/kalman/kalman_update.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -6,7 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
-#include "mrpt_ext/filter/kalman_gain.h"
+#include "mrpt_ext/filter/kalman/kalman_innovation.h"
 #include "mrpt_ext/likelihood/reading_likelihood.h"
 #include "simulated_run.h"
 

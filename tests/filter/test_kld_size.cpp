@@ -1,4 +1,4 @@
-#include "mrpt_ext/filter/kld_size.h"
+#include "mrpt_ext/filter/particles/kld_size.h"
 
 #include <gtest/gtest.h>
 

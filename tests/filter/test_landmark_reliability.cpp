@@ -1,4 +1,4 @@
-#include "mrpt_ext/filter/landmark_reliability.h"
+#include "mrpt_ext/filter/integrity/landmark_reliability.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "mrpt_ext/filter/modes.h"
+#include "mrpt_ext/filter/modes/modes.h"
 
 #include <gtest/gtest.h>
 

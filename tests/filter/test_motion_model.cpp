@@ -1,4 +1,4 @@
-#include "mrpt_ext/filter/motion_model.h"
+#include "mrpt_ext/filter/motion/motion_model.h"
 
 #include <gtest/gtest.h>
 

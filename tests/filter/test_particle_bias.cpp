@@ -1,4 +1,4 @@
-#include "mrpt_ext/filter/particle_bias.h"
+#include "mrpt_ext/filter/particles/particle_bias.h"
 
 #include <gtest/gtest.h>
 

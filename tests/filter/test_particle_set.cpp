@@ -1,4 +1,4 @@
-#include "mrpt_ext/filter/particle_set.h"
+#include "mrpt_ext/filter/particles/particle_set.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

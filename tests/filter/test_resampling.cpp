@@ -1,4 +1,4 @@
-#include "mrpt_ext/filter/resampling.h"
+#include "mrpt_ext/filter/particles/resampling.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

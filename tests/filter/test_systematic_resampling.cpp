@@ -1,4 +1,4 @@
-#include "mrpt_ext/filter/systematic_resampling.h"
+#include "mrpt_ext/filter/particles/systematic_resampling.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "mrpt_ext/filter/weight_kernels.h"
+#include "mrpt_ext/filter/particles/weight_kernels.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

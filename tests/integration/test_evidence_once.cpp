@@ -6,7 +6,7 @@
 #include "mrpt_ext/files/tum.h"
 #include "mrpt_ext/geometry/random.h"
 #include "mrpt_ext/maps/register_all_classes.h"
-#include "mrpt_ext/pipeline/rawlog_sink.h"
+#include "mrpt_ext/rawlog/rawlog_sink.h"
 #include "scratch_folder.h"
 #include "whole_runs.h"
 

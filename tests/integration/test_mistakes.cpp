@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "mrpt_ext/files/text_file.h"
-#include "mrpt_ext/pipeline/rawlog_sink.h"
+#include "mrpt_ext/rawlog/rawlog_sink.h"
 #include "scratch_folder.h"
 #include "whole_runs.h"
 

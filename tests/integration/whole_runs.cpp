@@ -9,9 +9,9 @@
 #include "mrpt_ext/files/text_table.h"
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/maps/register_all_classes.h"
-#include "mrpt_ext/pipeline/dataset_app.h"
-#include "mrpt_ext/pipeline/localization_app.h"
-#include "mrpt_ext/pipeline/simulator_app.h"
+#include "mrpt_ext/app/dataset_app.h"
+#include "mrpt_ext/app/localization_app.h"
+#include "mrpt_ext/app/simulator_app.h"
 
 namespace mrpt_ext::testing
 {

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "filter_scenario.h"
-#include "mrpt_ext/pipeline/tracking_bound.h"
+#include "mrpt_ext/experiment/tracking_bound.h"
 
 namespace mrpt_ext::papers
 {

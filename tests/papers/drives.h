@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mrpt_ext/pipeline/settings.h"
+#include "mrpt_ext/settings/settings.h"
 #include "sample.h"
 
 namespace mrpt_ext::papers

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "mrpt_ext/pipeline/settings.h"
+#include "mrpt_ext/settings/settings.h"
 #include "sample.h"
 
 namespace mrpt_ext::papers

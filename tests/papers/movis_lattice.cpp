@@ -1,7 +1,7 @@
 #include "movis_lattice.h"
 
 #include "mrpt_ext/geometry/input_error.h"
-#include "mrpt_ext/pipeline/localization_config.h"
+#include "mrpt_ext/configuration/localization_config.h"
 #include "mrpt_ext/solvers/camera_yaw_calibration.h"
 #include "mrpt_ext/solvers/omni_stereo.h"
 #include "mrpt_ext/solvers/plane.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mrpt_ext/geometry/random.h"
-#include "mrpt_ext/pipeline/settings.h"
+#include "mrpt_ext/settings/settings.h"
 #include "mrpt_ext/solvers/movis_frame.h"
 #include "mrpt_ext/solvers/pose_measurement.h"
 #include "mrpt_ext/solvers/two_pole_pose.h"

@@ -1,7 +1,7 @@
 #include "movis_yaw_scan.h"
 
 #include "movis_methods.h"
-#include "mrpt_ext/pipeline/localization_config.h"
+#include "mrpt_ext/configuration/localization_config.h"
 #include "paper_settings.h"
 
 namespace mrpt_ext::papers

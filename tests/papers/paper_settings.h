@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "mrpt_ext/pipeline/settings.h"
+#include "mrpt_ext/settings/settings.h"
 
 namespace mrpt_ext::papers
 {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "mrpt_ext/geometry/random.h"
-#include "mrpt_ext/pipeline/settings.h"
+#include "mrpt_ext/settings/settings.h"
 #include "mrpt_ext/solvers/stereo_range.h"
 
 namespace mrpt_ext::papers

@@ -5,7 +5,7 @@
 
 #include "mrpt_ext/files/landmark_csv.h"
 #include "mrpt_ext/files/tum.h"
-#include "mrpt_ext/pipeline/rawlog_sink.h"
+#include "mrpt_ext/rawlog/rawlog_sink.h"
 #include "room_walk.h"
 #include "stock_tools.h"
 

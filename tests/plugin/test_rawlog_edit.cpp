@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "mrpt_ext/pipeline/rawlog_sink.h"
+#include "mrpt_ext/rawlog/rawlog_sink.h"
 #include "room_walk.h"
 #include "stock_tools.h"
 

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "mrpt_ext/evaluation/run_merge.h"
-#include "mrpt_ext/report/figure_text.h"
+#include "mrpt_ext/report/number_text.h"
 #include "synthetic_run.h"
 
 namespace mrpt_ext

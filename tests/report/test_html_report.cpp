@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "mrpt_ext/evaluation/odometry_anchor.h"
+#include "mrpt_ext/evaluation/odometry_alignment.h"
 #include "mrpt_ext/evaluation/run_merge.h"
 #include "mrpt_ext/report/html_page.h"
 #include "mrpt_ext/report/html_tables.h"

@@ -3,10 +3,10 @@
 #include <Eigen/LU>
 #include <cstdlib>
 
-#include "mrpt_ext/pipeline/localization_keys.h"
-#include "mrpt_ext/pipeline/settings.h"
-#include "mrpt_ext/pipeline/simulator_config.h"
-#include "mrpt_ext/pipeline/simulator_keys.h"
+#include "mrpt_ext/configuration/localization_keys.h"
+#include "mrpt_ext/settings/settings.h"
+#include "mrpt_ext/configuration/simulator_config.h"
+#include "mrpt_ext/configuration/simulator_keys.h"
 #include "mrpt_ext/simulation/simulator.h"
 
 namespace mrpt_ext

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "mrpt_ext/localizers/particle_filter_localizer.h"
-#include "mrpt_ext/pipeline/frame_builder.h"
-#include "mrpt_ext/pipeline/localization_config.h"
+#include "mrpt_ext/frames/frame_sequence.h"
+#include "mrpt_ext/configuration/localization_config.h"
 
 namespace mrpt_ext
 {

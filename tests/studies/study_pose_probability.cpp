@@ -1,8 +1,8 @@
 #include <iomanip>
 
 #include "calibration.h"
-#include "mrpt_ext/correspondence/bearing_search.h"
-#include "mrpt_ext/correspondence/point_search.h"
+#include "mrpt_ext/correspondence/bearings/bearing_search.h"
+#include "mrpt_ext/correspondence/points/point_search.h"
 #include "study.h"
 
 namespace mrpt_ext

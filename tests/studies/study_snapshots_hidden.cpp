@@ -3,9 +3,9 @@
 #include <ctime>
 #include <iomanip>
 
-#include "mrpt_ext/correspondence/lost_robot_search.h"
+#include "mrpt_ext/correspondence/global_pose_search.h"
 #include "mrpt_ext/importers/mrclam_snapshots.h"
-#include "mrpt_ext/solvers/identified_pose.h"
+#include "mrpt_ext/solvers/pose_from_landmarks.h"
 #include "shared_data.h"
 #include "study.h"
 

@@ -3,9 +3,9 @@
 #include <Eigen/Cholesky>
 #include <array>
 
-#include "lost_scene.h"
+#include "global_search_scene.h"
 #include "mrpt_ext/correspondence/binomial.h"
-#include "mrpt_ext/correspondence/consistent_pose.h"
+#include "mrpt_ext/correspondence/pose_search_result.h"
 
 namespace mrpt_ext
 {

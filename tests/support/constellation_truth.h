@@ -2,8 +2,8 @@
 
 #include <Eigen/LU>
 
-#include "joined_scene.h"
-#include "mrpt_ext/correspondence/joined_constellation.h"
+#include "window_scene.h"
+#include "mrpt_ext/correspondence/local_map/local_map.h"
 
 namespace mrpt_ext
 {

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "mrpt_ext/solvers/identified_pose.h"
+#include "mrpt_ext/solvers/pose_from_landmarks.h"
 #include "mrpt_ext/solvers/pose_information.h"
 #include "random_scene.h"
 

@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "mrpt_ext/correspondence/interpretation_tree.h"
+#include "mrpt_ext/correspondence/tree/interpretation_tree.h"
 #include "mrpt_ext/solvers/bearing_pose_ml.h"
 #include "random_scene.h"
 

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "mrpt_ext/hypotheses/travel_search.h"
+#include "mrpt_ext/relocalization/trajectory_search.h"
 #include "mrpt_ext/importers/mrclam.h"
-#include "mrpt_ext/localizers/travel_looks.h"
-#include "mrpt_ext/pipeline/frame_builder.h"
-#include "mrpt_ext/pipeline/localization_config.h"
-#include "mrpt_ext/pipeline/localization_keys.h"
+#include "mrpt_ext/relocalization/trajectory_steps.h"
+#include "mrpt_ext/frames/frame_sequence.h"
+#include "mrpt_ext/configuration/localization_config.h"
+#include "mrpt_ext/configuration/localization_keys.h"
 
 /// MRCLAM data set 6 without the names of the landmarks, joined over windows of travel.
 namespace mrpt_ext::mrclam_windows

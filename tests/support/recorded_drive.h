@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/geometry/measurement_jacobian.h"
 #include "mrpt_ext/geometry/random.h"
-#include "mrpt_ext/solvers/recorded_way.h"
+#include "mrpt_ext/calibration/calibration_problem.h"
 
 namespace mrpt_ext::testing
 {

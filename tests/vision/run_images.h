@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "../integration/whole_runs.h"
-#include "mrpt_ext/pipeline/images_app.h"
+#include "mrpt_ext/app/images_app.h"
 
 namespace mrpt_ext::testing
 {

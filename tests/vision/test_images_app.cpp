@@ -10,7 +10,7 @@
 #include "mrpt_ext/files/text_table.h"
 #include "mrpt_ext/observations/CObservationLandmarkBearings.h"
 #include "mrpt_ext/observations/timestamps.h"
-#include "mrpt_ext/pipeline/rawlog_reader.h"
+#include "mrpt_ext/rawlog/rawlog_reader.h"
 #include "run_images.h"
 #include "scratch_folder.h"
 #include "synthetic_mirror.h"

@@ -9,7 +9,7 @@
 #include "mrpt_ext/files/text_table.h"
 #include "mrpt_ext/observations/CObservationStereoRanges.h"
 #include "mrpt_ext/observations/timestamps.h"
-#include "mrpt_ext/pipeline/rawlog_reader.h"
+#include "mrpt_ext/rawlog/rawlog_reader.h"
 #include "run_images.h"
 #include "scratch_folder.h"
 

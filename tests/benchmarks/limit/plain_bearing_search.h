@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "mrpt_ext/correspondence/landmark_index.h"
-#include "mrpt_ext/correspondence/sensor_place.h"
+#include "mrpt_ext/correspondence/scan.h"
 
 namespace mrpt_ext::plain
 {

@@ -1,0 +1,122 @@
+#include "mrpt_ext/app/dataset_formats.h"
+
+#include <algorithm>
+
+#include "mrpt_ext/files/landmark_csv.h"
+#include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/importers/csv_recording.h"
+#include "mrpt_ext/importers/cuhksz.h"
+#include "mrpt_ext/importers/labyrinth.h"
+#include "mrpt_ext/importers/mrclam.h"
+#include "mrpt_ext/importers/mrclam_snapshots.h"
+#include "mrpt_ext/importers/plaza.h"
+#include "mrpt_ext/importers/roh.h"
+#include "mrpt_ext/importers/uwb_demo_map.h"
+#include "mrpt_ext/settings/name_suggestion.h"
+#include "mrpt_ext/rawlog/uwb_demo_import.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+struct DatasetFormat
+{
+  std::string name;
+  std::string inputs;  ///< in words, for help and errors
+  std::size_t least_inputs, most_inputs;
+  bool takes_robot, takes_map_and_origin;
+  Recording (*import)(const DatasetRequest&);
+};
+
+Recording readMrclam(const DatasetRequest& request)
+{
+  if (request.robot) return importMrclam(request.inputs[0], *request.robot);
+  std::string robots;
+  for (const int robot : mrclamRobots(request.inputs[0])) robots += ' ' + std::to_string(robot);
+  throw configurationError("mrclam: no robot chosen, expected --robot with one of" +
+                           (robots.empty() ? " 1 2 3 4 5" : robots));
+}
+
+Recording readMrclamSnapshots(const DatasetRequest& request)
+{
+  return importMrclamSnapshots(request.inputs[0], request.robot);
+}
+
+Recording readUwbDemo(const DatasetRequest& request)
+{
+  const std::filesystem::path truth = request.inputs.size() > 1 ? request.inputs[1] : std::filesystem::path();
+  return importUwbDemo(request.inputs[0], truth, request.truth_origin.value_or(kUwbDemoStart),
+                       request.map.empty() ? uwbDemoMap() : readLandmarkCsv(request.map));
+}
+
+Recording readRoh(const DatasetRequest& request) { return importRoh(request.inputs[0]); }
+Recording readPlaza(const DatasetRequest& request) { return importPlaza(request.inputs[0]); }
+Recording readLabyrinth(const DatasetRequest& request) { return importLabyrinth(request.inputs[0]); }
+Recording readCuhksz(const DatasetRequest& request) { return importCuhksz(request.inputs[0]); }
+Recording readCsv(const DatasetRequest& request) { return importCsv(findCsvFiles(request.inputs)); }
+
+const std::vector<DatasetFormat>& formats()
+{
+  static const std::vector<DatasetFormat> kFormats = {
+      {"csv", "a folder with landmarks.csv, odometry.csv, detections.csv (and ground_truth.tum), or these files", 1, 4,
+       false, false, readCsv},
+      {"cuhksz", "folder with UWB_<run>.csv (and motion_capture_<run>.csv), or FOLDER/RUN", 1, 1, false, false,
+       readCuhksz},
+      {"labyrinth", "folder with <run>_Input.txt (and <run>_GT.txt), or FOLDER/RUN", 1, 1, false, false, readLabyrinth},
+      {"mrclam", "folder of a UTIAS MRCLAM data set; needs --robot", 1, 1, true, false, readMrclam},
+      {"mrclam-snapshots", "folder of a UTIAS MRCLAM data set with Snapshots.csv", 1, 1, true, false,
+       readMrclamSnapshots},
+      {"mrpt-uwb", "MRPT's uwb_ro-localization_demo.rawlog (and its truth file)", 1, 2, false, true, readUwbDemo},
+      {"plaza", "folder with <run>_TD.txt, <run>_DR.txt, <run>_TL.txt (and <run>_GT.txt), or FOLDER/RUN", 1, 1, false,
+       false, readPlaza},
+      {"roh", "folder with landmark.csv and files (Xx,Yy).csv of bearings", 1, 1, false, false, readRoh}};
+  return kFormats;
+}
+
+const DatasetFormat& findFormat(const std::string& name)
+{
+  const auto found = std::find_if(formats().begin(), formats().end(),
+                                  [&](const DatasetFormat& format) { return format.name == name; });
+  if (found != formats().end()) return *found;
+  std::string message = "unknown format '" + name + "', expected one of";
+  for (const std::string& known : datasetFormats()) message += ' ' + known;
+  if (const auto similar = closestName(name, datasetFormats())) message += " (did you mean " + *similar + "?)";
+  throw configurationError(message);
+}
+
+void checkRequest(const DatasetRequest& request, const DatasetFormat& format)
+{
+  const std::size_t count = request.inputs.size();
+  if (count < format.least_inputs || count > format.most_inputs)
+    throw configurationError(format.name + ": " + std::to_string(count) + " inputs, expected " + format.inputs);
+  if (request.robot && !format.takes_robot)
+    throw configurationError(format.name + ": has no robots to choose from, expected no --robot");
+  if ((!request.map.empty() || request.truth_origin) && !format.takes_map_and_origin)
+    throw configurationError(format.name + ": brings its own map and frame, expected no --map and no --truth-origin");
+}
+}  // namespace
+
+std::vector<std::string> datasetFormats()
+{
+  std::vector<std::string> names;
+  for (const DatasetFormat& format : formats()) names.push_back(format.name);
+  return names;
+}
+
+std::string describeDatasetFormats()
+{
+  std::string text = "FORMAT and its INPUT:\n";
+  for (const DatasetFormat& format : formats()) text += "  " + format.name + ": " + format.inputs + '\n';
+  return text;
+}
+
+Recording importDataset(const DatasetRequest& request)
+{
+  const DatasetFormat& format = findFormat(request.format);
+  checkRequest(request, format);
+  Recording recording = format.import(request);
+  keepMeasurements(recording, request.measurements);
+  hideIdentity(recording, request.identity);
+  return recording;
+}
+}  // namespace mrpt_ext

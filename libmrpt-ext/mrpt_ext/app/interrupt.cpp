@@ -1,0 +1,32 @@
+#include "mrpt_ext/app/interrupt.h"
+
+#include <csignal>
+
+namespace mrpt_ext
+{
+namespace
+{
+std::atomic<bool> interrupted{false};
+
+extern "C" void onSignal(int signal)
+{
+  interrupted = true;
+  std::signal(signal, SIG_DFL);
+}
+}  // namespace
+
+InterruptGuard::InterruptGuard()
+{
+  interrupted = false;
+  std::signal(SIGINT, onSignal);
+  std::signal(SIGTERM, onSignal);
+}
+
+InterruptGuard::~InterruptGuard()
+{
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+}
+
+const std::atomic<bool>& InterruptGuard::flag() const { return interrupted; }
+}  // namespace mrpt_ext

@@ -1,0 +1,207 @@
+#include "mrpt_ext/calibration/range_bias_calibration.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "mrpt_ext/geometry/measurement_jacobian.h"
+#include "mrpt_ext/solvers/pose_from_landmarks.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr std::size_t kLeastEpochs = 10, kLeastRanges = 4;
+constexpr int kMostIterations = 60;
+constexpr double kLossScale = 2;     // standard deviations
+constexpr double kOutlier = 4;       // scatters
+constexpr double kSettled = 1e-7;    // [m]
+constexpr double kSingular = 1e-9;   // of the largest information: nothing is known
+constexpr double kPosePrior = 1e-9;  // keeps a pose with ranges in line solvable
+using Matrix = Eigen::MatrixXd;
+using Vector = Eigen::VectorXd;
+
+/// A moment with the pose that explains it.
+struct PlacedEpoch
+{
+  const RadioEpoch* ranges;
+  Pose2 pose;
+};
+
+double horizontal(const RadioRange& r, double range)
+{
+  return std::sqrt(std::max(square(range) - square(r.height), 0.0));
+}
+
+std::vector<PlacedEpoch> place(const std::vector<RadioEpoch>& epochs, double std_range)
+{
+  std::vector<PlacedEpoch> placed;
+  for (const RadioEpoch& epoch : epochs)
+  {
+    std::vector<PoseMeasurement> rows;
+    for (const RadioRange& r : epoch)
+      rows.push_back(
+          {PoseMeasurement::Kind::range, r.place, horizontal(r, r.range), std_range, {r.offset.x(), r.offset.y(), 0}});
+    if (rows.size() < kLeastRanges) continue;
+    const IdentifiedPose solution = solveIdentifiedPose(rows, {.min_consistency = 0});
+    if (solution.candidates.empty() || !solution.candidates.front().heading_known) continue;
+    placed.push_back({&epoch, solution.candidates.front().pose.mean});
+  }
+  return placed;
+}
+
+/// The common unknowns: delays of the sensors, then of the landmarks.
+class Adjustment
+{
+ public:
+  Adjustment(std::vector<PlacedEpoch> epochs, std::size_t sensors, std::size_t landmarks, double std_range)
+      : epochs_(std::move(epochs)),
+        sensors_(static_cast<Eigen::Index>(sensors)),
+        delays_(Vector::Zero(static_cast<Eigen::Index>(sensors + landmarks))),
+        scale_(kLossScale * std_range)
+  {
+  }
+
+  /// One Gauss-Newton step; false when some delay is undetermined.
+  bool step(double& change)
+  {
+    const Eigen::Index n = delays_.size();
+    Matrix information = Matrix::Zero(n, n);
+    Vector gradient = Vector::Zero(n);
+    // The landmarks' delays sum to zero: what they share belongs to the sensors.
+    Vector sum = Vector::Zero(n);
+    sum.tail(n - sensors_).setOnes();
+    const double weight = static_cast<double>(epochs_.size());
+    information += weight * sum * sum.transpose();
+    gradient -= weight * sum * sum.dot(delays_);
+    std::vector<Block> blocks;
+    for (const PlacedEpoch& epoch : epochs_) blocks.push_back(addEpoch(epoch, information, gradient));
+    information_ = information;
+    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(information);
+    if (!(eigen.eigenvalues().minCoeff() > kSingular * eigen.eigenvalues().maxCoeff())) return false;
+    const Vector by = information.ldlt().solve(gradient);
+    delays_ += by;
+    for (std::size_t k = 0; k < epochs_.size(); ++k)
+    {
+      const Vector3d move = blocks[k].inverse * (blocks[k].gradient - blocks[k].coupling * by);
+      epochs_[k].pose = {epochs_[k].pose.x + move.x(), epochs_[k].pose.y + move.y(),
+                         wrap(epochs_[k].pose.phi + move.z())};
+    }
+    change = by.cwiseAbs().maxCoeff();
+    return true;
+  }
+
+  /// Measured minus predicted [m].
+  [[nodiscard]] double residual(const RadioRange& r, const Pose2& pose) const
+  {
+    const double flat = predictRange(pose, r.place, {r.offset.x(), r.offset.y(), 0});
+    return r.range - std::hypot(flat, r.height) - delays_[sensorOf(r)] - delays_[landmarkOf(r)];
+  }
+  [[nodiscard]] const std::vector<PlacedEpoch>& epochs() const { return epochs_; }
+  [[nodiscard]] const Vector& delays() const { return delays_; }
+  [[nodiscard]] Vector deviations(double scatter) const
+  {
+    return scatter * information_.inverse().diagonal().cwiseMax(0).cwiseSqrt();
+  }
+
+ private:
+  /// What a pose adds to the delays' normal equations.
+  struct Block
+  {
+    Matrix3d inverse;
+    Vector3d gradient;
+    Eigen::Matrix<double, 3, Eigen::Dynamic> coupling;
+  };
+
+  [[nodiscard]] static Eigen::Index sensorOf(const RadioRange& r) { return static_cast<Eigen::Index>(r.sensor); }
+  [[nodiscard]] Eigen::Index landmarkOf(const RadioRange& r) const
+  {
+    return sensors_ + static_cast<Eigen::Index>(r.landmark);
+  }
+
+  Block addEpoch(const PlacedEpoch& epoch, Matrix& information, Vector& gradient) const
+  {
+    Matrix3d own = kPosePrior * Matrix3d::Identity();
+    Block block{{}, Vector3d::Zero(), Eigen::Matrix<double, 3, Eigen::Dynamic>::Zero(3, delays_.size())};
+    for (const RadioRange& r : *epoch.ranges)
+    {
+      const double e = residual(r, epoch.pose), w = 1 / (1 + square(e / scale_));
+      const double flat = predictRange(epoch.pose, r.place, {r.offset.x(), r.offset.y(), 0});
+      const JacobianRow row = flat / std::hypot(flat, r.height) * rangeJacobian(epoch.pose, r.place, r.offset);
+      own += w * row.transpose() * row;
+      block.gradient += w * e * row.transpose();
+      for (const Eigen::Index a : {sensorOf(r), landmarkOf(r)})
+      {
+        block.coupling.col(a) += w * row.transpose();
+        gradient[a] += w * e;
+        for (const Eigen::Index b : {sensorOf(r), landmarkOf(r)}) information(a, b) += w;
+      }
+    }
+    block.inverse = own.inverse();
+    information -= block.coupling.transpose() * block.inverse * block.coupling;
+    gradient -= block.coupling.transpose() * (block.inverse * block.gradient);
+    return block;
+  }
+
+  std::vector<PlacedEpoch> epochs_;
+  Eigen::Index sensors_;
+  Vector delays_;
+  double scale_;
+  Matrix information_;
+};
+
+void judge(const Adjustment& adjustment, std::size_t landmarks, RadioDelays& result)
+{
+  std::vector<double> sizes;
+  for (const PlacedEpoch& epoch : adjustment.epochs())
+    for (const RadioRange& r : *epoch.ranges) sizes.push_back(std::abs(adjustment.residual(r, epoch.pose)));
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  result.scatter = 1.4826 * *middle;
+  std::vector<double> count(landmarks), outliers(landmarks);
+  for (const PlacedEpoch& epoch : adjustment.epochs())
+    for (const RadioRange& r : *epoch.ranges)
+    {
+      ++count[r.landmark];
+      outliers[r.landmark] += std::abs(adjustment.residual(r, epoch.pose)) > kOutlier * result.scatter;
+    }
+  for (std::size_t j = 0; j < landmarks; ++j) result.outlier_share.push_back(count[j] > 0 ? outliers[j] / count[j] : 0);
+}
+}  // namespace
+
+RadioDelays estimateRadioDelays(const std::vector<RadioEpoch>& epochs, double std_range)
+{
+  RadioDelays result;
+  std::size_t sensors = 0, landmarks = 0;
+  for (const RadioEpoch& epoch : epochs)
+    for (const RadioRange& r : epoch)
+    {
+      if (!std::isfinite(r.range) || !r.place.allFinite() || !r.offset.allFinite() || !std::isfinite(r.height))
+        result.status = SolveStatus::bad_input;
+      sensors = std::max(sensors, r.sensor + 1);
+      landmarks = std::max(landmarks, r.landmark + 1);
+    }
+  if (!(std_range > 0)) result.status = SolveStatus::bad_input;
+  if (result.status == SolveStatus::bad_input) return result;
+  std::vector<PlacedEpoch> placed = place(epochs, std_range);
+  result.epochs = placed.size();
+  if (placed.size() < kLeastEpochs || sensors < 2) return result;
+
+  Adjustment adjustment(std::move(placed), sensors, landmarks, std_range);
+  result.status = SolveStatus::degenerate;
+  double change = 1;
+  for (int k = 0; k < kMostIterations && change > kSettled; ++k)
+    if (!adjustment.step(change)) return result;
+  judge(adjustment, landmarks, result);
+  const Vector &delays = adjustment.delays(), deviations = adjustment.deviations(result.scatter);
+  const auto ns = static_cast<Eigen::Index>(sensors);
+  result.sensor.assign(delays.data(), delays.data() + ns);
+  result.landmark.assign(delays.data() + ns, delays.data() + delays.size());
+  result.std_sensor.assign(deviations.data(), deviations.data() + ns);
+  result.std_landmark.assign(deviations.data() + ns, deviations.data() + deviations.size());
+  result.status = SolveStatus::ok;
+  return result;
+}
+}  // namespace mrpt_ext

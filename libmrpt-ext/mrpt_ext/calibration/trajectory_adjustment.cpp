@@ -1,0 +1,231 @@
+#include "mrpt_ext/calibration/trajectory_adjustment.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "mrpt_ext/geometry/median.h"
+#include "mrpt_ext/calibration/robust_loss.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kSettled = 1e-3;          // step over its deviation
+constexpr double kLoosePose = 1e-6;        // [1/m^2], [1/rad^2] keeps poses that nothing holds
+constexpr double kLeastRedundancy = 0.05;  // of a residual, below it tells nothing of its scatter
+constexpr double kLeastScatter = 0.1, kMostScatter = 30;
+// Slips belong to odometry: scales are to be right on the whole, not for the pieces that go well. Only a robot that was
+// carried away does not count.
+constexpr double kSlip2 = 400;  // squared deviations
+constexpr int kMostBlocks = 30, kLeastBlocks = 8;
+
+/// Wide beliefs, so that an error that nothing tells stays a number.
+double priorStd(RecordingError kind)
+{
+  switch (kind)
+  {
+    case RecordingError::delay:
+      return 3;
+    case RecordingError::bearing_offset:
+      return 1;
+    case RecordingError::range_offset:
+      return 30;
+    default:
+      return 1;
+  }
+}
+
+Pose2 moved(const Pose2& pose, const Vector3d& by)
+{
+  return {pose.x + by.x(), pose.y + by.y(), wrap(pose.phi + by.z())};
+}
+}  // namespace
+
+WayAdjuster::WayAdjuster(const RecordedWay& way, std::vector<ErrorTerm> terms)
+    : way_(way), model_(way, std::move(terms)), scatters_(way.sensors)
+{
+  for (const WayPose& pose : way.poses) poses_.push_back(pose.pose);
+  for (const WayReading& r : way.readings) ++(r.is_range ? scatters_[r.sensor].ranges : scatters_[r.sensor].bearings);
+}
+
+double WayAdjuster::scatterOf(const WayReading& r) const
+{
+  return r.is_range ? scatters_[r.sensor].range : scatters_[r.sensor].bearing;
+}
+
+/// Never below what is declared: neighbouring readings that share their errors scatter less than they err, and poses
+/// that followed them would make odometry look wrong.
+double WayAdjuster::believedScatterOf(const WayReading& r) const { return std::max(1.0, scatterOf(r)); }
+
+void WayAdjuster::restart(const WayAdjuster& start, const Eigen::VectorXd& errors)
+{
+  poses_ = start.poses_;
+  scatters_ = start.scatters_;
+  way_scatter_ = start.way_scatter_;
+  model_.setErrors(errors);
+}
+
+PoseChain WayAdjuster::linearised() const
+{
+  PoseChain chain(poses_.size(), model_.errors().size());
+  for (const WayReading& r : way_.readings)
+  {
+    const WayReadingRow row = model_.reading(r, poses_[r.pose]);
+    const double scatter = believedScatterOf(r),
+                 weight = robust::weight(square(row.residual / scatter)) / square(scatter);
+    chain.addReading(r.pose, row.residual, row.own, row.shared, weight);
+  }
+  for (std::size_t k = 0; k < poses_.size(); ++k)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+      chain.addReading(k, 0, JacobianRow::Unit(axis), Eigen::RowVectorXd::Zero(model_.errors().size()), kLoosePose);
+    if (k == 0 || !way_.poses[k].since_previous) continue;
+    const WayLinkRow row = model_.link(k, poses_[k - 1], poses_[k]);
+    const double weight = robust::weight((linkScale() * row.residual).squaredNorm(), kSlip2) * square(linkScale());
+    chain.addLink(k - 1, row.residual, row.own, row.next, row.shared, weight);
+  }
+  for (std::size_t k = 0; k < model_.terms().size(); ++k)
+  {
+    const auto i = static_cast<Eigen::Index>(k);
+    chain.addShared(i, -model_.errors()[i], priorStd(model_.terms()[k].kind));
+  }
+  return chain;
+}
+
+double WayAdjuster::cost() const
+{
+  double cost = 0;
+  for (const WayReading& r : way_.readings)
+    cost += robust::loss(square(model_.reading(r, poses_[r.pose]).residual / believedScatterOf(r)));
+  for (std::size_t k = 1; k < poses_.size(); ++k)
+    if (way_.poses[k].since_previous)
+      cost += robust::loss((linkScale() * model_.linkResidual(k, poses_[k - 1], poses_[k])).squaredNorm(), kSlip2);
+  for (std::size_t k = 0; k < model_.terms().size(); ++k)
+    cost += square(model_.errors()[static_cast<Eigen::Index>(k)] / priorStd(model_.terms()[k].kind));
+  return cost;
+}
+
+void WayAdjuster::move(const ChainSolution& solution, double share, const std::vector<Pose2>& from,
+                       const Eigen::VectorXd& errors)
+{
+  for (std::size_t k = 0; k < poses_.size(); ++k) poses_[k] = moved(from[k], share * solution.steps[k]);
+  model_.setErrors(errors + share * solution.shared_step);
+}
+
+bool WayAdjuster::descend(int most_steps)
+{
+  double before = cost();
+  for (int k = 0; k < most_steps; ++k, ++steps_)
+  {
+    const std::optional<ChainSolution> solution = linearised().solve();
+    if (!solution || !solution->shared_step.allFinite()) return false;
+    const std::vector<Pose2> from = poses_;
+    const Eigen::VectorXd errors = model_.errors();
+    double share = 1, after = 0;
+    for (;; share /= 3)
+    {
+      move(*solution, share, from, errors);
+      after = cost();
+      if (after <= before || share < 0.01) break;
+    }
+    const double step2 = solution->shared_step.dot(solution->shared_information * solution->shared_step);
+    const bool settled = step2 < square(kSettled) && before - after < 1e-4 * before;
+    before = after;
+    if (settled) break;
+  }
+  return std::isfinite(before);
+}
+
+bool WayAdjuster::estimateScatters()
+{
+  const std::optional<ChainSolution> solution = linearised().solve();
+  if (!solution) return false;
+  std::vector<std::vector<double>> bearings(way_.sensors), ranges(way_.sensors);
+  for (const WayReading& r : way_.readings)
+  {
+    const WayReadingRow row = model_.reading(r, poses_[r.pose]);
+    const double weight = robust::weight(square(row.residual / believedScatterOf(r)));
+    const double explained = row.own.dot(row.own * solution->covariance[r.pose]) / square(believedScatterOf(r));
+    const double redundancy = std::max(1 - weight * explained, kLeastRedundancy);
+    (r.is_range ? ranges : bearings)[r.sensor].push_back(std::abs(row.residual) / std::sqrt(redundancy));
+  }
+  const auto scatter_from = [](const std::vector<double>& sizes)
+  { return sizes.empty() ? 1 : std::clamp(1.4826 * medianOf(sizes), kLeastScatter, kMostScatter); };
+  double misfit = 0, redundancy = 0;
+  for (std::size_t k = 1; k < poses_.size(); ++k)
+  {
+    if (!way_.poses[k].since_previous) continue;
+    const WayLinkRow row = model_.link(k, poses_[k - 1], poses_[k]);
+    const double weight = robust::weight((linkScale() * row.residual).squaredNorm(), kSlip2);
+    const Matrix3d cross = row.own * solution->with_successor[k - 1] * row.next.transpose();
+    const Matrix3d explained = row.own * solution->covariance[k - 1] * row.own.transpose() +
+                               row.next * solution->covariance[k] * row.next.transpose() + cross + cross.transpose();
+    misfit += weight * row.residual.squaredNorm();
+    redundancy += weight * std::max(3 - weight * square(linkScale()) * explained.trace(), 0.0);
+  }
+  for (std::size_t s = 0; s < way_.sensors; ++s)
+  {
+    scatters_[s].bearing = scatter_from(bearings[s]);
+    scatters_[s].range = scatter_from(ranges[s]);
+  }
+  if (redundancy > 10) way_scatter_ = std::clamp(std::sqrt(misfit / redundancy), kLeastScatter, kMostScatter);
+  return true;
+}
+
+std::vector<double> WayAdjuster::misfits() const
+{
+  std::vector<double> misfits;
+  for (const WayReading& r : way_.readings)
+    misfits.push_back(model_.reading(r, poses_[r.pose]).residual / scatterOf(r));
+  return misfits;
+}
+
+/// Gradient of the errors that each block of time has, poses adjusted; one row per block. `curvature`: of the losses
+/// over the weights that the normal equations have in their place.
+Eigen::MatrixXd WayAdjuster::scoresByBlock(const ChainSolution& solution, double& curvature) const
+{
+  const Eigen::Index terms = model_.errors().size();
+  const auto poses = static_cast<Eigen::Index>(poses_.size());
+  const Eigen::Index blocks = std::min<Eigen::Index>(kMostBlocks, poses / 10);
+  Eigen::MatrixXd scores = Eigen::MatrixXd::Zero(blocks, terms);
+  if (blocks < kLeastBlocks) return scores;
+  const auto block_of = [&](std::size_t k) { return static_cast<Eigen::Index>(k) * blocks / poses; };
+  const auto pull_of = [&](std::size_t k) { return solution.pull.middleRows<3>(3 * static_cast<Eigen::Index>(k)); };
+  double weights = 0, curvatures = 0;
+  for (const WayReading& r : way_.readings)
+  {
+    const WayReadingRow row = model_.reading(r, poses_[r.pose]);
+    const double scatter = believedScatterOf(r), e2 = square(row.residual / scatter);
+    const Eigen::RowVectorXd reduced = row.shared - row.own * pull_of(r.pose);
+    scores.row(block_of(r.pose)) += robust::weight(e2) * row.residual / square(scatter) * reduced;
+    weights += robust::weight(e2);
+    curvatures += robust::curvature(e2);
+  }
+  for (std::size_t k = 1; k < poses_.size(); ++k)
+  {
+    if (!way_.poses[k].since_previous) continue;
+    const WayLinkRow row = model_.link(k, poses_[k - 1], poses_[k]);
+    const double weight = robust::weight((linkScale() * row.residual).squaredNorm(), kSlip2) * square(linkScale());
+    const Eigen::MatrixXd reduced = row.shared - row.own * pull_of(k - 1) - row.next * pull_of(k);
+    scores.row(block_of(k)) += weight * row.residual.transpose() * reduced;
+  }
+  curvature = std::clamp(curvatures / weights, 0.3, 1.0);
+  return scores;
+}
+
+std::optional<Eigen::VectorXd> WayAdjuster::deviations() const
+{
+  const std::optional<ChainSolution> solution = linearised().solve();
+  if (!solution) return std::nullopt;
+  const Eigen::MatrixXd inverse = solution->shared_information.inverse();
+  double curvature = 1;
+  const Eigen::MatrixXd scores = scoresByBlock(*solution, curvature);
+  Eigen::VectorXd variance = inverse.diagonal();
+  if (const auto blocks = static_cast<double>(scores.rows()); scores.rows() >= kLeastBlocks)
+  {
+    const Eigen::MatrixXd sandwich = inverse * (scores.transpose() * scores) * inverse;
+    variance = variance.cwiseMax(blocks / (blocks - 1) * sandwich.diagonal());
+  }
+  return Eigen::VectorXd(variance.cwiseMax(0).cwiseSqrt() / curvature);
+}
+}  // namespace mrpt_ext

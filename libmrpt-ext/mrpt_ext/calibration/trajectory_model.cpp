@@ -1,0 +1,133 @@
+#include "mrpt_ext/calibration/trajectory_model.h"
+
+#include <Eigen/Cholesky>
+
+#include "mrpt_ext/solvers/plane.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kDelayChange = 0.05;  // [s] longer than the time between two records of most odometries
+constexpr double kLeastLink = 1e-4;    // [m], [rad] to which odometry is believed at most, per link
+
+Pose2 differenceOf(const Pose2& plus, const Pose2& minus, double by)
+{
+  return {(plus.x - minus.x) / by, (plus.y - minus.y) / by, wrap(plus.phi - minus.phi) / by};
+}
+}  // namespace
+
+WayModel::WayModel(const RecordedWay& way, std::vector<ErrorTerm> terms)
+    : way_(way),
+      terms_(std::move(terms)),
+      of_sensor_(way.sensors),
+      path_(way.odometry, {}),
+      values_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(terms_.size())))
+{
+  for (std::size_t k = 0; k < terms_.size(); ++k)
+  {
+    const RecordingError kind = terms_[k].kind;
+    SensorTerms unused, &sensor = isOfOdometry(kind) ? unused : of_sensor_[terms_[k].sensor];
+    int& number = kind == RecordingError::delay            ? sensor.delay
+                  : kind == RecordingError::bearing_offset ? sensor.bearing_offset
+                  : kind == RecordingError::range_offset   ? sensor.range_offset
+                  : kind == RecordingError::range_scale    ? sensor.range_scale
+                  : kind == RecordingError::way_scale      ? way_scale_
+                  : kind == RecordingError::turn_scale     ? turn_scale_
+                                                           : veer_;
+    number = static_cast<int>(k);
+  }
+  for (const WayPose& pose : way.poses)
+  {
+    Matrix3d covariance = pose.since_previous.value_or(Matrix3d::Identity());
+    covariance.diagonal().array() += square(kLeastLink);
+    whitening_.push_back(covariance.llt().matrixL().solve(Matrix3d::Identity()));
+  }
+}
+
+/// The chord of an arc turns by half of what its end turns.
+Pose2 WayModel::told(const Pose2& moved) const
+{
+  const double turn = (moved.phi - valueOf(veer_) * moved.position().norm()) / (1 + valueOf(turn_scale_));
+  const Vector2d chord = rotation(0.5 * (turn - moved.phi)) * moved.position() / (1 + valueOf(way_scale_));
+  return {chord.x(), chord.y(), turn};
+}
+
+Pose2 WayModel::backBy(double time, double late) const { return between(path_.at(time), path_.at(time - late)); }
+
+WayReadingRow WayModel::reading(const WayReading& r, const Pose2& pose) const
+{
+  const SensorTerms& terms = of_sensor_[r.sensor];
+  const double time = way_.poses[r.pose].time, late = valueOf(terms.delay);
+  const Pose2 back = terms.delay < 0 ? Pose2{} : backBy(time, late);
+  const Pose2 then = compose(pose, back);
+  const Vector2d offset = r.T_robot_sensor.position();
+  WayReadingRow row{.own = {}, .shared = Eigen::RowVectorXd::Zero(values_.size())};
+  JacobianRow by_then;
+  double predicted = 0;
+  if (r.is_range)
+  {
+    const double flat = predictRange(then, r.place, r.T_robot_sensor), slant = std::hypot(flat, r.height);
+    const double scale = 1 + valueOf(terms.range_scale);
+    predicted = scale * slant + valueOf(terms.range_offset);
+    by_then = (slant > 0 ? scale * flat / slant : 0) * rangeJacobian(then, r.place, offset);
+    if (terms.range_scale >= 0) row.shared[terms.range_scale] = slant;
+    if (terms.range_offset >= 0) row.shared[terms.range_offset] = 1;
+  }
+  else
+  {
+    predicted = predictBearing(then, r.place, r.T_robot_sensor) + valueOf(terms.bearing_offset);
+    by_then = bearingJacobian(then, r.place, offset);
+    if (terms.bearing_offset >= 0) row.shared[terms.bearing_offset] = 1;
+  }
+  row.residual = (r.is_range ? r.value - predicted : wrap(r.value - predicted)) / r.std;
+  row.own = by_then * composeJacobianFirst(pose, back) / r.std;
+  if (terms.delay >= 0)
+  {
+    const Pose2 by_delay =
+        differenceOf(backBy(time, late + kDelayChange), backBy(time, late - kDelayChange), 2 * kDelayChange);
+    row.shared[terms.delay] = by_then.dot(composeJacobianSecond(pose) * by_delay.vector());
+  }
+  row.shared /= r.std;
+  return row;
+}
+
+Vector3d WayModel::linkResidual(std::size_t k, const Pose2& before, const Pose2& pose) const
+{
+  const Pose2 logged = path_.between(way_.poses[k - 1].time, way_.poses[k].time).increment;
+  const Pose2 predicted = told(between(before, pose));
+  return whitening_[k] * Vector3d(logged.x - predicted.x, logged.y - predicted.y, wrap(logged.phi - predicted.phi));
+}
+
+WayLinkRow WayModel::link(std::size_t k, const Pose2& before, const Pose2& pose) const
+{
+  const Pose2 moved = between(before, pose), predicted = told(moved);
+  const Vector2d chord = predicted.position(), swing = perpendicular(chord);
+  const double length = moved.position().norm(), way = 1 + valueOf(way_scale_), turn = 1 + valueOf(turn_scale_);
+
+  const Matrix2d R = rotation(-before.phi);
+  Matrix3d moved_by_before = -Matrix3d::Identity(), moved_by_pose = Matrix3d::Identity();
+  moved_by_before.topLeftCorner<2, 2>() = -R;
+  moved_by_before.topRightCorner<2, 1>() = -perpendicular(moved.position());
+  moved_by_pose.topLeftCorner<2, 2>() = R;
+
+  Matrix3d told_by_moved = Matrix3d::Identity();
+  told_by_moved.topLeftCorner<2, 2>() = rotation(0.5 * (predicted.phi - moved.phi)) / way;
+  told_by_moved(2, 2) = 1 / turn;
+  if (length > 0)
+    told_by_moved.bottomLeftCorner<1, 2>() = -valueOf(veer_) / turn * moved.position().transpose() / length;
+  // What the turn does to the chord.
+  told_by_moved.topLeftCorner<2, 2>() += 0.5 * swing * told_by_moved.bottomLeftCorner<1, 2>();
+  told_by_moved.topRightCorner<2, 1>() = 0.5 * (1 / turn - 1) * swing;
+
+  WayLinkRow row{.residual = linkResidual(k, before, pose),
+                 .own = whitening_[k] * told_by_moved * moved_by_before,
+                 .next = whitening_[k] * told_by_moved * moved_by_pose,
+                 .shared = Eigen::Matrix<double, 3, Eigen::Dynamic>::Zero(3, values_.size())};
+  const auto turned = [&](double by) { return Vector3d(0.5 * by * swing.x(), 0.5 * by * swing.y(), by); };
+  if (way_scale_ >= 0) row.shared.col(way_scale_) = whitening_[k] * Vector3d(-chord.x() / way, -chord.y() / way, 0);
+  if (turn_scale_ >= 0) row.shared.col(turn_scale_) = whitening_[k] * turned(-predicted.phi / turn);
+  if (veer_ >= 0) row.shared.col(veer_) = whitening_[k] * turned(-length / turn);
+  return row;
+}
+}  // namespace mrpt_ext

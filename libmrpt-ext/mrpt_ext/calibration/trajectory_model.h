@@ -1,0 +1,66 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "mrpt_ext/geometry/measurement_jacobian.h"
+#include "mrpt_ext/calibration/calibration_problem.h"
+
+namespace mrpt_ext
+{
+/// A reading against its prediction, in declared standard deviations.
+struct WayReadingRow
+{
+  double residual = 0;        ///< measured minus predicted
+  JacobianRow own;            ///< of the prediction, by its pose
+  Eigen::RowVectorXd shared;  ///< by the errors
+};
+
+/// The way between a pose and the next against odometry, in declared standard deviations.
+struct WayLinkRow
+{
+  Vector3d residual{0, 0, 0};  ///< told by odometry minus predicted
+  Matrix3d own, next;          ///< of the prediction, by the two poses
+  Eigen::Matrix<double, 3, Eigen::Dynamic> shared;
+};
+
+/// What a recording should hold, given its poses and its systematic errors. Odometry is what is measured, with noise:
+/// it is predicted from the poses, never scaled to fit them, or its noise would be taken for way that is too long. The
+/// derivative by a delay is a difference (odometry is a polygon).
+class WayModel
+{
+ public:
+  /// `way` must outlive the model.
+  WayModel(const RecordedWay& way, std::vector<ErrorTerm> terms);
+
+  /// `values` in the order of the terms.
+  void setErrors(const Eigen::VectorXd& values) { values_ = values; }
+  [[nodiscard]] const Eigen::VectorXd& errors() const { return values_; }
+  [[nodiscard]] const std::vector<ErrorTerm>& terms() const { return terms_; }
+
+  [[nodiscard]] WayReadingRow reading(const WayReading& reading, const Pose2& pose) const;
+  /// Between pose `k - 1` and pose `k`, which must be tied.
+  [[nodiscard]] WayLinkRow link(std::size_t k, const Pose2& before, const Pose2& pose) const;
+  /// The residual of link() alone.
+  [[nodiscard]] Vector3d linkResidual(std::size_t k, const Pose2& before, const Pose2& pose) const;
+
+ private:
+  /// Numbers of the terms of a sensor, -1: none.
+  struct SensorTerms
+  {
+    int delay = -1, bearing_offset = -1, range_offset = -1, range_scale = -1;
+  };
+  [[nodiscard]] double valueOf(int term) const { return term < 0 ? 0 : values_[term]; }
+  /// What odometry should tell of a motion.
+  [[nodiscard]] Pose2 told(const Pose2& moved) const;
+  /// Way by odometry from the stamp to `late` [s] before it.
+  [[nodiscard]] Pose2 backBy(double time, double late) const;
+
+  const RecordedWay& way_;
+  std::vector<ErrorTerm> terms_;
+  std::vector<SensorTerms> of_sensor_;
+  int way_scale_ = -1, turn_scale_ = -1, veer_ = -1;  // numbers of their terms
+  OdometryPath path_;
+  std::vector<Matrix3d> whitening_;  // of each link
+  Eigen::VectorXd values_;
+};
+}  // namespace mrpt_ext

@@ -1,0 +1,185 @@
+#include "mrpt_ext/configuration/localization_config.h"
+
+#include <algorithm>
+
+#include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/configuration/bias_config.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+const std::string kExperiment = "LocalizationExperiment";
+const std::string kMotion = "MotionModel";
+const std::string kFilter = "ParticleFilter";
+
+MotionModel motionModel(const Settings& settings)
+{
+  const std::string type = settings.choice(kMotion, "type");
+  return {.type = type == "velocity"      ? MotionType::velocity
+                  : type == "random_walk" ? MotionType::random_walk
+                                          : MotionType::odometry,
+          .std_xy_per_m = settings.number(kMotion, "std_xy_per_m"),
+          .std_phi_per_deg = settings.number(kMotion, "std_phi_deg_per_deg"),
+          .std_phi_per_m = settings.radians(kMotion, "std_phi_deg_per_m"),
+          .std_xy_per_s = settings.number(kMotion, "std_xy_min"),
+          .std_phi_per_s = settings.radians(kMotion, "std_phi_min_deg")};
+}
+
+PoseRegion poseRegion(const Settings& settings, const LandmarkTable& map)
+{
+  const auto [low, high] = map.boundingBox();
+  const double margin = settings.number(kExperiment, "init_PDF_margin_m");
+  PoseRegion region;
+  const auto bound = [&](const char* key, double fallback)
+  { return settings.optionalNumber(kExperiment, key).value_or(fallback); };
+  region.low = {bound("init_PDF_min_x", low.x() - margin), bound("init_PDF_min_y", low.y() - margin)};
+  region.high = {bound("init_PDF_max_x", high.x() + margin), bound("init_PDF_max_y", high.y() + margin)};
+  for (const auto& [axis, min, max] :
+       {std::tuple("x", region.low.x(), region.high.x()), std::tuple("y", region.low.y(), region.high.y())})
+    if (!(min < max))
+    {
+      const std::string key = std::string("init_PDF_max_") + axis;
+      const std::string complaint = "expected a value above init_PDF_min_" + std::string(axis);
+      throw settings.isSet(kExperiment, key)
+          ? settings.errorAt(kExperiment, key, complaint)
+          : configurationError(settings.file().string() +
+                               ": the box of possible positions is empty, set init_PDF_min_x ... "
+                               "init_PDF_max_y or init_PDF_margin_m");
+    }
+  return region;
+}
+
+KldOptions kldOptions(const Settings& settings)
+{
+  const std::string s = "KLD_options";
+  if (settings.integer(s, "KLD_maxSampleSize") < settings.integer(s, "KLD_minSampleSize"))
+    throw settings.errorAt(s, settings.isSet(s, "KLD_maxSampleSize") ? "KLD_maxSampleSize" : "KLD_minSampleSize",
+                           "expected KLD_minSampleSize <= KLD_maxSampleSize");
+  return {.bin_xy = settings.number(s, "KLD_binSize_XY"),
+          .bin_phi = settings.radians(s, "KLD_binSize_PHI_deg"),
+          .delta = settings.number(s, "KLD_delta"),
+          .epsilon = settings.number(s, "KLD_epsilon"),
+          .min_size = static_cast<std::size_t>(settings.integer(s, "KLD_minSampleSize")),
+          .max_size = static_cast<std::size_t>(settings.integer(s, "KLD_maxSampleSize"))};
+}
+
+ResamplingMethod resamplingMethod(const Settings& settings)
+{
+  const std::string name = settings.choice("PF_options", "resamplingMethod");
+  return name == "prMultinomial"  ? ResamplingMethod::multinomial
+         : name == "prResidual"   ? ResamplingMethod::residual
+         : name == "prStratified" ? ResamplingMethod::stratified
+                                  : ResamplingMethod::systematic;
+}
+
+GaussianPose knownStart(const Settings& settings)
+{
+  GaussianPose start;
+  start.mean = {settings.number(kExperiment, "init_PDF_mean_x"), settings.number(kExperiment, "init_PDF_mean_y"),
+                wrap(settings.radians(kExperiment, "init_PDF_mean_phi_deg"))};
+  const double xy = settings.number(kExperiment, "init_PDF_std_xy");
+  const double phi = settings.radians(kExperiment, "init_PDF_std_phi_deg");
+  start.covariance.diagonal() << square(xy), square(xy), square(phi);
+  return start;
+}
+
+ParticleFilterOptions filterOptions(const Settings& settings, const LandmarkTable& map, const ConvergenceLimits& limits)
+{
+  ParticleFilterOptions options;
+  const bool counted = settings.hasValue(kExperiment, "particles_count");
+  options.particles = static_cast<std::size_t>(counted ? settings.integer(kExperiment, "particles_count")
+                                                       : settings.integer("PF_options", "sampleSize"));
+  options.initial_particles = static_cast<std::size_t>(settings.integer(kExperiment, "initial_particles_count"));
+  options.region = poseRegion(settings, map);
+  const std::string mode = settings.choice(kExperiment, "init_PDF_mode");
+  options.initial_mode = mode == "uniform"    ? InitialMode::uniform
+                         : mode == "gaussian" ? InitialMode::gaussian
+                                              : InitialMode::analytic;
+  options.initial_pose = knownStart(settings);
+  options.motion = motionModel(settings);
+  options.resampling = resamplingMethod(settings);
+  options.resample_below = settings.number("PF_options", "BETA");
+  options.adaptive_size = settings.flag("PF_options", "adaptiveSampleSize");
+  options.kld = kldOptions(settings);
+  options.modes = {.cell_xy = settings.number(kFilter, "mode_cell_m"),
+                   .cell_phi = settings.radians(kFilter, "mode_cell_deg")};
+  options.recovery.suspicious_share = settings.number(kFilter, "suspicious_share");
+  options.recovery.lost_share = settings.number(kFilter, "lost_share");
+  options.recovery.injected_share = settings.number(kFilter, "injected_share");
+  options.recovery.prior_of_jump = settings.number(kFilter, "prior_of_jump");
+  options.verdict = {
+      .min_best_weight = settings.number(kFilter, "ok_min_weight"),
+      .max_std_xy = settings.optionalNumber(kFilter, "ok_max_std_m").value_or(limits.within_m),
+      .max_std_phi = settings.optionalRadians(kFilter, "ok_max_std_deg").value_or(degToRad(limits.within_deg))};
+  options.companions = settings.flag(kFilter, "kalman_companions");
+  options.redraw_below = static_cast<std::size_t>(settings.integer(kFilter, "redraw_below_effective"));
+  options.learn_reliability = settings.flag(kFilter, "learn_reliability");
+  options.reliability_prior_strength = settings.number(kFilter, "reliability_prior");
+  return options;
+}
+
+RunningFixOptions runningFixOptions(const Settings& settings, const ParticleFilterOptions& filter)
+{
+  RunningFixOptions options;
+  const std::string source = settings.choice(kExperiment, "heading_source");
+  options.heading_source = source == "compass"  ? HeadingSource::compass
+                           : source == "filter" ? HeadingSource::filter
+                           : source == "none"   ? HeadingSource::none
+                                                : HeadingSource::bearing;
+  if (filter.initial_mode == InitialMode::gaussian)
+    options.start_heading = HeadingPrior{filter.initial_pose.mean.phi, std::sqrt(filter.initial_pose.covariance(2, 2))};
+  options.region = filter.region;
+  options.motion = filter.motion;
+  return options;
+}
+}  // namespace
+
+std::vector<std::string> words(const std::string& text)
+{
+  std::vector<std::string> result(1);
+  for (const char c : text)
+    if (c == ' ' || c == ',' || c == '\t')
+      result.emplace_back();
+    else
+      result.back() += c;
+  std::erase(result, "");
+  return result;
+}
+
+LocalizationConfig localizationConfig(const Settings& settings, const LandmarkTable& map)
+{
+  LocalizationConfig config;
+  config.limits = {.within_m = settings.number(kExperiment, "converged_within_m"),
+                   .within_deg = settings.number(kExperiment, "converged_within_deg"),
+                   .max_convergence_s = settings.number(kExperiment, "max_convergence_s")};
+  config.biases = biasModel(settings);
+  config.filter = filterOptions(settings, map, config.limits);
+  config.filter.biases = config.biases;
+  config.running_fix = runningFixOptions(settings, config.filter);
+  config.engine = settings.choice(kExperiment, "filter_engine") == "mrpt" ? FilterEngine::mrpt : FilterEngine::batch;
+  const std::string algorithm = settings.choice("PF_options", "PF_algorithm");
+  config.mrpt_algorithm = algorithm == "pfAuxiliaryPFStandard" ? 1 : algorithm == "pfAuxiliaryPFOptimal" ? 3 : 0;
+  if (config.engine == FilterEngine::batch && config.mrpt_algorithm != 0)
+    throw settings.errorAt("PF_options", "PF_algorithm",
+                           "needs filter_engine = mrpt, the batch engine has "
+                           "pfStandardProposal only");
+  config.frames = {.window = settings.number(kExperiment, "frame_window_s"),
+                   .independent = settings.flag(kExperiment, "independent_frames"),
+                   .odometry = {.scale = settings.number(kMotion, "odometry_scale"),
+                                .turn_scale = settings.number(kMotion, "odometry_turn_scale"),
+                                .turn_per_m = settings.radians(kMotion, "odometry_turn_per_m_deg"),
+                                .delay = settings.number(kMotion, "odometry_delay_s")},
+                   .sensors = sensorConfigs(settings)};
+  if (settings.hasValue(kExperiment, "objects"))
+    for (const std::string& category : words(settings.text(kExperiment, "objects")))
+      config.frames.object_categories.insert(category);
+  config.join_window = settings.number(kExperiment, "join_window_s");
+  config.seed_window = settings.number(kExperiment, "seed_window_s");
+  config.methods = words(settings.text(kExperiment, "methods"));
+  std::erase(config.methods, "all");
+  config.final_scene = settings.flag(kExperiment, "save_final_scene");
+  config.scene_every = static_cast<std::size_t>(settings.integer(kExperiment, "save_scene_every"));
+  return config;
+}
+}  // namespace mrpt_ext

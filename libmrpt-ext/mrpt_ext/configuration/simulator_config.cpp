@@ -1,0 +1,175 @@
+#include "mrpt_ext/configuration/simulator_config.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "mrpt_ext/files/landmark_csv.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+/// A list of numbers that must come in groups of `group`, e.g. x y z of every landmark.
+std::vector<double> groupsOf(std::size_t group, const Settings& settings, const std::string& section, const char* key)
+{
+  const std::vector<double> values = settings.numbers(section, key);
+  if (values.size() % group == 0) return values;
+  throw settings.errorAt(section, key, "expected groups of " + std::to_string(group) + " numbers");
+}
+
+std::vector<double> exactly(std::size_t count, const Settings& settings, const std::string& section, const char* key)
+{
+  const std::vector<double> values = settings.numbers(section, key);
+  if (values.size() == count) return values;
+  throw settings.errorAt(section, key, "expected " + std::to_string(count) + " numbers");
+}
+
+/// "x y phi_deg".
+Pose2 poseFrom(const Settings& settings, const std::string& section, const char* key)
+{
+  const std::vector<double> v = exactly(3, settings, section, key);
+  return {v[0], v[1], wrap(degToRad(v[2]))};
+}
+
+std::string labelOf(const std::string& section) { return section.substr(section.find('_') + 1); }
+
+std::vector<std::string> wordsOf(const std::string& text)
+{
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+std::vector<Landmark> explicitLandmarks(const Settings& settings, const MapPlan& plan)
+{
+  const std::vector<double> xyz = groupsOf(3, settings, "Map", "landmarks");
+  const std::size_t count = xyz.size() / 3;
+  std::vector<Landmark> landmarks(count);
+  std::vector<double> ids(count);
+  for (std::size_t i = 0; i < count; ++i) ids[i] = static_cast<double>(i + 1);
+  if (settings.isSet("Map", "ids")) ids = exactly(count, settings, "Map", "ids");
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    landmarks[i].position = {xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]};
+    if (plan.with_ids) landmarks[i].id = static_cast<int>(ids[i]);
+    if (ids[i] != static_cast<int>(ids[i]) || ids[i] < 0)
+      throw settings.errorAt("Map", "ids", "expected whole numbers of at least 0");
+    if (!plan.categories.empty()) landmarks[i].category = plan.categories[i % plan.categories.size()];
+  }
+  return landmarks;
+}
+
+MapPlan readMap(const Settings& settings)
+{
+  MapPlan plan;
+  plan.with_ids = settings.flag("Map", "with_ids");
+  if (settings.hasValue("Map", "categories")) plan.categories = wordsOf(settings.text("Map", "categories"));
+  const std::string layout = settings.choice("Map", "layout");
+  if (layout == "explicit") plan.landmarks = explicitLandmarks(settings, plan);
+  if (layout == "file") plan.landmarks = readLandmarkCsv(settings.path("Map", "file")).all();
+  if (layout == "random") plan.layout = MapLayout::random;
+  if (layout == "grid") plan.layout = MapLayout::grid;
+  plan.count = static_cast<int>(settings.integer("Map", "count"));
+  plan.columns = static_cast<int>(settings.integer("Map", "columns"));
+  plan.rows = static_cast<int>(settings.integer("Map", "rows"));
+  plan.min_distance = settings.number("Map", "min_distance_m");
+  const std::vector<double> box = exactly(6, settings, "Map", "box");
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    plan.low[axis] = box[2 * axis];
+    plan.high[axis] = box[2 * axis + 1];
+  }
+  if ((plan.low.array() > plan.high.array()).any())
+    throw settings.errorAt("Map", "box", "expected every min to be at most its max");
+  return plan;
+}
+
+/// The keys that the robot's path and an object's path have in common.
+void readDrive(const Settings& settings, const std::string& section, PathPlan& plan)
+{
+  plan.speed = settings.number(section, "speed_m_s");
+  plan.turn_radius = settings.number(section, "turn_radius_m");
+  plan.turn_rate = settings.radians(section, "turn_rate_deg_s");
+  plan.closed = settings.flag(section, "closed");
+  if (plan.kind != PathKind::waypoints) return;
+  const std::vector<double> xy = groupsOf(2, settings, section, "waypoints");
+  for (std::size_t i = 0; i < xy.size(); i += 2) plan.waypoints.emplace_back(xy[i], xy[i + 1]);
+}
+
+PathPlan readPath(const Settings& settings)
+{
+  PathPlan plan;
+  const std::string type = settings.choice("Path", "type");
+  if (type == "waypoints") plan.kind = PathKind::waypoints;
+  if (type == "circle") plan.kind = PathKind::circle;
+  if (type == "square") plan.kind = PathKind::square;
+  if (type == "random_walk") plan.kind = PathKind::random_walk;
+  readDrive(settings, "Path", plan);
+  plan.start = poseFrom(settings, "Path", "start");
+  const std::vector<double> centre = exactly(2, settings, "Path", "centre");
+  plan.centre = {centre[0], centre[1]};
+  plan.radius = settings.number("Path", "radius_m");
+  plan.side = settings.number("Path", "side_m");
+  plan.clockwise = settings.flag("Path", "clockwise");
+  if (plan.kind != PathKind::random_walk) return plan;
+  const std::vector<double> bounds = exactly(4, settings, "Path", "bounds");
+  plan.low = {bounds[0], bounds[2]};
+  plan.high = {bounds[1], bounds[3]};
+  return plan;
+}
+
+OdometryNoise readOdometry(const Settings& settings)
+{
+  const auto value = [&](const char* key) { return settings.number("Odometry", key); };
+  OdometryNoise noise;
+  noise.rate_hz = value("rate_hz");
+  noise.std_xy_per_m = value("std_xy_per_m");
+  noise.std_phi_deg_per_deg = value("std_phi_deg_per_deg");
+  noise.std_phi_deg_per_m = value("std_phi_deg_per_m");
+  noise.std_xy_min = value("std_xy_min");
+  noise.std_phi_min_deg = value("std_phi_min_deg");
+  noise.scale_error = value("scale_error");
+  noise.turn_scale_error = value("turn_scale_error");
+  return noise;
+}
+
+SimulatedObject readObject(const Settings& settings, const std::string& section)
+{
+  SimulatedObject object;
+  object.category = settings.hasValue(section, "category") ? settings.text(section, "category") : labelOf(section);
+  if (settings.hasValue(section, "waypoints")) object.path.kind = PathKind::waypoints;
+  readDrive(settings, section, object.path);
+  if (!settings.hasValue(section, "position") && settings.hasValue(section, "waypoints")) return object;
+  const std::vector<double> position = exactly(3, settings, section, "position");
+  object.path.start = {position[0], position[1], 0};
+  object.z = position[2];
+  return object;
+}
+}  // namespace
+
+Scenario readScenario(const Settings& settings)
+{
+  Scenario scenario;
+  scenario.duration = settings.number("Simulation", "duration_s");
+  scenario.start_time = settings.number("Simulation", "start_time_s");
+  scenario.truth_rate_hz = settings.number("Simulation", "truth_rate_hz");
+  scenario.random_seed = static_cast<std::uint64_t>(settings.integer("Simulation", "random_seed"));
+  scenario.map = readMap(settings);
+  scenario.path = readPath(settings);
+  scenario.odometry = readOdometry(settings);
+  for (const std::string& section : settings.sectionsMatching("Sensor_"))
+  {
+    scenario.sensors.push_back(readSimulatedSensor(settings, section));
+    if (scenario.sensors.back().kind == SensorKind::running_fix && !(scenario.odometry.rate_hz > 0))
+      throw settings.errorAt(section, "kind", "a running fix needs odometry, expected [Odometry] rate_hz above 0");
+  }
+  for (const std::string& section : settings.sectionsMatching("Object_"))
+    scenario.objects.push_back(readObject(settings, section));
+  for (const std::string& section : settings.sectionsMatching("Kidnapping_"))
+    scenario.kidnappings.push_back({settings.number(section, "time_s"), poseFrom(settings, section, "pose")});
+  std::sort(scenario.kidnappings.begin(), scenario.kidnappings.end(),
+            [](const Kidnapping& a, const Kidnapping& b) { return a.time < b.time; });
+  return scenario;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,73 @@
+#include "mrpt_ext/correspondence/bearings/direction_intervals.h"
+
+#include <cstddef>
+
+#include "mrpt_ext/geometry/vector_clones.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr auto kPiF = static_cast<float>(kPi);
+
+/// atan2 without branches: a polynomial for atan over [0, 1] (Abramowitz and Stegun 4.4.49, error 2e-8 rad in exact
+/// arithmetic), the rest by symmetry.
+[[gnu::always_inline]] inline float direction(float x, float y)
+{
+  const float ax = x < 0 ? -x : x, ay = y < 0 ? -y : y;
+  const float high = ax > ay ? ax : ay, low = ax > ay ? ay : ax;
+  const float t = low / (high > 1e-30F ? high : 1e-30F), s = t * t;
+  float p = 0.0028662257F;
+  p = p * s - 0.0161657367F;
+  p = p * s + 0.0429096138F;
+  p = p * s - 0.0752896400F;
+  p = p * s + 0.1065626393F;
+  p = p * s - 0.1420889944F;
+  p = p * s + 0.1999355085F;
+  p = p * s - 0.3333314528F;
+  float angle = t + t * s * p;
+  angle = ay > ax ? 0.5F * kPiF - angle : angle;
+  angle = x < 0 ? kPiF - angle : angle;
+  return y < 0 ? -angle : angle;
+}
+
+/// Not below asin(u): 1.05 u up to a half (asin(1/2) = 1.0472 / 2), a quarter turn up to 1, any direction beyond.
+[[gnu::always_inline]] inline float widthOf(float u)
+{
+  const float wide = u < 1 ? 0.5F * kPiF : kPiF;
+  return u <= 0.5F ? 1.05F * u : wide;
+}
+
+MRPT_EXT_VECTOR_CLONES
+void look(const float* x, const float* y, std::size_t count, float px, float py, float radius, float farthest,
+          float* directions, float* half_width)
+{
+  for (std::size_t l = 0; l < count; ++l)
+  {
+    const float dx = x[l] - px, dy = y[l] - py;
+    const float distance = __builtin_sqrtf(dx * dx + dy * dy);
+    const float width = widthOf(radius / (distance > 1e-9F ? distance : 1e-9F));
+    directions[l] = direction(dx, dy);
+    half_width[l] = distance <= farthest ? width : -1.0F;
+  }
+}
+}  // namespace
+
+DirectionWidths::DirectionWidths(const std::vector<Vector2d>& landmarks, const Vector2d& middle) : middle_(middle)
+{
+  for (const Vector2d& landmark : landmarks)
+  {
+    x_.push_back(static_cast<float>(landmark.x() - middle.x()));
+    y_.push_back(static_cast<float>(landmark.y() - middle.y()));
+  }
+  direction_.resize(landmarks.size());
+  half_width_.resize(landmarks.size());
+}
+
+void DirectionWidths::lookFrom(const Vector2d& place, double radius, double farthest)
+{
+  look(x_.data(), y_.data(), x_.size(), static_cast<float>(place.x() - middle_.x()),
+       static_cast<float>(place.y() - middle_.y()), static_cast<float>(radius), static_cast<float>(farthest),
+       direction_.data(), half_width_.data());
+}
+}  // namespace mrpt_ext

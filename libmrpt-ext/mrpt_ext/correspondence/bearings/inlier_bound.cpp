@@ -1,0 +1,304 @@
+#include "mrpt_ext/correspondence/bearings/inlier_bound.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "mrpt_ext/geometry/vector_clones.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr float kUnlimited = 1e8F;  // [m]
+
+/// A sensor pose relative to the centre of its cell, with the uncertainty of the tested pose.
+struct SievePose
+{
+  float x, y, c, s;
+  float mx, my;  // from the tested sensor to this one, world axes
+  float ix, iy, ih, jx, jy, jh, kx, ky, kh;
+  float range2;
+};
+
+/// What one landmark is to a pose.
+struct Look
+{
+  std::uint32_t explains;
+  float x, y, ex, ey, w, variance;
+};
+
+/// A reading table as the inner loop needs it.
+struct TableInFloat
+{
+  const std::uint32_t *sets, *of_kind, *from_kind;
+  float inverse_variance, scale;
+  int bins, last_level;
+
+  explicit TableInFloat(const ReadingTable& t)
+      : sets(t.sets()),
+        of_kind(t.ofKind()),
+        from_kind(t.fromKind()),
+        inverse_variance(t.inverseVariance()),
+        scale(0.25F * static_cast<float>(t.bins())),
+        bins(t.bins()),
+        last_level(t.levels() - 1)
+  {
+  }
+};
+
+template <bool HasKinds>
+[[gnu::always_inline]] inline Look look(const SievePose& p, const TableInFloat& table, float landmark_x,
+                                        float landmark_y, std::uint8_t kind)
+{
+  const float dx = landmark_x - p.x, dy = landmark_y - p.y;
+  const float d2 = dx * dx + dy * dy;
+  const float r2 = d2 > 1e-6F ? d2 : 1e-6F;
+  const float bx = p.c * dx + p.s * dy, by = p.c * dy - p.s * dx;
+  const float norm = std::abs(bx) + std::abs(by) + 1e-9F;
+  const float inverse = 1 / (r2 * norm);  // one division for 1 / r2 and 1 / norm
+  const float along = by * (inverse * r2);
+  const float ex = dy * (inverse * norm), ey = -dx * (inverse * norm);
+  const float w = 1 + (p.mx * dx + p.my * dy) * (inverse * norm);
+  const float vi = ex * p.ix + ey * p.iy - w * p.ih, vj = ex * p.jx + ey * p.jy - w * p.jh;
+  const float vk = ex * p.kx + ey * p.ky - w * p.kh;
+  const float variance = vi * vi + vj * vj + vk * vk;
+  const float ratio = 1 + table.inverse_variance * variance;
+  const int step = (std::bit_cast<int>(ratio) >> ReadingTable::kShift) - ReadingTable::kFirstStep;
+  const int level = step < table.last_level ? step : table.last_level;
+  const int bin = static_cast<int>((bx < 0 ? 3 - along : 1 + along) * table.scale) & (table.bins - 1);
+  std::uint32_t set = table.sets[level * table.bins + bin];
+  if constexpr (HasKinds) set &= table.of_kind[kind];
+  return {set & (r2 <= p.range2 ? ~0U : 0U), bx, by, ex, ey, w, variance};
+}
+
+/// What the inner loop needs of a view.
+struct ViewInFloat
+{
+  double origin_x, origin_y, cell, inverse_cell;
+  int columns, rows;
+  float tx, ty, tc, ts, range;
+};
+
+ViewInFloat inFloat(const SieveView& view, const Vector2d& around)
+{
+  const VisibleLists& lists = *view.lists;
+  const Pose2& T = view.T_tested_sensor;
+  const Vector2d origin = lists.origin() - around;
+  return {origin.x(),
+          origin.y(),
+          lists.cellSize(),
+          1 / lists.cellSize(),
+          lists.columns(),
+          lists.rows(),
+          static_cast<float>(T.x),
+          static_cast<float>(T.y),
+          static_cast<float>(std::cos(T.phi)),
+          static_cast<float>(std::sin(T.phi)),
+          std::min(static_cast<float>(lists.maxRange()), kUnlimited)};
+}
+
+/// Lists are sorted by kind. So with kinds a pose is given up as soon as the kinds that are left cannot bring it to
+/// `needed`.
+template <bool HasKinds>
+[[gnu::always_inline]] inline void addExplained(const TriplePoses& poses, const SieveView& view, const ViewInFloat& v,
+                                                float gate, int needed, std::uint16_t* explained)
+{
+  const TableInFloat table(*view.table);
+  for (std::size_t n = 0; n < poses.count; ++n)
+  {
+    const float c = poses.c[n], s = poses.s[n];
+    const float mx = c * v.tx - s * v.ty, my = s * v.tx + c * v.ty;
+    const double gx = static_cast<double>(poses.x[n] + mx) - v.origin_x;
+    const double gy = static_cast<double>(poses.y[n] + my) - v.origin_y;
+    const int column = std::clamp(static_cast<int>(gx * v.inverse_cell), 0, v.columns - 1);
+    const int row = std::clamp(static_cast<int>(gy * v.inverse_cell), 0, v.rows - 1);
+    const VisibleLists::Cell cell = view.lists->cell(static_cast<std::size_t>(row) * v.columns + column);
+    const float ix = poses.ix[n], iy = poses.iy[n], jx = poses.jx[n], jy = poses.jy[n], kx = poses.kx[n];
+    const float ky = poses.ky[n];
+    const float reach = v.range + gate * std::sqrt(ix * ix + iy * iy + jx * jx + jy * jy + kx * kx + ky * ky);
+    const SievePose pose{static_cast<float>(gx - (column + 0.5) * v.cell),
+                         static_cast<float>(gy - (row + 0.5) * v.cell),
+                         c * v.tc - s * v.ts,
+                         s * v.tc + c * v.ts,
+                         mx,
+                         my,
+                         ix,
+                         iy,
+                         poses.ih[n],
+                         jx,
+                         jy,
+                         poses.jh[n],
+                         kx,
+                         ky,
+                         poses.kh[n],
+                         reach * reach};
+    std::uint32_t set = view.used;
+    const std::size_t block = HasKinds ? VisibleLists::kBlock : cell.count;
+    for (std::size_t begin = 0; begin < cell.count; begin += block)
+    {
+      if (HasKinds && explained[n] + std::popcount(set | table.from_kind[cell.kind[begin]]) < needed) break;
+      for (std::size_t l = begin; l < begin + block; ++l)
+        set |= look<HasKinds>(pose, table, cell.x[l], cell.y[l], cell.kind[l]).explains;
+    }
+    explained[n] = static_cast<std::uint16_t>(explained[n] + std::popcount(set));
+  }
+}
+
+MRPT_EXT_VECTOR_CLONES
+void addExplainedAnyKind(const TriplePoses& poses, const SieveView& view, const ViewInFloat& v, float gate, int needed,
+                         std::uint16_t* explained)
+{
+  addExplained<false>(poses, view, v, gate, needed, explained);
+}
+
+MRPT_EXT_VECTOR_CLONES
+void addExplainedOfKind(const TriplePoses& poses, const SieveView& view, const ViewInFloat& v, float gate, int needed,
+                        std::uint16_t* explained)
+{
+  addExplained<true>(poses, view, v, gate, needed, explained);
+}
+}  // namespace
+
+void boundExplained(const TriplePoses& poses, const Vector2d& around, std::span<const SieveView> views, double gate,
+                    int least, std::vector<std::uint16_t>& explained)
+{
+  explained.assign(poses.count, 0);
+  int needed = least;
+  for (const SieveView& view : views) needed -= view.table->size();
+  for (const SieveView& view : views)
+  {
+    needed += view.table->size();  // the views to come may explain all theirs
+    const ViewInFloat v = inFloat(view, around);
+    const auto add = view.table->hasKinds() ? addExplainedOfKind : addExplainedAnyKind;
+    add(poses, view, v, static_cast<float>(gate), needed, explained.data());
+  }
+}
+
+namespace
+{
+MRPT_EXT_VECTOR_CLONES
+void lookAtAll(const SievePose& pose, const TableInFloat& table, const VisibleLists::Cell& cell, SeenLandmarks& seen)
+{
+  std::uint32_t* __restrict explains = seen.explains.data();
+  float* __restrict x = seen.x.data(), * __restrict y = seen.y.data(), * __restrict variance = seen.variance.data();
+  float* __restrict ex = seen.ex.data(), * __restrict ey = seen.ey.data(), * __restrict w = seen.w.data();
+  for (std::size_t l = 0; l < cell.count; ++l)
+  {
+    const Look seen_so = look<true>(pose, table, cell.x[l], cell.y[l], cell.kind[l]);
+    explains[l] = seen_so.explains;
+    x[l] = seen_so.x;
+    y[l] = seen_so.y;
+    ex[l] = seen_so.ex;
+    ey[l] = seen_so.ey;
+    w[l] = seen_so.w;
+    variance[l] = seen_so.variance;
+  }
+}
+
+/// A box of sensor poses relative to the centre of a cell.
+struct SieveBox
+{
+  float x, y, c, s;
+  float side2, turn2;  // variances
+  float range2;
+};
+
+struct BoxCount
+{
+  std::uint32_t explains = 0;
+  int close = 0;
+};
+
+/// As look, for a box.
+MRPT_EXT_VECTOR_CLONES
+BoxCount lookFromBox(const SieveBox& box, const TableInFloat& table, const VisibleLists::Cell& cell)
+{
+  std::uint32_t explains = 0;
+  int close = 0;
+  for (std::size_t l = 0; l < cell.count; ++l)
+  {
+    const float dx = cell.x[l] - box.x, dy = cell.y[l] - box.y;
+    const float d2 = dx * dx + dy * dy;
+    const float r2 = d2 > 1e-6F ? d2 : 1e-6F;
+    const float bx = box.c * dx + box.s * dy, by = box.c * dy - box.s * dx;
+    const float norm = std::abs(bx) + std::abs(by) + 1e-9F;
+    const float inverse = 1 / (r2 * norm);
+    const float along = by * (inverse * r2);
+    const float ratio = 1 + table.inverse_variance * (box.side2 * (inverse * norm) + box.turn2);
+    const int step = (std::bit_cast<int>(ratio) >> ReadingTable::kShift) - ReadingTable::kFirstStep;
+    const int level = step < table.last_level ? step : table.last_level;
+    const int bin = static_cast<int>((bx < 0 ? 3 - along : 1 + along) * table.scale) & (table.bins - 1);
+    const std::uint32_t in_range = r2 <= box.range2 ? ~0U : 0U;
+    const std::uint32_t set = table.sets[level * table.bins + bin] & table.of_kind[cell.kind[l]] & in_range;
+    std::uint32_t rest = set;
+    for (int n = 0; n < kMostOfOneLandmark; ++n) rest &= rest - 1;
+    explains |= rest == 0 ? set : 0U;
+    close += rest == 0 ? 0 : 1;
+  }
+  return {explains, close};
+}
+
+/// A matrix F with F F^T = C; where rounding has made C indefinite, one with F F^T >= C.
+Matrix3d factorOf(const Matrix3d& covariance)
+{
+  const Eigen::LLT<Matrix3d> llt(covariance);
+  if (llt.info() == Eigen::Success) return llt.matrixL();
+  return (3 * covariance.diagonal().cwiseMax(0)).cwiseSqrt().asDiagonal();
+}
+}  // namespace
+
+void lookAround(const GaussianPose& tested, const SieveView& view, double gate, SeenLandmarks& seen)
+{
+  const Pose2 sensor = compose(tested.mean, view.T_tested_sensor);
+  const VisibleLists::CellAt at = view.lists->cellAt(sensor.position());
+  const Eigen::Matrix3f f = factorOf(tested.covariance).cast<float>();
+  const Eigen::Vector2f position = (sensor.position() - at.centre).cast<float>();
+  const Eigen::Vector2f offset = (sensor.position() - tested.mean.position()).cast<float>();
+  const auto reach =
+      static_cast<float>(view.lists->maxRange() + gate * std::sqrt(tested.covariance.topLeftCorner<2, 2>().trace()));
+  const float range = std::min(reach, kUnlimited);
+  const SievePose pose{position.x(),
+                       position.y(),
+                       static_cast<float>(std::cos(sensor.phi)),
+                       static_cast<float>(std::sin(sensor.phi)),
+                       offset.x(),
+                       offset.y(),
+                       f(0, 0),
+                       f(1, 0),
+                       f(2, 0),
+                       0,
+                       f(1, 1),
+                       f(2, 1),
+                       0,
+                       0,
+                       f(2, 2),
+                       range * range};
+  seen.count = at.cell.count;
+  if (seen.x.size() < seen.count)
+  {
+    seen.explains.resize(seen.count);
+    for (auto* v : {&seen.x, &seen.y, &seen.ex, &seen.ey, &seen.w, &seen.variance}) v->resize(seen.count);
+  }
+  lookAtAll(pose, TableInFloat(*view.table), at.cell, seen);
+}
+
+int boundOfBox(const GaussianPose& box, const SieveView& view, double gate)
+{
+  const Vector2d position = box.mean.position();
+  const VisibleLists::CellAt at = view.lists->cellAt(position);
+  const double side2 = box.covariance(0, 0);
+  const double reach = view.lists->maxRange() + gate * std::sqrt(2 * side2);
+  const auto range = std::min(static_cast<float>(reach), kUnlimited);
+  const SieveBox tested{static_cast<float>(position.x() - at.centre.x()),
+                        static_cast<float>(position.y() - at.centre.y()),
+                        static_cast<float>(std::cos(box.mean.phi)),
+                        static_cast<float>(std::sin(box.mean.phi)),
+                        static_cast<float>(side2),
+                        static_cast<float>(box.covariance(2, 2)),
+                        range * range};
+  const BoxCount count = lookFromBox(tested, TableInFloat(*view.table), at.cell);
+  return std::min(view.table->size(), std::popcount(count.explains | view.used) + count.close);
+}
+}  // namespace mrpt_ext

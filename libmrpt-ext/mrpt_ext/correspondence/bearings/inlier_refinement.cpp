@@ -1,0 +1,145 @@
+#include "mrpt_ext/correspondence/bearings/inlier_refinement.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr std::size_t kRoundsOnAll = 2;
+constexpr std::size_t kAny = ReadingTable::kMaxReadings;
+/// Readings that only one landmark can explain, added to those of the triple that made the pose, round by round. While
+/// the pose is uncertain that landmark may be a wrong one, so the pose grows firm where this is least likely.
+constexpr std::array<std::size_t, 2> kAddedToTriple{1, 3};
+constexpr std::array<std::size_t, 1> kAddedToBox{kAny};  // the pose is only bounded, by no readings of its own
+
+/// The landmark that explains a reading best, and how many could.
+struct Explanation
+{
+  int candidates = 0;
+  float distance2 = 0;  // in standard deviations of the innovation
+  float misfit = 0;     // predicted minus measured [rad]
+  std::size_t landmark = 0;
+};
+
+using Explanations = std::array<Explanation, ReadingTable::kMaxReadings>;
+
+/// Angle of (x, y) against a unit vector, to better than 1e-5 of itself where it matters.
+float angleAgainst(const Vector2d& unit, float x, float y)
+{
+  const auto u = static_cast<float>(unit.x()), v = static_cast<float>(unit.y());
+  const float cross = u * y - v * x, dot = u * x + v * y;
+  if (std::abs(cross) > 0.5F * dot) return std::atan2(cross, dot);
+  const float t = cross / dot, t2 = t * t;
+  return t * (1 - t2 * (1.0F / 3 - t2 * (1.0F / 5 - t2 * (1.0F / 7 - t2 / 9))));
+}
+
+/// True for a set of more than `count` bits.
+bool hasMoreThan(int count, std::uint32_t set)
+{
+  for (; set != 0 && count > 0; --count) set &= set - 1;
+  return set != 0;
+}
+
+/// Which landmark explains each reading; the number that are explained. A landmark so close that it could be in any
+/// direction explains one reading, no matter which.
+int explain(const SeenLandmarks& seen, const ReadingTable& table, float gate2, Explanations& found)
+{
+  int close = 0;
+  for (std::size_t l = 0; l < seen.count; ++l)
+  {
+    if (seen.explains[l] == 0) continue;
+    if (hasMoreThan(kMostOfOneLandmark, seen.explains[l]))
+    {
+      ++close;
+      continue;
+    }
+    for (std::uint32_t set = seen.explains[l]; set != 0; set &= set - 1)
+    {
+      const int bit = std::countr_zero(set);
+      const BearingReading& reading = table.reading(bit);
+      const float misfit = angleAgainst(reading.direction, seen.x[l], seen.y[l]);
+      const float distance2 = misfit * misfit / (static_cast<float>(square(reading.std)) + seen.variance[l]);
+      if (distance2 > gate2) continue;
+      Explanation& e = found[static_cast<std::size_t>(bit)];
+      if (e.candidates++ > 0 && e.distance2 <= distance2) continue;
+      e.distance2 = distance2;
+      e.misfit = misfit;
+      e.landmark = l;
+    }
+  }
+  const auto explained =
+      std::count_if(found.begin(), found.end(), [](const Explanation& e) { return e.candidates > 0; });
+  return std::min(table.size(), static_cast<int>(explained) + close);
+}
+
+/// Variance [rad^2] of the predicted bearing up to which readings take part, so that `count` are added.
+float largestVariance(const Explanations& found, const SieveView& view, const SeenLandmarks& seen, std::size_t count)
+{
+  std::array<float, ReadingTable::kMaxReadings> variance{};
+  std::size_t size = 0;
+  for (int bit = 0; bit < view.table->size(); ++bit)
+  {
+    const Explanation& e = found[static_cast<std::size_t>(bit)];
+    if (e.candidates == 1 && (view.used >> bit & 1U) == 0) variance[size++] = seen.variance[e.landmark];
+  }
+  if (size <= count) return std::numeric_limits<float>::infinity();
+  const auto last = variance.begin() + static_cast<std::ptrdiff_t>(count) - 1;
+  std::nth_element(variance.begin(), last, variance.begin() + static_cast<std::ptrdiff_t>(size));
+  return *last;
+}
+
+/// Numbers of readings to add in the first rounds.
+std::span<const std::size_t> addedBy(std::span<const SieveView> views)
+{
+  const bool of_triple = std::any_of(views.begin(), views.end(), [](const SieveView& view) { return view.used != 0; });
+  return of_triple ? std::span<const std::size_t>(kAddedToTriple) : kAddedToBox;
+}
+}  // namespace
+
+TightenedPose tightenPose(const GaussianPose& sensor, std::span<const SieveView> views, double gate, int least,
+                          SeenLandmarks& scratch)
+{
+  TightenedPose result{sensor};
+  const std::span<const std::size_t> added = addedBy(views);
+  for (std::size_t round = 0;; ++round)
+  {
+    const bool growing = round < added.size();
+    Matrix3d information = Matrix3d::Zero();
+    Vector3d gradient = Vector3d::Zero();
+    result.explained = 0;
+    for (const SieveView& view : views)
+    {
+      lookAround(result.sensor, view, gate, scratch);
+      Explanations found{};
+      result.explained += explain(scratch, *view.table, static_cast<float>(gate * gate), found);
+      const float largest = growing ? largestVariance(found, view, scratch, added[round]) : 0;
+      for (int bit = 0; bit < view.table->size(); ++bit)
+      {
+        const Explanation& e = found[static_cast<std::size_t>(bit)];
+        if (e.candidates == 0) continue;
+        const bool own = (view.used >> bit & 1U) != 0;
+        if (growing && !own && (e.candidates > 1 || scratch.variance[e.landmark] > largest)) continue;
+        const Vector3d row(scratch.ex[e.landmark], scratch.ey[e.landmark], -scratch.w[e.landmark]);
+        const double weight = 1 / square(view.table->reading(bit).std);
+        information += weight * row * row.transpose();
+        gradient += weight * e.misfit * row;
+      }
+    }
+    if (round == 0) result.plausible = result.explained >= least;
+    if (result.explained < least || round == added.size() + kRoundsOnAll) return result;
+    const Eigen::LDLT<Matrix3d> factors(information);
+    if (factors.info() != Eigen::Success || !(factors.vectorD().minCoeff() > 0)) return result;
+    const Vector3d step = factors.solve(gradient);
+    Pose2& pose = result.sensor.mean;
+    pose = {pose.x - step.x(), pose.y - step.y(), wrap(pose.phi - step.z())};
+    result.sensor.covariance = factors.solve(Matrix3d::Identity());
+    result.refined = true;
+  }
+}
+}  // namespace mrpt_ext

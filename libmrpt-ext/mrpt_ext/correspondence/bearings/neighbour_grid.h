@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mrpt_ext/correspondence/landmark_index.h"
+#include "mrpt_ext/correspondence/bearings/triple_scan.h"
+
+namespace mrpt_ext
+{
+/// The landmarks of one kind in square buckets with their positions side by side, for searches that ask again and again
+/// which of them are around a place. Built in O(N).
+class NeighbourGrid
+{
+ public:
+  /// `kind`: kAnyKind for all landmarks.
+  NeighbourGrid(const LandmarkIndex& map, int kind);
+
+  /// The landmarks within `radius` [m] of `centre`, relative to it, and padded. One exactly at the centre is left out.
+  void collect(const Vector2d& centre, double radius, Neighbours& out) const;
+
+ private:
+  Vector2d low_{0, 0};
+  double inverse_bucket_ = 1;
+  int columns_ = 1, rows_ = 1;
+  std::vector<std::uint32_t> first_;  // per bucket, row-major; one more at the end
+  std::vector<double> x_, y_;         // by bucket
+};
+}  // namespace mrpt_ext

@@ -1,0 +1,154 @@
+#include "mrpt_ext/correspondence/bearings/triple_hypotheses.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr std::size_t kBatch = 65536;  // (j, k) tried before the hits are looked at
+constexpr double kRangeSlack = 1.02;   // a landmark at the limit is seen though the pose is a little off
+
+TripleShape shapeOf(const BearingReading& middle, const BearingReading& first, const BearingReading& second,
+                    double max_range)
+{
+  const auto cot = [&](const BearingReading& r)
+  { return static_cast<float>(1 / std::tan(r.bearing - middle.bearing)); };
+  const auto sign = [&](const BearingReading& r) { return std::sin(r.bearing - middle.bearing) > 0 ? 1.0F : -1.0F; };
+  const double farthest = std::min(kRangeSlack * max_range, 1e9);
+  return {cot(first), cot(second), sign(first), sign(second), static_cast<float>(square(farthest))};
+}
+
+TripleBearings bearingsOf(const BearingReading& middle, const BearingReading& first, const BearingReading& second)
+{
+  const auto std = [](const BearingReading& r) { return static_cast<float>(r.std); };
+  return {static_cast<float>(middle.direction.x()), static_cast<float>(middle.direction.y()), std(middle), std(first),
+          std(second)};
+}
+
+/// Keeps the hits inside the area.
+void keepInside(const MapArea& area, const Vector2d& around, TripleHits& hits)
+{
+  const Vector2d low = area.min - around, high = area.max - around;
+  std::size_t kept = 0;
+  for (std::size_t n = 0; n < hits.count; ++n)
+  {
+    const double x = hits.x[n], y = hits.y[n];
+    hits.x[kept] = hits.x[n];
+    hits.y[kept] = hits.y[n];
+    hits.j[kept] = hits.j[n];
+    hits.k[kept] = hits.k[n];
+    kept += static_cast<std::size_t>(x >= low.x() && x <= high.x() && y >= low.y() && y <= high.y());
+  }
+  hits.count = kept;
+}
+
+PoseProposal proposalAt(const TriplePoses& p, std::size_t n, const Vector2d& around, int bound)
+{
+  PoseProposal proposal;
+  proposal.sensor.mean = {around.x() + p.x[n], around.y() + p.y[n], std::atan2(p.s[n], p.c[n])};
+  Matrix3d factor;
+  factor << p.ix[n], p.jx[n], p.kx[n], p.iy[n], p.jy[n], p.ky[n], p.ih[n], p.jh[n], p.kh[n];
+  proposal.sensor.covariance = factor * factor.transpose();
+  proposal.bound = bound;
+  return proposal;
+}
+}  // namespace
+
+void ProposalStore::add(PoseProposal proposal)
+{
+  if (proposal.bound < floor_) return;
+  const auto level = static_cast<std::size_t>(proposal.bound);
+  if (levels_.size() <= level) levels_.resize(level + 1);
+  levels_[level].push_back(std::move(proposal));
+  for (++size_; size_ > capacity_; ++floor_)
+  {
+    std::vector<PoseProposal>& lowest = levels_[static_cast<std::size_t>(floor_)];
+    size_ -= lowest.size();
+    lowest.clear();
+  }
+}
+
+std::vector<PoseProposal> ProposalStore::takeSorted()
+{
+  std::vector<PoseProposal> sorted;
+  sorted.reserve(size_);
+  for (std::size_t level = levels_.size(); level-- > 0;)
+    std::move(levels_[level].begin(), levels_[level].end(), std::back_inserter(sorted));
+  levels_.clear();
+  size_ = 0;
+  return sorted;
+}
+
+/// Calls visit(i, neighbours of i for the first reading, those for the second, hits) for every batch with hits.
+template <typename Visit>
+TripleRound::Work TripleRound::forEachScan(std::size_t stride, Visit&& visit) const
+{
+  const auto reading = [this](int n) -> const BearingReading&
+  { return readings[static_cast<std::size_t>(triple.reading[static_cast<std::size_t>(n)])]; };
+  const BearingReading &middle = reading(0), &first = reading(1), &second = reading(2);
+  const TripleShape shape = shapeOf(middle, first, second, max_range);
+  const double all = 2 * (map->high() - map->low()).norm() + 1;
+  const auto radius = [&](const BearingReading& r)
+  { return std::min(kRangeSlack * largestSeparation(wrap(r.bearing - middle.bearing), max_range), all); };
+  const double radius_first = radius(first), radius_second = radius(second);
+
+  Work work;
+  Neighbours around_first, around_second;
+  TripleHits hits;
+  const std::vector<std::uint32_t>& order = views.front().lists->order();
+  for (std::size_t o = 0; o < order.size(); o += stride)
+  {
+    const std::uint32_t i = order[o];
+    if (!map->mayShow(middle.kind, i)) continue;
+    neighbours[0]->collect(map->position(i), radius_first, around_first);
+    if (around_first.count == 0) continue;
+    neighbours[1]->collect(map->position(i), radius_second, around_second);
+    if (around_second.count == 0) continue;
+    const std::size_t rows = std::max<std::size_t>(1, kBatch / around_second.padded);
+    hits.reserve(std::min(rows, around_first.count) * around_second.padded + 16);
+    for (std::size_t j = 0; j < around_first.count; j += rows)
+    {
+      const std::size_t end = std::min(around_first.count, j + rows);
+      hits.count = 0;
+      scanTriples(shape, around_first, j, end, around_second, hits);
+      work.tested += (end - j) * around_second.count;
+      if (area) keepInside(*area, map->position(i), hits);
+      if (hits.count == 0) continue;
+      work.possible += hits.count;
+      visit(i, around_first, around_second, hits);
+    }
+    if (work.tested > max_tested)
+    {
+      work.finished = false;
+      break;
+    }
+  }
+  return work;
+}
+
+TripleRound::Work TripleRound::run(ProposalStore& store) const
+{
+  const auto reading = [this](std::size_t n) -> const BearingReading&
+  { return readings[static_cast<std::size_t>(triple.reading[n])]; };
+  const TripleBearings bearings = bearingsOf(reading(0), reading(1), reading(2));
+  TriplePoses poses;
+  std::vector<std::uint16_t> explained;
+  return forEachScan(1,
+                     [&](std::uint32_t i, const Neighbours& first, const Neighbours& second, const TripleHits& hits)
+                     {
+                       posesOfHits(bearings, first, second, hits, poses);
+                       boundExplained(poses, map->position(i), views, gate, store.floor(), explained);
+                       for (std::size_t n = 0; n < poses.count; ++n)
+                         if (explained[n] >= store.floor())
+                           store.add(proposalAt(poses, n, map->position(i), explained[n]));
+                     });
+}
+
+TripleRound::Work TripleRound::sample(std::size_t stride) const
+{
+  return forEachScan(stride, [](auto&&...) {});
+}
+}  // namespace mrpt_ext

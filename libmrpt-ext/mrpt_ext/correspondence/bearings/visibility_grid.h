@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "mrpt_ext/correspondence/landmark_index.h"
+#include "mrpt_ext/geometry/box.h"
+
+namespace mrpt_ext
+{
+/// What a sensor could see from everywhere in an area: for each cell of a grid a ring of bits, one per direction of the
+/// world, set where a landmark may be seen from some point of the cell. Built once per map, area and range limit in
+/// O(cells * landmarks); 256 bytes per cell.
+///
+/// A landmark in a cell or close to it could be seen in any direction. It is left out of the ring and counted instead.
+///
+/// Bit q is set when a landmark can appear in a direction within [q, q + kReach) bins, so that a query needs only the
+/// lower end of what it looks for.
+class PanoramaIndex
+{
+ public:
+  static constexpr int kBins = 2048;                   ///< directions in a full turn
+  static constexpr int kWords = kBins / 64;            ///< per cell
+  static constexpr int kReach = 3;                     ///< [bins] see above
+  static constexpr double kBinWidth = kTwoPi / kBins;  ///< [rad]
+
+  /// The grid that suits a map.
+  struct Plan
+  {
+    MapArea area;
+    double max_range = 0;  ///< [m], infinity for none
+    double cell = 1;       ///< [m] side of a cell
+    int columns = 0, rows = 0;
+    double occupancy = 1;  ///< expected share of bits that are set
+
+    [[nodiscard]] std::size_t cells() const
+    {
+      return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+    }
+  };
+  /// Cells from whose middle to whose rim the direction of a typical landmark moves by `motion` [bins]. Nothing for an
+  /// area that is not finite, or when it would take more than 100 MB.
+  [[nodiscard]] static std::optional<Plan> plan(const LandmarkIndex& map, const MapArea& area, double max_range,
+                                                double motion);
+
+  PanoramaIndex(const LandmarkIndex& map, const Plan& plan);
+
+  [[nodiscard]] const Plan& plan() const { return plan_; }
+  [[nodiscard]] bool isOf(const MapArea& area, double max_range) const
+  {
+    return plan_.area.min == area.min && plan_.area.max == area.max && plan_.max_range == max_range;
+  }
+  [[nodiscard]] const std::uint64_t* ring(std::size_t cell) const { return bits_.data() + cell * kWords; }
+  [[nodiscard]] int closeLandmarks(std::size_t cell) const { return close_[cell]; }
+  [[nodiscard]] Vector2d centre(std::size_t cell) const;
+  /// Largest distance of a point of a cell from its centre [m].
+  [[nodiscard]] double cellRadius() const { return plan_.cell * std::sqrt(0.5); }
+
+ private:
+  void fillRing(const std::vector<float>& direction, const std::vector<float>& half_width, std::size_t cell);
+
+  Plan plan_;
+  std::vector<std::uint64_t> bits_;
+  std::vector<std::uint8_t> close_;
+};
+}  // namespace mrpt_ext

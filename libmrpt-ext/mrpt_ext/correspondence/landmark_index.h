@@ -1,0 +1,75 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mrpt_ext/correspondence/scan.h"
+#include "mrpt_ext/geometry/landmark_table.h"
+
+namespace mrpt_ext
+{
+/// The landmarks of a map in square buckets, so that those near a point are found without looking at the others.
+/// Built once per map in O(N); 32 bytes per landmark.
+class LandmarkIndex
+{
+ public:
+  /// `bucket` [m]: side of a bucket, about the radius that is asked for; 0 chooses two landmarks per bucket.
+  explicit LandmarkIndex(const LandmarkTable& map, double bucket = 0);
+  /// Landmarks without kind.
+  explicit LandmarkIndex(std::vector<Vector2d> landmarks, double bucket = 0);
+
+  [[nodiscard]] std::size_t size() const { return positions_.size(); }
+  [[nodiscard]] bool empty() const { return positions_.empty(); }
+  [[nodiscard]] const Vector2d& position(std::size_t landmark) const { return positions_[landmark]; }
+  [[nodiscard]] const std::vector<Vector2d>& positions() const { return positions_; }
+  /// Kind of a landmark (0 for no category).
+  [[nodiscard]] int kind(std::size_t landmark) const { return kinds_[landmark]; }
+  [[nodiscard]] int kindCount() const { return static_cast<int>(categories_.size()); }
+  /// Kinds that some landmark is of (the nameless kind is counted by kindCount in any case).
+  [[nodiscard]] int kindsPresent() const { return kindCount() - (has_nameless_ ? 0 : 1); }
+  /// Kind that a detection of this category has: kAnyKind for an empty one, kNoSuchKind for one the map has not got.
+  [[nodiscard]] int kindOf(const std::string& category) const;
+  [[nodiscard]] bool mayShow(int detection_kind, std::size_t landmark) const
+  {
+    return detection_kind == kAnyKind || detection_kind == kinds_[landmark];
+  }
+  [[nodiscard]] const Vector2d& low() const { return low_; }    ///< corner of the bounding box [m]
+  [[nodiscard]] const Vector2d& high() const { return high_; }  ///< opposite corner [m]
+
+  /// Distance [m] from `point` that no landmark exceeds, rounding included.
+  [[nodiscard]] double farthestFrom(const Vector2d& point) const
+  {
+    return (point - low_).cwiseAbs().cwiseMax((point - high_).cwiseAbs()).norm() * (1 + 1e-9);
+  }
+
+  /// Calls visit(landmark) for every landmark within `radius` [m] of `point`, in a fixed order.
+  template <typename Visit>
+  void forEachNear(const Vector2d& point, double radius, Visit&& visit) const
+  {
+    const auto [i0, i1] = span(point.x() - low_.x(), radius, columns_);
+    const auto [j0, j1] = span(point.y() - low_.y(), radius, rows_);
+    for (int j = j0; j <= j1; ++j)  // the buckets of a row lie one behind the other
+    {
+      const auto row = static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_);
+      const std::size_t end = first_[row + static_cast<std::size_t>(i1) + 1];
+      for (std::size_t k = first_[row + static_cast<std::size_t>(i0)]; k < end; ++k)
+        if ((positions_[members_[k]] - point).squaredNorm() <= radius * radius)
+          visit(static_cast<std::size_t>(members_[k]));
+    }
+  }
+
+ private:
+  void build(double bucket);
+  [[nodiscard]] std::pair<int, int> span(double offset, double radius, int count) const;
+
+  std::vector<Vector2d> positions_;
+  std::vector<int> kinds_;
+  bool has_nameless_ = false;
+  std::vector<std::string> categories_;
+  Vector2d low_{0, 0}, high_{0, 0};
+  double bucket_ = 1;
+  int columns_ = 1, rows_ = 1;
+  std::vector<std::size_t> first_;      // per bucket, row-major, into members_; one more at the end
+  std::vector<std::uint32_t> members_;  // landmarks by bucket
+};
+}  // namespace mrpt_ext

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "mrpt_ext/geometry/box.h"
+#include "mrpt_ext/geometry/gaussian_pose.h"
+#include "mrpt_ext/geometry/solve_status.h"
+
+namespace mrpt_ext
+{
+struct PoseSearchOptions
+{
+  double gate = 3.3;                          ///< largest residual of a match [standard deviations]
+  double keep_log_units = 12;                 ///< poses less likely than the best by more than this are not returned
+  std::size_t max_poses = 200;                ///< returned at most, the likeliest
+  std::optional<MapArea> area;                ///< where the robot can be; absent: anywhere
+  std::uint64_t max_tested = 50'000'000'000;  ///< constellations after which the search gives up (see `finished`)
+  /// Nodes after which an interpretation tree is given up, for each number of false readings (see `finished`): few
+  /// bearings in a narrow view fit thousands of poses.
+  std::uint64_t max_tree_nodes = 200'000;
+};
+
+/// A place where the robot may be: its pose explains the detections that `assignment` matches.
+struct ConsistentPose
+{
+  GaussianPose pose;            ///< of the robot: maximum likelihood over the matches
+  std::vector<int> assignment;  ///< landmark per detection, all places in order; -1: explained as false
+  int matched = 0;
+  double log_likelihood = 0;  ///< of all detections at the pose; see pose_verification.h
+  double log_evidence = 0;    ///< the same integrated over the pose's uncertainty: what poses are ranked by
+  double probability = 0;     ///< that this is the right one
+};
+
+/// Answer of a search for the pose of a lost robot.
+struct PoseSearch
+{
+  SolveStatus status = SolveStatus::too_few;
+  std::vector<ConsistentPose> poses;  ///< likeliest first; their probabilities leave room for `elsewhere`
+  double elsewhere = 0;               ///< probability that none of the poses is right
+  double expected_false = 0;          ///< wrong poses that would explain as much as the best, by chance
+  bool unique = false;                ///< one pose stands out (probability > 0.95) and expected_false <= 0.05
+  bool finished = true;               ///< false: the search was given up, poses may be missing
+
+  struct Work
+  {
+    std::uint64_t tested = 0;  ///< constellations of landmarks compared with constellations of detections
+    std::uint64_t judged = 0;  ///< poses that came through to be judged
+    int rounds = 0;            ///< constellations of detections tried
+  } work;
+};
+}  // namespace mrpt_ext

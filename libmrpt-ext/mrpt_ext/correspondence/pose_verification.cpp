@@ -1,0 +1,148 @@
+#include "mrpt_ext/correspondence/pose_verification.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "mrpt_ext/correspondence/scan_matching.h"
+#include "mrpt_ext/solvers/pose_ml.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr int kMaxRounds = 6;  // of matching and refining; most poses settle in two
+
+/// What matches a pose.
+struct Matching
+{
+  std::vector<int> assignment;  // landmark per detection, all places in order
+  int matched = 0;
+};
+
+Matching match(const LandmarkIndex& map, std::span<const SensorPlace> places, const GaussianPose& pose, double gate)
+{
+  Matching result;
+  for (const SensorPlace& place : places)
+  {
+    const std::vector<ExpectedLandmark> expected = expectedLandmarks(map, place, pose);
+    for (const int h : matchDetections(map, place, expected, gate))
+    {
+      result.assignment.push_back(h < 0 ? -1 : static_cast<int>(expected[static_cast<std::size_t>(h)].landmark));
+      result.matched += h >= 0;
+    }
+  }
+  return result;
+}
+
+struct MatchedRows
+{
+  std::vector<PoseMeasurement> rows;
+  std::vector<std::size_t> detection;  // of each row, counted over all places
+};
+
+MatchedRows measurementsOf(const LandmarkIndex& map, std::span<const SensorPlace> places,
+                           const std::vector<int>& assignment)
+{
+  MatchedRows result;
+  std::size_t d = 0;
+  for (const SensorPlace& place : places)
+    for (const UnidentifiedDetection& z : place.detections)
+    {
+      const std::size_t detection = d++;
+      if (assignment[detection] < 0) continue;
+      const Vector2d& position = map.position(static_cast<std::size_t>(assignment[detection]));
+      const auto add = [&](PoseMeasurement::Kind kind, double value, double std)
+      {
+        result.rows.push_back({kind, position, value, std, place.T_robot_sensor});
+        result.detection.push_back(detection);
+      };
+      if (z.bearing) add(PoseMeasurement::Kind::bearing, *z.bearing, z.std_bearing);
+      if (z.range) add(PoseMeasurement::Kind::range, *z.range, z.std_range);
+    }
+  return result;
+}
+
+/// Matches and refines in turn until the matches stay. A match counts when it is within the gate of what the pose with
+/// its uncertainty predicts. False when fewer than `least` detections match or the pose is degenerate.
+bool settle(const LandmarkIndex& map, std::span<const SensorPlace> places, double gate, int least, GaussianPose& pose,
+            Matching& matching)
+{
+  matching = match(map, places, pose, gate);
+  for (int round = 0; round < kMaxRounds; ++round)
+  {
+    if (matching.matched < least) return false;
+    const PoseMl fit = refinePose(measurementsOf(map, places, matching.assignment).rows, pose.mean);
+    if (fit.status != SolveStatus::ok) return false;
+    pose = fit.pose;
+    Matching next = match(map, places, pose, gate);
+    const bool settled = next.assignment == matching.assignment;
+    matching = std::move(next);
+    if (settled) break;
+  }
+  return matching.matched >= least;
+}
+
+/// Gives up the worst match as long as it misses by more than the gate allows a single reading. While the pose was
+/// uncertain a wrong landmark could pass; the readings that it has bent the pose away from can then return.
+bool dropMisfits(const LandmarkIndex& map, std::span<const SensorPlace> places, double gate, int least,
+                 GaussianPose& pose, std::vector<int>& assignment)
+{
+  for (auto matched = std::count_if(assignment.begin(), assignment.end(), [](int l) { return l >= 0; });
+       matched >= least; --matched)
+  {
+    const MatchedRows matches = measurementsOf(map, places, assignment);
+    const PoseMl fit = refinePose(matches.rows, pose.mean);
+    if (fit.status != SolveStatus::ok) return false;
+    pose = fit.pose;
+    const auto misfit = [&](std::size_t row) { return std::abs(fit.residuals[row]) / matches.rows[row].std; };
+    std::size_t worst = 0;
+    for (std::size_t row = 1; row < matches.rows.size(); ++row)
+      if (misfit(row) > misfit(worst)) worst = row;
+    if (misfit(worst) <= gate) return true;
+    assignment[matches.detection[worst]] = -1;
+  }
+  return false;
+}
+
+/// log_likelihood and log_evidence of a pose with its assignment.
+bool score(const LandmarkIndex& map, std::span<const SensorPlace> places, ConsistentPose& pose)
+{
+  std::size_t d = 0;
+  for (const SensorPlace& place : places)
+  {
+    const std::vector<ExpectedLandmark> expected = expectedLandmarks(map, place, pose.pose);
+    std::vector<int> matches;
+    for (std::size_t n = 0; n < place.detections.size(); ++n)
+    {
+      const int landmark = pose.assignment[d++];
+      const auto at = std::find_if(expected.begin(), expected.end(),
+                                   [&](const auto& h) { return static_cast<int>(h.landmark) == landmark; });
+      matches.push_back(at == expected.end() ? -1 : static_cast<int>(at - expected.begin()));
+    }
+    pose.log_likelihood += placeLogLikelihood(map, place, expected, matches);
+  }
+  const double determinant = pose.pose.covariance.determinant();
+  if (!(determinant > 0)) return false;
+  pose.log_evidence = pose.log_likelihood + 0.5 * (3 * std::log(kTwoPi) + std::log(determinant));
+  return true;
+}
+}  // namespace
+
+std::optional<ConsistentPose> judgePose(const LandmarkIndex& map, std::span<const SensorPlace> places,
+                                        const PoseSearchOptions& options, const GaussianPose& candidate, int least)
+{
+  ConsistentPose result{.pose = candidate};
+  Matching matching;
+  if (!settle(map, places, options.gate, least, result.pose, matching)) return std::nullopt;
+  // What a dropped misfit had bent away may fit now: settle once more from the better pose.
+  if (!dropMisfits(map, places, options.gate, least, result.pose, matching.assignment)) return std::nullopt;
+  if (!settle(map, places, options.gate, least, result.pose, matching)) return std::nullopt;
+  if (!dropMisfits(map, places, options.gate, least, result.pose, matching.assignment)) return std::nullopt;
+  if (options.area && !options.area->contains(result.pose.mean.position())) return std::nullopt;
+  result.assignment = std::move(matching.assignment);
+  result.matched = static_cast<int>(
+      std::count_if(result.assignment.begin(), result.assignment.end(), [](int landmark) { return landmark >= 0; }));
+  if (!score(map, places, result)) return std::nullopt;
+  return result;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,161 @@
+#include "mrpt_ext/correspondence/scan_matching.h"
+
+#include <algorithm>
+
+#include "mrpt_ext/correspondence/unsearched_evidence.h"
+#include "mrpt_ext/geometry/measurement_jacobian.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kMinClutter = 1e-6;    // a sensor that never errs would make every evidence infinite
+constexpr double kMaxDetection = 0.99;  // nor is any landmark seen for certain
+constexpr double kSlack = 3;            // standard deviations of the pose by which a landmark may be out of view
+
+double quadratic(const JacobianRow& J, const Matrix3d& P) { return std::max(0.0, (J * P * J.transpose()).value()); }
+
+/// Squared residual in standard deviations, or nothing beyond the gate.
+std::optional<double> distance2(const UnidentifiedDetection& z, const ExpectedLandmark& h, double gate)
+{
+  double sum = 0;
+  const auto within = [&](double residual, double variance)
+  {
+    const double e2 = residual * residual / variance;
+    sum += e2;
+    return e2 <= gate * gate;
+  };
+  if (z.bearing && !within(wrap(*z.bearing - h.bearing), square(z.std_bearing) + h.bearing_variance))
+    return std::nullopt;
+  if (z.range && !within(*z.range - h.range, square(z.std_range) + h.range_variance)) return std::nullopt;
+  return sum;
+}
+
+double density(const UnidentifiedDetection& z, const ExpectedLandmark& h)
+{
+  double log_density = 0;
+  const auto add = [&](double residual, double std)
+  { log_density -= 0.5 * square(residual / std) + std::log(std * std::sqrt(kTwoPi)); };
+  if (z.bearing) add(wrap(*z.bearing - h.bearing), z.std_bearing);
+  if (z.range) add(*z.range - h.range, z.std_range);
+  return std::exp(log_density);
+}
+
+/// Probability of a value below `limit`.
+double chanceBelow(double limit, double mean, double variance)
+{
+  return 0.5 * std::erfc((mean - limit) / std::sqrt(2 * std::max(variance, 1e-18)));
+}
+
+double chanceInView(const SensorModel& model, const ExpectedLandmark& h)
+{
+  double chance = model.max_range ? chanceBelow(*model.max_range, h.range, h.range_variance) : 1;
+  if (model.has_field_of_view)
+    chance *= chanceBelow(0.5 * model.field_of_view, std::abs(h.bearing), h.bearing_variance);
+  return chance;
+}
+
+/// Probability density of a false detection.
+double falseDensity(const LandmarkIndex& map, const UnidentifiedDetection& z, const SensorModel& model)
+{
+  double volume = 1;
+  if (z.bearing) volume *= model.has_field_of_view ? model.field_of_view : kTwoPi;
+  if (z.range) volume *= model.max_range.value_or(std::max(1.0, 1.5 * (map.high() - map.low()).norm()));
+  if (z.kind != kAnyKind) volume *= std::max(1, map.kindsPresent());
+  return 1 / volume;
+}
+}  // namespace
+
+std::vector<ExpectedLandmark> expectedLandmarks(const LandmarkIndex& map, const SensorPlace& place,
+                                                const GaussianPose& robot)
+{
+  const Pose2 sensor = compose(robot.mean, place.T_robot_sensor);
+  const Vector2d offset = place.T_robot_sensor.position();
+  const double position_std = std::sqrt(robot.covariance.topLeftCorner<2, 2>().trace());
+  const double farthest = map.empty()             ? 0
+                          : place.model.max_range ? *place.model.max_range + kSlack * position_std
+                                                  : map.farthestFrom(sensor.position());
+  std::vector<ExpectedLandmark> expected;
+  map.forEachNear(sensor.position(), farthest,
+                  [&](std::size_t landmark)
+                  {
+                    const Vector2d& position = map.position(landmark);
+                    const Vector2d d = position - sensor.position();
+                    ExpectedLandmark h{.landmark = landmark, .range = d.norm()};
+                    if (!(h.range > 0)) return;
+                    h.bearing = wrap(std::atan2(d.y(), d.x()) - sensor.phi);
+                    h.bearing_variance = quadratic(bearingJacobian(robot.mean, position, offset), robot.covariance);
+                    h.range_variance = quadratic(rangeJacobian(robot.mean, position, offset), robot.covariance);
+                    const bool near = !place.model.max_range || h.range <= *place.model.max_range;
+                    h.in_view = near && std::abs(h.bearing) <= 0.5 * place.model.field_of_view;
+                    h.in_view_chance = chanceInView(place.model, h);
+                    expected.push_back(h);
+                  });
+  return expected;
+}
+
+std::vector<int> matchDetections(const LandmarkIndex& map, const SensorPlace& place,
+                                 std::span<const ExpectedLandmark> expected, double gate)
+{
+  struct Pair
+  {
+    double distance2;
+    int detection, expected;
+  };
+  std::vector<Pair> pairs;
+  for (std::size_t d = 0; d < place.detections.size(); ++d)
+    for (std::size_t h = 0; h < expected.size(); ++h)
+      if (map.mayShow(place.detections[d].kind, expected[h].landmark))
+        if (const auto e2 = distance2(place.detections[d], expected[h], gate))
+          pairs.push_back({*e2, static_cast<int>(d), static_cast<int>(h)});
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.distance2 < b.distance2; });
+  std::vector<int> matches(place.detections.size(), -1);
+  std::vector<bool> taken(expected.size(), false);
+  for (const Pair& pair : pairs)
+  {
+    int& match = matches[static_cast<std::size_t>(pair.detection)];
+    if (match >= 0 || taken[static_cast<std::size_t>(pair.expected)]) continue;
+    match = pair.expected;
+    taken[static_cast<std::size_t>(pair.expected)] = true;
+  }
+  return matches;
+}
+
+double placeLogLikelihood(const LandmarkIndex& map, const SensorPlace& place,
+                          std::span<const ExpectedLandmark> expected, std::span<const int> matches)
+{
+  std::vector<int> claimed_by(expected.size(), -1);
+  for (std::size_t d = 0; d < matches.size(); ++d)
+    if (matches[d] >= 0) claimed_by[static_cast<std::size_t>(matches[d])] = static_cast<int>(d);
+
+  const SensorModel& model = place.model;
+  const double clutter = std::clamp(model.clutter_probability, kMinClutter, 1.0);
+  const bool counts_gaps = model.detection_probability.has_value();
+  const double p = std::clamp(model.detection_probability.value_or(0), 0.0, kMaxDetection);
+  const double false_ones = expectedFalseDetections(map, place);
+  double log_likelihood = 0;
+  std::vector<double> weight;  // of a landmark as the source of a detection
+  for (const ExpectedLandmark& h : expected)
+  {
+    weight.push_back(counts_gaps ? p * h.in_view_chance / (1 - p * h.in_view_chance) : h.in_view_chance);
+    if (counts_gaps) log_likelihood += std::log1p(-p * h.in_view_chance);
+  }
+  for (std::size_t d = 0; d < place.detections.size(); ++d)
+  {
+    const UnidentifiedDetection& z = place.detections[d];
+    double sum = 0, visible = 0;
+    for (std::size_t h = 0; h < expected.size(); ++h)
+    {
+      if (!map.mayShow(z.kind, expected[h].landmark)) continue;
+      visible += expected[h].in_view_chance;
+      if (weight[h] > 0 && (claimed_by[h] < 0 || claimed_by[h] == static_cast<int>(d)))
+        sum += weight[h] * density(z, expected[h]);
+    }
+    const double false_density = falseDensity(map, z, model);
+    log_likelihood +=
+        counts_gaps ? std::log(false_ones * false_density + sum)
+                    : std::log(clutter * false_density + (1 - std::min(clutter, 0.999)) * sum / std::max(1.0, visible));
+  }
+  return log_likelihood;
+}
+}  // namespace mrpt_ext

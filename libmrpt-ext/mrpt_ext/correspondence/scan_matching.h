@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mrpt_ext/correspondence/landmark_index.h"
+#include "mrpt_ext/correspondence/scan.h"
+#include "mrpt_ext/geometry/gaussian_pose.h"
+
+namespace mrpt_ext
+{
+/// A landmark as a sensor place would see it from a supposed robot pose.
+struct ExpectedLandmark
+{
+  std::size_t landmark = 0;
+  double bearing = 0, range = 0;                    ///< [rad], [m]
+  double bearing_variance = 0, range_variance = 0;  ///< that the pose's covariance adds
+  bool in_view = false;                             ///< within range limit and field of view
+  double in_view_chance = 0;                        ///< the same as a probability, the pose being uncertain
+};
+
+/// The landmarks that a place can see from the pose, and those that it could see if the pose were a little off.
+[[nodiscard]] std::vector<ExpectedLandmark> expectedLandmarks(const LandmarkIndex& map, const SensorPlace& place,
+                                                              const GaussianPose& robot);
+
+/// Best one-to-one matching of a place's detections, greedily by residual: per detection the position in `expected`, or
+/// -1. A residual counts when it is within `gate` standard deviations of the innovation, in bearing and in range.
+[[nodiscard]] std::vector<int> matchDetections(const LandmarkIndex& map, const SensorPlace& place,
+                                               std::span<const ExpectedLandmark> expected, double gate);
+
+/// Log-likelihood of all detections of a place at a pose (see pose_verification.h); `matches` as given by matchDetections.
+[[nodiscard]] double placeLogLikelihood(const LandmarkIndex& map, const SensorPlace& place,
+                                        std::span<const ExpectedLandmark> expected, std::span<const int> matches);
+}  // namespace mrpt_ext

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "mrpt_ext/correspondence/tree/bearing_least_squares.h"
+#include "mrpt_ext/correspondence/tree/interpretation_problem.h"
+#include "mrpt_ext/correspondence/tree/circle_inversion.h"
+
+namespace mrpt_ext
+{
+/// A leaf of the search: the interpretation that an assignment is, refined to its least-squares pose; nothing when it
+/// is not consistent. `matched`: its bearings, the reference of `base` first. `base`: a crossing of two of their rays;
+/// an open one says nothing, and the bearings alone give the start. Should the descent from there fail, it starts
+/// beside landmarks that may be close.
+[[nodiscard]] std::optional<Interpretation> interpretMatched(const InterpretationProblem& problem,
+                                                             const std::vector<int>& assignment,
+                                                             std::span<const MatchedBearing> matched,
+                                                             const RayCrossing& base);
+}  // namespace mrpt_ext

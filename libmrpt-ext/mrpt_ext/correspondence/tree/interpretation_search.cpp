@@ -1,0 +1,322 @@
+#include "mrpt_ext/correspondence/tree/interpretation_search.h"
+
+#include <algorithm>
+
+#include "mrpt_ext/correspondence/tree/interpretation_refinement.h"
+#include "mrpt_ext/correspondence/tree/ray_bundle.h"
+#include "mrpt_ext/correspondence/tree/matching_order.h"
+#include "mrpt_ext/solvers/plane.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+/// The pose of a prefix of matched bearings, and what it leaves for those to come.
+struct Node
+{
+  RayCrossing base;
+  std::vector<CrossedLandmark> children;             ///< of an open node: who may be next
+  std::vector<std::vector<std::size_t>> candidates;  ///< of the others: per place of the order
+  [[nodiscard]] bool open() const { return base.outcome == CrossingOutcome::open; }
+};
+
+class Search
+{
+ public:
+  explicit Search(const InterpretationProblem& problem)
+      : problem_(problem),
+        options_(problem.options),
+        covariance_(options_.gate == InterpretationGate::covariance),
+        reach_(options_.max_range.value_or(std::numeric_limits<double>::infinity())),
+        fan_(problem.landmarks, unitsOf(problem), std::tan(2 * std::min(options_.max_residual, 0.7)) / 2),
+        nodes_(problem.bearings.size() + 1)
+  {
+    const std::size_t count = problem.bearings.size();
+    for (Node& node : nodes_) node.candidates.resize(count);
+    result_.tested.assign(count - 2, 0);
+    result_.valid.assign(count - 2, 0);
+    assignment_.assign(count, -1);
+  }
+
+  InterpretationCandidates run()
+  {
+    for (SearchPlan& plan : searchPlans(problem_))
+    {
+      plan_ = std::move(plan);
+      masks_.clear();
+      for (const int bearing : plan_.order)
+      {
+        masks_.emplace_back(fan_.size(), 0);
+        for (const int l : allowed(bearing)) masks_.back()[static_cast<std::size_t>(l)] = -1;
+      }
+      matchFirst();
+    }
+    return std::move(result_);
+  }
+
+ private:
+  struct Match
+  {
+    std::size_t place = 0, landmark = 0;
+    InverseRay ray;
+  };
+
+  static std::vector<Vector2d> unitsOf(const InterpretationProblem& problem)
+  {
+    std::vector<Vector2d> units;
+    for (const double b : problem.bearings) units.push_back(direction(b));
+    return units;
+  }
+
+  [[nodiscard]] const std::vector<int>& allowed(int bearing) const
+  {
+    return problem_.allowed[static_cast<std::size_t>(bearing)];
+  }
+  [[nodiscard]] std::size_t bearingAt(std::size_t place) const { return static_cast<std::size_t>(plan_.order[place]); }
+  [[nodiscard]] bool isFree(std::size_t landmark) const
+  {
+    return std::none_of(matched_.begin(), matched_.end(), [&](const Match& m) { return m.landmark == landmark; });
+  }
+  /// True if the next match may come at this place.
+  [[nodiscard]] bool mayStartAt(std::size_t place) const
+  {
+    const std::size_t skipped = place - matched_.size();
+    return place < plan_.order.size() && skipped <= (place > plan_.skip_from ? plan_.max_skipped : 0) &&
+           result_.finished;
+  }
+
+  /// True if the bearing at this place may be one of so many unmatched ones.
+  [[nodiscard]] bool mayMiss(std::size_t place, std::size_t missing) const
+  {
+    return place >= plan_.skip_from && missing <= plan_.max_skipped;
+  }
+
+  void push(std::size_t place, std::size_t landmark)
+  {
+    matched_.push_back({place, landmark, fan_.ray(bearingAt(place), landmark)});
+    bearings_.push_back(
+        {problem_.landmarks[landmark], problem_.bearings[bearingAt(place)], fan_.unit(bearingAt(place))});
+    assignment_[bearingAt(place)] = static_cast<int>(landmark);
+  }
+
+  void pop()
+  {
+    assignment_[bearingAt(matched_.back().place)] = -1;
+    matched_.pop_back();
+    bearings_.pop_back();
+  }
+
+  void matchFirst()
+  {
+    for (std::size_t place = 0; mayStartAt(place); ++place)
+      for (const int l : allowed(plan_.order[place]))
+      {
+        if (!result_.finished) return;
+        const auto landmark = static_cast<std::size_t>(l);
+        fan_.aim(bearingAt(place), landmark);
+        setBounds(problem_.landmarks[landmark]);
+        push(place, landmark);
+        matchSecond(place + 1);
+        pop();
+      }
+  }
+
+  void setBounds(const Vector2d& reference)
+  {
+    constexpr double kEverywhere = std::numeric_limits<double>::infinity();
+    const double widest = std::asin(std::min(1.0, kParallel * fan_.error())) + 4 * fan_.error();
+    const double facing = widest < 1.5 ? std::tan(widest) : -1;
+    bounds_ = {fan_.error(), facing, -kEverywhere, -kEverywhere, kEverywhere, kEverywhere};
+    if (!options_.area) return;
+    const Vector2d low = options_.area->min - reference, high = options_.area->max - reference;
+    bounds_ = {fan_.error(), facing, low.x(), low.y(), high.x(), high.y()};
+  }
+
+  void matchSecond(std::size_t from)
+  {
+    for (std::size_t place = from; mayStartAt(place); ++place)
+      for (const int l : allowed(plan_.order[place]))
+      {
+        const auto landmark = static_cast<std::size_t>(l);
+        if (!result_.finished) return;
+        if (!isFree(landmark) || !withinReach(landmark)) continue;
+        push(place, landmark);
+        extend(place + 1);
+        pop();
+      }
+  }
+
+  /// Landmarks seen from one place are at most twice the range apart.
+  [[nodiscard]] bool withinReach(std::size_t landmark) const
+  {
+    if (!std::isfinite(reach_)) return true;
+    const Vector2d& position = problem_.landmarks[landmark];
+    return std::all_of(bearings_.begin(), bearings_.end(),
+                       [&](const MatchedBearing& m) { return (m.landmark - position).norm() <= 2 * reach_; });
+  }
+
+  /// The free landmarks of a place become children of the present node.
+  bool countTested(std::size_t place)
+  {
+    std::size_t children = allowed(plan_.order[place]).size();
+    for (const Match& m : matched_) children -= masks_[place][m.landmark] != 0;
+    result_.tested[matched_.size() - 2] += children;
+    total_ += children;
+    result_.finished = result_.finished && total_ <= options_.max_tested;
+    return result_.finished;
+  }
+
+  /// Matches one of the bearings from this place on, or none of them.
+  void extend(std::size_t from)
+  {
+    const bool open = nodes_[matched_.size()].open();
+    for (std::size_t place = from; mayStartAt(place); ++place)
+    {
+      if (!countTested(place)) return;
+      open ? extendOpen(place) : extendClosed(place);
+    }
+    const std::size_t skipped = plan_.order.size() - matched_.size();
+    const bool rest_skipped = from == plan_.order.size() || from >= plan_.skip_from;
+    if (rest_skipped && skipped >= plan_.least_skipped && skipped <= plan_.max_skipped) finish();
+  }
+
+  void extendOpen(std::size_t place)
+  {
+    Node& parent = nodes_[matched_.size()];
+    fan_.cross(matched_[1].ray, bearingAt(place), bounds_, masks_[place], parent.children);
+    for (const CrossedLandmark& child : parent.children) tryMatch(parent, place, child.landmark, child.crossing);
+  }
+
+  void extendClosed(std::size_t place)
+  {
+    const Node& parent = nodes_[matched_.size()];
+    for (const std::size_t l : parent.candidates[place])
+      tryMatch(parent, place, l, crossRays(matched_[1].ray, fan_.ray(bearingAt(place), l), bounds_));
+  }
+
+  /// `crossing`: of the second ray with the new one.
+  void tryMatch(const Node& parent, std::size_t place, std::size_t landmark, const RayCrossing& crossing)
+  {
+    if (!isFree(landmark) || !withinReach(landmark)) return;
+    push(place, landmark);
+    if (settle(parent, crossing, place + 1))
+    {
+      ++result_.valid[matched_.size() - 3];
+      extend(place + 1);
+    }
+    pop();
+  }
+
+  /// Computes the node of a prefix from its parent; false when it cannot lead to a solution.
+  bool settle(const Node& parent, const RayCrossing& with_second, std::size_t next_place)
+  {
+    Node& here = nodes_[matched_.size()];
+    here.base = with_second;
+    if (matched_.size() == 3) return here.open() || (withinRange(here.base) && lookAhead(here, next_place));
+    if (!crossWithAll(parent, here, with_second)) return false;
+    if (here.open()) return true;
+    if (!parent.open()) return filter(parent, here, next_place);
+    return lookAhead(here, next_place) && (crossings_.size() == 1 || filter(here, here, next_place));
+  }
+
+  /// Crosses the newest ray with the others, and keeps the most certain pose. Every crossing must explain all.
+  bool crossWithAll(const Node& parent, Node& here, const RayCrossing& with_second)
+  {
+    here.base = parent.base;
+    crossings_.clear();
+    for (std::size_t i = 1; i + 1 < matched_.size(); ++i)
+    {
+      const RayCrossing c = i == 1 ? with_second : crossRays(matched_[i].ray, matched_.back().ray, bounds_);
+      if (c.outcome == CrossingOutcome::none) return false;
+      if (c.outcome == CrossingOutcome::open) continue;
+      if (!explainsMatched(c) || !withinRange(c)) return false;
+      crossings_.push_back(c);
+      if (here.open() || c.shift < here.base.shift) here.base = c;
+    }
+    return true;
+  }
+
+  [[nodiscard]] DirectionGate gate(const RayCrossing& base, const InverseRay& ray) const
+  {
+    return covariance_ ? gateAt<true>(base, fan_.error(), ray.px, ray.py)
+                       : gateAt<false>(base, fan_.error(), ray.px, ray.py);
+  }
+
+  /// All bearings matched so far agree with the pose.
+  [[nodiscard]] bool explainsMatched(const RayCrossing& base) const
+  {
+    return std::all_of(matched_.begin() + 1, matched_.end(),
+                       [&](const Match& m) { return gate(base, m.ray).admits(m.ray.ux, m.ray.uy); });
+  }
+
+  [[nodiscard]] bool withinRange(const RayCrossing& base) const
+  {
+    if (!std::isfinite(reach_)) return true;
+    const Vector2d robot = bearings_[0].landmark + Vector2d(base.x, base.y);
+    return std::all_of(bearings_.begin(), bearings_.end(),
+                       [&](const MatchedBearing& m) { return (m.landmark - robot).norm() <= reach_ + base.slack; });
+  }
+
+  /// The joint test: enough of the bearings to come have a landmark within the gate.
+  bool lookAhead(Node& here, std::size_t next_place)
+  {
+    fan_.look(here.base, covariance_, reach_);
+    for (const Match& m : matched_) fan_.exclude(m.landmark);
+    std::size_t missing = next_place - matched_.size();
+    for (std::size_t place = next_place; place < plan_.order.size(); ++place)
+    {
+      fan_.admit(bearingAt(place), masks_[place], here.candidates[place]);
+      if (here.candidates[place].empty() && !mayMiss(place, ++missing)) return false;
+    }
+    return true;
+  }
+
+  /// The same from the candidates of the parent, as far as all new crossings agree with them.
+  bool filter(const Node& parent, Node& here, std::size_t next_place)
+  {
+    std::size_t missing = next_place - matched_.size();
+    for (std::size_t place = next_place; place < plan_.order.size(); ++place)
+    {
+      kept_.clear();
+      for (const std::size_t l : parent.candidates[place])
+      {
+        if (l == matched_.back().landmark) continue;
+        const InverseRay ray = fan_.ray(bearingAt(place), l);
+        if (std::all_of(crossings_.begin(), crossings_.end(),
+                        [&](const RayCrossing& c) { return gate(c, ray).admits(ray.ux, ray.uy); }))
+          kept_.push_back(l);
+      }
+      here.candidates[place] = kept_;
+      if (kept_.empty() && !mayMiss(place, ++missing)) return false;
+    }
+    return true;
+  }
+
+  void finish()
+  {
+    const RayCrossing& base = nodes_[matched_.size()].base;
+    if (auto found = interpretMatched(problem_, assignment_, bearings_, base))
+      result_.found.push_back(std::move(*found));
+  }
+
+  const InterpretationProblem& problem_;
+  const InterpretationOptions& options_;
+  SearchPlan plan_;
+  bool covariance_;
+  double reach_;
+  RayFan fan_;
+  CrossingBounds bounds_;
+  std::vector<RayFan::Mask> masks_;     ///< landmarks allowed, per place of the order
+  std::vector<Node> nodes_;             ///< by number of matched bearings
+  std::vector<RayCrossing> crossings_;  ///< of the newest ray with the others
+  std::vector<std::size_t> kept_;
+  std::vector<Match> matched_;
+  std::vector<MatchedBearing> bearings_;  ///< of the matches
+  std::vector<int> assignment_;
+  InterpretationCandidates result_;
+  std::uint64_t total_ = 0;
+};
+}  // namespace
+
+InterpretationCandidates searchConsistent(const InterpretationProblem& problem) { return Search(problem).run(); }
+}  // namespace mrpt_ext

@@ -1,0 +1,199 @@
+#include "mrpt_ext/correspondence/triple_schedule.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kLeastSine = 0.12;       // of a gap: the cotangent stays small
+constexpr std::size_t kMaxReadings = 36;  // of which triples are formed
+constexpr double kOverlapCost = 1.5;      // per shared reading
+
+bool contains(const ReadingTriple& triple, int reading)
+{
+  return std::find(triple.reading.begin(), triple.reading.end(), reading) != triple.reading.end();
+}
+
+bool isHit(const ReadingTriple& triple, const std::vector<int>& hit)
+{
+  return std::any_of(hit.begin(), hit.end(), [&](int reading) { return contains(triple, reading); });
+}
+
+bool disjoint(const ReadingTriple& a, const ReadingTriple& b)
+{
+  return std::none_of(a.reading.begin(), a.reading.end(), [&](int reading) { return contains(b, reading); });
+}
+
+/// Triples that `hit` misses and that are mutually disjoint: each needs a further reading.
+std::size_t readingsNeeded(const std::vector<ReadingTriple>& triples, const std::vector<int>& hit)
+{
+  std::vector<const ReadingTriple*> packed;
+  for (const ReadingTriple& t : triples)
+    if (!isHit(t, hit) && std::all_of(packed.begin(), packed.end(), [&](const auto* p) { return disjoint(*p, t); }))
+      packed.push_back(&t);
+  return packed.size();
+}
+
+/// Extends `hit` to at most `size` readings that meet all triples.
+bool extendToHittingSet(const std::vector<ReadingTriple>& triples, std::vector<int>& hit, std::size_t size)
+{
+  const auto open = std::find_if(triples.begin(), triples.end(), [&](const auto& t) { return !isHit(t, hit); });
+  if (open == triples.end()) return true;
+  if (hit.size() + readingsNeeded(triples, hit) > size) return false;
+  for (const int reading : open->reading)
+  {
+    hit.push_back(reading);
+    if (extendToHittingSet(triples, hit, size)) return true;
+    hit.pop_back();
+  }
+  return false;
+}
+}  // namespace
+
+void TripleCover::updateSmallestHit()
+{
+  std::size_t size = smallest_hit_.size();
+  std::vector<int> hit;
+  while (!extendToHittingSet(chosen_, hit, size)) ++size;
+  smallest_hit_ = std::move(hit);
+}
+
+std::optional<ReadingTriple> TripleCover::next()
+{
+  const ReadingTriple* best = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const ReadingTriple& t : candidates_)
+  {
+    if (isHit(t, smallest_hit_)) continue;
+    double cost = t.cost;
+    for (const ReadingTriple& c : chosen_)
+      for (const int reading : t.reading)
+        if (contains(c, reading)) cost *= kOverlapCost;
+    if (cost < least)
+    {
+      least = cost;
+      best = &t;
+    }
+  }
+  if (best == nullptr) return std::nullopt;
+  chosen_.push_back(*best);
+  updateSmallestHit();
+  return chosen_.back();
+}
+
+double largestSeparation(double gap, double max_range)
+{
+  const double half = 0.5 * std::abs(gap);
+  return half <= kPi / 6 ? max_range : 2 * max_range * std::sin(half);
+}
+
+namespace
+{
+/// Costs in units of one constellation tried, measured with one landmark per 10 m^2 and a range limit of 8 m.
+constexpr double kCostOfPose = 20, kCostOfSurvivor = 700;
+
+/// What three bearings cost, whichever of them is the middle one.
+class TripleCost
+{
+ public:
+  TripleCost(std::span<const BearingReading> readings, const SearchDensity& density)
+      : readings_(readings), density_(density), pairs_(readings.size() * readings.size())
+  {
+    const int count = static_cast<int>(readings.size());
+    for (int i = 0; i < count; ++i)
+      for (int j = 0; j < count; ++j)
+      {
+        const double gap = std::abs(wrap(at(i).bearing - at(j).bearing));
+        pairs_[place(i, j)] = {gap, landmarksAround(j, gap)};
+      }
+    for (int i = 0; i < count; ++i) in_range_.push_back(landmarksAround(i, 0));
+  }
+
+  /// The best choice of the middle one.
+  [[nodiscard]] ReadingTriple operator()(int i, int j, int k) const
+  {
+    const double gap_ij = gap(i, j), gap_jk = gap(j, k), gap_ki = gap(k, i);
+    ReadingTriple best{{i, j, k}, std::numeric_limits<double>::infinity()};
+    const auto consider = [&](int middle, int first, int second)
+    {
+      const double tried = allowed(middle) * around(middle, first) * around(middle, second);
+      if (tried < best.cost) best = {{middle, first, second}, tried};
+    };
+    consider(i, j, k);
+    consider(j, i, k);
+    consider(k, i, j);
+    const double widest = std::max({gap_ij, gap_jk, gap_ki});
+    const double sum = gap_ij + gap_jk + gap_ki;
+    const double span = std::min(sum - widest, kTwoPi - widest);  // between the outer two, over the third
+    best.cost += posesOf(i, j, k, span) * (kCostOfPose + kCostOfSurvivor * survival(span));
+    return best;
+  }
+
+ private:
+  /// Two readings: the angle between them, and the landmarks that the other one may show around that of the one.
+  struct Pair
+  {
+    double gap, around;
+  };
+
+  [[nodiscard]] std::size_t place(int i, int j) const
+  {
+    return static_cast<std::size_t>(i) * readings_.size() + static_cast<std::size_t>(j);
+  }
+  [[nodiscard]] double gap(int i, int j) const { return pairs_[place(i, j)].gap; }
+  [[nodiscard]] double around(int i, int j) const { return pairs_[place(i, j)].around; }
+  [[nodiscard]] const BearingReading& at(int i) const { return readings_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] double allowed(int i) const { return density_.landmarks_allowed[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] double range(int i) const { return density_.max_range[static_cast<std::size_t>(at(i).place)]; }
+
+  [[nodiscard]] double landmarksAround(int i, double gap) const
+  {
+    return allowed(i) * std::min(1.0, kPi * square(largestSeparation(gap, range(i))) / density_.area);
+  }
+
+  [[nodiscard]] double inRange(int i) const { return in_range_[static_cast<std::size_t>(i)]; }
+
+  /// Possible poses: measured to grow linearly with the angle that the triple spans.
+  [[nodiscard]] double posesOf(int i, int j, int k, double span) const
+  {
+    return allowed(i) * inRange(j) * inRange(k) * (0.03 + 0.13 * span);
+  }
+
+  /// Share of the poses that two of the other readings do not contradict. A narrow triple leaves wide gates.
+  [[nodiscard]] double survival(double span) const
+  {
+    const double others = static_cast<double>(readings_.size()) - 3;
+    const double chance = std::min(1.0, density_.chance * (2 + 1.2 / span));
+    return std::min(1.0, 0.5 * others * (others - 1) * std::pow(chance, std::max(0.0, others - 2)));
+  }
+
+  std::span<const BearingReading> readings_;
+  const SearchDensity& density_;
+  std::vector<Pair> pairs_;
+  std::vector<double> in_range_;  // landmarks that a reading may show
+};
+}  // namespace
+
+std::vector<ReadingTriple> tripleCandidates(std::span<const BearingReading> readings, const SearchDensity& density)
+{
+  const TripleCost cost(readings, density);
+  const int count = static_cast<int>(std::min(readings.size(), kMaxReadings));
+  const auto usable = [&](int i, int j)
+  {
+    const BearingReading &a = readings[static_cast<std::size_t>(i)], &b = readings[static_cast<std::size_t>(j)];
+    return a.place == b.place &&
+           std::abs(a.direction.x() * b.direction.y() - a.direction.y() * b.direction.x()) > kLeastSine;
+  };
+  std::vector<ReadingTriple> triples;
+  for (int i = 0; i < count; ++i)
+    for (int j = i + 1; j < count; ++j)
+    {
+      if (!usable(i, j)) continue;
+      for (int k = j + 1; k < count; ++k)
+        if (usable(i, k) && usable(j, k)) triples.push_back(cost(i, j, k));
+    }
+  return triples;
+}
+}  // namespace mrpt_ext

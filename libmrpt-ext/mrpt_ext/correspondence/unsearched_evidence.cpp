@@ -1,0 +1,124 @@
+#include "mrpt_ext/correspondence/unsearched_evidence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kNothing = -std::numeric_limits<double>::infinity();
+constexpr double kMinClutter = 1e-6, kMaxClutter = 0.999, kMinDetection = 1e-9;
+constexpr double kMaxDetection = 0.99;  // as in scan_matching.cpp
+
+double logSum(double a, double b)
+{
+  const double high = std::max(a, b);
+  return std::isfinite(high) ? high + std::log1p(std::exp(std::min(a, b) - high)) : high;
+}
+
+/// Product of two polynomials given by the logarithms of their coefficients.
+std::vector<double> product(const std::vector<double>& a, const std::vector<double>& b)
+{
+  std::vector<double> result(a.size() + b.size() - 1, kNothing);
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < b.size(); ++j) result[i + j] = logSum(result[i + j], a[i] + b[j]);
+  return result;
+}
+
+double areaOf(const MapArea& area) { return (area.max - area.min).cwiseMax(0.01).prod(); }
+
+/// A landmark in view gives a detection like this one with `of_landmark`, clutter gives it with `of_clutter`.
+struct Densities
+{
+  double of_landmark, of_clutter;
+};
+
+Densities densities(const LandmarkIndex& map, const SensorModel& model, const UnidentifiedDetection& z, double radius)
+{
+  Densities result{1, 1};
+  if (z.bearing) result.of_landmark = result.of_clutter = 1 / (model.has_field_of_view ? model.field_of_view : kTwoPi);
+  if (z.range)
+  {
+    // Landmarks fill the disk evenly, clutter is taken to fill the ranges evenly (pose_verification.h).
+    result.of_landmark *= 2 * std::max(*z.range, z.std_range) / square(radius);
+    result.of_clutter /= model.max_range.value_or(std::max(1.0, 1.5 * (map.high() - map.low()).norm()));
+  }
+  const double kinds = std::max(1, map.kindsPresent());
+  if (z.kind != kAnyKind) result.of_clutter /= kinds;
+  if (z.kind != kAnyKind) result.of_landmark *= z.kind == kNoSuchKind ? 0 : 1 / kinds;
+  return result;
+}
+
+/// Log of the expected likelihood of a place's detections by the number that is matched, at a wrong pose.
+std::vector<double> logLikelihoodByMatches(const LandmarkIndex& map, const SensorPlace& place)
+{
+  const SensorModel& model = place.model;
+  const double extent = areaOf({map.low(), map.high()});
+  const double radius = model.max_range.value_or(std::sqrt(extent / kPi));
+  const double clutter = std::clamp(model.clutter_probability, kMinClutter, 1.0);
+  const double false_ones = expectedFalseDetections(map, place);
+  std::vector<double> by_matches{0};
+  for (const UnidentifiedDetection& z : place.detections)
+  {
+    const Densities d = densities(map, model, z, radius);
+    const double right = model.detection_probability ? 1 : 1 - std::min(clutter, 0.999);
+    const double wrong = model.detection_probability ? false_ones : clutter;
+    by_matches = product(by_matches, {std::log(wrong * d.of_clutter), std::log(right * d.of_landmark)});
+  }
+  if (!model.detection_probability) return by_matches;
+
+  const double p = std::clamp(*model.detection_probability, kMinDetection, kMaxDetection);
+  const double in_view = shareInView(map, model);
+  const auto n = static_cast<double>(map.size());
+  for (std::size_t m = 0; m < by_matches.size(); ++m)
+  {
+    const auto matched = static_cast<double>(m);
+    by_matches[m] += matched > n ? kNothing
+                                 : std::lgamma(n + 1) - std::lgamma(n - matched + 1) + matched * std::log(p * in_view) +
+                                       (n - matched) * std::log1p(-p * in_view);
+  }
+  return by_matches;
+}
+}  // namespace
+
+double shareInView(const LandmarkIndex& map, const SensorModel& model)
+{
+  const double extent = areaOf({map.low(), map.high()});
+  const double share = model.max_range ? std::min(1.0, kPi * square(*model.max_range) / extent) : 1.0;
+  return model.has_field_of_view ? share * std::min(1.0, model.field_of_view / kTwoPi) : share;
+}
+
+double expectedFalseDetections(const LandmarkIndex& map, const SensorPlace& place)
+{
+  const SensorModel& model = place.model;
+  const double clutter = std::clamp(model.clutter_probability, kMinClutter, kMaxClutter);
+  if (!model.detection_probability) return clutter * static_cast<double>(place.detections.size());
+  const double p = std::clamp(*model.detection_probability, kMinDetection, kMaxDetection);
+  return clutter / (1 - clutter) * p * shareInView(map, model) * static_cast<double>(map.size());
+}
+
+MapArea areaOrMap(const LandmarkIndex& map, const std::optional<MapArea>& area)
+{
+  return area ? *area : MapArea{map.low(), map.high()};
+}
+
+std::vector<double> logEvidenceBelow(const LandmarkIndex& map, std::span<const SensorPlace> places, const MapArea& area)
+{
+  std::vector<double> by_matches{0};
+  for (const SensorPlace& place : places) by_matches = product(by_matches, logLikelihoodByMatches(map, place));
+  const double log_volume = std::log(kTwoPi * areaOf(area));
+  std::vector<double> below{kNothing};
+  for (const double log_likelihood : by_matches) below.push_back(logSum(below.back(), log_likelihood + log_volume));
+  if (map.empty()) std::fill(below.begin(), below.end(), kNothing);
+  return below;
+}
+
+double logEvidenceBelow(const LandmarkIndex& map, std::span<const SensorPlace> places, const MapArea& area, int least)
+{
+  const std::vector<double> below = logEvidenceBelow(map, places, area);
+  return below[std::min(static_cast<std::size_t>(std::max(least, 0)), below.size() - 1)];
+}
+}  // namespace mrpt_ext

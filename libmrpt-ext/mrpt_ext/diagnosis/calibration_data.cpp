@@ -1,0 +1,176 @@
+#include "mrpt_ext/diagnosis/calibration_data.h"
+
+#include <algorithm>
+
+#include "mrpt_ext/geometry/measurement_jacobian.h"
+#include "mrpt_ext/experiment/method_factory.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kStep = 1;                // [s] longest way between two poses
+constexpr double kLongestGap = 180;        // [s] that odometry bridges
+constexpr double kNear2 = 16, kFar2 = 49;  // squared deviations: surely meant, surely not meant
+
+/// Squared deviations by which a landmark misses a detection.
+double missOf(const Detection& detection, const Reading& reading, const Landmark& landmark, const GaussianPose& robot)
+{
+  const Vector2d place = landmark.position.head<2>(), offset = reading.T_robot_sensor.position();
+  double miss = 0;
+  const auto add = [&](double error, const JacobianRow& row, double std)
+  { miss += square(error) / (square(std) + row.dot(row * robot.covariance)); };
+  if (detection.bearing)
+    add(wrap(*detection.bearing - predictBearing(robot.mean, place, reading.T_robot_sensor)),
+        bearingJacobian(robot.mean, place, offset), detection.std_bearing);
+  if (detection.range)
+  {
+    const double height = reading.horizontal_range ? 0 : landmark.position.z() - reading.sensor_height;
+    add(*detection.range - std::hypot(predictRange(robot.mean, place, reading.T_robot_sensor), height),
+        rangeJacobian(robot.mean, place, offset), detection.std_range);
+  }
+  return miss;
+}
+
+/// The landmark that is meant: by its name, or the only one near.
+std::optional<std::size_t> landmarkOf(const Detection& detection, const Reading& reading, const LandmarkTable& map,
+                                      const GaussianPose& robot)
+{
+  if (detection.id != kNoId) return map.indexOf(detection.id);
+  double best = kNear2, second = kFar2;
+  std::optional<std::size_t> found;
+  for (std::size_t j = 0; j < map.size(); ++j)
+  {
+    if (!detection.category.empty() && map[j].category != detection.category) continue;
+    const double miss = missOf(detection, reading, map[j], robot);
+    if (miss < best)
+    {
+      second = found ? best : second;
+      best = miss;
+      found = j;
+    }
+    else
+      second = std::min(second, miss);
+  }
+  return second < kFar2 ? std::nullopt : found;
+}
+
+class WayBuilder
+{
+ public:
+  WayBuilder(const LocalizationInput& input) : input_(input)
+  {
+    for (const TimedPose& entry : input.log.overview.odometry.trajectory())
+      result_.way.odometry.push_back({entry.time, entry.pose});
+    result_.sensors = input.logged_sensors;
+    result_.way.sensors = result_.sensors.size();
+  }
+
+  void add(const Frame& frame, const TrackPoint& sure)
+  {
+    GaussianPose robot = sure.pose;
+    robot.mean = compose(robot.mean, moved(sure.time, frame.time).increment);
+    bridgeTo(frame.time);
+    addPose(frame.time, robot.mean);
+    for (const Reading& reading : frame.readings)
+      for (const Detection& detection : reading.detections) addDetection(detection, reading, robot);
+  }
+  [[nodiscard]] ExaminedWay take() { return std::move(result_); }
+
+ private:
+  [[nodiscard]] OdometryMotion moved(double from, double to) const
+  {
+    return believedMotion(input_.config.filter.motion, input_.log.overview.odometry.between(from, to));
+  }
+
+  void bridgeTo(double time)
+  {
+    if (result_.way.poses.empty() || input_.config.frames.independent) return;
+    if (time - result_.way.poses.back().time > kLongestGap) return;
+    while (time - result_.way.poses.back().time > 1.5 * kStep)
+    {
+      const WayPose last = result_.way.poses.back();
+      addPose(last.time + kStep, compose(last.pose, moved(last.time, last.time + kStep).increment));
+    }
+  }
+
+  void addPose(double time, const Pose2& pose)
+  {
+    WayPose next{time, pose, {}};
+    if (!result_.way.poses.empty() && !input_.config.frames.independent)
+    {
+      const double before = result_.way.poses.back().time;
+      if (time - before <= kLongestGap)
+        next.since_previous = incrementCovariance(input_.config.filter.motion, moved(before, time));
+    }
+    result_.way.poses.push_back(next);
+  }
+
+  void addDetection(const Detection& detection, const Reading& reading, const GaussianPose& robot)
+  {
+    const LandmarkTable& map = input_.context.map;
+    const std::optional<std::size_t> landmark = landmarkOf(detection, reading, map, robot);
+    if (!landmark)
+    {
+      ++result_.nameless;
+      return;
+    }
+    const auto label = std::find(result_.sensors.begin(), result_.sensors.end(), reading.sensor);
+    const Vector3d place = map[*landmark].position;
+    WayReading r{.pose = result_.way.poses.size() - 1,
+                 .sensor = static_cast<std::size_t>(label - result_.sensors.begin()),
+                 .place = place.head<2>(),
+                 .T_robot_sensor = reading.T_robot_sensor,
+                 .height = reading.horizontal_range ? 0 : place.z() - reading.sensor_height};
+    const auto add = [&](bool is_range, double value, double std)
+    {
+      r.is_range = is_range;
+      r.value = value;
+      r.std = std;
+      result_.way.readings.push_back(r);
+      result_.landmarks.push_back(*landmark);
+    };
+    if (detection.bearing) add(false, *detection.bearing, detection.std_bearing);
+    if (detection.range) add(true, *detection.range, detection.std_range);
+  }
+
+  const LocalizationInput& input_;
+  ExaminedWay result_;
+};
+}  // namespace
+
+std::vector<TrackPoint> sureTrack(const LocalizationInput& input, std::uint64_t seed)
+{
+  LocalizationConfig config = input.config;
+  config.methods = {"particle_filter"};
+  if (config.frames.independent) config.methods = {"bearing_maximum_likelihood", "two_landmark_pose"};
+  const MethodFactory factory(config, input.context.map, input.log.kinds);
+  const Methods methods = factory.make(seed, 0);
+  std::vector<TrackPoint> track;
+  const FrameFeed frames = feedOf(input);
+  while (const auto frame = frames())
+    for (const auto& method : methods.localizers)
+    {
+      const Estimate estimate = method->process(*frame);
+      const bool sure = estimate.point && estimate.point->verdict == Verdict::ok && estimate.point->heading_known;
+      const bool first = track.empty() || track.back().time < frame->time;
+      if (sure && first) track.push_back(*estimate.point);
+    }
+  return track;
+}
+
+ExaminedWay examinedWay(const LocalizationInput& input, const std::vector<TrackPoint>& track, double window)
+{
+  constexpr double kRounding = 1e-6;  // [s]
+  WayBuilder builder(input);
+  const FrameFeed frames = feedOf(input);
+  while (const auto frame = frames())
+  {
+    const auto sure = std::lower_bound(track.begin(), track.end(), frame->time - kRounding,
+                                       [](const TrackPoint& point, double time) { return point.time < time; });
+    if (sure != track.end() && sure->time - frame->time <= window + kRounding && !frame->readings.empty())
+      builder.add(*frame, *sure);
+  }
+  return builder.take();
+}
+}  // namespace mrpt_ext

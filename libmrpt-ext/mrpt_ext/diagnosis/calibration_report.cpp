@@ -1,0 +1,307 @@
+#include "mrpt_ext/diagnosis/calibration_report.h"
+
+#include <algorithm>
+#include <map>
+
+#include "mrpt_ext/files/number_format.h"
+#include "mrpt_ext/geometry/median.h"
+#include "mrpt_ext/configuration/bias_config.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kSignificant = 2;        // deviations
+constexpr double kOutlier = 4;            // deviations
+constexpr double kWorthTelling = 1.5;     // times what is promised
+constexpr std::size_t kLeastJudged = 50;  // readings of a sensor
+
+const std::string kMotion = "MotionModel";
+
+std::string whyNot(RecordingError kind)
+{
+  switch (kind)
+  {
+    case RecordingError::delay:
+      return "the robot moves too little or too evenly";
+    case RecordingError::bearing_offset:
+      return "nothing tells it from the heading";
+    case RecordingError::range_offset:
+    case RecordingError::range_scale:
+      return "too few different ranges";
+    case RecordingError::turn_scale:
+      return "too few turns";
+    default:
+      return "too little way";
+  }
+}
+
+/// Turns the errors that were found into figures of the configuration.
+class Translator
+{
+ public:
+  Translator(const RecordingErrors& errors, const std::vector<std::string>& sensors, const LocalizationConfig& config)
+      : errors_(errors), sensors_(sensors), config_(config)
+  {
+  }
+
+  [[nodiscard]] DoctorFinding finding(const EstimatedError& error) const
+  {
+    DoctorFinding found = isOfOdometry(error.term.kind) ? ofOdometry(error) : ofSensor(error);
+    if (!error.told) found.why_not = whyNot(error.term.kind);
+    return found;
+  }
+
+ private:
+  [[nodiscard]] double valueOf(RecordingError kind) const
+  {
+    for (const EstimatedError& error : errors_.errors)
+      if (error.term.kind == kind) return error.value;
+    return 0;
+  }
+
+  /// `base + scale * error` is the figure.
+  static void set(DoctorFinding& found, const EstimatedError& error, double base, double scale)
+  {
+    found.now = base;
+    found.estimate = base + scale * error.value;
+    found.std = std::abs(scale) * error.std;
+  }
+
+  /// Where the configuration tells the error as the mean of one that is estimated, it is told as that mean.
+  bool setAsMean(DoctorFinding& found, const EstimatedError& error, BiasKind kind, const std::string& label) const
+  {
+    for (const BiasState& bias : config_.biases)
+    {
+      const bool acts = belongsToOdometry(kind) || bias.sensor.empty() || bias.sensor == label;
+      if (bias.kind != kind || !acts || bias.mean == 0) continue;
+      const double unit = kind == BiasKind::bearing_offset ? radToDeg(1.0) : 1;
+      set(found, error, 0, unit);
+      found.now = unit * bias.mean;
+      found.line = {bias.sensor.empty() ? "Bias" : "Sensor_" + bias.sensor, biasMeanKey(kind), ""};
+      return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] DoctorFinding ofOdometry(const EstimatedError& error) const
+  {
+    const OdometryCorrection& now = config_.frames.odometry;
+    DoctorFinding found;
+    if (error.term.kind == RecordingError::way_scale)
+    {
+      found = {.what = "odometry: true over measured way", .decimals = 4, .line = {kMotion, "odometry_scale", ""}};
+      set(found, error, now.scale, now.scale);
+      if (setAsMean(found, error, BiasKind::way_scale, "")) found.what = "odometry: true way longer by the share";
+    }
+    if (error.term.kind == RecordingError::turn_scale)
+    {
+      found = {
+          .what = "odometry: true over measured turns", .decimals = 4, .line = {kMotion, "odometry_turn_scale", ""}};
+      set(found, error, now.turn_scale, now.turn_scale);
+      if (setAsMean(found, error, BiasKind::turn_scale, "")) found.what = "odometry: true turns larger by the share";
+    }
+    if (error.term.kind == RecordingError::veer)
+    {
+      found = {.what = "odometry: unseen left turn per metre",
+               .unit = "deg",
+               .decimals = 2,
+               .line = {kMotion, "odometry_turn_per_m_deg", ""}};
+      // What is configured already is stretched with the turns, and counts per metre of the way as it was.
+      const double base =
+          now.turn_per_m * (1 + valueOf(RecordingError::turn_scale)) / (1 + valueOf(RecordingError::way_scale));
+      set(found, error, radToDeg(base), radToDeg(1.0));
+      found.now = radToDeg(now.turn_per_m);
+    }
+    return found;
+  }
+
+  [[nodiscard]] DoctorFinding ofSensor(const EstimatedError& error) const
+  {
+    const std::string label = sensors_[error.term.sensor], section = "Sensor_" + label;
+    const SensorConfig& now = configOf(config_.frames.sensors, label);
+    DoctorFinding found;
+    switch (error.term.kind)
+    {
+      case RecordingError::delay:
+        return delay(error, label, now);
+      case RecordingError::bearing_offset:
+        found = {.what = label + ": bearings too large by",
+                 .unit = "deg",
+                 .decimals = 2,
+                 .line = {section, "bias_bearing_deg", ""}};
+        set(found, error, radToDeg(now.bias_bearing), radToDeg(now.scale_bearing));
+        setAsMean(found, error, BiasKind::bearing_offset, label);
+        return found;
+      case RecordingError::range_offset:
+        found = {.what = label + ": ranges too long by", .unit = "m", .line = {section, "bias_range_m", ""}};
+        set(found, error, now.bias_range, now.scale_range);
+        setAsMean(found, error, BiasKind::range_offset, label);
+        return found;
+      default:
+        found = {.what = label + ": measured over true range", .decimals = 4, .line = {section, "scale_range", ""}};
+        set(found, error, now.scale_range, now.scale_range);
+        if (setAsMean(found, error, BiasKind::range_scale, label))
+          found.what = label + ": ranges too long by the share";
+        return found;
+    }
+  }
+
+  [[nodiscard]] DoctorFinding delay(const EstimatedError& error, const std::string& label,
+                                    const SensorConfig& now) const
+  {
+    const bool odometry_is_late = config_.frames.odometry.delay != 0 && sensors_.size() == 1;
+    DoctorFinding found{.what = odometry_is_late ? "odometry: true this long after its stamp"
+                                                 : label + ": readings older than odometry by",
+                        .unit = "s",
+                        .line = odometry_is_late ? ConfigurationLine{kMotion, "odometry_delay_s", ""}
+                                                 : ConfigurationLine{"Sensor_" + label, "delay_s", ""}};
+    set(found, error, odometry_is_late ? config_.frames.odometry.delay : now.delay, 1);
+    return found;
+  }
+
+  const RecordingErrors& errors_;
+  const std::vector<std::string>& sensors_;
+  const LocalizationConfig& config_;
+};
+
+void settleLine(DoctorFinding& found, bool differs)
+{
+  found.differs = differs && found.why_not.empty();
+  found.line.value = fixedText(found.estimate, found.decimals);
+}
+
+bool differs(const DoctorFinding& found)
+{
+  return found.why_not.empty() && std::abs(found.estimate - found.now) > kSignificant * found.std;
+}
+
+/// Readings of one kind of one sensor.
+struct Judged
+{
+  std::vector<double> stds;  // declared
+  double outliers = 0;
+};
+
+bool isOfRanges(const EstimatedError& error)
+{
+  return error.term.kind == RecordingError::range_offset || error.term.kind == RecordingError::range_scale;
+}
+}  // namespace
+
+std::vector<DoctorFinding> doctorFindings(const RecordingErrors& errors, const std::vector<std::string>& sensors,
+                                          const LocalizationConfig& config)
+{
+  const Translator translator(errors, sensors, config);
+  std::vector<DoctorFinding> findings;
+  for (const EstimatedError& error : errors.errors) findings.push_back(translator.finding(error));
+  for (std::size_t k = 0; k < findings.size(); ++k)
+  {
+    const EstimatedError& error = errors.errors[k];
+    bool set = differs(findings[k]);
+    for (std::size_t j = 0; j < findings.size() && isOfRanges(error); ++j)
+      set = set ||
+            (isOfRanges(errors.errors[j]) && errors.errors[j].term.sensor == error.term.sensor && differs(findings[j]));
+    settleLine(findings[k], set);
+  }
+  return findings;
+}
+
+std::vector<DoctorFinding> scatterFindings(const RecordingErrors& errors, const ExaminedWay& examined,
+                                           const LocalizationConfig& config)
+{
+  std::map<std::pair<std::size_t, bool>, Judged> judged;
+  for (std::size_t i = 0; i < errors.misfits.size(); ++i)
+  {
+    const WayReading& r = examined.way.readings[i];
+    Judged& of = judged[{r.sensor, r.is_range}];
+    of.stds.push_back(r.std);
+    of.outliers += std::abs(errors.misfits[i]) > kOutlier;
+  }
+  std::vector<DoctorFinding> findings;
+  for (const auto& [key, of] : judged)
+  {
+    const auto& [sensor, is_range] = key;
+    const std::string label = examined.sensors[sensor], section = "Sensor_" + label;
+    const SensorConfig& now = configOf(config.frames.sensors, label);
+    const double unit = is_range ? 1 : radToDeg(1.0), declared = unit * medianOf(of.stds);
+    const double scatter = is_range ? errors.scatter[sensor].range : errors.scatter[sensor].bearing;
+    const auto count = static_cast<double>(of.stds.size());
+    DoctorFinding spread{.what = label + (is_range ? ": ranges scatter by" : ": bearings scatter by"),
+                         .unit = is_range ? "m" : "deg",
+                         .now = declared,
+                         .estimate = scatter * declared,
+                         .std = scatter * declared / std::sqrt(count),
+                         .decimals = is_range ? 3 : 2,
+                         .line = {section, is_range ? "std_range_m" : "std_bearing_deg", ""}};
+    const bool enough = of.stds.size() >= kLeastJudged;
+    settleLine(spread, enough && scatter > kWorthTelling && !(is_range && now.std_range_per_m > 0));
+    findings.push_back(spread);
+    const double share = of.outliers / count;
+    DoctorFinding outliers{.what = label + (is_range ? ": outliers among ranges" : ": outliers among bearings"),
+                           .now = now.clutter_probability,
+                           .estimate = share,
+                           .std = std::sqrt(share * (1 - share) / count),
+                           .decimals = 3,
+                           .line = {section, "clutter_probability", ""}};
+    settleLine(outliers, enough && share > kWorthTelling * now.clutter_probability);
+    findings.push_back(outliers);
+  }
+  return findings;
+}
+
+std::vector<std::string> landmarkLines(const RecordingErrors& errors, const ExaminedWay& examined,
+                                       const LandmarkTable& map)
+{
+  struct Count
+  {
+    std::size_t readings = 0, outliers = 0;
+  };
+  std::map<std::size_t, Count> counts;
+  for (std::size_t i = 0; i < errors.misfits.size(); ++i)
+  {
+    Count& count = counts[examined.landmarks[i]];
+    ++count.readings;
+    count.outliers += std::abs(errors.misfits[i]) > kOutlier;
+  }
+  std::vector<std::string> lines;
+  for (const auto& [landmark, count] : counts)
+  {
+    const Landmark& of = map[landmark];
+    const std::string name = of.id != kNoId
+                                 ? std::to_string(of.id)
+                                 : "at " + fixedText(of.position.x(), 2) + " " + fixedText(of.position.y(), 2);
+    const double share = static_cast<double>(count.outliers) / static_cast<double>(count.readings);
+    lines.push_back("landmark " + name + ": " + std::to_string(count.readings) + " figures, " +
+                    fixedText(100 * share, 1) + " % outliers");
+  }
+  return lines;
+}
+
+std::vector<std::string> findingsTable(const std::vector<DoctorFinding>& findings)
+{
+  std::vector<std::vector<std::string>> rows{{"", "the log says", "the .ini says", ""}};
+  for (const DoctorFinding& f : findings)
+  {
+    const std::string unit = f.unit.empty() ? "" : " " + f.unit;
+    const std::string figure = fixedText(f.estimate, f.decimals) + " +- " + fixedText(f.std, f.decimals) + unit;
+    rows.push_back({f.what, f.why_not.empty() ? figure : "cannot be told", fixedText(f.now, f.decimals) + unit,
+                    !f.why_not.empty() ? f.why_not
+                    : f.differs        ? "set [" + f.line.section + "] " + f.line.key + " = " + f.line.value
+                                       : "as it is"});
+  }
+  std::vector<std::size_t> widths(4, 0);
+  for (const auto& row : rows)
+    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size());
+  std::vector<std::string> lines;
+  for (const auto& row : rows)
+  {
+    std::string line;
+    for (std::size_t c = 0; c + 1 < row.size(); ++c) line += row[c] + std::string(widths[c] - row[c].size() + 2, ' ');
+    line += row.back();
+    line.erase(line.find_last_not_of(' ') + 1);
+    lines.push_back(line);
+  }
+  return lines;
+}
+}  // namespace mrpt_ext

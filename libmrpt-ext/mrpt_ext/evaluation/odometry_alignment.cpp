@@ -1,0 +1,58 @@
+#include "mrpt_ext/evaluation/odometry_alignment.h"
+
+#include "mrpt_ext/evaluation/dead_reckoning.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+/// The poses up to the first at or after `end` [s].
+Trajectory beginningOf(const MethodTrack& track, double end)
+{
+  Trajectory beginning;
+  for (const TrackPoint& point : track.points)
+  {
+    beginning.push_back({point.time, point.pose.mean, true});
+    if (point.time >= end) break;
+  }
+  return beginning;
+}
+
+void turnCovariance(Matrix3d& covariance, double angle)
+{
+  Matrix3d R = Matrix3d::Identity();
+  R.topLeftCorner<2, 2>() = rotation(angle);
+  covariance = R * covariance * R.transpose();
+}
+}  // namespace
+
+bool anchorToTruth(MethodTrack& odometry, const Trajectory& truth)
+{
+  if (odometry.points.empty()) return false;
+  const double begin = odometry.points.front().time, end = odometry.points.back().time;
+  for (const TimedPose& anchor : truth)
+  {
+    if (!anchor.heading_known || anchor.time < begin || anchor.time > end) continue;
+    const Pose2 first = odometry.points.front().pose.mean;
+    const Pose2 then = compose(first, motionBetween(beginningOf(odometry, anchor.time), begin, anchor.time));
+    const Pose2 T_map_own = compose(anchor.pose, inverse(then));
+    LongSequence<TrackPoint> anchored;
+    for (TrackPoint point : odometry.points)
+    {
+      point.pose.mean = compose(T_map_own, point.pose.mean);
+      turnCovariance(point.pose.covariance, T_map_own.phi);
+      anchored.push_back(point);
+    }
+    odometry.points = std::move(anchored);
+    return true;
+  }
+  return false;
+}
+
+RunRecord withAnchoredOdometry(RunRecord record, const Trajectory& truth)
+{
+  for (MethodTrack& method : record.methods)
+    if (method.name == kOdometryMethod) static_cast<void>(anchorToTruth(method, truth));
+  return record;
+}
+}  // namespace mrpt_ext

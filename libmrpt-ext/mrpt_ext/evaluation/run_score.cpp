@@ -1,0 +1,184 @@
+#include "mrpt_ext/evaluation/run_score.h"
+
+#include <algorithm>
+
+#include "mrpt_ext/evaluation/method_comparison.h"
+#include "mrpt_ext/evaluation/odometry_alignment.h"
+#include "mrpt_ext/evaluation/rmse_interval.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr const char* kParticleFilter = "particle_filter";
+
+ErrorStatistics positionStatistics(const std::vector<ErrorSample>& errors, double from)
+{
+  std::vector<double> sample;
+  for (const ErrorSample& error : errors)
+    if (error.stamp >= from) sample.push_back(error.position_m);
+  return errorStatistics(std::move(sample));
+}
+
+ErrorStatistics headingStatistics(const std::vector<ErrorSample>& errors, double from)
+{
+  std::vector<double> sample;
+  for (const ErrorSample& error : errors)
+    if (error.stamp >= from && error.heading_deg) sample.push_back(*error.heading_deg);
+  return errorStatistics(std::move(sample));
+}
+
+MethodScore describe(const MethodTrack& track)
+{
+  MethodScore score;
+  score.name = track.name;
+  score.continuous = track.continuous;
+  score.oracle = track.oracle;
+  score.estimates = static_cast<double>(track.points.size());
+  score.ambiguous = static_cast<double>(track.frames_ambiguous);
+  if (track.frames_offered > 0)
+    score.availability = static_cast<double>(track.frames_answered) / static_cast<double>(track.frames_offered);
+  score.step_ms_median = quantile(track.step_milliseconds, 0.5);
+  score.step_ms_p95 = quantile(track.step_milliseconds, 0.95);
+  return score;
+}
+
+/// Errors of a method over the whole run; none for dead reckoning that cannot be placed in the map.
+std::vector<ErrorSample> errorsOfMethod(const MethodTrack& track, const RunContext& context)
+{
+  if (track.name != kOdometryMethod) return errorsOf(judge(track, context));
+  MethodTrack anchored = track;
+  if (!anchorToTruth(anchored, context.truth)) return {};
+  return errorsOf(judge(anchored, context));
+}
+
+FilterScore describe(const FilterRecord& filter)
+{
+  std::vector<double> counts(filter.particle_counts.begin(), filter.particle_counts.end());
+  FilterScore score;
+  score.particles_min = quantile(counts, 0.0);
+  score.particles_median = quantile(counts, 0.5);
+  score.particles_max = quantile(std::move(counts), 1.0);
+  if (filter.particle_counts.empty()) return score;  // no particle filter ran
+  score.effective_sample_ratio_min = filter.effective_sample_ratio_min;
+  score.lost_steps = static_cast<double>(filter.lost_steps);
+  score.reseeds = static_cast<double>(filter.reseed_times.size());
+  score.modes_at_end = filter.modes_at_end;
+  return score;
+}
+
+std::map<std::string, BiasScore> atTheEnd(const LongSequence<BiasRow>& rows)
+{
+  std::map<std::string, BiasScore> scores;
+  for (const BiasRow& row : rows) scores[row.name] = {row.mean, row.std};
+  return scores;
+}
+
+void addConsistency(FilterScore& score, const MethodTrack& track, const RunContext& context, std::optional<double> from)
+{
+  // Judged where the estimate was made: dead reckoning would add an error that the covariance does not know.
+  std::vector<JudgedEstimate> judged = judgeAtOwnTimes(track, context);
+  score.nees = neesOf(judged);
+  if (!from) return;
+  std::erase_if(judged, [&](const JudgedEstimate& entry) { return entry.stamp < *from; });
+  const Consistency nees = consistency(judged);
+  score.nees_mean = nees.mean;
+  score.nees_band_low = nees.band_low;
+  score.nees_band_high = nees.band_high;
+}
+
+std::map<std::string, LandmarkScore> describe(const std::map<std::string, LandmarkRecord>& landmarks)
+{
+  std::map<std::string, LandmarkScore> scores;
+  for (const auto& [id, landmark] : landmarks)
+  {
+    LandmarkScore& score = scores[id];
+    score = {static_cast<double>(landmark.seen), landmark.associated, {}, {}, {}};
+    if (landmark.seen > 0) score.inlier_rate = landmark.inlier_rate;
+    if (landmark.associated > 0)
+    {
+      score.residual_mean = landmark.residual_mean;
+      score.residual_std = landmark.residual_std;
+    }
+  }
+  return scores;
+}
+
+CostScore describeCost(const RunContext& context, const RunRecord& record)
+{
+  CostScore cost{record.cpu_s, record.wall_s, record.peak_memory_mb, {}};
+  if (record.wall_s > 0) cost.realtime_factor = context.duration_s / record.wall_s;
+  return cost;
+}
+
+/// Fills the errors, the convergence and the success of all methods.
+void judgeMethods(RunScore& score, const RunContext& context, const RunRecord& record, const ConvergenceLimits& limits)
+{
+  const MethodTrack* judged = judgedMethod(record);
+  if (judged) score.judged_method = judged->name;
+  const bool something_to_judge = !scoringStamps(context).empty();
+  std::optional<double> count_from;
+  if (!judged) count_from = context.start_time;
+
+  TrialScore& trial = score.trials.front();
+  for (const MethodTrack& track : record.methods)
+  {
+    MethodScore method = describe(track);
+    method.errors = errorsOfMethod(track, context);
+    if (&track == judged && something_to_judge)
+    {
+      count_from = convergenceStamp(method.errors, limits);
+      // Half a trial proves nothing, even when it went well so far.
+      if (!record.interrupted) trial.success = isSuccess(method.errors, context.start_time, limits);
+      if (count_from) trial.converged_at_s = *count_from - context.start_time;
+    }
+    score.methods.push_back(std::move(method));
+  }
+  for (MethodScore& method : score.methods)
+  {
+    method.position_error_whole_run_m = positionStatistics(method.errors, context.start_time);
+    if (!count_from) continue;
+    method.position_error_m = positionStatistics(method.errors, *count_from);
+    if (const auto interval = rmseInterval(method.errors, *count_from))
+    {
+      method.rmse_low = interval->low;
+      method.rmse_high = interval->high;
+    }
+    method.heading_error_deg = headingStatistics(method.errors, *count_from);
+    if (judged && method.name == judged->name) trial.rmse = method.position_error_m.rmse;
+  }
+  if (judged && count_from) score.comparisons = compareMethods(score, *count_from);
+  if (judged) addConsistency(score.filter, *judged, context, count_from);
+}
+}  // namespace
+
+const MethodTrack* judgedMethod(const RunRecord& record)
+{
+  const MethodTrack* first = nullptr;
+  for (const MethodTrack& track : record.methods)
+  {
+    if (!track.continuous || track.name == kOdometryMethod) continue;
+    if (track.name == kParticleFilter) return &track;
+    if (!first) first = &track;
+  }
+  return first;
+}
+
+RunScore scoreRun(const RunContext& context, const RunRecord& record, const ConvergenceLimits& limits)
+{
+  RunScore score;
+  score.filter = describe(record.filter);
+  score.filter.biases = atTheEnd(record.biases);
+  score.landmarks = describe(record.landmarks);
+  score.cost = describeCost(context, record);
+  score.limits = limits;
+  score.verdict = record.verdict;
+  score.verdict_reason = record.verdict_reason;
+  score.interrupted = record.interrupted;
+  score.trials.push_back({record.trial, record.seed, {}, record.verdict, {}, {}});
+  judgeMethods(score, context, record, limits);
+  score.converged_at_s = score.trials.front().converged_at_s;
+  if (score.trials.front().success) score.success_rate = *score.trials.front().success ? 1.0 : 0.0;
+  return score;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+
+#include "mrpt_ext/geometry/landmark_table.h"
+#include "mrpt_ext/geometry/trajectory.h"
+#include "mrpt_ext/frames/frame_synchronizer.h"
+
+namespace mrpt_ext
+{
+/// Cramer-Rao limit of frames that are solved one by one.
+struct FrameBound
+{
+  std::size_t frames = 0;      ///< that determine a pose
+  double position_rmse = 0;    ///< [m] root of the mean of the frames' C_xx + C_yy
+  double position_median = 0;  ///< [m] median of the roots
+  double heading_rmse_deg = 0;
+};
+
+enum class BoundOf
+{
+  bearings,   ///< identified bearings alone, three landmarks or more
+  everything  ///< identified bearings and ranges
+};
+
+/// The limit at the true poses, with the configured standard deviations. Nothing when no frame with a true pose
+/// determines one. Where the truth knows no heading, zero stands for it: turning the robot changes no position bound,
+/// for sensors in its centre exactly.
+[[nodiscard]] std::optional<FrameBound> boundOfFrames(const FrameFeed& frames, const LandmarkTable& map,
+                                                      const Trajectory& truth, BoundOf what);
+}  // namespace mrpt_ext

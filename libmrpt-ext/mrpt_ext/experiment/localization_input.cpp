@@ -1,0 +1,214 @@
+#include "mrpt_ext/experiment/localization_input.h"
+
+#include <algorithm>
+#include <memory>
+#include <set>
+
+#include "mrpt_ext/evaluation/scoring.h"
+#include "mrpt_ext/files/landmark_csv.h"
+#include "mrpt_ext/files/mrpt_index_truth.h"
+#include "mrpt_ext/files/tum.h"
+#include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/frames/frame_sequence.h"
+#include "mrpt_ext/experiment/method_factory.h"
+#include "mrpt_ext/rawlog/rawlog_source.h"
+#include "mrpt_ext/rawlog/sha256.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+const std::string kExperiment = "LocalizationExperiment";
+const std::string kMapSection = "MetricMap_landmarkMap2D_00_creationOpts";
+constexpr double kSparseGap = 0.5;  // [s] truth that is mostly further apart cannot be interpolated
+
+std::filesystem::path requiredPath(const Settings& settings, const std::string& section, const std::string& key,
+                                   const std::string& option)
+{
+  if (settings.hasValue(section, key)) return settings.path(section, key);
+  throw configurationError(settings.file().string() + ": [" + section + "] " + key + " is not set, set it or give " +
+                           option);
+}
+
+LandmarkTable loadMap(const Settings& settings)
+{
+  const auto path = requiredPath(settings, kMapSection, "landmarks_file", "--map FILE");
+  LandmarkTable map = readLandmarkCsv(path);
+  if (map.empty()) throw configurationError(path.string() + ": holds no landmark, at least one is needed");
+  return map;
+}
+
+/// The records within the window; `source` must outlive them.
+RecordFeed recordsOf(RawlogSource& source, const LogWindow& window)
+{
+  return [&source, window, from = std::optional<double>()]() mutable -> std::optional<Record>
+  {
+    while (auto record = source.next())
+    {
+      const double time = timeOf(*record);
+      if (!from) from = time + window.start;
+      if (window.duration && time > *from + *window.duration) break;
+      if (time >= *from) return record;
+    }
+    return std::nullopt;
+  };
+}
+
+Trajectory indexedTruth(const Settings& settings, const std::filesystem::path& path, const RawlogSource& source)
+{
+  const std::vector<double> origin = settings.numbers(kExperiment, "ground_truth_origin");
+  if (origin.size() != 3)
+    throw settings.errorAt(kExperiment, "ground_truth_origin", "expected three numbers: x y phi_deg");
+  if (source.stepTimes().empty())
+    throw configurationError(path.string() +
+                             ": ground_truth_format = mrpt-index needs a log of actions and sensory "
+                             "frames, this one has observations only");
+  Trajectory truth;
+  for (const auto& [step, pose] : readMrptIndexTruth(path, {origin[0], origin[1], degToRad(origin[2])}))
+    if (step >= 0 && static_cast<std::size_t>(step) < source.stepTimes().size())
+      truth.push_back({source.stepTimes()[static_cast<std::size_t>(step)], pose, true});
+  // Steps without a time of their own share the stamp before them; one pose per stamp is enough.
+  std::stable_sort(truth.begin(), truth.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+  truth.erase(std::unique(truth.begin(), truth.end(), [](const auto& a, const auto& b) { return a.time == b.time; }),
+              truth.end());
+  return truth;
+}
+
+Trajectory loadTruth(const Settings& settings, const RawlogSource& source)
+{
+  if (!settings.hasValue(kExperiment, "ground_truth_path_file")) return {};
+  const auto path = settings.path(kExperiment, "ground_truth_path_file");
+  const bool indexed =
+      settings.choice(kExperiment, "ground_truth_format") == "mrpt-index" && path.extension() != ".tum";
+  if (indexed) return indexedTruth(settings, path, source);
+  return readTum(path);
+}
+
+bool isSparse(const Trajectory& truth)
+{
+  std::size_t long_gaps = 0;
+  for (std::size_t i = 1; i < truth.size(); ++i)
+    if (truth[i].time - truth[i - 1].time > kSparseGap) ++long_gaps;
+  return 2 * long_gaps > truth.size();
+}
+
+/// The files beside the log, with what tells whether they are still the same.
+std::vector<InputFile> inputFiles(const Settings& settings)
+{
+  std::vector<InputFile> files{{"configuration", settings.file().string(), {}},
+                               {"map", settings.path(kMapSection, "landmarks_file").string(), {}}};
+  if (settings.hasValue(kExperiment, "ground_truth_path_file"))
+    files.push_back({"truth", settings.path(kExperiment, "ground_truth_path_file").string(), {}});
+  for (InputFile& file : files) file.sha256 = sha256OfFile(file.path);
+  return files;
+}
+
+/// Compares the labels of the configuration with those of the records.
+void matchSensors(LocalizationInput& input, const std::set<std::string>& logged)
+{
+  input.logged_sensors.assign(logged.begin(), logged.end());
+  for (const auto& [label, config] : input.config.frames.sensors)
+    if (logged.count(label) == 0) input.unmatched_sensors.push_back(label);
+}
+
+/// First pass: what the records tell about the log as a whole.
+void readOverview(LocalizationInput& input, RawlogSource& source)
+{
+  RunContext& context = input.context;
+  std::optional<double> first, last;
+  std::set<std::string> sensors;
+  const auto collect = [&](const auto& record)
+  {
+    if constexpr (requires { record.sensor; }) sensors.insert(record.sensor);
+  };
+  const RecordFeed records = recordsOf(source, input.log.window);
+  const auto watched = [&]
+  {
+    auto record = records();
+    if (!record) return record;
+    last = timeOf(*record);
+    if (!first) first = last;
+    std::visit(collect, *record);
+    return record;
+  };
+  input.log.overview = overviewOf(watched, input.config.frames.odometry);
+  while (source.next()) continue;  // damage and counts are told of the whole log
+  if (first) context.start_time = *first;
+  if (first) context.duration_s = *last - *first;
+  matchSensors(input, sensors);
+  const RawlogStatistics statistics = source.statistics();
+  context.rawlog_sha256 = source.sha256();
+  context.rawlog_entries = statistics.entries;
+  context.observations = statistics.observations;
+  input.unusable = statistics.unusable;
+}
+
+/// Second pass: what can be known from the frames.
+void readFrames(LocalizationInput& input)
+{
+  const RunContext& context = input.context;
+  const double max_gap = context.truth_is_sparse ? 0.0 : kMaxTruthGap;
+  FrameLog& log = input.log;
+  log.kinds.odometry = !log.overview.odometry.empty();
+  FrameCutter frames = framesOf(input);
+  while (const auto frame = frames.next())
+  {
+    static_cast<void>(frames.takeObjectFrames());
+    ++log.frames;
+    log.kinds.add(*frame);
+    if (const auto geometry = frameGeometry(*frame, context.map, context.truth, max_gap))
+      input.context.geometry.push_back(*geometry);
+  }
+  log.detections = frames.detections();
+  for (const auto& [reason, count] : frames.unusable()) input.unusable[reason] += count;
+}
+
+void checkAnythingToScore(const LocalizationInput& input)
+{
+  if (input.log.detections > 0) return;
+  std::string seen;
+  for (const auto& [name, count] : input.context.observations)
+    seen += (seen.empty() ? "" : ", ") + std::to_string(count.total) + " " + name;
+  for (const auto& [reason, count] : input.unusable) seen += "; " + std::to_string(count) + " " + reason;
+  throw dataError(input.context.rawlog_path + ": no observation in it can be scored against the map (it has " +
+                  (seen.empty() ? "none" : seen) + ")");
+}
+}  // namespace
+
+LocalizationInput loadLocalization(const Settings& settings, const LogWindow& window)
+{
+  LocalizationInput input;
+  input.context.map = loadMap(settings);
+  input.config = localizationConfig(settings, input.context.map);
+  input.log.path = requiredPath(settings, kExperiment, "rawlog_file", "RAWLOG");
+  input.log.window = window;
+  input.context.config_path = settings.file().string();
+  input.context.rawlog_path = input.log.path.string();
+  RawlogSource source(input.log.path);
+  readOverview(input, source);
+  input.context.odometry = input.log.overview.odometry.trajectory();
+  input.context.truth = loadTruth(settings, source);
+  input.context.truth_is_sparse = isSparse(input.context.truth);
+  readFrames(input);
+  checkAnythingToScore(input);
+  (void)MethodFactory(input.config, input.context.map, input.log.kinds);  // an unknown name is told before the work
+  input.context.inputs = inputFiles(settings);
+  return input;
+}
+
+FrameCutter framesOf(const LocalizationInput& input)
+{
+  const auto source = std::make_shared<RawlogSource>(input.log.path);
+  const auto records = [source, next = recordsOf(*source, input.log.window)] { return next(); };
+  return {records, input.context.map, input.config.frames, input.log.overview};
+}
+
+FrameFeed feedOf(const LocalizationInput& input)
+{
+  return [cutter = std::make_shared<FrameCutter>(framesOf(input))]
+  {
+    static_cast<void>(cutter->takeObjectFrames());
+    return cutter->next();
+  };
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mrpt_ext/evaluation/run_record.h"
+#include "mrpt_ext/observations/usable_detections.h"
+#include "mrpt_ext/frames/frame_synchronizer.h"
+#include "mrpt_ext/configuration/localization_config.h"
+#include "mrpt_ext/experiment/method_factory.h"
+
+namespace mrpt_ext
+{
+/// Part of a log, counted from its first record [s].
+struct LogWindow
+{
+  double start = 0;
+  std::optional<double> duration;
+};
+
+/// A log of frames, as far as it must be known as a whole. The frames themselves are read anew whenever they are asked
+/// for: that costs little beside the methods, and hours of them need not fit into memory.
+struct FrameLog
+{
+  std::filesystem::path path;
+  LogWindow window;
+  LogOverview overview;
+  MeasurementKinds kinds;
+  std::size_t frames = 0, detections = 0;
+};
+
+/// Everything a run needs, loaded and checked.
+struct LocalizationInput
+{
+  RunContext context;  ///< without version and command line
+  LocalizationConfig config;
+  FrameLog log;
+  UnusableCounts unusable;                     ///< detections that were left out, by reason
+  std::vector<std::string> logged_sensors;     ///< labels of the records
+  std::vector<std::string> unmatched_sensors;  ///< labels of [Sensor_<label>] that no record has, perhaps misspelt
+};
+
+/// Reads map and truth that the settings name, and the whole log once. Throws InputError when a file is missing or
+/// damaged, a key is wrong, or nothing in the log can be scored against the map.
+[[nodiscard]] LocalizationInput loadLocalization(const Settings& settings, const LogWindow& window);
+
+/// Reads the frames of the log from the first one on; `input` must outlive them. For every pass and thread its own.
+[[nodiscard]] FrameCutter framesOf(const LocalizationInput& input);
+/// The same, without the objects.
+[[nodiscard]] FrameFeed feedOf(const LocalizationInput& input);
+}  // namespace mrpt_ext

@@ -1,0 +1,187 @@
+#include "mrpt_ext/experiment/mrpt_filter_localizer.h"
+
+#include <mrpt/bayes/CParticleFilter.h>
+#include <mrpt/maps/CMultiMetricMap.h>
+#include <mrpt/obs/CActionCollection.h>
+#include <mrpt/obs/CActionRobotMovement2D.h>
+#include <mrpt/obs/CSensoryFrame.h>
+#include <mrpt/random/RandomGenerators.h>
+#include <mrpt/slam/CMonteCarloLocalization2D.h>
+
+#include <Eigen/Cholesky>
+
+#include "mrpt_ext/likelihood/running_fix_likelihood.h"
+#include "mrpt_ext/maps/CLandmarkMap2D.h"
+#include "mrpt_ext/observations/observation_conversions.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+class MrptFilterLocalizer : public FilterLocalizer
+{
+ public:
+  MrptFilterLocalizer(const LocalizationConfig& config, const LandmarkTable& map, std::uint64_t seed)
+      : options_(config.filter),
+        map_(map),
+        landmark_map_(std::make_shared<CLandmarkMap2D>(map)),
+        reliability_(map.size(), options_.reliability_prior_strength, options_.max_clutter),
+        monitor_(options_.recovery),
+        trust_(trustOptions(options_.recovery))
+  {
+    mrpt::random::getRandomGenerator().randomize(static_cast<std::uint32_t>(seed));
+    auto& pf = engine_.m_options;
+    pf.PF_algorithm = static_cast<mrpt::bayes::CParticleFilter::TParticleFilterAlgorithm>(config.mrpt_algorithm);
+    pf.adaptiveSampleSize = options_.adaptive_size;
+    pf.BETA = 0;  // see resampleIfNeeded()
+    // MRPT's adaptive size works with multinomial resampling only.
+    pf.resamplingMethod = options_.adaptive_size ? mrpt::bayes::CParticleFilter::prMultinomial : resampling();
+    pdf_.options.KLD_params.KLD_binSize_XY = options_.kld.bin_xy;
+    pdf_.options.KLD_params.KLD_binSize_PHI = options_.kld.bin_phi;
+    pdf_.options.KLD_params.KLD_delta = options_.kld.delta;
+    pdf_.options.KLD_params.KLD_epsilon = options_.kld.epsilon;
+    pdf_.options.KLD_params.KLD_minSampleSize = static_cast<unsigned>(options_.kld.min_size);
+    pdf_.options.KLD_params.KLD_maxSampleSize = static_cast<unsigned>(options_.kld.max_size);
+    auto maps = mrpt::maps::CMultiMetricMap::Create();
+    maps->maps.emplace_back(landmark_map_);
+    pdf_.options.metricMap = maps;
+    placeParticles();
+  }
+
+  Estimate process(const Frame& frame) override
+  {
+    const mrpt::obs::CActionCollection action = motionOf(frame.motion);
+    bool moved = false;
+    for (const Reading& reading : scoredReadings(frame))
+    {
+      landmark_map_->likelihood_options.clutter_probability = reading.model.clutter_probability;
+      landmark_map_->likelihood_options.detection_probability = reading.model.detection_probability.value_or(0);
+      mrpt::obs::CSensoryFrame sensory;
+      if (hasRange(reading))
+        sensory.insert(toStereoRanges(reading));
+      else
+        sensory.insert(toLandmarkBearings(reading));
+      engine_.executeOn(pdf_, moved ? nullptr : &action, &sensory);
+      resampleIfNeeded();
+      moved = true;
+    }
+    if (!moved) engine_.executeOn(pdf_, &action, nullptr);
+    judgeParticles(frame);
+    return estimateFrom(step_, frame.time);
+  }
+
+  [[nodiscard]] const FilterStep& lastStep() const override { return step_; }
+  [[nodiscard]] const ParticleSet& particles() const override { return particles_; }
+  [[nodiscard]] std::vector<LandmarkHistory> landmarkHistories() const override { return reliability_.histories(); }
+
+ private:
+  [[nodiscard]] mrpt::bayes::CParticleFilter::TParticleResamplingAlgorithm resampling() const
+  {
+    using Filter = mrpt::bayes::CParticleFilter;
+    switch (options_.resampling)
+    {
+      case ResamplingMethod::multinomial:
+        return Filter::prMultinomial;
+      case ResamplingMethod::residual:
+        return Filter::prResidual;
+      case ResamplingMethod::stratified:
+        return Filter::prStratified;
+      case ResamplingMethod::systematic:
+        return Filter::prSystematic;
+    }
+    return Filter::prSystematic;
+  }
+
+  /// What executeOn() does for BETA > 0, but with the number of particles named: MRPT 2.5.8 resets as many weights as
+  /// performResampling() was asked for, by default none, so that the evidence of survivors would count twice.
+  void resampleIfNeeded()
+  {
+    if (options_.adaptive_size) return;
+    // The many particles of an uncertain start are thinned once the place is certain, as in the batch engine.
+    const bool too_many = pdf_.particlesCount() > options_.particles && step_.verdict == Verdict::ok;
+    if (!too_many && pdf_.ESS() >= options_.resample_below) return;
+    pdf_.performResampling(engine_.m_options, too_many ? options_.particles : pdf_.particlesCount());
+  }
+
+  void placeParticles()
+  {
+    RandomStream random(static_cast<std::uint64_t>(mrpt::random::getRandomGenerator().drawUniform32bit()));
+    const bool known = options_.initial_mode == InitialMode::gaussian;
+    const Matrix3d factor = options_.initial_pose.covariance.llt().matrixL();
+    const std::size_t count = known ? options_.particles : std::max(options_.particles, options_.initial_particles);
+    pdf_.resetDeterministic({0, 0, 0}, count);
+    for (auto& particle : pdf_.m_particles)
+    {
+      Pose2 pose = options_.region.sample(random);
+      if (known)
+      {
+        const double a = random.gaussian(), b = random.gaussian(), c = random.gaussian();
+        const Vector3d offset = factor * Vector3d(a, b, c);
+        const Pose2& mean = options_.initial_pose.mean;
+        pose = {mean.x + offset.x(), mean.y + offset.y(), wrap(mean.phi + offset.z())};
+      }
+      particle.d = {pose.x, pose.y, pose.phi};
+      particle.log_w = 0;
+    }
+  }
+
+  /// The increment with the same Gaussian noise as our motion model, in MRPT's words.
+  [[nodiscard]] mrpt::obs::CActionCollection motionOf(const OdometryMotion& motion) const
+  {
+    const Vector3d std = incrementStd(options_.motion, motion);
+    mrpt::obs::CActionRobotMovement2D::TMotionModelOptions noise;
+    noise.modelSelection = mrpt::obs::CActionRobotMovement2D::mmGaussian;
+    auto& model = noise.gaussianModel;
+    model.a1 = model.a2 = model.a3 = model.a4 = 0;
+    model.minStdXY = static_cast<float>(std.x());
+    model.minStdPHI = static_cast<float>(std.z());
+    mrpt::obs::CActionRobotMovement2D movement;
+    const bool measured = options_.motion.type != MotionType::random_walk;
+    const Pose2 step = measured ? motion.increment : Pose2{};
+    movement.computeFromOdometry({step.x, step.y, step.phi}, noise);
+    mrpt::obs::CActionCollection action;
+    action.insert(movement);
+    return action;
+  }
+
+  void judgeParticles(const Frame& frame)
+  {
+    particles_.clear();
+    for (const auto& particle : pdf_.m_particles)
+      particles_.add({particle.d.x, particle.d.y, wrap(particle.d.phi)}, particle.log_w);
+    step_ = {.effective_ratio = normalizeWeights(particles_).effective_ratio};
+    step_.particles = particles_.size();
+    step_.modes = findModes(particles_, options_.modes);
+    for (const Reading& reading : scoredReadings(frame))
+    {
+      const double explained = reliability_.observe(reading, map_, particles_, true);
+      for (RecoveryMonitor* monitor : {&monitor_, &trust_})
+        monitor->observe(explained, 1 - reading.model.clutter_probability, reading.detections.size());
+    }
+    step_.explained_share = monitor_.average();
+    const double effective = step_.effective_ratio * static_cast<double>(particles_.size());
+    const double share = monitor_.suspicious() ? monitor_.average() : trust_.average();
+    const VerdictWithReason verdict = judge(step_.modes, {share, monitor_.lost(), effective}, options_.verdict);
+    step_.verdict = verdict.verdict;
+    step_.reason = verdict.reason;
+  }
+
+  ParticleFilterOptions options_;
+  LandmarkTable map_;
+  std::shared_ptr<CLandmarkMap2D> landmark_map_;
+  mrpt::slam::CMonteCarloLocalization2D pdf_{1};
+  mrpt::bayes::CParticleFilter engine_;
+  LandmarkReliability reliability_;
+  RecoveryMonitor monitor_, trust_;
+  ParticleSet particles_;
+  FilterStep step_;
+};
+}  // namespace
+
+std::unique_ptr<FilterLocalizer> makeMrptFilterLocalizer(const LocalizationConfig& config, const LandmarkTable& map,
+                                                         std::uint64_t seed, int trial)
+{
+  const std::uint64_t own_seed = RandomStream(seed, static_cast<std::uint64_t>(trial)).nextBits();
+  return std::make_unique<MrptFilterLocalizer>(config, map, own_seed);
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,153 @@
+#include "mrpt_ext/experiment/tracking_bound.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "mrpt_ext/evaluation/posterior_bound.h"
+#include "mrpt_ext/evaluation/scoring.h"
+#include "mrpt_ext/filter/kalman/measurement_linearization.h"
+#include "mrpt_ext/likelihood/running_fix_likelihood.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kFalseBeyond = 5;  // standard deviations
+
+bool isFalse(const DetectionRows& rows)
+{
+  return std::any_of(rows.rows.begin(), rows.rows.begin() + rows.count,
+                     [](const KalmanRow& row) { return square(row.residual) > square(kFalseBeyond) * row.variance; });
+}
+
+void addInformation(Matrix3d& information, const KalmanRow& row)
+{
+  information += row.jacobian.transpose() * row.jacobian / row.variance;
+}
+
+Matrix3d informationOf(const Frame& frame, const LandmarkTable& map, const Pose2& truth)
+{
+  const KalmanState state = startingState({truth, Matrix3d::Zero()}, {});
+  Matrix3d information = Matrix3d::Zero();
+  for (const Reading& reading : scoredReadings(frame))
+    for (const Detection& detection : reading.detections)
+    {
+      const auto landmark = map.indexOf(detection.id);
+      if (!landmark) continue;
+      const DetectionRows rows = linearise(detection, reading, map[*landmark], state.mean, {});
+      if (isFalse(rows)) continue;
+      for (int r = 0; r < rows.count; ++r) addInformation(information, rows.rows[static_cast<std::size_t>(r)]);
+    }
+  if (frame.compass)
+    addInformation(information, lineariseHeading(frame.compass->heading, frame.compass->std_heading, state.mean));
+  return information;
+}
+
+Matrix3d priorCovariance(const ParticleFilterOptions& filter)
+{
+  if (filter.initial_mode == InitialMode::gaussian) return filter.initial_pose.covariance;
+  const Vector2d extent = filter.region.extent();
+  return Vector3d(square(extent.x()), square(extent.y()), square(filter.region.turn())).asDiagonal() * (1.0 / 12);
+}
+
+bool hasNamelessDetection(const Frame& frame)
+{
+  const auto isNameless = [](const Detection& d) { return d.id == kNoId; };
+  return std::any_of(frame.readings.begin(), frame.readings.end(),
+                     [&](const Reading& reading)
+                     { return std::any_of(reading.detections.begin(), reading.detections.end(), isNameless); });
+}
+
+/// Follows the bound from moment to moment along the true poses.
+class BoundAlongTruth
+{
+ public:
+  BoundAlongTruth(const RunContext& context, const ParticleFilterOptions& filter, const OdometryPath& odometry)
+      : context_(context), filter_(filter), odometry_(odometry)
+  {
+  }
+
+  /// At the time of a frame, or at a scoring stamp (no frame); nothing when there is no true pose with heading then.
+  std::optional<Matrix3d> advance(double time, const Frame* frame)
+  {
+    const auto truth = interpolate(context_.truth, time, kMaxTruthGap);
+    if (!truth || !truth->heading_known) return std::nullopt;
+    BoundStep step;
+    if (!bound_)
+      bound_.emplace(truth->pose, priorCovariance(filter_));
+    else
+    {
+      OdometryMotion motion = odometry_.between(time_before_, time);
+      motion.increment = between(before_, truth->pose);
+      step.increment = motion.increment;
+      step.odometry_covariance = incrementCovariance(filter_.motion, motion);
+    }
+    if (frame) step.measurement_information = informationOf(*frame, context_.map, truth->pose);
+    before_ = truth->pose;
+    time_before_ = time;
+    return bound_->advance(step);
+  }
+
+ private:
+  const RunContext& context_;
+  const ParticleFilterOptions& filter_;
+  const OdometryPath& odometry_;
+  std::optional<BoundRecursion> bound_;
+  Pose2 before_;
+  double time_before_ = 0;
+};
+
+/// The bound at the stamps that lie between the frames; at one time the frame comes first. False where the truth ends.
+bool addStamps(TrackingBound& result, BoundAlongTruth& bound, std::vector<double>::const_iterator& stamp,
+               const std::vector<double>::const_iterator& end, double before)
+{
+  for (; stamp != end && *stamp < before; ++stamp)
+  {
+    const auto P = bound.advance(*stamp, nullptr);
+    if (!P) return false;
+    result.stamps.push_back({*stamp, (*P)(0, 0) + (*P)(1, 1), (*P)(2, 2)});
+  }
+  return true;
+}
+}  // namespace
+
+TrackingBound trackingBound(const RunContext& context, const ParticleFilterOptions& filter,
+                            const OdometryPath& odometry, const FrameFeed& frames)
+{
+  std::optional<Frame> frame = frames();
+  if (!frame || context.truth.empty()) return {{}, "there is no truth"};
+  if (context.truth_is_sparse) return {{}, "the truth is sparse"};
+  TrackingBound result;
+  BoundAlongTruth bound(context, filter, odometry);
+  const std::vector<double> stamps = scoringStamps(context);
+  auto stamp = std::lower_bound(stamps.begin(), stamps.end(), frame->time);
+  bool known = true;
+  for (; frame; frame = frames())
+  {
+    if (hasNamelessDetection(*frame)) return {{}, "detections have no names, the true ones are not known"};
+    known = known && addStamps(result, bound, stamp, stamps.end(), frame->time) &&
+            bound.advance(frame->time, &*frame).has_value();
+  }
+  known = known && addStamps(result, bound, stamp, stamps.end(), std::numeric_limits<double>::infinity());
+  if (!known) return {{}, "the truth has no pose or no heading for some frames"};
+  return result;
+}
+
+LimitScore limitFrom(const TrackingBound& bound, double from)
+{
+  LimitScore limit{.why_none = bound.why_none};
+  double position = 0, heading = 0, count = 0;
+  for (const TrackingBound::Stamp& stamp : bound.stamps)
+  {
+    if (stamp.time < from) continue;
+    position += stamp.position_variance;
+    heading += stamp.heading_variance;
+    ++count;
+  }
+  if (count == 0) return limit;
+  limit.position_rmse_m = std::sqrt(position / count);
+  limit.heading_rmse_deg = radToDeg(std::sqrt(heading / count));
+  return limit;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,127 @@
+#include "mrpt_ext/filter/integrity/landmark_reliability.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <span>
+
+#include "mrpt_ext/filter/particles/particle_blocks.h"
+#include "mrpt_ext/filter/particles/weight_kernels.h"
+#include "mrpt_ext/likelihood/landmark_prediction.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr std::size_t kSamples = 64;  // draws from the posterior: enough for a probability to a few per cent
+
+/// Weights of the particles of one block, and their sum.
+struct BlockWeights
+{
+  BlockWeights(const ParticleSet& particles, std::size_t first, std::size_t count)
+      : sum(exponentials(std::span(particles.log_weight).subspan(first, count), 0, std::span(weight).first(count)))
+  {
+  }
+  std::array<float, kParticleBlock> weight;
+  double sum;
+};
+
+/// Evenly spaced draws from the posterior; deterministic, so that learning costs no random numbers.
+std::vector<std::size_t> spacedDraws(const ParticleSet& particles, unsigned threads)
+{
+  std::vector<double> before(blockCount(particles.size()) + 1, 0.0);  // sums of all blocks before each one
+  forEachBlock(particles.size(), threads,
+               [&](std::size_t first, std::size_t count)
+               { before[first / kParticleBlock + 1] = BlockWeights(particles, first, count).sum; });
+  std::partial_sum(before.begin(), before.end(), before.begin());
+  const auto wanted = [&](std::size_t draw) { return (static_cast<double>(draw) + 0.5) / kSamples * before.back(); };
+  std::vector<std::size_t> draws(kSamples, 0);
+  forEachBlock(particles.size(), threads,
+               [&](std::size_t first, std::size_t count)
+               {
+                 const double start = before[first / kParticleBlock], end = before[first / kParticleBlock + 1];
+                 std::size_t draw = 0;
+                 while (draw < kSamples && wanted(draw) < start) ++draw;
+                 if (draw == kSamples || wanted(draw) >= end) return;
+                 const BlockWeights weights(particles, first, count);
+                 double reached = start;
+                 for (std::size_t i = 0; i < count && draw < kSamples && wanted(draw) < end; ++i)
+                 {
+                   reached += double{weights.weight[i]};
+                   // What rounding leaves over belongs to the last one.
+                   for (; draw < kSamples && wanted(draw) < (i + 1 < count ? reached : end); ++draw)
+                     draws[draw] = first + i;
+                 }
+               });
+  if (particles.empty()) draws.clear();
+  return draws;
+}
+
+void addResidual(LandmarkHistory& history, double residual, double variance, double weight)
+{
+  const double normalised = residual / std::sqrt(variance);
+  history.residual_weight += weight;
+  history.residual_sum += weight * normalised;
+  history.residual_sum2 += weight * normalised * normalised;
+}
+
+void addResiduals(LandmarkHistory& history, const Detection& detection, const LandmarkPrediction& prediction,
+                  double weight)
+{
+  if (detection.bearing)
+    addResidual(history, wrap(*detection.bearing - prediction.bearing),
+                square(detection.std_bearing) + prediction.bearing_variance, weight);
+  if (detection.range)
+    addResidual(history, *detection.range - prediction.range, square(detection.std_range) + prediction.range_variance,
+                weight);
+}
+}  // namespace
+
+LandmarkClutter LandmarkReliability::clutter(double sensor_clutter) const
+{
+  LandmarkClutter result(histories_.size());
+  for (std::size_t j = 0; j < histories_.size(); ++j)
+  {
+    const LandmarkHistory& history = histories_[j];
+    const double share = (prior_strength_ * sensor_clutter + history.false_named) / (prior_strength_ + history.named);
+    result[j] = std::min(share, std::max(max_clutter_, sensor_clutter));
+  }
+  return result;
+}
+
+double LandmarkReliability::observe(const Reading& reading, const LandmarkTable& map, const ParticleSet& particles,
+                                    bool learn, unsigned threads)
+{
+  const std::vector<std::size_t> draws = spacedDraws(particles, threads);
+  if (draws.empty() || reading.detections.empty()) return 0;
+  const LandmarkClutter current = clutter(reading.model.clutter_probability);
+  const double share = 1.0 / static_cast<double>(draws.size());
+  const PoseBatch poses = particles.poses();
+  double explained = 0;
+  for (const std::size_t draw : draws)
+  {
+    const Pose2 robot = particles.pose(draw);
+    const SensorBias bias = sensorBias(poses, draw, reading.sensor);
+    const auto probabilities = associationProbabilities(reading, map, current, robot, bias);
+    for (std::size_t d = 0; d < probabilities.size(); ++d)
+      for (std::size_t j = 0; j < map.size(); ++j)
+      {
+        const double p = probabilities[d][j];
+        const Detection& detection = reading.detections[d];
+        const bool named = detection.id != kNoId && detection.id == map[j].id;
+        explained += share * p;
+        if (!learn) continue;
+        histories_[j].seen += share * (named ? 1.0 : p);
+        histories_[j].associated += share * p;
+        histories_[j].named += named ? share : 0.0;
+        histories_[j].false_named += named ? share * (1 - p) : 0.0;
+        if (!(p > 0.01)) continue;
+        LandmarkPrediction prediction = predict(map[j], reading, robot);
+        applyBias(prediction, bias);
+        addResiduals(histories_[j], detection, prediction, share * p);
+      }
+  }
+  return explained / static_cast<double>(reading.detections.size());
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,51 @@
+#include "mrpt_ext/filter/kalman/kalman_innovation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kMinVariance = 1e-18;
+
+double varianceOf(const KalmanRow& row, const KalmanMatrix& covariance)
+{
+  return std::max(row.jacobian.dot(covariance * row.jacobian.transpose()) + row.variance, kMinVariance);
+}
+
+Innovation single(double residual, double variance)
+{
+  const double nis = residual * residual / variance;
+  return {-0.5 * (nis + std::log(kTwoPi * variance)), nis};
+}
+}  // namespace
+
+Innovation innovationOf(std::span<const KalmanRow> rows, const KalmanMatrix& covariance)
+{
+  const double first = varianceOf(rows[0], covariance);
+  if (rows.size() == 1) return single(rows[0].residual, first);
+  // The second given the first: N(a) N(b | a).
+  const double cross = rows[0].jacobian.dot(covariance * rows[1].jacobian.transpose());
+  const double second = varianceOf(rows[1], covariance) - cross * cross / first;
+  const Innovation a = single(rows[0].residual, first);
+  const Innovation b = single(rows[1].residual - cross / first * rows[0].residual, std::max(second, rows[1].variance));
+  return {a.log_density + b.log_density, a.nis + b.nis};
+}
+
+void applyRows(std::span<const KalmanRow> rows, KalmanState& state)
+{
+  KalmanVector step = KalmanVector::Zero(state.mean.size());
+  for (const KalmanRow& row : rows)
+  {
+    const KalmanVector PH = state.covariance * row.jacobian.transpose();
+    const KalmanVector K = PH / varianceOf(row, state.covariance);
+    step += K * (row.residual - row.jacobian.dot(step));
+    KalmanMatrix A = KalmanMatrix::Identity(step.size(), step.size());
+    A.noalias() -= K * row.jacobian;
+    const KalmanMatrix joseph = A * state.covariance * A.transpose() + row.variance * K * K.transpose();
+    state.covariance = 0.5 * (joseph + joseph.transpose());
+  }
+  state.mean = moved(state.mean, step);
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,86 @@
+#include "mrpt_ext/filter/kalman/kalman_state.h"
+
+#include <algorithm>
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kMinStd = 1e-6;
+constexpr int kPose = 3;
+
+Matrix3d withFloor(Matrix3d covariance)
+{
+  covariance = (0.5 * (covariance + covariance.transpose())).eval();
+  covariance.diagonal().array() += square(kMinStd);
+  return covariance;
+}
+
+/// Sum of the states of this kind.
+double total(const KalmanVector& mean, const BiasModel& biases, BiasKind kind)
+{
+  double sum = 0;
+  for (std::size_t k = 0; k < biases.size(); ++k)
+    if (biases[k].kind == kind) sum += mean[kPose + static_cast<int>(k)];
+  return sum;
+}
+}  // namespace
+
+KalmanState startingState(const GaussianPose& pose, const BiasModel& biases)
+{
+  const int size = kPose + static_cast<int>(biases.size());
+  KalmanState state{KalmanVector::Zero(size), KalmanMatrix::Zero(size, size)};
+  state.mean.head<3>() = pose.mean.vector();
+  state.covariance.topLeftCorner<3, 3>() = withFloor(pose.covariance);
+  for (int k = kPose; k < size; ++k)
+  {
+    const BiasState& bias = biases[static_cast<std::size_t>(k - kPose)];
+    state.mean[k] = bias.mean;
+    state.covariance(k, k) = square(std::max(bias.std, kMinStd));
+  }
+  return state;
+}
+
+KalmanVector moved(const KalmanVector& mean, const KalmanVector& step)
+{
+  KalmanVector result = mean + step;
+  result[2] = wrap(result[2]);
+  return result;
+}
+
+KalmanState predict(const KalmanState& state, const BiasModel& biases, const MotionModel& model,
+                    const OdometryMotion& motion)
+{
+  const Pose2 told = believedMotion(model, motion).increment;
+  const double way_scale = total(state.mean, biases, BiasKind::way_scale);
+  const double turn_scale = total(state.mean, biases, BiasKind::turn_scale);
+  const Vector2d direction = rotation(0.5 * turn_scale * told.phi) * told.position();
+  const Vector2d chord = (1 + way_scale) * direction;
+  const Pose2 increment{chord.x(), chord.y(), (1 + turn_scale) * told.phi};
+
+  const auto size = static_cast<int>(state.mean.size());
+  const Pose2 before = state.pose();
+  const Matrix3d G = composeJacobianSecond(before);
+  KalmanMatrix F = KalmanMatrix::Identity(size, size);
+  F.topLeftCorner<3, 3>() = composeJacobianFirst(before, increment);
+  for (std::size_t k = 0; k < biases.size(); ++k)
+  {
+    const Vector3d by_way(direction.x(), direction.y(), 0);
+    const Vector3d by_turn(-0.5 * told.phi * chord.y(), 0.5 * told.phi * chord.x(), told.phi);
+    if (biases[k].kind == BiasKind::way_scale) F.block<3, 1>(0, kPose + static_cast<int>(k)) = G * by_way;
+    if (biases[k].kind == BiasKind::turn_scale) F.block<3, 1>(0, kPose + static_cast<int>(k)) = G * by_turn;
+  }
+
+  KalmanState next = state;
+  next.mean.head<3>() = compose(before, increment).vector();
+  next.covariance = F * state.covariance * F.transpose();
+  next.covariance.topLeftCorner<3, 3>() += G * incrementCovariance(model, motion) * G.transpose();
+  for (std::size_t k = 0; k < biases.size(); ++k)
+  {
+    const int i = kPose + static_cast<int>(k);
+    next.covariance(i, i) += square(biases[k].std_per_sqrt_s) * std::max(0.0, motion.duration);
+  }
+  next.covariance = (0.5 * (next.covariance + next.covariance.transpose())).eval();
+  return next;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,95 @@
+#include "mrpt_ext/filter/kalman/kalman_update.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mrpt_ext/filter/kalman/kalman_association.h"
+#include "mrpt_ext/filter/kalman/kalman_innovation.h"
+#include "mrpt_ext/likelihood/detection_density.h"
+#include "mrpt_ext/likelihood/missed_detections.h"
+#include "mrpt_ext/likelihood/running_fix_likelihood.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kCompassClutter = 0.05;  // iron nearby, as for particles
+
+/// The frame's detections in the order in which they are taken in.
+std::vector<DetectionUse> ordered(const std::vector<Reading>& readings, const LandmarkTable& map,
+                                  const KalmanState& prior, const BiasModel& biases, double default_max_range)
+{
+  std::vector<DetectionUse> order;
+  bool nameless = false;
+  for (std::size_t r = 0; r < readings.size(); ++r)
+    for (std::size_t d = 0; d < readings[r].detections.size(); ++d)
+    {
+      nameless = nameless || readings[r].detections[d].id == kNoId;
+      order.push_back({.reading = r, .detection = d});
+    }
+  if (!nameless) return order;
+  std::vector<std::pair<double, DetectionUse>> sureness;
+  for (const DetectionUse& use : order)
+  {
+    const Reading& reading = readings[use.reading];
+    const Detection& detection = reading.detections[use.detection];
+    sureness.emplace_back(associate(detection, reading, map, prior, biases, default_max_range).best, use);
+  }
+  std::stable_sort(sureness.begin(), sureness.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = sureness[i].second;
+  return order;
+}
+
+void useCompass(const CompassRecord& compass, KalmanUpdate& update)
+{
+  const KalmanRow row = lineariseHeading(compass.heading, compass.std_heading, update.state.mean);
+  const Innovation innovation = innovationOf({&row, 1}, update.state.covariance);
+  const double agrees = (1 - kCompassClutter) * std::exp(innovation.log_density), lies = kCompassClutter / kTwoPi;
+  update.log_evidence += std::log(agrees + lies);
+  if (!(agrees > lies)) return;
+  applyRows({&row, 1}, update.state);
+  update.nis += innovation.nis;
+  ++update.degrees_of_freedom;
+  update.compass_used = true;
+}
+
+double logMissed(const std::vector<Reading>& readings, const LandmarkTable& map, const Pose2& pose)
+{
+  double sum = 0;
+  for (const Reading& reading : readings)
+  {
+    if (!scoresMissedDetections(reading)) continue;
+    std::vector<LandmarkPrediction> predictions;
+    for (const Landmark& landmark : map.all()) predictions.push_back(predict(landmark, reading, pose));
+    sum += logMissedDetections(reading, map, predictions);
+  }
+  return sum;
+}
+
+}  // namespace
+
+KalmanUpdate updateExtended(const KalmanState& prior, const Frame& frame, const LandmarkTable& map,
+                            const BiasModel& biases)
+{
+  const std::vector<Reading> readings = scoredReadings(frame);
+  const double default_max_range = defaultMaxRange(map);
+  KalmanUpdate update{.state = prior};
+  update.log_evidence = logMissed(readings, map, prior.pose());
+  if (frame.compass) useCompass(*frame.compass, update);
+  update.detections = ordered(readings, map, update.state, biases, default_max_range);
+  for (DetectionUse& use : update.detections)
+  {
+    const Reading& reading = readings[use.reading];
+    const Detection& detection = reading.detections[use.detection];
+    const Association found = associate(detection, reading, map, update.state, biases, default_max_range);
+    update.log_evidence += std::log(found.evidence);
+    use.explained = found.explained;
+    if (!(found.best > 0.5)) continue;
+    use.landmark = found.landmark;
+    update.nis += found.nis;
+    update.degrees_of_freedom += found.rows.count;
+    applyRows(rowsOf(found.rows), update.state);
+  }
+  return update;
+}
+}  // namespace mrpt_ext

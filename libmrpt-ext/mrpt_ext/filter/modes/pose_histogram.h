@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mrpt_ext/filter/modes/cell_kernel.h"
+#include "mrpt_ext/filter/particles/particle_set.h"
+
+namespace mrpt_ext
+{
+/// Sums over the particles of one cell: weight, and first and second moments about the cell's middle, order (x, y, phi)
+/// [m, m, rad].
+struct CellMoments
+{
+  double weight = 0;
+  Vector3d first = Vector3d::Zero();
+  Matrix3d second = Matrix3d::Zero();
+};
+
+/// The cells of a grid over (x, y, phi) that particles occupy, in order of first appearance; headings close at +-pi.
+/// Blocks of particles are gathered each by itself and joined in order, so that nothing depends on the threads.
+class PoseCells
+{
+ public:
+  struct Cell
+  {
+    std::int32_t x, y, phi;
+    [[nodiscard]] bool operator==(const Cell& other) const { return x == other.x && y == other.y && phi == other.phi; }
+  };
+
+  /// Cells of `cell_xy` [m] and about `cell_phi` [rad]; normalised particles. `memory` holds the labels then.
+  PoseCells(const ParticleSet& particles, double cell_xy, double cell_phi, unsigned threads,
+            std::vector<int> memory = {});
+
+  [[nodiscard]] std::size_t size() const { return cells_.size(); }
+  [[nodiscard]] double weight(std::size_t cell) const { return sums_[cell].first[0]; }
+  [[nodiscard]] CellMoments moments(std::size_t cell) const;
+  [[nodiscard]] Pose2 middle(std::size_t cell) const;
+  /// The label of every particle's cell. The cells forget their particles then.
+  [[nodiscard]] std::vector<int> labelParticles(const std::vector<int>& label_of_cell, unsigned threads) &&;
+
+  /// Calls `visit(cell)` for the occupied ones of the 26 cells around.
+  template <typename Visit>
+  void forNeighbours(std::size_t cell, Visit&& visit) const
+  {
+    const Cell& c = cells_[cell];
+    for (std::int32_t dx = -1; dx <= 1; ++dx)
+      for (std::int32_t dy = -1; dy <= 1; ++dy)
+        for (std::int32_t dphi = -1; dphi <= 1; ++dphi)
+        {
+          const std::uint32_t found = find({c.x + dx, c.y + dy, (c.phi + dphi + turns_) % turns_});
+          if (found != kNone && found != cell) visit(std::size_t{found});
+        }
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = 0xffffffff;
+
+  /// Open addressing: cells by hash, in a table of a power of two.
+  struct Index
+  {
+    std::vector<std::uint32_t> slots = std::vector<std::uint32_t>(64, kNone);
+    [[nodiscard]] std::size_t slotOf(const Cell& cell, const std::vector<Cell>& cells) const;
+    std::uint32_t insert(const Cell& cell, std::vector<Cell>& cells);
+  };
+  struct Gathered
+  {
+    Index index;
+    std::vector<Cell> cells;
+    std::vector<CellSums> sums;
+  };
+
+  class NearCells;
+
+  void gather(const ParticleSet& particles, std::size_t first, std::size_t count, Gathered& block);
+  [[nodiscard]] std::uint32_t find(const Cell& cell) const;
+
+  Vector2d origin_;
+  double cell_xy_, cell_phi_;
+  std::int32_t turns_;
+  Index index_;
+  std::vector<Cell> cells_;
+  std::vector<CellSums> sums_;
+  std::vector<std::vector<std::uint32_t>> joined_;  // of each block: the numbers of its cells among all
+  std::vector<int> cell_of_;                        // among those of the particle's block
+};
+}  // namespace mrpt_ext

@@ -1,0 +1,122 @@
+#include "mrpt_ext/filter/motion/motion_kernel.h"
+
+#include <algorithm>
+
+#include "mrpt_ext/geometry/vector_clones.h"
+#include "mrpt_ext/likelihood/vector_math.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr std::size_t kChunk = 512;  // particles moved at a time: their noise stays in the first-level cache
+using Chunk = float[kChunk];
+
+/// Poses of one chunk.
+struct Poses
+{
+  float *x, *y, *phi;
+  std::size_t count;
+};
+
+/// What each particle believes the increment to be, before noise.
+struct Believed
+{
+  alignas(64) Chunk x, y, turn;
+};
+
+struct Noise
+{
+  alignas(64) Chunk a, b, c;
+};
+
+[[gnu::always_inline]] inline void moveOne(const Poses& poses, std::size_t i, const MotionStep& step, float x, float y,
+                                           float turn, const Noise& noise)
+{
+  constexpr float kInvTwoPi = 0.159154943F, kTwoPiHigh = 6.28125F, kTwoPiLow = 1.93530718e-3F;
+  const float t = step.std_turn * noise.c[i];
+  const float dx = x + step.xa * noise.a[i] + step.swing_x * t;
+  const float dy = y + step.ya * noise.a[i] + step.yb * noise.b[i] + step.swing_y * t;
+  const float phi = poses.phi[i];
+  const auto [s, c] = vector_math::sineCosineOf(phi);
+  poses.x[i] += c * dx - s * dy;
+  poses.y[i] += s * dx + c * dy;
+  const float turned = phi + (turn + t), turns = vector_math::nearestWhole(turned * kInvTwoPi);
+  poses.phi[i] = (turned - turns * kTwoPiHigh) - turns * kTwoPiLow;
+}
+
+MRPT_EXT_VECTOR_CLONES
+void moveTogether(const Poses& at, const MotionStep& motion, const Noise& noise)
+{
+  const Poses poses = at;
+  const MotionStep step = motion;
+  MRPT_EXT_INDEPENDENT_ITERATIONS
+  for (std::size_t i = 0; i < poses.count; ++i) moveOne(poses, i, step, step.x, step.y, step.turn, noise);
+}
+
+MRPT_EXT_VECTOR_CLONES
+void moveEach(const Poses& at, const MotionStep& motion, const Believed& believed, const Noise& noise)
+{
+  const Poses poses = at;
+  const MotionStep step = motion;
+  MRPT_EXT_INDEPENDENT_ITERATIONS
+  for (std::size_t i = 0; i < poses.count; ++i)
+    moveOne(poses, i, step, believed.x[i], believed.y[i], believed.turn[i], noise);
+}
+
+/// `way` and `turn` hold one plus the scale errors.
+MRPT_EXT_VECTOR_CLONES
+void believe(const MotionStep& motion, const Chunk& way, const Chunk& turn, Believed& believed)
+{
+  const MotionStep step = motion;
+  MRPT_EXT_INDEPENDENT_ITERATIONS
+  for (std::size_t i = 0; i < kChunk; ++i)
+  {
+    const auto [s, c] = vector_math::sineCosineOf(0.5F * (turn[i] - 1.0F) * step.turn);
+    believed.x[i] = way[i] * (c * step.x - s * step.y);
+    believed.y[i] = way[i] * (s * step.x + c * step.y);
+    believed.turn[i] = turn[i] * step.turn;
+  }
+}
+
+bool hasScales(const ParticleSet& particles)
+{
+  return std::any_of(particles.bias_states.begin(), particles.bias_states.end(),
+                     [](const BiasState& state) { return belongsToOdometry(state.kind); });
+}
+
+void moveByScales(const ParticleSet& particles, const Poses& poses, const MotionStep& step, std::size_t first,
+                  const Noise& noise)
+{
+  alignas(64) Chunk way, turn;
+  std::fill_n(way, kChunk, 1.0F);
+  std::fill_n(turn, kChunk, 1.0F);
+  for (std::size_t k = 0; k < particles.bias_states.size(); ++k)
+  {
+    const BiasKind kind = particles.bias_states[k].kind;
+    if (!belongsToOdometry(kind)) continue;
+    Chunk& scale = kind == BiasKind::way_scale ? way : turn;
+    for (std::size_t i = 0; i < poses.count; ++i) scale[i] += particles.bias[k][first + i];
+  }
+  Believed believed;
+  believe(step, way, turn, believed);
+  moveEach(poses, step, believed, noise);
+}
+}  // namespace
+
+void moveBlock(ParticleSet& particles, const MotionStep& step, std::size_t first, std::size_t count,
+               RandomLanes& random)
+{
+  const bool scaled = hasScales(particles);
+  Noise noise;
+  for (const std::size_t end = first + count; first < end; first += kChunk)
+  {
+    for (Chunk* column : {&noise.a, &noise.b, &noise.c}) random.fillGaussians(*column);
+    const Poses poses{&particles.x[first], &particles.y[first], &particles.phi[first], std::min(kChunk, end - first)};
+    if (scaled)
+      moveByScales(particles, poses, step, first, noise);
+    else
+      moveTogether(poses, step, noise);
+  }
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,85 @@
+#include "mrpt_ext/filter/motion/motion_model.h"
+
+#include <algorithm>
+
+#include "mrpt_ext/filter/motion/motion_kernel.h"
+#include "mrpt_ext/filter/particles/particle_blocks.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+/// Where a small heading error moves the end of the way: the chord, turned by 90 degrees.
+Vector2d swingDirection(const MotionModel& model, const OdometryMotion& motion)
+{
+  if (model.type == MotionType::random_walk) return Vector2d::Zero();
+  return {-motion.increment.y, motion.increment.x};
+}
+
+/// Lower factor L of a positive semidefinite matrix L L^T.
+Matrix2d lowerFactor(const Matrix2d& matrix)
+{
+  Matrix2d factor = Matrix2d::Zero();
+  factor(0, 0) = std::sqrt(matrix(0, 0));
+  if (factor(0, 0) > 0) factor(1, 0) = matrix(1, 0) / factor(0, 0);
+  factor(1, 1) = std::sqrt(std::max(0.0, matrix(1, 1) - square(factor(1, 0))));
+  return factor;
+}
+}  // namespace
+
+OdometryMotion believedMotion(const MotionModel& model, const OdometryMotion& motion)
+{
+  OdometryMotion believed = motion;
+  if (model.type == MotionType::random_walk) believed.increment = {};
+  return believed;
+}
+
+Vector3d incrementStd(const MotionModel& model, const OdometryMotion& motion)
+{
+  const double time_xy = square(model.std_xy_per_s) * motion.duration;
+  const double way_xy = square(model.std_xy_per_m) * motion.path_length;
+  const double phi = square(model.std_phi_per_deg) * motion.turned * degToRad(1.0) +
+                     square(model.std_phi_per_m) * motion.path_length + square(model.std_phi_per_s) * motion.duration;
+  const double across = model.type == MotionType::velocity ? time_xy : time_xy + way_xy;
+  return {std::sqrt(time_xy + way_xy), std::sqrt(across), std::sqrt(phi)};
+}
+
+Matrix3d incrementCovariance(const MotionModel& model, const OdometryMotion& motion)
+{
+  const Vector3d std = incrementStd(model, motion);
+  const Vector2d swing = swingDirection(model, motion);
+  Matrix3d covariance = std.cwiseAbs2().asDiagonal();
+  covariance.topLeftCorner<2, 2>() += square(std.z()) / 3 * swing * swing.transpose();
+  covariance.topRightCorner<2, 1>() = square(std.z()) / 2 * swing;
+  covariance.bottomLeftCorner<1, 2>() = covariance.topRightCorner<2, 1>().transpose();
+  return covariance;
+}
+
+void moveParticles(ParticleSet& particles, const MotionModel& model, const OdometryMotion& motion, RandomStream& random,
+                   unsigned threads)
+{
+  const Vector3d std = incrementStd(model, motion);
+  const Vector2d swing = swingDirection(model, motion);
+  // Half of the final heading error swings the chord; what remains of the swing, std^2 (1/3 - 1/4), is independent.
+  Matrix2d independent = std.head<2>().cwiseAbs2().asDiagonal();
+  independent += square(std.z()) / 12 * swing * swing.transpose();
+  const Matrix2d factor = lowerFactor(independent);
+  const Pose2 mean = believedMotion(model, motion).increment;
+  const MotionStep step{.x = static_cast<float>(mean.x),
+                        .y = static_cast<float>(mean.y),
+                        .turn = static_cast<float>(mean.phi),
+                        .xa = static_cast<float>(factor(0, 0)),
+                        .ya = static_cast<float>(factor(1, 0)),
+                        .yb = static_cast<float>(factor(1, 1)),
+                        .swing_x = static_cast<float>(0.5 * swing.x()),
+                        .swing_y = static_cast<float>(0.5 * swing.y()),
+                        .std_turn = static_cast<float>(std.z())};
+  const std::uint64_t seed = random.nextBits();
+  forEachBlock(particles.size(), threads,
+               [&](std::size_t first, std::size_t count)
+               {
+                 RandomLanes lanes(seed, first / kParticleBlock);
+                 moveBlock(particles, step, first, count, lanes);
+               });
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "mrpt_ext/filter/particles/particle_set.h"
+#include "mrpt_ext/geometry/frame.h"
+#include "mrpt_ext/geometry/random.h"
+
+namespace mrpt_ext
+{
+enum class MotionType
+{
+  odometry,    ///< measured displacement, noise along and across
+  velocity,    ///< commanded velocities integrated as arcs: noise along the path and in heading only
+  random_walk  ///< no odometry: the robot may go anywhere, slowly
+};
+
+/// How far odometry can be trusted. Every figure is a standard deviation *after one unit of way, turn or time*; the
+/// variances add up along the way, so the result does not depend on how often odometry is read.
+struct MotionModel
+{
+  MotionType type = MotionType::odometry;
+  double std_xy_per_m = 0.05;    ///< [m] after one metre
+  double std_phi_per_deg = 0.1;  ///< [deg] after turning one degree (grows with the square root of the turn)
+  double std_phi_per_m = 0.02;   ///< [rad] after one metre
+  double std_xy_per_s = 0.005;   ///< [m] after one second, also at standstill
+  double std_phi_per_s = 0.005;  ///< [rad] after one second, also at standstill
+};
+
+/// The motion that the model believes in: the measured one, or, for a random walk, none (its noise covers the way).
+[[nodiscard]] OdometryMotion believedMotion(const MotionModel& model, const OdometryMotion& motion);
+
+/// Standard deviations (x, y, phi) that `motion` adds by itself, in the robot frame at its start.
+[[nodiscard]] Vector3d incrementStd(const MotionModel& model, const OdometryMotion& motion);
+
+/// Covariance of the increment: the square of incrementStd, and the heading error, which builds up evenly along the way
+/// and swings the rest of it: std_phi^2 / 3 across the chord, std_phi^2 / 2 between that and the heading, per metre of
+/// chord. So one long motion spreads like many short ones.
+[[nodiscard]] Matrix3d incrementCovariance(const MotionModel& model, const OdometryMotion& motion);
+
+/// Moves every particle by the increment plus its own noise (noise of incrementCovariance added to the increment, then
+/// composed). Of a particle that carries scale errors of odometry, (1 + way scale) times the way is believed and
+/// (1 + turn scale) times the turn; the chord of an arc turns by half of what the arc's end turns more.
+/// One number is drawn from `random`, which seeds all blocks of particles; `threads` change nothing but the time.
+void moveParticles(ParticleSet& particles, const MotionModel& model, const OdometryMotion& motion, RandomStream& random,
+                   unsigned threads = 1);
+}  // namespace mrpt_ext

@@ -1,0 +1,186 @@
+#include "mrpt_ext/frames/frame_synchronizer.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace mrpt_ext
+{
+namespace
+{
+/// Takes the detections of objects out of a reading; returns them as a reading of their own.
+Reading splitObjects(Reading& reading, const std::set<std::string>& categories)
+{
+  Reading objects = reading;
+  const auto isObject = [&](const Detection& d) { return d.id == kNoId && categories.count(d.category) > 0; };
+  std::erase_if(reading.detections, isObject);
+  std::erase_if(objects.detections, [&](const Detection& d) { return !isObject(d); });
+  return objects;
+}
+
+void carryTo(Reading& reading, double time, const OdometryPath& odometry)
+{
+  const Pose2 T_frame_then = between(odometry.at(time), odometry.at(reading.time));
+  reading.T_robot_sensor = compose(T_frame_then, reading.T_robot_sensor);
+}
+
+/// Both places of the fix as seen from where the robot is at `time`.
+void carryTo(RunningFixReading& fix, double time, const OdometryPath& odometry)
+{
+  const Pose2 T_frame_then = between(odometry.at(time), odometry.at(fix.time));
+  fix.T_robot_sensor = compose(T_frame_then, fix.T_robot_sensor);
+  fix.displacement = compose(compose(T_frame_then, fix.displacement), inverse(T_frame_then));
+  const Matrix3d J = composeJacobianSecond(T_frame_then);
+  fix.displacement_covariance = J * fix.displacement_covariance * J.transpose();
+}
+
+/// By how much configured delays can turn the order of two records round [s].
+double disorder(const SensorConfigs& sensors)
+{
+  double least = 0, most = 0;
+  for (const auto& [label, config] : sensors)
+  {
+    least = std::min(least, config.delay);
+    most = std::max(most, config.delay);
+  }
+  return most - least;
+}
+}  // namespace
+
+FrameCutter::FrameCutter(RecordFeed records, const LandmarkTable& map, const FrameOptions& options,
+                         const LogOverview& overview)
+    : records_(std::move(records)),
+      map_(map),
+      options_(options),
+      overview_(overview),
+      queue_(disorder(options.sensors)),
+      ranges_(overview.fix_span)
+{
+}
+
+std::optional<Frame> FrameCutter::next()
+{
+  // Objects within the window of the frame, and ranges of the time of its fixes, may still come.
+  const double settled = std::max(options_.window, RangeHistory::kSameTime);
+  while (!ended_ && (closed_.empty() || now_ - closed_.front().time <= settled)) read();
+  if (closed_.empty())
+  {
+    stamp_ = std::numeric_limits<double>::infinity();
+    return std::nullopt;
+  }
+  Frame frame = std::move(closed_.front());
+  closed_.pop_front();
+  complete(frame);
+  return frame;
+}
+
+std::vector<Frame> FrameCutter::takeObjectFrames()
+{
+  std::vector<Frame> taken;
+  for (; !closed_objects_.empty() && closed_objects_.front().time <= stamp_; closed_objects_.pop_front())
+  {
+    Frame& frame = closed_objects_.front();
+    for (Reading& reading : frame.readings) carryTo(reading, frame.time, overview_.odometry);
+    taken.push_back(std::move(frame));
+  }
+  return taken;
+}
+
+/// Takes one record out of the queue, or finds that the log has ended.
+void FrameCutter::read()
+{
+  while (!queue_.canPop() && !ended_)
+  {
+    if (const auto record = records_())
+      configure(*record);
+    else
+    {
+      queue_.close();
+      ended_ = !queue_.canPop();
+      if (!ended_) break;
+    }
+  }
+  if (!ended_) return take(queue_.pop().record);
+  now_ = std::numeric_limits<double>::infinity();
+  closeOver(open_, closed_);
+  closeOver(open_objects_, closed_objects_);
+}
+
+void FrameCutter::configure(const Record& record)
+{
+  const auto ignored = [&](const std::string& label) { return configOf(options_.sensors, label).ignore; };
+  if (const auto* reading = std::get_if<Reading>(&record); reading && !ignored(reading->sensor))
+    queue_.push({.record = configured(*reading, options_.sensors, map_, unusable_)});
+  if (const auto* fix = std::get_if<RunningFixReading>(&record); fix && !ignored(fix->sensor))
+    if (auto usable = configured(*fix, options_.sensors, map_, unusable_)) queue_.push({.record = std::move(*usable)});
+  if (const auto* compass = std::get_if<CompassRecord>(&record); compass && !ignored(compass->sensor))
+    queue_.push({.record = configured(*compass, options_.sensors)});
+}
+
+void FrameCutter::take(Record record)
+{
+  now_ = timeOf(record);
+  closeOver(open_, closed_);
+  closeOver(open_objects_, closed_objects_);
+  if (auto* reading = std::get_if<Reading>(&record)) take(std::move(*reading));
+  if (auto* fix = std::get_if<RunningFixReading>(&record))
+  {
+    ++detections_;
+    join(open_, fix->time).fixes.push_back(std::move(*fix));
+  }
+  if (auto* compass = std::get_if<CompassRecord>(&record))
+  {
+    // Frames to come are not before it: the newest is enough for them.
+    if (!open_ && closed_.empty()) headings_.clear();
+    headings_.push_back(std::move(*compass));
+  }
+}
+
+void FrameCutter::take(Reading landmarks)
+{
+  Reading objects = splitObjects(landmarks, options_.object_categories);
+  if (!objects.detections.empty()) join(open_objects_, objects.time).readings.push_back(std::move(objects));
+  // An empty reading still tells that nothing was seen, where missed detections are scored.
+  if (landmarks.detections.empty() && !landmarks.model.detection_probability) return;
+  detections_ += landmarks.detections.size();
+  ranges_.add(landmarks);
+  join(open_, landmarks.time).readings.push_back(std::move(landmarks));
+}
+
+/// No measurement from now on belongs to a frame whose window is over.
+void FrameCutter::closeOver(std::optional<OpenFrame>& open, std::deque<Frame>& closed) const
+{
+  if (!open || now_ - open->first_time <= options_.window) return;
+  closed.push_back(std::move(open->frame));
+  open.reset();
+}
+
+Frame& FrameCutter::join(std::optional<OpenFrame>& open, double time) const
+{
+  if (!open) open = OpenFrame{{}, time};
+  open->frame.time = time;
+  return open->frame;
+}
+
+/// Adds what depends on the stamp, which is final now.
+void FrameCutter::complete(Frame& frame)
+{
+  const OdometryPath& odometry = overview_.odometry;
+  for (; !headings_.empty() && headings_.front().time <= frame.time; headings_.pop_front())
+    frame.compass = std::move(headings_.front());
+  if (frame.compass)
+  {
+    // Several headings since the last frame are hardly independent: the newest speaks for all.
+    const double turned = odometry.between(frame.compass->time, frame.time).increment.phi;
+    frame.compass->heading = wrap(frame.compass->heading + turned);
+  }
+  for (RunningFixReading& fix : frame.fixes) fix.ranges_logged_too = fix.ranges_logged_too || ranges_.holds(fix);
+  ranges_.forgetBefore(frame.time);
+  if (!options_.independent)
+  {
+    if (stamp_) frame.motion = odometry.between(*stamp_, frame.time);
+    for (Reading& reading : frame.readings) carryTo(reading, frame.time, odometry);
+    for (RunningFixReading& fix : frame.fixes) carryTo(fix, frame.time, odometry);
+  }
+  stamp_ = frame.time;
+}
+}  // namespace mrpt_ext

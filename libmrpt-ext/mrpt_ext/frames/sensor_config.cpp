@@ -1,0 +1,188 @@
+#include "mrpt_ext/frames/sensor_config.h"
+
+#include <algorithm>
+
+#include "mrpt_ext/geometry/input_error.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+const std::string kPrefix = "Sensor_";
+constexpr double kLeastDepthShare = 0.1;  // beside the sensor or behind it a depth tells no range
+
+InputError missingDeviation(const std::string& sensor, const std::string& what, const std::string& key)
+{
+  return configurationError("sensor '" + sensor + "' logs " + what + " without a standard deviation, set [" + kPrefix +
+                            sensor + "] " + key);
+}
+
+SensorModel configured(SensorModel model, const SensorConfig& config)
+{
+  if (config.field_of_view) model.field_of_view = *config.field_of_view;
+  model.has_field_of_view = model.has_field_of_view || config.field_of_view.has_value();
+  if (config.max_range) model.max_range = config.max_range;
+  model.clutter_probability = config.clutter_probability;
+  model.detection_probability = config.detection_probability;
+  return model;
+}
+
+void forgetNames(Detection& detection, SensorConfig::Association association, const LandmarkTable& map)
+{
+  if (association == SensorConfig::Association::known) return;
+  if (const auto known = map.indexOf(detection.id); known && detection.category.empty())
+    detection.category = map[*known].category;
+  detection.id = kNoId;
+  if (association == SensorConfig::Association::anonymous) detection.category.clear();
+}
+
+/// Measured minus scaled true range, for ranges that name this landmark.
+double rangeBias(const SensorConfig& config, int id)
+{
+  const bool named = config.association == SensorConfig::Association::known && id != kNoId;
+  return config.bias_range + (named ? valueOf(config.landmark_bias_range, id) : 0);
+}
+
+/// Corrects a measured range and its deviation; `depth_share` of the true range was measured.
+void correctRange(double& range, double& std, const SensorConfig& config, const std::string& sensor, int id,
+                  double depth_share = 1)
+{
+  range = (range - rangeBias(config, id)) / (config.scale_range * depth_share);
+  if (config.std_range) std = *config.std_range;
+  std += config.std_range_per_m * std::max(range, 0.0);
+  if (!(std > 0)) throw missingDeviation(sensor, "ranges", "std_range_m");
+}
+
+/// Cosine between the forward axis and the landmark where ranges are logged as depth along that axis; else 1.
+double depthShare(const Detection& detection, const SensorConfig& config)
+{
+  return config.range_along_axis && detection.bearing ? std::cos(*detection.bearing) : 1.0;
+}
+
+void correctBearing(double& bearing, double& std, const SensorConfig& config, const std::string& sensor)
+{
+  bearing = wrap(wrap(bearing - config.bias_bearing) / config.scale_bearing);
+  if (config.std_bearing) std = *config.std_bearing;
+  if (!(std > 0)) throw missingDeviation(sensor, "bearings", "std_bearing_deg");
+}
+
+/// Why no place can explain the detection; empty when one can.
+std::string whyUnusable(const Detection& detection, const Reading& reading, const LandmarkTable& map,
+                        SensorConfig::Association association)
+{
+  const bool named = association == SensorConfig::Association::known && detection.id != kNoId;
+  if (named && !map.indexOf(detection.id)) return "id not in the map";
+  if (!detection.range) return {};
+  if (!(*detection.range > 0)) return "range not above zero";
+  const auto known = map.indexOf(detection.id);
+  if (!known || reading.horizontal_range) return {};
+  const double dz = map[*known].position.z() - reading.sensor_height;
+  return *detection.range < std::abs(dz) ? "slant range shorter than the height difference" : "";
+}
+std::string whyUnusable(const RunningFixReading& fix, const LandmarkTable& map, SensorConfig::Association association)
+{
+  if (association != SensorConfig::Association::known) return "running fix without a believed id";
+  const auto known = map.indexOf(fix.id);
+  if (!known) return "id not in the map";
+  const double shorter = std::min(fix.first_range, fix.second_range);
+  if (!(shorter > 0)) return "range not above zero";
+  if (fix.horizontal_range) return {};
+  const double dz = map[*known].position.z() - fix.sensor_height;
+  return shorter < std::abs(dz) ? "slant range shorter than the height difference" : "";
+}
+}  // namespace
+
+const SensorConfig& configOf(const SensorConfigs& configs, const std::string& label)
+{
+  static const SensorConfig kDefaults;
+  for (std::string name = label;; name.resize(name.rfind('.')))
+  {
+    if (const auto found = configs.find(name); found != configs.end()) return found->second;
+    if (name.find('.') == std::string::npos) return kDefaults;
+  }
+}
+
+SensorConfigs sensorConfigs(const Settings& settings)
+{
+  SensorConfigs configs;
+  for (const std::string& section : settings.sectionsMatching(kPrefix))
+  {
+    SensorConfig& c = configs[section.substr(kPrefix.size())];
+    c.delay = settings.number(section, "delay_s");
+    c.std_bearing = settings.optionalRadians(section, "std_bearing_deg");
+    c.std_range = settings.optionalNumber(section, "std_range_m");
+    c.std_range_per_m = settings.number(section, "std_range_per_m");
+    c.std_heading = settings.optionalRadians(section, "std_heading_deg");
+    c.bias_bearing = settings.radians(section, "bias_bearing_deg");
+    c.scale_bearing = settings.number(section, "scale_bearing");
+    c.bias_range = settings.number(section, "bias_range_m");
+    c.scale_range = settings.number(section, "scale_range");
+    c.landmark_bias_range = landmarkValues(settings, section, "landmark_bias_range_m");
+    c.range_along_axis = settings.flag(section, "range_along_axis");
+    c.field_of_view = settings.optionalRadians(section, "field_of_view_deg");
+    c.max_range = settings.optionalNumber(section, "max_range_m");
+    c.clutter_probability = settings.number(section, "clutter_probability");
+    c.detection_probability = settings.optionalNumber(section, "detection_probability");
+    const std::string association = settings.choice(section, "association");
+    c.association = association == "known"      ? SensorConfig::Association::known
+                    : association == "category" ? SensorConfig::Association::category
+                                                : SensorConfig::Association::anonymous;
+    c.ignore = settings.flag(section, "ignore");
+  }
+  return configs;
+}
+
+Reading configured(Reading reading, const SensorConfigs& configs, const LandmarkTable& map,
+                   UnusableDetections& unusable)
+{
+  const SensorConfig& config = configOf(configs, reading.sensor);
+  reading.time -= config.delay;
+  reading.model = configured(reading.model, config);
+  std::vector<Detection> usable;
+  for (Detection& detection : reading.detections)
+  {
+    if (detection.bearing) correctBearing(*detection.bearing, detection.std_bearing, config, reading.sensor);
+    const double depth_share = depthShare(detection, config);
+    if (detection.range)
+      correctRange(*detection.range, detection.std_range, config, reading.sensor, detection.id, depth_share);
+    const std::string why = detection.range && depth_share < kLeastDepthShare
+                                ? "depth of a landmark that is not ahead"
+                                : whyUnusable(detection, reading, map, config.association);
+    if (!why.empty())
+    {
+      ++unusable[reading.sensor + ": " + why];
+      continue;
+    }
+    forgetNames(detection, config.association, map);
+    usable.push_back(std::move(detection));
+  }
+  reading.detections = std::move(usable);
+  return reading;
+}
+
+std::optional<RunningFixReading> configured(RunningFixReading fix, const SensorConfigs& configs,
+                                            const LandmarkTable& map, UnusableDetections& unusable)
+{
+  const SensorConfig& config = configOf(configs, fix.sensor);
+  fix.time -= config.delay;
+  fix.first_time -= config.delay;
+  fix.model = configured(fix.model, config);
+  correctRange(fix.first_range, fix.first_std, config, fix.sensor, fix.id);
+  correctRange(fix.second_range, fix.second_std, config, fix.sensor, fix.id);
+  if (fix.second_bearing) correctBearing(*fix.second_bearing, fix.second_bearing_std, config, fix.sensor);
+  const std::string why = whyUnusable(fix, map, config.association);
+  if (why.empty()) return fix;
+  ++unusable[fix.sensor + ": " + why];
+  return std::nullopt;
+}
+
+CompassRecord configured(CompassRecord compass, const SensorConfigs& configs)
+{
+  const SensorConfig& config = configOf(configs, compass.sensor);
+  compass.time -= config.delay;
+  compass.heading = wrap(compass.heading - config.bias_bearing);
+  if (config.std_heading) compass.std_heading = *config.std_heading;
+  if (!(compass.std_heading > 0)) throw missingDeviation(compass.sensor, "headings", "std_heading_deg");
+  return compass;
+}
+}  // namespace mrpt_ext

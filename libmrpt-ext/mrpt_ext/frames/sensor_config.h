@@ -1,0 +1,56 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "mrpt_ext/geometry/measurement.h"
+#include "mrpt_ext/geometry/recording.h"
+#include "mrpt_ext/frames/landmark_values.h"
+#include "mrpt_ext/settings/settings.h"
+
+namespace mrpt_ext
+{
+/// What the configuration says about one sensor label ([Sensor_<label>]); absent values: as logged.
+struct SensorConfig
+{
+  enum class Association
+  {
+    known,
+    category,
+    anonymous
+  };
+  double delay = 0;                              ///< [s]
+  std::optional<double> std_bearing, std_range;  ///< [rad], [m]
+  double std_range_per_m = 0;
+  std::optional<double> std_heading;                                            ///< [rad]
+  double bias_bearing = 0, scale_bearing = 1, bias_range = 0, scale_range = 1;  ///< measured = scale * true + bias
+  LandmarkValues landmark_bias_range;  ///< [m] on top of bias_range, by landmark
+  bool range_along_axis = false;  ///< ... where true is the depth along the forward axis, of detections with a bearing
+  std::optional<double> field_of_view, max_range;  ///< [rad], [m]
+  double clutter_probability = 0.05;
+  std::optional<double> detection_probability;
+  Association association = Association::known;
+  bool ignore = false;
+};
+
+/// By sensor label. A label without a section has that of the label it continues after a dot (camera.4 that of
+/// camera), else the defaults.
+using SensorConfigs = std::map<std::string, SensorConfig>;
+
+[[nodiscard]] SensorConfigs sensorConfigs(const Settings& settings);
+[[nodiscard]] const SensorConfig& configOf(const SensorConfigs& configs, const std::string& label);
+
+/// Detections that cannot be used, by reason, e.g. "uwb: slant range shorter than the height difference".
+using UnusableDetections = std::map<std::string, std::size_t>;
+
+/// Applies the configuration to a logged reading: delay, biases, deviations, sensor model, what is believed of names.
+/// Detections that no place can explain are taken out and counted. Throws InputError (configuration) when a deviation
+/// is neither logged nor configured.
+[[nodiscard]] Reading configured(Reading reading, const SensorConfigs& configs, const LandmarkTable& map,
+                                 UnusableDetections& unusable);
+/// The same for a running fix, which needs a believed id; nothing when it cannot be used, which is counted.
+[[nodiscard]] std::optional<RunningFixReading> configured(RunningFixReading fix, const SensorConfigs& configs,
+                                                          const LandmarkTable& map, UnusableDetections& unusable);
+[[nodiscard]] CompassRecord configured(CompassRecord compass, const SensorConfigs& configs);
+}  // namespace mrpt_ext

@@ -1,0 +1,114 @@
+#include "mrpt_ext/front_ends/conic_mirror_front_end.h"
+
+#include <cmath>
+
+#include "mrpt_ext/geometry/input_error.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr const char* kSection = "ConicMirror";
+
+std::optional<double> cameraNumber(const nlohmann::json& camera, const char* name)
+{
+  if (!camera.is_object() || !camera.contains(name)) return std::nullopt;
+  if (!camera[name].is_number()) throw dataError(std::string("camera.json: ") + name + " is no number");
+  return camera[name].get<double>();
+}
+
+/// The .ini wins over camera.json.
+double sizeFrom(const Settings& settings, const char* key, const nlohmann::json& camera, const char* name)
+{
+  if (const auto number = settings.optionalNumber(kSection, key)) return *number;
+  return cameraNumber(camera, name).value_or(0);
+}
+
+/// All four numbers or none: without them the mirror's axis is taken for the camera's.
+std::optional<MirrorAxis> axisFrom(const Settings& settings, const nlohmann::json& camera)
+{
+  const auto number = [&](const char* key, const char* name)
+  {
+    const auto own = settings.optionalNumber(kSection, key);
+    return own ? own : cameraNumber(camera, name);
+  };
+  const auto u = number("principal_u_px", "cx"), v = number("principal_v_px", "cy");
+  const auto cone = number("cone_half_angle_deg", "cone_half_angle_deg"), rim = number("rim_angle_deg", "rim_phi_deg");
+  if (!u || !v || !cone || !rim) return std::nullopt;
+  if (!(*rim > 0 && *rim < *cone && *cone < 90))
+    throw dataError("camera.json: expected 0 < rim_phi_deg < cone_half_angle_deg < 90");
+  return MirrorAxis{{*u, *v}, degToRad(*cone), degToRad(*rim)};
+}
+
+ConicMirrorSettings readModel(const Settings& settings, const nlohmann::json& camera)
+{
+  const auto number = [&](const char* key) { return settings.number(kSection, key); };
+  ConicMirrorSettings model;
+  model.image_size = {static_cast<int>(sizeFrom(settings, "image_width", camera, "width")),
+                      static_cast<int>(sizeFrom(settings, "image_height", camera, "height"))};
+  const auto yaw = settings.optionalRadians(kSection, "mount_yaw_deg");
+  model.mount_yaw = yaw ? *yaw : degToRad(cameraNumber(camera, "mount_yaw_deg").value_or(0));
+  model.axis = axisFrom(settings, camera);
+  model.outline = {number("rim_radius_min"), number("rim_radius_max"),    number("rim_aspect_min"),
+                   number("rim_aspect_max"), number("rim_visible_share"), number("rim_contrast")};
+  model.grid = {static_cast<int>(settings.integer(kSection, "azimuths")),
+                static_cast<int>(settings.integer(kSection, "radii")), number("ring_inner"), number("ring_outer")};
+  if (!(model.grid.inner < model.grid.outer))
+    throw settings.errorAt(kSection, "ring_inner", "expected less than ring_outer");
+  model.edges.smoothing = settings.radians(kSection, "edge_smoothing_deg");
+  model.edges.min_length = number("edge_length");
+  model.edges.min_significance = number("edge_significance");
+  model.edges.min_contrast = number("edge_contrast");
+  model.edges.max_width = settings.radians(kSection, "edge_width_deg");
+  model.edges.blur = number("edge_blur_px");
+  model.edges.min_prominence = number("edge_prominence");
+  model.edges.std_floor = settings.radians(kSection, "std_floor_deg");
+  return model;
+}
+}  // namespace
+
+ConicMirrorFrontEnd::ConicMirrorFrontEnd(const Settings& settings, const nlohmann::json& camera)
+    : model_(readModel(settings, camera)),
+      T_robot_sensor_{settings.number(kSection, "sensor_x_m"), settings.number(kSection, "sensor_y_m"), 0},
+      label_(settings.text(kSection, "sensor_label"))
+{
+}
+
+FrameMeasurements ConicMirrorFrontEnd::measure(const ImageFrame& frame, bool with_drawings) const
+{
+  FrameMeasurements result;
+  const FrameImage* const image = frame.find("image");
+  if (!image)
+  {
+    result.problems.push_back("frame " + std::to_string(frame.number) + ": no image of the mirror");
+    return result;
+  }
+  const ConicMirrorView view = viewConicMirror(image->pixels, model_);
+  const double yaw = model_.mount_yaw + image->T_robot_camera.phi;
+  if (with_drawings) result.drawings.push_back({image->name, drawConicMirror(image->pixels, view, yaw)});
+  if (!view.problem.empty())
+  {
+    result.problems.push_back(frame.nameOf(*image) + ": " + view.problem);
+    return result;
+  }
+  Reading reading;
+  reading.time = frame.time;
+  reading.sensor = label_;
+  reading.T_robot_sensor = compose(T_robot_sensor_, Pose2{image->T_robot_camera.x, image->T_robot_camera.y, 0});
+  for (const RadialEdge& edge : view.edges)
+  {
+    Detection detection;
+    detection.bearing = wrap(edge.azimuth + yaw);
+    detection.std_bearing = edge.std_azimuth;
+    reading.detections.push_back(detection);
+    MeasurementRow row;
+    row.sensor = label_;
+    row.label = "edge";
+    row.azimuth = detection.bearing;
+    row.std_azimuth = edge.std_azimuth;
+    result.rows.push_back(row);
+  }
+  result.readings.push_back(std::move(reading));
+  return result;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "mrpt_ext/front_ends/vision_front_end.h"
+#include "mrpt_ext/vision/conic_mirror.h"
+
+namespace mrpt_ext
+{
+/// Vertical edges of the conic mirror as bearings without names (paper 000).
+class ConicMirrorFrontEnd : public VisionFrontEnd
+{
+ public:
+  /// Image size and mounting yaw: of the .ini, else of camera.json, else any and 0.
+  ConicMirrorFrontEnd(const Settings& settings, const nlohmann::json& camera);
+
+  [[nodiscard]] FrameMeasurements measure(const ImageFrame& frame, bool with_drawings) const override;
+
+ private:
+  ConicMirrorSettings model_;
+  Pose2 T_robot_sensor_;
+  std::string label_;
+};
+
+[[nodiscard]] KeyTable conicMirrorKeys();
+}  // namespace mrpt_ext

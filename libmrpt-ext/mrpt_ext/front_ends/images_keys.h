@@ -1,0 +1,9 @@
+#pragma once
+
+#include "mrpt_ext/settings/key_table.h"
+
+namespace mrpt_ext
+{
+/// The keys of images2rawlog's .ini files.
+[[nodiscard]] KeyTable imagesKeys();
+}  // namespace mrpt_ext

@@ -1,0 +1,144 @@
+#include "mrpt_ext/front_ends/movis_front_end.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "mrpt_ext/front_ends/movis_settings.h"
+#include "mrpt_ext/solvers/camera_yaw_calibration.h"
+#include "mrpt_ext/solvers/movis_frame.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr const char* kSection = "Movis";
+constexpr std::array kLabels{"M1", "M2", "M3"};
+
+std::vector<int> wholeNumbers(const Settings& settings, const char* key)
+{
+  std::vector<int> result;
+  if (!settings.hasValue(kSection, key)) return result;
+  for (const double number : settings.numbers(kSection, key))
+  {
+    if (number != std::floor(number)) throw settings.errorAt(kSection, key, "expected whole numbers");
+    result.push_back(static_cast<int>(number));
+  }
+  return result;
+}
+
+/// "M1: turned by 0.412 deg, standard deviation 0.020 deg".
+std::string yawText(const std::string& label, const CameraYaw& yaw, double deviation)
+{
+  char text[120];
+  std::snprintf(text, sizeof text, "%s: turned by %.3f deg, standard deviation %.3f deg", label.c_str(),
+                radToDeg(-yaw.offset), radToDeg(deviation));
+  return text;
+}
+}  // namespace
+
+MovisFrontEnd::MovisFrontEnd(const Settings& settings, const nlohmann::json& camera)
+    : pole_ids_(wholeNumbers(settings, "pole_ids")), calibration_frames_(wholeNumbers(settings, "calibration_frame"))
+{
+  if (pole_ids_.size() != 2 || pole_ids_[0] == pole_ids_[1] || std::min(pole_ids_[0], pole_ids_[1]) < 0)
+    throw settings.errorAt(kSection, "pole_ids", "expected two different ids, of p and of q");
+  const MovisSettings movis = movisSettings(settings, camera);
+  field_ = movis.field;
+  pole_height_ = movis.cameras[0].sizes.pole_height;
+  for (std::size_t i = 0; i < movis.cameras.size(); ++i)
+  {
+    const auto place = movisCamera(static_cast<int>(i) + 1, movis.mount_radius);
+    const double u_axis = forwardBearingFromSlant(place->slantFromTheta(0));
+    cameras_.push_back(
+        {kLabels[i], robotFromMovis(place->position), wrap(u_axis + movis.mount_yaw[i]), OmniCamera(movis.cameras[i])});
+  }
+}
+
+double MovisFrontEnd::bearingOf(const Mounted& mounted, const OmniObject& object) const
+{
+  return wrap(object.azimuth + mounted.yaw);
+}
+
+int MovisFrontEnd::idOf(const std::string& label) const
+{
+  if (label == "p") return pole_ids_[0];
+  return label == "q" ? pole_ids_[1] : kNoId;
+}
+
+LandmarkTable MovisFrontEnd::landmarks() const
+{
+  const auto pole = [&](int id, const char* name, double x) {
+    return Landmark{id, {x, field_.depth, pole_height_}, name, {0, 0}};
+  };
+  return LandmarkTable({pole(pole_ids_[0], "p", -field_.half_width), pole(pole_ids_[1], "q", field_.half_width)});
+}
+
+FrameMeasurements MovisFrontEnd::measure(const ImageFrame& frame, bool with_drawings) const
+{
+  FrameMeasurements result;
+  bool any = false;
+  for (const Mounted& mounted : cameras_)
+  {
+    const FrameImage* const image = frame.find(mounted.label);
+    if (!image) continue;
+    any = true;
+    const OmniView view = mounted.camera.view(image->pixels);
+    if (with_drawings) result.drawings.push_back({image->name, mounted.camera.draw(image->pixels, view, mounted.yaw)});
+    if (!view.problem.empty())
+    {
+      result.problems.push_back(frame.nameOf(*image) + ": " + view.problem);
+      continue;
+    }
+    Reading reading;
+    reading.time = frame.time;
+    reading.sensor = mounted.label;
+    reading.T_robot_sensor = {mounted.position.x(), mounted.position.y(), 0};
+    for (const OmniObject& object : view.objects)
+    {
+      Detection detection;
+      detection.id = idOf(object.label);
+      detection.category = object.label;
+      detection.bearing = bearingOf(mounted, object);
+      detection.std_bearing = object.std_azimuth;
+      reading.detections.push_back(detection);
+      MeasurementRow row;
+      row.sensor = mounted.label;
+      row.label = object.label;
+      row.azimuth = detection.bearing;
+      row.std_azimuth = object.std_azimuth;
+      result.rows.push_back(row);
+    }
+    result.readings.push_back(std::move(reading));
+  }
+  if (!any)
+    result.problems.push_back(
+        std::string("frame ").append(std::to_string(frame.number)).append(": no image of M1, M2 or M3"));
+  return result;
+}
+
+std::vector<std::string> MovisFrontEnd::calibrate(const std::vector<FrameAtPose>& frames)
+{
+  const LandmarkTable poles = landmarks();
+  std::vector<std::string> lines;
+  for (Mounted& mounted : cameras_)
+  {
+    std::vector<CalibrationSighting> sightings;
+    double variances = 0;
+    for (const auto& [frame, robot] : frames)
+      if (const FrameImage* const image = frame.find(mounted.label))
+        for (const OmniObject& object : mounted.camera.view(image->pixels).objects)
+          if (const auto pole = poles.indexOf(idOf(object.label)))
+          {
+            sightings.push_back({robot, poles[*pole].position.head<2>(), bearingOf(mounted, object)});
+            variances += square(object.std_azimuth);
+          }
+    const CameraYaw yaw = calibrateCameraYaw(sightings, {mounted.position.x(), mounted.position.y(), 0});
+    if (yaw.status != SolveStatus::ok) continue;
+    mounted.yaw = wrap(mounted.yaw - yaw.offset);
+    // Two sightings may agree by chance: their scatter alone does not tell how sure the mean is.
+    const double by_sightings = std::sqrt(variances) / static_cast<double>(sightings.size());
+    lines.push_back(yawText(mounted.label, yaw, std::hypot(yaw.std_offset, by_sightings)));
+  }
+  return lines;
+}
+}  // namespace mrpt_ext

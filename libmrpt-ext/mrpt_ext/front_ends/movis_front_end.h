@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "mrpt_ext/front_ends/vision_front_end.h"
+#include "mrpt_ext/solvers/two_pole_pose.h"
+#include "mrpt_ext/vision/omni_objects.h"
+
+namespace mrpt_ext
+{
+/// Poles and ball in the images of up to three omnidirectional cameras M1, M2, M3 as bearings (paper 001, section 2).
+class MovisFrontEnd : public VisionFrontEnd
+{
+ public:
+  /// Sizes of cameras, mirrors and field: of the .ini, else of camera.json.
+  MovisFrontEnd(const Settings& settings, const nlohmann::json& camera);
+
+  [[nodiscard]] FrameMeasurements measure(const ImageFrame& frame, bool with_drawings) const override;
+  [[nodiscard]] LandmarkTable landmarks() const override;
+  [[nodiscard]] std::vector<int> calibrationFrames() const override { return calibration_frames_; }
+  /// Measures how far each camera is turned against its place in the triangle, and takes that off from then on.
+  std::vector<std::string> calibrate(const std::vector<FrameAtPose>& frames) override;
+
+ private:
+  /// A camera on the robot. Its sensor frame has the robot's axes.
+  struct Mounted
+  {
+    std::string label;
+    Vector2d position{0, 0};  ///< [m] in the robot's frame
+    double yaw = 0;           ///< [rad] azimuth of the image's u axis in the robot's frame
+    OmniCamera camera;
+  };
+
+  [[nodiscard]] double bearingOf(const Mounted& mounted, const OmniObject& object) const;
+  [[nodiscard]] int idOf(const std::string& label) const;
+
+  std::vector<Mounted> cameras_;
+  PoleField field_;
+  double pole_height_ = 0;
+  std::vector<int> pole_ids_, calibration_frames_;
+};
+
+[[nodiscard]] KeyTable movisKeys();
+}  // namespace mrpt_ext

@@ -1,0 +1,179 @@
+#include "mrpt_ext/front_ends/movis_settings.h"
+
+#include <cmath>
+
+#include "mrpt_ext/geometry/input_error.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr const char* kSection = "Movis";
+constexpr double kHolderShare = 1.1;  ///< radius of a mirror's holder over that of its rim, when nothing tells it
+
+/// Numbers of camera.json, by the name they have there.
+class CameraFile
+{
+ public:
+  explicit CameraFile(const nlohmann::json& camera) : camera_(camera) {}
+
+  [[nodiscard]] std::optional<double> number(const char* name, bool of_field) const
+  {
+    const nlohmann::json* const object = find(of_field ? "field" : nullptr);
+    if (!object || !object->contains(name)) return std::nullopt;
+    if (!(*object)[name].is_number()) throw dataError(std::string("camera.json: ") + name + " is no number");
+    return (*object)[name].get<double>();
+  }
+  /// cx cy of camera 1, 2, 3.
+  [[nodiscard]] std::optional<std::vector<double>> centres() const
+  {
+    if (!camera_.is_object() || !camera_.contains("centers")) return std::nullopt;
+    std::vector<double> all;
+    for (const auto& centre : camera_["centers"])
+    {
+      if (!centre.is_array() || centre.size() != 2 || !centre[0].is_number() || !centre[1].is_number())
+        throw dataError("camera.json: centers: expected [cx, cy] of three cameras");
+      all.push_back(centre[0].get<double>());
+      all.push_back(centre[1].get<double>());
+    }
+    return all;
+  }
+
+ private:
+  [[nodiscard]] const nlohmann::json* find(const char* name) const
+  {
+    if (!camera_.is_object()) return nullptr;
+    if (!name) return &camera_;
+    return camera_.contains(name) && camera_[name].is_object() ? &camera_[name] : nullptr;
+  }
+  const nlohmann::json& camera_;
+};
+
+class Reader
+{
+ public:
+  Reader(const Settings& settings, const nlohmann::json& camera) : settings_(settings), file_(camera) {}
+
+  [[nodiscard]] double number(const char* key) const { return settings_.number(kSection, key); }
+  [[nodiscard]] int whole(const char* key) const { return static_cast<int>(settings_.integer(kSection, key)); }
+  /// Of the .ini, else of camera.json, else an error about the key.
+  [[nodiscard]] double size(const char* key, const char* name, bool of_field = false) const
+  {
+    if (const auto value = settings_.optionalNumber(kSection, key)) return *value;
+    const auto value = file_.number(name, of_field);
+    if (!value) throw missing(key, name);
+    if (!(*value > 0)) throw dataError(std::string("camera.json: ") + name + " is not above zero");
+    return *value;
+  }
+  [[nodiscard]] int pixels(const char* key, const char* name) const
+  {
+    if (const auto value = settings_.optionalNumber(kSection, key)) return static_cast<int>(*value);
+    return static_cast<int>(file_.number(name, false).value_or(0));
+  }
+  [[nodiscard]] std::vector<double> centres() const
+  {
+    const bool own = settings_.hasValue(kSection, "centres");
+    const auto all = own ? settings_.numbers(kSection, "centres") : file_.centres();
+    if (!all) throw missing("centres", "centers");
+    if (all->size() == 6) return *all;
+    if (own) throw settings_.errorAt(kSection, "centres", "expected cx cy of M1, M2 and M3");
+    throw dataError("camera.json: centers: expected [cx, cy] of three cameras");
+  }
+  [[nodiscard]] std::vector<double> several(const char* key, std::size_t count, const char* expected) const
+  {
+    auto values = settings_.numbers(kSection, key);
+    if (values.size() != count) throw settings_.errorAt(kSection, key, std::string("expected ") + expected);
+    return values;
+  }
+  [[nodiscard]] HueSector hues(const char* key) const
+  {
+    const auto ends = several(key, 2, "the first and the last hue");
+    if (!(ends[0] < ends[1])) throw settings_.errorAt(kSection, key, "expected the smaller hue first");
+    return {degToRad(ends[0]), degToRad(ends[1])};
+  }
+  [[nodiscard]] bool has(const char* key) const { return settings_.hasValue(kSection, key); }
+
+ private:
+  [[nodiscard]] static InputError missing(const char* key, const char* name)
+  {
+    return configurationError(std::string("[Movis] ") + key + " is missing, expected it here or as " + name +
+                              " in camera.json");
+  }
+  const Settings& settings_;
+  CameraFile file_;
+};
+
+ColourModel readColours(const Reader& read)
+{
+  ColourModel model;
+  model.orange = read.hues("orange_hue_deg");
+  model.yellow = read.hues("yellow_hue_deg");
+  model.blue = read.hues("blue_hue_deg");
+  model.min_saturation = read.number("min_saturation");
+  model.min_brightness = read.number("min_brightness");
+  model.white_share = read.number("white_share");
+  if (read.has("white_rgb"))
+  {
+    const auto levels = read.several("white_rgb", 3, "grey levels of red, green and blue");
+    cv::Vec3d white;
+    for (int c = 0; c < 3; ++c)
+      white[c] = linearLight()[static_cast<std::size_t>(std::lround(levels[static_cast<std::size_t>(2 - c)]))];
+    model.white = white;
+  }
+  return model;
+}
+
+/// What all three cameras have in common.
+OmniCameraSettings readCamera(const Reader& read)
+{
+  OmniCameraSettings camera;
+  camera.image_size = {read.pixels("image_width", "width"), read.pixels("image_height", "height")};
+  camera.mirror.a = read.size("mirror_a_m", "a");
+  camera.mirror.b = read.size("mirror_b_m", "b");
+  camera.mirror.rim_radius = read.size("mirror_rim_radius_m", "rim_radius");
+  camera.mirror.focus_height = read.size("mirror_focus_height_m", "focus_height");
+  camera.mirror.fx = read.size("focal_length_x_px", "fx");
+  camera.mirror.fy = read.size("focal_length_y_px", "fy");
+  camera.sizes = {read.size("pole_radius_m", "pole_radius", true), read.size("pole_height_m", "pole_height", true),
+                  read.size("ball_radius_m", "ball_radius", true)};
+  camera.colours = readColours(read);
+  camera.search = {read.number("min_distance_m"), read.number("max_distance_m"), read.number("band_share"),
+                   read.number("width_tolerance"), read.number("ball_area")};
+  camera.columns = read.whole("columns");
+  camera.lowest_slope = read.number("lowest_slope");
+  camera.rim_visible_share = read.number("rim_visible_share");
+  camera.rim_contrast = read.number("rim_contrast");
+  camera.min_slices = read.whole("min_slices");
+  camera.std_floor = degToRad(read.number("std_floor_deg"));
+  return camera;
+}
+
+/// The neighbours as a camera sees them in its own image: 30 degrees on either side of the triangle's middle.
+std::vector<BlockedSector> neighbours(double holder_radius, double mount_radius)
+{
+  const double half_width = std::asin(std::min(1.0, holder_radius / (std::sqrt(3.0) * mount_radius)));
+  return {{degToRad(30.0), half_width}, {degToRad(-30.0), half_width}};
+}
+}  // namespace
+
+MovisSettings movisSettings(const Settings& settings, const nlohmann::json& camera)
+{
+  const Reader read(settings, camera);
+  MovisSettings result;
+  result.mount_radius = read.size("mount_radius_m", "L");
+  const auto yaw = read.several("mount_yaw_deg", 3, "the angles of M1, M2 and M3");
+  const auto centres = read.centres();
+  OmniCameraSettings common = readCamera(read);
+  const double holder =
+      settings.optionalNumber(kSection, "holder_radius_m").value_or(kHolderShare * common.mirror.rim_radius);
+  common.blocked = neighbours(holder, result.mount_radius);
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    result.mount_yaw[i] = degToRad(yaw[i]);
+    result.cameras[i] = common;
+    result.cameras[i].mirror.centre = {centres[2 * i], centres[2 * i + 1]};
+  }
+  result.field = {read.size("field_half_width_m", "Fw", true), read.size("field_depth_m", "Fd", true)};
+  return result;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,165 @@
+#include "mrpt_ext/front_ends/stereo_goal_front_end.h"
+
+#include <cmath>
+
+#include "mrpt_ext/geometry/input_error.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr const char* kSection = "StereoGoal";
+
+/// A number of the .ini or of camera.json; the .ini wins.
+class CameraNumbers
+{
+ public:
+  CameraNumbers(const Settings& settings, const nlohmann::json& camera) : settings_(settings), camera_(camera) {}
+
+  [[nodiscard]] std::optional<double> optional(const char* key, const char* name) const
+  {
+    if (const auto number = settings_.optionalNumber(kSection, key)) return number;
+    if (!camera_.is_object() || !camera_.contains(name)) return std::nullopt;
+    if (!camera_[name].is_number()) throw dataError(std::string("camera.json: ") + name + " is no number");
+    return camera_[name].get<double>();
+  }
+  [[nodiscard]] double operator()(const char* key, const char* name) const
+  {
+    const auto number = optional(key, name);
+    if (!number)
+      throw configurationError(settings_.file().string() + ": [StereoGoal] " + key +
+                               " is missing, and the images' camera has no \"" + name + "\"");
+    return *number;
+  }
+
+ private:
+  const Settings& settings_;
+  const nlohmann::json& camera_;
+};
+
+StereoCamera readCameraModel(const Settings& settings, const nlohmann::json& camera)
+{
+  const CameraNumbers number(settings, camera);
+  StereoCamera model;
+  model.size = {static_cast<int>(number("image_width", "width")), static_cast<int>(number("image_height", "height"))};
+  model.fx = number("focal_u_px", "fx"), model.fy = number("focal_v_px", "fy");
+  model.cx = number("centre_u_px", "cx"), model.cy = number("centre_v_px", "cy");
+  model.baseline = number("baseline_m", "baseline");
+  model.height = number("camera_height_m", "height_m");
+  model.pitch = degToRad(number("pitch_deg", "pitch_deg"));
+  for (const double size : {model.fx, model.fy, model.baseline, model.height})
+    if (!(size > 0)) throw dataError("camera.json: expected fx, fy, baseline and height_m above 0");
+  model.whole_pixels = settings.choice(kSection, "disparity") == "whole_pixels";
+  return model;
+}
+
+GoalColour readColour(const Settings& settings, const std::string& name)
+{
+  const auto share = [&](const char* channel)
+  { return static_cast<float>(settings.number(kSection, name + "_" + channel)); };
+  return GoalColour({share("blue"), share("green"), share("red")});
+}
+
+StereoGoalSettings readModel(const Settings& settings, const nlohmann::json& camera)
+{
+  const auto number = [&](const char* key) { return settings.number(kSection, key); };
+  StereoGoalSettings model;
+  model.camera = readCameraModel(settings, camera);
+  const std::string features = settings.choice(kSection, "features");
+  model.with_corners = features != "lines", model.with_lines = features != "corners";
+  GoalCornerSettings& corners = model.corners;
+  corners.colours = {readColour(settings, "yellow"), readColour(settings, "blue")};
+  corners.scan_step = static_cast<int>(settings.integer(kSection, "scan_step"));
+  corners.goal_height = number("goal_height_m"), corners.height_tolerance = number("goal_height_tolerance");
+  corners.goal_depth = number("goal_depth_m");
+  corners.min_range = number("min_range_m"), corners.max_range = number("max_range_m");
+  if (!(corners.min_range < corners.max_range))
+    throw settings.errorAt(kSection, "min_range_m", "expected less than max_range_m");
+  corners.min_rows = static_cast<int>(settings.integer(kSection, "min_rows"));
+  corners.std_column = number("std_column_px"), corners.std_disparity = number("std_disparity_px");
+  model.markings = {number("line_width_m"),      number("line_max_range_m"), number("line_contrast"),
+                    number("line_significance"), number("wall_contrast"),    number("wall_height_m"),
+                    number("std_line_px")};
+  return model;
+}
+
+MeasurementRow rowOf(const StereoMeasurement& measured, double u_left, double u_right)
+{
+  MeasurementRow row;
+  row.sensor = "stereo";
+  row.azimuth = measured.bearing, row.std_azimuth = measured.std_bearing;
+  row.range = measured.range, row.std_range = measured.std_range;
+  row.u_left = u_left, row.u_right = u_right;
+  return row;
+}
+
+Detection detectionOf(const StereoMeasurement& measured)
+{
+  Detection detection;
+  detection.bearing = measured.bearing, detection.std_bearing = measured.std_bearing;
+  detection.range = measured.range, detection.std_range = measured.std_range;
+  return detection;
+}
+}  // namespace
+
+StereoGoalFrontEnd::StereoGoalFrontEnd(const Settings& settings, const nlohmann::json& camera)
+    : model_(readModel(settings, camera)),
+      T_robot_sensor_{
+          CameraNumbers(settings, camera)("sensor_x_m", "forward"),
+          CameraNumbers(settings, camera).optional("sensor_y_m", "left").value_or(0.5 * model_.camera.baseline), 0},
+      label_(settings.text(kSection, "sensor_label")),
+      line_label_(settings.text(kSection, "line_label"))
+{
+  const auto id = [&](const char* key) { return static_cast<int>(settings.integer(kSection, key)); };
+  names_ = {{{"yellow_l", id("yellow_l_id")},
+             {"yellow_r", id("yellow_r_id")},
+             {"blue_l", id("blue_l_id")},
+             {"blue_r", id("blue_r_id")}}};
+}
+
+const StereoGoalFrontEnd::CornerName& StereoGoalFrontEnd::nameOf(const GoalCorner& corner) const
+{
+  return names_[static_cast<std::size_t>(2 * corner.colour + (corner.side > 0 ? 0 : 1))];
+}
+
+FrameMeasurements StereoGoalFrontEnd::measure(const ImageFrame& frame, bool with_drawings) const
+{
+  FrameMeasurements result;
+  const FrameImage *const left = frame.find("left"), *const right = frame.find("right");
+  if (!left || !right)
+  {
+    result.problems.push_back("frame " + std::to_string(frame.number) + ": no " + (left ? "right" : "left") + " image");
+    return result;
+  }
+  const StereoGoalView view = viewStereoGoal(left->pixels, right->pixels, model_);
+  if (with_drawings) result.drawings.push_back({left->name, drawStereoGoal(left->pixels, view, model_)});
+  if (!view.problem.empty()) result.problems.push_back(frame.nameOf(*left) + ": " + view.problem);
+
+  Reading corners;
+  corners.time = frame.time;
+  corners.sensor = label_;
+  corners.T_robot_sensor = T_robot_sensor_;
+  corners.horizontal_range = true;
+  corners.model.field_of_view = 2 * std::atan(0.5 * model_.camera.size.width / model_.camera.fx);
+  corners.model.has_field_of_view = true;
+  Reading lines = corners;
+  lines.sensor = line_label_;
+  for (const GoalCorner& corner : view.corners)
+  {
+    corners.detections.push_back(detectionOf(corner.measured));
+    corners.detections.back().id = nameOf(corner).id;
+    result.rows.push_back(rowOf(corner.measured, corner.u_left, corner.u_right));
+    result.rows.back().label = nameOf(corner).label;
+  }
+  for (const LineLandmark& landmark : view.landmarks)
+  {
+    lines.detections.push_back(detectionOf(landmark.measured));
+    lines.detections.back().category = mrpt_ext::nameOf(landmark.kind);
+    result.rows.push_back(rowOf(landmark.measured, landmark.left.x, landmark.right.x));
+    result.rows.back().label = mrpt_ext::nameOf(landmark.kind);
+  }
+  for (Reading* reading : {&corners, &lines})
+    if (!reading->detections.empty()) result.readings.push_back(std::move(*reading));
+  return result;
+}
+}  // namespace mrpt_ext

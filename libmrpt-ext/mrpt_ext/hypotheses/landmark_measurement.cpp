@@ -1,0 +1,108 @@
+#include "mrpt_ext/hypotheses/landmark_measurement.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kTypicalDistance = 3.0;  // [m] turns a position error into a bearing error where no range is measured
+
+/// Horizontal range, or nothing for a slant that is shorter than the difference in height.
+std::optional<double> horizontalRange(const Reading& reading, double slant, double landmark_height)
+{
+  if (reading.horizontal_range) return slant;
+  const double dz = landmark_height - reading.sensor_height;
+  const double horizontal2 = slant * slant - dz * dz;
+  if (!(horizontal2 > 0)) return std::nullopt;
+  return std::sqrt(horizontal2);
+}
+
+LandmarkSighting reduce(const Reading& reading, const Detection& detection, double landmark_height,
+                        const Vector2d& landmark_std)
+{
+  LandmarkSighting seen;
+  seen.category = detection.category;
+  seen.T_robot_sensor = reading.T_robot_sensor;
+  seen.bearing = detection.bearing;
+  // The line of sight is not known yet, so the larger of the two axes stands for either direction.
+  const double extra =
+      std::max(reading.offset_covariance(0, 0), reading.offset_covariance(1, 1)) + square(landmark_std.maxCoeff());
+  if (detection.range)
+  {
+    seen.range = horizontalRange(reading, *detection.range, landmark_height);
+    // d horizontal / d slant = slant / horizontal
+    if (seen.range) seen.std_range = std::sqrt(square(detection.std_range * *detection.range / *seen.range) + extra);
+  }
+  const double distance = seen.range.value_or(kTypicalDistance);
+  seen.std_bearing = std::sqrt(square(detection.std_bearing) + extra / square(distance));
+  return seen;
+}
+}  // namespace
+
+Vector2d LandmarkSighting::pointInRobot() const
+{
+  return transform(T_robot_sensor, *range * Vector2d(std::cos(*bearing), std::sin(*bearing)));
+}
+
+Matrix2d LandmarkSighting::pointCovariance() const
+{
+  const Matrix2d R = rotation(T_robot_sensor.phi + *bearing);
+  const Matrix2d along_across = Vector2d(square(std_range), square(*range * std_bearing)).asDiagonal();
+  return R * along_across * R.transpose();
+}
+
+std::vector<LandmarkSighting> identifiedSightings(std::span<const Reading> readings, const LandmarkTable& map)
+{
+  std::vector<LandmarkSighting> result;
+  for (const Reading& reading : readings)
+    for (const Detection& detection : reading.detections)
+    {
+      const auto known = map.indexOf(detection.id);
+      if (!known) continue;
+      LandmarkSighting seen = reduce(reading, detection, map[*known].position.z(), map[*known].stddev);
+      seen.landmark = known;
+      seen.position = map[*known].position.head<2>();
+      if (seen.bearing || seen.range) result.push_back(std::move(seen));
+    }
+  return result;
+}
+
+std::vector<LandmarkSighting> unidentifiedSightings(std::span<const Reading> readings, const LandmarkTable& map)
+{
+  std::vector<LandmarkSighting> result;
+  for (const Reading& reading : readings)
+    for (const Detection& detection : reading.detections)
+    {
+      if (detection.id != kNoId) continue;
+      LandmarkSighting seen = reduce(reading, detection, map.meanHeight(), Vector2d::Zero());
+      if (seen.bearing || seen.range) result.push_back(std::move(seen));
+    }
+  return result;
+}
+
+bool reduceToHorizontal(RunningFixReading& fix, double landmark_height)
+{
+  if (fix.horizontal_range) return true;
+  const double dz = landmark_height - fix.sensor_height;
+  for (auto [range, std] : {std::pair(&fix.first_range, &fix.first_std), std::pair(&fix.second_range, &fix.second_std)})
+  {
+    const double horizontal2 = square(*range) - dz * dz;
+    if (!(horizontal2 > 0)) return false;
+    *std *= *range / std::sqrt(horizontal2);
+    *range = std::sqrt(horizontal2);
+  }
+  fix.horizontal_range = true;
+  return true;
+}
+
+std::vector<PoseMeasurement> poseMeasurements(std::span<const LandmarkSighting> seen)
+{
+  std::vector<PoseMeasurement> result;
+  for (const LandmarkSighting& s : seen)
+  {
+    if (s.bearing)
+      result.push_back({PoseMeasurement::Kind::bearing, s.position, *s.bearing, s.std_bearing, s.T_robot_sensor});
+    if (s.range) result.push_back({PoseMeasurement::Kind::range, s.position, *s.range, s.std_range, s.T_robot_sensor});
+  }
+  return result;
+}
+}  // namespace mrpt_ext

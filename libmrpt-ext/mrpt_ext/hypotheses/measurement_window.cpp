@@ -1,0 +1,60 @@
+#include "mrpt_ext/hypotheses/measurement_window.h"
+
+#include <cmath>
+
+namespace mrpt_ext
+{
+namespace
+{
+/// `covariance` of the way so far, seen from the end of one more piece with its own covariance `S`.
+Matrix3d continued(const Matrix3d& covariance, const Pose2& increment, const Matrix3d& S)
+{
+  const Matrix3d J = composeJacobianFirst({}, increment);
+  const Matrix3d to_end_axes = composeJacobianSecond({0, 0, -increment.phi});
+  return to_end_axes * (J * covariance * J.transpose() + S) * to_end_axes.transpose();
+}
+
+/// The reading as seen from a robot that has since moved by `motion`, with covariance `S`.
+void carry(Reading& reading, const OdometryMotion& motion, const Matrix3d& S)
+{
+  const Vector2d lever = reading.T_robot_sensor.position() - motion.increment.position();
+  const Vector2d swing(-lever.y(), lever.x());  // a heading error of the way turns the old place about the new one
+  const Matrix2d R = rotation(-motion.increment.phi);
+  const Matrix2d cross = S.topRightCorner<2, 1>() * swing.transpose();
+  const Matrix2d grown = reading.offset_covariance + S.topLeftCorner<2, 2>() + S(2, 2) * swing * swing.transpose() +
+                         cross + cross.transpose();
+  reading.offset_covariance = R * grown * R.transpose();
+  reading.way_covariance = continued(reading.way_covariance, motion.increment, S);
+  for (Detection& detection : reading.detections)
+    if (detection.bearing) detection.std_bearing = std::hypot(detection.std_bearing, std::sqrt(S(2, 2)));
+  reading.T_robot_sensor = compose(inverse(motion.increment), reading.T_robot_sensor);
+  reading.model.detection_probability.reset();  // what it did not report was not reported then, not now
+}
+}  // namespace
+
+void FrameJoiner::add(const Frame& frame)
+{
+  if (!first_time_) first_time_ = frame.time;
+  full_ = frame.time - *first_time_ >= window_;
+  for (Reading& reading : newest_.readings) older_.push_back(std::move(reading));
+  while (!older_.empty() && older_.front().time < frame.time - window_) older_.pop_front();
+  const OdometryMotion motion = believedMotion(motion_, frame.motion);
+  const Matrix3d S = incrementCovariance(motion_, frame.motion);
+  for (Reading& reading : older_) carry(reading, motion, S);
+  newest_ = frame;
+}
+
+std::vector<Reading> FrameJoiner::readings() const
+{
+  std::vector<Reading> all(older_.begin(), older_.end());
+  all.insert(all.end(), newest_.readings.begin(), newest_.readings.end());
+  return all;
+}
+
+Frame FrameJoiner::joined() const
+{
+  Frame frame = newest_;
+  frame.readings = readings();
+  return frame;
+}
+}  // namespace mrpt_ext

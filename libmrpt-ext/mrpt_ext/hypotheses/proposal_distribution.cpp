@@ -1,0 +1,95 @@
+#include "mrpt_ext/hypotheses/proposal_distribution.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kReach2 = 64;      // squared Mahalanobis distance beyond which a component's density counts as zero
+constexpr double kMinShare = 0.02;  // even the least likely seed gets particles: the solvers' scores are not the judge
+constexpr double kVagueHeading = 2.0;  // [rad] a standard deviation above this is as good as no heading
+}  // namespace
+
+SeedMixture::SeedMixture(const HypothesisSet& hypotheses, const PoseRegion& region, double uniform_share,
+                         double inflation, const Vector3d& min_std)
+    : region_(region), uniform_share_(hypotheses.empty() ? 1.0 : uniform_share)
+{
+  double sum = 0;
+  for (const PoseHypothesis& hypothesis : hypotheses)
+  {
+    Component component;
+    component.mean = hypothesis.pose.mean;
+    Matrix3d covariance = inflation * hypothesis.pose.covariance;
+    covariance.diagonal() += min_std.cwiseAbs2();
+    component.heading_known = hypothesis.heading_known && !(covariance(2, 2) > square(kVagueHeading));
+    if (!component.heading_known)
+    {
+      covariance.row(2).setZero();
+      covariance.col(2).setZero();
+      covariance(2, 2) = 1;
+    }
+    const Eigen::LLT<Matrix3d> llt(covariance);
+    if (!covariance.allFinite() || !isFinite(component.mean) || llt.info() != Eigen::Success) continue;
+    component.cholesky = llt.matrixL();
+    component.information = llt.solve(Matrix3d::Identity());
+    const double log_det = 2 * component.cholesky.diagonal().array().log().sum();
+    component.log_norm = component.heading_known ? -0.5 * (log_det + 3 * std::log(kTwoPi))
+                                                 : -0.5 * (log_det + 2 * std::log(kTwoPi)) - std::log(kTwoPi);
+    component.share = std::max(hypothesis.weight, kMinShare);
+    sum += component.share;
+    component.cumulative = sum;
+    components_.push_back(component);
+    const Vector2d half = (kReach2 * covariance.diagonal().head<2>()).cwiseSqrt();
+    reach_.push_back({component.mean.x, component.mean.y, half.x(), half.y()});
+  }
+  for (Component& component : components_)
+  {
+    component.share /= sum;
+    component.cumulative /= sum;
+  }
+  if (components_.empty()) uniform_share_ = 1;
+}
+
+Pose2 SeedMixture::sample(RandomStream& random) const
+{
+  if (random.uniform() < uniform_share_) return region_.sample(random);
+  const double u = random.uniform();
+  const auto chosen = std::find_if(components_.begin(), components_.end() - 1,
+                                   [u](const Component& component) { return u < component.cumulative; });
+  const double a = random.gaussian(), b = random.gaussian(), c = random.gaussian();
+  const Vector3d offset = chosen->cholesky * Vector3d(a, b, c);
+  const double phi = chosen->heading_known ? chosen->mean.phi + offset.z() : random.uniform(-kPi, kPi);
+  return {chosen->mean.x + offset.x(), chosen->mean.y + offset.y(), wrap(phi)};
+}
+
+double SeedMixture::density(const Pose2& pose) const
+{
+  double sum = 0;
+  for (std::size_t k = 0; k < components_.size(); ++k)
+  {
+    const Reach& reach = reach_[k];
+    if (std::abs(pose.x - reach.x) > reach.half_x || std::abs(pose.y - reach.y) > reach.half_y) continue;
+    const Component& component = components_[k];
+    Vector3d d(pose.x - component.mean.x, pose.y - component.mean.y, 0.0);
+    const auto add = [&](double turned)
+    {
+      d.z() = turned;
+      const double distance2 = d.dot(component.information * d);
+      if (distance2 < kReach2) sum += component.share * std::exp(component.log_norm - 0.5 * distance2);
+    };
+    if (!component.heading_known)
+    {
+      add(0);
+      continue;
+    }
+    // Samples are wrapped, so every full turn away counts at the same heading.
+    const double turned = wrap(pose.phi - component.mean.phi);
+    for (const double full_turn : {-kTwoPi, 0.0, kTwoPi}) add(turned + full_turn);
+  }
+  return uniform_share_ * region_.density(pose) + (1 - uniform_share_) * sum;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,71 @@
+#include "mrpt_ext/hypotheses/propose_from_association.h"
+
+#include <algorithm>
+
+#include "mrpt_ext/correspondence/tree/tree_input.h"
+#include "mrpt_ext/hypotheses/window_readings.h"
+#include "mrpt_ext/hypotheses/window_scans.h"
+#include "mrpt_ext/hypotheses/scans.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr const char* kSource = "interpretation_tree";
+constexpr std::size_t kConstellation = 3;  // joined points that speak for themselves
+constexpr double kGate = 3.3;              // standard deviations
+}  // namespace
+
+ReadingInterpretation interpretReadings(std::span<const Reading> readings, const LandmarkTable& map,
+                                        const LostRobotSearch& search, const PoseRegion& region,
+                                        std::uint64_t max_tree_nodes)
+{
+  std::vector<SensorPlace> places = joinedPlaces(readings, map, search.index());
+  if (places.empty()) return {};
+  // Where joining gave a constellation, what did not join it is mostly false, and would be counted again and again.
+  const auto is_point = [](const UnidentifiedDetection& d) { return d.bearing && d.range; };
+  const auto& joined = places.front().detections;
+  if (areJoined(readings) && joined.size() >= kConstellation && std::all_of(joined.begin(), joined.end(), is_point))
+    places.resize(1);
+  PoseSearchOptions options;
+  options.gate = kGate;
+  options.area = MapArea{region.low, region.low + region.extent()};
+  options.max_tree_nodes = max_tree_nodes;
+  const PoseSearch found = search.search(places, options);
+
+  ReadingInterpretation result{.status = found.status, .unique = found.unique, .finished = found.finished};
+  for (const ConsistentPose& pose : found.poses)
+    if (region.contains(pose.pose.mean))
+      result.hypotheses.push_back(
+          {.pose = pose.pose, .log_score = pose.log_evidence, .weight = pose.probability, .source = kSource});
+  if (result.hypotheses.empty() && result.status == SolveStatus::ok) result.status = SolveStatus::none;
+  return result;
+}
+
+HypothesisSet interpretThreeBearings(std::span<const Reading> readings, const LandmarkTable& map,
+                                     const LostRobotSearch& search, const PoseRegion& region)
+{
+  const LandmarkIndex& index = search.index();
+  if (index.size() > kLargestTreeMap) return {};
+  const std::vector<SensorPlace> places = sensorPlaces(readings, map, index);
+  const TreeQuestion question = askFullestPlace(index, places);
+  const std::size_t count = question.bearings.size();
+  if (count < 3 || count > 4) return {};
+
+  InterpretationOptions options =
+      treeOptions(question, {.gate = kGate, .area = MapArea{region.low, region.low + region.extent()}});
+  options.allow_three = true;
+  options.max_unmatched = static_cast<int>(count) - 3;
+  options.max_tested = InterpretationOptions{}.max_tested;
+  HypothesisSet hypotheses;
+  for (const Interpretation& interpretation :
+       interpretBearings(index.positions(), question.bearings, options).solutions)
+  {
+    PoseHypothesis h{.pose = robotPose(interpretation.pose, question.place->T_robot_sensor),
+                     .log_score = interpretation.log_likelihood,
+                     .source = kSource};
+    if (region.contains(h.pose.mean)) hypotheses.push_back(std::move(h));
+  }
+  return hypotheses;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,108 @@
+#include "mrpt_ext/hypotheses/propose_from_window.h"
+
+#include <algorithm>
+#include <array>
+
+#include "mrpt_ext/hypotheses/window_readings.h"
+#include "mrpt_ext/solvers/pose_ring.h"
+#include "mrpt_ext/solvers/two_landmark_pose.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kGate = 4;             // standard deviations
+constexpr std::size_t kMaxPairs = 200;  // of landmarks, evenly chosen
+
+/// A landmark of the map and the places in the robot frame that it may have.
+struct Located
+{
+  Vector2d landmark{0, 0};
+  std::vector<CarriedLandmarkPlace> places;
+};
+
+std::vector<Located> locateAll(std::span<const Reading> oldest_first, const LandmarkTable& map)
+{
+  std::vector<Located> result;
+  for (const auto& [landmark, sightings] : carriedSightings(oldest_first, map))
+    if (CarriedLandmark found = locateLandmark(sightings); found.status == SolveStatus::ok)
+      result.push_back({map[landmark].position.head<2>(), std::move(found.places)});
+  return result;
+}
+
+void addPair(const Located& a, const Located& b, HypothesisSet& result)
+{
+  for (const CarriedLandmarkPlace& at_a : a.places)
+    for (const CarriedLandmarkPlace& at_b : b.places)
+    {
+      const std::array seen{SeenLandmark{a.landmark, at_a.in_robot}, SeenLandmark{b.landmark, at_b.in_robot}};
+      const PointPose fit = solvePointPose(seen);
+      if (fit.status == SolveStatus::ok && fit.chi2 <= square(kGate))
+        result.push_back({.pose = fit.pose, .source = "joined_landmarks"});
+    }
+}
+
+void addRing(const PoseRing& ring, const std::optional<CompassRecord>& compass, std::size_t points,
+             HypothesisSet& result)
+{
+  if (compass)
+  {
+    result.push_back({.pose = gaussianOnRing(ring, compass->heading, compass->std_heading), .source = "joined_ring"});
+    return;
+  }
+  const double spacing = kTwoPi / static_cast<double>(points);
+  for (std::size_t k = 0; k < points; ++k)
+    result.push_back(
+        {.pose = gaussianOnRing(ring, wrap(spacing * static_cast<double>(k)), spacing / 2), .source = "joined_ring"});
+}
+
+/// The readings as they are, without those that `pose` does not explain.
+std::vector<CarriedMeasurements> explained(std::vector<CarriedMeasurements> readings, const Pose2& pose)
+{
+  for (CarriedMeasurements& reading : readings)
+    std::erase_if(reading.measurements,
+                  [&](const PoseMeasurement& m)
+                  {
+                    const JacobianRow row = jacobian(m, pose) * composeJacobianSecond(pose);
+                    const double variance = square(m.std) + row * reading.way_covariance * row.transpose();
+                    return square(residual(m, pose)) > square(kGate) * variance;
+                  });
+  return readings;
+}
+}  // namespace
+
+HypothesisSet proposeFromCarriedLandmarks(std::span<const Reading> oldest_first, const LandmarkTable& map,
+                                          const std::optional<CompassRecord>& compass, std::size_t points)
+{
+  const std::vector<Located> located = locateAll(oldest_first, map);
+  HypothesisSet result;
+  std::vector<std::array<std::size_t, 2>> pairs;
+  for (std::size_t i = 0; i < located.size(); ++i)
+    for (std::size_t j = i + 1; j < located.size(); ++j) pairs.push_back({i, j});
+  const std::size_t tried = std::min(pairs.size(), kMaxPairs);
+  for (std::size_t k = 0; k < tried; ++k)
+  {
+    const auto& [i, j] = pairs[k * pairs.size() / tried];
+    addPair(located[i], located[j], result);
+  }
+  if (!result.empty() || located.empty()) return result;
+  const auto area = [](const Located& l) { return l.places.front().in_robot.covariance.trace(); };
+  const Located& sharpest = *std::min_element(located.begin(), located.end(),
+                                              [&](const Located& a, const Located& b) { return area(a) < area(b); });
+  for (const CarriedLandmarkPlace& place : sharpest.places)
+    addRing({sharpest.landmark, place.in_robot}, compass, points, result);
+  return result;
+}
+
+std::optional<GaussianPose> refineOnJoined(std::span<const Reading> oldest_first, const LandmarkTable& map,
+                                           const Pose2& start)
+{
+  const std::vector<CarriedMeasurements> all = carriedMeasurements(oldest_first, map);
+  const PoseMl first = refineCarriedPose(explained(all, start), start);
+  if (first.status != SolveStatus::ok || !first.converged) return std::nullopt;
+  // Once more with those that the better pose explains.
+  const PoseMl fit = refineCarriedPose(explained(all, first.pose.mean), first.pose.mean);
+  if (fit.status != SolveStatus::ok || !fit.converged) return std::nullopt;
+  return fit.pose;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,93 @@
+#include "mrpt_ext/hypotheses/propose_poses.h"
+
+#include <algorithm>
+
+#include "mrpt_ext/hypotheses/window_readings.h"
+#include "mrpt_ext/hypotheses/propose_from_association.h"
+#include "mrpt_ext/hypotheses/pose_proposals.h"
+#include "mrpt_ext/hypotheses/propose_from_window.h"
+#include "mrpt_ext/likelihood/compass_likelihood.h"
+#include "mrpt_ext/likelihood/reading_likelihood.h"
+#include "mrpt_ext/likelihood/running_fix_likelihood.h"
+#include "mrpt_ext/solvers/pose_ml.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kMergeDistance = 0.1;  // [m]
+constexpr double kMergeAngle = degToRad(3.0);
+
+void append(HypothesisSet& all, HypothesisSet more)
+{
+  all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+/// The reading with most unidentified detections, of several the newest.
+std::span<const Reading> fullestReading(std::span<const Reading> readings)
+{
+  const auto count = [](const Reading& reading)
+  {
+    return std::count_if(reading.detections.begin(), reading.detections.end(),
+                         [](const Detection& d) { return d.id == kNoId; });
+  };
+  std::size_t fullest = 0;
+  for (std::size_t r = 1; r < readings.size(); ++r)
+    if (count(readings[r]) >= count(readings[fullest])) fullest = r;
+  return readings.subspan(fullest, readings.empty() ? 0 : 1);
+}
+
+/// Refines a pose from a minimal subset on everything that is identified, tolerating false readings.
+void refine(PoseHypothesis& hypothesis, std::span<const PoseMeasurement> rows)
+{
+  if (!hypothesis.heading_known || rows.size() < 3) return;
+  const PoseMl fit = refinePose(rows, hypothesis.pose.mean, {.loss = Loss::cauchy});
+  if (fit.status == SolveStatus::ok && fit.converged) hypothesis.pose = fit.pose;
+}
+
+/// Log-likelihood of all evidence of the frame, for all hypotheses at once.
+void score(HypothesisSet& hypotheses, const Frame& frame, const LandmarkTable& map)
+{
+  if (hypotheses.empty()) return;
+  const auto [low, high] = map.boundingBox();
+  PoseColumns columns((low + high) / 2);
+  for (const PoseHypothesis& hypothesis : hypotheses) columns.add(hypothesis.pose.mean);
+  const PoseBatch poses = columns.batch();
+  std::vector<float> log_score(hypotheses.size(), 0.0F);
+  for (const Reading& reading : scoredReadings(frame)) addLogLikelihood(reading, map, {}, poses, log_score);
+  if (frame.compass) addCompassLogLikelihood(*frame.compass, poses, log_score);
+  for (std::size_t i = 0; i < hypotheses.size(); ++i) hypotheses[i].log_score = double{log_score[i]};
+}
+}  // namespace
+
+HypothesisSet proposePoses(const Frame& frame, const LandmarkTable& map, const LostRobotSearch& search,
+                           const ProposalOptions& options)
+{
+  const std::uint64_t nodes = options.max_tree_nodes;
+  const std::vector<LandmarkSighting> identified = identifiedSightings(frame.readings, map);
+  HypothesisSet all = proposeFromPointPairs(identified);
+  append(all, proposeFromBearings(identified));
+  if (all.empty()) append(all, proposeFromRanges(identified));
+  const std::vector<PoseMeasurement> rows = poseMeasurements(identified);
+  for (PoseHypothesis& hypothesis : all) refine(hypothesis, rows);
+  if (all.empty()) append(all, proposeFromRing(identified, options.ring_points));
+  append(all, proposeFromRunningFixes(frame, map, options.ring_points));
+
+  if (areJoined(frame.readings))
+  {
+    append(all, proposeFromCarriedLandmarks(frame.readings, map, frame.compass, options.ring_points));
+    // Joining may fail where one look is enough.
+    append(all, interpretReadings(fullestReading(frame.readings), map, search, options.region, nodes).hypotheses);
+  }
+  append(all, interpretReadings(frame.readings, map, search, options.region, nodes).hypotheses);
+  append(all, interpretThreeBearings(frame.readings, map, search, options.region));
+
+  std::erase_if(all, [&](const PoseHypothesis& h) { return !options.region.contains(h.pose.mean); });
+  score(all, frame, map);
+  rankByScore(all);
+  mergeDuplicates(all, kMergeDistance, kMergeAngle);
+  if (all.size() > options.max_hypotheses) all.resize(options.max_hypotheses);
+  rankByScore(all);
+  return all;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "mrpt_ext/likelihood/landmark_culling.h"
+#include "mrpt_ext/likelihood/visibility_kernels.h"
+
+namespace mrpt_ext
+{
+/// logMissedDetections() for all robots of a tile. Landmarks that no robot of a block has in view, or all have, count
+/// once per block; only those at the rim are looked at for each robot.
+class MissedScorer
+{
+ public:
+  MissedScorer(const Reading& reading, const LandmarkTable& map, const SightingFrame& frame);
+
+  /// What is summed for one block.
+  struct Terms
+  {
+    std::vector<ViewedLandmark> rim;
+    double log_sum = 0;             ///< of all others
+    double mean = 0, variance = 0;  ///< likewise, of the count
+  };
+
+  void prepare(const LandmarkWindow& window, Terms& terms) const;
+  void addTo(const SensorTile& tile, const Terms& terms, SensorTile::Column& log_sum) const;
+
+ private:
+  const Reading& reading_;
+  const LandmarkTable& map_;
+  const SightingFrame& frame_;
+  ViewLimits limits_;
+  bool identified_;
+  std::vector<std::uint8_t> reported_;  // per landmark of the map
+};
+}  // namespace mrpt_ext

@@ -1,0 +1,111 @@
+#include "mrpt_ext/likelihood/visibility_kernels.h"
+
+#include "mrpt_ext/geometry/vector_clones.h"
+#include "mrpt_ext/likelihood/tile_geometry.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+using namespace tile_geometry;
+constexpr std::size_t kSize = SensorTile::kSize;
+
+template <bool LimitsBearing>
+[[gnu::always_inline]] inline float chanceAt(const SensorTile& tile, std::size_t i, const ViewedLandmark& landmark,
+                                             const TileLimits& limits)
+{
+  const Offset to = offsetTo(landmark.x, landmark.y, tile.x[i], tile.y[i]);
+  return chanceOf<LimitsBearing>(to, landmark.rise2, tile.cosine[i], tile.sine[i], limits);
+}
+
+template <bool LimitsBearing>
+[[gnu::always_inline]] inline void chances(const SensorTile& tile, std::span<const ViewedLandmark> landmarks,
+                                           const TileLimits& limits, float* chance, float* clutter)
+{
+  for (const ViewedLandmark& landmark : landmarks) MRPT_EXT_INDEPENDENT_ITERATIONS
+  for (std::size_t i = 0; i < kSize; ++i)
+  {
+    const float c = chanceAt<LimitsBearing>(tile, i, landmark, limits);
+    chance[i] += c;
+    clutter[i] += c * landmark.clutter;
+  }
+}
+
+template <bool LimitsBearing>
+[[gnu::always_inline]] inline void countMoments(const SensorTile& tile, std::span<const ViewedLandmark> landmarks,
+                                                const TileLimits& limits, float detection_probability, float* mean,
+                                                float* variance)
+{
+  for (const ViewedLandmark& landmark : landmarks) MRPT_EXT_INDEPENDENT_ITERATIONS
+  for (std::size_t i = 0; i < kSize; ++i)
+  {
+    const float p = detection_probability * chanceAt<LimitsBearing>(tile, i, landmark, limits);
+    mean[i] += p;
+    variance[i] += p * (1.0F - p);
+  }
+}
+
+template <bool LimitsBearing, int Count>
+[[gnu::always_inline]] inline void logReports(const SensorTile& tile, const ViewedLandmark* landmarks,
+                                              const TileLimits& limits, float* log_sum)
+{
+  MRPT_EXT_INDEPENDENT_ITERATIONS
+  for (std::size_t i = 0; i < kSize; ++i)
+  {
+    float product = 1;
+    for (int k = 0; k < Count; ++k)
+      product *= landmarks[k].base + landmarks[k].gain * chanceAt<LimitsBearing>(tile, i, landmarks[k], limits);
+    log_sum[i] += vector_math::logOf(product);
+  }
+}
+
+/// Four at a time: no probability is below 0.005, so that products are far from underflow.
+template <bool LimitsBearing>
+[[gnu::always_inline]] inline void allLogReports(const SensorTile& tile, std::span<const ViewedLandmark> landmarks,
+                                                 const TileLimits& limits, float* log_sum)
+{
+  std::size_t j = 0;
+  for (; j + 4 <= landmarks.size(); j += 4) logReports<LimitsBearing, 4>(tile, &landmarks[j], limits, log_sum);
+  for (; j < landmarks.size(); ++j) logReports<LimitsBearing, 1>(tile, &landmarks[j], limits, log_sum);
+}
+}  // namespace
+
+ViewedLandmark viewedLandmark(const Landmark& landmark, const SightingFrame& frame, double clutter)
+{
+  const double rise = frame.horizontal_range ? 0.0 : landmark.position.z() - frame.sensor_height;
+  return {.x = static_cast<float>(landmark.position.x() - frame.origin.x()),
+          .y = static_cast<float>(landmark.position.y() - frame.origin.y()),
+          .rise2 = static_cast<float>(square(rise)),
+          .clutter = static_cast<float>(clutter)};
+}
+
+MRPT_EXT_VECTOR_CLONES
+void addChances(const SensorTile& tile, std::span<const ViewedLandmark> landmarks, const ViewLimits& limits,
+                SensorTile::Column& chance, SensorTile::Column& clutter)
+{
+  if (limits.limitsBearing())
+    chances<true>(tile, landmarks, TileLimits(limits), chance, clutter);
+  else
+    chances<false>(tile, landmarks, TileLimits(limits), chance, clutter);
+}
+
+MRPT_EXT_VECTOR_CLONES
+void addCountMoments(const SensorTile& tile, std::span<const ViewedLandmark> landmarks, const ViewLimits& limits,
+                     float detection_probability, SensorTile::Column& mean, SensorTile::Column& variance)
+{
+  if (limits.limitsBearing())
+    countMoments<true>(tile, landmarks, TileLimits(limits), detection_probability, mean, variance);
+  else
+    countMoments<false>(tile, landmarks, TileLimits(limits), detection_probability, mean, variance);
+}
+
+MRPT_EXT_VECTOR_CLONES
+void addLogReports(const SensorTile& tile, std::span<const ViewedLandmark> landmarks, const ViewLimits& limits,
+                   SensorTile::Column& log_sum)
+{
+  if (limits.limitsBearing())
+    allLogReports<true>(tile, landmarks, TileLimits(limits), log_sum);
+  else
+    allLogReports<false>(tile, landmarks, TileLimits(limits), log_sum);
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,56 @@
+#include "mrpt_ext/localizers/kalman_localizer.h"
+
+#include <cmath>
+
+#include "mrpt_ext/hypotheses/bias_inflation.h"
+#include "mrpt_ext/hypotheses/measurement_window.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kMinReportedWeight = 0.002;
+constexpr double kEqual = 0.99;  // of the weight of the best: as good as the best
+}  // namespace
+
+void KalmanLocalizer::remember(const Frame& frame)
+{
+  if (recent_.empty()) first_time_ = frame.time;
+  recent_.push_back(frame);
+  while (recent_.front().time < frame.time - seed_window_) recent_.pop_front();
+}
+
+Proposal KalmanLocalizer::propose() const
+{
+  FrameJoiner joiner(seed_window_, motion_);
+  for (const Frame& frame : recent_) joiner.add(frame);
+  Frame joined = joiner.joined();
+  joined.readings = withExpectedErrors(std::move(joined.readings), biases_);
+  Proposal proposal(proposePoses(joined, map_, *search_, {.region = region_}));
+  proposal.complete = recent_.back().time - first_time_ >= seed_window_;
+  return proposal;
+}
+
+Estimate KalmanLocalizer::process(const Frame& frame)
+{
+  remember(frame);
+  step_ = bank_.process(frame, [this] { return propose(); });
+
+  Estimate estimate;
+  for (const Mode& mode : step_.modes.modes)
+    if (mode.weight >= kMinReportedWeight)
+      estimate.candidates.push_back(
+          {.pose = mode.pose, .log_score = std::log(mode.weight), .weight = mode.weight, .source = name_});
+  if (estimate.candidates.empty()) return estimate;
+  estimate.status = SolveStatus::ok;
+  estimate.ambiguous = step_.verdict == Verdict::ambiguous;
+  if (estimate.candidates.size() > 1 && estimate.candidates[1].weight > kEqual * estimate.candidates[0].weight)
+    return estimate;  // it cannot rank them
+  estimate.point = TrackPoint{.time = frame.time,
+                              .pose = estimate.candidates.front().pose,
+                              .modes = static_cast<int>(estimate.candidates.size()),
+                              .best_weight = estimate.candidates.front().weight,
+                              .verdict = step_.verdict};
+  return estimate;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <deque>
+#include <memory>
+
+#include "mrpt_ext/filter/kalman/kalman_bank.h"
+#include "mrpt_ext/hypotheses/propose_poses.h"
+#include "mrpt_ext/localizers/localizer.h"
+
+namespace mrpt_ext
+{
+/// Kalman filters behind the common interface: extended_kalman_filter, iterated_kalman_filter and kalman_filter_bank
+/// differ by their options only. The estimate is the heaviest hypothesis; none while the second is as heavy to within
+/// one per cent, since they cannot be ranked then.
+class KalmanLocalizer : public Localizer
+{
+ public:
+  /// `region`: where the robot can be found; `seed_window` [s]: how far back readings are joined by odometry when
+  /// hypotheses are needed; `search`: of this map.
+  KalmanLocalizer(std::string name, const KalmanBankOptions& options, const LandmarkTable& map,
+                  const PoseRegion& region, double seed_window, std::shared_ptr<const LostRobotSearch> search)
+      : name_(std::move(name)),
+        map_(map),
+        region_(region),
+        search_(std::move(search)),
+        bank_(options, map),
+        motion_(options.motion),
+        biases_(options.biases),
+        seed_window_(seed_window)
+  {
+  }
+
+  [[nodiscard]] std::string name() const override { return name_; }
+  [[nodiscard]] bool continuous() const override { return true; }
+  Estimate process(const Frame& frame) override;
+  [[nodiscard]] const KalmanBank& bank() const { return bank_; }
+  [[nodiscard]] const KalmanStep& lastStep() const { return step_; }
+
+ private:
+  void remember(const Frame& frame);
+  [[nodiscard]] Proposal propose() const;
+
+  std::string name_;
+  LandmarkTable map_;
+  PoseRegion region_;
+  std::shared_ptr<const LostRobotSearch> search_;
+  KalmanBank bank_;
+  MotionModel motion_;
+  BiasModel biases_;
+  double seed_window_;
+  std::deque<Frame> recent_;  // those of the window, joined only when hypotheses are asked for
+  double first_time_ = 0;
+  KalmanStep step_;
+};
+}  // namespace mrpt_ext

@@ -1,0 +1,127 @@
+#include "mrpt_ext/localizers/running_fix_localizer.h"
+
+#include "mrpt_ext/hypotheses/landmark_measurement.h"
+#include "mrpt_ext/likelihood/reading_likelihood.h"
+#include "mrpt_ext/localizers/closed_form_localizer.h"
+#include "mrpt_ext/localizers/closed_form_methods.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+OdometryMotion joined(const OdometryMotion& first, const OdometryMotion& second)
+{
+  return {compose(first.increment, second.increment), first.path_length + second.path_length,
+          first.turned + second.turned, first.duration + second.duration};
+}
+}  // namespace
+
+Estimate RunningFixLocalizer::process(const Frame& frame)
+{
+  carryForward(frame.motion);
+  updateHeading(frame);
+  std::vector<RunningFixReading> fixes = frame.fixes;
+  for (RunningFixReading& fix : fixesFromRanges(frame)) fixes.push_back(std::move(fix));
+  if (fixes.empty()) return {};
+  if (!heading_) return {.status = SolveStatus::degenerate};  // a ring
+
+  ClosedFormAnswer answer{.candidates = candidatesOf(fixes, frame)};
+  answer.status = answer.candidates.empty() ? SolveStatus::none : SolveStatus::ok;
+  Estimate estimate = estimateFrom(std::move(answer), frame.time);
+  if (estimate.point && options_.heading_source == HeadingSource::bearing)
+    heading_ = HeadingPrior{estimate.point->pose.mean.phi, std::sqrt(estimate.point->pose.covariance(2, 2))};
+  return estimate;
+}
+
+void RunningFixLocalizer::carryForward(const OdometryMotion& measured)
+{
+  const OdometryMotion motion = believedMotion(options_.motion, measured);
+  for (auto& [id, ranges] : pending_)
+  {
+    for (PendingRange& range : ranges) range.since = joined(range.since, motion);
+    while (!ranges.empty() && ranges.front().since.duration > options_.max_age) ranges.pop_front();
+  }
+  if (!heading_) return;
+  heading_->heading = wrap(heading_->heading + motion.increment.phi);
+  heading_->std_heading = std::hypot(heading_->std_heading, incrementStd(options_.motion, motion).z());
+}
+
+void RunningFixLocalizer::updateHeading(const Frame& frame)
+{
+  switch (options_.heading_source)
+  {
+    case HeadingSource::none:
+      heading_.reset();
+      break;
+    case HeadingSource::filter:
+      heading_ = filter_heading_ ? filter_heading_() : std::nullopt;
+      break;
+    case HeadingSource::compass:
+      if (frame.compass) heading_ = HeadingPrior{frame.compass->heading, frame.compass->std_heading};
+      break;
+    case HeadingSource::bearing:
+      if (const ClosedFormAnswer fit = twoLandmarkPose(frame, map_); fit.status == SolveStatus::ok)
+      {
+        const GaussianPose& pose = fit.candidates.front().pose;
+        heading_ = HeadingPrior{pose.mean.phi, std::sqrt(pose.covariance(2, 2))};
+      }
+      break;
+  }
+}
+
+std::vector<RunningFixReading> RunningFixLocalizer::fixesFromRanges(const Frame& frame)
+{
+  std::vector<RunningFixReading> fixes;
+  for (const LandmarkSighting& s : identifiedSightings(frame.readings, map_))
+  {
+    if (!s.range) continue;
+    const int id = map_[*s.landmark].id;
+    std::deque<PendingRange>& earlier = pending_[id];
+    // The newest partner far enough away: the shorter the way, the less odometry error enters.
+    for (std::size_t left = earlier.size(); left > 0; --left)
+    {
+      const PendingRange& partner = earlier[left - 1];
+      const double displacement = partner.since.increment.position().norm();
+      if (displacement < options_.min_displacement_stds * std::max(s.std_range, partner.std)) continue;
+      // As if the first range had been taken by the second sensor, from a robot standing where that puts it.
+      const Pose2 swap = compose(s.T_robot_sensor, inverse(partner.T_robot_sensor));
+      const Matrix3d J = composeJacobianSecond(swap);
+      fixes.push_back(
+          {.time = frame.time,
+           .first_time = partner.time,
+           .T_robot_sensor = s.T_robot_sensor,
+           .horizontal_range = true,
+           .id = id,
+           .first_range = partner.range,
+           .first_std = partner.std,
+           .second_range = *s.range,
+           .second_std = s.std_range,
+           .displacement = compose(swap, partner.since.increment),
+           .displacement_covariance = J * incrementCovariance(options_.motion, partner.since) * J.transpose(),
+           .second_bearing = s.bearing,
+           .second_bearing_std = s.std_bearing});
+      break;
+    }
+    earlier.push_back({frame.time, *s.range, s.std_range, s.T_robot_sensor, {}});
+  }
+  return fixes;
+}
+
+HypothesisSet RunningFixLocalizer::candidatesOf(const std::vector<RunningFixReading>& fixes, const Frame& frame) const
+{
+  HypothesisSet candidates;
+  for (RunningFixReading fix : fixes)
+  {
+    const auto known = map_.indexOf(fix.id);
+    if (!known || !reduceToHorizontal(fix, map_[*known].position.z())) continue;
+    for (const RunningFixPose& candidate : runningFixPoses(fix, map_[*known].position.head<2>(), *heading_).candidates)
+    {
+      if (!options_.region.contains(candidate.pose.mean)) continue;
+      double score = frame.fixes.empty() ? 0 : candidate.log_score;
+      for (const Reading& reading : frame.readings) score += logLikelihood(reading, map_, candidate.pose.mean);
+      candidates.push_back({.pose = candidate.pose, .log_score = score, .source = "running_fix"});
+    }
+  }
+  return candidates;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,133 @@
+#include "mrpt_ext/rawlog/rawlog_sink.h"
+
+#include <mrpt/io/CFileGZOutputStream.h>
+#include <mrpt/obs/CObservationComment.h>
+#include <mrpt/obs/CObservationIMU.h>
+#include <mrpt/obs/CObservationOdometry.h>
+#include <mrpt/serialization/CArchive.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "mrpt_ext/files/atomic_file.h"
+#include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/observations/observation_conversions.h"
+#include "mrpt_ext/observations/timestamps.h"
+#include "mrpt_ext/rawlog/rawlog_file_check.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+using ObservationPtr = mrpt::obs::CObservation::Ptr;
+constexpr double kLatestTime = 1e11;  ///< [s] well inside what MRPT's stamps can hold
+
+/// What must be known of all records before the first one is written.
+struct LogSummary
+{
+  std::size_t entries = 0;
+  double first_time = 0;                  ///< [s]
+  std::set<std::string> ranging_sensors;  ///< that measure a range at least once
+};
+
+class ObservationMaker
+{
+ public:
+  explicit ObservationMaker(std::set<std::string> ranging_sensors) : ranging_sensors_(std::move(ranging_sensors)) {}
+
+  ObservationPtr operator()(const OdometryRecord& odometry) const
+  {
+    auto observation = mrpt::obs::CObservationOdometry::Create();
+    observation->timestamp = timestampOf(odometry.time);
+    observation->sensorLabel = "odometry";
+    observation->odometry = {odometry.pose.x, odometry.pose.y, odometry.pose.phi};
+    return observation;
+  }
+  ObservationPtr operator()(const Reading& reading) const
+  {
+    if (ranging_sensors_.count(reading.sensor) > 0) return toStereoRanges(reading);
+    return toLandmarkBearings(reading);
+  }
+  ObservationPtr operator()(const RunningFixReading& fix) const { return toObservation(fix); }
+  ObservationPtr operator()(const CompassRecord& compass) const
+  {
+    auto observation = mrpt::obs::CObservationIMU::Create();
+    observation->timestamp = timestampOf(compass.time);
+    observation->sensorLabel = compass.sensor;
+    observation->set(mrpt::obs::IMU_YAW, compass.heading);
+    return observation;
+  }
+
+ private:
+  std::set<std::string> ranging_sensors_;
+};
+
+ObservationPtr countComment(const LogSummary& summary)
+{
+  auto comment = mrpt::obs::CObservationComment::Create();
+  comment->text = "entries=" + std::to_string(summary.entries);
+  comment->sensorLabel = "entries";
+  comment->timestamp = timestampOf(summary.first_time);
+  return comment;
+}
+
+/// Reads all records, and throws where they cannot be written.
+LogSummary summaryOf(const std::filesystem::path& path, const RecordFeed& records)
+{
+  LogSummary summary;
+  double latest = -std::numeric_limits<double>::infinity();
+  for (; const auto record = records(); ++summary.entries)
+  {
+    const auto fail = [&](const std::string& what)
+    { return dataError(path.string() + ": record " + std::to_string(summary.entries) + ": " + what); };
+    const double time = timeOf(*record);
+    if (!std::isfinite(time) || std::abs(time) > kLatestTime) throw fail("time is not a finite Unix time");
+    if (time < latest) throw fail("earlier than the record before it, expected the order of time");
+    if (summary.entries == 0) summary.first_time = time;
+    latest = time;
+    const auto* reading = std::get_if<Reading>(&*record);
+    if (reading && reading->sensor.empty()) throw fail("a reading without sensor label");
+    if (reading && hasRange(*reading)) summary.ranging_sensors.insert(reading->sensor);
+  }
+  return summary;
+}
+
+void writeTo(const std::filesystem::path& file, const LogSummary& summary, const RecordFeed& records)
+{
+  mrpt::io::CFileGZOutputStream stream;
+  if (!stream.open(file.string())) throw std::runtime_error("cannot be opened");
+  auto archive = mrpt::serialization::archiveFrom(stream);
+  const ObservationMaker make(summary.ranging_sensors);
+  archive << *countComment(summary);
+  while (const auto record = records()) archive << *std::visit(make, *record);
+}
+}  // namespace
+
+void writeRawlog(const std::filesystem::path& path, const Recording& recording)
+{
+  writeRawlog(path, [&recording] { return feedOf(recording.records); });
+}
+
+std::size_t writeRawlog(const std::filesystem::path& path, const std::function<RecordFeed()>& records)
+{
+  const LogSummary summary = summaryOf(path, records());
+  const std::filesystem::path temporary = temporaryNameFor(path);
+  try
+  {
+    if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
+    writeTo(temporary, summary, records());
+    // Closing does not report a full disk: look whether the checksum at the end is there.
+    if (!checkRawlogFile(temporary).damage.empty()) throw std::runtime_error("is the disk full?");
+  }
+  catch (const std::exception& error)
+  {
+    std::error_code ignored;
+    std::filesystem::remove(temporary, ignored);
+    const std::string text = error.what();
+    throw dataError(path.string() + ": cannot be written (" + text.substr(0, text.find('\n')) + ")");
+  }
+  renameIntoPlace(temporary, path);
+  return summary.entries;
+}
+}  // namespace mrpt_ext

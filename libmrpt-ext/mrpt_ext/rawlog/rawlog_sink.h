@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "mrpt_ext/geometry/record_stream.h"
+
+namespace mrpt_ext
+{
+/// Writes a recording as an observation-only rawlog, gzip-compressed, under a temporary name that is renamed at the
+/// end.
+///
+/// Odometry becomes CObservationOdometry "odometry", running fixes CObservationRunningFix, headings CObservationIMU
+/// (which has no place for the deviation). All readings of a sensor label become the same class, so that
+/// rawlog-edit --export-txt gives one table per label: CObservationStereoRanges if any has a range, else
+/// CObservationLandmarkBearings. The first entry is a comment "entries=N" that RawlogReader compares.
+///
+/// The same recording gives the same bytes. Throws InputError (data) for a record with a time that is not finite,
+/// a sensor without label or records out of order, and when the file cannot be written completely.
+void writeRawlog(const std::filesystem::path& path, const Recording& recording);
+
+/// The same for records that need not fit into memory: `records` begins anew with every call, and is called twice,
+/// since the first entry tells of all. Returns their number.
+std::size_t writeRawlog(const std::filesystem::path& path, const std::function<RecordFeed()>& records);
+}  // namespace mrpt_ext

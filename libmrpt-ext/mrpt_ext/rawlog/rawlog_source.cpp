@@ -1,0 +1,70 @@
+#include "mrpt_ext/rawlog/rawlog_source.h"
+
+#include "mrpt_ext/files/number_format.h"
+#include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/observations/observation_conversions.h"
+
+namespace mrpt_ext
+{
+RawlogSource::RawlogSource(const std::filesystem::path& path, const Options& options)
+    : reader_(path), queue_(options.reorder_window)
+{
+}
+
+std::optional<Record> RawlogSource::next()
+{
+  while (!ended_ && !queue_.canPop()) readEntry();
+  if (!queue_.canPop()) return std::nullopt;
+  LoggedRecord logged = queue_.pop();
+  step_ = logged.step;
+  last_time_ = timeOf(logged.record);
+  if (!first_time_) first_time_ = last_time_;
+  return std::move(logged.record);
+}
+
+void RawlogSource::readEntry()
+{
+  const auto entry = reader_.next();
+  if (!entry)
+  {
+    push(translator_.finish());
+    queue_.close();
+    ended_ = true;
+    return;
+  }
+  auto records = translator_.translate(*entry);
+  if (!records)
+    throw dataError(reader_.where() + "a " + shortClassName(*entry) +
+                    ", expected an observation, a sensory frame or an action collection");
+  push(std::move(*records));
+}
+
+void RawlogSource::push(std::vector<RawlogTranslator::Output> records)
+{
+  for (auto& [record, step] : records)
+  {
+    const double time = timeOf(record);
+    if (queue_.isTooLate(time))
+      throw dataError(reader_.where() + "its time " + fixedText(time, 3) + " s is " +
+                      fixedText(queue_.newestTime() - time, 3) +
+                      " s before that of an earlier record, expected records in the order of time");
+    queue_.push({.record = std::move(record), .step = step});
+  }
+}
+
+RawlogStatistics RawlogSource::statistics() const
+{
+  return {.entries = reader_.entries(),
+          .observations = translator_.observations(),
+          .unusable = translator_.unusable(),
+          .first_time = first_time_.value_or(0),
+          .last_time = last_time_.value_or(0)};
+}
+
+std::vector<Record> readAll(RawlogSource& source)
+{
+  std::vector<Record> records;
+  while (auto record = source.next()) records.push_back(std::move(*record));
+  return records;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mrpt_ext/frames/reorder_buffer.h"
+#include "mrpt_ext/rawlog/rawlog_reader.h"
+#include "mrpt_ext/rawlog/rawlog_translator.h"
+
+namespace mrpt_ext
+{
+/// What a log held and what became of it; complete once the source has given its last record.
+struct RawlogStatistics
+{
+  std::size_t entries = 0;                               ///< records in the file
+  std::map<std::string, ObservationCount> observations;  ///< by class, without namespace
+  UnusableCounts unusable;                               ///< "<class>: <reason>": detections, or whole observations
+  double first_time = 0, last_time = 0;                  ///< [s] of the records given; 0 when there were none
+  [[nodiscard]] double duration() const { return last_time - first_time; }
+};
+
+/// A rawlog of either form as plain records in time order, one after the other; see RawlogTranslator for how entries
+/// become records. Damage, unknown classes and times that go back by more than `reorder_window` are an InputError
+/// (data): damaged compression at construction, the rest when its place is reached.
+class RawlogSource
+{
+ public:
+  struct Options
+  {
+    double reorder_window = 1.0;  ///< [s] a record may be this much older than the newest before it
+  };
+  explicit RawlogSource(const std::filesystem::path& path) : RawlogSource(path, Options{}) {}
+  RawlogSource(const std::filesystem::path& path, const Options& options);
+
+  /// The next record in time order; nothing at the end.
+  [[nodiscard]] std::optional<Record> next();
+
+  [[nodiscard]] RawlogStatistics statistics() const;
+  [[nodiscard]] const std::string& sha256() const { return reader_.file().sha256; }
+  [[nodiscard]] const std::string& comment() const { return reader_.comment(); }
+
+  /// Time [s] of each action/sensory-frame pair read so far, by step; empty for an observation-only log.
+  [[nodiscard]] const std::vector<double>& stepTimes() const { return translator_.stepTimes(); }
+  /// Step of the record given last; nothing in an observation-only log.
+  [[nodiscard]] std::optional<std::size_t> step() const { return step_; }
+
+ private:
+  void readEntry();
+  void push(std::vector<RawlogTranslator::Output> records);
+
+  RawlogReader reader_;
+  RawlogTranslator translator_;
+  RawlogQueue queue_;
+  bool ended_ = false;
+  std::optional<std::size_t> step_;
+  std::optional<double> first_time_, last_time_;
+};
+
+/// All records of a source at once.
+[[nodiscard]] std::vector<Record> readAll(RawlogSource& source);
+}  // namespace mrpt_ext

@@ -1,0 +1,163 @@
+#include "mrpt_ext/relocalization/hypothesis_track.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "mrpt_ext/correspondence/scan_matching.h"
+#include "mrpt_ext/geometry/measurement_jacobian.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kMinClutter = 1e-6;
+
+double clutterOf(const SensorModel& model) { return std::clamp(model.clutter_probability, kMinClutter, 0.999); }
+
+/// Log-density of a false detection, times the chance of one.
+double logFalse(const LandmarkIndex& map, const UnidentifiedDetection& z, const SensorModel& model)
+{
+  double volume = 1;
+  if (z.bearing) volume *= model.has_field_of_view ? model.field_of_view : kTwoPi;
+  if (z.range) volume *= model.max_range.value_or(std::max(1.0, 1.5 * (map.high() - map.low()).norm()));
+  if (z.kind != kAnyKind) volume *= std::max(1, map.kindCount());
+  return std::log(clutterOf(model) / volume);
+}
+
+/// Log of the share of the detections that a landmark in view may expect.
+double logShare(const SensorModel& model, double in_view) { return std::log((1 - clutterOf(model)) / in_view); }
+
+double logSum(double a, double b) { return std::max(a, b) + std::log1p(std::exp(-std::abs(a - b))); }
+
+/// A detection against a landmark as the pose sees it: the Kalman filter's innovation.
+struct Innovation
+{
+  Eigen::Vector2d residual = Eigen::Vector2d::Zero();  // an absent value has residual 0, row 0 and variance 1
+  Eigen::Matrix<double, 2, 3> rows = Eigen::Matrix<double, 2, 3>::Zero();
+  Matrix2d variance = Matrix2d::Identity();
+  double log_density = 0;
+};
+
+Innovation innovationOf(const GaussianPose& pose, const SensorPlace& place, const UnidentifiedDetection& z,
+                        const Vector2d& landmark)
+{
+  Innovation innovation;
+  const Vector2d offset = place.T_robot_sensor.position();
+  if (z.bearing)
+  {
+    innovation.residual(0) = wrap(*z.bearing - predictBearing(pose.mean, landmark, place.T_robot_sensor));
+    innovation.rows.row(0) = bearingJacobian(pose.mean, landmark, offset);
+    innovation.variance(0, 0) = square(z.std_bearing);
+  }
+  if (z.range)
+  {
+    innovation.residual(1) = *z.range - predictRange(pose.mean, landmark, place.T_robot_sensor);
+    innovation.rows.row(1) = rangeJacobian(pose.mean, landmark, offset);
+    innovation.variance(1, 1) = square(z.std_range);
+  }
+  innovation.variance += innovation.rows * pose.covariance * innovation.rows.transpose();
+  const int values = (z.bearing ? 1 : 0) + (z.range ? 1 : 0);
+  innovation.log_density = -0.5 * (innovation.residual.dot(innovation.variance.inverse() * innovation.residual) +
+                                   std::log(innovation.variance.determinant()) + values * std::log(kTwoPi));
+  return innovation;
+}
+
+void takeIn(GaussianPose& pose, const Innovation& innovation)
+{
+  const Eigen::Matrix<double, 3, 2> gain =
+      pose.covariance * innovation.rows.transpose() * innovation.variance.inverse();
+  const Vector3d step = gain * innovation.residual;
+  pose.mean = {pose.mean.x + step.x(), pose.mean.y + step.y(), wrap(pose.mean.phi + step.z())};
+  const Matrix3d covariance = pose.covariance - gain * innovation.variance * gain.transpose();
+  pose.covariance = 0.5 * (covariance + covariance.transpose());
+}
+}  // namespace
+
+void moveForward(PoseTrack& track, const TravelStep& step)
+{
+  GaussianPose& pose = track.pose;
+  const Matrix3d J = composeJacobianFirst(pose.mean, step.increment), G = composeJacobianSecond(pose.mean);
+  pose.covariance = J * pose.covariance * J.transpose() + G * step.noise * G.transpose();
+  pose.mean = compose(pose.mean, step.increment);
+}
+
+void moveBack(PoseTrack& track, const TravelStep& step)
+{
+  GaussianPose& pose = track.pose;
+  pose.mean = compose(pose.mean, inverse(step.increment));
+  const Matrix3d J = composeJacobianFirst(pose.mean, step.increment), G = composeJacobianSecond(pose.mean);
+  const Matrix3d back = J.inverse();
+  pose.covariance = back * (pose.covariance + G * step.noise * G.transpose()) * back.transpose();
+}
+
+std::vector<int> confront(PoseTrack& track, const LandmarkIndex& map, std::span<const SensorPlace> seen, double gate)
+{
+  std::vector<int> landmarks;
+  for (const SensorPlace& place : seen)
+  {
+    const std::vector<ExpectedLandmark> expected = expectedLandmarks(map, place, track.pose);
+    const auto in_view = std::count_if(expected.begin(), expected.end(), [](const auto& h) { return h.in_view; });
+    const double log_share = logShare(place.model, std::max(1.0, static_cast<double>(in_view)));
+    const std::vector<int> matches = matchDetections(map, place, expected, gate);
+    for (std::size_t d = 0; d < matches.size(); ++d)
+    {
+      const UnidentifiedDetection& z = place.detections[d];
+      const double log_false = logFalse(map, z, place.model);
+      landmarks.push_back(-1);
+      if (matches[d] < 0)
+      {
+        track.log_evidence += log_false;
+        continue;
+      }
+      const std::size_t landmark = expected[static_cast<std::size_t>(matches[d])].landmark;
+      const Innovation innovation = innovationOf(track.pose, place, z, map.position(landmark));
+      const double log_true = log_share + innovation.log_density;
+      track.log_evidence += logSum(log_false, log_true);
+      if (log_true < log_false) continue;
+      takeIn(track.pose, innovation);
+      landmarks.back() = static_cast<int>(landmark);
+    }
+  }
+  return landmarks;
+}
+
+void confrontAs(PoseTrack& track, const LandmarkIndex& map, std::span<const SensorPlace> seen,
+                std::span<const int> landmarks)
+{
+  std::size_t d = 0;
+  for (const SensorPlace& place : seen)
+  {
+    const std::vector<ExpectedLandmark> expected = expectedLandmarks(map, place, {track.pose.mean, Matrix3d::Zero()});
+    const auto in_view = std::count_if(expected.begin(), expected.end(), [](const auto& h) { return h.in_view; });
+    const double log_share = logShare(place.model, std::max(1.0, static_cast<double>(in_view)));
+    for (const UnidentifiedDetection& z : place.detections)
+    {
+      const int landmark = landmarks[d++];
+      if (landmark < 0)
+      {
+        track.log_evidence += logFalse(map, z, place.model);
+        continue;
+      }
+      const Innovation innovation =
+          innovationOf(track.pose, place, z, map.position(static_cast<std::size_t>(landmark)));
+      track.log_evidence += log_share + innovation.log_density;
+      takeIn(track.pose, innovation);
+    }
+  }
+}
+
+double expectedEvidence(const LandmarkIndex& map, std::span<const SensorPlace> seen)
+{
+  double sum = 0;
+  for (const SensorPlace& place : seen)
+    for (const UnidentifiedDetection& z : place.detections)
+    {
+      const double clutter = clutterOf(place.model);
+      double log_true = logShare(place.model, static_cast<double>(map.size()));
+      if (z.bearing) log_true -= 0.5 + std::log(z.std_bearing * std::sqrt(kTwoPi));
+      if (z.range) log_true -= 0.5 + std::log(z.std_range * std::sqrt(kTwoPi));
+      sum += (1 - clutter) * log_true + clutter * logFalse(map, z, place.model);
+    }
+  return sum;
+}
+}  // namespace mrpt_ext

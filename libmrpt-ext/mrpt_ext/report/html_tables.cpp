@@ -1,0 +1,179 @@
+#include "mrpt_ext/report/html_tables.h"
+
+#include <algorithm>
+
+#include "mrpt_ext/files/number_format.h"
+#include "mrpt_ext/report/number_text.h"
+#include "mrpt_ext/report/html_text.h"
+#include "mrpt_ext/report/landmark_quality.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+using Cells = std::vector<std::string>;
+
+/// First column is a row heading; cells are HTML already.
+std::string row(const Cells& cells, const std::string& css_class = "")
+{
+  std::string html = "<th scope=\"row\">" + cells.front() + "</th>";
+  for (std::size_t c = 1; c < cells.size(); ++c) html += element("td", "", cells[c]);
+  return element("tr", css_class, html) + "\n";
+}
+
+std::string table(const Cells& titles, const std::string& rows, const std::string& css_class = "")
+{
+  std::string head;
+  for (const std::string& title : titles) head += "<th scope=\"col\">" + title + "</th>";
+  const std::string body = element("thead", "", element("tr", "", head)) + "\n" + element("tbody", "", "\n" + rows);
+  return element("div", "scroll", element("table", css_class, "\n" + body)) + "\n";
+}
+
+std::string intervalText(const Figure& low, const Figure& high)
+{
+  return low && high ? magnitudeText(low) + " – " + magnitudeText(high) : kNoFigure;
+}
+
+std::string methodRow(const MethodScore& method, const RunScore& score, bool best)
+{
+  const std::string key = element("span", "key dot " + methodClass(method.name, methodNames(score.methods)), "") +
+                          breakableName(method.name);
+  const std::string badge = best            ? element("span", "badge best", "best")
+                            : method.oracle ? element("span", "badge", "used the truth")
+                                            : "";
+  const ErrorStatistics& error = method.position_error_m;
+  std::string css_class = best ? "best" : method.oracle ? "oracle" : "";
+  return row({key + badge, countText(method.estimates), percentText(method.availability), magnitudeText(error.rmse),
+              intervalText(method.rmse_low, method.rmse_high), magnitudeText(error.median), magnitudeText(error.p95),
+              magnitudeText(error.max), figureText(method.heading_error_deg.rmse, 2),
+              magnitudeText(method.position_error_whole_run_m.rmse), figureText(method.step_ms_median, 3)},
+             css_class);
+}
+
+std::string yesNo(const std::optional<bool>& value) { return value ? (*value ? "yes" : "no") : kNoFigure; }
+
+void addFact(std::string& rows, const std::string& name, const std::string& value)
+{
+  if (!value.empty()) rows += row({escapeHtml(name), escapeHtml(value)});
+}
+
+/// Ids as numbers where they are numbers: 2 before 10.
+bool idBefore(const std::string& a, const std::string& b)
+{
+  const auto first = parseInteger(a), second = parseInteger(b);
+  if (first && second) return *first < *second;
+  return first.has_value() != second.has_value() ? first.has_value() : a < b;
+}
+}  // namespace
+
+std::string trialFolder(int trial)
+{
+  const std::string digits = std::to_string(trial);
+  return "trial_" + std::string(digits.size() < 3 ? 3 - digits.size() : 0, '0') + digits;
+}
+
+std::string methodTable(const RunScore& score)
+{
+  const MethodScore* best = bestMethod(score);
+  std::string rows;
+  for (const MethodScore& method : score.methods) rows += methodRow(method, score, &method == best);
+  return table({"method", "estimates", "available", "RMSE m", "95 % interval", "median m", "95 % m", "worst m",
+                "heading RMSE deg", "whole run RMSE m", "ms per step"},
+               rows, "methods");
+}
+
+std::vector<std::string> landmarkOrder(const RunScore& score)
+{
+  std::vector<std::string> ids;
+  for (const auto& [id, landmark] : score.landmarks) ids.push_back(id);
+  std::stable_sort(ids.begin(), ids.end(), idBefore);
+  return ids;
+}
+
+std::string landmarkTable(const RunScore& score)
+{
+  if (score.landmarks.empty()) return {};
+  std::string rows;
+  for (const std::string& id : landmarkOrder(score))
+  {
+    const LandmarkScore& landmark = score.landmarks.at(id);
+    const std::string doubt = landmarkDoubt(landmark);
+    rows += row({escapeHtml(id), countText(landmark.seen), figureText(landmark.associated, 1),
+                 percentText(landmark.inlier_rate), figureText(landmark.residual_mean, 2),
+                 figureText(landmark.residual_std, 2), doubt.empty() ? "" : element("span", "badge warn", doubt)},
+                doubt.empty() ? "" : "doubtful");
+  }
+  return table({"landmark", "seen", "associated", "inlier rate", "residual mean / σ", "residual std / σ", "remark"},
+               rows);
+}
+
+std::string observationTable(const RunContext& context)
+{
+  if (context.observations.empty()) return {};
+  std::string rows;
+  for (const auto& [name, count] : context.observations)
+    rows +=
+        row({escapeHtml(name), std::to_string(count.total), std::to_string(count.used), std::to_string(count.ignored)},
+            count.used == 0 ? "ignored" : "");
+  return table({"observation class", "total", "used", "ignored"}, rows);
+}
+
+std::string filterTable(const RunScore& score)
+{
+  const FilterScore& f = score.filter;
+  if (!f.particles_median && !f.nees_mean) return {};
+  std::string rows;
+  addFact(rows, "particles (min, median, max)",
+          countText(f.particles_min) + ", " + countText(f.particles_median) + ", " + countText(f.particles_max));
+  addFact(rows, "NEES, mean (95 % band if errors were independent)",
+          figureText(f.nees_mean, 2) + " (" + figureText(f.nees_band_low, 2) + " to " +
+              figureText(f.nees_band_high, 2) + ")");
+  addFact(rows, "least effective sample ratio", figureText(f.effective_sample_ratio_min, 4));
+  addFact(rows, "steps with verdict lost", countText(f.lost_steps));
+  addFact(rows, "re-seeds", countText(f.reseeds));
+  if (score.limit.position_rmse_m)
+    addFact(rows, "posterior Cramér-Rao bound",
+            magnitudeText(score.limit.position_rmse_m) + " m, " + figureText(score.limit.heading_rmse_deg, 2) + " deg");
+  return table({"figure", "value"}, rows, "facts");
+}
+
+std::string trialTable(const RunScore& score)
+{
+  std::string rows;
+  for (const TrialScore& trial : score.trials)
+  {
+    const std::string folder = trialFolder(trial.trial);
+    const bool bad = trial.verdict == Verdict::lost || trial.success == false;
+    rows += row(
+        {"<a href=\"" + folder + "/report.html\">" + folder + "</a>", std::to_string(trial.seed), yesNo(trial.success),
+         element("span", std::string("badge ") + toString(trial.verdict), toString(trial.verdict)),
+         magnitudeText(trial.rmse), figureText(trial.converged_at_s, 1)},
+        bad ? "doubtful" : "");
+  }
+  return table({"trial", "seed", "success", "verdict", "RMSE m", "converged after s"}, rows);
+}
+
+std::string provenanceTable(const RunContext& context, const RunScore& score)
+{
+  std::string rows;
+  addFact(rows, "command", context.command_line);
+  addFact(rows, "configuration", context.config_path);
+  addFact(rows, "random seed", std::to_string(context.seed));
+  addFact(rows, "version", context.version);
+  addFact(rows, "built with", context.built_with);
+  addFact(rows, "log", context.rawlog_path);
+  addFact(rows, "log, SHA-256", context.rawlog_sha256);
+  for (const InputFile& file : context.inputs)
+  {
+    if (file.role != "configuration") addFact(rows, file.role, file.path);
+    addFact(rows, file.role + ", SHA-256", file.sha256);
+  }
+  addFact(rows, "log, entries and duration",
+          std::to_string(context.rawlog_entries) + ", " + figureText(context.duration_s, 1) + " s");
+  addFact(rows, "processor time, wall time",
+          figureText(score.cost.cpu_s, 2) + " s, " + figureText(score.cost.wall_s, 2) + " s (" +
+              magnitudeText(score.cost.realtime_factor) + " times real time)");
+  addFact(rows, "peak memory", figureText(score.cost.peak_memory_mb, 0) + " MB");
+  return table({"item", "value"}, rows, "facts provenance");
+}
+}  // namespace mrpt_ext

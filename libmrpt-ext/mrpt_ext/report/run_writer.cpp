@@ -1,0 +1,57 @@
+#include "mrpt_ext/report/run_writer.h"
+
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "mrpt_ext/evaluation/odometry_alignment.h"
+#include "mrpt_ext/files/atomic_file.h"
+#include "mrpt_ext/report/biases_csv.h"
+#include "mrpt_ext/report/html_page.h"
+#include "mrpt_ext/report/hypotheses_csv.h"
+#include "mrpt_ext/report/objects_csv.h"
+#include "mrpt_ext/report/steps_csv.h"
+#include "mrpt_ext/report/summary_json.h"
+#include "mrpt_ext/report/trajectory_tum.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+/// What an earlier run left in the folder and this one may not write must not pass for a result of this one.
+void removeOldResults(const std::filesystem::path& folder)
+{
+  std::error_code ignored;
+  std::vector<std::filesystem::path> old{folder / "summary.json", folder / "objects.csv", folder / "biases.csv"};
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
+  {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("trajectory_") && name.ends_with(".tum")) old.push_back(entry.path());
+  }
+  for (const std::filesystem::path& file : old) std::filesystem::remove(file, ignored);
+}
+}  // namespace
+
+void writeTrial(const std::filesystem::path& folder, const RunContext& context, RunRecord record, const RunScore& score)
+{
+  const RunRecord placed = withAnchoredOdometry(std::move(record), context.truth);
+  removeOldResults(folder);
+  const auto write = [&folder](const char* name, auto table, const auto& rows)
+  { writeFileAtomically(folder / name, [&](const TextSink& sink) { table(rows, sink); }); };
+  write("steps.csv", stepsCsv, placed);
+  write("hypotheses.csv", hypothesesCsv, placed.hypotheses);
+  if (context.objects_wanted || !placed.objects.empty()) write("objects.csv", objectsCsv, placed.objects);
+  if (!placed.biases.empty()) write("biases.csv", biasesCsv, placed.biases);
+  for (const MethodTrack& method : placed.methods) writeTrajectoryTum(folder, method);
+  writeFileAtomically(folder / "report.html", trialPage(context, placed, score));
+  // Last: who finds a summary finds everything that it belongs to.
+  writeFileAtomically(folder / "summary.json", summaryJson(context, score));
+}
+
+void writeMerged(const std::filesystem::path& folder, const RunContext& context, const RunScore& merged)
+{
+  writeFileAtomically(folder / "report.html", mergedPage(context, merged));
+  writeFileAtomically(folder / "summary.json", summaryJson(context, merged));
+}
+}  // namespace mrpt_ext

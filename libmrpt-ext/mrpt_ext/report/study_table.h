@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mrpt_ext/report/finished_runs.h"
+
+namespace mrpt_ext
+{
+/// A row per run and method: name of the log, trials, successes, lost trials, seconds to converge, RMSE, median and 95
+/// % of the position error [m] and RMSE of the heading [deg], each the median over the trials; `-` (CSV: empty) where
+/// there is none. Methods without a position error are left out.
+[[nodiscard]] std::string studyMarkdown(const std::vector<FinishedRun>& runs);
+/// The same for programs, with the settings in which the runs differ as columns of their own: a sweep as a table.
+[[nodiscard]] std::string studyCsv(const std::vector<FinishedRun>& runs);
+}  // namespace mrpt_ext

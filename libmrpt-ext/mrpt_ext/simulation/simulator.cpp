@@ -1,0 +1,202 @@
+#include "mrpt_ext/simulation/simulator.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "mrpt_ext/geometry/record_stream.h"
+#include "mrpt_ext/simulation/odometry_simulator.h"
+#include "mrpt_ext/simulation/rounding.h"
+#include "mrpt_ext/simulation/running_fix_simulator.h"
+#include "mrpt_ext/simulation/sensor_simulator.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+/// Numbers of the random streams of one seed.
+enum Stream : std::uint64_t
+{
+  kMapStream = 0,
+  kPathStream = 1,
+  kOdometryStream = 2,
+  kFirstObjectStream = 1000,
+  kFirstSensorStream = 2000
+};
+}  // namespace
+
+class SimulatedDrive::Simulation
+{
+ public:
+  explicit Simulation(const Scenario& scenario)
+      : scenario_(scenario),
+        map_(planned<LandmarkTable>(kMapStream, [&](RandomStream& r) { return generateMap(scenario.map, r); })),
+        path_(planned<RobotPath>(kPathStream,
+                                 [&](RandomStream& r) { return planPath(scenario.path, scenario.duration, r); })),
+        odometry_(planned<DeadReckoning>(kOdometryStream, [&](RandomStream& r)
+                                         { return DeadReckoning(path_, scenario.odometry, scenario.duration, r); }))
+  {
+    for (std::size_t i = 0; i < scenario.objects.size(); ++i)
+      object_paths_.push_back(planned<RobotPath>(kFirstObjectStream + i, [&](RandomStream& r)
+                                                 { return planPath(scenario.objects[i].path, scenario.duration, r); }));
+    sources_.push_back({odometryRecords(), {}});
+    for (std::size_t i = 0; i < scenario.sensors.size(); ++i)
+    {
+      const auto run = std::make_shared<SensorRun>(*this, scenario.sensors[i],
+                                                   RandomStream(scenario.random_seed, kFirstSensorStream + i));
+      sources_.push_back({[run] { return run->next(); }, {}});
+    }
+  }
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  /// The earliest of what the sources give next. At one time odometry comes first, then the sensors in the order of the
+  /// scenario.
+  std::optional<Record> next()
+  {
+    Source* first = nullptr;
+    for (Source& source : sources_)
+    {
+      if (!source.waiting) source.waiting = source.next();
+      if (source.waiting && (!first || timeOf(*source.waiting) < timeOf(*first->waiting))) first = &source;
+    }
+    return first ? std::exchange(first->waiting, std::nullopt) : std::nullopt;
+  }
+
+  [[nodiscard]] const LandmarkTable& map() const { return map_; }
+
+  [[nodiscard]] Trajectory truth() const
+  {
+    Trajectory truth;
+    for (int tick = 0;; ++tick)
+    {
+      const double time = std::min(tick / scenario_.truth_rate_hz, scenario_.duration);
+      truth.push_back({stamp(time), rounded(robotAt(time))});
+      if (time >= scenario_.duration) return truth;
+    }
+  }
+
+ private:
+  template <class Result, class Plan>
+  Result planned(std::uint64_t stream, const Plan& plan) const
+  {
+    RandomStream random(scenario_.random_seed, stream);
+    return plan(random);
+  }
+
+  [[nodiscard]] double stamp(double time) const { return rounded(scenario_.start_time + time); }
+
+  [[nodiscard]] Pose2 robotAt(double time) const
+  {
+    Pose2 T_map_path;
+    for (const Kidnapping& kidnapping : scenario_.kidnappings)
+      if (kidnapping.time <= time) T_map_path = compose(kidnapping.pose, inverse(path_.poseAt(kidnapping.time)));
+    return compose(T_map_path, path_.poseAt(time));
+  }
+
+  [[nodiscard]] std::vector<Feature> featuresAt(double time) const
+  {
+    std::vector<Feature> features;
+    for (const Landmark& landmark : map_.all())
+      features.push_back({landmark.id, landmark.category, landmark.position, true});
+    for (std::size_t i = 0; i < object_paths_.size(); ++i)
+    {
+      const Pose2 pose = object_paths_[i].poseAt(time);
+      features.push_back({kNoId, scenario_.objects[i].category, {pose.x, pose.y, scenario_.objects[i].z}, false});
+    }
+    return features;
+  }
+
+  RecordFeed odometryRecords()
+  {
+    return [this, i = std::size_t{0}]() mutable -> std::optional<Record>
+    {
+      if (i == odometry_.records().size() || odometry_.records()[i].time > scenario_.duration) return std::nullopt;
+      const TimedPose& record = odometry_.records()[i++];
+      return OdometryRecord{stamp(record.time), record.pose};
+    };
+  }
+
+  /// What one sensor measures, tick by tick.
+  class SensorRun
+  {
+   public:
+    SensorRun(const Simulation& simulation, const SimulatedSensor& sensor, const RandomStream& random)
+        : simulation_(simulation),
+          sensor_(sensor),
+          random_(random),
+          fixes_(sensor, simulation.path_, simulation.odometry_, random)
+    {
+    }
+
+    std::optional<Record> next()
+    {
+      while (true)
+      {
+        const double time = sensor_.phase_s + tick_++ / sensor_.rate_hz;
+        if (time > simulation_.scenario_.duration) return std::nullopt;
+        if (auto record = measure(time)) return record;
+      }
+    }
+
+   private:
+    std::optional<Record> measure(double time)
+    {
+      const Pose2 robot = simulation_.robotAt(time);
+      if (sensor_.kind == SensorKind::compass)
+      {
+        CompassRecord record = simulateCompass(sensor_, robot, random_);
+        record.time = simulation_.stamp(time + sensor_.delay_s);
+        return record;
+      }
+      if (sensor_.kind == SensorKind::running_fix)
+      {
+        auto fix = fixes_.look(time, robot, simulation_.featuresAt(time));
+        if (!fix) return std::nullopt;
+        fix->time = simulation_.stamp(fix->time + sensor_.delay_s);
+        fix->first_time = simulation_.stamp(fix->first_time + sensor_.delay_s);
+        return *fix;
+      }
+      Reading reading = simulateReading(sensor_, robot, simulation_.featuresAt(time), random_);
+      reading.time = simulation_.stamp(time + sensor_.delay_s);
+      return reading;
+    }
+
+    const Simulation& simulation_;
+    const SimulatedSensor& sensor_;
+    RandomStream random_;
+    RunningFixSimulator fixes_;
+    int tick_ = 0;
+  };
+
+  /// Records of one origin, ordered by time, with the one that waits for its turn.
+  struct Source
+  {
+    RecordFeed next;
+    std::optional<Record> waiting;
+  };
+
+  const Scenario& scenario_;
+  LandmarkTable map_;
+  RobotPath path_;
+  DeadReckoning odometry_;
+  std::vector<RobotPath> object_paths_;
+  std::vector<Source> sources_;
+};
+
+SimulatedDrive::SimulatedDrive(const Scenario& scenario) : simulation_(std::make_unique<Simulation>(scenario)) {}
+SimulatedDrive::~SimulatedDrive() = default;
+SimulatedDrive::SimulatedDrive(SimulatedDrive&&) noexcept = default;
+std::optional<Record> SimulatedDrive::next() { return simulation_->next(); }
+const LandmarkTable& SimulatedDrive::map() const { return simulation_->map(); }
+Trajectory SimulatedDrive::truth() const { return simulation_->truth(); }
+
+Recording simulate(const Scenario& scenario)
+{
+  SimulatedDrive drive(scenario);
+  Recording recording;
+  while (auto record = drive.next()) recording.records.push_back(std::move(*record));
+  recording.map = drive.map();
+  recording.truth = drive.truth();
+  return recording;
+}
+}  // namespace mrpt_ext

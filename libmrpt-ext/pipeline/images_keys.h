@@ -1,9 +1,0 @@
-#pragma once
-
-#include "mrpt_ext/pipeline/key_table.h"
-
-namespace mrpt_ext
-{
-/// The keys of images2rawlog's .ini files.
-[[nodiscard]] KeyTable imagesKeys();
-}  // namespace mrpt_ext

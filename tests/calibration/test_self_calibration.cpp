@@ -1,0 +1,189 @@
+#include "mrpt_ext/calibration/self_calibration.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "recorded_drive.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+using testing::DrivePlan;
+using testing::recordedDrive;
+using Kind = RecordingError;
+
+const std::vector<ErrorTerm> kAll{{Kind::delay},     {Kind::bearing_offset}, {Kind::range_offset}, {Kind::range_scale},
+                                  {Kind::way_scale}, {Kind::turn_scale},     {Kind::veer}};
+const std::vector<ErrorTerm> kOfRanges{{Kind::delay},     {Kind::range_offset}, {Kind::range_scale},
+                                       {Kind::way_scale}, {Kind::turn_scale},   {Kind::veer}};
+
+double trueValue(const DrivePlan& plan, Kind kind)
+{
+  switch (kind)
+  {
+    case Kind::delay:
+      return plan.delay;
+    case Kind::bearing_offset:
+      return plan.bearing_offset;
+    case Kind::range_offset:
+      return plan.range_offset;
+    case Kind::range_scale:
+      return plan.range_scale;
+    case Kind::way_scale:
+      return plan.way_scale;
+    case Kind::turn_scale:
+      return plan.turn_scale;
+    case Kind::veer:
+      return plan.veer;
+  }
+  return 0;
+}
+
+const EstimatedError& errorOf(const RecordingErrors& found, Kind kind)
+{
+  for (const EstimatedError& error : found.errors)
+    if (error.term.kind == kind) return error;
+  throw std::logic_error("not asked for");
+}
+
+DrivePlan erroneous()
+{
+  DrivePlan plan;
+  plan.delay = 0.12;
+  plan.bearing_offset = degToRad(2.0);
+  plan.range_offset = 0.2;
+  plan.range_scale = 0.04;
+  plan.way_scale = -0.05;
+  plan.turn_scale = 0.07;
+  plan.veer = -0.03;
+  return plan;
+}
+
+/// Mean of the squared errors in deviations, over drives of several seeds; every error must be told and within four.
+double meanSquareOverVariance(const DrivePlan& plan, const std::vector<ErrorTerm>& terms, int drives)
+{
+  double sum = 0;
+  int count = 0;
+  for (int seed = 1; seed <= drives; ++seed)
+  {
+    RandomStream random(static_cast<std::uint64_t>(seed), 7);
+    const RecordingErrors found = estimateRecordingErrors(recordedDrive(plan, random), terms);
+    EXPECT_EQ(found.status, SolveStatus::ok);
+    for (const EstimatedError& error : found.errors)
+    {
+      EXPECT_TRUE(error.told) << static_cast<int>(error.term.kind) << " +- " << error.std;
+      const double off = (error.value - trueValue(plan, error.term.kind)) / error.std;
+      EXPECT_LT(std::abs(off), 4) << static_cast<int>(error.term.kind) << ": " << error.value << " +- " << error.std;
+      sum += square(off);
+      ++count;
+    }
+  }
+  return sum / count;
+}
+}  // namespace
+
+TEST(RecordingErrors, AllAreFoundWithHonestDeviations)
+{
+  const double consistency = meanSquareOverVariance(erroneous(), kAll, 6);
+  EXPECT_GT(consistency, 0.5);
+  EXPECT_LT(consistency, 1.6);
+}
+
+TEST(RecordingErrors, AreFoundFromOneRangeAtATime)
+{
+  DrivePlan plan = erroneous();
+  plan.bearings = false;
+  plan.landmarks_seen = 1;
+  plan.duration = 200;
+  const double consistency = meanSquareOverVariance(plan, kOfRanges, 5);
+  EXPECT_GT(consistency, 0.3);
+  EXPECT_LT(consistency, 2);
+}
+
+TEST(RecordingErrors, DelaysOfEitherSignAreFound)
+{
+  for (const double delay : {-0.6, -0.05, 0.3, 0.9})
+  {
+    DrivePlan plan;
+    plan.duration = 60;
+    plan.delay = delay;
+    RandomStream random(3);
+    const RecordingErrors found = estimateRecordingErrors(recordedDrive(plan, random), kAll);
+    const EstimatedError& error = errorOf(found, Kind::delay);
+    EXPECT_TRUE(error.told);
+    EXPECT_NEAR(error.value, delay, 0.02);
+    EXPECT_LT(error.std, 0.012);
+  }
+}
+
+TEST(RecordingErrors, DeclaredDeviationsNeedNotBeRight)
+{
+  RandomStream random(4);
+  RecordedWay way = recordedDrive(erroneous(), random);
+  for (WayReading& r : way.readings) r.std *= r.is_range ? 4 : 0.3;
+  for (WayPose& pose : way.poses)
+    if (pose.since_previous) *pose.since_previous *= 9;
+  const RecordingErrors found = estimateRecordingErrors(way, kAll);
+  ASSERT_EQ(found.status, SolveStatus::ok);
+  EXPECT_NEAR(found.scatter[0].range, 0.25, 0.05);
+  EXPECT_NEAR(found.scatter[0].bearing, 3.3, 0.7);
+  EXPECT_NEAR(found.way_scatter, 0.33, 0.1);
+  for (const EstimatedError& error : found.errors)
+    EXPECT_LT(std::abs(error.value - trueValue(erroneous(), error.term.kind)), 4 * error.std);
+}
+
+TEST(RecordingErrors, MisfitsShowTheOutliers)
+{
+  DrivePlan plan = erroneous();
+  plan.outliers = 0.1;
+  RandomStream random(5);
+  const RecordingErrors found = estimateRecordingErrors(recordedDrive(plan, random), kAll);
+  double outliers = 0;
+  for (const double misfit : found.misfits) outliers += std::abs(misfit) > 4;
+  EXPECT_NEAR(outliers / static_cast<double>(found.misfits.size()), 0.1, 0.02);
+}
+
+TEST(RecordingErrors, ARobotThatStandsTellsNothingOfItsOdometry)
+{
+  DrivePlan plan = erroneous();
+  plan.speed = plan.weave = 0;
+  RandomStream random(6);
+  const RecordingErrors found = estimateRecordingErrors(recordedDrive(plan, random), kAll);
+  ASSERT_EQ(found.status, SolveStatus::ok);
+  for (const Kind kind : {Kind::delay, Kind::way_scale, Kind::turn_scale, Kind::veer, Kind::bearing_offset})
+  {
+    EXPECT_FALSE(errorOf(found, kind).told) << static_cast<int>(kind);
+    EXPECT_EQ(errorOf(found, kind).value, 0);
+    EXPECT_TRUE(std::isfinite(errorOf(found, kind).std));
+  }
+  EXPECT_TRUE(errorOf(found, Kind::range_offset).told);
+}
+
+TEST(RecordingErrors, BearingsToOneLandmarkHaveNoScale)
+{
+  DrivePlan plan = erroneous();
+  plan.landmarks = {{1, 6}};
+  plan.landmarks_seen = 1;
+  plan.ranges = false;
+  RandomStream random(8);
+  const RecordingErrors found =
+      estimateRecordingErrors(recordedDrive(plan, random), {{Kind::way_scale}, {Kind::veer}, {Kind::turn_scale}});
+  ASSERT_EQ(found.status, SolveStatus::ok);
+  EXPECT_FALSE(errorOf(found, Kind::way_scale).told);
+}
+
+TEST(RecordingErrors, BadOrLittleInputIsAStatus)
+{
+  RandomStream random(9);
+  EXPECT_EQ(estimateRecordingErrors({}, {}).status, SolveStatus::too_few);
+  RecordedWay way = recordedDrive({}, random);
+  way.readings[4].value = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(estimateRecordingErrors(way, kAll).status, SolveStatus::bad_input);
+  way.readings.resize(3);
+  EXPECT_EQ(estimateRecordingErrors(way, kAll).status, SolveStatus::too_few);
+  EXPECT_EQ(estimateRecordingErrors(way, {{Kind::delay, 3}}).status, SolveStatus::bad_input);
+}
+}  // namespace mrpt_ext

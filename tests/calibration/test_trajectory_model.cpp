@@ -1,0 +1,98 @@
+#include "mrpt_ext/calibration/trajectory_model.h"
+
+#include <gtest/gtest.h>
+
+#include "recorded_drive.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+const std::vector<ErrorTerm> kTerms{{RecordingError::delay},        {RecordingError::bearing_offset},
+                                    {RecordingError::range_offset}, {RecordingError::range_scale},
+                                    {RecordingError::way_scale},    {RecordingError::turn_scale},
+                                    {RecordingError::veer}};
+constexpr double kStep = 1e-5;
+
+Pose2 moved(const Pose2& pose, int axis, double by)
+{
+  return {pose.x + (axis == 0 ? by : 0), pose.y + (axis == 1 ? by : 0), pose.phi + (axis == 2 ? by : 0)};
+}
+
+/// A drive without noise, its poses a little off, with some errors set.
+struct Scene
+{
+  testing::DrivePlan plan;
+  RandomStream random{2};
+  RecordedWay way = testing::recordedDrive(plan, random);
+  WayModel model{way, kTerms};
+
+  Scene()
+  {
+    Eigen::VectorXd errors(7);
+    errors << 0.1, 0.02, 0.3, 0.05, -0.06, 0.08, 0.04;
+    model.setErrors(errors);
+  }
+  [[nodiscard]] Eigen::VectorXd with(int term, double by) const
+  {
+    Eigen::VectorXd errors = model.errors();
+    errors[term] += by;
+    return errors;
+  }
+};
+}  // namespace
+
+TEST(WayModel, DerivativesOfReadingsAreTheirDifferences)
+{
+  Scene scene;
+  for (std::size_t i = 0; i < scene.way.readings.size(); i += 37)
+  {
+    const WayReading& r = scene.way.readings[i];
+    const Pose2 pose = scene.way.poses[r.pose].pose;
+    const WayReadingRow row = scene.model.reading(r, pose);
+    const auto predictedAt = [&](const Pose2& at) { return -scene.model.reading(r, at).residual; };
+    for (int axis = 0; axis < 3; ++axis)
+      EXPECT_NEAR(row.own[axis],
+                  (predictedAt(moved(pose, axis, kStep)) - predictedAt(moved(pose, axis, -kStep))) / (2 * kStep), 1e-3);
+    for (int term = 1; term < 7; ++term)  // the delay is a difference itself
+    {
+      WayModel plus = scene.model, minus = scene.model;
+      plus.setErrors(scene.with(term, kStep));
+      minus.setErrors(scene.with(term, -kStep));
+      EXPECT_NEAR(row.shared[term], (minus.reading(r, pose).residual - plus.reading(r, pose).residual) / (2 * kStep),
+                  1e-3);
+    }
+  }
+}
+
+TEST(WayModel, DerivativesOfLinksAreTheirDifferences)
+{
+  Scene scene;
+  for (std::size_t k = 1; k < scene.way.poses.size(); k += 23)
+  {
+    const Pose2 before = scene.way.poses[k - 1].pose, pose = scene.way.poses[k].pose;
+    const WayLinkRow row = scene.model.link(k, before, pose);
+    const double unit = row.next.norm();
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Vector3d by_before = (scene.model.linkResidual(k, moved(before, axis, -kStep), pose) -
+                                  scene.model.linkResidual(k, moved(before, axis, kStep), pose)) /
+                                 (2 * kStep);
+      const Vector3d by_pose = (scene.model.linkResidual(k, before, moved(pose, axis, -kStep)) -
+                                scene.model.linkResidual(k, before, moved(pose, axis, kStep))) /
+                               (2 * kStep);
+      EXPECT_LT((row.own.col(axis) - by_before).norm(), 1e-6 * unit);
+      EXPECT_LT((row.next.col(axis) - by_pose).norm(), 1e-6 * unit);
+    }
+    for (int term = 0; term < 7; ++term)
+    {
+      WayModel plus = scene.model, minus = scene.model;
+      plus.setErrors(scene.with(term, kStep));
+      minus.setErrors(scene.with(term, -kStep));
+      const Vector3d difference =
+          (minus.linkResidual(k, before, pose) - plus.linkResidual(k, before, pose)) / (2 * kStep);
+      EXPECT_LT((row.shared.col(term) - difference).norm(), 1e-6 * unit) << term;
+    }
+  }
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,167 @@
+#include "mrpt_ext/correspondence/local_map/local_map.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "constellation_truth.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+struct Tally
+{
+  int points = 0, pure = 0, right = 0, doubled = 0;
+  double squared_error = 0;
+  std::size_t detections = 0, members = 0, rest = 0;
+};
+
+Tally tallyOf(const JoinedSceneOptions& options, int trials, const JoiningOptions& joining = {})
+{
+  RandomStream random(21);
+  Tally tally;
+  for (int trial = 0; trial < trials; ++trial)
+  {
+    const LostMap map = strewLandmarks(options.scene, random);
+    const LandmarkIndex index = map.index();
+    const JoinedView view = driveSomewhere(map, index, options, random);
+    const JoinedConstellation joined = joinPlaces(view.places, joining);
+    std::set<int> seen;
+    for (const ConstellationPoint& point : joined.points)
+    {
+      const PointTruth truth = truthOf(point, view, index);
+      ++tally.points;
+      tally.pure += truth.pure;
+      tally.right += truth.right;
+      tally.squared_error += truth.pure ? truth.squared_error : 0;
+      tally.doubled += truth.pure && !seen.insert(truth.landmark).second;
+      tally.members += point.members.size();
+    }
+    for (const CarriedPlace& p : view.places) tally.detections += p.place.detections.size();
+    for (const CarriedPlace& p : joined.rest) tally.rest += p.place.detections.size();
+  }
+  return tally;
+}
+
+JoinedSceneOptions bearingOnly()
+{
+  JoinedSceneOptions options;
+  options.scene.landmarks = 200;
+  return options;
+}
+}  // namespace
+
+TEST(JoinedConstellation, BearingsAlongAWayBecomePoints)
+{
+  const int trials = 40;
+  const Tally tally = tallyOf(bearingOnly(), trials);
+  EXPECT_GE(tally.points, 10 * trials) << "of about 20 landmarks in view";
+  EXPECT_GE(tally.right, 0.93 * tally.points);
+  EXPECT_GE(tally.pure, 0.8 * tally.points) << "one wrong sighting among seven hardly moves a point";
+  EXPECT_LE(tally.doubled, 0.02 * tally.points);
+  EXPECT_NEAR(tally.squared_error / tally.pure, 2, 0.8);
+}
+
+TEST(JoinedConstellation, RangesAndBearingsOfManyMomentsBecomeOnePointEach)
+{
+  JoinedSceneOptions options = bearingOnly();
+  options.scene.with_range = true;
+  options.scene.false_readings = 0;
+  const int trials = 30;
+  const Tally tally = tallyOf(options, trials);
+  EXPECT_GE(tally.points, 15 * trials);
+  EXPECT_GE(tally.pure, 0.98 * tally.points);
+  EXPECT_LE(tally.doubled, 0.02 * tally.points);
+  EXPECT_LE(tally.points, 30 * trials) << "about 20 landmarks in view at a time, 14 seen, 9 times";
+  EXPECT_NEAR(tally.squared_error / tally.pure, 2, 0.5);
+}
+
+TEST(JoinedConstellation, NothingIsLostAndNothingCountedTwice)
+{
+  for (const bool ranges : {false, true})
+  {
+    JoinedSceneOptions options = bearingOnly();
+    options.scene.with_range = ranges;
+    const Tally tally = tallyOf(options, 10);
+    EXPECT_EQ(tally.members + tally.rest, tally.detections);
+  }
+}
+
+TEST(JoinedConstellation, FalseReadingsAloneHardlyMakePoints)
+{
+  JoinedSceneOptions options = bearingOnly();
+  options.scene.detection_probability = 0;
+  options.scene.false_readings = 3;
+  const int trials = 60;
+  EXPECT_LE(tallyOf(options, trials).points, 0.25 * trials);
+}
+
+TEST(JoinedConstellation, StandingStillGivesNoDistances)
+{
+  JoinedSceneOptions options = bearingOnly();
+  options.step = options.turn = 1e-4;
+  options.length = 9e-4;
+  const Tally tally = tallyOf(options, 20);
+  EXPECT_EQ(tally.points, 0);
+  EXPECT_EQ(tally.rest, tally.detections);
+}
+
+TEST(JoinedConstellation, KindsAreNotMixed)
+{
+  JoinedSceneOptions options = bearingOnly();
+  options.scene.kinds = 3;
+  RandomStream random(22);
+  const LostMap map = strewLandmarks(options.scene, random);
+  const JoinedView view = driveSomewhere(map, map.index(), options, random);
+  const JoinedConstellation joined = joinPlaces(view.places);
+  EXPECT_GE(joined.points.size(), 5u);
+  for (const ConstellationPoint& point : joined.points)
+    for (const auto& m : point.members) EXPECT_EQ(view.places[m.place].place.detections[m.detection].kind, point.kind);
+}
+
+TEST(JoinedConstellation, OnePlaceStaysAsItIs)
+{
+  JoinedSceneOptions options = bearingOnly();
+  options.length = 0;
+  options.scene.with_range = true;
+  RandomStream random(23);
+  const LostMap map = strewLandmarks(options.scene, random);
+  const JoinedView view = driveSomewhere(map, map.index(), options, random);
+  const std::vector<SensorPlace> places = asSensorPlaces(joinPlaces(view.places));
+  ASSERT_EQ(places.size(), 1u);
+  EXPECT_EQ(places[0].detections.size(), view.places[0].place.detections.size());
+  EXPECT_EQ(places[0].model.detection_probability, view.places[0].place.model.detection_probability);
+  EXPECT_TRUE(joinPlaces({}).rest.empty());
+}
+
+TEST(JoinedConstellation, ASearchGetsPointsFirstAndTheRestFromItsOwnPlaces)
+{
+  const JoinedSceneOptions options = bearingOnly();
+  RandomStream random(24);
+  const LostMap map = strewLandmarks(options.scene, random);
+  const LandmarkIndex index = map.index();
+  const JoinedView view = driveSomewhere(map, index, options, random);
+  const JoinedConstellation joined = joinPlaces(view.places);
+  const std::vector<SensorPlace> places = asSensorPlaces(joined);
+  ASSERT_EQ(places.size(), joined.rest.size() + 1);
+  ASSERT_EQ(places[0].detections.size(), joined.points.size());
+  EXPECT_NEAR(*places[0].model.max_range, 8 + options.length, 0.1);
+  for (std::size_t i = 0; i < joined.points.size(); ++i)
+  {
+    const UnidentifiedDetection& d = places[0].detections[i];
+    const Vector2d at = *d.range * Vector2d(std::cos(*d.bearing), std::sin(*d.bearing));
+    EXPECT_LT((at - joined.points[i].in_robot.mean).norm(), 1e-9);
+    EXPECT_GE(square(d.std_range) + square(*d.range * d.std_bearing),
+              joined.points[i].in_robot.covariance.trace() * (1 - 1e-9));
+  }
+  for (std::size_t k = 0; k < joined.rest.size(); ++k)
+  {
+    EXPECT_EQ(places[k + 1].T_robot_sensor.vector(), joined.rest[k].place.T_robot_sensor.vector());
+    if (joined.rest[k].way_covariance.isZero(0)) continue;
+    EXPECT_GT(places[k + 1].detections[0].std_bearing, options.scene.std_bearing);
+    EXPECT_FALSE(places[k + 1].model.detection_probability);
+  }
+}
+}  // namespace mrpt_ext

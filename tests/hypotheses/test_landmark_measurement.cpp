@@ -1,0 +1,143 @@
+#include "mrpt_ext/hypotheses/landmark_measurement.h"
+
+#include <gtest/gtest.h>
+
+#include "exact_scene.h"
+#include "mrpt_ext/geometry/random.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+/// A landmark two metres above the floor, a sensor half a metre above it.
+const LandmarkTable kHigh({{.id = 1, .position = {2, 0, 2}, .stddev = {0.03, 0.04}}, {.id = 2, .position = {0, 5, 1}}});
+
+Reading readingOf(Detection detection)
+{
+  Reading reading{.sensor = "eye", .sensor_height = 0.5};
+  reading.detections = {std::move(detection)};
+  return reading;
+}
+}  // namespace
+
+TEST(LandmarkSighting, SlantRangesAreReducedToThePlane)
+{
+  const auto seen = identifiedSightings({{readingOf({.id = 1, .range = 2.5, .std_range = 0.12})}}, kHigh);
+  ASSERT_EQ(seen.size(), 1u);
+  EXPECT_EQ(seen[0].landmark, 0u);
+  EXPECT_EQ(seen[0].position, Vector2d(2, 0));
+  EXPECT_NEAR(*seen[0].range, 2.0, 1e-12);  // 2.5^2 = 2.0^2 + 1.5^2
+  // d horizontal / d slant = 2.5 / 2.0; the landmark's own deviation adds.
+  EXPECT_NEAR(seen[0].std_range, std::hypot(0.15, 0.04), 1e-12);
+}
+
+TEST(LandmarkSighting, HorizontalRangesStay)
+{
+  Reading reading = readingOf({.id = 1, .range = 2.5, .std_range = 0.12});
+  reading.horizontal_range = true;
+  const auto seen = identifiedSightings({{reading}}, kHigh);
+  EXPECT_EQ(*seen[0].range, 2.5);
+  EXPECT_NEAR(seen[0].std_range, std::hypot(0.12, 0.04), 1e-12);
+}
+
+TEST(LandmarkSighting, ARangeShorterThanTheHeightIsLeftOutItsBearingKept)
+{
+  const Reading alone = readingOf({.id = 1, .range = 1.4, .std_range = 0.1});
+  EXPECT_TRUE(identifiedSightings({{alone}}, kHigh).empty());
+  const auto seen =
+      identifiedSightings({{readingOf({.id = 1, .bearing = 0.3, .range = 1.4, .std_bearing = 0.02})}}, kHigh);
+  ASSERT_EQ(seen.size(), 1u);
+  EXPECT_EQ(seen[0].bearing, 0.3);
+  EXPECT_FALSE(seen[0].range);
+  EXPECT_FALSE(seen[0].hasPoint());
+}
+
+TEST(LandmarkSighting, AnUncertainSensorPlaceWidensRangeAndBearing)
+{
+  Reading reading = readingOf({.id = 2, .bearing = 0.0, .range = 4, .std_bearing = 0.03, .std_range = 0.05});
+  reading.horizontal_range = true;
+  reading.offset_covariance = Vector2d(0.01, 0.04).asDiagonal();
+  const auto seen = identifiedSightings({{reading}}, kHigh);
+  EXPECT_NEAR(seen[0].std_range, std::hypot(0.05, 0.2), 1e-12);
+  EXPECT_NEAR(seen[0].std_bearing, std::hypot(0.03, 0.2 / 4), 1e-12);
+}
+
+TEST(LandmarkSighting, UnknownIdsAreNeitherIdentifiedNorUnidentified)
+{
+  const Reading reading = readingOf({.id = 99, .bearing = 1.0, .std_bearing = 0.1});
+  EXPECT_TRUE(identifiedSightings({{reading}}, kHigh).empty());
+  EXPECT_TRUE(unidentifiedSightings({{reading}}, kHigh).empty());
+}
+
+TEST(LandmarkSighting, UnidentifiedOnesKeepTheirCategoryAndUseTheMeanHeight)
+{
+  const double dz = 1.5 - 0.5;
+  const auto seen =
+      unidentifiedSightings({{readingOf({.category = "red", .range = std::hypot(3.0, dz), .std_range = 0.1})}}, kHigh);
+  ASSERT_EQ(seen.size(), 1u);
+  EXPECT_FALSE(seen[0].landmark);
+  EXPECT_EQ(seen[0].category, "red");
+  EXPECT_NEAR(*seen[0].range, 3, 1e-12);
+  EXPECT_EQ(unidentifiedSightings({{readingOf({.range = 2})}}, LandmarkTable{}).size(), 1u);
+}
+
+TEST(LandmarkSighting, ThePointIsWhereTheLandmarkIs)
+{
+  const ExactSensor sensor{.range = true, .T_robot_sensor = {0.3, -0.2, 1.1}, .height = 0.5};
+  const Pose2 robot{1, 2, 0.4};
+  for (const LandmarkSighting& s : identifiedSightings({{seenFrom(robot, kHigh, {0, 1}, sensor)}}, kHigh))
+    EXPECT_LT((transform(robot, s.pointInRobot()) - s.position).norm(), 1e-9);
+}
+
+TEST(LandmarkSighting, ThePointsCovarianceIsThatOfNoisySightings)
+{
+  LandmarkSighting s{.T_robot_sensor = {0.3, -0.2, 1.1}, .bearing = 0.5, .range = 3, .std_bearing = 0.02};
+  s.std_range = 0.15;
+  RandomStream random(8);
+  Matrix2d sampled = Matrix2d::Zero();
+  constexpr int kCount = 40000;
+  for (int i = 0; i < kCount; ++i)
+  {
+    LandmarkSighting noisy = s;
+    *noisy.bearing += s.std_bearing * random.gaussian();
+    *noisy.range += s.std_range * random.gaussian();
+    const Vector2d d = noisy.pointInRobot() - s.pointInRobot();
+    sampled += d * d.transpose() / kCount;
+  }
+  EXPECT_LT((sampled - s.pointCovariance()).norm(), 0.03 * sampled.norm());
+}
+
+TEST(LandmarkSighting, MeasurementRowsLeaveNoResidualAtTheTruth)
+{
+  const ExactSensor sensor{.range = true, .T_robot_sensor = {0.3, -0.2, 1.1}, .height = 0.5};
+  const Pose2 robot{1, 2, 0.4};
+  const auto rows = poseMeasurements(identifiedSightings({{seenFrom(robot, kHigh, {0, 1}, sensor)}}, kHigh));
+  ASSERT_EQ(rows.size(), 4u);
+  for (const PoseMeasurement& row : rows) EXPECT_NEAR(residual(row, robot), 0, 1e-9);
+}
+
+TEST(LandmarkSighting, CountsDifferentLandmarks)
+{
+  const auto seen = identifiedSightings({{seenFrom({}, kHigh, {0, 0, 1, 0}, {})}}, kHigh);
+  EXPECT_EQ(distinctLandmarks(seen, [](const LandmarkSighting&) { return true; }), 2u);
+  EXPECT_EQ(distinctLandmarks(seen, [](const LandmarkSighting& s) { return s.landmark == 1u; }), 1u);
+  EXPECT_EQ(distinctLandmarks(seen, [](const LandmarkSighting& s) { return s.range.has_value(); }), 0u);
+}
+
+TEST(LandmarkSighting, FixesAreReducedToThePlaneToo)
+{
+  RunningFixReading fix{.sensor_height = 0.5, .id = 1};
+  fix.first_range = 2.5;
+  fix.first_std = fix.second_std = 0.1;
+  fix.second_range = std::hypot(4.0, 1.5);
+  ASSERT_TRUE(reduceToHorizontal(fix, 2));
+  EXPECT_TRUE(fix.horizontal_range);
+  EXPECT_NEAR(fix.first_range, 2, 1e-12);
+  EXPECT_NEAR(fix.first_std, 0.125, 1e-12);
+  EXPECT_NEAR(fix.second_range, 4, 1e-12);
+  ASSERT_TRUE(reduceToHorizontal(fix, 2));  // it already is
+  EXPECT_NEAR(fix.first_range, 2, 1e-12);
+  RunningFixReading impossible{.sensor_height = 0.5, .first_range = 2.5, .second_range = 1.4};
+  EXPECT_FALSE(reduceToHorizontal(impossible, 2));
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,75 @@
+#include <gtest/gtest.h>
+
+#include "mrpt_ext/files/text_file.h"
+#include "mrpt_ext/configuration/localization_keys.h"
+#include "mrpt_ext/settings/settings.h"
+#include "scratch_folder.h"
+#include "whole_runs.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+using testing::Arguments;
+using testing::joined;
+
+/// A log of the half field whose sensor and odometry have known errors.
+testing::LogFiles erroneousLog(const std::filesystem::path& folder)
+{
+  return testing::simulated(folder, "half-field",
+                            {"--set", "Simulation.duration_s=240", "--set", "Odometry.scale_error=0.05", "--set",
+                             "Odometry.turn_scale_error=-0.04", "--set", "Sensor_stereo.delay_s=0.15", "--set",
+                             "Sensor_stereo.bias_bearing_deg=2", "--set", "Sensor_stereo.scale_range=1.04"});
+}
+
+/// What the configuration says once the doctor has written into it.
+struct Calibrated
+{
+  testing::AppOutcome outcome;
+  Settings settings;
+};
+
+Calibrated calibrate(const testing::ScratchFolder& folder, const Arguments& log)
+{
+  const auto shipped = testing::shipped("landmark-localization", "half-field");
+  const auto ini = folder.write("calibrated.ini", readTextFile(shipped));
+  const testing::AppOutcome outcome = testing::localize(joined({shipped, "--calibrate", ini}, log));
+  return {outcome, Settings::load(ini, localizationKeys())};
+}
+}  // namespace
+
+TEST(Examination, FindsTheErrorsOfASimulatedLogAndWritesThem)
+{
+  const testing::ScratchFolder folder;
+  const Calibrated found = calibrate(folder, erroneousLog(folder.path()).arguments());
+  ASSERT_EQ(found.outcome.exit_code, 0) << found.outcome.err;
+  const Settings& settings = found.settings;
+  EXPECT_NEAR(settings.number("Sensor_stereo", "delay_s"), 0.15, 0.03) << found.outcome.out;
+  EXPECT_NEAR(settings.number("Sensor_stereo", "bias_bearing_deg"), 2, 0.4) << found.outcome.out;
+  EXPECT_NEAR(settings.number("MotionModel", "odometry_scale"), 1 / 1.05, 0.02) << found.outcome.out;
+  EXPECT_NEAR(settings.number("MotionModel", "odometry_turn_scale"), 1 / 0.96, 0.02) << found.outcome.out;
+  // Offset and scale of ranges are told together: what counts is what they make of a typical range.
+  const double at_three_metres =
+      3 * settings.number("Sensor_stereo", "scale_range") + settings.number("Sensor_stereo", "bias_range_m");
+  EXPECT_NEAR(at_three_metres, 3 * 1.04, 0.03) << found.outcome.out;
+  EXPECT_NE(found.outcome.out.find("the truth was not used"), std::string::npos);
+}
+
+TEST(Examination, LeavesTheConfigurationOfAGoodLogAlone)
+{
+  const testing::ScratchFolder folder;
+  const Calibrated found = calibrate(folder, testing::simulated(folder.path(), "half-field").arguments());
+  ASSERT_EQ(found.outcome.exit_code, 0) << found.outcome.err;
+  EXPECT_NEAR(found.settings.number("Sensor_stereo", "delay_s"), 0, 0.05) << found.outcome.out;
+  EXPECT_NEAR(found.settings.number("MotionModel", "odometry_scale"), 1, 0.05) << found.outcome.out;
+  EXPECT_NE(found.outcome.out.find("as it is"), std::string::npos) << found.outcome.out;
+}
+
+TEST(Examination, NeedsAConfigurationToWriteInto)
+{
+  const auto shipped = testing::shipped("landmark-localization", "half-field");
+  const testing::AppOutcome outcome = testing::localize({shipped, "--calibrate", "/nowhere/none.ini"});
+  EXPECT_NE(outcome.exit_code, 0);
+  EXPECT_NE(outcome.err.find("none.ini"), std::string::npos) << outcome.err;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,78 @@
+#include "mrpt_ext/localizers/range_only_start.h"
+
+#include <gtest/gtest.h>
+
+#include "../hypotheses/exact_scene.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+const LandmarkTable kMap = fiveLandmarks();
+const ExactSensor kRadio{.bearing = false, .range = true, .std_range = 0.5};
+
+Frame heard(double time, double way, const ExactSensor& sensor = kRadio)
+{
+  return {.time = time,
+          .motion = {{way, 0, 0}, way, 0, time > 0 ? 1.0 : 0.0},
+          .readings = {seenFrom({1, 2, 0}, kMap, {0}, sensor, time)}};
+}
+}  // namespace
+
+TEST(StartingHistory, HoldsAllRangesSeenFromTheNewestFrame)
+{
+  StartingHistory history(MotionModel{});
+  for (int k = 0; k < 4; ++k) history.add(heard(k, k > 0 ? 0.2 : 0.0));
+  const std::vector<Reading> all = history.readings();
+  ASSERT_EQ(all.size(), 4U);
+  for (std::size_t k = 0; k < 4; ++k)
+    EXPECT_NEAR(all[k].T_robot_sensor.x, -0.2 * (3.0 - static_cast<double>(k)), 1e-12);
+}
+
+TEST(StartingHistory, EndsWithAReadingThatTellsMore)
+{
+  StartingHistory bearing(MotionModel{}), nameless(MotionModel{}), compass(MotionModel{});
+  for (StartingHistory* history : {&bearing, &nameless, &compass}) history->add(heard(0, 0));
+  bearing.add(heard(1, 0.1, {.range = true}));
+  nameless.add(heard(1, 0.1, {.bearing = false, .range = true, .named = false}));
+  Frame north = heard(1, 0.1);
+  north.compass = CompassRecord{};
+  compass.add(north);
+  for (StartingHistory* history : {&bearing, &nameless, &compass})
+  {
+    history->add(heard(2, 0.1));
+    EXPECT_TRUE(history->readings().empty());
+  }
+}
+
+TEST(StartingHistory, IsOfNoUseWhereOdometryIsLessSureThanTheRanges)
+{
+  MotionModel rough;
+  rough.std_xy_per_m = 0.2;  // after 4 m: 0.4 m on either axis
+  StartingHistory history(rough);
+  history.add(heard(0, 0));
+  history.add(heard(1, 1));
+  EXPECT_EQ(history.readings().size(), 2U);
+  for (int k = 2; k < 8; ++k) history.add(heard(k, 1));
+  EXPECT_TRUE(history.readings().empty());
+}
+
+TEST(StartingHistory, EndsWhenThereAreTooManyToScore)
+{
+  StartingHistory history(MotionModel{});
+  for (int k = 0; k < 400; ++k) history.add(heard(0.1 * k, 0));
+  EXPECT_EQ(history.readings().size(), 400U);
+  history.add(heard(40, 0));
+  EXPECT_TRUE(history.readings().empty());
+}
+
+TEST(StartingHistory, EndsWhenItIsTold)
+{
+  StartingHistory history(MotionModel{});
+  history.add(heard(0, 0));
+  EXPECT_FALSE(history.readings().empty());
+  history.end();
+  history.add(heard(1, 0));
+  EXPECT_TRUE(history.readings().empty());
+}
+}  // namespace mrpt_ext

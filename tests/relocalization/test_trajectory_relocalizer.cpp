@@ -1,0 +1,112 @@
+#include "mrpt_ext/relocalization/trajectory_relocalizer.h"
+
+#include <gtest/gtest.h>
+
+#include "../hypotheses/exact_scene.h"
+#include "mrpt_ext/geometry/random.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+const PoseRegion kRegion{{-1, -1}, {9, 7}};
+constexpr double kStd = degToRad(1.0);
+
+LandmarkTable room()
+{
+  RandomStream random(11);
+  std::vector<Landmark> landmarks(10);
+  for (int k = 0; k < 10; ++k)
+    landmarks[static_cast<std::size_t>(k)] = {.id = k, .position = {random.uniform(0, 8), random.uniform(0, 6), 0}};
+  return LandmarkTable(std::move(landmarks));
+}
+
+/// A drive round the middle of the room: two landmarks a second, by bearing.
+class Drive
+{
+ public:
+  explicit Drive(bool named = false) : named_(named) {}
+
+  Frame next()
+  {
+    const Pose2 step = k_ > 0 ? Pose2{0.2, 0, 0.12} : Pose2{};
+    robot_ = compose(robot_, step);
+    Reading reading = seenFrom(robot_, map_, {k_ % 10, (k_ + 3) % 10}, {.named = named_, .std_bearing = kStd});
+    for (Detection& d : reading.detections) d.bearing = wrap(*d.bearing + kStd * random_.gaussian());
+    Frame frame{
+        .time = static_cast<double>(k_), .motion = {step, 0.2, 0.12, k_ > 0 ? 1.0 : 0.0}, .readings = {reading}};
+    ++k_;
+    return frame;
+  }
+  [[nodiscard]] const Pose2& robot() const { return robot_; }
+  [[nodiscard]] const LandmarkTable& map() const { return map_; }
+
+ private:
+  LandmarkTable map_ = room();
+  RandomStream random_{5};
+  Pose2 robot_{5, 1.5, 0.2};
+  std::size_t k_ = 0;
+  bool named_;
+};
+
+WayMemory memoryOf(const Drive& drive)
+{
+  return {drive.map(), std::make_shared<const LostRobotSearch>(drive.map()), kRegion, MotionModel{}};
+}
+
+ModeSet modesAt(const Pose2& pose) { return {{{{pose, Vector3d(0.01, 0.01, 0.001).asDiagonal()}, 1}}, {}}; }
+}  // namespace
+
+TEST(WayMemory, FindsTheRobotByAllThatItSaw)
+{
+  Drive drive;
+  WayMemory memory = memoryOf(drive);
+  for (int k = 0; k < 30; ++k) memory.add(drive.next());
+  EXPECT_TRUE(memory.tellsAll());
+  const HypothesisSet found = memory.search({});
+  ASSERT_FALSE(found.empty());
+  EXPECT_GT(found.front().weight, 0.8);
+  EXPECT_LT(distance(found.front().pose.mean, drive.robot()), 0.3);
+  EXPECT_LT(turned(found.front().pose.mean, drive.robot()), degToRad(8));
+}
+
+TEST(WayMemory, JudgesThePlacesThatAreHeldWithTheOthers)
+{
+  Drive drive;
+  WayMemory memory = memoryOf(drive);
+  for (int k = 0; k < 29; ++k) memory.add(drive.next());
+  const Pose2 before = drive.robot();
+  memory.add(drive.next());
+  const HypothesisSet found = memory.search(modesAt(compose({0.1, 0, 0}, before)));
+  ASSERT_FALSE(found.empty());
+  EXPECT_LT(distance(found.front().pose.mean, drive.robot()), 0.3);
+}
+
+TEST(WayMemory, PausesLongerAfterEverySearchUntilThePauseIsEnded)
+{
+  Drive drive;
+  WayMemory memory = memoryOf(drive);
+  std::vector<int> searched;
+  for (int k = 0; k < 60; ++k)
+  {
+    memory.add(drive.next());
+    if (k >= 9 && !memory.search({}).empty()) searched.push_back(k);
+  }
+  EXPECT_EQ(searched, (std::vector<int>{9, 19, 39}));  // at first at once, then after 10, 20, 40 s
+  memory.endPause();
+  memory.add(drive.next());
+  EXPECT_FALSE(memory.search({}).empty());
+}
+
+TEST(WayMemory, WhereNamesAreSeenItDoesNotTellAll)
+{
+  Drive nameless, named(true);
+  WayMemory memory = memoryOf(nameless);
+  EXPECT_FALSE(memory.tellsAll());
+  EXPECT_TRUE(memory.search({}).empty());
+  memory.add(nameless.next());
+  EXPECT_TRUE(memory.tellsAll());
+  memory.add(named.next());
+  EXPECT_FALSE(memory.tellsAll());
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <vector>
+
+#include "global_search_scene.h"
+#include "mrpt_ext/correspondence/local_map/past_scan.h"
+#include "trajectory_scene.h"
+
+namespace mrpt_ext
+{
+/// A lost robot that drives a short way and looks around at every step.
+struct JoinedSceneOptions
+{
+  LostSceneOptions scene;
+  double length = 2;                     ///< of the way [m]
+  double step = 0.25;                    ///< [m] between two looks
+  double turn = degToRad(10);            ///< [rad] per metre of way
+  double std_xy_per_m = 0.02;            ///< odometry, after one metre [m]; variances add up along the way
+  double std_phi_per_m = degToRad(1.0);  ///< likewise [rad]
+};
+
+struct JoinedView
+{
+  std::vector<CarriedPlace> places;     ///< oldest first
+  std::vector<std::vector<int>> truth;  ///< landmark of each detection of each place; -1: false
+  Pose2 robot;                          ///< at the end
+};
+
+/// The way ends at `end`.
+inline JoinedView driveTo(const LostMap& map, const LandmarkIndex& index, const JoinedSceneOptions& options,
+                          const Pose2& end, RandomStream& random)
+{
+  const int steps = static_cast<int>(std::lround(options.length / options.step));
+  const double grown = std::sqrt(options.step);
+  const Vector3d std(options.std_xy_per_m * grown, options.std_xy_per_m * grown, options.std_phi_per_m * grown);
+  const Way way = makeWay(end, {options.step, 0, options.turn * options.step}, steps, std, random);
+  JoinedView view;
+  view.robot = end;
+  for (std::size_t k = 0; k < way.places.size(); ++k)
+  {
+    LostView look = lookAround(map, index, options.scene, way.true_places[k], random);
+    look.place.T_robot_sensor = way.places[k];
+    view.places.push_back({std::move(look.place), way.covariances[k]});
+    view.truth.push_back(std::move(look.truth));
+  }
+  return view;
+}
+
+inline JoinedView driveSomewhere(const LostMap& map, const LandmarkIndex& index, const JoinedSceneOptions& options,
+                                 RandomStream& random)
+{
+  const double border = std::min(options.scene.border, 0.45 * map.side);
+  const double x = random.uniform(border, map.side - border), y = random.uniform(border, map.side - border);
+  return driveTo(map, index, options, {x, y, random.uniform(-kPi, kPi)}, random);
+}
+}  // namespace mrpt_ext
