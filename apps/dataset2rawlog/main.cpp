@@ -1,7 +1,7 @@
 #include <iostream>
 
-#include "mrpt_ext/maps/register_all_classes.h"
 #include "mrpt_ext/app/dataset_app.h"
+#include "mrpt_ext/maps/register_all_classes.h"
 
 int main(int argc, char** argv)
 {

@@ -1,8 +1,8 @@
 #include <iostream>
 
-#include "mrpt_ext/maps/register_all_classes.h"
 #include "mrpt_ext/app/app_shell.h"
 #include "mrpt_ext/app/simulator_app.h"
+#include "mrpt_ext/maps/register_all_classes.h"
 
 int main(int argc, char** argv)
 {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <sstream>
 
-#include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/app/version.h"
+#include "mrpt_ext/geometry/input_error.h"
 
 namespace mrpt_ext
 {

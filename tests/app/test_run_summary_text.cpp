@@ -22,7 +22,7 @@ LocalizationInput sampleInput()
   return input;
 }
 
-TrackPoint pointAt(double time, int modes, Verdict verdict)
+PoseEstimate pointAt(double time, int modes, Verdict verdict)
 {
   return {.time = time, .pose = {{1, 2, kPi / 2}, {}}, .modes = modes, .verdict = verdict};
 }

@@ -7,13 +7,13 @@
 #include <fstream>
 #include <sstream>
 
+#include "mrpt_ext/app/exit_codes.h"
+#include "mrpt_ext/configuration/simulator_keys.h"
 #include "mrpt_ext/files/landmark_csv.h"
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/files/tum.h"
 #include "mrpt_ext/maps/register_all_classes.h"
-#include "mrpt_ext/app/exit_codes.h"
 #include "mrpt_ext/settings/settings.h"
-#include "mrpt_ext/configuration/simulator_keys.h"
 #include "scratch_folder.h"
 
 namespace mrpt_ext

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 #include <regex>
 #include <set>
@@ -10,32 +11,57 @@ namespace
 {
 using Names = std::set<std::string>;
 
-/// Folder -> folders it may include. `pipeline` wires everything and is not listed; tests may use anything; apps use
-/// `maps` only to register our classes with MRPT.
+/// Room -> rooms it may include. `app` wires everything and is not listed; tests may use anything; apps use `maps` only
+/// to register our classes with MRPT.
 const std::map<std::string, Names> kAllowed{
     {"geometry", {}},
     {"files", {"geometry"}},
     {"solvers", {"geometry"}},
+    {"calibration", {"geometry", "solvers"}},
     {"correspondence", {"geometry", "solvers"}},
     {"likelihood", {"geometry"}},
     {"hypotheses", {"geometry", "solvers", "correspondence", "likelihood"}},
     {"filter", {"geometry", "likelihood", "hypotheses"}},
+    {"relocalization", {"geometry", "solvers", "correspondence", "likelihood", "hypotheses", "filter"}},
+    {"localizers", {"geometry", "solvers", "correspondence", "likelihood", "hypotheses", "filter", "relocalization"}},
     {"evaluation", {"geometry", "files"}},
-    {"localizers", {"geometry", "solvers", "correspondence", "likelihood", "hypotheses", "filter", "evaluation"}},
     {"simulation", {"geometry", "files"}},
     {"importers", {"geometry", "files"}},
-    {"calibration", {"geometry", "localizers"}},
     {"vision", {"geometry"}},
     {"display", {}},
     {"report", {"geometry", "files", "evaluation"}},
     {"observations", {"geometry"}},
     {"maps", {"geometry", "files", "likelihood", "observations"}},
-    {"apps", {"pipeline", "maps"}}};
+    {"settings", {"geometry", "files"}},
+    {"frames", {"geometry"}},
+    {"configuration", {"geometry", "files", "settings", "frames", "evaluation", "filter", "localizers", "simulation"}},
+    {"rawlog", {"geometry", "files", "frames", "importers", "observations"}},
+    {"front_ends", {"geometry", "files", "settings", "rawlog", "observations", "solvers", "vision"}},
+    {"scene", {"geometry", "evaluation", "localizers", "maps", "display"}},
+    {"experiment",
+     {"geometry", "files", "solvers", "correspondence", "likelihood", "hypotheses", "filter", "relocalization",
+      "localizers", "evaluation", "observations", "maps", "settings", "frames", "configuration", "rawlog", "scene"}},
+    {"diagnosis", {"geometry", "files", "settings", "configuration", "experiment", "calibration", "evaluation"}},
+    {"apps", {"app", "maps"}}};
 
-const Names kEigenOnly{"geometry", "files",      "solvers",    "correspondence", "likelihood", "hypotheses",
-                       "filter",   "localizers", "evaluation", "simulation",     "importers",  "report"};
+/// The same between the sub-folders of a room, whose top folder is "": folder -> folders it may include.
+const std::map<std::string, std::map<std::string, Names>> kAllowedWithin{
+    {"correspondence",
+     {{"", {"tree", "bearings", "points"}}, {"tree", {""}}, {"bearings", {""}}, {"points", {""}}, {"local_map", {""}}}},
+    {"filter",
+     {{"", {"particles", "motion", "modes", "integrity", "kalman"}},
+      {"particles", {}},
+      {"motion", {"particles"}},
+      {"modes", {"particles"}},
+      {"integrity", {"particles", "motion", "modes"}},
+      {"kalman", {"particles", "motion", "modes", "integrity"}}}}};
 
-const Names kEstimators{"solvers", "correspondence", "likelihood", "hypotheses", "filter", "localizers"};
+const Names kEigenOnly{"geometry",       "files",      "solvers",   "calibration", "correspondence",
+                       "likelihood",     "hypotheses", "filter",    "evaluation",  "localizers",
+                       "relocalization", "simulation", "importers", "report",      "frames"};
+
+const Names kEstimators{"solvers",    "calibration", "correspondence", "likelihood",
+                        "hypotheses", "filter",      "relocalization", "localizers"};
 
 bool mayUse(const std::string& folder, const std::string& used)
 {
@@ -53,12 +79,18 @@ std::vector<std::string> includesOf(const std::string& text)
   return includes;
 }
 
-/// Folder of "mrpt_ext/<folder>/...", empty for anything else.
-std::string includedFolder(const std::string& include)
+/// "mrpt_ext/<path>" of an include with its opening quote or bracket, empty for anything else.
+std::string ourHeader(const std::string& include)
 {
-  static const std::regex kOurs(R"rx([<"]mrpt_ext/([^/]+)/.*)rx");
-  std::smatch match;
-  return std::regex_match(include, match, kOurs) ? match[1].str() : "";
+  return include.substr(1).starts_with("mrpt_ext/") ? include.substr(1) : "";
+}
+
+bool mayUseWithin(const std::string& room, const std::string& folder, const std::string& used)
+{
+  const auto rules = kAllowedWithin.find(room);
+  if (rules == kAllowedWithin.end() || folder == used) return true;
+  const auto rule = rules->second.find(folder);
+  return rule != rules->second.end() && rule->second.contains(used);
 }
 }  // namespace
 
@@ -67,20 +99,71 @@ Violations checkIncludeDirections(const SourceTree& tree)
   Violations found;
   for (const auto& [path, text] : tree)
   {
-    const std::string folder = folderOf(path);
-    if (!isCpp(path) || folder == "tests") continue;
+    const std::string room = folderOf(path);
+    if (!isCpp(path) || room == "tests") continue;
     for (const std::string& include : includesOf(text))
     {
-      const std::string used = includedFolder(include);
-      if (used.empty() && include.starts_with('"'))
+      const std::string header = ourHeader(include), used = folderOf(header);
+      if (header.empty() && include.starts_with('"'))
         found.push_back(path + ": includes " + include +
                         "\", our headers are included as \"mrpt_ext/<folder>/<file>.h\"");
-      else if (!used.empty() && !mayUse(folder, used))
-        found.push_back(path + ": " + folder + " must not include " + used);
-      else if (used == "pipeline" && folder != "pipeline" && folder != "apps")
-        found.push_back(path + ": only apps and tests include pipeline");
+      else if (!header.empty() && !mayUse(room, used))
+        found.push_back(path + ": " + room + " must not include " + used);
+      else if (used == "app" && room != "app" && room != "apps")
+        found.push_back(path + ": only apps and tests include app");
+      else if (used == room && !mayUseWithin(room, subfolderOf(path), subfolderOf(header)))
+        found.push_back(path + ": must not include " + header);
     }
   }
+  return found;
+}
+
+Violations checkIncludePaths(const SourceTree& tree)
+{
+  Violations found;
+  for (const auto& [path, text] : tree)
+  {
+    if (!isCpp(path)) continue;
+    for (const std::string& include : includesOf(text))
+    {
+      const std::string header = ourHeader(include);
+      const auto is_at = [&](const std::string& root) { return tree.contains(root + "/" + header); };
+      if (!header.empty() && !is_at("libmrpt-ext") && !is_at("observations") && !is_at("maps"))
+        found.push_back(path + ": includes " + header + ", which is no file below an include root");
+    }
+  }
+  return found;
+}
+
+Violations checkUnitCycles(const SourceTree& tree)
+{
+  const auto unit_of = [](const std::string& path) { return path.substr(0, path.rfind('.')); };
+  std::map<std::string, Names> uses;
+  for (const auto& [path, text] : tree)
+  {
+    if (!isCpp(path) || ourPath(path).empty()) continue;
+    const std::string unit = unit_of(ourPath(path));
+    for (const std::string& include : includesOf(text))
+      if (const std::string header = ourHeader(include); !header.empty() && unit_of(header) != unit)
+        uses[unit].insert(unit_of(header));
+  }
+  // Units that use nothing of what is left, taken away again and again: what remains lies on a cycle or above one.
+  for (bool removed = true; removed;)
+  {
+    removed = std::erase_if(uses,
+                            [&](const auto& unit)
+                            {
+                              return std::none_of(unit.second.begin(), unit.second.end(),
+                                                  [&](const std::string& used) { return uses.contains(used); });
+                            }) > 0;
+  }
+  Violations found;
+  for (const auto& [unit, used] : uses)
+    for (const std::string& other : used)
+      if (const auto back = uses.find(other); back != uses.end() && unit < other && back->second.contains(unit))
+        found.push_back(unit + " and " + other + " include each other");
+  if (found.empty() && !uses.empty())
+    found.push_back(uses.begin()->first + ": lies on a cycle of includes, or above one");
   return found;
 }
 
@@ -123,9 +206,6 @@ Violations checkEstimatorsDoNotSeeTruth(const SourceTree& tree)
     const std::string code = codeOnly(text);
     if (std::smatch match; std::regex_search(code, match, kTruth))
       found.push_back(path + ": names " + match[0].str() + ", estimators never see the truth");
-    for (const std::string& include : includesOf(text))
-      if (includedFolder(include) == "evaluation" && !include.ends_with("/run_record.h"))
-        found.push_back(path + ": includes " + include.substr(1) + ", allowed is evaluation/run_record.h");
   }
   return found;
 }

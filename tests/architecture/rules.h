@@ -12,14 +12,18 @@ using Violations = std::vector<std::string>;
 
 // Who may use whom (include_rules.cpp).
 
-/// A folder includes only the folders that its place in the data flow allows, and always as
-/// "mrpt_ext/<folder>/<file>.h".
+/// A room includes only the rooms that its position in the data flow allows, and always as "mrpt_ext/<room>/<file>.h";
+/// the same between the sub-folders of a room.
 [[nodiscard]] Violations checkIncludeDirections(const SourceTree& tree);
+/// "mrpt_ext/<path>" is the path of a file below one of the include roots, in the tree as it is checked out.
+[[nodiscard]] Violations checkIncludePaths(const SourceTree& tree);
+/// No unit (a header and its source) includes another one that includes it, directly or through others.
+[[nodiscard]] Violations checkUnitCycles(const SourceTree& tree);
 /// A folder's CMakeLists.txt links only the folders that it may include.
 [[nodiscard]] Violations checkLinkDirections(const SourceTree& tree);
 /// The Eigen-only folders include neither MRPT nor OpenCV, and vision no MRPT.
 [[nodiscard]] Violations checkEigenOnlyFolders(const SourceTree& tree);
-/// Estimators never name the truth, nor a type that carries it, nor more of `evaluation` than its plain rows.
+/// Estimators never name the truth, nor a type that carries it.
 [[nodiscard]] Violations checkEstimatorsDoNotSeeTruth(const SourceTree& tree);
 
 // What the tree looks like (tree_rules.cpp).
@@ -27,6 +31,11 @@ using Violations = std::vector<std::string>;
 [[nodiscard]] Violations checkTopLevel(const std::vector<std::string>& entries);
 /// At most 400 lines per C++ file, at most 50 per apps/<name>/main.cpp.
 [[nodiscard]] Violations checkFileLengths(const SourceTree& tree);
+/// At most 5000 lines of C++ per folder of the library.
+[[nodiscard]] Violations checkFolderSizes(const SourceTree& tree);
+/// A type name at namespace scope stands in one header: two types of one name in one namespace break the
+/// one-definition rule as soon as a program links both.
+[[nodiscard]] Violations checkTypeNames(const SourceTree& tree);
 /// Every .cpp stands in the CMakeLists.txt of its folder; no globbing.
 [[nodiscard]] Violations checkSourceLists(const SourceTree& tree);
 /// Every third-party package that the libraries look up is looked up again for users of the installed library.

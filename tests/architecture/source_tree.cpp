@@ -52,12 +52,25 @@ std::vector<std::string> topLevelEntries(const fs::path& root)
   return names;
 }
 
+std::string ourPath(const std::string& path)
+{
+  for (const std::string root : {"", "libmrpt-ext/", "observations/", "maps/"})
+    if (path.starts_with(root + "mrpt_ext/")) return path.substr(root.size());
+  return "";
+}
+
 std::string folderOf(const std::string& path)
 {
-  const std::string library = "libmrpt-ext/";
-  const std::string inner = path.starts_with(library) ? path.substr(library.size()) : path;
+  const std::string ours = ourPath(path), inner = ours.empty() ? path : ours.substr(std::string("mrpt_ext/").size());
   const auto slash = inner.find('/');
   return slash == std::string::npos ? "" : inner.substr(0, slash);
+}
+
+std::string subfolderOf(const std::string& path)
+{
+  const std::string ours = ourPath(path);
+  const auto room = ours.find('/', std::string("mrpt_ext/").size()), last = ours.rfind('/');
+  return ours.empty() || room == last ? "" : ours.substr(room + 1, last - room - 1);
 }
 
 bool isHeader(const std::string& path) { return path.ends_with(".h"); }

@@ -16,8 +16,15 @@ using SourceTree = std::map<std::string, std::string>;
 /// Names of the entries at the top of the tree at `root`, without those that .gitignore keeps out.
 [[nodiscard]] std::vector<std::string> topLevelEntries(const std::filesystem::path& root);
 
-/// "libmrpt-ext/solvers/x.h" -> "solvers", "maps/x.h" -> "maps", "apps/a/main.cpp" -> "apps", "README.md" -> "".
+/// Path below an include root: "libmrpt-ext/mrpt_ext/solvers/x.h" -> "mrpt_ext/solvers/x.h"; "" for anything else.
+[[nodiscard]] std::string ourPath(const std::string& path);
+
+/// The room, which is the path part after "mrpt_ext/", else the top folder: "libmrpt-ext/mrpt_ext/filter/kalman/x.h" ->
+/// "filter", "mrpt_ext/maps/x.h" -> "maps", "apps/a/main.cpp" -> "apps", "README.md" -> "".
 [[nodiscard]] std::string folderOf(const std::string& path);
+
+/// Within the room: "libmrpt-ext/mrpt_ext/filter/kalman/x.h" -> "kalman", "libmrpt-ext/mrpt_ext/filter/x.h" -> "".
+[[nodiscard]] std::string subfolderOf(const std::string& path);
 
 [[nodiscard]] bool isCpp(const std::string& path);
 [[nodiscard]] bool isHeader(const std::string& path);

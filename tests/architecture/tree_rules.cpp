@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 #include <regex>
 #include <set>
 
@@ -8,7 +9,7 @@ namespace mrpt_ext::architecture
 {
 namespace
 {
-constexpr std::size_t kMaxLines = 400, kMaxMainLines = 50;
+constexpr std::size_t kMaxLines = 400, kMaxMainLines = 50, kMaxFolderLines = 5000;
 
 const std::set<std::string> kTopLevel{"CMakeLists.txt",
                                       "CMakePresets.json",
@@ -67,6 +68,41 @@ Violations checkFileLengths(const SourceTree& tree)
     const std::size_t limit = path.starts_with("apps/") && nameOf(path) == "main.cpp" ? kMaxMainLines : kMaxLines;
     if (const std::size_t lines = linesOf(text).size(); lines > limit)
       found.push_back(path + ": " + std::to_string(lines) + " lines, at most " + std::to_string(limit));
+  }
+  return found;
+}
+
+Violations checkFolderSizes(const SourceTree& tree)
+{
+  std::map<std::string, std::size_t> lines;
+  for (const auto& [path, text] : tree)
+    if (isCpp(path) && !ourPath(path).empty()) lines[parentOf(path)] += linesOf(text).size();
+  Violations found;
+  for (const auto& [folder, count] : lines)
+    if (count > kMaxFolderLines)
+      found.push_back(folder + ": " + std::to_string(count) + " lines, at most " + std::to_string(kMaxFolderLines));
+  return found;
+}
+
+Violations checkTypeNames(const SourceTree& tree)
+{
+  // What stands in the first column stands at namespace scope; a line that ends in a semicolon only declares.
+  static const std::regex kType(R"(^(?:struct|class|enum class|enum) (\w+)(?! *;)|^using (\w+) =)");
+  std::map<std::string, std::string> header_of;
+  Violations found;
+  for (const auto& [path, text] : tree)
+  {
+    if (!isHeader(path) || ourPath(path).empty()) continue;
+    for (const std::string& line : linesOf(codeOnly(text)))
+    {
+      std::smatch match;
+      if (!std::regex_search(line, match, kType) ||
+          (line.find('{') == std::string::npos && line.ends_with(';') && !match[2].matched))
+        continue;
+      const auto [first, is_new] = header_of.emplace(match[1].matched ? match[1] : match[2], path);
+      if (!is_new && first->second != path)
+        found.push_back(path + ": type " + first->first + " stands in " + first->second + " too");
+    }
   }
   return found;
 }

@@ -2,8 +2,8 @@
 
 #include <chrono>
 
-#include "limit/plain_bearing_search.h"
 #include "global_search_scene.h"
+#include "limit/plain_bearing_search.h"
 #include "mrpt_ext/correspondence/bearings/bearing_search.h"
 
 namespace mrpt_ext
@@ -34,7 +34,7 @@ void findLost(benchmark::State& state, const LostSceneOptions& options, int coun
   const LostRobots lost(options, count);
   const BearingSearch search(lost.index);
   PoseSearchOptions search_options;
-  search_options.area = MapArea{{0, 0}, {lost.map.side, lost.map.side}};
+  search_options.area = Box2{{0, 0}, {lost.map.side, lost.map.side}};
   const auto start = std::chrono::steady_clock::now();
   benchmark::DoNotOptimize(search.search({&lost.views.front().place, 1}, search_options));
   state.counters["first_s"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -43,7 +43,7 @@ void findLost(benchmark::State& state, const LostSceneOptions& options, int coun
   for (auto _ : state)
   {
     const LostView& view = lost.views[next++ % lost.views.size()];
-    const PoseSearch result = search.search({&view.place, 1}, search_options);
+    const PoseSearchResult result = search.search({&view.place, 1}, search_options);
     found += std::any_of(result.poses.begin(), result.poses.end(),
                          [&](const ConsistentPose& p) { return isAtTruth(p.pose.mean, view.robot); });
     poses += static_cast<double>(result.poses.size());

@@ -2,9 +2,9 @@
 #include <tbb/global_control.h>
 
 #include "allocation_peak.h"
+#include "mrpt_ext/experiment/mrpt_filter_localizer.h"
 #include "mrpt_ext/filter/particle_filter.h"
 #include "mrpt_ext/geometry/measurement_jacobian.h"
-#include "mrpt_ext/experiment/mrpt_filter_localizer.h"
 
 // The whole cycle of the particle filter, frame after frame, as the application runs it: odometry, ten identified
 // bearings of 1 degree with clutter, modes, agreement of the landmarks, verdict, resampling when it is due. The robot

@@ -51,7 +51,7 @@ void ours(benchmark::State& state, MeasuringKind::What what)
 {
   const std::vector<Sample> all = samples(what);
   std::size_t k = 0;
-  for (auto _ : state) benchmark::DoNotOptimize(solveIdentifiedPose(all[k++ % kScenes].measurements));
+  for (auto _ : state) benchmark::DoNotOptimize(solvePoseFromLandmarks(all[k++ % kScenes].measurements));
 }
 
 void plain(benchmark::State& state, MeasuringKind::What what)

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <chrono>
 
-#include "limit/plain_triangle_hash.h"
 #include "global_search_scene.h"
+#include "limit/plain_triangle_hash.h"
 #include "mrpt_ext/correspondence/points/point_search.h"
 
 namespace mrpt_ext
@@ -48,7 +48,7 @@ void ours(benchmark::State& state)
   for (auto _ : state)
   {
     const LostView& view = lost.views[next++ % kViews];
-    const PoseSearch result = search.search({&view.place, 1});
+    const PoseSearchResult result = search.search({&view.place, 1});
     found += std::any_of(result.poses.begin(), result.poses.end(),
                          [&](const ConsistentPose& p) { return isAtTruth(p.pose.mean, view.robot); });
   }
@@ -65,7 +65,7 @@ void plain(benchmark::State& state)
   {
     const LostView& view = lost.views[next++ % kViews];
     std::vector<Vector2d> points;
-    for (const UnidentifiedDetection& d : view.place.detections)
+    for (const AnonymousDetection& d : view.place.detections)
       points.emplace_back(*d.range * std::cos(*d.bearing), *d.range * std::sin(*d.bearing));
     const auto pose = search.find(points, 0.15);
     found += pose && isAtTruth(*pose, view.robot);

@@ -86,8 +86,8 @@ void plainGaussian(benchmark::State& state, std::size_t landmarks)
   auto tile = std::make_unique<SensorTile>();
   for (auto _ : state)
   {
-    const SightingFrame frame(scene.reading, scene.robots.origin);
-    std::vector<Sighting> sightings;
+    const ScoringFrame frame(scene.reading, scene.robots.origin);
+    std::vector<PreparedDetection> sightings;
     for (const Detection& detection : scene.reading.detections)
       sightings.push_back(sightingOf(detection, scene.map[*scene.map.indexOf(detection.id)], 0, frame));
     const PoseBatch robots = scene.robots.poses();

@@ -56,7 +56,7 @@ struct PackedProblems
       u.insert(u.end(), p.u, p.u + 6);
     }
   }
-  [[nodiscard]] SightedLandmark<double> sight(std::size_t m, std::size_t i) const
+  [[nodiscard]] VisibleLandmark<double> sight(std::size_t m, std::size_t i) const
   {
     const std::size_t k = 6 * m + 2 * i;
     return {at[k], at[k + 1], u[k], u[k + 1]};

@@ -17,7 +17,7 @@ struct TreeScene
 {
   Scene scene;
   std::vector<double> bearings;  ///< to the landmarks of the same numbers, except for a false one at the end
-  MapArea area;                  ///< of the robot; wider where the bearings err
+  Box2 area;                     ///< of the robot; wider where the bearings err
 };
 
 /// What a search came to.
@@ -65,7 +65,7 @@ void overScenes(benchmark::State& state, int landmarks, bool noisy, std::size_t 
 
 Found searchOurs(const TreeScene& s, InterpretationGate gate, std::size_t false_count)
 {
-  std::vector<UnidentifiedBearing> bearings;
+  std::vector<AnonymousBearing> bearings;
   for (const double b : s.bearings) bearings.push_back({b, {}});
   InterpretationOptions options;
   options.gate = gate;

@@ -33,10 +33,10 @@ Eigen::MatrixXd randomMatrix(Eigen::Index rows, Eigen::Index columns, RandomStre
 }
 }  // namespace
 
-TEST(PoseChain, SolvesLikeTheFullSystem)
+TEST(PoseChainSystem, SolvesLikeTheFullSystem)
 {
   RandomStream random(5);
-  PoseChain chain(kPoses, kShared);
+  PoseChainSystem chain(kPoses, kShared);
   Full full;
   for (std::size_t k = 0; k < kPoses; ++k)
   {
@@ -54,7 +54,7 @@ TEST(PoseChain, SolvesLikeTheFullSystem)
     }
     if (k + 1 == kPoses || k == 2) continue;  // two pieces of way
     const Matrix3d own = randomMatrix(3, 3, random), next = randomMatrix(3, 3, random);
-    const PoseChain::SharedRows shared = randomMatrix(3, kShared, random);
+    const PoseChainSystem::SharedRows shared = randomMatrix(3, kShared, random);
     const Vector3d residual = randomMatrix(3, 1, random);
     chain.addLink(k, residual, own, next, shared, 0.7);
     for (int axis = 0; axis < 3; ++axis)
@@ -93,13 +93,13 @@ TEST(PoseChain, SolvesLikeTheFullSystem)
   }
 }
 
-TEST(PoseChain, SaysWhenSomethingIsUndetermined)
+TEST(PoseChainSystem, SaysWhenSomethingIsUndetermined)
 {
-  PoseChain loose_pose(2, 0);
+  PoseChainSystem loose_pose(2, 0);
   loose_pose.addReading(0, 1, {1, 0, 0}, Eigen::RowVectorXd(0), 1);
   EXPECT_FALSE(loose_pose.solve());
 
-  PoseChain loose_error(1, 2);
+  PoseChainSystem loose_error(1, 2);
   for (int axis = 0; axis < 3; ++axis)
     loose_error.addReading(0, 1, JacobianRow::Unit(axis), Eigen::RowVectorXd::Zero(2), 1);
   loose_error.addShared(0, 1, 1);

@@ -13,12 +13,13 @@ namespace
 {
 using testing::DrivePlan;
 using testing::recordedDrive;
-using Kind = RecordingError;
+using Kind = CalibrationParameter;
 
-const std::vector<ErrorTerm> kAll{{Kind::delay},     {Kind::bearing_offset}, {Kind::range_offset}, {Kind::range_scale},
-                                  {Kind::way_scale}, {Kind::turn_scale},     {Kind::veer}};
-const std::vector<ErrorTerm> kOfRanges{{Kind::delay},     {Kind::range_offset}, {Kind::range_scale},
-                                       {Kind::way_scale}, {Kind::turn_scale},   {Kind::veer}};
+const std::vector<ErrorTerm> kAll{{Kind::delay},       {Kind::bearing_offset}, {Kind::range_offset},
+                                  {Kind::range_scale}, {Kind::distance_scale}, {Kind::rotation_scale},
+                                  {Kind::veer}};
+const std::vector<ErrorTerm> kOfRanges{{Kind::delay},          {Kind::range_offset},   {Kind::range_scale},
+                                       {Kind::distance_scale}, {Kind::rotation_scale}, {Kind::veer}};
 
 double trueValue(const DrivePlan& plan, Kind kind)
 {
@@ -32,10 +33,10 @@ double trueValue(const DrivePlan& plan, Kind kind)
       return plan.range_offset;
     case Kind::range_scale:
       return plan.range_scale;
-    case Kind::way_scale:
-      return plan.way_scale;
-    case Kind::turn_scale:
-      return plan.turn_scale;
+    case Kind::distance_scale:
+      return plan.distance_scale;
+    case Kind::rotation_scale:
+      return plan.rotation_scale;
     case Kind::veer:
       return plan.veer;
   }
@@ -56,8 +57,8 @@ DrivePlan erroneous()
   plan.bearing_offset = degToRad(2.0);
   plan.range_offset = 0.2;
   plan.range_scale = 0.04;
-  plan.way_scale = -0.05;
-  plan.turn_scale = 0.07;
+  plan.distance_scale = -0.05;
+  plan.rotation_scale = 0.07;
   plan.veer = -0.03;
   return plan;
 }
@@ -70,11 +71,11 @@ double meanSquareOverVariance(const DrivePlan& plan, const std::vector<ErrorTerm
   for (int seed = 1; seed <= drives; ++seed)
   {
     RandomStream random(static_cast<std::uint64_t>(seed), 7);
-    const RecordingErrors found = estimateRecordingErrors(recordedDrive(plan, random), terms);
+    const RecordingErrors found = calibrate(recordedDrive(plan, random), terms);
     EXPECT_EQ(found.status, SolveStatus::ok);
     for (const EstimatedError& error : found.errors)
     {
-      EXPECT_TRUE(error.told) << static_cast<int>(error.term.kind) << " +- " << error.std;
+      EXPECT_TRUE(error.observable) << static_cast<int>(error.term.kind) << " +- " << error.std;
       const double off = (error.value - trueValue(plan, error.term.kind)) / error.std;
       EXPECT_LT(std::abs(off), 4) << static_cast<int>(error.term.kind) << ": " << error.value << " +- " << error.std;
       sum += square(off);
@@ -111,9 +112,9 @@ TEST(RecordingErrors, DelaysOfEitherSignAreFound)
     plan.duration = 60;
     plan.delay = delay;
     RandomStream random(3);
-    const RecordingErrors found = estimateRecordingErrors(recordedDrive(plan, random), kAll);
+    const RecordingErrors found = calibrate(recordedDrive(plan, random), kAll);
     const EstimatedError& error = errorOf(found, Kind::delay);
-    EXPECT_TRUE(error.told);
+    EXPECT_TRUE(error.observable);
     EXPECT_NEAR(error.value, delay, 0.02);
     EXPECT_LT(error.std, 0.012);
   }
@@ -122,11 +123,11 @@ TEST(RecordingErrors, DelaysOfEitherSignAreFound)
 TEST(RecordingErrors, DeclaredDeviationsNeedNotBeRight)
 {
   RandomStream random(4);
-  RecordedWay way = recordedDrive(erroneous(), random);
-  for (WayReading& r : way.readings) r.std *= r.is_range ? 4 : 0.3;
-  for (WayPose& pose : way.poses)
+  CalibrationProblem way = recordedDrive(erroneous(), random);
+  for (CalibrationReading& r : way.readings) r.std *= r.is_range ? 4 : 0.3;
+  for (TrajectoryPose& pose : way.poses)
     if (pose.since_previous) *pose.since_previous *= 9;
-  const RecordingErrors found = estimateRecordingErrors(way, kAll);
+  const RecordingErrors found = calibrate(way, kAll);
   ASSERT_EQ(found.status, SolveStatus::ok);
   EXPECT_NEAR(found.scatter[0].range, 0.25, 0.05);
   EXPECT_NEAR(found.scatter[0].bearing, 3.3, 0.7);
@@ -140,7 +141,7 @@ TEST(RecordingErrors, MisfitsShowTheOutliers)
   DrivePlan plan = erroneous();
   plan.outliers = 0.1;
   RandomStream random(5);
-  const RecordingErrors found = estimateRecordingErrors(recordedDrive(plan, random), kAll);
+  const RecordingErrors found = calibrate(recordedDrive(plan, random), kAll);
   double outliers = 0;
   for (const double misfit : found.misfits) outliers += std::abs(misfit) > 4;
   EXPECT_NEAR(outliers / static_cast<double>(found.misfits.size()), 0.1, 0.02);
@@ -151,15 +152,15 @@ TEST(RecordingErrors, ARobotThatStandsTellsNothingOfItsOdometry)
   DrivePlan plan = erroneous();
   plan.speed = plan.weave = 0;
   RandomStream random(6);
-  const RecordingErrors found = estimateRecordingErrors(recordedDrive(plan, random), kAll);
+  const RecordingErrors found = calibrate(recordedDrive(plan, random), kAll);
   ASSERT_EQ(found.status, SolveStatus::ok);
-  for (const Kind kind : {Kind::delay, Kind::way_scale, Kind::turn_scale, Kind::veer, Kind::bearing_offset})
+  for (const Kind kind : {Kind::delay, Kind::distance_scale, Kind::rotation_scale, Kind::veer, Kind::bearing_offset})
   {
-    EXPECT_FALSE(errorOf(found, kind).told) << static_cast<int>(kind);
+    EXPECT_FALSE(errorOf(found, kind).observable) << static_cast<int>(kind);
     EXPECT_EQ(errorOf(found, kind).value, 0);
     EXPECT_TRUE(std::isfinite(errorOf(found, kind).std));
   }
-  EXPECT_TRUE(errorOf(found, Kind::range_offset).told);
+  EXPECT_TRUE(errorOf(found, Kind::range_offset).observable);
 }
 
 TEST(RecordingErrors, BearingsToOneLandmarkHaveNoScale)
@@ -170,20 +171,20 @@ TEST(RecordingErrors, BearingsToOneLandmarkHaveNoScale)
   plan.ranges = false;
   RandomStream random(8);
   const RecordingErrors found =
-      estimateRecordingErrors(recordedDrive(plan, random), {{Kind::way_scale}, {Kind::veer}, {Kind::turn_scale}});
+      calibrate(recordedDrive(plan, random), {{Kind::distance_scale}, {Kind::veer}, {Kind::rotation_scale}});
   ASSERT_EQ(found.status, SolveStatus::ok);
-  EXPECT_FALSE(errorOf(found, Kind::way_scale).told);
+  EXPECT_FALSE(errorOf(found, Kind::distance_scale).observable);
 }
 
 TEST(RecordingErrors, BadOrLittleInputIsAStatus)
 {
   RandomStream random(9);
-  EXPECT_EQ(estimateRecordingErrors({}, {}).status, SolveStatus::too_few);
-  RecordedWay way = recordedDrive({}, random);
+  EXPECT_EQ(calibrate({}, {}).status, SolveStatus::too_few);
+  CalibrationProblem way = recordedDrive({}, random);
   way.readings[4].value = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(estimateRecordingErrors(way, kAll).status, SolveStatus::bad_input);
+  EXPECT_EQ(calibrate(way, kAll).status, SolveStatus::bad_input);
   way.readings.resize(3);
-  EXPECT_EQ(estimateRecordingErrors(way, kAll).status, SolveStatus::too_few);
-  EXPECT_EQ(estimateRecordingErrors(way, {{Kind::delay, 3}}).status, SolveStatus::bad_input);
+  EXPECT_EQ(calibrate(way, kAll).status, SolveStatus::too_few);
+  EXPECT_EQ(calibrate(way, {{Kind::delay, 3}}).status, SolveStatus::bad_input);
 }
 }  // namespace mrpt_ext

@@ -8,10 +8,10 @@ namespace mrpt_ext
 {
 namespace
 {
-const std::vector<ErrorTerm> kTerms{{RecordingError::delay},        {RecordingError::bearing_offset},
-                                    {RecordingError::range_offset}, {RecordingError::range_scale},
-                                    {RecordingError::way_scale},    {RecordingError::turn_scale},
-                                    {RecordingError::veer}};
+const std::vector<ErrorTerm> kTerms{
+    {CalibrationParameter::delay},       {CalibrationParameter::bearing_offset}, {CalibrationParameter::range_offset},
+    {CalibrationParameter::range_scale}, {CalibrationParameter::distance_scale}, {CalibrationParameter::rotation_scale},
+    {CalibrationParameter::veer}};
 constexpr double kStep = 1e-5;
 
 Pose2 moved(const Pose2& pose, int axis, double by)
@@ -24,8 +24,8 @@ struct Scene
 {
   testing::DrivePlan plan;
   RandomStream random{2};
-  RecordedWay way = testing::recordedDrive(plan, random);
-  WayModel model{way, kTerms};
+  CalibrationProblem way = testing::recordedDrive(plan, random);
+  TrajectoryModel model{way, kTerms};
 
   Scene()
   {
@@ -42,21 +42,21 @@ struct Scene
 };
 }  // namespace
 
-TEST(WayModel, DerivativesOfReadingsAreTheirDifferences)
+TEST(TrajectoryModel, DerivativesOfReadingsAreTheirDifferences)
 {
   Scene scene;
   for (std::size_t i = 0; i < scene.way.readings.size(); i += 37)
   {
-    const WayReading& r = scene.way.readings[i];
+    const CalibrationReading& r = scene.way.readings[i];
     const Pose2 pose = scene.way.poses[r.pose].pose;
-    const WayReadingRow row = scene.model.reading(r, pose);
+    const ReadingResidual row = scene.model.reading(r, pose);
     const auto predictedAt = [&](const Pose2& at) { return -scene.model.reading(r, at).residual; };
     for (int axis = 0; axis < 3; ++axis)
       EXPECT_NEAR(row.own[axis],
                   (predictedAt(moved(pose, axis, kStep)) - predictedAt(moved(pose, axis, -kStep))) / (2 * kStep), 1e-3);
     for (int term = 1; term < 7; ++term)  // the delay is a difference itself
     {
-      WayModel plus = scene.model, minus = scene.model;
+      TrajectoryModel plus = scene.model, minus = scene.model;
       plus.setErrors(scene.with(term, kStep));
       minus.setErrors(scene.with(term, -kStep));
       EXPECT_NEAR(row.shared[term], (minus.reading(r, pose).residual - plus.reading(r, pose).residual) / (2 * kStep),
@@ -65,13 +65,13 @@ TEST(WayModel, DerivativesOfReadingsAreTheirDifferences)
   }
 }
 
-TEST(WayModel, DerivativesOfLinksAreTheirDifferences)
+TEST(TrajectoryModel, DerivativesOfLinksAreTheirDifferences)
 {
   Scene scene;
   for (std::size_t k = 1; k < scene.way.poses.size(); k += 23)
   {
     const Pose2 before = scene.way.poses[k - 1].pose, pose = scene.way.poses[k].pose;
-    const WayLinkRow row = scene.model.link(k, before, pose);
+    const OdometryResidual row = scene.model.link(k, before, pose);
     const double unit = row.next.norm();
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -86,7 +86,7 @@ TEST(WayModel, DerivativesOfLinksAreTheirDifferences)
     }
     for (int term = 0; term < 7; ++term)
     {
-      WayModel plus = scene.model, minus = scene.model;
+      TrajectoryModel plus = scene.model, minus = scene.model;
       plus.setErrors(scene.with(term, kStep));
       minus.setErrors(scene.with(term, -kStep));
       const Vector3d difference =

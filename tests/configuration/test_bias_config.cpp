@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "mrpt_ext/geometry/angle.h"
-#include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/configuration/localization_config.h"
 #include "mrpt_ext/configuration/localization_keys.h"
+#include "mrpt_ext/geometry/angle.h"
+#include "mrpt_ext/geometry/input_error.h"
 
 namespace mrpt_ext
 {
@@ -28,7 +28,7 @@ TEST(BiasConfig, EveryKindHasItsKeysInItsUnit)
       "[Bias]\nrange_offset_std_m = 0.2\nrange_offset_mean_m = 0.1\nrange_scale_std = 0.05\nbearing_offset_std_deg = "
       "2\n"
       "bearing_offset_std_per_sqrt_s_deg = 0.1\nway_scale_std = 0.04\nturn_scale_std = 0.03\n"
-      "turn_scale_std_per_sqrt_s = 0.001\n");
+      "odometry_rotation_scale_std_per_sqrt_s = 0.001\n");
   ASSERT_EQ(model.size(), 5u);
   EXPECT_EQ(model[0].kind, BiasKind::range_offset);
   EXPECT_EQ(model[0].mean, 0.1);
@@ -38,8 +38,8 @@ TEST(BiasConfig, EveryKindHasItsKeysInItsUnit)
   EXPECT_EQ(model[2].kind, BiasKind::bearing_offset);
   EXPECT_DOUBLE_EQ(model[2].std, degToRad(2.0));
   EXPECT_DOUBLE_EQ(model[2].std_per_sqrt_s, degToRad(0.1));
-  EXPECT_EQ(model[3].kind, BiasKind::way_scale);
-  EXPECT_EQ(model[4].kind, BiasKind::turn_scale);
+  EXPECT_EQ(model[3].kind, BiasKind::distance_scale);
+  EXPECT_EQ(model[4].kind, BiasKind::rotation_scale);
   EXPECT_EQ(model[4].std_per_sqrt_s, 0.001);
   for (const BiasState& state : model) EXPECT_TRUE(state.sensor.empty());
 }

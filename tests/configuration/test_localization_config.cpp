@@ -4,8 +4,8 @@
 
 #include <set>
 
-#include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/configuration/localization_keys.h"
+#include "mrpt_ext/geometry/input_error.h"
 
 namespace mrpt_ext
 {

@@ -62,7 +62,7 @@ TEST(SimulatorConfig, ReadsSensorsObjectsAndKidnappings)
   EXPECT_EQ(left.height, 0.3);
   EXPECT_NEAR(left.std_bearing, degToRad(2), 1e-12);
   EXPECT_EQ(left.max_range, 4.0);
-  EXPECT_EQ(left.identity, Identity::category);
+  EXPECT_EQ(left.identity, IdentityLevel::category);
   EXPECT_EQ(left.max_detections, 3);
   EXPECT_EQ(scenario.sensors[1].kind, SensorKind::compass);
   ASSERT_EQ(scenario.objects.size(), 1U);

@@ -10,13 +10,13 @@ namespace mrpt_ext
 {
 namespace
 {
-bool findsTruth(const PoseSearch& search, const Pose2& truth)
+bool findsTruth(const PoseSearchResult& search, const Pose2& truth)
 {
   return std::any_of(search.poses.begin(), search.poses.end(),
                      [&](const ConsistentPose& p) { return isAtTruth(p.pose.mean, truth); });
 }
 
-PoseSearch searchOne(const LandmarkIndex& index, const SensorPlace& place, const PoseSearchOptions& options = {})
+PoseSearchResult searchOne(const LandmarkIndex& index, const Scan& place, const PoseSearchOptions& options = {})
 {
   return BearingSearch(index).search({&place, 1}, options);
 }
@@ -37,7 +37,7 @@ Tally run(const LostSceneOptions& options, int trials, std::uint64_t seed)
   for (; tally.trials < trials; ++tally.trials)
   {
     const LostView view = lookAroundSomewhere(map, index, options, random);
-    const PoseSearch found = search.search({&view.place, 1});
+    const PoseSearchResult found = search.search({&view.place, 1});
     tally.found += findsTruth(found, view.robot);
     tally.poses += static_cast<double>(found.poses.size()) / trials;
     tally.unique += found.unique;
@@ -99,7 +99,7 @@ TEST(BearingSearch, AFarAwayMapCostsNoDigits)
   for (const Landmark& l : map.landmarks.all()) moved.push_back(l.position.head<2>() + offset);
   const LandmarkIndex near(map.landmarks), far(moved);
   const LostView view = lookAroundSomewhere(map, near, options, random);
-  const PoseSearch here = searchOne(near, view.place), there = searchOne(far, view.place);
+  const PoseSearchResult here = searchOne(near, view.place), there = searchOne(far, view.place);
   ASSERT_FALSE(here.poses.empty());
   ASSERT_FALSE(there.poses.empty());
   const Pose2 a = here.poses.front().pose.mean, b = there.poses.front().pose.mean;
@@ -120,9 +120,9 @@ TEST(BearingSearch, TwoSensorsHelpEachOther)
   for (int t = 0; t < trials; ++t)
   {
     const Pose2 robot{random.uniform(20, 80), random.uniform(20, 80), random.uniform(-kPi, kPi)};
-    const SensorPlace places[] = {lookAround(map, index, options, robot, random, {0.3, 0.2, 0.5}).place,
-                                  lookAround(map, index, options, robot, random, {-0.4, 0.1, -2}).place};
-    const PoseSearch result = search.search(places);
+    const Scan places[] = {landmarkGates(map, index, options, robot, random, {0.3, 0.2, 0.5}).place,
+                           landmarkGates(map, index, options, robot, random, {-0.4, 0.1, -2}).place};
+    const PoseSearchResult result = search.search(places);
     found += findsTruth(result, robot);
     unique += result.unique;
   }
@@ -137,7 +137,7 @@ TEST(BearingSearch, TheSameAnswerTwice)
   const LostMap map = strewLandmarks(options, random);
   const LandmarkIndex index = map.index();
   const LostView view = lookAroundSomewhere(map, index, options, random);
-  const PoseSearch a = searchOne(index, view.place), b = searchOne(index, view.place);
+  const PoseSearchResult a = searchOne(index, view.place), b = searchOne(index, view.place);
   ASSERT_EQ(a.poses.size(), b.poses.size());
   for (std::size_t i = 0; i < a.poses.size(); ++i)
   {
@@ -158,8 +158,8 @@ TEST(BearingSearch, ProbabilitiesLeaveRoomForTheRest)
   const LandmarkIndex index = map.index();
   for (int t = 0; t < 4; ++t)
   {
-    const PoseSearch found = searchOne(index, lookAroundSomewhere(map, index, options, random).place);
-    double sum = found.elsewhere;
+    const PoseSearchResult found = searchOne(index, lookAroundSomewhere(map, index, options, random).place);
+    double sum = found.probability_elsewhere;
     for (const ConsistentPose& p : found.poses) sum += p.probability;
     EXPECT_NEAR(sum, 1, 1e-9);
     EXPECT_FALSE(found.unique && found.expected_false > 0.05);
@@ -172,14 +172,14 @@ TEST(BearingSearch, SaysWhatIsWrongWithItsInput)
   const LostSceneOptions options;
   const LostMap map = strewLandmarks(options, random);
   const LandmarkIndex index = map.index(), empty{std::vector<Vector2d>{}};
-  SensorPlace place = lookAroundSomewhere(map, index, options, random).place;
+  Scan place = lookAroundSomewhere(map, index, options, random).place;
   EXPECT_EQ(searchOne(empty, place).status, SolveStatus::none);
-  SensorPlace two = place;
+  Scan two = place;
   two.detections.resize(2);
   EXPECT_EQ(searchOne(index, two).status, SolveStatus::too_few);
   EXPECT_EQ(BearingSearch(index).search({}).status, SolveStatus::too_few);
-  SensorPlace unknown = place;
-  for (UnidentifiedDetection& d : unknown.detections) d.kind = kNoSuchKind;
+  Scan unknown = place;
+  for (AnonymousDetection& d : unknown.detections) d.kind = kUnknownCategory;
   EXPECT_EQ(searchOne(index, unknown).status, SolveStatus::too_few);
   place.detections.front().bearing = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(searchOne(index, place).status, SolveStatus::bad_input);
@@ -193,16 +193,16 @@ TEST(BearingSearch, LandmarksOnALineAndRepeatedBearings)
   std::vector<Vector2d> line;
   for (int i = 0; i < 30; ++i) line.emplace_back(i, 0);
   const LandmarkIndex index(line);
-  SensorPlace place;
+  Scan place;
   place.model.max_range = 8;
   for (const double b : {0.1, 0.1, 0.6, 1.2, 2.0, 2.0})
   {
-    UnidentifiedDetection d;
+    AnonymousDetection d;
     d.bearing = b;
     d.std_bearing = degToRad(0.5);
     place.detections.push_back(d);
   }
-  const PoseSearch found = searchOne(index, place);
+  const PoseSearchResult found = searchOne(index, place);
   for (const ConsistentPose& p : found.poses) EXPECT_TRUE(isFinite(p.pose.mean));
   EXPECT_FALSE(found.unique);
 }
@@ -219,10 +219,10 @@ TEST(BearingSearch, ALatticeIsAmbiguous)
   options.false_readings = 0;
   options.max_range = 6;
   RandomStream random(20);
-  const LostView view = lookAround(map, index, options, {28.3, 29.1, 0.7}, random);
+  const LostView view = landmarkGates(map, index, options, {28.3, 29.1, 0.7}, random);
   PoseSearchOptions few;
   few.max_poses = 50;
-  const PoseSearch found = searchOne(index, view.place, few);
+  const PoseSearchResult found = searchOne(index, view.place, few);
   EXPECT_GT(found.poses.size(), 20u);
   EXPECT_LE(found.poses.size(), 50u);
   EXPECT_FALSE(found.unique);
@@ -237,7 +237,7 @@ TEST(BearingSearch, StopsWhenToldTo)
   const LandmarkIndex index = map.index();
   PoseSearchOptions hurried;
   hurried.max_tested = 1000;
-  const PoseSearch found = searchOne(index, lookAroundSomewhere(map, index, options, random).place, hurried);
+  const PoseSearchResult found = searchOne(index, lookAroundSomewhere(map, index, options, random).place, hurried);
   EXPECT_FALSE(found.finished);
   EXPECT_FALSE(found.unique);
 }

@@ -51,13 +51,13 @@ Account countPoses(const LostSceneOptions& options, int scenes, Expected&& expec
     RandomStream random(5, static_cast<std::uint64_t>(scene));
     const LostMap map = strewLandmarks(options, random);
     const LandmarkIndex index = map.index();
-    SensorPlace place = lookAroundSomewhere(map, index, options, random).place;
+    Scan place = lookAroundSomewhere(map, index, options, random).place;
     place.model.detection_probability = 0.6;
     place.model.clutter_probability = 0.1;
     PoseSearchOptions everything;
     everything.keep_log_units = 1e6;
     everything.max_poses = 100'000;
-    const PoseSearch found = Search(index).search({&place, 1}, everything);
+    const PoseSearchResult found = Search(index).search({&place, 1}, everything);
     for (int m = 3; m < kMost; ++m)
     {
       account.expected[static_cast<std::size_t>(m)] += expected(index, place, found, m);
@@ -69,18 +69,18 @@ Account countPoses(const LostSceneOptions& options, int scenes, Expected&& expec
 }
 
 /// The search says what it expects for as many matches as the best pose has; the same for others.
-double expectedOfBearings(const LandmarkIndex& index, const SensorPlace& place, const PoseSearch& found, int matched)
+double expectedOfBearings(const LandmarkIndex& index, const Scan& place, const PoseSearchResult& found, int matched)
 {
   int best = 0;
   for (const ConsistentPose& pose : found.poses) best = std::max(best, pose.matched);
   const double in_view = static_cast<double>(index.size()) *
                          std::min(1.0, kPi * square(*place.model.max_range) / (index.high() - index.low()).prod());
-  const ChanceMatches chance{1, static_cast<int>(place.detections.size()),
-                             chanceOfMatch(kGate * place.detections.front().std_bearing, in_view - 3)};
+  const FalseAlarmModel chance{1, static_cast<int>(place.detections.size()),
+                               chanceOfMatch(kGate * place.detections.front().std_bearing, in_view - 3)};
   return best == 0 ? 0 : found.expected_false * expectedFalsePoses(chance, matched) / expectedFalsePoses(chance, best);
 }
 
-double expectedOfPoints(const LandmarkIndex& index, const SensorPlace& place, const PoseSearch&, int matched)
+double expectedOfPoints(const LandmarkIndex& index, const Scan& place, const PoseSearchResult&, int matched)
 {
   return expectedFalsePoses(chancePoints(index, gatherPoints({&place, 1}, kGate), kGate), matched);
 }
@@ -111,11 +111,11 @@ TEST(ExpectedFalsePoses, FallWithTheMatchesAndRiseWithTheReadings)
 {
   for (int m = 3; m < 9; ++m)
   {
-    const ChanceMatches chance{1000, 9, 0.05}, more{1000, 10, 0.05};
+    const FalseAlarmModel chance{1000, 9, 0.05}, more{1000, 10, 0.05};
     EXPECT_GT(expectedFalsePoses(more, m), expectedFalsePoses(chance, m));
     EXPECT_GT(expectedFalsePoses(chance, m), expectedFalsePoses(chance, m + 1));
   }
-  EXPECT_EQ(expectedFalsePoses(ChanceMatches{1000, 4, 0.05}, 5), 0);
+  EXPECT_EQ(expectedFalsePoses(FalseAlarmModel{1000, 4, 0.05}, 5), 0);
 }
 }  // namespace
 }  // namespace mrpt_ext

@@ -27,9 +27,9 @@ double shareFound(int landmarks, int seen, int false_readings, bool with_range, 
   for (int t = 0; t < trials; ++t)
   {
     const LostMap map = strewLandmarks(options, random);
-    const LostRobotSearch search(map.landmarks);
+    const GlobalPoseSearch search(map.landmarks);
     const LostView view = lookAroundSomewhere(map, search.index(), options, random);
-    const PoseSearch result = search.search({&view.place, 1}, {});
+    const PoseSearchResult result = search.search({&view.place, 1}, {});
     // Few bearings can leave a pose uncertain: what counts then is its own covariance.
     found += std::any_of(result.poses.begin(), result.poses.end(),
                          [&](const ConsistentPose& p)
@@ -43,47 +43,47 @@ double shareFound(int landmarks, int seen, int false_readings, bool with_range, 
 }
 }  // namespace
 
-TEST(LostRobotSearch, FewBearingsInASmallMap)
+TEST(GlobalPoseSearch, FewBearingsInASmallMap)
 {
   EXPECT_GE(shareFound(12, 4, 0, false, 100), 0.95);
   EXPECT_GE(shareFound(12, 6, 0, false, 100), 0.98);
   EXPECT_GE(shareFound(12, 6, 1, false, 100), 0.97);
 }
 
-TEST(LostRobotSearch, ManyBearingsInASmallMap) { EXPECT_GE(shareFound(30, 12, 2, false, 40), 0.97); }
+TEST(GlobalPoseSearch, ManyBearingsInASmallMap) { EXPECT_GE(shareFound(30, 12, 2, false, 40), 0.97); }
 
-TEST(LostRobotSearch, PointsInASmallMap)
+TEST(GlobalPoseSearch, PointsInASmallMap)
 {
   EXPECT_GE(shareFound(15, 3, 0, true, 100), 0.98);
   EXPECT_GE(shareFound(15, 5, 1, true, 100), 0.98);
 }
 
-TEST(LostRobotSearch, ATreeThatIsGivenUpSaysSo)
+TEST(GlobalPoseSearch, ATreeThatIsGivenUpSaysSo)
 {
   RandomStream random(5);
   std::vector<Landmark> landmarks;
   for (int i = 0; i < 12; ++i) landmarks.push_back({.position = {random.uniform(0, 10), random.uniform(0, 10), 0}});
   const LandmarkTable map(landmarks);
   const Pose2 robot{4, 5, 0.3};
-  SensorPlace place;
+  Scan place;
   for (std::size_t l = 0; l < 6; ++l)
     place.detections.push_back({.bearing = predictBearing(robot, map[l].position.head<2>()), .std_bearing = 0.005});
-  const LostRobotSearch search(map);
-  const PoseSearch whole = search.search({&place, 1}, {});
+  const GlobalPoseSearch search(map);
+  const PoseSearchResult whole = search.search({&place, 1}, {});
   ASSERT_TRUE(whole.finished && !whole.poses.empty());
   EXPECT_LT((whole.poses.front().pose.mean.position() - robot.position()).norm(), 0.05);
-  const PoseSearch part = search.search({&place, 1}, {.max_tree_nodes = 20});
+  const PoseSearchResult part = search.search({&place, 1}, {.max_tree_nodes = 20});
   EXPECT_FALSE(part.finished);
   EXPECT_LT(part.work.tested, whole.work.tested);
 }
 
-TEST(LostRobotSearch, NothingToGoOnIsAValue)
+TEST(GlobalPoseSearch, NothingToGoOnIsAValue)
 {
-  const LostRobotSearch search(LandmarkTable({{.position = {0, 0, 0}}, {.position = {1, 0, 0}}}));
+  const GlobalPoseSearch search(LandmarkTable({{.position = {0, 0, 0}}, {.position = {1, 0, 0}}}));
   EXPECT_EQ(search.search({}, {}).status, SolveStatus::too_few);
-  SensorPlace place;
+  Scan place;
   place.detections.assign(3, {.bearing = std::numeric_limits<double>::quiet_NaN(), .std_bearing = 0.01});
   EXPECT_EQ(search.search({&place, 1}, {}).status, SolveStatus::bad_input);
-  EXPECT_EQ(LostRobotSearch(LandmarkTable()).search({}, {}).status, SolveStatus::too_few);
+  EXPECT_EQ(GlobalPoseSearch(LandmarkTable()).search({}, {}).status, SolveStatus::too_few);
 }
 }  // namespace mrpt_ext

@@ -12,7 +12,7 @@ using golden::Json;
 struct Case
 {
   std::vector<Vector2d> landmarks;
-  std::vector<UnidentifiedBearing> bearings;
+  std::vector<AnonymousBearing> bearings;
   InterpretationOptions options;
 };
 
@@ -24,7 +24,7 @@ Case readCase(const Json& in)
   c.options.max_residual = golden::number(in.at("eps"));
   c.options.max_unmatched = in.value("max_unmatched", 0);
   const std::vector<double> bounds = golden::numbers(in.at("bounds"));
-  c.options.area = MapArea{{bounds.at(0), bounds.at(1)}, {bounds.at(2), bounds.at(3)}};
+  c.options.area = Box2{{bounds.at(0), bounds.at(1)}, {bounds.at(2), bounds.at(3)}};
   return c;
 }
 

@@ -13,7 +13,7 @@ InterpretationOptions optionsFor(double sigma, double margin = 0)
 {
   InterpretationOptions options;
   options.max_residual = 3.3 * sigma;
-  options.area = MapArea{{-margin, -margin}, {10 + margin, 10 + margin}};
+  options.area = Box2{{-margin, -margin}, {10 + margin, 10 + margin}};
   return options;
 }
 
@@ -64,7 +64,7 @@ TEST(InterpretationTree, ExactBearingsNameThePoseAndTheLandmarks)
 TEST(InterpretationTree, ASquareRoomHasFourPosesOfEqualRank)
 {
   const std::vector<Vector2d> corners = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
-  std::vector<UnidentifiedBearing> bearings;
+  std::vector<AnonymousBearing> bearings;
   for (const Vector2d& l : corners) bearings.push_back({predictBearing({3, 4, 1}, l), {}});
   const Interpretations result = interpretBearings(corners, bearings, optionsFor(0.001));
   ASSERT_EQ(result.solutions.size(), 4u);
@@ -74,7 +74,7 @@ TEST(InterpretationTree, ASquareRoomHasFourPosesOfEqualRank)
 TEST(InterpretationTree, CategoriesLeaveOneOfTheFour)
 {
   const std::vector<Vector2d> corners = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
-  std::vector<UnidentifiedBearing> bearings;
+  std::vector<AnonymousBearing> bearings;
   for (const Vector2d& l : corners) bearings.push_back({predictBearing({3, 4, 1}, l), {}});
   bearings[1].candidates = {1};
   const Interpretations result = interpretBearings(corners, bearings, optionsFor(0.001));
@@ -122,7 +122,7 @@ TEST(InterpretationTree, OneUnmatchedIsTheSumOfLeavingEachOut)
     const auto complete = expected;
     for (std::size_t left_out = 0; left_out < s.bearings.size(); ++left_out)
     {
-      std::vector<UnidentifiedBearing> others = s.bearings;
+      std::vector<AnonymousBearing> others = s.bearings;
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(left_out));
       for (std::vector<int> assignment : assignmentsOf(interpretBearings(s.scene.landmarks, others, options)))
       {
@@ -207,7 +207,7 @@ TEST(InterpretationTree, ARobotBesideALandmarkIsFound)
   for (const double distance : {0.1, 1e-3, 1e-5})
   {
     const Pose2 robot{8 - distance, 9, 0.5};
-    std::vector<UnidentifiedBearing> bearings;
+    std::vector<AnonymousBearing> bearings;
     for (const int l : {2, 0, 1, 3, 5})
       bearings.push_back({predictBearing(robot, landmarks[static_cast<std::size_t>(l)]) + (l % 2 ? 1e-3 : -1e-3), {}});
     const Interpretations result = interpretBearings(landmarks, bearings, optionsFor(0.001));

@@ -18,7 +18,7 @@ struct Tally
   std::size_t detections = 0, members = 0, rest = 0;
 };
 
-Tally tallyOf(const JoinedSceneOptions& options, int trials, const JoiningOptions& joining = {})
+Tally tallyOf(const JoinedSceneOptions& options, int trials, const LocalMapOptions& joining = {})
 {
   RandomStream random(21);
   Tally tally;
@@ -27,7 +27,7 @@ Tally tallyOf(const JoinedSceneOptions& options, int trials, const JoiningOption
     const LostMap map = strewLandmarks(options.scene, random);
     const LandmarkIndex index = map.index();
     const JoinedView view = driveSomewhere(map, index, options, random);
-    const JoinedConstellation joined = joinPlaces(view.places, joining);
+    const LocalLandmarkMap joined = buildLocalMap(view.places, joining);
     std::set<int> seen;
     for (const ConstellationPoint& point : joined.points)
     {
@@ -39,8 +39,8 @@ Tally tallyOf(const JoinedSceneOptions& options, int trials, const JoiningOption
       tally.doubled += truth.pure && !seen.insert(truth.landmark).second;
       tally.members += point.members.size();
     }
-    for (const CarriedPlace& p : view.places) tally.detections += p.place.detections.size();
-    for (const CarriedPlace& p : joined.rest) tally.rest += p.place.detections.size();
+    for (const PastScan& p : view.places) tally.detections += p.place.detections.size();
+    for (const PastScan& p : joined.rest) tally.rest += p.place.detections.size();
   }
   return tally;
 }
@@ -53,7 +53,7 @@ JoinedSceneOptions bearingOnly()
 }
 }  // namespace
 
-TEST(JoinedConstellation, BearingsAlongAWayBecomePoints)
+TEST(LocalLandmarkMap, BearingsAlongAWayBecomePoints)
 {
   const int trials = 40;
   const Tally tally = tallyOf(bearingOnly(), trials);
@@ -64,7 +64,7 @@ TEST(JoinedConstellation, BearingsAlongAWayBecomePoints)
   EXPECT_NEAR(tally.squared_error / tally.pure, 2, 0.8);
 }
 
-TEST(JoinedConstellation, RangesAndBearingsOfManyMomentsBecomeOnePointEach)
+TEST(LocalLandmarkMap, RangesAndBearingsOfManyMomentsBecomeOnePointEach)
 {
   JoinedSceneOptions options = bearingOnly();
   options.scene.with_range = true;
@@ -78,7 +78,7 @@ TEST(JoinedConstellation, RangesAndBearingsOfManyMomentsBecomeOnePointEach)
   EXPECT_NEAR(tally.squared_error / tally.pure, 2, 0.5);
 }
 
-TEST(JoinedConstellation, NothingIsLostAndNothingCountedTwice)
+TEST(LocalLandmarkMap, NothingIsLostAndNothingCountedTwice)
 {
   for (const bool ranges : {false, true})
   {
@@ -89,7 +89,7 @@ TEST(JoinedConstellation, NothingIsLostAndNothingCountedTwice)
   }
 }
 
-TEST(JoinedConstellation, FalseReadingsAloneHardlyMakePoints)
+TEST(LocalLandmarkMap, FalseReadingsAloneHardlyMakePoints)
 {
   JoinedSceneOptions options = bearingOnly();
   options.scene.detection_probability = 0;
@@ -98,7 +98,7 @@ TEST(JoinedConstellation, FalseReadingsAloneHardlyMakePoints)
   EXPECT_LE(tallyOf(options, trials).points, 0.25 * trials);
 }
 
-TEST(JoinedConstellation, StandingStillGivesNoDistances)
+TEST(LocalLandmarkMap, StandingStillGivesNoDistances)
 {
   JoinedSceneOptions options = bearingOnly();
   options.step = options.turn = 1e-4;
@@ -108,20 +108,20 @@ TEST(JoinedConstellation, StandingStillGivesNoDistances)
   EXPECT_EQ(tally.rest, tally.detections);
 }
 
-TEST(JoinedConstellation, KindsAreNotMixed)
+TEST(LocalLandmarkMap, KindsAreNotMixed)
 {
   JoinedSceneOptions options = bearingOnly();
   options.scene.kinds = 3;
   RandomStream random(22);
   const LostMap map = strewLandmarks(options.scene, random);
   const JoinedView view = driveSomewhere(map, map.index(), options, random);
-  const JoinedConstellation joined = joinPlaces(view.places);
+  const LocalLandmarkMap joined = buildLocalMap(view.places);
   EXPECT_GE(joined.points.size(), 5u);
   for (const ConstellationPoint& point : joined.points)
     for (const auto& m : point.members) EXPECT_EQ(view.places[m.place].place.detections[m.detection].kind, point.kind);
 }
 
-TEST(JoinedConstellation, OnePlaceStaysAsItIs)
+TEST(LocalLandmarkMap, OnePlaceStaysAsItIs)
 {
   JoinedSceneOptions options = bearingOnly();
   options.length = 0;
@@ -129,28 +129,28 @@ TEST(JoinedConstellation, OnePlaceStaysAsItIs)
   RandomStream random(23);
   const LostMap map = strewLandmarks(options.scene, random);
   const JoinedView view = driveSomewhere(map, map.index(), options, random);
-  const std::vector<SensorPlace> places = asSensorPlaces(joinPlaces(view.places));
+  const std::vector<Scan> places = asScans(buildLocalMap(view.places));
   ASSERT_EQ(places.size(), 1u);
   EXPECT_EQ(places[0].detections.size(), view.places[0].place.detections.size());
   EXPECT_EQ(places[0].model.detection_probability, view.places[0].place.model.detection_probability);
-  EXPECT_TRUE(joinPlaces({}).rest.empty());
+  EXPECT_TRUE(buildLocalMap({}).rest.empty());
 }
 
-TEST(JoinedConstellation, ASearchGetsPointsFirstAndTheRestFromItsOwnPlaces)
+TEST(LocalLandmarkMap, ASearchGetsPointsFirstAndTheRestFromItsOwnPlaces)
 {
   const JoinedSceneOptions options = bearingOnly();
   RandomStream random(24);
   const LostMap map = strewLandmarks(options.scene, random);
   const LandmarkIndex index = map.index();
   const JoinedView view = driveSomewhere(map, index, options, random);
-  const JoinedConstellation joined = joinPlaces(view.places);
-  const std::vector<SensorPlace> places = asSensorPlaces(joined);
+  const LocalLandmarkMap joined = buildLocalMap(view.places);
+  const std::vector<Scan> places = asScans(joined);
   ASSERT_EQ(places.size(), joined.rest.size() + 1);
   ASSERT_EQ(places[0].detections.size(), joined.points.size());
   EXPECT_NEAR(*places[0].model.max_range, 8 + options.length, 0.1);
   for (std::size_t i = 0; i < joined.points.size(); ++i)
   {
-    const UnidentifiedDetection& d = places[0].detections[i];
+    const AnonymousDetection& d = places[0].detections[i];
     const Vector2d at = *d.range * Vector2d(std::cos(*d.bearing), std::sin(*d.bearing));
     EXPECT_LT((at - joined.points[i].in_robot.mean).norm(), 1e-9);
     EXPECT_GE(square(d.std_range) + square(*d.range * d.std_bearing),
@@ -159,7 +159,7 @@ TEST(JoinedConstellation, ASearchGetsPointsFirstAndTheRestFromItsOwnPlaces)
   for (std::size_t k = 0; k < joined.rest.size(); ++k)
   {
     EXPECT_EQ(places[k + 1].T_robot_sensor.vector(), joined.rest[k].place.T_robot_sensor.vector());
-    if (joined.rest[k].way_covariance.isZero(0)) continue;
+    if (joined.rest[k].odometry_covariance.isZero(0)) continue;
     EXPECT_GT(places[k + 1].detections[0].std_bearing, options.scene.std_bearing);
     EXPECT_FALSE(places[k + 1].model.detection_probability);
   }

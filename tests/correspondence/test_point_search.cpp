@@ -19,16 +19,16 @@ LostSceneOptions pointScene(int landmarks)
   return options;
 }
 
-bool holds(const PoseSearch& search, const Pose2& truth)
+bool holds(const PoseSearchResult& search, const Pose2& truth)
 {
   return std::any_of(search.poses.begin(), search.poses.end(),
                      [&](const ConsistentPose& p) { return isAtTruth(p.pose.mean, truth); });
 }
 
 /// A sensor that sees these points (robot frame) without error.
-SensorPlace seeing(const std::vector<Vector2d>& points, const Pose2& T_robot_sensor = {})
+Scan seeing(const std::vector<Vector2d>& points, const Pose2& T_robot_sensor = {})
 {
-  SensorPlace place;
+  Scan place;
   place.T_robot_sensor = T_robot_sensor;
   place.model.clutter_probability = 0.02;
   for (const Vector2d& point : points)
@@ -63,7 +63,7 @@ TEST(PointSearch, FindsTheLostRobotInMapsOfEverySize)
     for (int t = 0; t < kTrials; ++t)
     {
       const LostView view = lookAroundSomewhere(map, index, options, random);
-      const PoseSearch result = search.search({&view.place, 1});
+      const PoseSearchResult result = search.search({&view.place, 1});
       found += holds(result, view.robot);
       returned += static_cast<double>(result.poses.size()) / kTrials;
       unique_and_wrong += result.unique && !isAtTruth(result.poses.front().pose.mean, view.robot);
@@ -97,8 +97,8 @@ TEST(PointSearch, ASquareGivesItsFourPosesAlike)
   const std::vector<Vector2d> square{{0, 0}, {6, 0}, {6, 6}, {0, 6}};
   const LandmarkIndex map(square);
   const Pose2 robot{1, 2, 0.4};
-  const SensorPlace place = seeing(fromRobot(robot, square));
-  const PoseSearch result = PointSearch(map).search({&place, 1});
+  const Scan place = seeing(fromRobot(robot, square));
+  const PoseSearchResult result = PointSearch(map).search({&place, 1});
   ASSERT_EQ(result.poses.size(), 4u);
   EXPECT_FALSE(result.unique);
   for (const ConsistentPose& pose : result.poses) EXPECT_NEAR(pose.probability, 0.25, 0.01);
@@ -110,8 +110,8 @@ TEST(PointSearch, TwoPointsGiveEveryPairOfTheirDistance)
   const std::vector<Vector2d> landmarks{{0, 0}, {3, 0}, {3, 4}, {10, 10}};
   const LandmarkIndex map(landmarks);
   const Pose2 robot{-1, 1, 2};
-  const SensorPlace place = seeing(fromRobot(robot, {landmarks[0], landmarks[1]}));
-  const PoseSearch result = PointSearch(map).search({&place, 1});
+  const Scan place = seeing(fromRobot(robot, {landmarks[0], landmarks[1]}));
+  const PoseSearchResult result = PointSearch(map).search({&place, 1});
   EXPECT_EQ(result.poses.size(), 2u);  // either end may be either landmark
   EXPECT_TRUE(holds(result, robot));
   EXPECT_FALSE(result.unique);
@@ -124,7 +124,7 @@ TEST(PointSearch, OneOfThreeMayBeFalse)
   const Pose2 robot{-1, 1, 2};
   std::vector<Vector2d> points = fromRobot(robot, {landmarks[0], landmarks[2]});
   points.emplace_back(1.3, 9.1);
-  const SensorPlace place = seeing(points);
+  const Scan place = seeing(points);
   EXPECT_TRUE(holds(PointSearch(map).search({&place, 1}), robot));
 }
 
@@ -136,7 +136,7 @@ TEST(PointSearch, PointsOfSeveralPlacesMakeOneConstellation)
   const std::vector<Vector2d> points = fromRobot(robot, landmarks);
   const std::vector places{seeing({points[0], points[1]}, {1, 0, 0.3}), seeing({points[1], points[2]}, {-1, 0.5, -2}),
                            seeing({points[4]}, {0, -2, 1})};
-  const PoseSearch result = PointSearch(map).search(places);
+  const PoseSearchResult result = PointSearch(map).search(places);
   ASSERT_FALSE(result.poses.empty());
   EXPECT_TRUE(isAtTruth(result.poses.front().pose.mean, robot));
   EXPECT_EQ(result.poses.front().assignment, (std::vector{0, 1, 1, 2, 4}));
@@ -149,10 +149,10 @@ TEST(PointSearch, KindsExclude)
                              {.position = {9, 9, 0}, .category = "red"}});
   const LandmarkIndex map(table);
   const Pose2 robot{-1, 1, 2};
-  SensorPlace place = seeing(fromRobot(robot, {{0, 0}, {3, 0}}));
+  Scan place = seeing(fromRobot(robot, {{0, 0}, {3, 0}}));
   place.detections[0].kind = map.kindOf("red");
   place.detections[1].kind = map.kindOf("blue");
-  const PoseSearch result = PointSearch(map).search({&place, 1});
+  const PoseSearchResult result = PointSearch(map).search({&place, 1});
   ASSERT_EQ(result.poses.size(), 1u);
   EXPECT_TRUE(isAtTruth(result.poses.front().pose.mean, robot));
 }
@@ -162,14 +162,14 @@ TEST(PointSearch, NoPoseIsAValue)
   const LandmarkIndex map(std::vector<Vector2d>{{0, 0}, {3, 0}, {3, 4.5}});
   const PointSearch search(map);
   EXPECT_EQ(search.search({}).status, SolveStatus::too_few);
-  const SensorPlace one = seeing({{1, 1}}), far = seeing({{0, 0.5}, {50, 1}});
+  const Scan one = seeing({{1, 1}}), far = seeing({{0, 0.5}, {50, 1}});
   EXPECT_EQ(search.search({&one, 1}).status, SolveStatus::too_few);
   EXPECT_EQ(search.search({&far, 1}).status, SolveStatus::none);
-  SensorPlace broken = seeing({{1, 1}, {2, 3}});
+  Scan broken = seeing({{1, 1}, {2, 3}});
   broken.detections[0].range = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(search.search({&broken, 1}).status, SolveStatus::bad_input);
   const LandmarkIndex empty(std::vector<Vector2d>{});
-  const SensorPlace two = seeing({{1, 1}, {2, 3}});
+  const Scan two = seeing({{1, 1}, {2, 3}});
   EXPECT_EQ(PointSearch(empty).search({&two, 1}).status, SolveStatus::none);
 }
 
@@ -177,9 +177,9 @@ TEST(PointSearch, TheAreaLimitsThePoses)
 {
   const std::vector<Vector2d> square{{0, 0}, {6, 0}, {6, 6}, {0, 6}};
   const LandmarkIndex map(square);
-  const SensorPlace place = seeing(fromRobot({1, 2, 0.4}, square));
+  const Scan place = seeing(fromRobot({1, 2, 0.4}, square));
   PoseSearchOptions options;
-  options.area = MapArea{{0, 0}, {3, 3}};
+  options.area = Box2{{0, 0}, {3, 3}};
   EXPECT_EQ(PointSearch(map).search({&place, 1}, options).poses.size(), 1u);
 }
 
@@ -192,8 +192,8 @@ TEST(PointSearch, ALatticeIsNeverCalledUnique)
   const Pose2 robot{16, 17, 0.2};
   std::vector<Vector2d> near;
   map.forEachNear(robot.position(), 5, [&](std::size_t l) { near.push_back(map.position(l)); });
-  const SensorPlace place = seeing(fromRobot(robot, near));
-  const PoseSearch result = PointSearch(map).search({&place, 1});
+  const Scan place = seeing(fromRobot(robot, near));
+  const PoseSearchResult result = PointSearch(map).search({&place, 1});
   EXPECT_TRUE(holds(result, robot));
   EXPECT_GT(result.poses.size(), 50u);
   EXPECT_FALSE(result.unique);
@@ -215,7 +215,7 @@ TEST(PointSearch, ThreeLandmarksThatAreNoNearNeighboursAreFoundBesideAWrongTrian
     for (int t = 0; t < 50; ++t)
     {
       const LostView view = lookAroundSomewhere(map, index, options, random);
-      const PoseSearch result = search.search({&view.place, 1}, {});
+      const PoseSearchResult result = search.search({&view.place, 1}, {});
       const auto seen = std::count_if(view.truth.begin(), view.truth.end(), [](int l) { return l >= 0; });
       if (seen != 3 || result.poses.empty() || result.poses.front().matched != 3) continue;
       ++met;
@@ -240,7 +240,7 @@ TEST(PointSearch, AnUnfinishedSearchCallsNothingUnique)
   for (int t = 0; t < 20; ++t)
   {
     const LostView view = lookAroundSomewhere(map, index, options, random);
-    const PoseSearch result = search.search({&view.place, 1}, hurried);
+    const PoseSearchResult result = search.search({&view.place, 1}, hurried);
     unfinished += !result.finished;
     EXPECT_FALSE(result.unique && !result.finished);
   }

@@ -2,16 +2,16 @@
 
 #include "calibration.h"
 #include "mrpt_ext/correspondence/bearings/bearing_search.h"
-#include "mrpt_ext/correspondence/unsearched_evidence.h"
-#include "mrpt_ext/correspondence/scan_matching.h"
 #include "mrpt_ext/correspondence/points/point_search.h"
+#include "mrpt_ext/correspondence/scan_matching.h"
+#include "mrpt_ext/correspondence/unsearched_evidence.h"
 
 namespace mrpt_ext
 {
 namespace
 {
 /// Where the robot of a lost scene can be: away from the border.
-MapArea inner(const LostMap& map, double border)
+Box2 inner(const LostMap& map, double border)
 {
   return {Vector2d::Constant(border), Vector2d::Constant(map.side - border)};
 }
@@ -37,7 +37,7 @@ void run(const LostSceneOptions& options, int maps, std::uint64_t seed, Tally& t
     for (int t = 0; t < 20; ++t)
     {
       const LostView view = lookAroundSomewhere(map, index, options, random);
-      const PoseSearch found = search.search({&view.place, 1}, how);
+      const PoseSearchResult found = search.search({&view.place, 1}, how);
       if (found.poses.empty()) continue;
       const bool hit = isTruthsMode(found.poses.front(), view);
       tally.calibration.add(found.poses.front().probability, hit);
@@ -109,13 +109,13 @@ TEST(PoseProbability, EvidenceOfAllPosesIsTheIntegralOfTheLikelihood)
     options.landmarks = 150;
     const LostMap map = strewLandmarks(options, random);
     const LandmarkIndex index = map.index();
-    SensorPlace place;
+    Scan place;
     place.model.max_range = range;
     place.model.detection_probability = range ? 0.3 : 0.02;
     place.model.clutter_probability = 0.2;
     for (int d = 0; d < 3; ++d)
       place.detections.push_back({.bearing = random.uniform(-kPi, kPi), .std_bearing = degToRad(10)});
-    const MapArea area = inner(map, 8);
+    const Box2 area = inner(map, 8);
     double mean = 0;
     constexpr int kPoses = 20000;
     const std::vector<int> none(3, -1);
@@ -124,11 +124,11 @@ TEST(PoseProbability, EvidenceOfAllPosesIsTheIntegralOfTheLikelihood)
       const GaussianPose pose{{random.uniform(area.min.x(), area.max.x()), random.uniform(area.min.y(), area.max.y()),
                                random.uniform(-kPi, kPi)},
                               1e-12 * Matrix3d::Identity()};
-      mean += std::exp(placeLogLikelihood(index, place, expectedLandmarks(index, place, pose), none)) / kPoses;
+      mean += std::exp(scanLogLikelihood(index, place, expectedLandmarks(index, place, pose), none)) / kPoses;
     }
     const double integral = std::log(mean * kTwoPi * (area.max - area.min).prod());
-    EXPECT_NEAR(logEvidenceBelow(index, {&place, 1}, area, 4), integral, 0.3);
-    EXPECT_LT(logEvidenceBelow(index, {&place, 1}, area, 3), integral);
+    EXPECT_NEAR(logEvidenceOfUnsearched(index, {&place, 1}, area, 4), integral, 0.3);
+    EXPECT_LT(logEvidenceOfUnsearched(index, {&place, 1}, area, 3), integral);
   }
 }
 }  // namespace

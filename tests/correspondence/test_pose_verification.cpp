@@ -34,12 +34,12 @@ class PoseJudge : public testing::Test
   [[nodiscard]] std::optional<ConsistentPose> judge(const Pose2& start, int least = 5) const
   {
     const GaussianPose candidate{start, Vector3d(0.01, 0.01, 1e-4).asDiagonal()};
-    return judgePose(LandmarkIndex(landmarks_), {&place_, 1}, {}, candidate, least);
+    return verifyPose(LandmarkIndex(landmarks_), {&place_, 1}, {}, candidate, least);
   }
 
   RandomStream random_{3};
   std::vector<Vector2d> landmarks_;
-  SensorPlace place_;
+  Scan place_;
   Pose2 truth_{4, 5, 1};
 };
 
@@ -75,7 +75,7 @@ TEST_F(PoseJudge, AMissedLandmarkCostsTheOddsOfMissingIt)
 
 TEST_F(PoseJudge, NoLandmarkIsMatchedTwice)
 {
-  UnidentifiedDetection again = place_.detections[0];
+  AnonymousDetection again = place_.detections[0];
   *again.bearing += 0.001;
   place_.detections.push_back(again);
   const auto judged = judge(truth_);
@@ -91,9 +91,9 @@ TEST_F(PoseJudge, TooFewMatchesOrOutsideTheAreaIsNoPose)
 {
   EXPECT_FALSE(judge({8, 1, -2}));
   PoseSearchOptions options;
-  options.area = MapArea{{6, 0}, {10, 10}};
+  options.area = Box2{{6, 0}, {10, 10}};
   const GaussianPose candidate{truth_, Vector3d(0.01, 0.01, 1e-4).asDiagonal()};
-  EXPECT_FALSE(judgePose(LandmarkIndex(landmarks_), {&place_, 1}, options, candidate, 4));
+  EXPECT_FALSE(verifyPose(LandmarkIndex(landmarks_), {&place_, 1}, options, candidate, 4));
 }
 
 TEST_F(PoseJudge, LikelihoodIsFiniteForEveryModel)
@@ -111,7 +111,7 @@ TEST_F(PoseJudge, LikelihoodIsFiniteForEveryModel)
 
 TEST_F(PoseJudge, RangesAreJudgedToo)
 {
-  for (UnidentifiedDetection& z : place_.detections)
+  for (AnonymousDetection& z : place_.detections)
   {
     z.range = 3;
     z.std_range = 0.01;
@@ -128,7 +128,7 @@ TEST_F(PoseJudge, EvidenceIsTheIntegralOfTheLikelihood)
   constexpr int kSamples = 4000;
   const Matrix3d cholesky = judged->pose.covariance.llt().matrixL();
   const LandmarkIndex map(landmarks_);
-  std::vector<UnidentifiedDetection> detections = place_.detections;
+  std::vector<AnonymousDetection> detections = place_.detections;
   for (int i = 0; i < kSamples; ++i)
   {
     const Vector3d unit(random_.gaussian(), random_.gaussian(), random_.gaussian());
@@ -161,7 +161,7 @@ ConsistentPose poseAt(double x, double log_evidence)
 
 TEST(RankPoses, NormalisesJoinsAndCuts)
 {
-  PoseSearch search;
+  PoseSearchResult search;
   search.poses = {poseAt(1, -20), poseAt(5, -10), poseAt(5.001, -10.5), poseAt(9, -10)};
   rankPoses(search, {.keep_log_units = 8}, kNothing);
   EXPECT_EQ(search.status, SolveStatus::ok);
@@ -172,16 +172,16 @@ TEST(RankPoses, NormalisesJoinsAndCuts)
 
 TEST(RankPoses, EvidenceNotSearchedLowersTheProbability)
 {
-  PoseSearch search;
+  PoseSearchResult search;
   search.poses = {poseAt(1, -3)};
   rankPoses(search, {}, -3);
   EXPECT_NEAR(search.poses[0].probability, 0.5, 1e-12);
-  EXPECT_NEAR(search.elsewhere, 0.5, 1e-12);
+  EXPECT_NEAR(search.probability_elsewhere, 0.5, 1e-12);
 }
 
 TEST(RankPoses, UniqueOnlyWhenChanceHardlyMakesSuchPoses)
 {
-  PoseSearch search;
+  PoseSearchResult search;
   search.poses = {poseAt(1, -3)};
   search.expected_false = 0.01;
   rankPoses(search, {}, kNothing);
@@ -193,10 +193,10 @@ TEST(RankPoses, UniqueOnlyWhenChanceHardlyMakesSuchPoses)
 
 TEST(RankPoses, NothingFound)
 {
-  PoseSearch search;
+  PoseSearchResult search;
   rankPoses(search, {}, kNothing);
   EXPECT_EQ(search.status, SolveStatus::none);
-  EXPECT_EQ(search.elsewhere, 1);
+  EXPECT_EQ(search.probability_elsewhere, 1);
 }
 }  // namespace
 }  // namespace mrpt_ext

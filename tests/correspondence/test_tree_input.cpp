@@ -13,9 +13,9 @@ const LandmarkTable kTable({{.id = 1, .position = {0, 0, 0}, .category = "post"}
                             {.id = 3, .position = {4, 3, 0}, .category = "post"}});
 const LandmarkIndex kMap(kTable);
 
-UnidentifiedDetection bearingOf(double bearing, int kind = kAnyKind, double std = 0.01)
+AnonymousDetection bearingOf(double bearing, int kind = kAnyCategory, double std = 0.01)
 {
-  UnidentifiedDetection d;
+  AnonymousDetection d;
   d.bearing = bearing;
   d.std_bearing = std;
   d.kind = kind;
@@ -23,32 +23,32 @@ UnidentifiedDetection bearingOf(double bearing, int kind = kAnyKind, double std 
 }
 }  // namespace
 
-TEST(TreeQuestion, AsksThePlaceWithMostBearingsThatMayShowALandmark)
+TEST(TreeInput, AsksThePlaceWithMostBearingsThatMayShowALandmark)
 {
-  UnidentifiedDetection range;
+  AnonymousDetection range;
   range.range = 2;
-  std::vector<SensorPlace> places(3);
+  std::vector<Scan> places(3);
   places[0].detections = {bearingOf(0.1), bearingOf(0.2, kMap.kindOf("post"), 0.03)};
   places[1].detections = {bearingOf(1), bearingOf(2)};
-  places[2].detections = {bearingOf(3), bearingOf(4, kNoSuchKind), range};
-  const TreeQuestion newest = askFullestPlace(kMap, places);
+  places[2].detections = {bearingOf(3), bearingOf(4, kUnknownCategory), range};
+  const TreeInput newest = scanWithMostBearings(kMap, places);
   EXPECT_EQ(newest.place, &places[1]) << "of several the last";
-  const TreeQuestion first = askFullestPlace(kMap, std::span(places).first(1));
+  const TreeInput first = scanWithMostBearings(kMap, std::span(places).first(1));
   ASSERT_EQ(first.bearings.size(), 2u);
   EXPECT_TRUE(first.bearings[0].candidates.empty()) << "any landmark";
   EXPECT_EQ(first.bearings[1].candidates, (std::vector<int>{0, 2}));
   EXPECT_EQ(first.std_bearing, 0.03);
-  EXPECT_EQ(askFullestPlace(kMap, {}).place, nullptr);
+  EXPECT_EQ(scanWithMostBearings(kMap, {}).place, nullptr);
 }
 
-TEST(TreeQuestion, TheSensorMayBeAsFarOutsideAsItSitsFromTheMiddleOfTheRobot)
+TEST(TreeInput, TheSensorMayBeAsFarOutsideAsItSitsFromTheMiddleOfTheRobot)
 {
-  std::vector<SensorPlace> places(1);
+  std::vector<Scan> places(1);
   places[0].T_robot_sensor = {0.3, -0.4, 1};
   places[0].model.max_range = 5;
   places[0].detections = {bearingOf(0.1)};
-  const TreeQuestion question = askFullestPlace(kMap, places);
-  PoseSearchOptions search{.gate = 3, .area = MapArea{{0, 0}, {4, 3}}};
+  const TreeInput question = scanWithMostBearings(kMap, places);
+  PoseSearchOptions search{.gate = 3, .area = Box2{{0, 0}, {4, 3}}};
   const InterpretationOptions options = treeOptions(question, search);
   ASSERT_TRUE(options.area && options.max_range);
   EXPECT_NEAR((options.area->min - Vector2d(-0.5, -0.5)).norm(), 0, 1e-12);
@@ -60,7 +60,7 @@ TEST(TreeQuestion, TheSensorMayBeAsFarOutsideAsItSitsFromTheMiddleOfTheRobot)
   EXPECT_EQ(treeOptions(question, search).max_tested, 7u);
 }
 
-TEST(TreeQuestion, ThePoseOfTheRobotIsAsUncertainAsThatOfItsSensor)
+TEST(TreeInput, ThePoseOfTheRobotIsAsUncertainAsThatOfItsSensor)
 {
   const Pose2 mount{0.5, 0.2, 0.7};
   const Vector3d std(0.02, 0.03, 0.01);

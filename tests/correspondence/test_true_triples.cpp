@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "global_search_scene.h"
-#include "mrpt_ext/correspondence/scan_bearing.h"
 #include "mrpt_ext/correspondence/bearings/inlier_refinement.h"
 #include "mrpt_ext/correspondence/bearings/triple_hypotheses.h"
+#include "mrpt_ext/correspondence/scan_bearing.h"
 
 namespace mrpt_ext
 {
@@ -22,9 +22,9 @@ struct Fate
 /// The cheapest ten of a view, as a search would try them.
 void follow(const LandmarkIndex& index, const LostView& view, Fate& fate)
 {
-  const std::vector<BearingReading> readings = gatherBearings({&view.place, 1});
+  const std::vector<ScanBearing> readings = gatherBearings({&view.place, 1});
   const double range = *view.place.model.max_range;
-  const VisibleLists lists(index, range, 0.02 * range);
+  const PotentiallyVisibleSets lists(index, range, 0.02 * range);
   const ReadingTable table(readings, kGate);
   SearchDensity density;
   density.landmarks_allowed.assign(readings.size(), static_cast<double>(index.size()));
@@ -41,10 +41,10 @@ void follow(const LandmarkIndex& index, const LostView& view, Fate& fate)
   std::sort(triples.begin(), triples.end(),
             [](const ReadingTriple& a, const ReadingTriple& b) { return a.cost < b.cost; });
   if (triples.size() > 10) triples.resize(10);
-  const NeighbourGrid neighbours(index, kAnyKind);
+  const NeighbourGrid neighbours(index, kAnyCategory);
   for (const ReadingTriple& triple : triples)
   {
-    SieveView seen{&table, &lists, Pose2{}, 0};
+    BoundingScan seen{&table, &lists, Pose2{}, 0};
     for (const int r : triple.reading) seen.used |= 1U << r;
     TripleRound round;
     round.map = &index;
@@ -57,12 +57,12 @@ void follow(const LandmarkIndex& index, const LostView& view, Fate& fate)
     round.max_tested = 1'000'000'000;
     ProposalStore store(4, 500'000);
     round.run(store);
-    SeenLandmarks scratch;
+    GatedLandmarks scratch;
     const std::vector<PoseProposal> proposals = store.takeSorted();
     fate.at_truth += std::any_of(proposals.begin(), proposals.end(),
                                  [&](const PoseProposal& p)
                                  {
-                                   const TightenedPose tight = tightenPose(p.sensor, round.views, kGate, 4, scratch);
+                                   const RefinedPose tight = refineOnInliers(p.sensor, round.views, kGate, 4, scratch);
                                    return isAtTruth(tight.sensor.mean, view.robot);
                                  });
     ++fate.triples;

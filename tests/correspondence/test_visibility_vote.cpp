@@ -29,7 +29,7 @@ struct Scene
 {
   LostMap map;
   LandmarkIndex index;
-  MapArea area;
+  Box2 area;
 
   Scene(const LostSceneOptions& options, RandomStream& random)
       : map(strewLandmarks(options, random)), index(map.index()), area{{0, 0}, {map.side, map.side}}
@@ -37,12 +37,12 @@ struct Scene
   }
 };
 
-TEST(DirectionWidths, CoverWhatIsSeenFromAnywhereInTheDisc)
+TEST(DirectionIntervals, CoverWhatIsSeenFromAnywhereInTheDisc)
 {
   RandomStream random(1);
   std::vector<Vector2d> landmarks;
   for (int i = 0; i < 300; ++i) landmarks.emplace_back(random.uniform(900, 1100), random.uniform(-100, 100));
-  DirectionWidths seen(landmarks, {1000, 0});
+  DirectionIntervals seen(landmarks, {1000, 0});
   for (int trial = 0; trial < 50; ++trial)
   {
     const Vector2d place(random.uniform(900, 1100), random.uniform(-100, 100));
@@ -122,7 +122,7 @@ TEST_P(PanoramaScan, TheBoxOfTheTruthSurvivesWhateverIsFalse)
     options.std_bearing = degToRad(GetParam());
     const Scene scene(options, random);
     const LostView view = lookAroundSomewhere(scene.map, scene.index, options, random);
-    const std::vector<BearingReading> readings = gatherBearings({&view.place, 1});
+    const std::vector<ScanBearing> readings = gatherBearings({&view.place, 1});
     int within = 0;
     for (std::size_t r = 0; r < readings.size(); ++r)
     {
@@ -175,14 +175,14 @@ TEST(PanoramaChoice, TriplesWhereTheRangeIsShortPanoramasWhereItIsNot)
   options.seen = 20;
   const Scene scene(options, random);
   const LostView view = lookAroundSomewhere(scene.map, scene.index, options, random);
-  const std::vector<BearingReading> readings = gatherBearings({&view.place, 1});
+  const std::vector<ScanBearing> readings = gatherBearings({&view.place, 1});
   const TripleEffort few{1e6, 2e5, 20}, many{8e6, 2e6, 200};
   EXPECT_FALSE(choosePanoramas(scene.index, scene.area, kNoLimit, readings, 3.3, few, 1, nullptr));
   const auto plan = choosePanoramas(scene.index, scene.area, kNoLimit, readings, 3.3, many, 1, nullptr);
   ASSERT_TRUE(plan);
   const auto built = PanoramaIndex::plan(scene.index, scene.area, kNoLimit, 3);
   EXPECT_EQ(choosePanoramas(scene.index, scene.area, kNoLimit, readings, 3.3, many, 1, &*built)->cell, built->cell);
-  std::vector<BearingReading> of_a_kind = readings;
+  std::vector<ScanBearing> of_a_kind = readings;
   of_a_kind.front().kind = 0;
   EXPECT_FALSE(choosePanoramas(scene.index, scene.area, kNoLimit, of_a_kind, 3.3, many, 1, nullptr));
 }
@@ -200,7 +200,7 @@ TEST(BearingSearch, WithoutRangeLimitItCountsOffTheArea)
   for (int trial = 0; trial < 6; ++trial)
   {
     const LostView view = lookAroundSomewhere(scene.map, scene.index, options, random);
-    const PoseSearch result = search.search({&view.place, 1}, search_options);
+    const PoseSearchResult result = search.search({&view.place, 1}, search_options);
     ASSERT_FALSE(result.poses.empty());
     EXPECT_TRUE(isAtTruth(result.poses.front().pose.mean, view.robot));
     EXPECT_TRUE(result.unique);

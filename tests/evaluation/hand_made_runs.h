@@ -29,17 +29,17 @@ inline RunContext straightRun(double duration)
 }
 
 /// A track with one estimate per `step`, beside the true position by `error(t)` metres (t since the log's start).
-inline MethodTrack trackWithError(const std::string& name, double from, double to, double step,
-                                  const std::function<double(double)>& error)
+inline MethodTrajectory trackWithError(const std::string& name, double from, double to, double step,
+                                       const std::function<double(double)>& error)
 {
-  MethodTrack track;
+  MethodTrajectory track;
   track.name = name;
   track.continuous = true;
   const int count = static_cast<int>((to - from) / step + 0.5);
   for (int i = 0; i <= count; ++i)
   {
     const double t = from + i * step;
-    TrackPoint point;
+    PoseEstimate point;
     point.time = kLogStart + t;
     point.pose.mean = {t, error(t), 0};
     point.pose.covariance = Matrix3d::Identity() * 0.01;
@@ -50,11 +50,11 @@ inline MethodTrack trackWithError(const std::string& name, double from, double t
 }
 
 /// The track with all its poses moved and turned.
-inline MethodTrack movedBy(const Pose2& T, const MethodTrack& track)
+inline MethodTrajectory movedBy(const Pose2& T, const MethodTrajectory& track)
 {
-  MethodTrack moved = track;
+  MethodTrajectory moved = track;
   moved.points.clear();
-  for (TrackPoint point : track.points)
+  for (PoseEstimate point : track.points)
   {
     point.pose.mean = compose(T, point.pose.mean);
     moved.points.push_back(point);
@@ -62,7 +62,7 @@ inline MethodTrack movedBy(const Pose2& T, const MethodTrack& track)
   return moved;
 }
 
-inline RunRecord recordOf(std::vector<MethodTrack> methods)
+inline RunRecord recordOf(std::vector<MethodTrajectory> methods)
 {
   RunRecord record;
   record.methods = std::move(methods);

@@ -9,9 +9,9 @@ namespace
 // In its own frame the robot drives up the y axis, heading pi/2, 2 m in 2 s.
 const Trajectory kUpwards{{0, {5, 5, kPi / 2}, true}, {2, {5, 7, kPi / 2}, true}};
 
-TrackPoint estimateAt(double time, const Pose2& pose)
+PoseEstimate estimateAt(double time, const Pose2& pose)
 {
-  TrackPoint point;
+  PoseEstimate point;
   point.time = time;
   point.pose.mean = pose;
   return point;
@@ -35,7 +35,7 @@ TEST(MotionBetween, HoldsItsEndsAndIsIdentityWithoutOdometry)
 
 TEST(Carry, MovesTheEstimateInItsOwnHeading)
 {
-  const TrackPoint carried = carry(estimateAt(0, {1, 1, 0}), kUpwards, 2);
+  const PoseEstimate carried = carry(estimateAt(0, {1, 1, 0}), kUpwards, 2);
   EXPECT_DOUBLE_EQ(carried.time, 2);
   EXPECT_NEAR(carried.pose.mean.x, 3, 1e-12);
   EXPECT_NEAR(carried.pose.mean.y, 1, 1e-12);
@@ -43,7 +43,7 @@ TEST(Carry, MovesTheEstimateInItsOwnHeading)
 
 TEST(Carry, HeadingVarianceBecomesCrossTrackVariance)
 {
-  TrackPoint estimate = estimateAt(0, {1, 1, 0});
+  PoseEstimate estimate = estimateAt(0, {1, 1, 0});
   estimate.pose.covariance(2, 2) = 0.04;
   const Matrix3d P = carry(estimate, kUpwards, 2).pose.covariance;
   EXPECT_NEAR(P(0, 0), 0, 1e-12);
@@ -52,7 +52,7 @@ TEST(Carry, HeadingVarianceBecomesCrossTrackVariance)
 
 TEST(Carry, WithoutHeadingTheEstimateStays)
 {
-  TrackPoint estimate = estimateAt(0, {1, 1, 0});
+  PoseEstimate estimate = estimateAt(0, {1, 1, 0});
   estimate.heading_known = false;
   EXPECT_DOUBLE_EQ(carry(estimate, kUpwards, 2).pose.mean.x, 1);
 }

@@ -19,7 +19,7 @@ struct FailingMethod
   {
     context.start_time = 100;
     context.duration_s = 60;
-    MethodTrack track;
+    MethodTrajectory track;
     track.name = "range_least_squares";
     for (int i = 1; i <= 60; ++i)
     {
@@ -28,7 +28,7 @@ struct FailingMethod
       const auto landmarks = static_cast<std::size_t>(1 + i % 3);
       context.geometry.push_back({time, landmarks, landmarks > 1 ? std::optional(degToRad(45)) : std::nullopt, 4.5});
       if (landmarks == 1) continue;
-      TrackPoint point;
+      PoseEstimate point;
       point.time = time;
       point.pose.mean.x = landmarks == 2 ? 1.0 : 0.1;
       track.points.push_back(point);

@@ -11,7 +11,7 @@ using namespace testing;
 namespace
 {
 /// Drives straight in its own frame, which is turned and moved against the map.
-MethodTrack odometryInItsOwnFrame()
+MethodTrajectory odometryInItsOwnFrame()
 {
   return movedBy({7, -3, 2.0}, trackWithError(kOdometryMethod, 0, 5, 0.5, [](double) { return 0.0; }));
 }
@@ -21,9 +21,9 @@ TEST(OdometryAnchor, AgreesWithTheFirstTruthPoseAndKeepsItsShape)
 {
   RunContext context = straightRun(5);
   context.truth.erase(context.truth.begin(), context.truth.begin() + 7);  // truth begins at 0.7 s
-  MethodTrack odometry = odometryInItsOwnFrame();
+  MethodTrajectory odometry = odometryInItsOwnFrame();
   ASSERT_TRUE(anchorToTruth(odometry, context.truth));
-  for (const TrackPoint& point : odometry.points)
+  for (const PoseEstimate& point : odometry.points)
   {
     EXPECT_NEAR(point.pose.mean.x, point.time - kLogStart, 1e-9);
     EXPECT_NEAR(point.pose.mean.y, 0, 1e-9);
@@ -35,7 +35,7 @@ TEST(OdometryAnchor, NeedsATruthHeading)
 {
   RunContext context = straightRun(5);
   for (TimedPose& pose : context.truth) pose.heading_known = false;
-  MethodTrack odometry = odometryInItsOwnFrame();
+  MethodTrajectory odometry = odometryInItsOwnFrame();
   EXPECT_FALSE(anchorToTruth(odometry, context.truth));
   EXPECT_NEAR(odometry.points.front().pose.mean.x, 7, 1e-9);
   EXPECT_FALSE(anchorToTruth(odometry, {}));

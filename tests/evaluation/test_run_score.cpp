@@ -17,14 +17,14 @@ const ConvergenceLimits kLimits;
 /// 5 m off until it jumps to the right place 12 s into the log.
 double jumpAtTwelve(double t) { return t < 11.99 ? 5.0 : 0.1; }
 
-MethodTrack filterWithError(double duration, const std::function<double(double)>& error)
+MethodTrajectory filterWithError(double duration, const std::function<double(double)>& error)
 {
   return trackWithError("particle_filter", 0, duration, 0.5, error);
 }
 
-MethodTrack closedFormWithError(double duration, double error)
+MethodTrajectory closedFormWithError(double duration, double error)
 {
-  MethodTrack track = trackWithError("range_least_squares", 0.5, duration, 1, [=](double) { return error; });
+  MethodTrajectory track = trackWithError("range_least_squares", 0.5, duration, 1, [=](double) { return error; });
   track.continuous = false;
   return track;
 }
@@ -94,7 +94,7 @@ TEST(RunScore, ClosedFormsAloneCountEverything)
 
 TEST(RunScore, OdometryIsAnchoredAndNeverTheJudgedMethod)
 {
-  const MethodTrack odometry =
+  const MethodTrajectory odometry =
       movedBy({7, -3, 2.0}, trackWithError("odometry", 0, 20, 0.5, [](double) { return 0.0; }));
   const RunScore score = scoreRun(straightRun(20), recordOf({odometry}), kLimits);
   EXPECT_FALSE(score.judged_method);
@@ -103,7 +103,7 @@ TEST(RunScore, OdometryIsAnchoredAndNeverTheJudgedMethod)
 
 TEST(RunScore, AnotherContinuousMethodIsJudgedWithoutAFilter)
 {
-  MethodTrack ekf = filterWithError(40, jumpAtTwelve);
+  MethodTrajectory ekf = filterWithError(40, jumpAtTwelve);
   ekf.name = "extended_kalman_filter";
   const RunScore score = scoreRun(straightRun(40), recordOf({ekf}), kLimits);
   EXPECT_EQ(score.judged_method, "extended_kalman_filter");
@@ -114,7 +114,7 @@ TEST(RunScore, UnknownTruthHeadingIsNotJudged)
 {
   RunContext context = straightRun(30);
   for (TimedPose& pose : context.truth) pose.heading_known = false;
-  const MethodTrack filter = filterWithError(30, [](double) { return 0.1; });
+  const MethodTrajectory filter = filterWithError(30, [](double) { return 0.1; });
   const RunScore score = scoreRun(context, recordOf({filter}), kLimits);
   EXPECT_FALSE(score.methods[0].heading_error_deg.rmse);
   EXPECT_EQ(score.trials.front().success, true);
@@ -124,7 +124,7 @@ TEST(RunScore, UnknownTruthHeadingIsNotJudged)
 
 TEST(RunScore, AvailabilityAndTimesComeFromTheTrack)
 {
-  MethodTrack track = closedFormWithError(9.5, 0.1);
+  MethodTrajectory track = closedFormWithError(9.5, 0.1);
   track.frames_offered = 20;
   track.frames_answered = 5;
   track.frames_ambiguous = 3;
@@ -138,7 +138,7 @@ TEST(RunScore, AvailabilityAndTimesComeFromTheTrack)
 
 TEST(RunScore, FiguresOfAnEmptyTrackDoNotExist)
 {
-  MethodTrack track;
+  MethodTrajectory track;
   track.name = "running_fix";
   const MethodScore score = scoreRun(straightRun(10), recordOf({track}), kLimits).methods[0];
   EXPECT_EQ(score.estimates, 0.0);

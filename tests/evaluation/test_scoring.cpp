@@ -78,7 +78,7 @@ TEST(Judge, WithoutOdometryAnOldEstimateFallsBehind)
 TEST(Judge, ClosedFormsAreJudgedWhereTheyWereMade)
 {
   const RunContext context = straightRun(5);
-  MethodTrack track = trackWithError("closed", 0.4, 4.4, 2, noError);  // at 0.4, 2.4 and 4.4 s
+  MethodTrajectory track = trackWithError("closed", 0.4, 4.4, 2, noError);  // at 0.4, 2.4 and 4.4 s
   track.continuous = false;
   const auto judged = judge(track, context);
   EXPECT_EQ(stampsOf(judged), (std::vector<double>{1, 3, 5}));
@@ -89,7 +89,7 @@ TEST(Judge, ClosedFormsAreJudgedWhereTheyWereMade)
 TEST(Judge, TheLastEstimateOfASecondCounts)
 {
   const RunContext context = straightRun(2);
-  MethodTrack track = trackWithError("closed", 0, 2, 0.25, [](double t) { return t; });
+  MethodTrajectory track = trackWithError("closed", 0, 2, 0.25, [](double t) { return t; });
   track.continuous = false;
   const auto errors = errorsOf(judge(track, context));
   ASSERT_EQ(errors.size(), 3u);  // the estimate at exactly s belongs to the second that ends with s
@@ -102,7 +102,7 @@ TEST(Judge, SparseTruthTakesTheNearestEstimate)
   RunContext context = straightRun(10);
   context.truth_is_sparse = true;
   context.truth = {{1002.3, {2.3, 0, 0}, true}, {1006, {6, 0, 0}, true}};
-  MethodTrack track = trackWithError("closed", 2, 3, 0.4, noError);  // 2.0, 2.4, 2.8
+  MethodTrajectory track = trackWithError("closed", 2, 3, 0.4, noError);  // 2.0, 2.4, 2.8
   track.continuous = false;
   const auto judged = judge(track, context);
   ASSERT_EQ(judged.size(), 1u);  // nothing within 0.5 s of the second stamp

@@ -26,17 +26,17 @@ Reading ballSeenBy(const Pose2& robot, const Pose2& mount, bool with_range, cons
 
 Frame frameAt(double time, std::vector<Reading> readings) { return {.time = time, .readings = std::move(readings)}; }
 
-TrackPoint pointAt(double time, const Pose2& pose)
+PoseEstimate pointAt(double time, const Pose2& pose)
 {
   return {.time = time, .pose = {pose, Vector3d(0.01, 0.01, 0.001).asDiagonal()}};
 }
 
-std::vector<ObjectRow> placed(const std::vector<Frame>& sightings, const TrackPoint& robot,
+std::vector<ObjectRow> placed(const std::vector<Frame>& sightings, const PoseEstimate& robot,
                               const OdometryPath& odometry = {{}, {}})
 {
   ObjectTracker tracker(odometry);
   tracker.add(sightings);
-  LongSequence<ObjectRow> rows;
+  DiskBackedSequence<ObjectRow> rows;
   tracker.place(robot, rows);
   return {rows.begin(), rows.end()};
 }
@@ -104,7 +104,7 @@ TEST(ObjectTracker, EverySightingIsPlacedOnceInItsTurn)
   const OdometryPath odometry({}, {});
   ObjectTracker tracker(odometry);
   tracker.add(sightings);
-  LongSequence<ObjectRow> rows;
+  DiskBackedSequence<ObjectRow> rows;
   tracker.place(pointAt(0.5, kRobot), rows);
   EXPECT_EQ(rows.size(), 0u);
   tracker.place(pointAt(2, kRobot), rows);

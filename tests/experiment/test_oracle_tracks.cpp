@@ -11,7 +11,7 @@ const Trajectory kTruth{{0, {0, 0, 0}}, {0.5, {0.5, 0, 0}}, {1, {1, 0, 0}}, {3, 
 
 PoseHypothesis at(double x, double y, double weight) { return {.pose = {{x, y, 1}, {}}, .weight = weight}; }
 
-MethodTrack methodAfter(std::size_t frames) { return {.name = "tree", .frames_offered = frames}; }
+MethodTrajectory methodAfter(std::size_t frames) { return {.name = "tree", .frames_offered = frames}; }
 
 Estimate estimateOf(HypothesisSet candidates) { return {.candidates = std::move(candidates)}; }
 }  // namespace
@@ -20,7 +20,7 @@ TEST(OracleTracks, KeepsTheCandidateNearestTheTruth)
 {
   OracleTracks oracles(kTruth);
   oracles.add(methodAfter(1), estimateOf({at(5, 5, 0.7), at(0.3, 0.1, 0.2), at(9, 9, 0.1)}), 0.25);
-  const std::vector<MethodTrack> tracks = oracles.take();
+  const std::vector<MethodTrajectory> tracks = oracles.take();
   ASSERT_EQ(tracks.size(), 1u);
   EXPECT_EQ(tracks[0].name, "oracle_tree");
   EXPECT_TRUE(tracks[0].oracle);
@@ -40,7 +40,7 @@ TEST(OracleTracks, MethodsThatNeverHadAChoiceHaveNoOracle)
   OracleTracks chosen_once(kTruth);
   chosen_once.add(methodAfter(1), estimateOf({at(0, 0, 1)}), 0.25);
   chosen_once.add(methodAfter(2), estimateOf({at(0, 0, 0.5), at(1, 0, 0.5)}), 0.5);
-  const std::vector<MethodTrack> tracks = chosen_once.take();
+  const std::vector<MethodTrajectory> tracks = chosen_once.take();
   ASSERT_EQ(tracks.size(), 1u);
   EXPECT_EQ(tracks[0].points.size(), 2u);
 }
@@ -53,7 +53,7 @@ TEST(OracleTracks, WithoutTruthThereIsNone)
   EXPECT_TRUE(none.take().empty());
   OracleTracks gap(kTruth);
   gap.add(methodAfter(1), estimateOf({at(0, 0, 0.5), at(1, 0, 0.5)}), 2);  // in a gap of two seconds
-  const std::vector<MethodTrack> tracks = gap.take();
+  const std::vector<MethodTrajectory> tracks = gap.take();
   ASSERT_EQ(tracks.size(), 1u);
   EXPECT_TRUE(tracks[0].points.empty());
 }
@@ -64,7 +64,7 @@ TEST(OracleTracks, FramesWithoutCandidatesCountAsOffered)
   oracles.add(methodAfter(1), estimateOf({at(0, 0, 0.5), at(1, 0, 0.5)}), 0.25);
   oracles.add(methodAfter(2), estimateOf({}), 0.5);
   oracles.add(methodAfter(3), estimateOf({}), 0.75);
-  const std::vector<MethodTrack> tracks = oracles.take();
+  const std::vector<MethodTrajectory> tracks = oracles.take();
   ASSERT_EQ(tracks.size(), 1u);
   EXPECT_EQ(tracks[0].frames_answered, 1u);
   EXPECT_EQ(tracks[0].frames_offered, 3u);
@@ -75,7 +75,7 @@ TEST(OracleTracks, TracksAreInOrderOfAppearance)
   OracleTracks oracles(kTruth);
   for (const char* name : {"zebra", "ant", "zebra"})
     oracles.add({.name = name, .frames_offered = 1}, estimateOf({at(0, 0, 0.5), at(1, 0, 0.5)}), 0.25);
-  const std::vector<MethodTrack> tracks = oracles.take();
+  const std::vector<MethodTrajectory> tracks = oracles.take();
   ASSERT_EQ(tracks.size(), 2u);
   EXPECT_EQ(tracks[0].name, "oracle_zebra");
   EXPECT_EQ(tracks[0].points.size(), 2u);

@@ -10,7 +10,7 @@ namespace
 RunRecord runOf(const std::vector<Verdict>& verdicts)
 {
   RunRecord run;
-  MethodTrack track{.name = "particle_filter", .continuous = true};
+  MethodTrajectory track{.name = "particle_filter", .continuous = true};
   for (std::size_t k = 0; k < verdicts.size(); ++k)
   {
     track.points.push_back({.time = static_cast<double>(k), .verdict = verdicts[k]});
@@ -33,7 +33,7 @@ RunRecord closedForm(std::size_t offered, std::size_t answered, std::size_t ambi
   RunRecord run;
   run.methods = {{.name = "tree", .frames_offered = offered, .frames_answered = answered}};
   run.methods[0].frames_ambiguous = ambiguous;
-  run.methods[0].points = std::vector<TrackPoint>(answered);  // each the only candidate of its frame
+  run.methods[0].points = std::vector<PoseEstimate>(answered);  // each the only candidate of its frame
   return run;
 }
 
@@ -88,14 +88,14 @@ TEST(RunVerdict, ClosedFormsAreJudgedByWhatTheBestOfThemAnswered)
   several.methods.push_back({.name = "oracle_tree", .oracle = true, .frames_offered = 10, .frames_answered = 10});
   EXPECT_EQ(verdictOfClosedForms(several).verdict, kLost);  // the oracle knew the truth
   several.methods.push_back(
-      {.name = "better", .points = std::vector<TrackPoint>(8), .frames_offered = 10, .frames_answered = 8});
+      {.name = "better", .points = std::vector<PoseEstimate>(8), .frames_offered = 10, .frames_answered = 8});
   EXPECT_EQ(verdictOfClosedForms(several).reason, "better answers 8 of 10 frames");
 }
 
 TEST(RunVerdict, TheBestOfSeveralCandidatesIsNoSureAnswer)
 {
   RunRecord run = closedForm(10, 8, 0);
-  std::vector<TrackPoint> points(8);
+  std::vector<PoseEstimate> points(8);
   for (std::size_t i = 0; i < 4; ++i) points[i].verdict = kAmbiguous;
   run.methods[0].points = points;
   EXPECT_EQ(verdictOfClosedForms(run).verdict, kAmbiguous);

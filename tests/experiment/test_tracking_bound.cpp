@@ -111,9 +111,9 @@ TEST(TrackingBound, AKnownStartAndOdometryCount)
 
 TEST(TrackingBound, SaysWhyThereIsNone)
 {
-  BoundInput nameless = standingRobot();
-  nameless.frames[3].readings[0].detections[0].id = kNoId;
-  EXPECT_NE(boundOf(nameless).why_none.find("names"), std::string::npos);
+  BoundInput anonymous = standingRobot();
+  anonymous.frames[3].readings[0].detections[0].id = kNoId;
+  EXPECT_NE(boundOf(anonymous).why_none.find("names"), std::string::npos);
 
   BoundInput blind = standingRobot();
   blind.context.truth.clear();

@@ -32,14 +32,14 @@ TEST(FilterFindings, ALyingBeaconIsNamedAndNoOther)
     step = filter.process(frame, noProposals);
   }
   EXPECT_LT(distance(step.modes.modes.front().pose.mean, truth), 0.2);
-  EXPECT_EQ(lyingLandmarks(filter.reliability().histories()), std::vector<std::size_t>{2});
+  EXPECT_EQ(outlierLandmarks(filter.reliability().histories()), std::vector<std::size_t>{2});
   EXPECT_NE(step.reason.find("landmark 3 is often wrong"), std::string::npos) << step.reason;
 }
 
 TEST(FilterFindings, ALandmarkIsNamedWhereMoreThanChanceMakesOfThreeInTenIsWrong)
 {
   const auto is_named = [](double named, double false_named)
-  { return !lyingLandmarks({{.named = named, .false_named = false_named}}).empty(); };
+  { return !outlierLandmarks({{.named = named, .false_named = false_named}}).empty(); };
   EXPECT_TRUE(is_named(1000, 350));
   EXPECT_FALSE(is_named(1000, 250));
   EXPECT_FALSE(is_named(20, 7)) << "chance, where a fifth is false";
@@ -52,7 +52,7 @@ TEST(FilterFindings, LandmarksAreNamedByTheirIds)
 {
   const LandmarkTable map({{.id = 7, .position = {0, 0, 0}}, {.id = 8, .position = {1, 0, 0}}});
   const std::vector<LandmarkHistory> histories{{.named = 100, .false_named = 40.2}, {.named = 100, .false_named = 10}};
-  EXPECT_EQ(lyingText(map, histories), "landmark 7 is often wrong (40 % of its 100 detections)");
+  EXPECT_EQ(outlierText(map, histories), "landmark 7 is often wrong (40 % of its 100 detections)");
 }
 
 TEST(FilterFindings, SystematicErrorsAreToldWithTheirUnits)

@@ -96,7 +96,7 @@ ParticleFilterOptions stillOptions()
   options.resample_below = 0.01;
   options.motion = {.std_xy_per_m = 0, .std_phi_per_deg = 0, .std_phi_per_m = 0, .std_xy_per_s = 0, .std_phi_per_s = 0};
   options.learn_reliability = false;
-  options.recovery.suspicious_share = -1;
+  options.recovery.reseed_inlier_ratio = -1;
   return options;
 }
 
@@ -171,10 +171,10 @@ TEST(FilterPosterior, InjectedSeedsWeighWhatTheJumpPriorGivesThem)
   // The second and third frame fit another place; how much it weighs depends on the prior of a jump.
   const std::vector<Frame> frames{stillFrame(1.6, 1.8, 1.4), stillFrame(1.3, 2.3, 1.6), stillFrame(1.2, 2.5, 2.0)};
   ParticleFilterOptions options = stillOptions();
-  options.recovery.suspicious_share = 2;  // inject before every frame ...
-  options.recovery.min_interval = 0;      // ... without waiting
-  options.recovery.injected_share = 2;
-  options.recovery.prior_of_jump = 0.3;
+  options.recovery.reseed_inlier_ratio = 2;  // inject before every frame ...
+  options.recovery.min_interval = 0;         // ... without waiting
+  options.recovery.injected_particle_share = 2;
+  options.recovery.relocalization_prior = 0.3;
   options.recovery.share_of_slips = 0;  // the robot may be anywhere after a jump, as in the exact posterior
   expectSamePosterior(filtered(options, frames), exactPosterior(frames, 0.3));
 }

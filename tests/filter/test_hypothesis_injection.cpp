@@ -26,30 +26,30 @@ ParticleSet oneHundredAt(const Pose2& pose)
 
 TEST(WayPlaces, WhatAgreesWithThePlaceThatIsHeldChangesNothing)
 {
-  EXPECT_EQ(weightOfOthers({}, kHere), 0);
-  EXPECT_EQ(weightOfOthers({place({1.2, 0.9, 0.1}, 1)}, kHere), 0);
-  EXPECT_EQ(shareOfWay(0, 0), 0);
+  EXPECT_EQ(weightElsewhere({}, kHere), 0);
+  EXPECT_EQ(weightElsewhere({place({1.2, 0.9, 0.1}, 1)}, kHere), 0);
+  EXPECT_EQ(injectedShare(0, 0), 0);
 }
 
 TEST(WayPlaces, OthersCountByTheirOddsTenAtMost)
 {
-  EXPECT_NEAR(weightOfOthers({place(kThere, 0.5), place(kHere, 0.3)}, kHere), 0.5, 1e-12);
-  EXPECT_NEAR(shareOfWay(0.5, 0), 0.5, 1e-12);
-  EXPECT_NEAR(shareOfWay(0.999, 0), 10.0 / 11, 1e-12);
-  EXPECT_NEAR(shareOfWay(1, -3), 10.0 / 11, 1e-12);
+  EXPECT_NEAR(weightElsewhere({place(kThere, 0.5), place(kHere, 0.3)}, kHere), 0.5, 1e-12);
+  EXPECT_NEAR(injectedShare(0.5, 0), 0.5, 1e-12);
+  EXPECT_NEAR(injectedShare(0.999, 0), 10.0 / 11, 1e-12);
+  EXPECT_NEAR(injectedShare(1, -3), 10.0 / 11, 1e-12);
 }
 
 TEST(WayPlaces, WhatIsProvenStands)
 {
-  EXPECT_LT(shareOfWay(1, 9), kLeastPlaceShare);
-  EXPECT_NEAR(shareOfWay(1, std::log(10)), 0.5, 1e-12);
+  EXPECT_LT(injectedShare(1, 9), kLeastPlaceShare);
+  EXPECT_NEAR(injectedShare(1, std::log(10)), 0.5, 1e-12);
 }
 
 TEST(WayPlaces, PlacesGetTheirShareAndTheirShape)
 {
   RandomStream random(1);
   ParticleSet particles = oneHundredAt(kHere);
-  addPlaces(particles, {place(kThere, 0.6), place({9, 9, 1}, 0.2), place({2, 7, 1}, 1e-4)}, 0.8, 500, random);
+  injectHypotheses(particles, {place(kThere, 0.6), place({9, 9, 1}, 0.2), place({2, 7, 1}, 1e-4)}, 0.8, 500, random);
   ASSERT_EQ(particles.size(), 1100U);
   double held = 0, there = 0, total = 0;
   Vector2d mean(0, 0);
@@ -72,7 +72,7 @@ TEST(WayPlaces, NoPlacesAreNoChange)
 {
   RandomStream random(1);
   ParticleSet particles = oneHundredAt(kHere);
-  addPlaces(particles, {}, 0.5, 500, random);
+  injectHypotheses(particles, {}, 0.5, 500, random);
   EXPECT_EQ(particles.size(), 100U);
   EXPECT_FLOAT_EQ(particles.log_weight[0], std::log(0.01F));
 }

@@ -33,7 +33,8 @@ class FreshLooksTest : public testing::Test
  protected:
   std::size_t freshOf(const Reading& reading) { return looks_.take(reading).detections.size(); }
 
-  FreshLooks looks_{{.longest = kSpacing}, {.std_phi_per_deg = 0, .std_phi_per_m = 0, .std_phi_per_s = 0}, bigMap()};
+  DetectionDecorrelator looks_{
+      {.longest = kSpacing}, {.std_phi_per_deg = 0, .std_phi_per_m = 0, .std_phi_per_s = 0}, bigMap()};
 };
 }  // namespace
 
@@ -72,13 +73,13 @@ TEST_F(FreshLooksTest, SensorsAndNamesAreApart)
 
 TEST_F(FreshLooksTest, OnlyRepeatsWithoutANameAreLeftOut)
 {
-  const Reading first = looks_.withoutRepeatedBearings(readingOf({0.5}));
+  const Reading first = looks_.withoutCorrelatedBearings(readingOf({0.5}));
   EXPECT_EQ(first.detections.size(), 1U);
   EXPECT_TRUE(first.model.detection_probability) << "nothing is left out: the reading is whole";
-  const Reading second = looks_.withoutRepeatedBearings(readingOf({0.5, 1.5}));
+  const Reading second = looks_.withoutCorrelatedBearings(readingOf({0.5, 1.5}));
   ASSERT_EQ(second.detections.size(), 1U);
   EXPECT_EQ(second.detections.front().bearing, 1.5);
   EXPECT_FALSE(second.model.detection_probability) << "what was missed is told by whole readings";
-  for (int k = 0; k < 3; ++k) EXPECT_EQ(looks_.withoutRepeatedBearings(readingOf({0.5}, 1)).detections.size(), 1U);
+  for (int k = 0; k < 3; ++k) EXPECT_EQ(looks_.withoutCorrelatedBearings(readingOf({0.5}, 1)).detections.size(), 1U);
 }
 }  // namespace mrpt_ext

@@ -18,7 +18,7 @@ HypothesisSet twoPlaces()
 ParticleSet seedsOf(const HypothesisSet& hypotheses, double uniform_share)
 {
   RandomStream random(3);
-  const SeedMixture mixture(hypotheses, kRegion, uniform_share, 2, {0.03, 0.03, 0.02});
+  const ProposalDistribution mixture(hypotheses, kRegion, uniform_share, 2, {0.03, 0.03, 0.02});
   return sampleSeeds(mixture, kRegion, kCount, random);
 }
 }  // namespace
@@ -52,7 +52,7 @@ TEST(SampleSeeds, WeightedTheyAreTheUniformPrior)
 
 TEST(SampleSeeds, WeightsArePriorOverProposal)
 {
-  const SeedMixture mixture(twoPlaces(), kRegion, 0.3, 2, {0.03, 0.03, 0.02});
+  const ProposalDistribution mixture(twoPlaces(), kRegion, 0.3, 2, {0.03, 0.03, 0.02});
   RandomStream random(4);
   const ParticleSet seeds = sampleSeeds(mixture, kRegion, 200, random);
   for (std::size_t i = 0; i < seeds.size(); ++i)
@@ -79,7 +79,7 @@ TEST(HypothesesOf, AreTheModesHeaviestFirst)
 {
   ModeSet modes;
   modes.modes = {{{{1, 2, 3}, Matrix3d::Identity() * 0.1}, 0.8}, {{{4, 5, 6}, Matrix3d::Identity()}, 0.19995}};
-  const HypothesisSet hypotheses = hypothesesOf(modes);
+  const HypothesisSet hypotheses = hypothesesFrom(modes);
   ASSERT_EQ(hypotheses.size(), 2u);
   EXPECT_EQ(hypotheses[0].weight, 0.8);
   EXPECT_NEAR(hypotheses[0].log_score, std::log(0.8), 1e-12);
@@ -93,14 +93,14 @@ TEST(HypothesesOf, LeavesTheLightOnesToTheUniformShare)
 {
   ModeSet modes;
   modes.modes = {{{}, 0.9999}, {{}, 0.00009}};
-  EXPECT_EQ(hypothesesOf(modes).size(), 1u);
+  EXPECT_EQ(hypothesesFrom(modes).size(), 1u);
   modes.modes.assign(700, {{}, 1.0 / 700});
-  EXPECT_EQ(hypothesesOf(modes).size(), 500u);
-  EXPECT_TRUE(hypothesesOf({}).empty());
+  EXPECT_EQ(hypothesesFrom(modes).size(), 500u);
+  EXPECT_TRUE(hypothesesFrom({}).empty());
 }
 TEST(SharpAndWide, HoldsEveryHypothesisTwice)
 {
-  const HypothesisSet both = sharpAndWide(twoPlaces(), {0.3, 0.4, 0.5});
+  const HypothesisSet both = withWideCopies(twoPlaces(), {0.3, 0.4, 0.5});
   ASSERT_EQ(both.size(), 4u);
   EXPECT_EQ(both[1].pose.covariance, twoPlaces()[1].pose.covariance);
   EXPECT_EQ(both[3].pose.mean.x, twoPlaces()[1].pose.mean.x);

@@ -6,25 +6,25 @@
 
 namespace mrpt_ext
 {
-TEST(RecoveryMonitor, TrustsBeforeAnythingIsSeen)
+TEST(InlierRatioMonitor, TrustsBeforeAnythingIsSeen)
 {
-  RecoveryMonitor monitor({});
+  InlierRatioMonitor monitor({});
   monitor.observe(0, 1, 0);
   EXPECT_EQ(monitor.average(), 1);
   EXPECT_FALSE(monitor.suspicious());
   EXPECT_FALSE(monitor.lost());
 }
 
-TEST(RecoveryMonitor, TheFirstDetectionsReplaceTheTrust)
+TEST(InlierRatioMonitor, TheFirstDetectionsReplaceTheTrust)
 {
-  RecoveryMonitor monitor({});
+  InlierRatioMonitor monitor({});
   monitor.observe(0.4, 0.8, 3);
   EXPECT_NEAR(monitor.average(), 0.5, 1e-12);
 }
 
-TEST(RecoveryMonitor, PassesThroughSuspicionToLostAndBack)
+TEST(InlierRatioMonitor, PassesThroughSuspicionToLostAndBack)
 {
-  RecoveryMonitor monitor({.suspicious_share = 0.5, .lost_share = 0.3, .memory_detections = 12});
+  InlierRatioMonitor monitor({.reseed_inlier_ratio = 0.5, .lost_share = 0.3, .memory_detections = 12});
   for (int k = 0; k < 20; ++k) monitor.observe(0.95, 0.95, 1);
   EXPECT_NEAR(monitor.average(), 1, 1e-12);
   int suspicious_at = 0, lost_at = 0;
@@ -41,9 +41,9 @@ TEST(RecoveryMonitor, PassesThroughSuspicionToLostAndBack)
   EXPECT_FALSE(monitor.suspicious());
 }
 
-TEST(RecoveryMonitor, ManyDetectionsAtOnceCountAsMany)
+TEST(InlierRatioMonitor, ManyDetectionsAtOnceCountAsMany)
 {
-  RecoveryMonitor one_by_one({}), at_once({});
+  InlierRatioMonitor one_by_one({}), at_once({});
   for (int k = 0; k < 40; ++k) one_by_one.observe(1, 1, 1);
   at_once.observe(1, 1, 40);
   at_once.observe(0, 1, 12);
@@ -51,9 +51,9 @@ TEST(RecoveryMonitor, ManyDetectionsAtOnceCountAsMany)
   EXPECT_NEAR(one_by_one.average(), 1, 1e-12);
 }
 
-TEST(RecoveryMonitor, ExplainingMoreThanExpectedIsNoCredit)
+TEST(InlierRatioMonitor, ExplainingMoreThanExpectedIsNoCredit)
 {
-  RecoveryMonitor monitor({});
+  InlierRatioMonitor monitor({});
   for (int k = 0; k < 10; ++k) monitor.observe(1, 0.5, 1);
   EXPECT_NEAR(monitor.average(), 1, 1e-12);
   monitor.observe(0, 0, 1);  // nothing was expected: still a number

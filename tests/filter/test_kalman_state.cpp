@@ -9,8 +9,8 @@ namespace mrpt_ext
 {
 namespace
 {
-const BiasModel kScales{{.kind = BiasKind::way_scale, .mean = 0.04, .std = 0.1},
-                        {.kind = BiasKind::turn_scale, .mean = -0.02, .std = 0.1, .std_per_sqrt_s = 0.01},
+const BiasModel kScales{{.kind = BiasKind::distance_scale, .mean = 0.04, .std = 0.1},
+                        {.kind = BiasKind::rotation_scale, .mean = -0.02, .std = 0.1, .std_per_sqrt_s = 0.01},
                         {.kind = BiasKind::range_offset, .sensor = "a", .std = 0.2}};
 
 OdometryMotion motionOf(const Pose2& increment)

@@ -90,8 +90,8 @@ TEST(KalmanTracking, FindsTheSystematicErrorsBesideThePose)
   const BiasModel biases{{.kind = BiasKind::range_scale, .std = 0.1},
                          {.kind = BiasKind::range_offset, .std = 0.3},
                          {.kind = BiasKind::bearing_offset, .std = 0.1},
-                         {.kind = BiasKind::way_scale, .std = 0.1},
-                         {.kind = BiasKind::turn_scale, .std = 0.1}};
+                         {.kind = BiasKind::distance_scale, .std = 0.1},
+                         {.kind = BiasKind::rotation_scale, .std = 0.1}};
   const KalmanVector wrong = (KalmanVector(5) << 0.05, -0.2, 0.06, 0.04, -0.05).finished();
   SimulatedRobot robot;
   robot.measures_range = true;

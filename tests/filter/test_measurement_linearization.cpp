@@ -11,7 +11,7 @@ const BiasModel kBiases{{.kind = BiasKind::range_offset, .mean = 0.1},
                         {.kind = BiasKind::range_scale, .sensor = "eye", .mean = 0.05},
                         {.kind = BiasKind::bearing_offset, .sensor = "eye", .mean = 0.02},
                         {.kind = BiasKind::bearing_offset, .sensor = "other", .mean = 1},
-                        {.kind = BiasKind::way_scale, .mean = 0.3}};
+                        {.kind = BiasKind::distance_scale, .mean = 0.3}};
 
 Reading readingOf(const Pose2& T_robot_sensor, double height)
 {

@@ -74,7 +74,7 @@ double drift(std::uint64_t run, bool companions)
 }
 }  // namespace
 
-TEST(ModeCompanions, EqualPlacesKeepTheirWeights)
+TEST(ModeMixture, EqualPlacesKeepTheirWeights)
 {
   double with = 0, without = 0;
   for (std::uint64_t run = 0; run < 6; ++run)
@@ -87,9 +87,9 @@ TEST(ModeCompanions, EqualPlacesKeepTheirWeights)
   EXPECT_LT(3 * with, without);
 }
 
-TEST(ModeCompanions, DifferencesAreDueOnlyWhenTheyAreMoreThanChance)
+TEST(ModeMixture, DifferencesAreDueOnlyWhenTheyAreMoreThanChance)
 {
-  ModeCompanion companion;
+  MixtureComponent companion;
   for (int k = 0; k < 50; ++k) EXPECT_EQ(companion.settle(k % 2 == 0 ? 0.1 : -0.1, 0.01), 0);
   double paid = 0;
   for (int k = 0; k < 100; ++k) paid += companion.settle(0.2, 1e-4);
@@ -97,7 +97,7 @@ TEST(ModeCompanions, DifferencesAreDueOnlyWhenTheyAreMoreThanChance)
   EXPECT_LE(paid, 20.1);
 }
 
-TEST(ModeCompanions, APlaceThatLostItsParticlesGetsThemBackWhenEvidenceSpeaksForIt)
+TEST(ModeMixture, APlaceThatLostItsParticlesGetsThemBackWhenEvidenceSpeaksForIt)
 {
   const SimulatedRobot robot = namelessRobot();
   LandmarkTable map(
@@ -111,7 +111,7 @@ TEST(ModeCompanions, APlaceThatLostItsParticlesGetsThemBackWhenEvidenceSpeaksFor
                      place.phi + 0.02 * random.gaussian()},
                     std::log(weight / 200));
   };
-  ModeCompanions companions(motionModelOf(robot), {});
+  ModeMixture companions(motionModelOf(robot), {});
   ParticleSet both({5, 5}), only_wrong({5, 5});
   cloud(truth, both, 0.5);
   cloud(wrong, both, 0.5);
@@ -128,11 +128,11 @@ TEST(ModeCompanions, APlaceThatLostItsParticlesGetsThemBackWhenEvidenceSpeaksFor
   {
     Frame frame = simulatedFrame(named, map, truth, {}, random);
     frame.motion = {};
-    companions.accompany(only_wrong, frame, map);
+    companions.predictAndUpdate(only_wrong, frame, map);
     for (const Reading& reading : frame.readings)
       for (std::size_t i = 0; i < only_wrong.size(); ++i)
         only_wrong.log_weight[i] += static_cast<float>(logLikelihood(reading, map, only_wrong.pose(i)));
-    companions.divideWeight(only_wrong);
+    companions.reweight(only_wrong);
     normalizeWeights(only_wrong);
     revived = companions.revive(only_wrong, 100, random);
   }
@@ -141,7 +141,7 @@ TEST(ModeCompanions, APlaceThatLostItsParticlesGetsThemBackWhenEvidenceSpeaksFor
   EXPECT_GT(weightNear(findModes(only_wrong, {}), truth), 0.5);
 }
 
-TEST(ModeCompanions, PlacesAreCountedOnlyWhenAllWeightIsInCompactModes)
+TEST(ModeMixture, PlacesAreCountedOnlyWhenAllWeightIsInCompactModes)
 {
   const Matrix3d narrow = 1e-3 * Matrix3d::Identity(), wide = 4 * Matrix3d::Identity();
   EXPECT_EQ(countPlaces({{{{{}, narrow}, 0.6}, {{{}, narrow}, 0.395}, {{{}, wide}, 0.005}}, {}}), 2U);

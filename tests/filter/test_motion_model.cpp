@@ -154,7 +154,7 @@ TEST(MotionModel, ScaleErrorsOfOdometryAreThoseOfTheParticle)
 {
   const MotionModel exact{
       .std_xy_per_m = 0, .std_phi_per_deg = 0, .std_phi_per_m = 0, .std_xy_per_s = 0, .std_phi_per_s = 0};
-  ParticleSet particles({0, 0}, {{.kind = BiasKind::way_scale}, {.kind = BiasKind::turn_scale}});
+  ParticleSet particles({0, 0}, {{.kind = BiasKind::distance_scale}, {.kind = BiasKind::rotation_scale}});
   for (int i = 0; i < 2; ++i) particles.add({1, 2, 0}, 0);
   particles.bias = {{0.0F, 0.1F}, {0.0F, -0.2F}};
   RandomStream random(1);

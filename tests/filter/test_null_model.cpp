@@ -32,15 +32,15 @@ OdometryMotion aheadBy(double way) { return {{way, 0, 0}, way, 0, 1}; }
 const double kEven = -std::log(kTwoPi);
 }  // namespace
 
-TEST(MaplessWorld, TheFirstBearingMayComeFromAnywhere)
+TEST(NullModel, TheFirstBearingMayComeFromAnywhere)
 {
-  MaplessWorld world(kExact, 20);
+  NullModel world(kExact, 20);
   EXPECT_NEAR(world.take(camera(), bearingOf(1)), kEven, 1e-12);
 }
 
-TEST(MaplessWorld, WhatIsSeenAgainIsNoSurprise)
+TEST(NullModel, WhatIsSeenAgainIsNoSurprise)
 {
-  MaplessWorld world(kExact, 20);
+  NullModel world(kExact, 20);
   double last = kEven;
   for (int k = 0; k < 10; ++k) last = world.take(camera(), bearingOf(1));
   EXPECT_EQ(world.size(), 1U);
@@ -49,10 +49,10 @@ TEST(MaplessWorld, WhatIsSeenAgainIsNoSurprise)
   EXPECT_EQ(world.size(), 2U);
 }
 
-TEST(MaplessWorld, ParallaxIsLearntAndThenExpected)
+TEST(NullModel, ParallaxIsLearntAndThenExpected)
 {
   const Vector2d post(3, 2);
-  MaplessWorld world(kExact, 20);
+  NullModel world(kExact, 20);
   std::vector<double> densities;
   for (int k = 0; k < 12; ++k)
   {
@@ -64,9 +64,9 @@ TEST(MaplessWorld, ParallaxIsLearntAndThenExpected)
   EXPECT_GT(densities[11], kEven + 3);
 }
 
-TEST(MaplessWorld, ItsDensityIsOne)
+TEST(NullModel, ItsDensityIsOne)
 {
-  MaplessWorld world(kExact, 20);
+  NullModel world(kExact, 20);
   for (int k = 0; k < 4; ++k)
     for (const Vector2d& post : {Vector2d(3, 2), Vector2d(4, -1)})
     {
@@ -77,16 +77,16 @@ TEST(MaplessWorld, ItsDensityIsOne)
   constexpr int kSteps = 3600;
   for (int k = 0; k < kSteps; ++k)
   {
-    MaplessWorld asked = world;
+    NullModel asked = world;
     sum += std::exp(asked.take(camera(), bearingOf(-kPi + (k + 0.5) * kTwoPi / kSteps))) * kTwoPi / kSteps;
   }
   EXPECT_NEAR(sum, 1, 0.01);
 }
 
-TEST(MaplessWorld, BearingsWithoutAnyOrderGainNothing)
+TEST(NullModel, BearingsWithoutAnyOrderGainNothing)
 {
   RandomStream random(3);
-  MaplessWorld world(kExact, 20);
+  NullModel world(kExact, 20);
   double gained = 0;
   for (int k = 0; k < 200; ++k)
   {
@@ -96,9 +96,9 @@ TEST(MaplessWorld, BearingsWithoutAnyOrderGainNothing)
   EXPECT_LT(gained, 5);
 }
 
-TEST(MaplessWorld, ThingsOfAnotherKindOrSensorAreNotExpected)
+TEST(NullModel, ThingsOfAnotherKindOrSensorAreNotExpected)
 {
-  MaplessWorld world(kExact, 20);
+  NullModel world(kExact, 20);
   for (int k = 0; k < 10; ++k) (void)world.take(camera(), bearingOf(1));
   Detection post = bearingOf(1);
   post.category = "post";

@@ -36,7 +36,7 @@ Moments momentsOf(const std::vector<float>& values)
 TEST(ParticleBias, IsDrawnFromWhatIsKnownAtTheStart)
 {
   ParticleSet particles = manyWith({{.kind = BiasKind::range_offset, .mean = 0.3, .std = 0.1},
-                                    {.kind = BiasKind::way_scale, .mean = 0.05, .std = 0}});
+                                    {.kind = BiasKind::distance_scale, .mean = 0.05, .std = 0}});
   RandomStream random(1);
   drawBiases(particles, kCount / 2, random);
   EXPECT_EQ(particles.bias[0][kCount / 2 - 1], 0.3F);  // not asked for

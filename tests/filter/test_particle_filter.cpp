@@ -183,7 +183,7 @@ FilterStep stepAtTheTwin(int frames, const std::function<HypothesisSet(const Pos
     truth = compose(truth, roundTripStep(k));
     const Pose2 twin{10 - truth.x, 10 - truth.y, wrap(truth.phi + kPi)};
     const auto propose = [&]() -> HypothesisSet { return {{.pose = {twin, covariance}, .weight = 1}}; };
-    ParticleFilter::WaySearch along_way;
+    ParticleFilter::TrajectoryHypotheses along_way;
     if (way) along_way = [&] { return way(truth); };
     const Frame frame =
         simulatedFrame({.measures_range = true, .named = false, .clutter = 0.02}, map, truth, roundTripStep(k), random);

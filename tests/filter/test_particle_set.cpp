@@ -115,7 +115,7 @@ TEST(ParticleSet, FarFromZeroPosesAreAsPreciseAsNearby)
 
 TEST(ParticleSet, SystematicErrorsGoWithTheirParticle)
 {
-  ParticleSet particles({1, 1}, {{.kind = BiasKind::range_offset, .mean = 0.5}, {.kind = BiasKind::way_scale}});
+  ParticleSet particles({1, 1}, {{.kind = BiasKind::range_offset, .mean = 0.5}, {.kind = BiasKind::distance_scale}});
   for (int i = 0; i < 3; ++i) particles.add({0, 0, 0}, 0);
   EXPECT_EQ(particles.bias[0], std::vector<float>(3, 0.5F));
   particles.bias[1] = {1, 2, 3};

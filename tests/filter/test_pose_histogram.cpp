@@ -24,7 +24,7 @@ ParticleSet spread(std::size_t count)
 }
 
 /// Number of every particle's cell.
-std::vector<int> cellsOf(PoseCells cells)
+std::vector<int> cellsOf(PoseHistogram cells)
 {
   std::vector<int> numbers(cells.size());
   std::iota(numbers.begin(), numbers.end(), 0);
@@ -32,10 +32,10 @@ std::vector<int> cellsOf(PoseCells cells)
 }
 }  // namespace
 
-TEST(PoseCells, EveryParticleLiesInItsCell)
+TEST(PoseHistogram, EveryParticleLiesInItsCell)
 {
   const ParticleSet particles = spread(5000);
-  const PoseCells cells(particles, kSize, kTurn, 1);
+  const PoseHistogram cells(particles, kSize, kTurn, 1);
   const std::vector<int> cell_of = cellsOf(cells);
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
@@ -46,10 +46,10 @@ TEST(PoseCells, EveryParticleLiesInItsCell)
   }
 }
 
-TEST(PoseCells, MomentsOfAllCellsAreThoseOfTheParticles)
+TEST(PoseHistogram, MomentsOfAllCellsAreThoseOfTheParticles)
 {
   const ParticleSet particles = spread(5000);
-  const PoseCells cells(particles, kSize, kTurn, 1);
+  const PoseHistogram cells(particles, kSize, kTurn, 1);
   double weight = 0;
   Vector2d mean = Vector2d::Zero();
   double xx = 0;
@@ -74,14 +74,14 @@ TEST(PoseCells, MomentsOfAllCellsAreThoseOfTheParticles)
   EXPECT_NEAR(xx, expected_xx, 1e-3);
 }
 
-TEST(PoseCells, HeadingsCloseAtHalfATurn)
+TEST(PoseHistogram, HeadingsCloseAtHalfATurn)
 {
   ParticleSet particles;
   particles.add({0.1, 0.1, degToRad(175)}, 0);
   particles.add({0.1, 0.1, degToRad(-175)}, 0);
   particles.add({0.1, 0.1, 0}, 0);
   normalizeWeights(particles);
-  const PoseCells cells(particles, kSize, kTurn, 1);
+  const PoseHistogram cells(particles, kSize, kTurn, 1);
   ASSERT_EQ(cells.size(), 3u);
   const std::vector<int> cell_of = cellsOf(cells);
   std::set<std::size_t> near;
@@ -89,10 +89,10 @@ TEST(PoseCells, HeadingsCloseAtHalfATurn)
   EXPECT_EQ(near, std::set<std::size_t>{static_cast<std::size_t>(cell_of[1])});
 }
 
-TEST(PoseCells, ThreadsChangeNothing)
+TEST(PoseHistogram, ThreadsChangeNothing)
 {
   const ParticleSet particles = spread(50000);
-  const PoseCells one(particles, kSize, kTurn, 1), four(particles, kSize, kTurn, 4);
+  const PoseHistogram one(particles, kSize, kTurn, 1), four(particles, kSize, kTurn, 4);
   ASSERT_EQ(one.size(), four.size());
   EXPECT_EQ(cellsOf(one), cellsOf(four));
   for (std::size_t k = 0; k < one.size(); ++k) EXPECT_EQ(one.weight(k), four.weight(k));

@@ -27,7 +27,7 @@ std::vector<double> oddsAlong(const SimulatedRobot& robot, const Pose2& off, int
 {
   RandomStream random(seed);
   const LandmarkTable map = randomMap(15, 10, random);
-  PlaceEvidence evidence({}, motionModelOf({}), map);
+  SequentialPoseTest evidence({}, motionModelOf({}), map);
   Pose2 truth{5, 2, 0};
   std::vector<double> odds;
   for (int k = 0; k < steps; ++k)
@@ -41,17 +41,17 @@ std::vector<double> oddsAlong(const SimulatedRobot& robot, const Pose2& off, int
 }
 }  // namespace
 
-TEST(PlaceEvidence, TheRightPlaceIsProvenByItsLooks)
+TEST(SequentialPoseTest, TheRightPlaceIsProvenByItsLooks)
 {
   for (const bool named : {true, false})
     for (std::uint64_t seed = 1; seed <= 10; ++seed)
     {
       const std::vector<double> odds = oddsAlong({.named = named, .clutter = 0.05}, {}, 60, seed);
-      EXPECT_GE(odds.back(), PlaceEvidenceOptions{}.proven) << "named " << named << ", seed " << seed;
+      EXPECT_GE(odds.back(), SequentialPoseTestOptions{}.proven) << "named " << named << ", seed " << seed;
     }
 }
 
-TEST(PlaceEvidence, AWrongPlaceIsNotProvenThoughReadingsFitNowAndThen)
+TEST(SequentialPoseTest, AWrongPlaceIsNotProvenThoughReadingsFitNowAndThen)
 {
   int proven = 0;
   for (std::uint64_t seed = 1; seed <= 50; ++seed)
@@ -59,25 +59,26 @@ TEST(PlaceEvidence, AWrongPlaceIsNotProvenThoughReadingsFitNowAndThen)
     RandomStream random(seed, 1);
     const Pose2 off = compose({-1, -1, 0}, kRegion.sample(random));
     for (const double odds : oddsAlong({.named = false, .clutter = 0.05}, off, 60, seed))
-      proven += odds >= PlaceEvidenceOptions{}.proven ? 1 : 0;
+      proven += odds >= SequentialPoseTestOptions{}.proven ? 1 : 0;
   }
   EXPECT_EQ(proven, 0);
 }
 
-TEST(PlaceEvidence, AWrongPlaceIsRefuted)
+TEST(SequentialPoseTest, AWrongPlaceIsRefuted)
 {
   for (std::uint64_t seed = 1; seed <= 10; ++seed)
-    EXPECT_LE(oddsAlong({.named = true, .clutter = 0.05}, {2, 3, 1}, 30, seed).back(), -PlaceEvidenceOptions{}.refuted);
+    EXPECT_LE(oddsAlong({.named = true, .clutter = 0.05}, {2, 3, 1}, 30, seed).back(),
+              -SequentialPoseTestOptions{}.refuted);
 }
 
-TEST(PlaceEvidence, TheSameSightFromTheSameSpotCountsOnce)
+TEST(SequentialPoseTest, TheSameSightFromTheSameSpotCountsOnce)
 {
   RandomStream random(1);
   const LandmarkTable map = randomMap(15, 10, random);
   const Pose2 truth{5, 2, 0};
   Frame frame = simulatedFrame({.detections = 1}, map, truth, {}, random);
   frame.motion = {};
-  PlaceEvidence evidence({}, motionModelOf({}), map);
+  SequentialPoseTest evidence({}, motionModelOf({}), map);
   evidence.observe(frame, map, particlesAt(truth, random));
   const double once = evidence.logOdds();
   EXPECT_NE(once, 0);
@@ -85,19 +86,19 @@ TEST(PlaceEvidence, TheSameSightFromTheSameSpotCountsOnce)
   EXPECT_EQ(evidence.logOdds(), once);
 }
 
-TEST(PlaceEvidence, WhatAPlaceWasChosenByDoesNotCount)
+TEST(SequentialPoseTest, WhatAPlaceWasChosenByDoesNotCount)
 {
   RandomStream random(1);
   const LandmarkTable map = randomMap(15, 10, random);
   const Pose2 truth{5, 2, 0};
   const Frame frame = simulatedFrame({}, map, truth, {}, random);
-  PlaceEvidence evidence({}, motionModelOf({}), map);
+  SequentialPoseTest evidence({}, motionModelOf({}), map);
   evidence.note(frame);
   evidence.observe(frame, map, particlesAt(truth, random));
   EXPECT_EQ(evidence.logOdds(), 0);
 }
 
-TEST(PlaceEvidence, ARichFirstFrameSpeaksForItsPlaceAndProvesNothing)
+TEST(SequentialPoseTest, ARichFirstFrameSpeaksForItsPlaceAndProvesNothing)
 {
   RandomStream random(3);
   const LandmarkTable map = randomMap(15, 10, random);
@@ -114,21 +115,21 @@ TEST(PlaceEvidence, ARichFirstFrameSpeaksForItsPlaceAndProvesNothing)
       samples.add({truth.x + std_xy * n.x(), truth.y + std_xy * n.y(), truth.phi + std_phi * n.z()},
                   -std::log(kRegion.volume()) - log_density);
     }
-    PlaceEvidence evidence({}, motionModelOf({}), map);
+    SequentialPoseTest evidence({}, motionModelOf({}), map);
     evidence.begin(frame.readings, map, samples);
     return evidence.logOdds();
   };
-  EXPECT_EQ(begun(8), PlaceEvidenceOptions{}.proven / 2);
+  EXPECT_EQ(begun(8), SequentialPoseTestOptions{}.proven / 2);
   EXPECT_LT(begun(1), begun(8));
 }
 
-TEST(PlaceEvidence, WhatWasProvenBeforeABlindSpellHasToBeShownAgain)
+TEST(SequentialPoseTest, WhatWasProvenBeforeABlindSpellHasToBeShownAgain)
 {
-  const PlaceEvidenceOptions options;
+  const SequentialPoseTestOptions options;
   const LandmarkTable map({{.id = 1, .position = {2, 2, 0}}});
   const auto after = [&](double blind, double log_odds, bool named = false)
   {
-    PlaceEvidence evidence({.most = log_odds}, motionModelOf({}), map);
+    SequentialPoseTest evidence({.most = log_odds}, motionModelOf({}), map);
     RandomStream random(3);
     const Frame seen = simulatedFrame({.named = named}, map, {5, 2, 0}, {}, random);
     evidence.note(seen);
@@ -138,44 +139,44 @@ TEST(PlaceEvidence, WhatWasProvenBeforeABlindSpellHasToBeShownAgain)
     evidence.note(seen);  // a second later
     return evidence.logOdds();
   };
-  EXPECT_EQ(after(options.blind_after, 14), 14);
-  EXPECT_NEAR(after(options.blind_after + 10, 14), 14 - 10 * options.forgotten_per_s, 1e-9);
+  EXPECT_EQ(after(options.decay_after, 14), 14);
+  EXPECT_NEAR(after(options.decay_after + 10, 14), 14 - 10 * options.decay_per_s, 1e-9);
   EXPECT_LT(after(30, 14), options.proven);
   EXPECT_EQ(after(600, 14), 0) << "that it was wrong is not shown either";
   EXPECT_EQ(after(600, -3), -3);
   EXPECT_EQ(after(600, 14, true), 14) << "a name is not mistaken for another";
 }
 
-TEST(PlaceEvidence, ANameInTheFrameEndsABlindSpellWhateverElseItShows)
+TEST(SequentialPoseTest, ANameInTheFrameEndsABlindSpellWhateverElseItShows)
 {
   const LandmarkTable map({{.id = 1, .position = {2, 2, 0}}, {.id = 2, .position = {7, 3, 0}}});
   RandomStream random(3);
   const Pose2 truth{5, 2, 0};
   const Reading named = simulatedFrame({}, map, truth, {}, random).readings.front();
-  const Reading nameless = simulatedFrame({.named = false}, map, truth, {}, random).readings.front();
+  const Reading anonymous = simulatedFrame({.named = false}, map, truth, {}, random).readings.front();
   const ParticleSet particles = particlesAt(truth, random);
   const auto after = [&](const std::vector<Reading>& seen)
   {
-    PlaceEvidence evidence({}, motionModelOf({}), map);
+    SequentialPoseTest evidence({}, motionModelOf({}), map);
     evidence.assume();
     evidence.note({.motion = {.duration = 600}});
     evidence.observe({.readings = seen}, map, particles);
     return evidence.logOdds();
   };
-  EXPECT_GT(after({named, nameless}), 12);
-  EXPECT_GT(after({nameless, named}), 12);
+  EXPECT_GT(after({named, anonymous}), 12);
+  EXPECT_GT(after({anonymous, named}), 12);
   EXPECT_GT(after({named}), 12);
-  EXPECT_LT(after({nameless}), PlaceEvidenceOptions{}.proven) << "all that was known is forgotten";
+  EXPECT_LT(after({anonymous}), SequentialPoseTestOptions{}.proven) << "all that was known is forgotten";
   EXPECT_GT(after({}), 13) << "nothing is seen yet";
 }
 
-TEST(PlaceEvidence, RemembersOnlySoMuch)
+TEST(SequentialPoseTest, RemembersOnlySoMuch)
 {
   RandomStream random(1);
-  PlaceEvidence evidence({}, {}, randomMap(5, 10, random));
+  SequentialPoseTest evidence({}, {}, randomMap(5, 10, random));
   evidence.assume();
   EXPECT_TRUE(evidence.proven());
-  EXPECT_EQ(evidence.logOdds(), PlaceEvidenceOptions{}.most);
+  EXPECT_EQ(evidence.logOdds(), SequentialPoseTestOptions{}.most);
   evidence.restart();
   EXPECT_FALSE(evidence.proven());
   EXPECT_FALSE(evidence.refuted());

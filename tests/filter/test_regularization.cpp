@@ -44,7 +44,7 @@ std::size_t distinctPlaces(const ParticleSet& particles)
 }
 }  // namespace
 
-TEST(KernelSmoothing, KeepsMeanAndCovariance)
+TEST(Regularization, KeepsMeanAndCovariance)
 {
   RandomStream random(1);
   ParticleSet particles;
@@ -53,7 +53,7 @@ TEST(KernelSmoothing, KeepsMeanAndCovariance)
   const GaussianPose before = momentsOf(particles, 0, kCount, kPi);
   const ModeSet modes{{{before, 1}}, std::vector<int>(kCount, 0)};
   const ParticleSet unmoved = particles;
-  for (int round = 0; round < 20; ++round) smoothModes(particles, modes, {.bandwidth = 0.3}, random);
+  for (int round = 0; round < 20; ++round) regularizeModes(particles, modes, {.bandwidth = 0.3}, random);
   const GaussianPose after = momentsOf(particles, 0, kCount, kPi);
   EXPECT_NEAR(after.mean.x, before.mean.x, 0.005);
   EXPECT_NEAR(after.mean.y, before.mean.y, 0.01);
@@ -64,7 +64,7 @@ TEST(KernelSmoothing, KeepsMeanAndCovariance)
   for (const float phi : particles.phi) EXPECT_LE(std::abs(phi), static_cast<float>(kPi));
 }
 
-TEST(KernelSmoothing, SystematicErrorsStayApartTogetherWithThePose)
+TEST(Regularization, SystematicErrorsStayApartTogetherWithThePose)
 {
   const BiasModel biases{{.kind = BiasKind::range_scale, .std = 0.05}};
   ParticleSet particles(Vector2d(3, 2), biases);
@@ -78,7 +78,7 @@ TEST(KernelSmoothing, SystematicErrorsStayApartTogetherWithThePose)
   normalizeWeights(particles);
   const auto everyone = [](std::size_t) { return true; };
   const KalmanState before = *momentsOf(particles, everyone);
-  for (int pass = 0; pass < 20; ++pass) smoothModes(particles, findModes(particles, {}), {}, random);
+  for (int pass = 0; pass < 20; ++pass) regularizeModes(particles, findModes(particles, {}), {}, random);
   const KalmanState after = *momentsOf(particles, everyone);
   EXPECT_NEAR(after.mean[3], before.mean[3], 0.001);
   EXPECT_NEAR(after.covariance(3, 3) / before.covariance(3, 3), 1, 0.15);
@@ -86,7 +86,7 @@ TEST(KernelSmoothing, SystematicErrorsStayApartTogetherWithThePose)
   EXPECT_NEAR(after.covariance(0, 0) / before.covariance(0, 0), 1, 0.15);
 }
 
-TEST(KernelSmoothing, SeparateModesAreNotMixed)
+TEST(Regularization, SeparateModesAreNotMixed)
 {
   RandomStream random(2);
   ParticleSet particles;
@@ -94,7 +94,7 @@ TEST(KernelSmoothing, SeparateModesAreNotMixed)
   addCluster(particles, {2, 0, 0}, {0.1, 0.1, 0.05}, 1000, random);
   addCluster(particles, {0, 0, kPi}, {0.1, 0.1, 0.05}, 1000, random);
   normalizeWeights(particles);
-  for (int round = 0; round < 100; ++round) smoothModes(particles, findModes(particles, {}), {}, random);
+  for (int round = 0; round < 100; ++round) regularizeModes(particles, findModes(particles, {}), {}, random);
   const Pose2 expected[3]{{0, 0, 0}, {2, 0, 0}, {0, 0, kPi}};
   for (std::size_t k = 0; k < 3; ++k)
   {
@@ -105,18 +105,18 @@ TEST(KernelSmoothing, SeparateModesAreNotMixed)
   }
 }
 
-TEST(KernelSmoothing, AModeInTheTailOfAWiderOneIsNotDrawnTowardsIt)
+TEST(Regularization, AModeInTheTailOfAWiderOneIsNotDrawnTowardsIt)
 {
   RandomStream random(3);
   ParticleSet particles;
   addCluster(particles, {0, 0, 0}, {0.3, 0.3, 0.3}, 4000, random);
   addCluster(particles, {0.9, 0, 0}, {0.04, 0.04, 0.04}, 1000, random);
   const ModeSet modes{{{momentsOf(particles, 0, 4000, 0), 0.8}, {momentsOf(particles, 4000, 1000, 0), 0.2}}, {}};
-  for (int round = 0; round < 200; ++round) smoothModes(particles, modes, {}, random);
+  for (int round = 0; round < 200; ++round) regularizeModes(particles, modes, {}, random);
   EXPECT_NEAR(momentsOf(particles, 4000, 1000, 0).mean.x, 0.9, 0.05);
 }
 
-TEST(KernelSmoothing, StandingStillKeepsParticlesApartOver300Frames)
+TEST(Regularization, StandingStillKeepsParticlesApartOver300Frames)
 {
   constexpr std::size_t kCount = 4000;
   RandomStream random(4);
@@ -129,7 +129,7 @@ TEST(KernelSmoothing, StandingStillKeepsParticlesApartOver300Frames)
     {
       const ModeSet modes = findModes(*particles, {});
       *particles = resampleByMode(*particles, modes.mode_of, ResamplingMethod::multinomial, kCount, random);
-      if (particles == &smoothed) smoothModes(*particles, modes, {}, random);
+      if (particles == &smoothed) regularizeModes(*particles, modes, {}, random);
     }
   EXPECT_LT(distinctPlaces(copied), 100u);                 // what resampling alone does
   EXPECT_GT(distinctPlaces(smoothed), kCount * 97 / 100);  // strays far out in the tails may be copies
@@ -141,32 +141,32 @@ TEST(KernelSmoothing, StandingStillKeepsParticlesApartOver300Frames)
   }
 }
 
-TEST(KernelSmoothing, WideAndNegligibleModesAreLeftAlone)
+TEST(Regularization, WideAndNegligibleModesAreLeftAlone)
 {
   RandomStream random(5);
   ParticleSet wide;
   addCluster(wide, {0, 0, 0}, {0.6, 0.6, 0.05}, 500, random);
   ParticleSet as_it_was = wide;
   const GaussianPose moments = momentsOf(wide, 0, 500, 0);
-  smoothModes(wide, {{{moments, 1}}, {}}, {}, random);
+  regularizeModes(wide, {{{moments, 1}}, {}}, {}, random);
   EXPECT_EQ(wide.x, as_it_was.x);
   ParticleSet light;
   addCluster(light, {0, 0, 0}, {0.1, 0.1, 0.05}, 500, random);
   as_it_was = light;
-  smoothModes(light, {{{momentsOf(light, 0, 500, 0), 0.005}}, {}}, {}, random);
+  regularizeModes(light, {{{momentsOf(light, 0, 500, 0), 0.005}}, {}}, {}, random);
   EXPECT_EQ(light.x, as_it_was.x);
 }
 
-TEST(KernelSmoothing, AModeWithoutSpreadStaysAndFinite)
+TEST(Regularization, AModeWithoutSpreadStaysAndFinite)
 {
   RandomStream random(6);
   ParticleSet particles;
   for (int i = 0; i < 10; ++i) particles.add({1, 2, 3}, -std::log(10));
-  smoothModes(particles, findModes(particles, {}), {}, random);
+  regularizeModes(particles, findModes(particles, {}), {}, random);
   for (std::size_t i = 0; i < particles.size(); ++i)
     EXPECT_LT((particles.pose(i).vector() - Vector3d(1, 2, 3)).norm(), 1e-6);
   ParticleSet none;
-  smoothModes(none, {}, {}, random);
+  regularizeModes(none, {}, {}, random);
   EXPECT_TRUE(none.empty());
 }
 }  // namespace mrpt_ext

@@ -13,7 +13,7 @@ namespace
 {
 constexpr std::size_t kCount = 4000;
 const BiasModel kBiases{{.kind = BiasKind::range_offset, .mean = 0.5, .std = 0.2},
-                        {.kind = BiasKind::way_scale, .mean = 0, .std = 0.1},
+                        {.kind = BiasKind::distance_scale, .mean = 0, .std = 0.1},
                         {.kind = BiasKind::range_scale, .mean = 0.03, .std = 0}};
 
 /// Few places, each of them many times; all in one mode.
@@ -51,7 +51,7 @@ TEST(ResampleMove, CopiesBecomeDrawsOfThePosterior)
   };
   RandomStream random(1);
   ParticleSet particles = copies(15, random);
-  const std::vector<float> way_scale = particles.bias[1], weight = particles.log_weight;
+  const std::vector<float> distance_scale = particles.bias[1], weight = particles.log_weight;
   for (int k = 0; k < 80; ++k) moveByPosterior(particles, oneMode(), {0, 0}, posterior, random);
   EXPECT_GT(distinct(particles.x), kCount * 9 / 10);
   const auto all = momentsOf(particles, [](std::size_t) { return true; });
@@ -63,7 +63,7 @@ TEST(ResampleMove, CopiesBecomeDrawsOfThePosterior)
   EXPECT_NEAR(std::sqrt(all->covariance(2, 2)), 0.3, 0.03);
   EXPECT_NEAR(all->mean[3], 0.5, 0.02);
   EXPECT_NEAR(std::sqrt(all->covariance(3, 3)), 0.2, 0.02);
-  EXPECT_EQ(particles.bias[1], way_scale) << "readings of now tell nothing about odometry";
+  EXPECT_EQ(particles.bias[1], distance_scale) << "readings of now tell nothing about odometry";
   EXPECT_EQ(distinct(particles.bias[2]), 1U) << "what is known stays";
   EXPECT_EQ(particles.log_weight, weight);
 }

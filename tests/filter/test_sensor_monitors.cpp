@@ -4,21 +4,21 @@
 
 namespace mrpt_ext
 {
-TEST(KindMonitors, KindsAreSensorsAndWhatTheyMeasure)
+TEST(SensorMonitors, KindsAreSensorsAndWhatTheyMeasure)
 {
   Reading reading{.sensor = "eye"};
   reading.detections = {{.id = 1, .bearing = 0.1}};
-  EXPECT_EQ(kindOfReadings(reading), "eye bearings");
+  EXPECT_EQ(sensorKey(reading), "eye bearings");
   reading.detections.push_back({.id = 2, .range = 3.0});
-  EXPECT_EQ(kindOfReadings(reading), "eye ranges and bearings");
+  EXPECT_EQ(sensorKey(reading), "eye ranges and bearings");
   reading.detections = {{.id = 2, .range = 3.0}};
-  EXPECT_EQ(kindOfReadings(reading), "eye ranges");
+  EXPECT_EQ(sensorKey(reading), "eye ranges");
 }
 
-TEST(KindMonitors, ARareSensorIsHeardBesideABusyOne)
+TEST(SensorMonitors, ARareSensorIsHeardBesideABusyOne)
 {
-  RecoveryMonitor together({});
-  KindMonitors kinds({});
+  InlierRatioMonitor together({});
+  SensorMonitors kinds({});
   const auto observe = [&](const std::string& kind, double explained, std::size_t count)
   {
     together.observe(explained, 0.95, count);
@@ -42,9 +42,9 @@ TEST(KindMonitors, ARareSensorIsHeardBesideABusyOne)
   EXPECT_NE(kinds.finding().find("camera bearings explain only"), std::string::npos);
 }
 
-TEST(KindMonitors, ASensorThatNeverAgreedIsNamedAndRaisesNoAlarm)
+TEST(SensorMonitors, ASensorThatNeverAgreedIsNamedAndRaisesNoAlarm)
 {
-  KindMonitors kinds({});
+  SensorMonitors kinds({});
   for (int second = 0; second < 100; ++second)
   {
     kinds.observe("camera bearings", 0.1, 0.95, 3);

@@ -12,7 +12,7 @@ namespace
 std::vector<float> gaussians(std::uint64_t seed, std::uint64_t block, std::size_t count)
 {
   std::vector<float> values(count);
-  RandomLanes(seed, block).fillGaussians(values);
+  SimdRandom(seed, block).fillGaussians(values);
   return values;
 }
 
@@ -24,7 +24,7 @@ double correlation(const std::vector<float>& a, const std::vector<float>& b)
 }
 }  // namespace
 
-TEST(RandomLanes, GaussiansHaveTheirMomentsAndTails)
+TEST(SimdRandom, GaussiansHaveTheirMomentsAndTails)
 {
   constexpr std::size_t kCount = 1 << 20;
   double power[5] = {};
@@ -43,14 +43,14 @@ TEST(RandomLanes, GaussiansHaveTheirMomentsAndTails)
   EXPECT_NEAR(static_cast<double>(beyond_3) / kCount, 0.0026998, 4 * std::sqrt(0.0027 / kCount));
 }
 
-TEST(RandomLanes, SeedsBlocksAndCallsGiveNumbersOfTheirOwn)
+TEST(SimdRandom, SeedsBlocksAndCallsGiveNumbersOfTheirOwn)
 {
   constexpr std::size_t kCount = 1 << 16;
   const std::vector<float> first = gaussians(1, 0, kCount);
   EXPECT_EQ(first, gaussians(1, 0, kCount));
   EXPECT_NEAR(correlation(first, gaussians(1, 1, kCount)), 0, 4.0 / 256);
   EXPECT_NEAR(correlation(first, gaussians(2, 0, kCount)), 0, 4.0 / 256);
-  RandomLanes lanes(1, 0);
+  SimdRandom lanes(1, 0);
   std::vector<float> again(kCount);
   for (int call = 0; call < 2; ++call) lanes.fillGaussians(again);
   EXPECT_NEAR(correlation(first, again), 0, 4.0 / 256);

@@ -91,7 +91,7 @@ TEST(SystematicResampling, OneParticleWithAllTheWeightFillsEveryPlace)
 TEST(SystematicResampling, WhatTheMemoryHeldMeansNothing)
 {
   const Drawn drawn = twoModes(3000);
-  ParticleSet used(Vector2d(7, 7), {{.kind = BiasKind::way_scale}});
+  ParticleSet used(Vector2d(7, 7), {{.kind = BiasKind::distance_scale}});
   for (int i = 0; i < 5000; ++i) used.add({1, 2, 3}, 4);
   RandomStream first(3), second(3);
   const auto fresh = resampleSystematically(drawn.particles, drawn.mode_of, 2000, first, 1);

@@ -100,7 +100,7 @@ TEST(FrameBuilder, MotionsBetweenFramesAddUpToTheWay)
 TEST(FrameBuilder, OdometryIsCorrectedAsConfigured)
 {
   const FrameSequence sequence =
-      framesOf({bearingTo(0, 1), bearingTo(0, 2)}, {.odometry = {.scale = 2, .turn_scale = 0.5, .delay = 0.1}});
+      framesOf({bearingTo(0, 1), bearingTo(0, 2)}, {.odometry = {.scale = 2, .rotation_scale = 0.5, .delay = 0.1}});
   EXPECT_NEAR(sequence.frames[1].motion.path_length, 2, 1e-3);
   EXPECT_NEAR(sequence.frames[1].motion.turned, 0.25, 1e-9);
   EXPECT_NEAR(sequence.odometry.trajectory().front().time, 0.1, 1e-12);
@@ -230,14 +230,14 @@ TEST(FrameBuilder, AnEmptyLogHasNoFrames)
   EXPECT_TRUE(sequence.odometry.empty());
 }
 
-TEST(FrameCutter, ReadsNoFurtherThanTheWindowAndTheDelaysDemand)
+TEST(FrameSynchronizer, ReadsNoFurtherThanTheWindowAndTheDelaysDemand)
 {
   constexpr double kStep = 0.1, kDelay = 0.35;
   std::vector<Record> records;
   for (int k = 0; k < 300; ++k) records.emplace_back(bearingTo(0, k * kStep, k % 2 == 0 ? "eye" : "left"));
   FrameOptions options;
   options.sensors["left"].delay = kDelay;
-  const RecordFeed all = feedOf(records);
+  const RecordStream all = streamOf(records);
   double newest = 0;
   const auto watched = [&]
   {
@@ -246,7 +246,7 @@ TEST(FrameCutter, ReadsNoFurtherThanTheWindowAndTheDelaysDemand)
     return record;
   };
   const LogOverview overview;
-  FrameCutter cutter(watched, kMap, options, overview);
+  FrameSynchronizer cutter(watched, kMap, options, overview);
   std::vector<double> stamps;
   while (const auto frame = cutter.next())
   {
@@ -260,7 +260,7 @@ TEST(FrameCutter, ReadsNoFurtherThanTheWindowAndTheDelaysDemand)
   EXPECT_FALSE(cutter.next());
 }
 
-TEST(FrameCutter, RangesAreRememberedAsLongAsAFixMayAskForThem)
+TEST(FrameSynchronizer, RangesAreRememberedAsLongAsAFixMayAskForThem)
 {
   Reading range{.time = 1, .sensor = "sonar"};
   range.detections = {{.id = 1, .range = 3, .std_range = 0.1}};

@@ -1,9 +1,10 @@
+#include "mrpt_ext/configuration/sensor_sections.h"
 #include "mrpt_ext/frames/sensor_config.h"
 
 #include <gtest/gtest.h>
 
-#include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/configuration/localization_keys.h"
+#include "mrpt_ext/geometry/input_error.h"
 
 namespace mrpt_ext
 {

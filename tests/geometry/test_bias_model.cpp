@@ -15,6 +15,6 @@ TEST(BiasModel, ASensorsErrorActsOnItsPartsAfterADot)
 TEST(BiasModel, AnErrorOfAllSensorsActsOnEachAndOneOfOdometryOnNone)
 {
   EXPECT_TRUE(actsOn({.kind = BiasKind::range_scale, .sensor = ""}, "sonar"));
-  EXPECT_FALSE(actsOn({.kind = BiasKind::way_scale, .sensor = ""}, "sonar"));
+  EXPECT_FALSE(actsOn({.kind = BiasKind::distance_scale, .sensor = ""}, "sonar"));
 }
 }  // namespace mrpt_ext

@@ -64,8 +64,8 @@ TEST(OdometryPath, ScalesTheWayAndTheTurnsByThemselves)
   expectPose(OdometryPath(square, {.scale = 2}).at(2), {2, 2, kPi});
   EXPECT_NEAR(OdometryPath(square, {.scale = 2}).between(0, 2).path_length, 4, 1e-12);
   EXPECT_NEAR(OdometryPath(square, {.scale = 2}).between(0, 2).turned, kPi, 1e-12);
-  expectPose(OdometryPath(square, {.turn_scale = 2}).at(2), {0, 0, 0});
-  EXPECT_NEAR(OdometryPath(square, {.turn_scale = 2}).between(0, 2).path_length, 2, 1e-12);
+  expectPose(OdometryPath(square, {.rotation_scale = 2}).at(2), {0, 0, 0});
+  EXPECT_NEAR(OdometryPath(square, {.rotation_scale = 2}).between(0, 2).path_length, 2, 1e-12);
 }
 
 TEST(OdometryPath, AVeeringRobotTurnsWithItsWay)

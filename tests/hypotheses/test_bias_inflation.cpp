@@ -18,7 +18,7 @@ std::vector<Reading> oneReading()
 
 TEST(ExpectedErrors, WithoutAModelNothingChanges)
 {
-  const auto readings = withExpectedErrors(oneReading(), {});
+  const auto readings = withBiasUncertainty(oneReading(), {});
   EXPECT_EQ(readings[0].detections[0].range, 52.5);
   EXPECT_EQ(readings[0].detections[0].std_range, 0.5);
 }
@@ -29,7 +29,7 @@ TEST(ExpectedErrors, MeansAreTakenOffAndDeviationsGrow)
                             {.kind = BiasKind::range_offset, .sensor = "radio", .mean = 0, .std = 0.3},
                             {.kind = BiasKind::range_offset, .sensor = "other", .mean = 7, .std = 9},
                             {.kind = BiasKind::bearing_offset, .mean = 0.1, .std = 0.04}};
-  const auto readings = withExpectedErrors(oneReading(), biases);
+  const auto readings = withBiasUncertainty(oneReading(), biases);
   const Detection &range = readings[0].detections[0], &bearing = readings[0].detections[1];
   EXPECT_NEAR(*range.range, 50, 1e-12);
   EXPECT_NEAR(range.std_range, std::sqrt(0.25 + 0.09 + 1) / 1.05, 1e-12);
@@ -39,7 +39,7 @@ TEST(ExpectedErrors, MeansAreTakenOffAndDeviationsGrow)
 
 TEST(ExpectedErrors, ARangeThatTheMeanWouldMakeNegativeIsLeftAsItIs)
 {
-  const auto readings = withExpectedErrors(oneReading(), {{.kind = BiasKind::range_offset, .mean = 60, .std = 1}});
+  const auto readings = withBiasUncertainty(oneReading(), {{.kind = BiasKind::range_offset, .mean = 60, .std = 1}});
   EXPECT_EQ(readings[0].detections[0].range, 52.5);
 }
 }  // namespace mrpt_ext

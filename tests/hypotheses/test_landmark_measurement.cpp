@@ -20,7 +20,7 @@ Reading readingOf(Detection detection)
 }
 }  // namespace
 
-TEST(LandmarkSighting, SlantRangesAreReducedToThePlane)
+TEST(LandmarkMeasurement, SlantRangesAreReducedToThePlane)
 {
   const auto seen = identifiedSightings({{readingOf({.id = 1, .range = 2.5, .std_range = 0.12})}}, kHigh);
   ASSERT_EQ(seen.size(), 1u);
@@ -31,7 +31,7 @@ TEST(LandmarkSighting, SlantRangesAreReducedToThePlane)
   EXPECT_NEAR(seen[0].std_range, std::hypot(0.15, 0.04), 1e-12);
 }
 
-TEST(LandmarkSighting, HorizontalRangesStay)
+TEST(LandmarkMeasurement, HorizontalRangesStay)
 {
   Reading reading = readingOf({.id = 1, .range = 2.5, .std_range = 0.12});
   reading.horizontal_range = true;
@@ -40,7 +40,7 @@ TEST(LandmarkSighting, HorizontalRangesStay)
   EXPECT_NEAR(seen[0].std_range, std::hypot(0.12, 0.04), 1e-12);
 }
 
-TEST(LandmarkSighting, ARangeShorterThanTheHeightIsLeftOutItsBearingKept)
+TEST(LandmarkMeasurement, ARangeShorterThanTheHeightIsLeftOutItsBearingKept)
 {
   const Reading alone = readingOf({.id = 1, .range = 1.4, .std_range = 0.1});
   EXPECT_TRUE(identifiedSightings({{alone}}, kHigh).empty());
@@ -52,24 +52,24 @@ TEST(LandmarkSighting, ARangeShorterThanTheHeightIsLeftOutItsBearingKept)
   EXPECT_FALSE(seen[0].hasPoint());
 }
 
-TEST(LandmarkSighting, AnUncertainSensorPlaceWidensRangeAndBearing)
+TEST(LandmarkMeasurement, AnUncertainSensorPlaceWidensRangeAndBearing)
 {
   Reading reading = readingOf({.id = 2, .bearing = 0.0, .range = 4, .std_bearing = 0.03, .std_range = 0.05});
   reading.horizontal_range = true;
-  reading.offset_covariance = Vector2d(0.01, 0.04).asDiagonal();
+  reading.sensor_position_covariance = Vector2d(0.01, 0.04).asDiagonal();
   const auto seen = identifiedSightings({{reading}}, kHigh);
   EXPECT_NEAR(seen[0].std_range, std::hypot(0.05, 0.2), 1e-12);
   EXPECT_NEAR(seen[0].std_bearing, std::hypot(0.03, 0.2 / 4), 1e-12);
 }
 
-TEST(LandmarkSighting, UnknownIdsAreNeitherIdentifiedNorUnidentified)
+TEST(LandmarkMeasurement, UnknownIdsAreNeitherIdentifiedNorUnidentified)
 {
   const Reading reading = readingOf({.id = 99, .bearing = 1.0, .std_bearing = 0.1});
   EXPECT_TRUE(identifiedSightings({{reading}}, kHigh).empty());
   EXPECT_TRUE(unidentifiedSightings({{reading}}, kHigh).empty());
 }
 
-TEST(LandmarkSighting, UnidentifiedOnesKeepTheirCategoryAndUseTheMeanHeight)
+TEST(LandmarkMeasurement, UnidentifiedOnesKeepTheirCategoryAndUseTheMeanHeight)
 {
   const double dz = 1.5 - 0.5;
   const auto seen =
@@ -81,24 +81,24 @@ TEST(LandmarkSighting, UnidentifiedOnesKeepTheirCategoryAndUseTheMeanHeight)
   EXPECT_EQ(unidentifiedSightings({{readingOf({.range = 2})}}, LandmarkTable{}).size(), 1u);
 }
 
-TEST(LandmarkSighting, ThePointIsWhereTheLandmarkIs)
+TEST(LandmarkMeasurement, ThePointIsWhereTheLandmarkIs)
 {
   const ExactSensor sensor{.range = true, .T_robot_sensor = {0.3, -0.2, 1.1}, .height = 0.5};
   const Pose2 robot{1, 2, 0.4};
-  for (const LandmarkSighting& s : identifiedSightings({{seenFrom(robot, kHigh, {0, 1}, sensor)}}, kHigh))
+  for (const LandmarkMeasurement& s : identifiedSightings({{seenFrom(robot, kHigh, {0, 1}, sensor)}}, kHigh))
     EXPECT_LT((transform(robot, s.pointInRobot()) - s.position).norm(), 1e-9);
 }
 
-TEST(LandmarkSighting, ThePointsCovarianceIsThatOfNoisySightings)
+TEST(LandmarkMeasurement, ThePointsCovarianceIsThatOfNoisySightings)
 {
-  LandmarkSighting s{.T_robot_sensor = {0.3, -0.2, 1.1}, .bearing = 0.5, .range = 3, .std_bearing = 0.02};
+  LandmarkMeasurement s{.T_robot_sensor = {0.3, -0.2, 1.1}, .bearing = 0.5, .range = 3, .std_bearing = 0.02};
   s.std_range = 0.15;
   RandomStream random(8);
   Matrix2d sampled = Matrix2d::Zero();
   constexpr int kCount = 40000;
   for (int i = 0; i < kCount; ++i)
   {
-    LandmarkSighting noisy = s;
+    LandmarkMeasurement noisy = s;
     *noisy.bearing += s.std_bearing * random.gaussian();
     *noisy.range += s.std_range * random.gaussian();
     const Vector2d d = noisy.pointInRobot() - s.pointInRobot();
@@ -107,7 +107,7 @@ TEST(LandmarkSighting, ThePointsCovarianceIsThatOfNoisySightings)
   EXPECT_LT((sampled - s.pointCovariance()).norm(), 0.03 * sampled.norm());
 }
 
-TEST(LandmarkSighting, MeasurementRowsLeaveNoResidualAtTheTruth)
+TEST(LandmarkMeasurement, MeasurementRowsLeaveNoResidualAtTheTruth)
 {
   const ExactSensor sensor{.range = true, .T_robot_sensor = {0.3, -0.2, 1.1}, .height = 0.5};
   const Pose2 robot{1, 2, 0.4};
@@ -116,15 +116,15 @@ TEST(LandmarkSighting, MeasurementRowsLeaveNoResidualAtTheTruth)
   for (const PoseMeasurement& row : rows) EXPECT_NEAR(residual(row, robot), 0, 1e-9);
 }
 
-TEST(LandmarkSighting, CountsDifferentLandmarks)
+TEST(LandmarkMeasurement, CountsDifferentLandmarks)
 {
   const auto seen = identifiedSightings({{seenFrom({}, kHigh, {0, 0, 1, 0}, {})}}, kHigh);
-  EXPECT_EQ(distinctLandmarks(seen, [](const LandmarkSighting&) { return true; }), 2u);
-  EXPECT_EQ(distinctLandmarks(seen, [](const LandmarkSighting& s) { return s.landmark == 1u; }), 1u);
-  EXPECT_EQ(distinctLandmarks(seen, [](const LandmarkSighting& s) { return s.range.has_value(); }), 0u);
+  EXPECT_EQ(distinctLandmarks(seen, [](const LandmarkMeasurement&) { return true; }), 2u);
+  EXPECT_EQ(distinctLandmarks(seen, [](const LandmarkMeasurement& s) { return s.landmark == 1u; }), 1u);
+  EXPECT_EQ(distinctLandmarks(seen, [](const LandmarkMeasurement& s) { return s.range.has_value(); }), 0u);
 }
 
-TEST(LandmarkSighting, FixesAreReducedToThePlaneToo)
+TEST(LandmarkMeasurement, FixesAreReducedToThePlaneToo)
 {
   RunningFixReading fix{.sensor_height = 0.5, .id = 1};
   fix.first_range = 2.5;

@@ -17,7 +17,7 @@ PoseHypothesis hypothesis(const Pose2& mean, const Vector3d& std, double weight 
 }
 
 /// Integral of the density on a grid of cell centres over the region grown by `margin`.
-double integral(const SeedMixture& mixture, double margin)
+double integral(const ProposalDistribution& mixture, double margin)
 {
   const int n = 120, turns = 72;
   const double half = 5 + margin, cell = 2 * half / n, turn = kTwoPi / turns;
@@ -30,7 +30,7 @@ double integral(const SeedMixture& mixture, double margin)
 }
 
 /// Mean of 1 / (density * V) over samples that fall into the region: 1 when samples and density belong together.
-double meanInverseDensity(const SeedMixture& mixture, int n)
+double meanInverseDensity(const ProposalDistribution& mixture, int n)
 {
   RandomStream random(3);
   double sum = 0;
@@ -43,7 +43,7 @@ double meanInverseDensity(const SeedMixture& mixture, int n)
 }
 
 /// Share of samples, and integral of the density, in the box |x - cx| < 0.5, |y - cy| < 0.5 and the heading interval.
-void expectSameMass(const SeedMixture& mixture, const Vector2d& centre, double phi_low, double phi_high)
+void expectSameMass(const ProposalDistribution& mixture, const Vector2d& centre, double phi_low, double phi_high)
 {
   RandomStream random(5);
   const int samples = 100000, n = 40;
@@ -65,52 +65,54 @@ void expectSameMass(const SeedMixture& mixture, const Vector2d& centre, double p
 }
 }  // namespace
 
-TEST(SeedMixture, DensityIntegratesToOne)
+TEST(ProposalDistribution, DensityIntegratesToOne)
 {
   const HypothesisSet two{hypothesis({1, 1, 3.0}, {0.3, 0.4, 0.3}, 0.7), hypothesis({-2, 0, 0}, {0.5, 0.3, 0.4}, 0.3)};
   EXPECT_NEAR(integral({two, kRegion, 0.5, 1.0, kNoFloor}, 1), 1, 1e-3);
 }
 
-TEST(SeedMixture, AnUnknownHeadingIsUniform)
+TEST(ProposalDistribution, AnUnknownHeadingIsUniform)
 {
-  const SeedMixture mixture({hypothesis({1, 1, 0.3}, {0.3, 0.4, 0.001}, 1, false)}, kRegion, 0.2, 1.0, kNoFloor);
+  const ProposalDistribution mixture({hypothesis({1, 1, 0.3}, {0.3, 0.4, 0.001}, 1, false)}, kRegion, 0.2, 1.0,
+                                     kNoFloor);
   EXPECT_NEAR(integral(mixture, 1), 1, 1e-3);
   for (const double phi : {-3.0, 0.0, 1.5})
     EXPECT_NEAR(mixture.density({1.1, 1, phi}), mixture.density({1.1, 1, 0.3}), 1e-12);
   expectSameMass(mixture, {1, 1}, 1.0, 2.5);
 }
 
-TEST(SeedMixture, AVagueHeadingIsNormalisedOnTheCircleToo)
+TEST(ProposalDistribution, AVagueHeadingIsNormalisedOnTheCircleToo)
 {
   for (const double std_phi : {1.0, 1.5, 3.0, 20.0})
   {
-    const SeedMixture mixture({hypothesis({0, 0, 2}, {0.4, 0.4, std_phi})}, kRegion, 0.2, 1.0, kNoFloor);
+    const ProposalDistribution mixture({hypothesis({0, 0, 2}, {0.4, 0.4, std_phi})}, kRegion, 0.2, 1.0, kNoFloor);
     EXPECT_NEAR(integral(mixture, 0), 1, 2e-3) << std_phi;
     EXPECT_NEAR(meanInverseDensity(mixture, 100000), 1, 0.05) << std_phi;
   }
 }
 
-TEST(SeedMixture, SamplesFollowTheDensity)
+TEST(ProposalDistribution, SamplesFollowTheDensity)
 {
   PoseHypothesis tilted = hypothesis({1, 1, 3.0}, {0.3, 0.4, 0.4}, 0.6);
   tilted.pose.covariance(0, 2) = tilted.pose.covariance(2, 0) = 0.06;
   tilted.pose.covariance(0, 1) = tilted.pose.covariance(1, 0) = -0.05;
-  const SeedMixture mixture({tilted, hypothesis({-2, 0, 0}, {0.5, 0.3, 0.4}, 0.4)}, kRegion, 0.3, 1.5, kNoFloor);
+  const ProposalDistribution mixture({tilted, hypothesis({-2, 0, 0}, {0.5, 0.3, 0.4}, 0.4)}, kRegion, 0.3, 1.5,
+                                     kNoFloor);
   expectSameMass(mixture, {1, 1}, 2.5, kPi);
   expectSameMass(mixture, {1.3, 0.8}, -kPi, -2.7);  // beyond the seam
   expectSameMass(mixture, {-2, 0}, -0.5, 0.2);
   expectSameMass(mixture, {4, -4}, -1, 1);  // only the uniform share
 }
 
-TEST(SeedMixture, ImportanceWeightsAverageToOne)
+TEST(ProposalDistribution, ImportanceWeightsAverageToOne)
 {
   const HypothesisSet two{hypothesis({1, 1, 3.0}, {0.3, 0.4, 0.3}, 0.7), hypothesis({4.9, 0, 0}, {0.5, 0.3, 0.4}, 0.3)};
   EXPECT_NEAR(meanInverseDensity({two, kRegion, 0.3, 2.0, kNoFloor}, 200000), 1, 0.02);
 }
 
-TEST(SeedMixture, WithoutHypothesesItIsTheUniformPrior)
+TEST(ProposalDistribution, WithoutHypothesesItIsTheUniformPrior)
 {
-  const SeedMixture mixture({}, kRegion, 0.3, 2.0, kNoFloor);
+  const ProposalDistribution mixture({}, kRegion, 0.3, 2.0, kNoFloor);
   EXPECT_EQ(mixture.components(), 0u);
   RandomStream random(9);
   for (int i = 0; i < 1000; ++i)
@@ -120,21 +122,22 @@ TEST(SeedMixture, WithoutHypothesesItIsTheUniformPrior)
   }
 }
 
-TEST(SeedMixture, WhatIsNotACovarianceIsDropped)
+TEST(ProposalDistribution, WhatIsNotACovarianceIsDropped)
 {
   PoseHypothesis indefinite = hypothesis({0, 0, 0}, {1, 1, 1}), not_a_number = indefinite, nowhere = indefinite;
   indefinite.pose.covariance(0, 1) = indefinite.pose.covariance(1, 0) = 3;
   not_a_number.pose.covariance(1, 1) = std::numeric_limits<double>::quiet_NaN();
   nowhere.pose.mean.x = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(SeedMixture({indefinite, not_a_number, nowhere}, kRegion, 0.3, 1, kNoFloor).components(), 0u);
-  const SeedMixture one({indefinite, hypothesis({1, 1, 1}, {0.1, 0.1, 0.1}, 0.001)}, kRegion, 0.3, 1, kNoFloor);
+  EXPECT_EQ(ProposalDistribution({indefinite, not_a_number, nowhere}, kRegion, 0.3, 1, kNoFloor).components(), 0u);
+  const ProposalDistribution one({indefinite, hypothesis({1, 1, 1}, {0.1, 0.1, 0.1}, 0.001)}, kRegion, 0.3, 1,
+                                 kNoFloor);
   EXPECT_EQ(one.components(), 1u);
   EXPECT_NEAR(meanInverseDensity(one, 100000), 1, 0.02);
 }
 
-TEST(SeedMixture, AnOverconfidentHypothesisGetsTheFloor)
+TEST(ProposalDistribution, AnOverconfidentHypothesisGetsTheFloor)
 {
-  const SeedMixture mixture({hypothesis({0, 0, 0}, {0, 0, 0})}, kRegion, 0, 1, {0.1, 0.2, 0.05});
+  const ProposalDistribution mixture({hypothesis({0, 0, 0}, {0, 0, 0})}, kRegion, 0, 1, {0.1, 0.2, 0.05});
   RandomStream random(2);
   const int n = 20000;
   Vector3d sum2 = Vector3d::Zero();
@@ -145,10 +148,10 @@ TEST(SeedMixture, AnOverconfidentHypothesisGetsTheFloor)
   EXPECT_NEAR(std.z(), 0.05, 0.0015);
 }
 
-TEST(SeedMixture, TheLeastLikelyHypothesisStillGetsSamples)
+TEST(ProposalDistribution, TheLeastLikelyHypothesisStillGetsSamples)
 {
   const HypothesisSet two{hypothesis({-3, 0, 0}, {0.1, 0.1, 0.1}, 1.0), hypothesis({3, 0, 0}, {0.1, 0.1, 0.1}, 1e-12)};
-  const SeedMixture mixture(two, kRegion, 0, 1, kNoFloor);
+  const ProposalDistribution mixture(two, kRegion, 0, 1, kNoFloor);
   RandomStream random(4);
   int at_the_second = 0;
   for (int i = 0; i < 5000; ++i) at_the_second += mixture.sample(random).x > 0 ? 1 : 0;

@@ -13,7 +13,7 @@ namespace mrpt_ext
 namespace
 {
 const LandmarkTable kMap = fiveLandmarks();
-const LostRobotSearch kSearch(kMap);
+const GlobalPoseSearch kSearch(kMap);
 const PoseRegion kRegion{{-3, -3}, {9, 9}};
 const Pose2 kRobot{2.5, 2, 0.7};
 const ExactSensor kEye{.named = false, .T_robot_sensor = {0.4, 0.3, -1.2}};
@@ -128,7 +128,7 @@ TEST(InterpretReadings, ManyBearings)
   }
   const LandmarkTable map(landmarks);
   const std::vector readings{seenFrom(kRobot, map, places, kEye)};
-  const auto found = interpretReadings(readings, map, LostRobotSearch(map), kRegion);
+  const auto found = interpretReadings(readings, map, GlobalPoseSearch(map), kRegion);
   ASSERT_FALSE(found.hypotheses.empty());
   EXPECT_LT(distance(found.hypotheses[0].pose.mean, kRobot), 0.01);
   EXPECT_TRUE(found.unique);

@@ -19,7 +19,7 @@ constexpr std::size_t kRing = 36;
 
 HypothesisSet proposed(const std::vector<Reading>& readings, const std::optional<CompassRecord>& compass = {})
 {
-  return proposeFromCarriedLandmarks(readings, kMap, compass, kRing);
+  return proposeFromWindowLandmarks(readings, kMap, compass, kRing);
 }
 
 /// Distance from the robot to the nearest of the hypotheses.
@@ -83,18 +83,18 @@ TEST(ProposeCarried, NothingWhereNoLandmarkIsHeld)
 {
   EXPECT_TRUE(proposed({}).empty());
   EXPECT_TRUE(proposed({seenFrom(kRobot, kMap, {3}, kBearings)}).empty());
-  ExactSensor nameless = kBearings;
-  nameless.named = false;
-  EXPECT_TRUE(proposed(seenAlong(kRobot, kStraight, 6, kMap, {1, 3}, nameless)).empty());
+  ExactSensor anonymous = kBearings;
+  anonymous.named = false;
+  EXPECT_TRUE(proposed(seenAlong(kRobot, kStraight, 6, kMap, {1, 3}, anonymous)).empty());
 }
 
 TEST(ProposeCarried, RefinementLeavesFalseReadingsAside)
 {
   std::vector<Reading> readings = seenAlong(kRobot, kBend, 6, kMap, {0, 1, 2, 3}, kBearings);
   *readings[3].detections[1].bearing += 0.6;
-  const auto pose = refineOnJoined(readings, kMap, {kRobot.x + 0.05, kRobot.y - 0.05, kRobot.phi + 0.02});
+  const auto pose = refineOnWindow(readings, kMap, {kRobot.x + 0.05, kRobot.y - 0.05, kRobot.phi + 0.02});
   ASSERT_TRUE(pose);
   EXPECT_LT(distance(pose->mean, kRobot) + turned(pose->mean, kRobot), 1e-4);
-  EXPECT_FALSE(refineOnJoined(seenAlong(kRobot, kBend, 6, kMap, {0}, kBearings), kMap, kRobot)) << "a ring";
+  EXPECT_FALSE(refineOnWindow(seenAlong(kRobot, kBend, 6, kMap, {0}, kBearings), kMap, kRobot)) << "a ring";
 }
 }  // namespace mrpt_ext

@@ -22,7 +22,7 @@ const ExactSensor kNamelessPoints{.range = true, .named = false, .T_robot_sensor
 
 HypothesisSet proposalsFor(std::vector<Reading> readings, const ProposalOptions& options = kOptions)
 {
-  return proposePoses({.time = 1, .readings = std::move(readings)}, kMap, LostRobotSearch(kMap), options);
+  return proposePoses({.time = 1, .readings = std::move(readings)}, kMap, GlobalPoseSearch(kMap), options);
 }
 
 /// Rank of the first hypothesis at the robot's pose; -1: none.
@@ -116,7 +116,7 @@ TEST(ProposePoses, ARunningFixWithACompass)
 {
   Frame frame{.time = 1, .fixes = {fixOf({1.2, 0.2, 0.4})}};
   frame.compass = CompassRecord{1, "compass", kRobot.phi, degToRad(1)};
-  const HypothesisSet found = proposePoses(frame, kMap, LostRobotSearch(kMap), {.region = {{-20, -20}, {20, 20}}});
+  const HypothesisSet found = proposePoses(frame, kMap, GlobalPoseSearch(kMap), {.region = {{-20, -20}, {20, 20}}});
   EXPECT_EQ(found.size(), 2u);
   EXPECT_GE(rankOfTruth(found), 0);
 }
@@ -124,7 +124,7 @@ TEST(ProposePoses, ARunningFixWithACompass)
 TEST(ProposePoses, ARunningFixWithoutACompass)
 {
   const Frame frame{.time = 1, .fixes = {fixOf({1.2, 0.2, 0.4})}};
-  const HypothesisSet found = proposePoses(frame, kMap, LostRobotSearch(kMap), {.region = {{-20, -20}, {20, 20}}});
+  const HypothesisSet found = proposePoses(frame, kMap, GlobalPoseSearch(kMap), {.region = {{-20, -20}, {20, 20}}});
   const double spacing = kTwoPi / 36;
   EXPECT_GE(rankOfTruth(found, spacing * distance(kRobot, {6, 0.5, 0}), 0.51 * spacing), 0);
   EXPECT_GT(found.size(), 36u);  // two sides of the way
@@ -173,9 +173,9 @@ TEST(ProposePoses, WrongReadingsAreTolerated)
   *ranges.detections[3].range += 1.5;
   EXPECT_LT(distance(proposalsFor({ranges})[0].pose.mean, kRobot), 0.05);
 
-  Reading nameless = seenFrom(kRobot, kMap, {0, 1, 2, 3, 4}, kNameless);
-  nameless.detections[2].bearing = wrap(*nameless.detections[2].bearing + 0.8);
-  EXPECT_GE(rankOfTruth(proposalsFor({nameless}), 0.05, 0.02), 0);
+  Reading anonymous = seenFrom(kRobot, kMap, {0, 1, 2, 3, 4}, kNameless);
+  anonymous.detections[2].bearing = wrap(*anonymous.detections[2].bearing + 0.8);
+  EXPECT_GE(rankOfTruth(proposalsFor({anonymous}), 0.05, 0.02), 0);
 
   Reading nameless_points = seenFrom(kRobot, kMap, {0, 1, 2, 3}, kNamelessPoints);
   *nameless_points.detections[2].range += 2;
@@ -215,7 +215,7 @@ TEST(ProposePoses, NothingToProposeFrom)
   EXPECT_TRUE(proposalsFor({}).empty());
   EXPECT_TRUE(proposalsFor({seenFrom(kRobot, kMap, {0}, kRanges)}).empty());
   EXPECT_TRUE(
-      proposePoses({.readings = {seenFrom(kRobot, kMap, {0, 1, 2, 3}, kNameless)}}, {}, LostRobotSearch({}), kOptions)
+      proposePoses({.readings = {seenFrom(kRobot, kMap, {0, 1, 2, 3}, kNameless)}}, {}, GlobalPoseSearch({}), kOptions)
           .empty());
 }
 }  // namespace mrpt_ext

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "window_of_readings.h"
 #include "mrpt_ext/hypotheses/scans.h"
+#include "window_of_readings.h"
 
 namespace mrpt_ext
 {
@@ -19,10 +19,10 @@ const std::vector<std::size_t> kAll{0, 1, 2, 3, 4};
 TEST(JoinedPlaces, BearingsAlongAWayBecomePointsWithDistances)
 {
   const auto readings = seenAlong(kRobot, {0.3, 0, 0.1}, 6, kMap, kAll, kNameless);
-  const std::vector<SensorPlace> places = joinedPlaces(readings, kMap, kIndex);
+  const std::vector<Scan> places = windowScans(readings, kMap, kIndex);
   ASSERT_FALSE(places.empty());
   ASSERT_GE(places.front().detections.size(), kAll.size() - 1) << "all but one nearly in line with the way";
-  for (const UnidentifiedDetection& d : places.front().detections)
+  for (const AnonymousDetection& d : places.front().detections)
   {
     ASSERT_TRUE(d.bearing && d.range);
     const Vector2d at = transform(kRobot, *d.range * Vector2d(std::cos(*d.bearing), std::sin(*d.bearing)));
@@ -36,7 +36,7 @@ TEST(JoinedPlaces, BearingsAlongAWayBecomePointsWithDistances)
 TEST(JoinedPlaces, ReadingsOfOneMomentStayAsTheyAre)
 {
   const std::vector<Reading> readings{seenFrom(kRobot, kMap, kAll, kNameless), seenFrom(kRobot, kMap, {1}, kNameless)};
-  const auto joined = joinedPlaces(readings, kMap, kIndex), plain = sensorPlaces(readings, kMap, kIndex);
+  const auto joined = windowScans(readings, kMap, kIndex), plain = scansOf(readings, kMap, kIndex);
   ASSERT_EQ(joined.size(), plain.size());
   for (std::size_t k = 0; k < plain.size(); ++k) EXPECT_EQ(joined[k].detections.size(), plain[k].detections.size());
 }
@@ -44,11 +44,11 @@ TEST(JoinedPlaces, ReadingsOfOneMomentStayAsTheyAre)
 TEST(JoinedPlaces, TheWayIsKeptApartFromTheSensor)
 {
   const auto readings = seenAlong(kRobot, {0.3, 0, 0.1}, 4, kMap, kAll, kNameless);
-  const std::vector<CarriedPlace> places = carriedPlaces(readings, kMap, kIndex);
+  const std::vector<PastScan> places = carriedPlaces(readings, kMap, kIndex);
   ASSERT_EQ(places.size(), readings.size());
   for (std::size_t k = 0; k < places.size(); ++k)
   {
-    EXPECT_EQ(places[k].way_covariance, readings[k].way_covariance);
+    EXPECT_EQ(places[k].odometry_covariance, readings[k].odometry_covariance);
     EXPECT_NEAR(places[k].place.detections[0].std_bearing, kNameless.std_bearing, 1e-9);
   }
 }

@@ -19,9 +19,9 @@ inline std::vector<Reading> seenAlong(const Pose2& end, const Pose2& step, int s
   {
     Reading reading = seenFrom(exact.true_places[k], map, landmarks, sensor, static_cast<double>(k));
     reading.T_robot_sensor = compose(exact.places[k], sensor.T_robot_sensor);
-    reading.way_covariance = claimed.covariances[k];
+    reading.odometry_covariance = claimed.covariances[k];
     for (Detection& d : reading.detections)
-      if (d.bearing) d.std_bearing = std::hypot(d.std_bearing, std::sqrt(reading.way_covariance(2, 2)));
+      if (d.bearing) d.std_bearing = std::hypot(d.std_bearing, std::sqrt(reading.odometry_covariance(2, 2)));
     readings.push_back(std::move(reading));
   }
   return readings;

@@ -40,31 +40,31 @@ Recording smallRecording()
 TEST(HideIdentity, RemovesWhatTheLevelSays)
 {
   Recording recording = smallRecording();
-  hideIdentity(recording, Identity::known);
+  hideIdentity(recording, IdentityLevel::known);
   EXPECT_EQ(recordsOf<Reading>(recording)[0].detections[0].id, 3);
-  hideIdentity(recording, Identity::category);
+  hideIdentity(recording, IdentityLevel::category);
   EXPECT_EQ(recordsOf<Reading>(recording)[0].detections[0].id, kNoId);
   EXPECT_EQ(recordsOf<Reading>(recording)[0].detections[0].category, "pole");
-  hideIdentity(recording, Identity::anonymous);
+  hideIdentity(recording, IdentityLevel::anonymous);
   EXPECT_EQ(recordsOf<Reading>(recording)[0].detections[0].category, "");
   EXPECT_EQ(recording.map[0].id, 3);
-  EXPECT_THROW(hideIdentity(recording, Identity::category), InputError);
+  EXPECT_THROW(hideIdentity(recording, IdentityLevel::category), InputError);
 }
 
 TEST(KeepMeasurements, DropsAndCountsWhatIsLeftEmpty)
 {
   Recording bearings = smallRecording();
-  keepMeasurements(bearings, Measurements::bearing);
+  keepMeasurements(bearings, MeasurementSelection::bearing);
   ASSERT_EQ(bearings.records.size(), 2u);
   EXPECT_FALSE(recordsOf<Reading>(bearings)[0].detections[0].range);
   EXPECT_TRUE(hasNote(bearings, "only bearings kept; 1 detections without one dropped, 1 readings left empty dropped"));
 
   Recording ranges = smallRecording();
-  keepMeasurements(ranges, Measurements::range);
+  keepMeasurements(ranges, MeasurementSelection::range);
   ASSERT_EQ(recordsOf<Reading>(ranges).size(), 2u);
   ASSERT_EQ(recordsOf<Reading>(ranges)[0].detections.size(), 1u);
   EXPECT_FALSE(recordsOf<Reading>(ranges)[0].detections[0].bearing);
-  EXPECT_THROW(keepMeasurements(ranges, Measurements::bearing), InputError);
+  EXPECT_THROW(keepMeasurements(ranges, MeasurementSelection::bearing), InputError);
 }
 
 TEST(DescribeRecording, CountsRepeatedIds)

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/configuration/localization_keys.h"
+#include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/settings/settings.h"
 #include "scratch_folder.h"
 #include "whole_runs.h"
@@ -18,7 +18,7 @@ testing::LogFiles erroneousLog(const std::filesystem::path& folder)
 {
   return testing::simulated(folder, "half-field",
                             {"--set", "Simulation.duration_s=240", "--set", "Odometry.scale_error=0.05", "--set",
-                             "Odometry.turn_scale_error=-0.04", "--set", "Sensor_stereo.delay_s=0.15", "--set",
+                             "Odometry.rotation_scale_error=-0.04", "--set", "Sensor_stereo.delay_s=0.15", "--set",
                              "Sensor_stereo.bias_bearing_deg=2", "--set", "Sensor_stereo.scale_range=1.04"});
 }
 
@@ -47,7 +47,7 @@ TEST(Examination, FindsTheErrorsOfASimulatedLogAndWritesThem)
   EXPECT_NEAR(settings.number("Sensor_stereo", "delay_s"), 0.15, 0.03) << found.outcome.out;
   EXPECT_NEAR(settings.number("Sensor_stereo", "bias_bearing_deg"), 2, 0.4) << found.outcome.out;
   EXPECT_NEAR(settings.number("MotionModel", "odometry_scale"), 1 / 1.05, 0.02) << found.outcome.out;
-  EXPECT_NEAR(settings.number("MotionModel", "odometry_turn_scale"), 1 / 0.96, 0.02) << found.outcome.out;
+  EXPECT_NEAR(settings.number("MotionModel", "odometry_rotation_scale"), 1 / 0.96, 0.02) << found.outcome.out;
   // Offset and scale of ranges are told together: what counts is what they make of a typical range.
   const double at_three_metres =
       3 * settings.number("Sensor_stereo", "scale_range") + settings.number("Sensor_stereo", "bias_range_m");

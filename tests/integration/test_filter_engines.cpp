@@ -104,7 +104,7 @@ class FilterEngines : public ::testing::Test
                               "--set",    "LocalizationExperiment.particles_count=5000",
                               "--set",    "LocalizationExperiment.methods=particle_filter",
                               "--set",    "ParticleFilter.learn_reliability=false",
-                              "--set",    "ParticleFilter.suspicious_share=0",
+                              "--set",    "ParticleFilter.reseed_inlier_ratio=0",
                               "--repeat", std::to_string(kTrials),
                               "--jobs",   "2",
                               "--seed",   std::to_string(seed)};

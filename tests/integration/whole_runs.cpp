@@ -5,13 +5,13 @@
 #include <limits>
 #include <sstream>
 
+#include "mrpt_ext/app/dataset_app.h"
+#include "mrpt_ext/app/localization_app.h"
+#include "mrpt_ext/app/simulator_app.h"
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/files/text_table.h"
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/maps/register_all_classes.h"
-#include "mrpt_ext/app/dataset_app.h"
-#include "mrpt_ext/app/localization_app.h"
-#include "mrpt_ext/app/simulator_app.h"
 
 namespace mrpt_ext::testing
 {

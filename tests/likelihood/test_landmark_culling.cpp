@@ -51,24 +51,24 @@ Scene sceneOf(std::uint64_t seed, double spread, double turn)
   return scene;
 }
 
-LandmarkWindow windowOf(const Scene& scene)
+LandmarkCulling windowOf(const Scene& scene)
 {
   SensorTile tile;
   fillTile(tile, scene.batch(), 0, kRobots, scene.reading);
   std::fill_n(tile.range_scale, kRobots, 1.0F);
   std::fill_n(tile.range_shift, kRobots, 0.0F);
-  LandmarkWindow window(scene.map, SightingFrame(scene.reading, {0, 0}));
+  LandmarkCulling window(scene.map, ScoringFrame(scene.reading, {0, 0}));
   window.look(boundsOf(std::span(&tile, 1)), ViewLimits(scene.reading.model));
   return window;
 }
 }  // namespace
 
-TEST(LandmarkWindow, ClassifiesByTheChancesOfAllSensors)
+TEST(LandmarkCulling, ClassifiesByTheChancesOfAllSensors)
 {
   for (std::uint64_t seed = 1; seed <= 20; ++seed)
   {
     const Scene scene = sceneOf(seed, 0.3, 0.1);
-    const LandmarkWindow window = windowOf(scene);
+    const LandmarkCulling window = windowOf(scene);
     for (std::size_t j = 0; j < scene.map.size(); ++j)
       for (const Pose2& robot : scene.robots)
       {
@@ -80,7 +80,7 @@ TEST(LandmarkWindow, ClassifiesByTheChancesOfAllSensors)
   }
 }
 
-TEST(LandmarkWindow, LeavesOutOnlyWhatNoSensorCanHaveSeen)
+TEST(LandmarkCulling, LeavesOutOnlyWhatNoSensorCanHaveSeen)
 {
   std::vector<std::uint32_t> all(200);
   std::iota(all.begin(), all.end(), 0U);
@@ -88,7 +88,7 @@ TEST(LandmarkWindow, LeavesOutOnlyWhatNoSensorCanHaveSeen)
   for (std::uint64_t seed = 1; seed <= 40; ++seed)
   {
     const Scene scene = sceneOf(seed, 0.2, 0.05);
-    const LandmarkWindow window = windowOf(scene);
+    const LandmarkCulling window = windowOf(scene);
     RandomStream random(seed, 1);
     const Detection detection{
         .bearing = random.uniform(-0.7, 0.7), .range = random.uniform(1, 7), .std_bearing = 0.02, .std_range = 0.1};
@@ -111,11 +111,11 @@ TEST(LandmarkWindow, LeavesOutOnlyWhatNoSensorCanHaveSeen)
   EXPECT_LT(kept, trials / 20);  // and that is most of the map
 }
 
-TEST(LandmarkWindow, RobotsAllOverLeaveNothingOut)
+TEST(LandmarkCulling, RobotsAllOverLeaveNothingOut)
 {
   Scene scene = sceneOf(1, 15, kPi);
   scene.reading.model = {};
-  const LandmarkWindow window = windowOf(scene);
+  const LandmarkCulling window = windowOf(scene);
   EXPECT_TRUE(
       std::all_of(window.inView().begin(), window.inView().end(), [](InView view) { return view == InView::surely; }));
 }

@@ -36,7 +36,7 @@ TEST(LandmarkPrediction, MapUncertaintySplitsIntoAlongAndAcross)
 TEST(LandmarkPrediction, OffsetCovarianceTurnsWithTheRobot)
 {
   Reading reading;
-  reading.offset_covariance << 0.09, 0, 0, 0.16;  // robot axes
+  reading.sensor_position_covariance << 0.09, 0, 0, 0.16;  // robot axes
   const LandmarkPrediction p = predict({.position = {2, 0, 0}}, reading, {0, 0, kPi / 2});
   EXPECT_NEAR(p.range_variance, 0.16, 1e-12);
   EXPECT_NEAR(p.bearing_variance, 0.09 / 4, 1e-12);

@@ -35,12 +35,12 @@ TEST(MissedDetections, NeedAllDeclarations)
 
 TEST(MissedDetections, SeeingNothingTellsTheSameOfNamelessLandmarks)
 {
-  const LandmarkTable nameless({{.position = {2, 0, 0}}, {.position = {0, 2, 0}}});
+  const LandmarkTable anonymous({{.position = {2, 0, 0}}, {.position = {0, 2, 0}}});
   const Pose2 in_view{0, 0, 0}, far_away{50, 50, 0};
   const Reading nothing = omniReading({});
-  EXPECT_DOUBLE_EQ(logLikelihood(nothing, nameless, in_view), logLikelihood(nothing, kMap, in_view));
-  EXPECT_NEAR(logLikelihood(nothing, nameless, in_view), 2 * std::log(0.1), 0.1);
-  EXPECT_NEAR(logLikelihood(nothing, nameless, far_away), 0, 0.02);
+  EXPECT_DOUBLE_EQ(logLikelihood(nothing, anonymous, in_view), logLikelihood(nothing, kMap, in_view));
+  EXPECT_NEAR(logLikelihood(nothing, anonymous, in_view), 2 * std::log(0.1), 0.1);
+  EXPECT_NEAR(logLikelihood(nothing, anonymous, far_away), 0, 0.02);
 }
 
 TEST(MissedDetections, AnUnseenLandmarkInViewCostsAboutItsMissProbability)

@@ -66,7 +66,7 @@ Reading readingOf(const Options& options)
   reading.sensor = "camera";
   reading.model.clutter_probability = options.clutter;
   if (options.offset) reading.T_robot_sensor = {0.4, -0.2, 2.5};
-  if (options.carried) reading.offset_covariance << 0.04, 0.01, 0.01, 0.02;
+  if (options.carried) reading.sensor_position_covariance << 0.04, 0.01, 0.01, 0.02;
   if (options.slant) reading.sensor_height = 1.5;
   if (options.field_of_view) reading.model.has_field_of_view = true;
   if (options.field_of_view) reading.model.field_of_view = degToRad(100);
@@ -112,7 +112,7 @@ Scene sceneOf(const Options& options, std::uint64_t seed)
     scene.bias_states = {{.kind = BiasKind::bearing_offset, .sensor = "camera"},
                          {.kind = BiasKind::range_offset, .sensor = "another"},
                          {.kind = BiasKind::range_scale, .sensor = ""},
-                         {.kind = BiasKind::way_scale},
+                         {.kind = BiasKind::distance_scale},
                          {.kind = BiasKind::range_offset, .sensor = "camera"}};
     for (std::size_t k = 0; k < scene.bias_states.size(); ++k)
     {
@@ -238,8 +238,8 @@ TEST(ReadingScorer, NoRobotsNoDetectionsNoMap)
   std::vector<float> out(kRobots, 0.0F);
   addLogLikelihood({}, scene.map, {}, scene.batch(), out);
   EXPECT_EQ(out, std::vector<float>(kRobots, 0.0F));
-  Scene nameless = sceneOf({.named = false}, 11);
-  addLogLikelihood(nameless.reading, {}, {}, nameless.batch(), out);
+  Scene anonymous = sceneOf({.named = false}, 11);
+  addLogLikelihood(anonymous.reading, {}, {}, anonymous.batch(), out);
   for (const float value : out) EXPECT_NEAR(value, -7 * std::log(kTwoPi), 1e-5);
 }
 

@@ -57,7 +57,7 @@ TEST(RunningFixLikelihood, ATurnErrorSwingsTheSensorNotTheRobotsCentre)
   turned.displacement.phi += kTurn;
   const Vector2d swing =
       (asReadings(turned)[0].T_robot_sensor.position() - asReadings(fix)[0].T_robot_sensor.position()) / kTurn;
-  EXPECT_TRUE(asReadings(fix)[0].offset_covariance.isApprox(1e-4 * swing * swing.transpose(), 1e-4));
+  EXPECT_TRUE(asReadings(fix)[0].sensor_position_covariance.isApprox(1e-4 * swing * swing.transpose(), 1e-4));
 }
 
 TEST(RunningFixLikelihood, WhatIsNoCovarianceDoesNotMakeAVarianceNegative)

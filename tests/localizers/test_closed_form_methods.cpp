@@ -173,11 +173,11 @@ TEST(TwoLandmarkPose, OnePointIsTooFewAndBearingsAloneAreNoPoints)
 
 TEST(InterpretationTree, FindsThePoseFromBearingsWithoutNames)
 {
-  ExactSensor nameless = kBearings;
-  nameless.named = false;
+  ExactSensor anonymous = kBearings;
+  anonymous.named = false;
   const Estimate estimate =
-      estimateFrom(interpretationTree(frameOf({seenFrom(kRobot, kMap, {4, 1, 0, 3, 2}, nameless)}), kMap,
-                                      LostRobotSearch(kMap), kRegion),
+      estimateFrom(interpretationTree(frameOf({seenFrom(kRobot, kMap, {4, 1, 0, 3, 2}, anonymous)}), kMap,
+                                      GlobalPoseSearch(kMap), kRegion),
                    0);
   ASSERT_FALSE(estimate.candidates.empty());
   EXPECT_LT(distance(estimate.candidates[0].pose.mean, kRobot), 1e-4);
@@ -187,14 +187,14 @@ TEST(InterpretationTree, FindsThePoseFromBearingsWithoutNames)
 
 TEST(InterpretationTree, ThreeBearingsAndNamedOnesAreTooFew)
 {
-  ExactSensor nameless = kBearings;
-  nameless.named = false;
+  ExactSensor anonymous = kBearings;
+  anonymous.named = false;
   EXPECT_EQ(
-      interpretationTree(frameOf({seenFrom(kRobot, kMap, {0, 1, 2}, nameless)}), kMap, LostRobotSearch(kMap), kRegion)
+      interpretationTree(frameOf({seenFrom(kRobot, kMap, {0, 1, 2}, anonymous)}), kMap, GlobalPoseSearch(kMap), kRegion)
           .status,
       SolveStatus::too_few);
   EXPECT_EQ(interpretationTree(frameOf({seenFrom(kRobot, kMap, {0, 1, 2, 3, 4}, kBearings)}), kMap,
-                               LostRobotSearch(kMap), kRegion)
+                               GlobalPoseSearch(kMap), kRegion)
                 .status,
             SolveStatus::too_few);
 }
@@ -203,11 +203,11 @@ TEST(InterpretationTree, ASymmetricMapLeavesSeveralPosesThatNothingRanks)
 {
   const LandmarkTable square(
       {{.position = {0, 0, 0}}, {.position = {4, 0, 0}}, {.position = {4, 4, 0}}, {.position = {0, 4, 0}}});
-  ExactSensor nameless;
-  nameless.named = false;
+  ExactSensor anonymous;
+  anonymous.named = false;
   const Pose2 robot{1, 1.5, 0.3};
-  const ClosedFormAnswer answer = interpretationTree(frameOf({seenFrom(robot, square, {0, 1, 2, 3}, nameless)}), square,
-                                                     LostRobotSearch(square), {{0, 0}, {4, 4}});
+  const ClosedFormAnswer answer = interpretationTree(frameOf({seenFrom(robot, square, {0, 1, 2, 3}, anonymous)}),
+                                                     square, GlobalPoseSearch(square), {{0, 0}, {4, 4}});
   // The square looks the same after every quarter turn.
   ASSERT_GE(answer.candidates.size(), 4u);
   for (int quarter = 0; quarter < 4; ++quarter)

@@ -25,14 +25,14 @@ Frame frameAt(double time, const Pose2& robot, const Pose2& increment, const Lan
 
 KalmanLocalizer localizer(const std::string& name, std::size_t hypotheses, const LandmarkTable& map)
 {
-  return {name, {.max_hypotheses = hypotheses}, map, kRegion, 3, std::make_shared<const LostRobotSearch>(map)};
+  return {name, {.max_hypotheses = hypotheses}, map, kRegion, 3, std::make_shared<const GlobalPoseSearch>(map)};
 }
 }  // namespace
 
 TEST(KalmanLocalizer, FindsALostRobotFromAnonymousBearings)
 {
   const LandmarkTable map = fiveLandmarks();
-  const ExactSensor nameless{.named = false, .std_bearing = degToRad(1)};
+  const ExactSensor anonymous{.named = false, .std_bearing = degToRad(1)};
   for (const auto& [name, hypotheses] :
        {std::pair("extended_kalman_filter", std::size_t{1}), std::pair("kalman_filter_bank", std::size_t{50})})
     for (const std::uint64_t seed : {1U, 2U, 3U})
@@ -47,7 +47,7 @@ TEST(KalmanLocalizer, FindsALostRobotFromAnonymousBearings)
       {
         const Pose2 step = k > 0 ? Pose2{0.15, 0, 0.08} : Pose2{};
         robot = compose(robot, step);
-        estimate = filter.process(frameAt(0.5 * k, robot, step, map, {0, 1, 2, 3, 4}, nameless, random));
+        estimate = filter.process(frameAt(0.5 * k, robot, step, map, {0, 1, 2, 3, 4}, anonymous, random));
       }
       ASSERT_TRUE(estimate.point) << name;
       EXPECT_EQ(estimate.point->verdict, Verdict::ok) << filter.lastStep().reason;

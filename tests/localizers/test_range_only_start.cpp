@@ -19,9 +19,9 @@ Frame heard(double time, double way, const ExactSensor& sensor = kRadio)
 }
 }  // namespace
 
-TEST(StartingHistory, HoldsAllRangesSeenFromTheNewestFrame)
+TEST(RangeOnlyStart, HoldsAllRangesSeenFromTheNewestFrame)
 {
-  StartingHistory history(MotionModel{});
+  RangeOnlyStart history(MotionModel{});
   for (int k = 0; k < 4; ++k) history.add(heard(k, k > 0 ? 0.2 : 0.0));
   const std::vector<Reading> all = history.readings();
   ASSERT_EQ(all.size(), 4U);
@@ -29,27 +29,27 @@ TEST(StartingHistory, HoldsAllRangesSeenFromTheNewestFrame)
     EXPECT_NEAR(all[k].T_robot_sensor.x, -0.2 * (3.0 - static_cast<double>(k)), 1e-12);
 }
 
-TEST(StartingHistory, EndsWithAReadingThatTellsMore)
+TEST(RangeOnlyStart, EndsWithAReadingThatTellsMore)
 {
-  StartingHistory bearing(MotionModel{}), nameless(MotionModel{}), compass(MotionModel{});
-  for (StartingHistory* history : {&bearing, &nameless, &compass}) history->add(heard(0, 0));
+  RangeOnlyStart bearing(MotionModel{}), anonymous(MotionModel{}), compass(MotionModel{});
+  for (RangeOnlyStart* history : {&bearing, &anonymous, &compass}) history->add(heard(0, 0));
   bearing.add(heard(1, 0.1, {.range = true}));
-  nameless.add(heard(1, 0.1, {.bearing = false, .range = true, .named = false}));
+  anonymous.add(heard(1, 0.1, {.bearing = false, .range = true, .named = false}));
   Frame north = heard(1, 0.1);
   north.compass = CompassRecord{};
   compass.add(north);
-  for (StartingHistory* history : {&bearing, &nameless, &compass})
+  for (RangeOnlyStart* history : {&bearing, &anonymous, &compass})
   {
     history->add(heard(2, 0.1));
     EXPECT_TRUE(history->readings().empty());
   }
 }
 
-TEST(StartingHistory, IsOfNoUseWhereOdometryIsLessSureThanTheRanges)
+TEST(RangeOnlyStart, IsOfNoUseWhereOdometryIsLessSureThanTheRanges)
 {
   MotionModel rough;
   rough.std_xy_per_m = 0.2;  // after 4 m: 0.4 m on either axis
-  StartingHistory history(rough);
+  RangeOnlyStart history(rough);
   history.add(heard(0, 0));
   history.add(heard(1, 1));
   EXPECT_EQ(history.readings().size(), 2U);
@@ -57,18 +57,18 @@ TEST(StartingHistory, IsOfNoUseWhereOdometryIsLessSureThanTheRanges)
   EXPECT_TRUE(history.readings().empty());
 }
 
-TEST(StartingHistory, EndsWhenThereAreTooManyToScore)
+TEST(RangeOnlyStart, EndsWhenThereAreTooManyToScore)
 {
-  StartingHistory history(MotionModel{});
+  RangeOnlyStart history(MotionModel{});
   for (int k = 0; k < 400; ++k) history.add(heard(0.1 * k, 0));
   EXPECT_EQ(history.readings().size(), 400U);
   history.add(heard(40, 0));
   EXPECT_TRUE(history.readings().empty());
 }
 
-TEST(StartingHistory, EndsWhenItIsTold)
+TEST(RangeOnlyStart, EndsWhenItIsTold)
 {
-  StartingHistory history(MotionModel{});
+  RangeOnlyStart history(MotionModel{});
   history.add(heard(0, 0));
   EXPECT_FALSE(history.readings().empty());
   history.end();

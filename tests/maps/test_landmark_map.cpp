@@ -34,7 +34,7 @@ LandmarkTable room()
                         {.id = 4, .position = {-1, 3, 0.5}, .category = "post", .stddev = {0.02, 0.03}}});
 }
 
-enum class Identity
+enum class IdentityLevel
 {
   known,
   category,
@@ -42,7 +42,7 @@ enum class Identity
 };
 
 /// What a sensor at kMount sees from kTruth, without noise.
-Reading perfectReading(Identity identity, bool bearings, bool ranges)
+Reading perfectReading(IdentityLevel identity, bool bearings, bool ranges)
 {
   Reading reading{.sensor = "sensor", .T_robot_sensor = kMount, .sensor_height = 0.5};
   const Pose2 sensor = compose(kTruth, kMount);
@@ -51,8 +51,8 @@ Reading perfectReading(Identity identity, bool bearings, bool ranges)
   {
     const Vector2d way = landmark.position.head<2>() - sensor.position();
     Detection d{.std_bearing = 0.03, .std_range = 0.1};
-    if (identity == Identity::known) d.id = landmark.id;
-    if (identity == Identity::category) d.category = landmark.category;
+    if (identity == IdentityLevel::known) d.id = landmark.id;
+    if (identity == IdentityLevel::category) d.category = landmark.category;
     if (bearings) d.bearing = wrap(std::atan2(way.y(), way.x()) - sensor.phi);
     if (ranges) d.range = way.norm();
     reading.detections.push_back(d);
@@ -66,7 +66,7 @@ mrpt::obs::CObservationBearingRange perfectBearingRange()
   observation.sensorLocationOnRobot = mrpt::poses::CPose3D(kMount.x, kMount.y, 0.5, kMount.phi, 0, 0);
   observation.sensor_std_range = 0.1F;
   observation.sensor_std_yaw = 0.03F;
-  for (const Detection& d : perfectReading(Identity::known, true, true).detections)
+  for (const Detection& d : perfectReading(IdentityLevel::known, true, true).detections)
     observation.sensedData.push_back({.range = static_cast<float>(*d.range),
                                       .yaw = static_cast<float>(*d.bearing),
                                       .pitch = 0,
@@ -80,7 +80,7 @@ mrpt::obs::CObservationBeaconRanges perfectBeaconRanges()
   mrpt::obs::CObservationBeaconRanges observation;
   observation.stdError = 0.1F;
   observation.maxSensorDistance = 0;  // not declared, as in perfectReading()
-  for (const Detection& d : perfectReading(Identity::known, false, true).detections)
+  for (const Detection& d : perfectReading(IdentityLevel::known, false, true).detections)
   {
     mrpt::obs::CObservationBeaconRanges::TMeasurement measurement;
     measurement.sensorLocationOnRobot = {kMount.x, kMount.y, 0.5};
@@ -138,7 +138,7 @@ void expectTruthScoresBest(const mrpt::obs::CObservation& observation)
 
 TEST(LandmarkMap, TheTruthBeatsElsewhereForEveryClassAndIdentity)
 {
-  for (const Identity identity : {Identity::known, Identity::category, Identity::anonymous})
+  for (const IdentityLevel identity : {IdentityLevel::known, IdentityLevel::category, IdentityLevel::anonymous})
   {
     SCOPED_TRACE(static_cast<int>(identity));
     expectTruthScoresBest(*toLandmarkBearings(perfectReading(identity, true, false)));
@@ -155,9 +155,9 @@ TEST(LandmarkMap, OneClassSaysTheSameAsTheOther)
   const CLandmarkMap2D map(room());
   const Pose2 elsewhere{2.3, 1.2, 0.5};
   EXPECT_NEAR(score(map, perfectBearingRange(), elsewhere),
-              score(map, *toStereoRanges(perfectReading(Identity::known, true, true)), elsewhere), 1e-3);
+              score(map, *toStereoRanges(perfectReading(IdentityLevel::known, true, true)), elsewhere), 1e-3);
   EXPECT_NEAR(score(map, perfectBeaconRanges(), elsewhere),
-              score(map, *toStereoRanges(perfectReading(Identity::known, false, true)), elsewhere), 1e-3);
+              score(map, *toStereoRanges(perfectReading(IdentityLevel::known, false, true)), elsewhere), 1e-3);
 }
 
 TEST(LandmarkMap, ScoresStayFiniteForDamagedOrStrangeObservations)
@@ -166,7 +166,7 @@ TEST(LandmarkMap, ScoresStayFiniteForDamagedOrStrangeObservations)
   for (const double value :
        {0.0, -1.0, 1e-300, 1e300, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
   {
-    Reading reading = perfectReading(Identity::anonymous, true, true);
+    Reading reading = perfectReading(IdentityLevel::anonymous, true, true);
     reading.detections[0].range = value;
     reading.detections[1].bearing = value;
     reading.detections[2].std_bearing = value;
@@ -179,7 +179,7 @@ TEST(LandmarkMap, ScoresStayFiniteForDamagedOrStrangeObservations)
 TEST(LandmarkMap, AnEmptyMapScoresEveryPoseTheSame)
 {
   const CLandmarkMap2D map;
-  const auto observation = toLandmarkBearings(perfectReading(Identity::anonymous, true, false));
+  const auto observation = toLandmarkBearings(perfectReading(IdentityLevel::anonymous, true, false));
   EXPECT_TRUE(map.isEmpty());
   EXPECT_EQ(score(map, *observation, kTruth), score(map, *observation, {0, 0, 0}));
 }
@@ -195,7 +195,7 @@ TEST(LandmarkMap, KnowsWhatItCannotScore)
 
 TEST(LandmarkMap, DeviationsThatTheLogDoesNotDeclareComeFromTheOptions)
 {
-  Reading reading = perfectReading(Identity::known, true, false);
+  Reading reading = perfectReading(IdentityLevel::known, true, false);
   for (Detection& d : reading.detections) d.std_bearing = 0;
   CLandmarkMap2D narrow(room()), wide(room());
   narrow.likelihood_options.default_std_bearing = 0.01;
@@ -209,7 +209,7 @@ TEST(LandmarkMap, DeviationsThatTheLogDoesNotDeclareComeFromTheOptions)
 TEST(LandmarkMap, MayBeScoredInSeveralThreadsAtOnce)
 {
   const CLandmarkMap2D map(room());
-  const auto observation = toLandmarkBearings(perfectReading(Identity::anonymous, true, false));
+  const auto observation = toLandmarkBearings(perfectReading(IdentityLevel::anonymous, true, false));
   const auto scoreMany = [&](std::vector<double>& scores)
   {
     for (int i = 0; i < 300; ++i) scores.push_back(score(map, *observation, {0.01 * i, 1, 0.02 * i}));

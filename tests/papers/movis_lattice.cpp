@@ -1,7 +1,7 @@
 #include "movis_lattice.h"
 
-#include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/configuration/localization_config.h"
+#include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/solvers/camera_yaw_calibration.h"
 #include "mrpt_ext/solvers/omni_stereo.h"
 #include "mrpt_ext/solvers/plane.h"
@@ -44,7 +44,7 @@ MovisLook lookFrom(const MovisLattice& lattice, const Vector2d& place, RandomStr
 
 std::optional<Vector2d> meeting(const MovisLattice& lattice, const std::array<double, 2>& slant)
 {
-  const auto ray = [&](std::size_t k) { return Ray{lattice.camera(k).position, slant[k], lattice.std_bearing}; };
+  const auto ray = [&](std::size_t k) { return SightRay{lattice.camera(k).position, slant[k], lattice.std_bearing}; };
   const Triangulation met = triangulate(ray(0), ray(1));
   if (met.status != SolveStatus::ok) return std::nullopt;
   return met.point.mean;

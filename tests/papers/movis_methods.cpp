@@ -74,7 +74,7 @@ MovisAnswer answerAtBound(const MovisLattice& lattice, const Vector2d& place, bo
   if (!bound) return {};
   const Vector3d error = drawn<3>(*bound, random);
   const auto ray = [&](std::size_t k) {
-    return Ray{lattice.camera(k).position, exact.slant[2][k], lattice.std_bearing};
+    return SightRay{lattice.camera(k).position, exact.slant[2][k], lattice.std_bearing};
   };
   const GaussianPoint ball = triangulate(ray(0), ray(1)).point;
   const Vector2d seen = ball.mean + drawn<2>(ball.covariance, random);

@@ -140,9 +140,9 @@ TEST_F(RawlogRoundTrip, RefusesWhatCannotBeALog)
   Recording timeless;
   timeless.records.emplace_back(OdometryRecord{.time = std::nan("")});
   EXPECT_THROW(writeRawlog(path, timeless), InputError);
-  Recording nameless;
-  nameless.records.emplace_back(Reading{.time = 1});
-  EXPECT_THROW(writeRawlog(path, nameless), InputError);
+  Recording anonymous;
+  anonymous.records.emplace_back(Reading{.time = 1});
+  EXPECT_THROW(writeRawlog(path, anonymous), InputError);
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 

@@ -23,9 +23,9 @@ std::vector<Vector2d> landmarksOf(std::uint64_t seed)
 }
 
 /// Six landmarks each seen from two places, half a metre apart, with noise.
-std::vector<JoinedBearing> seenFrom(const Pose2& robot, const std::vector<Vector2d>& landmarks, RandomStream& random)
+std::vector<WindowBearing> seenFrom(const Pose2& robot, const std::vector<Vector2d>& landmarks, RandomStream& random)
 {
-  std::vector<JoinedBearing> seen;
+  std::vector<WindowBearing> seen;
   for (const Pose2& place : {Pose2{0, 0, 0}, Pose2{-0.5, 0.1, 0.4}})
     for (std::size_t k = 0; k < 6; ++k)
       seen.push_back({place, wrap(predictBearing(robot, landmarks[k], place) + kStd * random.gaussian()), kStd});
@@ -35,7 +35,7 @@ std::vector<JoinedBearing> seenFrom(const Pose2& robot, const std::vector<Vector
 /// Within two cells in each coordinate.
 bool covers(const GaussianPose& cell, const Pose2& pose)
 {
-  const PoseGridOptions grid;
+  const GridSearchOptions grid;
   return std::abs(pose.x - cell.mean.x) < 2 * grid.cell && std::abs(pose.y - cell.mean.y) < 2 * grid.cell &&
          std::abs(wrap(pose.phi - cell.mean.phi)) < 2 * grid.turn;
 }
@@ -55,10 +55,10 @@ int roomsFound(std::uint64_t seed, std::size_t false_bearings, std::size_t first
   {
     const std::vector<Vector2d> landmarks = landmarksOf(trial);
     const Pose2 robot{random.uniform(1, 7), random.uniform(1, 5), random.uniform(-kPi, kPi)};
-    std::vector<JoinedBearing> seen = seenFrom(robot, landmarks, random);
+    std::vector<WindowBearing> seen = seenFrom(robot, landmarks, random);
     for (std::size_t k = 0; k < false_bearings; ++k) seen[5 * k].bearing = random.uniform(-kPi, kPi);
-    const auto cells = likelyPoses(seen, LandmarkIndex(landmarks), kRoom);
-    EXPECT_LE(cells.size(), PoseGridOptions{}.max_poses);
+    const auto cells = gridMaxima(seen, LandmarkIndex(landmarks), kRoom);
+    EXPECT_LE(cells.size(), GridSearchOptions{}.max_poses);
     found += anyCovers(cells, first, robot);
   }
   return found;
@@ -76,7 +76,7 @@ TEST(PoseGrid, OnlyHeadingsOfTheRegionAreTried)
   PoseRegion region = kRoom;
   region.phi_low = 0.5;
   region.phi_span = 1;
-  const auto cells = likelyPoses(seenFrom({3, 3, 1}, landmarks, random), LandmarkIndex(landmarks), region);
+  const auto cells = gridMaxima(seenFrom({3, 3, 1}, landmarks, random), LandmarkIndex(landmarks), region);
   EXPECT_TRUE(anyCovers(cells, 10, {3, 3, 1}));
   for (const GaussianPose& cell : cells) EXPECT_TRUE(region.contains(cell.mean));
 }
@@ -89,10 +89,10 @@ TEST(PoseGrid, ABearingShowsLandmarksOfItsKindOnly)
   const LandmarkIndex index(table);
   RandomStream random(7);
   const Pose2 robot{2, 3, 0};
-  std::vector<JoinedBearing> seen;
+  std::vector<WindowBearing> seen;
   for (const Pose2& place : {Pose2{0, 0, 0}, Pose2{0, -1, 0}, Pose2{0, 1, 0}})
     seen.push_back({place, predictBearing(robot, {4, 3}, place), kStd, index.kindOf("post")});
-  const auto cells = likelyPoses(seen, index, kRoom);
+  const auto cells = gridMaxima(seen, index, kRoom);
   ASSERT_FALSE(cells.empty());
   for (std::size_t k = 0; k < std::min<std::size_t>(5, cells.size()); ++k)  // two metres from the post, facing it
     EXPECT_NEAR((cells[k].mean.position() - Vector2d(4, 3)).norm(), 2, 0.7) << k;
@@ -103,9 +103,9 @@ TEST(PoseGrid, NothingSeenOrTooMuchToTryGivesNothing)
   RandomStream random(8);
   const std::vector<Vector2d> landmarks = landmarksOf(1);
   const LandmarkIndex index(landmarks);
-  EXPECT_TRUE(likelyPoses({}, index, kRoom).empty());
+  EXPECT_TRUE(gridMaxima({}, index, kRoom).empty());
   const auto seen = seenFrom({3, 3, 1}, landmarks, random);
-  EXPECT_TRUE(likelyPoses(seen, index, {{0, 0}, {1000, 1000}}).empty());
-  EXPECT_TRUE(likelyPoses(seen, index, kRoom, {.max_work = 10}).empty());
+  EXPECT_TRUE(gridMaxima(seen, index, {{0, 0}, {1000, 1000}}).empty());
+  EXPECT_TRUE(gridMaxima(seen, index, kRoom, {.max_work = 10}).empty());
 }
 }  // namespace mrpt_ext

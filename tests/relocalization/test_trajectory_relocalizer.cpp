@@ -49,20 +49,20 @@ class Drive
   bool named_;
 };
 
-WayMemory memoryOf(const Drive& drive)
+TrajectoryRelocalizer memoryOf(const Drive& drive)
 {
-  return {drive.map(), std::make_shared<const LostRobotSearch>(drive.map()), kRegion, MotionModel{}};
+  return {drive.map(), std::make_shared<const GlobalPoseSearch>(drive.map()), kRegion, MotionModel{}};
 }
 
 ModeSet modesAt(const Pose2& pose) { return {{{{pose, Vector3d(0.01, 0.01, 0.001).asDiagonal()}, 1}}, {}}; }
 }  // namespace
 
-TEST(WayMemory, FindsTheRobotByAllThatItSaw)
+TEST(TrajectoryRelocalizer, FindsTheRobotByAllThatItSaw)
 {
   Drive drive;
-  WayMemory memory = memoryOf(drive);
+  TrajectoryRelocalizer memory = memoryOf(drive);
   for (int k = 0; k < 30; ++k) memory.add(drive.next());
-  EXPECT_TRUE(memory.tellsAll());
+  EXPECT_TRUE(memory.isApplicable());
   const HypothesisSet found = memory.search({});
   ASSERT_FALSE(found.empty());
   EXPECT_GT(found.front().weight, 0.8);
@@ -70,10 +70,10 @@ TEST(WayMemory, FindsTheRobotByAllThatItSaw)
   EXPECT_LT(turned(found.front().pose.mean, drive.robot()), degToRad(8));
 }
 
-TEST(WayMemory, JudgesThePlacesThatAreHeldWithTheOthers)
+TEST(TrajectoryRelocalizer, JudgesThePlacesThatAreHeldWithTheOthers)
 {
   Drive drive;
-  WayMemory memory = memoryOf(drive);
+  TrajectoryRelocalizer memory = memoryOf(drive);
   for (int k = 0; k < 29; ++k) memory.add(drive.next());
   const Pose2 before = drive.robot();
   memory.add(drive.next());
@@ -82,10 +82,10 @@ TEST(WayMemory, JudgesThePlacesThatAreHeldWithTheOthers)
   EXPECT_LT(distance(found.front().pose.mean, drive.robot()), 0.3);
 }
 
-TEST(WayMemory, PausesLongerAfterEverySearchUntilThePauseIsEnded)
+TEST(TrajectoryRelocalizer, PausesLongerAfterEverySearchUntilThePauseIsEnded)
 {
   Drive drive;
-  WayMemory memory = memoryOf(drive);
+  TrajectoryRelocalizer memory = memoryOf(drive);
   std::vector<int> searched;
   for (int k = 0; k < 60; ++k)
   {
@@ -93,20 +93,20 @@ TEST(WayMemory, PausesLongerAfterEverySearchUntilThePauseIsEnded)
     if (k >= 9 && !memory.search({}).empty()) searched.push_back(k);
   }
   EXPECT_EQ(searched, (std::vector<int>{9, 19, 39}));  // at first at once, then after 10, 20, 40 s
-  memory.endPause();
+  memory.resetInterval();
   memory.add(drive.next());
   EXPECT_FALSE(memory.search({}).empty());
 }
 
-TEST(WayMemory, WhereNamesAreSeenItDoesNotTellAll)
+TEST(TrajectoryRelocalizer, WhereNamesAreSeenItDoesNotTellAll)
 {
-  Drive nameless, named(true);
-  WayMemory memory = memoryOf(nameless);
-  EXPECT_FALSE(memory.tellsAll());
+  Drive anonymous, named(true);
+  TrajectoryRelocalizer memory = memoryOf(anonymous);
+  EXPECT_FALSE(memory.isApplicable());
   EXPECT_TRUE(memory.search({}).empty());
-  memory.add(nameless.next());
-  EXPECT_TRUE(memory.tellsAll());
+  memory.add(anonymous.next());
+  EXPECT_TRUE(memory.isApplicable());
   memory.add(named.next());
-  EXPECT_FALSE(memory.tellsAll());
+  EXPECT_FALSE(memory.isApplicable());
 }
 }  // namespace mrpt_ext

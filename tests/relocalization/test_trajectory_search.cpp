@@ -28,11 +28,11 @@ LandmarkTable room()
 }
 
 const LandmarkTable kRoom = room();
-const LostRobotSearch kSearch(kRoom);
+const GlobalPoseSearch kSearch(kRoom);
 
 struct Travel
 {
-  std::vector<TravelStep> steps;
+  std::vector<TrajectoryStep> steps;
   Pose2 end;  ///< truth
 };
 
@@ -46,7 +46,7 @@ Travel travel(int count, bool with_range, RandomStream& random)
   Travel travel;
   for (int k = 0; k < count; ++k)
   {
-    TravelStep step;
+    TrajectoryStep step;
     if (k > 0)
     {
       step.increment = {0.25, 0, 0.2};
@@ -54,10 +54,10 @@ Travel travel(int count, bool with_range, RandomStream& random)
       robot = compose(robot, {0.25 + noise.x(), noise.y(), 0.2 + noise.z()});
       step.noise = std.cwiseAbs2().asDiagonal();
     }
-    SensorPlace place{{}, camera, {}};
+    Scan place{{}, camera, {}};
     const auto see = [&](const Vector2d& v)
     {
-      UnidentifiedDetection d{.std_bearing = kStdBearing, .std_range = kStdRange};
+      AnonymousDetection d{.std_bearing = kStdBearing, .std_range = kStdRange};
       d.bearing = wrap(std::atan2(v.y(), v.x()) + kStdBearing * random.gaussian());
       if (with_range) d.range = std::abs(v.norm() + kStdRange * random.gaussian());
       place.detections.push_back(d);
@@ -93,7 +93,7 @@ Tally tallyOf(int trials, int steps, bool with_range)
   for (int t = 0; t < trials; ++t)
   {
     const Travel way = travel(steps, with_range, random);
-    const TravelSearch found = searchAlongWay(way.steps, kSearch, kRegion);
+    const TrajectorySearchResult found = localizeOverTrajectory(way.steps, kSearch, kRegion);
     if (found.hypotheses.empty() || found.hypotheses.front().weight < 0.95) continue;
     ++tally.sure;
     const GaussianPose& best = found.hypotheses.front().pose;
@@ -106,7 +106,7 @@ Tally tallyOf(int trials, int steps, bool with_range)
 }
 }  // namespace
 
-TEST(TravelSearch, RangesAndBearingsAlongAWayFindTheRobot)
+TEST(TrajectorySearchResult, RangesAndBearingsAlongAWayFindTheRobot)
 {
   const Tally tally = tallyOf(60, 25, true);
   EXPECT_GE(tally.sure, 45);
@@ -116,14 +116,14 @@ TEST(TravelSearch, RangesAndBearingsAlongAWayFindTheRobot)
   EXPECT_LT(nees, 4.5);
 }
 
-TEST(TravelSearch, BearingsAlongAWayFindTheRobot)
+TEST(TrajectorySearchResult, BearingsAlongAWayFindTheRobot)
 {
   const Tally tally = tallyOf(12, 25, false);
   EXPECT_GE(tally.sure, 5);
   EXPECT_GE(tally.right, 0.9 * tally.sure);
 }
 
-TEST(TravelSearch, SupposedPosesAreJudgedByTheSameEvidence)
+TEST(TrajectorySearchResult, SupposedPosesAreJudgedByTheSameEvidence)
 {
   RandomStream random(9);
   int right_first = 0;
@@ -132,7 +132,7 @@ TEST(TravelSearch, SupposedPosesAreJudgedByTheSameEvidence)
     const Travel way = travel(25, false, random);
     const Matrix3d covariance = Vector3d(0.01, 0.01, 0.002).asDiagonal();
     const std::vector<GaussianPose> supposed{{{6, 4, wrap(way.end.phi + 2)}, covariance}, {way.end, covariance}};
-    const TravelSearch found = searchAlongWay(way.steps, kSearch, kRegion, supposed);
+    const TrajectorySearchResult found = localizeOverTrajectory(way.steps, kSearch, kRegion, supposed);
     ASSERT_FALSE(found.hypotheses.empty());
     const bool among = std::any_of(found.hypotheses.begin(), found.hypotheses.end(),
                                    [&](const PoseHypothesis& h) { return isAt(h.pose.mean, way.end); });
@@ -142,32 +142,32 @@ TEST(TravelSearch, SupposedPosesAreJudgedByTheSameEvidence)
   EXPECT_GE(right_first, 9);
 }
 
-TEST(TravelSearch, WeightsLeaveRoomForElsewhere)
+TEST(TrajectorySearchResult, WeightsLeaveRoomForElsewhere)
 {
   RandomStream random(7);
-  const TravelSearch found = searchAlongWay(travel(8, true, random).steps, kSearch, kRegion);
-  double sum = found.elsewhere;
+  const TrajectorySearchResult found = localizeOverTrajectory(travel(8, true, random).steps, kSearch, kRegion);
+  double sum = found.probability_elsewhere;
   for (const PoseHypothesis& h : found.hypotheses) sum += h.weight;
   EXPECT_NEAR(sum, 1, 1e-9);
 }
 
-TEST(TravelSearch, NothingSeenIsTooFew)
+TEST(TrajectorySearchResult, NothingSeenIsTooFew)
 {
-  EXPECT_EQ(searchAlongWay({}, kSearch, kRegion).status, SolveStatus::too_few);
+  EXPECT_EQ(localizeOverTrajectory({}, kSearch, kRegion).status, SolveStatus::too_few);
   const GaussianPose supposed{{4, 4, 0}, Matrix3d::Identity()};
-  EXPECT_EQ(searchAlongWay({}, kSearch, kRegion, {&supposed, 1}).status, SolveStatus::too_few);
-  const std::vector<TravelStep> blind(5);
-  EXPECT_EQ(searchAlongWay(blind, kSearch, kRegion).status, SolveStatus::too_few);
-  EXPECT_EQ(searchAlongWay(blind, kSearch, kRegion).elsewhere, 1);
+  EXPECT_EQ(localizeOverTrajectory({}, kSearch, kRegion, {&supposed, 1}).status, SolveStatus::too_few);
+  const std::vector<TrajectoryStep> blind(5);
+  EXPECT_EQ(localizeOverTrajectory(blind, kSearch, kRegion).status, SolveStatus::too_few);
+  EXPECT_EQ(localizeOverTrajectory(blind, kSearch, kRegion).probability_elsewhere, 1);
 }
 
-TEST(PoseTrack, ThereAndBackIsWhereItWas)
+TEST(HypothesisTrack, ThereAndBackIsWhereItWas)
 {
-  PoseTrack track{{{1, 2, 0.5}, Matrix3d::Identity() * 0.01}, 0};
-  const TravelStep step{{0.3, 0.1, 0.4}, Vector3d(1e-4, 2e-4, 3e-4).asDiagonal(), {}};
+  HypothesisTrack track{{{1, 2, 0.5}, Matrix3d::Identity() * 0.01}, 0};
+  const TrajectoryStep step{{0.3, 0.1, 0.4}, Vector3d(1e-4, 2e-4, 3e-4).asDiagonal(), {}};
   const Matrix3d before = track.pose.covariance;
-  moveForward(track, step);
-  moveBack(track, step);
+  predict(track, step);
+  retrodict(track, step);
   EXPECT_NEAR(track.pose.mean.x, 1, 1e-12);
   EXPECT_NEAR(track.pose.mean.phi, 0.5, 1e-12);
   EXPECT_GT((track.pose.covariance - before).trace(), 2 * 5.9e-4);  // noise both ways

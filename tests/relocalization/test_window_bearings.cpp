@@ -12,9 +12,9 @@ const Vector2d kPost(5, 1);
 constexpr double kStd = degToRad(1.0);
 
 /// Half a metre ahead and a turn per step; every look sees the post, from 0.1 m before the robot's middle.
-std::vector<TravelStep> way(std::size_t steps, double std_turn)
+std::vector<TrajectoryStep> way(std::size_t steps, double std_turn)
 {
-  std::vector<TravelStep> travel(steps);
+  std::vector<TrajectoryStep> travel(steps);
   Pose2 robot{0, 0, 0};
   const Pose2 T_robot_sensor{0.1, 0, 0.2};
   for (std::size_t k = 0; k < steps; ++k)
@@ -22,7 +22,7 @@ std::vector<TravelStep> way(std::size_t steps, double std_turn)
     if (k > 0) travel[k].increment = {0.5, 0, 0.1};
     robot = compose(robot, travel[k].increment);
     travel[k].noise(2, 2) = square(std_turn);
-    UnidentifiedDetection post{.std_bearing = kStd};
+    AnonymousDetection post{.std_bearing = kStd};
     post.bearing = predictBearing(robot, kPost, T_robot_sensor);
     travel[k].seen.push_back({T_robot_sensor, {}, {post}});
   }
@@ -33,15 +33,15 @@ std::vector<TravelStep> way(std::size_t steps, double std_turn)
 TEST(JoinedBearings, AllPointAtWhatTheyShowFromTheOnePose)
 {
   const Pose2 third = compose(compose({0, 0, 0}, {0.5, 0, 0.1}), {0.5, 0, 0.1});
-  const auto joined = joinedBearings(way(5, 0), 2);
+  const auto joined = windowBearings(way(5, 0), 2);
   ASSERT_EQ(joined.size(), 5U);
-  for (const JoinedBearing& bearing : joined)
+  for (const WindowBearing& bearing : joined)
     EXPECT_NEAR(wrap(bearing.bearing - predictBearing(third, kPost, bearing.T_robot_sensor)), 0, 1e-12);
 }
 
 TEST(JoinedBearings, TheirDeviationsGrowWithTheWayBetween)
 {
-  const auto joined = joinedBearings(way(4, degToRad(1)), 0);
+  const auto joined = windowBearings(way(4, degToRad(1)), 0);
   ASSERT_EQ(joined.size(), 4U);
   EXPECT_GE(joined.front().std_bearing, kStd);
   for (std::size_t k = 1; k < joined.size(); ++k) EXPECT_GT(joined[k].std_bearing, joined[k - 1].std_bearing);
@@ -50,18 +50,18 @@ TEST(JoinedBearings, TheirDeviationsGrowWithTheWayBetween)
 
 TEST(JoinedBearings, WhatOdometryDoesNotJoinIsLeftOut)
 {
-  EXPECT_EQ(joinedBearings(way(9, degToRad(2)), 4).size(), 5U);  // two steps either way are 2.8 deg, three 3.5
-  EXPECT_EQ(joinedBearings(way(9, degToRad(10)), 4).size(), 1U);
+  EXPECT_EQ(windowBearings(way(9, degToRad(2)), 4).size(), 5U);  // two steps either way are 2.8 deg, three 3.5
+  EXPECT_EQ(windowBearings(way(9, degToRad(10)), 4).size(), 1U);
 }
 
-TEST(JoinedBearings, TheyAreNotMoreThanASearchNeeds) { EXPECT_LE(joinedBearings(way(100, 0), 50).size(), 21U); }
+TEST(JoinedBearings, TheyAreNotMoreThanASearchNeeds) { EXPECT_LE(windowBearings(way(100, 0), 50).size(), 21U); }
 
 TEST(JoinedBearings, BlindLooksAndUnknownKindsGiveNothing)
 {
-  std::vector<TravelStep> blind(3);
-  EXPECT_TRUE(joinedBearings(blind, 1).empty());
-  std::vector<TravelStep> strange = way(3, 0);
-  for (TravelStep& step : strange) step.seen.front().detections.front().kind = kNoSuchKind;
-  EXPECT_TRUE(joinedBearings(strange, 1).empty());
+  std::vector<TrajectoryStep> blind(3);
+  EXPECT_TRUE(windowBearings(blind, 1).empty());
+  std::vector<TrajectoryStep> strange = way(3, 0);
+  for (TrajectoryStep& step : strange) step.seen.front().detections.front().kind = kUnknownCategory;
+  EXPECT_TRUE(windowBearings(strange, 1).empty());
 }
 }  // namespace mrpt_ext

@@ -19,15 +19,15 @@ Pose2 onTheOval(double t)
 /// Looks like noise, the same on every machine to all digits that matter.
 double wobble(double t, double phase) { return std::sin(12.9898 * t + phase) * std::cos(4.1414 * t + 2.7 * phase); }
 
-MethodTrack track(const std::string& name, bool continuous, double step, double duration,
-                  const std::function<TrackPoint(double)>& at)
+MethodTrajectory track(const std::string& name, bool continuous, double step, double duration,
+                       const std::function<PoseEstimate(double)>& at)
 {
-  MethodTrack result;
+  MethodTrajectory result;
   result.name = name;
   result.continuous = continuous;
   for (int i = 0; i * step <= duration; ++i)
   {
-    TrackPoint point = at(i * step);
+    PoseEstimate point = at(i * step);
     point.time = kStart + i * step;
     result.points.push_back(point);
     result.step_milliseconds.push_back(0.2 + 0.1 * std::abs(wobble(i, 1)));
@@ -37,9 +37,9 @@ MethodTrack track(const std::string& name, bool continuous, double step, double 
   return result;
 }
 
-TrackPoint noisy(double t, double sigma, double phase)
+PoseEstimate noisy(double t, double sigma, double phase)
 {
-  TrackPoint point;
+  PoseEstimate point;
   const Pose2 truth = onTheOval(t);
   point.pose.mean = {truth.x + sigma * wobble(t, phase), truth.y + sigma * wobble(t, phase + 1),
                      wrap(truth.phi + 0.3 * sigma * wobble(t, phase + 2))};
@@ -47,9 +47,9 @@ TrackPoint noisy(double t, double sigma, double phase)
   return point;
 }
 
-TrackPoint filterPoint(double t)
+PoseEstimate filterPoint(double t)
 {
-  TrackPoint point = noisy(t, 0.1, 3);
+  PoseEstimate point = noisy(t, 0.1, 3);
   if (t < 8)
   {
     point.pose.mean = {10 - point.pose.mean.x, 7 - point.pose.mean.y, wrap(point.pose.mean.phi + kPi)};
@@ -63,9 +63,9 @@ TrackPoint filterPoint(double t)
 }
 
 /// Sees three landmarks with a name by bearing, one by range too, and something without a name.
-std::vector<Sighting> sightings(double t)
+std::vector<DrawnDetection> sightings(double t)
 {
-  std::vector<Sighting> seen;
+  std::vector<DrawnDetection> seen;
   const Pose2 truth = onTheOval(t), T_robot_sensor{0.1, 0, 0};
   for (int id = 1; id <= 3; ++id) seen.push_back({T_robot_sensor, id, 0.7 * id - truth.phi, {}, false});
   seen.front().range = 2.5;
@@ -73,21 +73,21 @@ std::vector<Sighting> sightings(double t)
   return seen;
 }
 
-TrackPoint driftingOdometry(double t)
+PoseEstimate driftingOdometry(double t)
 {
-  TrackPoint point;
+  PoseEstimate point;
   const Pose2 moved = between(onTheOval(0), onTheOval(t));
   point.pose.mean = compose({0, 0, 0.003 * t}, moved);
   return point;
 }
 }  // namespace
 
-std::vector<PlaybackStep> syntheticPlayback(const MethodTrack& filter, std::size_t steps, std::size_t particles)
+std::vector<PlaybackStep> syntheticPlayback(const MethodTrajectory& filter, std::size_t steps, std::size_t particles)
 {
   std::vector<PlaybackStep> playback;
   const std::size_t stride = std::max<std::size_t>(filter.points.size() / steps, 1);
   std::size_t i = 0;
-  for (const TrackPoint& point : filter.points)
+  for (const PoseEstimate& point : filter.points)
   {
     if (i++ % stride != 0 || playback.size() >= steps) continue;
     const double t = point.time - kStart;
@@ -124,7 +124,7 @@ RunContext syntheticContext(double duration)
   for (int i = 0; i * 0.1 <= duration; ++i) context.truth.push_back({kStart + i * 0.1, onTheOval(i * 0.1), true});
   for (int i = 0; i * kFrameStep <= duration; ++i)
     context.geometry.push_back({kStart + i * kFrameStep, static_cast<std::size_t>(1 + i % 8), 0.4 * (1 + i % 6), 2.0});
-  for (const TrackPoint& point : track("odometry", true, kFrameStep, duration, driftingOdometry).points)
+  for (const PoseEstimate& point : track("odometry", true, kFrameStep, duration, driftingOdometry).points)
     context.odometry.push_back({point.time, point.pose.mean, true});
   context.inputs = {{"map", "datasets/room_map.csv", std::string(64, 'b')}};
   return context;

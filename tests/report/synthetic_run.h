@@ -11,6 +11,6 @@ namespace mrpt_ext::testing
 [[nodiscard]] RunRecord syntheticRecord(const RunContext& context, int trial = 0);
 
 /// What the page plays of that filter: that many of its steps, with so many particles each.
-[[nodiscard]] std::vector<PlaybackStep> syntheticPlayback(const MethodTrack& filter, std::size_t steps,
+[[nodiscard]] std::vector<PlaybackStep> syntheticPlayback(const MethodTrajectory& filter, std::size_t steps,
                                                           std::size_t particles);
 }  // namespace mrpt_ext::testing

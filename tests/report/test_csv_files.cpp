@@ -40,10 +40,10 @@ std::string textOf(void (*table)(const Rows&, const TextSink&), const std::type_
 TEST(StepsCsv, ColumnsAndValues)
 {
   RunRecord record;
-  MethodTrack form, filter;
+  MethodTrajectory form, filter;
   form.name = "running_fix";
   filter.name = "particle_filter";
-  TrackPoint later, point;
+  PoseEstimate later, point;
   later.time = 2.5;
   later.heading_known = false;
   point.time = 1.25;
@@ -68,7 +68,7 @@ TEST(StepsCsv, HasEveryEstimateInTheOrderOfTime)
 {
   const RunRecord record = syntheticRecord(syntheticContext(20));
   std::size_t estimates = 0;
-  for (const MethodTrack& method : record.methods) estimates += method.points.size();
+  for (const MethodTrajectory& method : record.methods) estimates += method.points.size();
   const auto lines = linesOf(textOf(stepsCsv, record));
   ASSERT_EQ(lines.size(), estimates + 1);
   for (std::size_t i = 2; i < lines.size(); ++i) EXPECT_LE(std::stod(lines[i - 1]), std::stod(lines[i]));
@@ -92,10 +92,10 @@ TEST(ObjectsCsv, ColumnsAndValues)
 
 TEST(TrajectoryTum, TheLastEstimateOfAStampStays)
 {
-  MethodTrack track;
+  MethodTrajectory track;
   for (const double x : {1.0, 2.0, 3.0})
   {
-    TrackPoint point;
+    PoseEstimate point;
     point.time = x < 3 ? 5 : 6;
     point.pose.mean.x = x;
     point.heading_known = x < 3;
@@ -112,9 +112,9 @@ TEST(TrajectoryTum, TheLastEstimateOfAStampStays)
 
 TEST(BiasesCsv, OneRowPerErrorAndFrame)
 {
-  EXPECT_EQ(textOf(biasesCsv, {{12.5, "stereo.range_scale", 0.05, 0.002}, {12.5, "way_scale", -0.01, 0.01}}),
+  EXPECT_EQ(textOf(biasesCsv, {{12.5, "stereo.range_scale", 0.05, 0.002}, {12.5, "distance_scale", -0.01, 0.01}}),
             "t,bias,mean,std\n" + timeField(12.5) + ",stereo.range_scale," + lengthField(0.05) + "," +
-                lengthField(0.002) + "\n" + timeField(12.5) + ",way_scale," + lengthField(-0.01) + "," +
+                lengthField(0.002) + "\n" + timeField(12.5) + ",distance_scale," + lengthField(-0.01) + "," +
                 lengthField(0.01) + "\n");
 }
 }  // namespace mrpt_ext

@@ -162,7 +162,7 @@ TEST(TrialPage, ShowsEveryPart)
                            "span lost", "span ambiguous", "used the truth", "95 % interval", "landmarks in view",
                            "Honesty of the covariance", "map, SHA-256", "id=\"step-slider\""})
     EXPECT_NE(html.find(part), std::string::npos) << part;
-  for (const MethodTrack& method : syntheticRecord(context).methods)
+  for (const MethodTrajectory& method : syntheticRecord(context).methods)
     EXPECT_NE(html.find(method.name), std::string::npos) << method.name;
 }
 

@@ -53,7 +53,7 @@ TEST_F(RunWriter, ATrialLeavesItsFilesAndNoOthers)
   const RunRecord record = syntheticRecord(context);
   writeTrial(folder_, context, record, scoreRun(context, record, {}));
   std::set<std::string> expected{"summary.json", "report.html", "steps.csv", "hypotheses.csv", "objects.csv"};
-  for (const MethodTrack& method : record.methods) expected.insert("trajectory_" + method.name + ".tum");
+  for (const MethodTrajectory& method : record.methods) expected.insert("trajectory_" + method.name + ".tum");
   EXPECT_EQ(fileNames(), expected);
 }
 

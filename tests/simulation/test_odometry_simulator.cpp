@@ -21,7 +21,7 @@ std::vector<Vector3d> finalErrors(const OdometryNoise& noise, int runs)
   for (int run = 0; run < runs; ++run)
   {
     RandomStream random(11, static_cast<std::uint64_t>(run));
-    const DeadReckoning odometry(bend(), noise, bend().duration(), random);
+    const SimulatedOdometry odometry(bend(), noise, bend().duration(), random);
     const auto moved = odometry.displacement(0, bend().duration());
     const Pose2 truth = between(bend().poseAt(0), bend().poseAt(bend().duration()));
     errors.emplace_back(moved->mean.x - truth.x, moved->mean.y - truth.y, wrap(moved->mean.phi - truth.phi));
@@ -49,10 +49,10 @@ OdometryNoise noisy(double rate_hz)
 }
 }  // namespace
 
-TEST(DeadReckoning, WithoutErrorsRepeatsThePath)
+TEST(SimulatedOdometry, WithoutErrorsRepeatsThePath)
 {
   RandomStream random(1);
-  const DeadReckoning odometry(bend(), OdometryNoise{}, 8, random);
+  const SimulatedOdometry odometry(bend(), OdometryNoise{}, 8, random);
   EXPECT_EQ(odometry.records().size(), 81U);
   for (const TimedPose& record : odometry.records())
   {
@@ -62,7 +62,7 @@ TEST(DeadReckoning, WithoutErrorsRepeatsThePath)
   }
 }
 
-TEST(DeadReckoning, HeadingErrorIsAsConfigured)
+TEST(SimulatedOdometry, HeadingErrorIsAsConfigured)
 {
   OdometryNoise noise;
   noise.std_phi_deg_per_deg = 0.1;
@@ -73,7 +73,7 @@ TEST(DeadReckoning, HeadingErrorIsAsConfigured)
   EXPECT_NEAR(radToDeg(std::sqrt(covariance(2, 2))), expected, 0.05 * expected);
 }
 
-TEST(DeadReckoning, PositionErrorIsAsConfiguredAtAnyRate)
+TEST(SimulatedOdometry, PositionErrorIsAsConfiguredAtAnyRate)
 {
   for (const double rate : {5.0, 40.0})
   {
@@ -88,10 +88,10 @@ TEST(DeadReckoning, PositionErrorIsAsConfiguredAtAnyRate)
   }
 }
 
-TEST(DeadReckoning, ReportedCovarianceDescribesTheErrors)
+TEST(SimulatedOdometry, ReportedCovarianceDescribesTheErrors)
 {
   RandomStream random(5);
-  const DeadReckoning odometry(bend(), noisy(10), 8, random);
+  const SimulatedOdometry odometry(bend(), noisy(10), 8, random);
   const Matrix3d reported = odometry.displacement(0, 8)->covariance;
   const Matrix3d seen = covarianceOf(finalErrors(noisy(10), 3000));
   for (int i = 0; i < 3; ++i)
@@ -99,21 +99,21 @@ TEST(DeadReckoning, ReportedCovarianceDescribesTheErrors)
       EXPECT_NEAR(seen(i, j), reported(i, j), 0.12 * std::sqrt(reported(i, i) * reported(j, j)));
 }
 
-TEST(DeadReckoning, ScaleErrorStretchesTheWay)
+TEST(SimulatedOdometry, ScaleErrorStretchesTheWay)
 {
   OdometryNoise noise;
   noise.scale_error = 0.02;
   RandomStream random(1);
   const RobotPath straight({0, 0, 0}, {{10, 0.5, 0}});
-  EXPECT_NEAR(DeadReckoning(straight, noise, 10, random).displacement(0, 10)->mean.x, 5.1, 1e-4);
+  EXPECT_NEAR(SimulatedOdometry(straight, noise, 10, random).displacement(0, 10)->mean.x, 5.1, 1e-4);
 }
 
-TEST(DeadReckoning, NoRateNoOdometry)
+TEST(SimulatedOdometry, NoRateNoOdometry)
 {
   OdometryNoise none;
   none.rate_hz = 0;
   RandomStream random(1);
-  const DeadReckoning odometry(bend(), none, 8, random);
+  const SimulatedOdometry odometry(bend(), none, 8, random);
   EXPECT_TRUE(odometry.records().empty());
   EXPECT_FALSE(odometry.displacement(0, 1));
 }

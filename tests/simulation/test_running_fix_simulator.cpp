@@ -18,12 +18,12 @@ SimulatedSensor watcher()
 }
 
 std::vector<RunningFixReading> fixesAlong(const RobotPath& path, const SimulatedSensor& sensor,
-                                          const std::vector<Feature>& features)
+                                          const std::vector<SceneFeature>& features)
 {
   RandomStream random(1);
   OdometryNoise noise;
   noise.std_xy_per_m = 0.01;
-  const DeadReckoning odometry(path, noise, path.duration(), random);
+  const SimulatedOdometry odometry(path, noise, path.duration(), random);
   RunningFixSimulator simulator(sensor, path, odometry, RandomStream(2));
   std::vector<RunningFixReading> fixes;
   for (double t = 0; t <= path.duration(); t += 0.1)
@@ -31,9 +31,9 @@ std::vector<RunningFixReading> fixesAlong(const RobotPath& path, const Simulated
   return fixes;
 }
 
-const std::vector<Feature>& corners()
+const std::vector<SceneFeature>& corners()
 {
-  static const std::vector<Feature> features{{1, "", {5, 1, 0}, true}, {2, "", {6, -1, 0}, true}};
+  static const std::vector<SceneFeature> features{{1, "", {5, 1, 0}, true}, {2, "", {6, -1, 0}, true}};
   return features;
 }
 }  // namespace
@@ -62,7 +62,7 @@ TEST(RunningFixSimulator, NoRangeIsUsedTwice)
 
 TEST(RunningFixSimulator, BeginsAnewWhenItsLandmarkIsOutOfView)
 {
-  const std::vector<Feature> aside{{1, "", {1, 0.4, 0}, true}};  // 60 degrees: lost after 0.31 m
+  const std::vector<SceneFeature> aside{{1, "", {1, 0.4, 0}, true}};  // 60 degrees: lost after 0.31 m
   EXPECT_TRUE(fixesAlong(RobotPath({0, 0, 0}, {{8, 0.4, 0}}), watcher(), aside).empty());
 }
 

@@ -26,9 +26,9 @@ Moments momentsOf(const std::vector<double>& values)
   return moments;
 }
 
-std::vector<Feature> oneLandmark() { return {{7, "pole", {3, 4, 1}, true}}; }
+std::vector<SceneFeature> oneLandmark() { return {{7, "pole", {3, 4, 1}, true}}; }
 
-std::vector<Detection> manyDetections(const SimulatedSensor& sensor, const std::vector<Feature>& features)
+std::vector<Detection> manyDetections(const SimulatedSensor& sensor, const std::vector<SceneFeature>& features)
 {
   RandomStream random(21);
   std::vector<Detection> detections;
@@ -55,9 +55,9 @@ TEST(Sightings, RespectPoseFieldOfViewAndRange)
   sensor.field_of_view = degToRad(90);
   sensor.max_range = 5;
   sensor.min_range = 0.5;
-  const std::vector<Feature> features{{1, "", {1, 3, 4}, true},   {2, "", {1, -3, 0}, true},
-                                      {3, "", {1, 6, 0}, true},   {4, "", {1, 0.4, 0}, true},
-                                      {5, "", {3.9, 3, 0}, true}, {6, "", {4.1, 3, 0}, true}};
+  const std::vector<SceneFeature> features{{1, "", {1, 3, 4}, true},   {2, "", {1, -3, 0}, true},
+                                           {3, "", {1, 6, 0}, true},   {4, "", {1, 0.4, 0}, true},
+                                           {5, "", {3.9, 3, 0}, true}, {6, "", {4.1, 3, 0}, true}};
   const auto sightings = sightingsFrom(sensor, {0, 0, 0}, features);
   ASSERT_EQ(sightings.size(), 2U);
   EXPECT_EQ(sightings[0].feature, 0U);
@@ -148,11 +148,12 @@ TEST(SimulateReading, TellsNoMoreThanItsIdentityLevel)
 {
   SimulatedSensor sensor = rangeBearing();
   RandomStream random(1);
-  std::vector<Feature> features = oneLandmark();
+  std::vector<SceneFeature> features = oneLandmark();
   features.push_back({kNoId, "ball", {1, 0, 0}, false});
   std::set<std::pair<int, std::string>> known, category, anonymous;
-  for (auto [identity, names] :
-       {std::pair{Identity::known, &known}, {Identity::category, &category}, {Identity::anonymous, &anonymous}})
+  for (auto [identity, names] : {std::pair{IdentityLevel::known, &known},
+                                 {IdentityLevel::category, &category},
+                                 {IdentityLevel::anonymous, &anonymous}})
   {
     sensor.identity = identity;
     for (const Detection& d : simulateReading(sensor, {}, features, random).detections)
@@ -171,7 +172,7 @@ TEST(SimulateReading, WrongIdentitiesComeOutAsConfigured)
   SimulatedSensor sensor = rangeBearing();
   sensor.wrong_identity_probability = 0.2;
   sensor.field_of_view = kPi;
-  const std::vector<Feature> features{{7, "", {3, 0, 0}, true}, {8, "", {-3, 0, 0}, true}};
+  const std::vector<SceneFeature> features{{7, "", {3, 0, 0}, true}, {8, "", {-3, 0, 0}, true}};
   int wrong = 0;
   for (const Detection& d : manyDetections(sensor, features)) wrong += d.id == 8;
   EXPECT_NEAR(wrong / double{kReadings}, 0.2, 0.012);
@@ -181,7 +182,7 @@ TEST(SimulateReading, LargestNumberOfDetectionsIsAFairChoice)
 {
   SimulatedSensor sensor = rangeBearing();
   sensor.max_detections = 2;
-  std::vector<Feature> features;
+  std::vector<SceneFeature> features;
   for (int id = 0; id < 5; ++id) features.push_back({id, "", {std::cos(id), std::sin(id), 0}, true});
   std::vector<int> counts(5);
   const auto detections = manyDetections(sensor, features);
@@ -193,7 +194,7 @@ TEST(SimulateReading, LargestNumberOfDetectionsIsAFairChoice)
 TEST(SimulateReading, OrderDoesNotGiveTheLandmarksAway)
 {
   SimulatedSensor sensor = rangeBearing();
-  const std::vector<Feature> features{{1, "", {1, 0, 0}, true}, {2, "", {0, 1, 0}, true}};
+  const std::vector<SceneFeature> features{{1, "", {1, 0, 0}, true}, {2, "", {0, 1, 0}, true}};
   RandomStream random(2);
   int in_map_order = 0;
   for (int i = 0; i < kReadings; ++i)

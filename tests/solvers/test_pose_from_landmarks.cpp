@@ -38,7 +38,7 @@ bool contains(const IdentifiedPose& solved, const Pose2& pose, double tolerance 
 /// Sure of a pose, and the truth among the candidates.
 void expectFound(const std::vector<PoseMeasurement>& measurements)
 {
-  const IdentifiedPose solved = solveIdentifiedPose(measurements);
+  const IdentifiedPose solved = solvePoseFromLandmarks(measurements);
   EXPECT_EQ(solved.status, SolveStatus::ok) << toString(solved.status);
   EXPECT_TRUE(contains(solved, kRobot));
 }
@@ -67,13 +67,13 @@ TEST(IdentifiedPose, RangesOfSensorsInDifferentPlacesTellTheHeading)
   for (const Vector2d& l : {Vector2d(8, 1), Vector2d(1, 9), Vector2d(-4, 2)})
     for (const Pose2& place : {Pose2{1, 0, 0}, Pose2{-1, 0, 0}}) ranges.push_back(exact(Kind::range, l, place));
   expectFound(ranges);
-  EXPECT_TRUE(solveIdentifiedPose(ranges).candidates.front().heading_known);
+  EXPECT_TRUE(solvePoseFromLandmarks(ranges).candidates.front().heading_known);
 }
 
 TEST(IdentifiedPose, TwoRangesGiveBothMirrorPlacesWithoutHeading)
 {
   const IdentifiedPose solved =
-      solveIdentifiedPose(std::vector<PoseMeasurement>{exact(Kind::range, {0, 0}), exact(Kind::range, {6, 0})});
+      solvePoseFromLandmarks(std::vector<PoseMeasurement>{exact(Kind::range, {0, 0}), exact(Kind::range, {6, 0})});
   EXPECT_EQ(solved.status, SolveStatus::ok);
   ASSERT_EQ(solved.candidates.size(), 2u);
   EXPECT_FALSE(solved.unique());
@@ -92,7 +92,7 @@ TEST(IdentifiedPose, OneRangeBesideTwoBearingsLeavesTwoPlacesWhenBothFit)
   // On the circle through both landmarks and the robot, two places are equally far from the third.
   const std::vector<PoseMeasurement> measurements = {exact(Kind::bearing, {8, 1}), exact(Kind::bearing, {1, 9}),
                                                      exact(Kind::range, {8, 1})};
-  const IdentifiedPose solved = solveIdentifiedPose(measurements);
+  const IdentifiedPose solved = solvePoseFromLandmarks(measurements);
   EXPECT_TRUE(contains(solved, kRobot));
   for (const PoseCandidate& c : solved.candidates) EXPECT_LT(c.chi2, 1e-9);
 }
@@ -102,10 +102,10 @@ TEST(IdentifiedPose, ContradictionsAreNamed)
   std::vector<PoseMeasurement> measurements;
   for (const Vector2d& l : {Vector2d(8, 1), Vector2d(1, 9), Vector2d(-4, 2), Vector2d(3, -5), Vector2d(6, 8)})
     measurements.push_back(exact(Kind::bearing, l));
-  EXPECT_EQ(solveIdentifiedPose(measurements).status, SolveStatus::ok);
-  EXPECT_GT(solveIdentifiedPose(measurements).consistency, 0.99);
+  EXPECT_EQ(solvePoseFromLandmarks(measurements).status, SolveStatus::ok);
+  EXPECT_GT(solvePoseFromLandmarks(measurements).consistency, 0.99);
   measurements[2].value += 0.3;  // thirty standard deviations
-  const IdentifiedPose solved = solveIdentifiedPose(measurements);
+  const IdentifiedPose solved = solvePoseFromLandmarks(measurements);
   EXPECT_EQ(solved.status, SolveStatus::none);
   EXPECT_LT(solved.consistency, 1e-6);
   EXPECT_FALSE(solved.candidates.empty()) << "for those who know better";
@@ -121,27 +121,28 @@ TEST(IdentifiedPose, DegenerateGeometryIsNamed)
     near_circle.push_back(
         exact(Kind::bearing, kRobot.position() + (5 + 0.02 * angle) * direction(angle) - 5 * direction(5.0)));
   }
-  EXPECT_EQ(solveIdentifiedPose(on_circle).status, SolveStatus::degenerate);
-  EXPECT_EQ(solveIdentifiedPose(near_circle).status, SolveStatus::degenerate);
+  EXPECT_EQ(solvePoseFromLandmarks(on_circle).status, SolveStatus::degenerate);
+  EXPECT_EQ(solvePoseFromLandmarks(near_circle).status, SolveStatus::degenerate);
   // In line with all landmarks.
   std::vector<PoseMeasurement> in_line;
   for (const double along : {-4.0, 3.0, 6.0, 9.0})
     in_line.push_back(exact(Kind::bearing, kRobot.position() + along * direction(0.4)));
-  EXPECT_EQ(solveIdentifiedPose(in_line).status, SolveStatus::degenerate);
+  EXPECT_EQ(solvePoseFromLandmarks(in_line).status, SolveStatus::degenerate);
   // Repeating one landmark adds nothing.
-  EXPECT_EQ(solveIdentifiedPose(std::vector<PoseMeasurement>(3, exact(Kind::bearing, {8, 1}))).status,
+  EXPECT_EQ(solvePoseFromLandmarks(std::vector<PoseMeasurement>(3, exact(Kind::bearing, {8, 1}))).status,
             SolveStatus::degenerate);
 }
 
 TEST(IdentifiedPose, TooFewAndBadInput)
 {
   const std::vector<PoseMeasurement> two = {exact(Kind::bearing, {8, 1}), exact(Kind::range, {8, 1})};
-  EXPECT_EQ(solveIdentifiedPose(two).status, SolveStatus::too_few);
-  EXPECT_EQ(solveIdentifiedPose({}).status, SolveStatus::too_few);
-  EXPECT_EQ(solveIdentifiedPose(std::vector<PoseMeasurement>{exact(Kind::range, {8, 1})}).status, SolveStatus::too_few);
+  EXPECT_EQ(solvePoseFromLandmarks(two).status, SolveStatus::too_few);
+  EXPECT_EQ(solvePoseFromLandmarks({}).status, SolveStatus::too_few);
+  EXPECT_EQ(solvePoseFromLandmarks(std::vector<PoseMeasurement>{exact(Kind::range, {8, 1})}).status,
+            SolveStatus::too_few);
   std::vector<PoseMeasurement> bad(4, exact(Kind::range, {8, 1}));
   bad[2].std = 0;
-  EXPECT_EQ(solveIdentifiedPose(bad).status, SolveStatus::bad_input);
+  EXPECT_EQ(solvePoseFromLandmarks(bad).status, SolveStatus::bad_input);
 }
 
 TEST(IdentifiedPose, LandmarksSeenAgainAndAgainHideNoOther)
@@ -155,7 +156,7 @@ TEST(IdentifiedPose, LandmarksSeenAgainAndAgainHideNoOther)
       ranges.push_back(exact(Kind::range, l));
     }
   expectFound(bearings);
-  EXPECT_TRUE(contains(solveIdentifiedPose(ranges), kRobot));
+  EXPECT_TRUE(contains(solvePoseFromLandmarks(ranges), kRobot));
 }
 
 TEST(IdentifiedPose, LargeMapCoordinatesCostNothing)
@@ -166,8 +167,8 @@ TEST(IdentifiedPose, LargeMapCoordinatesCostNothing)
   const Scene scene = randomScene(random, 6);
   near_origin = shifted = measureScene(scene, {What::mixed, 0.01, 0.05}, random);
   for (PoseMeasurement& m : shifted) m.landmark += far;
-  const Pose2 a = solveIdentifiedPose(near_origin).candidates.at(0).pose.mean;
-  const Pose2 b = solveIdentifiedPose(shifted).candidates.at(0).pose.mean;
+  const Pose2 a = solvePoseFromLandmarks(near_origin).candidates.at(0).pose.mean;
+  const Pose2 b = solvePoseFromLandmarks(shifted).candidates.at(0).pose.mean;
   EXPECT_LT((b.position() - far - a.position()).norm(), 1e-6);
 }
 
@@ -183,7 +184,7 @@ TEST(IdentifiedPose, FindsTheMinimumThatStartsAtTheTruth)
         const Scene scene = randomScene(random, landmarks);
         const auto measurements = measureScene(scene, {what, degToRad(0.5), 0.1}, random);
         const PoseMl from_truth = refinePose(measurements, scene.robot);
-        const IdentifiedPose solved = solveIdentifiedPose(measurements);
+        const IdentifiedPose solved = solvePoseFromLandmarks(measurements);
         if (from_truth.status != SolveStatus::ok) continue;
         worse += solved.candidates.empty() || solved.candidates.front().chi2 > from_truth.chi2 + 1e-6;
       }
@@ -232,7 +233,7 @@ TEST(IdentifiedPose, NeverConfidentAndWrong)
       const Scene scene = randomScene(random, 4 + trial % 9);
       const double scale = trial % 2 ? 1 : 0.1;
       const MeasuringKind kind{what, degToRad(scale), 0.3 * scale};
-      tallyTrust(tally, scene, solveIdentifiedPose(measureScene(scene, kind, random)));
+      tallyTrust(tally, scene, solvePoseFromLandmarks(measureScene(scene, kind, random)));
     }
     EXPECT_EQ(tally.confident_wrong, 0);
     EXPECT_EQ(tally.far_off, 0);
@@ -250,7 +251,7 @@ TEST(PoseCurvature, SecondMomentIsTheScatterBeyondTheLinearError)
   RandomStream random(46);
   const std::vector<PoseMeasurement> noiseless = measureScene(scene, {What::bearings, sigma, 0}, random);
   const Matrix3d P = *covarianceFromInformation(poseInformation(noiseless, scene.robot));
-  const PoseCurvature curvature = poseCurvature(PoseRows(noiseless), scene.robot, P);
+  const PoseCurvature curvature = poseCurvature(PoseResiduals(noiseless), scene.robot, P);
   Matrix3d scatter = Matrix3d::Zero();
   const int trials = 20000;
   for (int trial = 0; trial < trials; ++trial)

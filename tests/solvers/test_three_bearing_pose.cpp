@@ -12,7 +12,7 @@ namespace mrpt_ext
 {
 namespace
 {
-using Sight = SightedLandmark<double>;
+using Sight = VisibleLandmark<double>;
 using Answer = ThreeBearingPose<double>;
 
 Sight sightOf(const Vector2d& landmark, double bearing)
@@ -74,7 +74,7 @@ struct Batch
 
   ThreeBearingPose<Real> scalar(std::size_t m) const
   {
-    const auto sight = [&](std::size_t i) { return SightedLandmark<Real>{lx[i][m], ly[i][m], lc[i][m], ls[i][m]}; };
+    const auto sight = [&](std::size_t i) { return VisibleLandmark<Real>{lx[i][m], ly[i][m], lc[i][m], ls[i][m]}; };
     return solveThreeBearingPose(sight(0), sight(1), sight(2));
   }
 };

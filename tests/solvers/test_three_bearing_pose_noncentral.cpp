@@ -17,9 +17,9 @@ using Origins = std::array<Vector2d, 3>;
 constexpr Pose2 kNowhere{1e6, 1e6, 0};
 
 /// Lines of sight from a robot to the first three landmarks of a scene, taken at `origins` in its frame.
-std::array<SightLine, 3> linesFor(const Scene& scene, const Origins& origins)
+std::array<NoncentralBearing, 3> linesFor(const Scene& scene, const Origins& origins)
 {
-  std::array<SightLine, 3> lines;
+  std::array<NoncentralBearing, 3> lines;
   for (std::size_t i = 0; i < 3; ++i)
   {
     const Vector2d v = transform(inverse(scene.robot), scene.landmarks[i]) - origins[i];
@@ -40,7 +40,7 @@ double difference(const Pose2& a, const Pose2& b)
   return (a.position() - b.position()).norm() + std::abs(wrap(a.phi - b.phi));
 }
 
-double nearest(const BearingTripleOnPath& answer, const Pose2& truth)
+double nearest(const NoncentralThreeBearingPose& answer, const Pose2& truth)
 {
   double best = difference(kNowhere, truth);
   for (int k = 0; k < answer.count; ++k)
@@ -49,7 +49,7 @@ double nearest(const BearingTripleOnPath& answer, const Pose2& truth)
 }
 }  // namespace
 
-TEST(BearingTripleOnPath, FindsTheTruthAndOnlyPosesThatExplainTheLines)
+TEST(NoncentralThreeBearingPose, FindsTheTruthAndOnlyPosesThatExplainTheLines)
 {
   RandomStream random(1);
   int two = 0;
@@ -58,13 +58,13 @@ TEST(BearingTripleOnPath, FindsTheTruthAndOnlyPosesThatExplainTheLines)
     const Scene scene = randomScene(random, 3);
     const Origins origins = someOrigins(random, 2);
     const auto lines = linesFor(scene, origins);
-    const BearingTripleOnPath answer = solveBearingTripleOnPath(lines);
+    const NoncentralThreeBearingPose answer = solveBearingTripleOnPath(lines);
     ASSERT_EQ(answer.status, SolveStatus::ok);
     two += answer.count == 2;
     if (answer.quality < 1e-3) continue;
     EXPECT_LT(nearest(answer, scene.robot), 1e-6) << trial;
     for (std::size_t k = 0; k < static_cast<std::size_t>(answer.count); ++k)
-      for (const SightLine& l : lines)
+      for (const NoncentralBearing& l : lines)
       {
         const Vector2d v = (transform(inverse(answer.poses[k]), l.landmark) - l.origin).normalized();
         EXPECT_LT((v - l.direction).norm(), 1e-5) << trial;
@@ -74,7 +74,7 @@ TEST(BearingTripleOnPath, FindsTheTruthAndOnlyPosesThatExplainTheLines)
   EXPECT_LT(two, 2000);
 }
 
-TEST(BearingTripleOnPath, TurningAndShiftingTheWorldTurnsAndShiftsThePoses)
+TEST(NoncentralThreeBearingPose, TurningAndShiftingTheWorldTurnsAndShiftsThePoses)
 {
   RandomStream random(2);
   const Pose2 move{3e4, -2e4, 2.1};
@@ -82,9 +82,9 @@ TEST(BearingTripleOnPath, TurningAndShiftingTheWorldTurnsAndShiftsThePoses)
   {
     const Scene scene = randomScene(random, 3);
     auto lines = linesFor(scene, someOrigins(random, 1));
-    const BearingTripleOnPath before = solveBearingTripleOnPath(lines);
-    for (SightLine& l : lines) l.landmark = transform(move, l.landmark);
-    const BearingTripleOnPath after = solveBearingTripleOnPath(lines);
+    const NoncentralThreeBearingPose before = solveBearingTripleOnPath(lines);
+    for (NoncentralBearing& l : lines) l.landmark = transform(move, l.landmark);
+    const NoncentralThreeBearingPose after = solveBearingTripleOnPath(lines);
     ASSERT_EQ(after.count, before.count);
     if (before.quality < 0.01) continue;
     for (std::size_t k = 0; k < static_cast<std::size_t>(before.count); ++k)
@@ -92,14 +92,14 @@ TEST(BearingTripleOnPath, TurningAndShiftingTheWorldTurnsAndShiftsThePoses)
   }
 }
 
-TEST(BearingTripleOnPath, TheOrderOfTheLinesDoesNotMatter)
+TEST(NoncentralThreeBearingPose, TheOrderOfTheLinesDoesNotMatter)
 {
   RandomStream random(3);
   for (int trial = 0; trial < 200; ++trial)
   {
     const auto lines = linesFor(randomScene(random, 3), someOrigins(random, 1));
-    const BearingTripleOnPath first = solveBearingTripleOnPath(lines);
-    const BearingTripleOnPath turned = solveBearingTripleOnPath({lines[2], lines[0], lines[1]});
+    const NoncentralThreeBearingPose first = solveBearingTripleOnPath(lines);
+    const NoncentralThreeBearingPose turned = solveBearingTripleOnPath({lines[2], lines[0], lines[1]});
     ASSERT_EQ(first.count, turned.count);
     EXPECT_NEAR(first.quality, turned.quality, 1e-12);
     if (first.quality < 0.01) continue;
@@ -108,14 +108,14 @@ TEST(BearingTripleOnPath, TheOrderOfTheLinesDoesNotMatter)
   }
 }
 
-TEST(BearingTripleOnPath, OneOriginIsTheTripleOfOnePlace)
+TEST(NoncentralThreeBearingPose, OneOriginIsTheTripleOfOnePlace)
 {
   RandomStream random(4);
   for (int trial = 0; trial < 1000; ++trial)
   {
     const Scene scene = randomScene(random, 3);
     // Any three directions: with most of them some landmark lies behind.
-    std::array<SightLine, 3> lines = linesFor(scene, {Vector2d(0, 0), Vector2d(0, 0), Vector2d(0, 0)});
+    std::array<NoncentralBearing, 3> lines = linesFor(scene, {Vector2d(0, 0), Vector2d(0, 0), Vector2d(0, 0)});
     std::array<Vector2d, 3> landmarks, bearings;
     for (std::size_t i = 0; i < 3; ++i)
     {
@@ -124,7 +124,7 @@ TEST(BearingTripleOnPath, OneOriginIsTheTripleOfOnePlace)
       bearings[i] = lines[i].direction;
     }
     const BearingTriple one = solveBearingTriple(landmarks, bearings, 0);
-    const BearingTripleOnPath path = solveBearingTripleOnPath(lines);
+    const NoncentralThreeBearingPose path = solveBearingTripleOnPath(lines);
     ASSERT_EQ(path.count, one.outcome == BearingTriple::Outcome::pose ? 1 : 0) << trial;
     EXPECT_EQ(path.status, path.count == 1 ? SolveStatus::ok : SolveStatus::behind);
     if (path.count == 0 || path.quality < 1e-3) continue;
@@ -132,9 +132,10 @@ TEST(BearingTripleOnPath, OneOriginIsTheTripleOfOnePlace)
   }
 }
 
-TEST(BearingTripleOnPath, WhatCannotBeSolvedSaysWhy)
+TEST(NoncentralThreeBearingPose, WhatCannotBeSolvedSaysWhy)
 {
-  const auto status = [](const std::array<SightLine, 3>& lines) { return solveBearingTripleOnPath(lines).status; };
+  const auto status = [](const std::array<NoncentralBearing, 3>& lines)
+  { return solveBearingTripleOnPath(lines).status; };
   const Vector2d east(1, 0), north(0, 1), nought(0, 0);
   EXPECT_EQ(status({{{{5, 1}, {0, 1}, east}, {{6, -1}, {0, -1}, east}, {{7, 3}, {0, 3}, east}}}),
             SolveStatus::degenerate)
@@ -155,7 +156,7 @@ TEST(BearingTripleOnPath, WhatCannotBeSolvedSaysWhy)
             SolveStatus::bad_input);
 }
 
-TEST(BearingTripleOnPath, ScattersAsTheInformationSays)
+TEST(NoncentralThreeBearingPose, ScattersAsTheInformationSays)
 {
   RandomStream random(5);
   const Scene scene{{{4, 1}, {1, 5}, {-3, -2}}, {0.5, 0.8, 0.6}};
@@ -163,7 +164,7 @@ TEST(BearingTripleOnPath, ScattersAsTheInformationSays)
   const auto exact = linesFor(scene, origins);
   const double std = degToRad(0.3);
   std::vector<PoseMeasurement> rows;
-  for (const SightLine& l : exact)
+  for (const NoncentralBearing& l : exact)
     rows.push_back(
         {PoseMeasurement::Kind::bearing, l.landmark, angleOf(l.direction), std, {l.origin.x(), l.origin.y(), 0}});
   const auto covariance = covarianceFromInformation(poseInformation(rows, scene.robot));
@@ -173,8 +174,8 @@ TEST(BearingTripleOnPath, ScattersAsTheInformationSays)
   for (int trial = 0; trial < trials; ++trial)
   {
     auto lines = exact;
-    for (SightLine& l : lines) l.direction = direction(angleOf(l.direction) + std * random.gaussian());
-    const BearingTripleOnPath answer = solveBearingTripleOnPath(lines);
+    for (NoncentralBearing& l : lines) l.direction = direction(angleOf(l.direction) + std * random.gaussian());
+    const NoncentralThreeBearingPose answer = solveBearingTripleOnPath(lines);
     const Pose2& pose = *std::min_element(answer.poses.begin(), answer.poses.end(),
                                           [&](const Pose2& a, const Pose2& b)
                                           { return difference(a, scene.robot) < difference(b, scene.robot); });

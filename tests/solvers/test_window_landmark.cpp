@@ -19,18 +19,18 @@ struct Senses
   bool bearing = false, range = false;
 };
 
-CarriedSighting sighting(const Way& way, std::size_t place, const Senses& senses, RandomStream* random = nullptr)
+WindowObservation sighting(const Way& way, std::size_t place, const Senses& senses, RandomStream* random = nullptr)
 {
-  CarriedSighting s{way.places[place], way.covariances[place], {}, {}, kStdBearing, kStdRange};
+  WindowObservation s{way.places[place], way.covariances[place], {}, {}, kStdBearing, kStdRange};
   const auto noise = [&](double std) { return random ? std * random->gaussian() : 0.0; };
   if (senses.bearing) s.bearing = predictBearing(way.true_places[place], kLandmark) + noise(kStdBearing);
   if (senses.range) s.range = predictRange(way.true_places[place], kLandmark) + noise(kStdRange);
   return s;
 }
 
-std::vector<CarriedSighting> seenAlong(const Way& way, const Senses& senses, RandomStream* random = nullptr)
+std::vector<WindowObservation> seenAlong(const Way& way, const Senses& senses, RandomStream* random = nullptr)
 {
-  std::vector<CarriedSighting> sightings;
+  std::vector<WindowObservation> sightings;
   for (std::size_t k = 0; k < way.places.size(); ++k) sightings.push_back(sighting(way, k, senses, random));
   return sightings;
 }
@@ -47,10 +47,10 @@ Way exactWay(const Pose2& step, int steps)
 }
 }  // namespace
 
-TEST(CarriedLandmark, RangesAlongAStraightWayLeaveTwoMirrorImages)
+TEST(WindowLandmark, RangesAlongAStraightWayLeaveTwoMirrorImages)
 {
   const Way way = exactWay(kStraight, 6);
-  const CarriedLandmark found = locateLandmark(seenAlong(way, {.range = true}));
+  const WindowLandmark found = locateLandmark(seenAlong(way, {.range = true}));
   ASSERT_EQ(found.status, SolveStatus::ok);
   ASSERT_EQ(found.places.size(), 2u);
   const Vector2d truth = truthInRobot(way);
@@ -60,48 +60,48 @@ TEST(CarriedLandmark, RangesAlongAStraightWayLeaveTwoMirrorImages)
   EXPECT_NEAR(a.y(), -b.y(), 1e-6);
 }
 
-TEST(CarriedLandmark, ABentWayLeavesOne)
+TEST(WindowLandmark, ABentWayLeavesOne)
 {
   const Way way = exactWay(kBend, 6);
-  const CarriedLandmark found = locateLandmark(seenAlong(way, {.range = true}));
+  const WindowLandmark found = locateLandmark(seenAlong(way, {.range = true}));
   ASSERT_EQ(found.places.size(), 1u);
   EXPECT_LT((found.places[0].in_robot.mean - truthInRobot(way)).norm(), 1e-6);
 }
 
-TEST(CarriedLandmark, BearingsFromTwoPlacesOrMore)
+TEST(WindowLandmark, BearingsFromTwoPlacesOrMore)
 {
   for (const int steps : {2, 6})
   {
     const Way way = exactWay(kStraight, steps);
-    const CarriedLandmark found = locateLandmark(seenAlong(way, {.bearing = true}));
+    const WindowLandmark found = locateLandmark(seenAlong(way, {.bearing = true}));
     ASSERT_EQ(found.places.size(), 1u);
     EXPECT_LT((found.places[0].in_robot.mean - truthInRobot(way)).norm(), 1e-6);
   }
 }
 
-TEST(CarriedLandmark, ABearingThenARange)
+TEST(WindowLandmark, ABearingThenARange)
 {
   const Way way = exactWay(kBend, 6);
-  const CarriedLandmark found =
+  const WindowLandmark found =
       locateLandmark(std::vector{sighting(way, 0, {.bearing = true}), sighting(way, 6, {.range = true})});
   ASSERT_EQ(found.status, SolveStatus::ok);
   const bool has_truth =
       std::any_of(found.places.begin(), found.places.end(),
-                  [&](const CarriedLandmarkPlace& p) { return (p.in_robot.mean - truthInRobot(way)).norm() < 1e-6; });
+                  [&](const LocalizedLandmark& p) { return (p.in_robot.mean - truthInRobot(way)).norm() < 1e-6; });
   EXPECT_TRUE(has_truth);
 }
 
-TEST(CarriedLandmark, ABearingTellsTheMirrorImagesApart)
+TEST(WindowLandmark, ABearingTellsTheMirrorImagesApart)
 {
   const Way way = exactWay(kStraight, 6);
-  std::vector<CarriedSighting> sightings = seenAlong(way, {.range = true});
+  std::vector<WindowObservation> sightings = seenAlong(way, {.range = true});
   sightings[3] = sighting(way, 3, {.bearing = true, .range = true});
-  const CarriedLandmark found = locateLandmark(sightings);
+  const WindowLandmark found = locateLandmark(sightings);
   ASSERT_EQ(found.places.size(), 1u);
   EXPECT_LT((found.places[0].in_robot.mean - truthInRobot(way)).norm(), 1e-6);
 }
 
-TEST(CarriedLandmark, ItsErrorIsWhatItsCovarianceSays)
+TEST(WindowLandmark, ItsErrorIsWhatItsCovarianceSays)
 {
   RandomStream random(6);
   const int trials = 800;
@@ -112,11 +112,11 @@ TEST(CarriedLandmark, ItsErrorIsWhatItsCovarianceSays)
     for (int trial = 0; trial < trials; ++trial)
     {
       const Way way = makeWay(kEnd, kBend, 8, kStepNoise, random);
-      const CarriedLandmark found = locateLandmark(seenAlong(way, senses, &random));
+      const WindowLandmark found = locateLandmark(seenAlong(way, senses, &random));
       if (found.status != SolveStatus::ok) continue;
       ++found_it;
       readings = found.readings;
-      const CarriedLandmarkPlace& best = found.places.front();
+      const LocalizedLandmark& best = found.places.front();
       const Vector2d e = best.in_robot.mean - truthInRobot(way);
       squared += e.dot(best.in_robot.covariance.inverse() * e);
       chi2 += best.chi2;
@@ -128,11 +128,11 @@ TEST(CarriedLandmark, ItsErrorIsWhatItsCovarianceSays)
   }
 }
 
-TEST(CarriedLandmark, OnTheLineOfMotionTheDirectionStaysOpenToSecondOrder)
+TEST(WindowLandmark, OnTheLineOfMotionTheDirectionStaysOpenToSecondOrder)
 {
   RandomStream random(7);
   const Way way = makeWay({0, 0, std::atan2(3, 2.5)}, {0.3, 0, 0}, 4, Vector3d(0.001, 0.001, 0.001), random);
-  const CarriedLandmark found = locateLandmark(seenAlong(way, {.range = true}));
+  const WindowLandmark found = locateLandmark(seenAlong(way, {.range = true}));
   ASSERT_EQ(found.status, SolveStatus::ok);
   const GaussianPoint& p = found.places.front().in_robot;
   EXPECT_NEAR(p.mean.norm(), kLandmark.norm(), 0.1) << "the radius of the ring is held";
@@ -140,20 +140,20 @@ TEST(CarriedLandmark, OnTheLineOfMotionTheDirectionStaysOpenToSecondOrder)
   EXPECT_LT(p.covariance(1, 1), square(2.0));
 }
 
-TEST(CarriedLandmark, WhatCannotBeSolvedSaysWhy)
+TEST(WindowLandmark, WhatCannotBeSolvedSaysWhy)
 {
-  const auto status = [](const std::vector<CarriedSighting>& s) { return locateLandmark(s).status; };
+  const auto status = [](const std::vector<WindowObservation>& s) { return locateLandmark(s).status; };
   const Way way = exactWay(kStraight, 6);
   EXPECT_EQ(status({}), SolveStatus::too_few);
   EXPECT_EQ(status({sighting(way, 0, {.range = true})}), SolveStatus::too_few);
-  const CarriedSighting bearing = sighting(way, 0, {.bearing = true});
+  const WindowObservation bearing = sighting(way, 0, {.bearing = true});
   EXPECT_NE(status({bearing, bearing}), SolveStatus::ok) << "one place";
-  CarriedSighting parallel = sighting(way, 6, {.bearing = true});
+  WindowObservation parallel = sighting(way, 6, {.bearing = true});
   parallel.bearing = bearing.bearing;
   EXPECT_NE(status({bearing, parallel}), SolveStatus::ok) << "parallel bearings";
   parallel.bearing = *bearing.bearing - degToRad(0.3);
   EXPECT_NE(status({bearing, parallel}), SolveStatus::ok) << "they part";
-  CarriedSighting bad = bearing;
+  WindowObservation bad = bearing;
   bad.std_bearing = 0;
   EXPECT_EQ(status({bad, bearing}), SolveStatus::bad_input);
   bad = sighting(way, 0, {.range = true});
@@ -161,25 +161,25 @@ TEST(CarriedLandmark, WhatCannotBeSolvedSaysWhy)
   EXPECT_EQ(status({bad, bearing}), SolveStatus::bad_input);
 }
 
-TEST(CarriedLandmark, NeverNaN)
+TEST(WindowLandmark, NeverNaN)
 {
   RandomStream random(8);
   for (int trial = 0; trial < 3000; ++trial)
   {
-    std::vector<CarriedSighting> sightings;
+    std::vector<WindowObservation> sightings;
     for (int k = 0; k < 2 + trial % 4; ++k)
     {
-      CarriedSighting s{{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-3, 3)}};
-      s.way_covariance = square(0.01 * (4 - k)) * Matrix3d::Identity();
+      WindowObservation s{{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-3, 3)}};
+      s.odometry_covariance = square(0.01 * (4 - k)) * Matrix3d::Identity();
       s.std_bearing = s.std_range = 0.05;
       if (random.chance(0.6)) s.bearing = random.uniform(-3, 3);
       if (random.chance(0.6)) s.range = random.uniform(0, 3) * (trial % 7 > 0);
       sightings.push_back(s);
     }
-    const CarriedLandmark found = locateLandmark(sightings);
+    const WindowLandmark found = locateLandmark(sightings);
     EXPECT_NE(found.status, SolveStatus::bad_input);
     EXPECT_EQ(found.places.empty(), found.status != SolveStatus::ok);
-    for (const CarriedLandmarkPlace& p : found.places)
+    for (const LocalizedLandmark& p : found.places)
     {
       EXPECT_TRUE(p.in_robot.mean.allFinite() && p.in_robot.covariance.allFinite() && p.chi2 >= 0);
       EXPECT_GT(p.in_robot.covariance.determinant(), 0);

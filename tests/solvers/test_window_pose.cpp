@@ -24,12 +24,12 @@ PoseMeasurement measured(PoseMeasurement::Kind kind, const Vector2d& landmark, c
 }
 
 /// Bearings (and one range) to the landmarks from every place of the way, as carried by odometry.
-std::vector<CarriedMeasurements> measuredAlong(const Way& way, RandomStream& random)
+std::vector<WindowMeasurements> measuredAlong(const Way& way, RandomStream& random)
 {
-  std::vector<CarriedMeasurements> readings;
+  std::vector<WindowMeasurements> readings;
   for (std::size_t k = 0; k < way.places.size(); ++k)
   {
-    CarriedMeasurements reading{way.covariances[k], {}};
+    WindowMeasurements reading{way.covariances[k], {}};
     for (const Vector2d& l : kLandmarks)
       reading.measurements.push_back(
           measured(PoseMeasurement::Kind::bearing, l, way.true_places[k], way.places[k], random));
@@ -48,25 +48,25 @@ double squaredError(const PoseMl& fit, const Pose2& truth)
 }
 
 /// The same as if independent: what odometry adds to each reading, added to that reading's own variance.
-std::vector<PoseMeasurement> asIndependent(const std::vector<CarriedMeasurements>& readings, const Pose2& pose)
+std::vector<PoseMeasurement> asIndependent(const std::vector<WindowMeasurements>& readings, const Pose2& pose)
 {
   std::vector<PoseMeasurement> rows;
-  for (const CarriedMeasurements& reading : readings)
+  for (const WindowMeasurements& reading : readings)
     for (PoseMeasurement m : reading.measurements)
     {
       const JacobianRow row = jacobian(m, pose) * composeJacobianSecond(pose);
-      m.std = std::sqrt(square(m.std) + row * reading.way_covariance * row.transpose());
+      m.std = std::sqrt(square(m.std) + row * reading.odometry_covariance * row.transpose());
       rows.push_back(m);
     }
   return rows;
 }
 }  // namespace
 
-TEST(CarriedPose, WithoutOdometryErrorItIsThePlainRefinement)
+TEST(WindowPose, WithoutOdometryErrorItIsThePlainRefinement)
 {
   RandomStream random(1);
   const Way way = makeWay({0.5, 0.8, 0.6}, {0.3, 0, 0.2}, 5, Vector3d::Zero(), random);
-  const std::vector<CarriedMeasurements> readings = measuredAlong(way, random);
+  const std::vector<WindowMeasurements> readings = measuredAlong(way, random);
   const PoseMl carried = refineCarriedPose(readings, way.now());
   const PoseMl plain = refinePose(asIndependent(readings, way.now()), way.now());
   ASSERT_EQ(carried.status, SolveStatus::ok);
@@ -76,11 +76,11 @@ TEST(CarriedPose, WithoutOdometryErrorItIsThePlainRefinement)
   EXPECT_EQ(carried.residuals.size(), plain.residuals.size());
 }
 
-TEST(CarriedPose, IsGeneralisedLeastSquaresWithTheJointCovariance)
+TEST(WindowPose, IsGeneralisedLeastSquaresWithTheJointCovariance)
 {
   RandomStream random(2);
   const Way way = makeWay({0.5, 0.8, 0.6}, {0.3, 0, 0.2}, 4, kStepNoise, random);
-  const std::vector<CarriedMeasurements> readings = measuredAlong(way, random);
+  const std::vector<WindowMeasurements> readings = measuredAlong(way, random);
   const PoseMl fit = refineCarriedPose(readings, way.now());
   ASSERT_EQ(fit.status, SolveStatus::ok);
   const Pose2& pose = fit.pose.mean;
@@ -104,8 +104,8 @@ TEST(CarriedPose, IsGeneralisedLeastSquaresWithTheJointCovariance)
     for (Eigen::Index j = 0; j < n; ++j)
     {
       const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
-      const Matrix3d shared =
-          to_world * readings[std::max(moment[a], moment[b])].way_covariance * to_world.transpose();  // the newer one's
+      const Matrix3d shared = to_world * readings[std::max(moment[a], moment[b])].odometry_covariance *
+                              to_world.transpose();  // the newer one's
       C(i, j) = rows[a] * shared * rows[b].transpose() + (i == j ? square(std[a]) : 0);
       J.row(i) = rows[a];
     }
@@ -118,7 +118,7 @@ TEST(CarriedPose, IsGeneralisedLeastSquaresWithTheJointCovariance)
   EXPECT_LT(std::sqrt(step.dot(information * step)), 0.02) << "no step is left to take";
 }
 
-TEST(CarriedPose, ItsErrorIsWhatItsCovarianceSaysWhileIndependenceIsOverConfident)
+TEST(WindowPose, ItsErrorIsWhatItsCovarianceSaysWhileIndependenceIsOverConfident)
 {
   RandomStream random(3);
   const int trials = 600;
@@ -127,7 +127,7 @@ TEST(CarriedPose, ItsErrorIsWhatItsCovarianceSaysWhileIndependenceIsOverConfiden
   {
     const Way way = makeWay({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-kPi, kPi)},
                             {0.2, 0, random.uniform(-0.2, 0.2)}, 10, kStepNoise, random);
-    const std::vector<CarriedMeasurements> readings = measuredAlong(way, random);
+    const std::vector<WindowMeasurements> readings = measuredAlong(way, random);
     const PoseMl fit = refineCarriedPose(readings, way.now());
     ASSERT_EQ(fit.status, SolveStatus::ok);
     EXPECT_TRUE(fit.converged);
@@ -141,11 +141,11 @@ TEST(CarriedPose, ItsErrorIsWhatItsCovarianceSaysWhileIndependenceIsOverConfiden
   EXPECT_NEAR(chi2, 11 * 6 - 3, 2) << "and so are its residuals";
 }
 
-TEST(CarriedPose, OlderReadingsNeverTellMoreThanTheWayLetsThem)
+TEST(WindowPose, OlderReadingsNeverTellMoreThanTheWayLetsThem)
 {
   RandomStream random(4);
   const Way way = makeWay({0.5, 0.8, 0.6}, {0.3, 0, 0.2}, 6, kStepNoise, random);
-  std::vector<CarriedMeasurements> readings = measuredAlong(way, random);
+  std::vector<WindowMeasurements> readings = measuredAlong(way, random);
   for (std::size_t k = 1; k < readings.size(); ++k) readings[k].measurements.clear();
   // Everything was measured at the first place, a hundred times over.
   const std::vector<PoseMeasurement> once = readings[0].measurements;
@@ -154,23 +154,23 @@ TEST(CarriedPose, OlderReadingsNeverTellMoreThanTheWayLetsThem)
   const PoseMl fit = refineCarriedPose(readings, way.now());
   ASSERT_EQ(fit.status, SolveStatus::ok);
   const Matrix3d to_world = composeJacobianSecond(fit.pose.mean);
-  const Matrix3d floor = to_world * readings[0].way_covariance * to_world.transpose();
+  const Matrix3d floor = to_world * readings[0].odometry_covariance * to_world.transpose();
   const Matrix3d above = fit.pose.covariance - floor;
   EXPECT_GT(above.diagonal().minCoeff(), 0);
   EXPECT_LT(above.norm(), 0.1 * floor.norm());
 }
 
-TEST(CarriedPose, WhatCannotBeSolvedSaysWhy)
+TEST(WindowPose, WhatCannotBeSolvedSaysWhy)
 {
   RandomStream random(5);
   const Way way = makeWay({}, {0.3, 0, 0}, 1, kStepNoise, random);
-  std::vector<CarriedMeasurements> readings = measuredAlong(way, random);
+  std::vector<WindowMeasurements> readings = measuredAlong(way, random);
   EXPECT_EQ(refineCarriedPose({}, {}).status, SolveStatus::too_few);
   EXPECT_EQ(refineCarriedPose(readings, {std::nan(""), 0, 0}).status, SolveStatus::bad_input);
-  readings[0].way_covariance(0, 0) = -1;
+  readings[0].odometry_covariance(0, 0) = -1;
   EXPECT_EQ(refineCarriedPose(readings, {}).status, SolveStatus::bad_input);
   // One landmark, however often it is seen: a ring.
-  std::vector<CarriedMeasurements> ring;
+  std::vector<WindowMeasurements> ring;
   for (std::size_t k = 0; k < 2; ++k)
     for (const auto kind : {PoseMeasurement::Kind::bearing, PoseMeasurement::Kind::range})
       ring.push_back({way.covariances[k], {measured(kind, {3, 2}, way.true_places[k], way.places[k], random)}});

@@ -4,9 +4,9 @@
 #include <cstdlib>
 
 #include "mrpt_ext/configuration/localization_keys.h"
-#include "mrpt_ext/settings/settings.h"
 #include "mrpt_ext/configuration/simulator_config.h"
 #include "mrpt_ext/configuration/simulator_keys.h"
+#include "mrpt_ext/settings/settings.h"
 #include "mrpt_ext/simulation/simulator.h"
 
 namespace mrpt_ext

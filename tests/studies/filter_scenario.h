@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "mrpt_ext/localizers/particle_filter_localizer.h"
-#include "mrpt_ext/frames/frame_sequence.h"
 #include "mrpt_ext/configuration/localization_config.h"
+#include "mrpt_ext/frames/frame_sequence.h"
+#include "mrpt_ext/localizers/particle_filter_localizer.h"
 
 namespace mrpt_ext
 {

@@ -47,7 +47,7 @@ void trust(std::ostream& out, const char* name, What what, double std_bearing_de
     const Scene scene = randomScene(random, landmarks[static_cast<std::size_t>(s) % 4]);
     const double scale = scales[static_cast<std::size_t>(s) / 4 % 3];
     const MeasuringKind kind{what, degToRad(scale * std_bearing_deg), scale * std_range};
-    tallyTrust(tally, scene, solveIdentifiedPose(measureScene(scene, kind, random)));
+    tallyTrust(tally, scene, solvePoseFromLandmarks(measureScene(scene, kind, random)));
   }
   const auto count = [&](SolveStatus status) { return tally.status[static_cast<std::size_t>(status)]; };
   out << "| " << name << " | " << scenes << " | " << count(SolveStatus::ok) << " | "

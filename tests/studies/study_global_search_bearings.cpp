@@ -23,7 +23,7 @@ double processorTime() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS
 Outcome searchOnce(const BearingSearch& search, const LostView& view, const PoseSearchOptions& how)
 {
   const double start = processorTime();
-  const PoseSearch result = search.search({&view.place, 1}, how);
+  const PoseSearchResult result = search.search({&view.place, 1}, how);
   Outcome o;
   o.milliseconds = processorTime() - start;
   o.found = std::any_of(result.poses.begin(), result.poses.end(),
@@ -47,7 +47,7 @@ std::vector<Outcome> searchMany(const LostSceneOptions& options, int trials, std
     const LandmarkIndex index = map.index();
     const BearingSearch search(index);
     PoseSearchOptions how;
-    if (!options.max_range) how.area = MapArea{Vector2d::Zero(), Vector2d::Constant(map.side)};
+    if (!options.max_range) how.area = Box2{Vector2d::Zero(), Vector2d::Constant(map.side)};
     for (int t = 0; t < 100 && static_cast<int>(outcomes.size()) < trials; ++t)
       outcomes.push_back(searchOnce(search, lookAroundSomewhere(map, index, options, random), how));
   }

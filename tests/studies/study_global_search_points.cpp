@@ -32,7 +32,7 @@ void tabulate(std::ostream& out, int landmarks, double std_bearing_deg, int tria
   {
     const LostView view = lookAroundSomewhere(map, index, options, random);
     const double start = processorTime();
-    const PoseSearch result = search.search({&view.place, 1});
+    const PoseSearchResult result = search.search({&view.place, 1});
     ms.push_back(1000 * (processorTime() - start));
     const auto right = [&](const ConsistentPose& p) { return isAtTruth(p.pose.mean, view.robot); };
     const bool best = !result.poses.empty() && right(result.poses.front());

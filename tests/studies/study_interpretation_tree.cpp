@@ -13,7 +13,7 @@ InterpretationOptions optionsFor(double sigma, int unmatched = 0, double margin 
   InterpretationOptions options;
   options.max_residual = 3.3 * sigma;
   options.max_unmatched = unmatched;
-  options.area = MapArea{{-margin, -margin}, {10 + margin, 10 + margin}};
+  options.area = Box2{{-margin, -margin}, {10 + margin, 10 + margin}};
   return options;
 }
 

@@ -39,7 +39,7 @@ Found tally(std::vector<ConsistentPose> poses, const Pose2& truth)
 }
 
 /// The widest pairs of points against all pairs of landmarks as far apart, judged on everything.
-Found searchPairs(const JoinedConstellation& joined, const LandmarkIndex& index, const Pose2& truth)
+Found searchPairs(const LocalLandmarkMap& joined, const LandmarkIndex& index, const Pose2& truth)
 {
   struct Pair
   {
@@ -57,7 +57,7 @@ Found searchPairs(const JoinedConstellation& joined, const LandmarkIndex& index,
     }
   std::sort(pairs.begin(), pairs.end(), [](const Pair& p, const Pair& q) { return p.std < q.std; });
   pairs.resize(std::min<std::size_t>(pairs.size(), 12));
-  const std::vector<SensorPlace> places = asSensorPlaces(joined);
+  const std::vector<Scan> places = asScans(joined);
   const auto least = std::max(3, static_cast<int>(joined.points.size() / 2));
   std::vector<ConsistentPose> poses;
   for (const Pair& pair : pairs)
@@ -71,7 +71,7 @@ Found searchPairs(const JoinedConstellation& joined, const LandmarkIndex& index,
                                                 SeenLandmark{index.position(j), pair.b->in_robot}};
                           const PointPose fit = solvePointPose(seen);
                           if (fit.status != SolveStatus::ok) return;
-                          if (const auto pose = judgePose(index, places, {.gate = kGate}, fit.pose, least))
+                          if (const auto pose = verifyPose(index, places, {.gate = kGate}, fit.pose, least))
                             poses.push_back(*pose);
                         });
   return tally(std::move(poses), truth);
@@ -103,7 +103,7 @@ Row measure(const JoinedSceneOptions& options)
   {
     const JoinedView view = driveSomewhere(map, index, options, random);
     const auto begin = std::chrono::steady_clock::now();
-    const JoinedConstellation joined = joinPlaces(view.places);
+    const LocalLandmarkMap joined = buildLocalMap(view.places);
     row.milliseconds +=
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count() / kTrials;
     for (const ConstellationPoint& point : joined.points)

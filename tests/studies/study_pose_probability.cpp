@@ -26,11 +26,11 @@ void run(const LostSceneOptions& options, int trials, std::uint64_t seed, Tally&
     const LandmarkIndex index = map.index();
     const Search search(index);
     PoseSearchOptions how;
-    how.area = MapArea{Vector2d::Constant(options.border), Vector2d::Constant(map.side - options.border)};
+    how.area = Box2{Vector2d::Constant(options.border), Vector2d::Constant(map.side - options.border)};
     for (int t = 0; t < 50 && trials > 0; ++t, --trials)
     {
       const LostView view = lookAroundSomewhere(map, index, options, random);
-      const PoseSearch found = search.search({&view.place, 1}, how);
+      const PoseSearchResult found = search.search({&view.place, 1}, how);
       ++tally.trials;
       tally.unanswered += found.poses.empty();
       if (found.poses.empty()) continue;

@@ -50,21 +50,21 @@ std::optional<Pose2> identifiedPose(const Reading& reading, const LandmarkTable&
       measurements.push_back(
           {PoseMeasurement::Kind::range, landmark, *d.range, stdRange(*d.range), reading.T_robot_sensor});
   }
-  const IdentifiedPose found = solveIdentifiedPose(measurements);
+  const IdentifiedPose found = solvePoseFromLandmarks(measurements);
   if (found.candidates.empty()) return std::nullopt;
   return found.candidates.front().pose.mean;
 }
 
-SensorPlace withoutIdentities(const Reading& reading, bool with_ranges)
+Scan withoutIdentities(const Reading& reading, bool with_ranges)
 {
-  SensorPlace place{reading.T_robot_sensor, {}, {}};
+  Scan place{reading.T_robot_sensor, {}, {}};
   place.model.clutter_probability = kClutter;
   place.model.max_range = kMaxRange;
   place.model.field_of_view = kFieldOfView;
   place.model.has_field_of_view = true;
   for (const Detection& d : reading.detections)
   {
-    UnidentifiedDetection& hidden = place.detections.emplace_back();
+    AnonymousDetection& hidden = place.detections.emplace_back();
     hidden.bearing = d.bearing;
     hidden.std_bearing = kStdBearing;
     if (with_ranges) hidden.range = d.range;
@@ -94,10 +94,10 @@ std::vector<std::size_t> chosenSnapshots(const Recording& recording)
 
 Tally tallyOf(const Recording& recording, bool with_ranges)
 {
-  const LostRobotSearch search(recording.map);
+  const GlobalPoseSearch search(recording.map);
   const auto [low, high] = recording.map.boundingBox();
   PoseSearchOptions options;
-  options.area = MapArea{low.array() - kMargin, high.array() + kMargin};
+  options.area = Box2{low.array() - kMargin, high.array() + kMargin};
   Tally tally;
   for (const std::size_t k : chosenSnapshots(recording))
   {
@@ -107,9 +107,9 @@ Tally tallyOf(const Recording& recording, bool with_ranges)
     ++tally.snapshots;
     const auto known = identifiedPose(reading, recording.map, with_ranges);
     tally.known += known && isRight(*known, truth);
-    const SensorPlace place = withoutIdentities(reading, with_ranges);
+    const Scan place = withoutIdentities(reading, with_ranges);
     const std::clock_t start = std::clock();
-    const PoseSearch found = search.search({&place, 1}, options);
+    const PoseSearchResult found = search.search({&place, 1}, options);
     tally.ms.push_back(1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
     const bool first = !found.poses.empty() && isRight(found.poses.front().pose.mean, truth);
     tally.first += first;

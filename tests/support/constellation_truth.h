@@ -2,8 +2,8 @@
 
 #include <Eigen/LU>
 
-#include "window_scene.h"
 #include "mrpt_ext/correspondence/local_map/local_map.h"
+#include "window_scene.h"
 
 namespace mrpt_ext
 {

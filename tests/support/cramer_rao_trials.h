@@ -91,7 +91,7 @@ inline CramerRaoTally tallyAgainstBound(const MeasuringKind& kind, int landmarks
     {
       const std::vector<PoseMeasurement> measurements = measureScene(scene, kind, random);
       if (t == 0) bound = positionBound(measurements, scene.robot);
-      const IdentifiedPose solved = solveIdentifiedPose(measurements, options);
+      const IdentifiedPose solved = solvePoseFromLandmarks(measurements, options);
       ++tally.trials;
       flagged += solved.status == SolveStatus::degenerate;
       tally.contradictory += solved.status == SolveStatus::none;

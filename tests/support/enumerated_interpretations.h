@@ -15,7 +15,7 @@ namespace mrpt_ext
 struct UnidentifiedScene
 {
   Scene scene;
-  std::vector<UnidentifiedBearing> bearings;
+  std::vector<AnonymousBearing> bearings;
   std::vector<int> truth;  ///< landmark per bearing; -1: false bearing
 };
 
@@ -97,7 +97,7 @@ class InterpretationEnumeration
     double gates = 0;
     for (const double r : best.residuals) gates = std::max(gates, std::abs(r) / options_.max_residual);
     const Vector2d p = best.pose.mean.position();
-    const MapArea& area = *options_.area;
+    const Box2& area = *options_.area;
     const double inside = std::min((p - area.min).minCoeff(), (area.max - p).minCoeff());
     if (inside > -1e-3 && gates < 1.25 && (gates > 0.9 || inside < 1e-3)) doubtful = true;
     if (inside > 0 && gates <= 1) found.insert(assignment_);

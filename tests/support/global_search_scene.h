@@ -56,15 +56,15 @@ inline LostMap strewLandmarks(const LostSceneOptions& options, RandomStream& ran
 /// What a lost robot is given, and what it is not: its pose and the landmark behind each detection.
 struct LostView
 {
-  SensorPlace place;
+  Scan place;
   Pose2 robot;             ///< truth
   std::vector<int> truth;  ///< landmark of each detection; -1: false
 };
 
 /// Measures a point `offset` away from the sensor (sensor axes), with noise.
-inline UnidentifiedDetection measurePoint(const Vector2d& offset, const LostSceneOptions& options, RandomStream& random)
+inline AnonymousDetection measurePoint(const Vector2d& offset, const LostSceneOptions& options, RandomStream& random)
 {
-  UnidentifiedDetection d;
+  AnonymousDetection d;
   d.std_bearing = options.std_bearing;
   d.std_range = options.std_range;
   const double bearing_noise = random.gaussian(), range_noise = random.gaussian();
@@ -87,8 +87,8 @@ inline SensorModel declaredModel(const LostSceneOptions& options)
 }
 
 /// What is seen at `robot` by a sensor at `T_robot_sensor`; the detections come in random order.
-inline LostView lookAround(const LostMap& map, const LandmarkIndex& index, const LostSceneOptions& options,
-                           const Pose2& robot, RandomStream& random, const Pose2& T_robot_sensor = {})
+inline LostView landmarkGates(const LostMap& map, const LandmarkIndex& index, const LostSceneOptions& options,
+                              const Pose2& robot, RandomStream& random, const Pose2& T_robot_sensor = {})
 {
   LostView view;
   view.robot = robot;
@@ -118,7 +118,7 @@ inline LostView lookAround(const LostMap& map, const LandmarkIndex& index, const
     if (l >= 0)
     {
       const auto landmark = static_cast<std::size_t>(l);
-      UnidentifiedDetection d = measurePoint(transform(world_in_sensor, index.position(landmark)), options, random);
+      AnonymousDetection d = measurePoint(transform(world_in_sensor, index.position(landmark)), options, random);
       if (options.kinds > 1) d.kind = index.kind(landmark);
       view.place.detections.push_back(d);
     }
@@ -127,7 +127,7 @@ inline LostView lookAround(const LostMap& map, const LandmarkIndex& index, const
       const double distance = std::min(radius, map.side) * random.uniform();  // even in range, as models take it
       const double direction = random.uniform(-kPi, kPi);
       const Vector2d offset(distance * std::cos(direction), distance * std::sin(direction));
-      UnidentifiedDetection d = measurePoint(offset, options, random);
+      AnonymousDetection d = measurePoint(offset, options, random);
       if (options.kinds > 1) d.kind = index.kind(random.below(index.size()));
       view.place.detections.push_back(d);
     }
@@ -143,7 +143,7 @@ inline LostView lookAroundSomewhere(const LostMap& map, const LandmarkIndex& ind
 {
   const double border = std::min(options.border, 0.45 * map.side);
   const double x = random.uniform(border, map.side - border), y = random.uniform(border, map.side - border);
-  return lookAround(map, index, options, {x, y, random.uniform(-kPi, kPi)}, random);
+  return landmarkGates(map, index, options, {x, y, random.uniform(-kPi, kPi)}, random);
 }
 
 /// Within 0.1 m and 1 deg of the truth.

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "mrpt_ext/relocalization/trajectory_search.h"
-#include "mrpt_ext/importers/mrclam.h"
-#include "mrpt_ext/relocalization/trajectory_steps.h"
-#include "mrpt_ext/frames/frame_sequence.h"
 #include "mrpt_ext/configuration/localization_config.h"
 #include "mrpt_ext/configuration/localization_keys.h"
+#include "mrpt_ext/frames/frame_sequence.h"
+#include "mrpt_ext/importers/mrclam.h"
+#include "mrpt_ext/relocalization/trajectory_search.h"
+#include "mrpt_ext/relocalization/trajectory_steps.h"
 
 /// MRCLAM data set 6 without the names of the landmarks, joined over windows of travel.
 namespace mrpt_ext::mrclam_windows
@@ -52,7 +52,7 @@ inline bool isRight(const Pose2& pose, const Pose2& truth)
 /// Grows a window from `start` until the search is sure of a pose, and judges its answer. Nothing is counted where the
 /// truth is not known then.
 inline void judgeWindow(const FrameSequence& sequence, std::size_t start, const Recording& recording,
-                        const LostRobotSearch& search, const LocalizationConfig& config, Tally& tally)
+                        const GlobalPoseSearch& search, const LocalizationConfig& config, Tally& tally)
 {
   const double begin = sequence.frames[start].time;
   double next_try = begin;
@@ -65,8 +65,9 @@ inline void judgeWindow(const FrameSequence& sequence, std::size_t start, const 
     if (now < next_try) continue;
     next_try = now + kBetweenTries;
     const std::clock_t clock = std::clock();
-    const TravelSearch found = searchAlongWay(
-        travelLooks(frames, config.filter.motion, recording.map, search.index(), kLook), search, config.filter.region);
+    const TrajectorySearchResult found =
+        localizeOverTrajectory(trajectorySteps(frames, config.filter.motion, recording.map, search.index(), kLook),
+                               search, config.filter.region);
     tally.ms.push_back(1e3 * static_cast<double>(std::clock() - clock) / CLOCKS_PER_SEC);
     if (found.hypotheses.empty() || found.hypotheses.front().weight <= kEnough) continue;
     const auto truth = interpolate(recording.truth, now, 0.5);
@@ -89,7 +90,7 @@ inline Tally tallyWindows(const Recording& recording, double between_starts)
       Settings::load(std::string(MRPT_EXT_SOURCE_DIR) + "/ini/landmark-localization/mrclam.ini", localizationKeys());
   const LocalizationConfig config = localizationConfig(settings, recording.map);
   const FrameSequence sequence = buildFrames(recording.records, recording.map, config.frames);
-  const LostRobotSearch search(recording.map);
+  const GlobalPoseSearch search(recording.map);
   Tally tally;
   double next = -1e9;
   for (std::size_t k = 0; k < sequence.frames.size(); ++k)

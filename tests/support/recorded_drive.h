@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "mrpt_ext/calibration/calibration_problem.h"
 #include "mrpt_ext/geometry/measurement_jacobian.h"
 #include "mrpt_ext/geometry/random.h"
-#include "mrpt_ext/calibration/calibration_problem.h"
 
 namespace mrpt_ext::testing
 {
@@ -20,7 +20,7 @@ struct DrivePlan
   double outliers = 0.03;  // share
   double std_way_per_root_s = 0.01, std_turn_per_root_s = 0.01;
   double delay = 0, bearing_offset = 0, range_offset = 0, range_scale = 0;
-  double way_scale = 0, turn_scale = 0, veer = 0;
+  double distance_scale = 0, rotation_scale = 0, veer = 0;
 };
 
 /// Forward and turn rate of the drive: it weaves and comes back.
@@ -34,9 +34,9 @@ inline Pose2 driveAt(const DrivePlan& plan, double time)
 }
 
 /// Readings at the stamps of the poses were made `delay` before; odometry tells less than is true.
-inline RecordedWay recordedDrive(const DrivePlan& plan, RandomStream& random)
+inline CalibrationProblem recordedDrive(const DrivePlan& plan, RandomStream& random)
 {
-  RecordedWay way;
+  CalibrationProblem way;
   way.sensors = 1;
   constexpr double kOdometryRate = 20, kBefore = 2;  // [Hz], [s]
   Pose2 reckoned, before = driveAt(plan, -kBefore);
@@ -47,10 +47,10 @@ inline RecordedWay recordedDrive(const DrivePlan& plan, RandomStream& random)
     const Pose2 now = driveAt(plan, time), step = between(before, now);
     const double way_noise = plan.std_way_per_root_s * root, turn_noise = plan.std_turn_per_root_s * root;
     const double length = step.position().norm();
-    reckoned =
-        compose(reckoned, {(step.x + way_noise * random.gaussian()) / (1 + plan.way_scale),
-                           (step.y + way_noise * random.gaussian()) / (1 + plan.way_scale),
-                           (step.phi - plan.veer * length + turn_noise * random.gaussian()) / (1 + plan.turn_scale)});
+    reckoned = compose(reckoned,
+                       {(step.x + way_noise * random.gaussian()) / (1 + plan.distance_scale),
+                        (step.y + way_noise * random.gaussian()) / (1 + plan.distance_scale),
+                        (step.phi - plan.veer * length + turn_noise * random.gaussian()) / (1 + plan.rotation_scale)});
     way.odometry.push_back({time, reckoned});
     before = now;
   }
@@ -59,10 +59,10 @@ inline RecordedWay recordedDrive(const DrivePlan& plan, RandomStream& random)
   {
     const double time = k / plan.rate;
     const Pose2 guess = driveAt(plan, time), seen_from = driveAt(plan, time - plan.delay);
-    WayPose pose{time,
-                 {guess.x + 0.1 * random.gaussian(), guess.y + 0.1 * random.gaussian(),
-                  wrap(guess.phi + 0.05 * random.gaussian())},
-                 {}};
+    TrajectoryPose pose{time,
+                        {guess.x + 0.1 * random.gaussian(), guess.y + 0.1 * random.gaussian(),
+                         wrap(guess.phi + 0.05 * random.gaussian())},
+                        {}};
     if (k > 0)
     {
       const Vector3d variances{square(plan.std_way_per_root_s), square(plan.std_way_per_root_s),
@@ -72,7 +72,8 @@ inline RecordedWay recordedDrive(const DrivePlan& plan, RandomStream& random)
     way.poses.push_back(pose);
     for (int i = 0; i < plan.landmarks_seen; ++i)
     {
-      WayReading r{.pose = way.poses.size() - 1, .place = plan.landmarks[next_landmark++ % plan.landmarks.size()]};
+      CalibrationReading r{.pose = way.poses.size() - 1,
+                           .place = plan.landmarks[next_landmark++ % plan.landmarks.size()]};
       const bool wrong = random.chance(plan.outliers);
       if (plan.bearings)
       {

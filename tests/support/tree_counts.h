@@ -31,7 +31,7 @@ inline TreeCounts countTree(const UnidentifiedScene& s, InterpretationRule rule,
   InterpretationOptions options;
   options.rule = rule;
   options.max_residual = gate;
-  if (rule == InterpretationRule::complete) options.area = MapArea{{0, 0}, {10, 10}};
+  if (rule == InterpretationRule::complete) options.area = Box2{{0, 0}, {10, 10}};
   const Interpretations result = interpretBearings(s.scene.landmarks, s.bearings, options);
   TreeCounts counts;
   counts.assignments = assignmentsOf(result);

@@ -21,7 +21,7 @@ struct JoinedSceneOptions
 
 struct JoinedView
 {
-  std::vector<CarriedPlace> places;     ///< oldest first
+  std::vector<PastScan> places;         ///< oldest first
   std::vector<std::vector<int>> truth;  ///< landmark of each detection of each place; -1: false
   Pose2 robot;                          ///< at the end
 };
@@ -38,7 +38,7 @@ inline JoinedView driveTo(const LostMap& map, const LandmarkIndex& index, const 
   view.robot = end;
   for (std::size_t k = 0; k < way.places.size(); ++k)
   {
-    LostView look = lookAround(map, index, options.scene, way.true_places[k], random);
+    LostView look = landmarkGates(map, index, options.scene, way.true_places[k], random);
     look.place.T_robot_sensor = way.places[k];
     view.places.push_back({std::move(look.place), way.covariances[k]});
     view.truth.push_back(std::move(look.truth));

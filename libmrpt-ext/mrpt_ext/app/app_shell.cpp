@@ -2,9 +2,9 @@
 
 #include <ostream>
 
+#include "mrpt_ext/app/version.h"
 #include "mrpt_ext/files/number_format.h"
 #include "mrpt_ext/geometry/input_error.h"
-#include "mrpt_ext/app/version.h"
 
 namespace mrpt_ext
 {

@@ -3,11 +3,11 @@
 #include <ostream>
 #include <set>
 
+#include "mrpt_ext/app/exit_codes.h"
+#include "mrpt_ext/diagnosis/calibration_report.h"
 #include "mrpt_ext/files/atomic_file.h"
 #include "mrpt_ext/files/number_format.h"
 #include "mrpt_ext/files/text_file.h"
-#include "mrpt_ext/diagnosis/calibration_report.h"
-#include "mrpt_ext/app/exit_codes.h"
 
 namespace mrpt_ext
 {
@@ -16,26 +16,28 @@ namespace
 const std::string kExperiment = "LocalizationExperiment";
 
 /// What there is to be asked of this log.
-std::vector<ErrorTerm> termsOf(const LocalizationInput& input, const ExaminedWay& examined)
+std::vector<ErrorTerm> termsOf(const LocalizationInput& input, const CalibrationData& examined)
 {
   const bool moving = !input.config.frames.independent && !examined.way.odometry.empty() &&
                       input.config.filter.motion.type != MotionType::random_walk;
   std::set<std::size_t> bearings, ranges;
-  for (const WayReading& r : examined.way.readings) (r.is_range ? ranges : bearings).insert(r.sensor);
+  for (const CalibrationReading& r : examined.way.readings) (r.is_range ? ranges : bearings).insert(r.sensor);
   std::vector<ErrorTerm> terms;
-  if (moving) terms = {{RecordingError::way_scale}, {RecordingError::turn_scale}, {RecordingError::veer}};
+  if (moving)
+    terms = {
+        {CalibrationParameter::distance_scale}, {CalibrationParameter::rotation_scale}, {CalibrationParameter::veer}};
   for (std::size_t s = 0; s < examined.sensors.size(); ++s)
   {
-    if (moving && (bearings.count(s) > 0 || ranges.count(s) > 0)) terms.push_back({RecordingError::delay, s});
-    if (bearings.count(s) > 0) terms.push_back({RecordingError::bearing_offset, s});
+    if (moving && (bearings.count(s) > 0 || ranges.count(s) > 0)) terms.push_back({CalibrationParameter::delay, s});
+    if (bearings.count(s) > 0) terms.push_back({CalibrationParameter::bearing_offset, s});
     if (ranges.count(s) == 0) continue;
-    terms.push_back({RecordingError::range_offset, s});
-    terms.push_back({RecordingError::range_scale, s});
+    terms.push_back({CalibrationParameter::range_offset, s});
+    terms.push_back({CalibrationParameter::range_scale, s});
   }
   return terms;
 }
 
-std::string whyNothing(SolveStatus status, const std::vector<TrackPoint>& track)
+std::string whyNothing(SolveStatus status, const std::vector<PoseEstimate>& track)
 {
   if (track.empty())
     return "the filter was never sure of a place: give it wider std_range_m, std_bearing_deg or [Bias] to start from";
@@ -44,21 +46,22 @@ std::string whyNothing(SolveStatus status, const std::vector<TrackPoint>& track)
 }
 
 /// How much of the log the filter knew its place in.
-std::string headline(const LocalizationInput& input, const ExaminedWay& examined, const std::vector<TrackPoint>& track)
+std::string headline(const LocalizationInput& input, const CalibrationData& examined,
+                     const std::vector<PoseEstimate>& track)
 {
   const auto frames = static_cast<double>(input.log.frames);
   std::string text = "examined " + std::to_string(examined.way.readings.size()) + " bearings and ranges in " +
                      fixedText(input.context.duration_s, 1) + " s, where the place was sure (" +
                      fixedText(100 * static_cast<double>(track.size()) / frames, 0) + " % of the frames)";
-  if (examined.nameless > 0)
-    text += "; " + std::to_string(examined.nameless) + " detections whose landmark is unclear were left out";
+  if (examined.anonymous > 0)
+    text += "; " + std::to_string(examined.anonymous) + " detections whose landmark is unclear were left out";
   return text + "; the truth was not used";
 }
 
-std::vector<ConfigurationLine> linesToSet(const std::vector<DoctorFinding>& findings)
+std::vector<IniAssignment> linesToSet(const std::vector<CalibrationFinding>& findings)
 {
-  std::vector<ConfigurationLine> lines;
-  for (const DoctorFinding& finding : findings)
+  std::vector<IniAssignment> lines;
+  for (const CalibrationFinding& finding : findings)
     if (finding.differs) lines.push_back(finding.line);
   return lines;
 }
@@ -74,21 +77,22 @@ int runExamination(Settings settings, const ExaminationRequest& request, std::os
   const LocalizationInput by_stamp = loadLocalization(settings, request.window);
 
   const auto seed = static_cast<std::uint64_t>(settings.integer(kExperiment, "random_seed"));
-  const std::vector<TrackPoint> track = sureTrack(input, seed);
-  const ExaminedWay examined = examinedWay(by_stamp, track, input.config.frames.window);
-  const RecordingErrors errors = estimateRecordingErrors(examined.way, termsOf(input, examined));
+  const std::vector<PoseEstimate> track = confidentTrajectory(input, seed);
+  const CalibrationData examined = examinedWay(by_stamp, track, input.config.frames.window);
+  const RecordingErrors errors = calibrate(examined.way, termsOf(input, examined));
   if (!request.quiet) out << headline(input, examined, track) << '\n';
   if (errors.status != SolveStatus::ok)
   {
     out << "nothing can be told: " << whyNothing(errors.status, track) << '\n';
     return kExitDone;
   }
-  std::vector<DoctorFinding> findings = doctorFindings(errors, examined.sensors, input.config);
-  for (DoctorFinding& finding : scatterFindings(errors, examined, input.config)) findings.push_back(std::move(finding));
-  const std::vector<ConfigurationLine> lines = linesToSet(findings);
+  std::vector<CalibrationFinding> findings = doctorFindings(errors, examined.sensors, input.config);
+  for (CalibrationFinding& finding : scatterFindings(errors, examined, input.config))
+    findings.push_back(std::move(finding));
+  const std::vector<IniAssignment> lines = linesToSet(findings);
   if (request.quiet)
   {
-    for (const ConfigurationLine& line : lines)
+    for (const IniAssignment& line : lines)
       out << "set [" << line.section << "] " << line.key << " = " << line.value << '\n';
   }
   else
@@ -99,7 +103,7 @@ int runExamination(Settings settings, const ExaminationRequest& request, std::os
     for (const std::string& line : landmarkLines(errors, examined, input.context.map)) out << line << '\n';
   }
   if (request.calibrated.empty() || lines.empty()) return kExitDone;
-  writeFileAtomically(request.calibrated, withConfiguration(text, lines));
+  writeFileAtomically(request.calibrated, withValues(text, lines));
   if (!request.quiet) out << "wrote " << request.calibrated.string() << '\n';
   return kExitDone;
 }

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <ostream>
 
+#include "mrpt_ext/diagnosis/range_bias_report.h"
 #include "mrpt_ext/files/atomic_file.h"
 #include "mrpt_ext/files/landmark_csv.h"
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/files/tum.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/importers/recording_notes.h"
-#include "mrpt_ext/diagnosis/range_bias_report.h"
 #include "mrpt_ext/rawlog/rawlog_sink.h"
 
 namespace mrpt_ext
@@ -18,10 +18,11 @@ namespace
 {
 namespace fs = std::filesystem;
 
-const std::map<std::string, Identity> kIdentities{
-    {"known", Identity::known}, {"category", Identity::category}, {"anonymous", Identity::anonymous}};
-const std::map<std::string, Measurements> kMeasurements{
-    {"range-bearing", Measurements::range_bearing}, {"bearing", Measurements::bearing}, {"range", Measurements::range}};
+const std::map<std::string, IdentityLevel> kIdentities{
+    {"known", IdentityLevel::known}, {"category", IdentityLevel::category}, {"anonymous", IdentityLevel::anonymous}};
+const std::map<std::string, MeasurementSelection> kMeasurements{{"range-bearing", MeasurementSelection::range_bearing},
+                                                                {"bearing", MeasurementSelection::bearing},
+                                                                {"range", MeasurementSelection::range}};
 
 template <typename Value>
 void addNamed(CLI::App& cli, const std::string& option, Value& target, const std::map<std::string, Value>& values,
@@ -109,11 +110,11 @@ void DatasetApp::examine(const Recording& recording, const std::string& calibrat
   if (!shell_.options().quiet)
   {
     for (const std::string& line : findings.lines) shell_.out() << line << '\n';
-    for (const ConfigurationLine& line : findings.configuration)
+    for (const IniAssignment& line : findings.configuration)
       shell_.out() << "set [" << line.section << "] " << line.key << " = " << line.value << '\n';
   }
   if (calibrated_.empty() || findings.configuration.empty()) return;
-  writeFileAtomically(calibrated_, withConfiguration(calibrated, findings.configuration));
+  writeFileAtomically(calibrated_, withValues(calibrated, findings.configuration));
   if (!shell_.options().quiet) shell_.out() << "wrote " << calibrated_.string() << '\n';
 }
 

@@ -12,8 +12,8 @@
 #include "mrpt_ext/importers/plaza.h"
 #include "mrpt_ext/importers/roh.h"
 #include "mrpt_ext/importers/uwb_demo_map.h"
-#include "mrpt_ext/settings/name_suggestion.h"
 #include "mrpt_ext/rawlog/uwb_demo_import.h"
+#include "mrpt_ext/settings/name_suggestion.h"
 
 namespace mrpt_ext
 {

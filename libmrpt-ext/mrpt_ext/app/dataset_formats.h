@@ -18,8 +18,8 @@ struct DatasetRequest
   std::optional<int> robot;           ///< mrclam, mrclam-snapshots
   std::filesystem::path map;          ///< mrpt-uwb: other beacon positions than the demo's
   std::optional<Pose2> truth_origin;  ///< mrpt-uwb: pose of the truth file's frame in the map
-  Identity identity = Identity::known;
-  Measurements measurements = Measurements::range_bearing;
+  IdentityLevel identity = IdentityLevel::known;
+  MeasurementSelection measurements = MeasurementSelection::range_bearing;
 };
 
 /// Names of the formats that can be read.

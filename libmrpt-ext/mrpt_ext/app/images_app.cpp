@@ -4,15 +4,15 @@
 #include <opencv2/imgcodecs.hpp>
 #include <ostream>
 
+#include "mrpt_ext/app/app_shell.h"
 #include "mrpt_ext/files/atomic_file.h"
 #include "mrpt_ext/files/landmark_csv.h"
 #include "mrpt_ext/files/tum.h"
-#include "mrpt_ext/geometry/input_error.h"
-#include "mrpt_ext/app/app_shell.h"
 #include "mrpt_ext/front_ends/images_keys.h"
 #include "mrpt_ext/front_ends/measurement_csv.h"
-#include "mrpt_ext/rawlog/rawlog_sink.h"
 #include "mrpt_ext/front_ends/vision_front_end.h"
+#include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/rawlog/rawlog_sink.h"
 
 namespace mrpt_ext
 {

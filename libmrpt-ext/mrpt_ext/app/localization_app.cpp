@@ -2,11 +2,11 @@
 
 #include <charconv>
 
-#include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/app/app_shell.h"
 #include "mrpt_ext/app/calibration_run.h"
-#include "mrpt_ext/configuration/localization_keys.h"
 #include "mrpt_ext/app/localization_run.h"
+#include "mrpt_ext/configuration/localization_keys.h"
+#include "mrpt_ext/geometry/input_error.h"
 
 namespace mrpt_ext
 {

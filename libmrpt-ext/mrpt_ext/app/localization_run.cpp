@@ -8,27 +8,27 @@
 #include <ostream>
 #include <set>
 
+#include "mrpt_ext/app/exit_codes.h"
+#include "mrpt_ext/app/interrupt.h"
+#include "mrpt_ext/app/progress_line.h"
+#include "mrpt_ext/app/run_summary_text.h"
+#include "mrpt_ext/app/version.h"
 #include "mrpt_ext/evaluation/run_merge.h"
 #include "mrpt_ext/evaluation/run_score.h"
-#include "mrpt_ext/files/atomic_file.h"
-#include "mrpt_ext/files/text_file.h"
-#include "mrpt_ext/geometry/input_error.h"
-#include "mrpt_ext/app/exit_codes.h"
 #include "mrpt_ext/experiment/frame_bounds.h"
-#include "mrpt_ext/app/interrupt.h"
-#include "mrpt_ext/scene/live_view.h"
-#include "mrpt_ext/scene/playback_recorder.h"
-#include "mrpt_ext/app/progress_line.h"
-#include "mrpt_ext/scene/run_scene.h"
-#include "mrpt_ext/app/run_summary_text.h"
 #include "mrpt_ext/experiment/tracking_bound.h"
 #include "mrpt_ext/experiment/trial_pool.h"
 #include "mrpt_ext/experiment/trial_runner.h"
-#include "mrpt_ext/app/version.h"
+#include "mrpt_ext/files/atomic_file.h"
+#include "mrpt_ext/files/text_file.h"
+#include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/report/comparison_table.h"
 #include "mrpt_ext/report/html_tables.h"
 #include "mrpt_ext/report/run_writer.h"
 #include "mrpt_ext/report/summary_reader.h"
+#include "mrpt_ext/scene/live_view.h"
+#include "mrpt_ext/scene/playback_recorder.h"
+#include "mrpt_ext/scene/run_scene.h"
 
 namespace mrpt_ext
 {
@@ -66,9 +66,9 @@ void complete(RunScore& score, const Methods& methods)
   for (const auto& localizer : methods.localizers)
     record.methods.push_back({.name = localizer->name(), .continuous = localizer->continuous()});
   for (MethodScore& method : score.methods)
-    for (const MethodTrack& track : record.methods)
+    for (const MethodTrajectory& track : record.methods)
       if (track.name == method.name) method.continuous = track.continuous;
-  if (const MethodTrack* judged = judgedMethod(record)) score.judged_method = judged->name;
+  if (const MethodTrajectory* judged = judgedMethod(record)) score.judged_method = judged->name;
 }
 
 /// A folder with results of other settings must not become a mixture.
@@ -113,9 +113,9 @@ class TrialBatch
     scores_.resize(static_cast<std::size_t>(count));
     texts_.resize(scores_.size());
     if (input.config.frames.independent)
-      bound_ = boundOfFrames(feedOf(input), input.context.map, input.context.truth, BoundOf::everything);
+      bound_ = boundOfFrames(streamOf(input), input.context.map, input.context.truth, BoundOf::everything);
     else
-      tracking_bound_ = trackingBound(input.context, input.config.filter, input.log.overview.odometry, feedOf(input));
+      tracking_bound_ = trackingBound(input.context, input.config.filter, input.log.overview.odometry, streamOf(input));
   }
 
   void run()

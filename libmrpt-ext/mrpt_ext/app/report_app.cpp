@@ -1,8 +1,8 @@
 #include "mrpt_ext/app/report_app.h"
 
+#include "mrpt_ext/app/app_shell.h"
 #include "mrpt_ext/files/atomic_file.h"
 #include "mrpt_ext/geometry/input_error.h"
-#include "mrpt_ext/app/app_shell.h"
 #include "mrpt_ext/report/comparison_page.h"
 #include "mrpt_ext/report/study_table.h"
 

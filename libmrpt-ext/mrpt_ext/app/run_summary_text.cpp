@@ -67,7 +67,7 @@ std::string boundText(const LocalizationInput& input)
   std::string result;
   for (const auto& [what, name] :
        {std::pair(BoundOf::bearings, "bearings alone"), std::pair(BoundOf::everything, "all measurements")})
-    if (const auto bound = boundOfFrames(feedOf(input), input.context.map, input.context.truth, what))
+    if (const auto bound = boundOfFrames(streamOf(input), input.context.map, input.context.truth, what))
       result += text("limit    Cramer-Rao bound of %s: position RMSE %.3f m, median %.3f m (%zu frames)\n", name,
                      bound->position_rmse, bound->position_median, bound->frames);
   return result;
@@ -77,8 +77,8 @@ std::string verdictText(const RunRecord& record, double start_time)
 {
   std::string result;
   std::optional<Verdict> before;
-  for (const MethodTrack& track : record.methods)
-    for (const TrackPoint& point : track.points)
+  for (const MethodTrajectory& track : record.methods)
+    for (const PoseEstimate& point : track.points)
     {
       if (track.name != "particle_filter") break;
       if (before != point.verdict)
@@ -93,11 +93,11 @@ std::string verdictText(const RunRecord& record, double start_time)
 std::string ambiguityText(const RunRecord& record, double start_time)
 {
   const auto track = std::find_if(record.methods.begin(), record.methods.end(),
-                                  [](const MethodTrack& m) { return m.name == "particle_filter"; });
+                                  [](const MethodTrajectory& m) { return m.name == "particle_filter"; });
   if (track == record.methods.end() || track->points.empty()) return {};
   const auto& points = track->points;
   const auto sure =
-      std::find_if(points.begin(), points.end(), [](const TrackPoint& p) { return p.verdict == Verdict::ok; });
+      std::find_if(points.begin(), points.end(), [](const PoseEstimate& p) { return p.verdict == Verdict::ok; });
   std::string result = text("start    %d place%s explain%s the first frame\n", points.front().modes,
                             points.front().modes == 1 ? "" : "s", points.front().modes == 1 ? "s" : "");
   if (sure == points.end()) return result + "resolved never: the filter was not sure of one place at any time\n";

@@ -3,14 +3,14 @@
 #include <memory>
 #include <ostream>
 
+#include "mrpt_ext/app/app_shell.h"
+#include "mrpt_ext/app/progress_line.h"
+#include "mrpt_ext/configuration/simulator_config.h"
+#include "mrpt_ext/configuration/simulator_keys.h"
 #include "mrpt_ext/files/landmark_csv.h"
 #include "mrpt_ext/files/tum.h"
 #include "mrpt_ext/geometry/input_error.h"
-#include "mrpt_ext/app/app_shell.h"
-#include "mrpt_ext/app/progress_line.h"
 #include "mrpt_ext/rawlog/rawlog_sink.h"
-#include "mrpt_ext/configuration/simulator_config.h"
-#include "mrpt_ext/configuration/simulator_keys.h"
 #include "mrpt_ext/simulation/simulator.h"
 
 namespace mrpt_ext
@@ -40,7 +40,7 @@ int simulateToFiles(const fs::path& config, const CommonOptions& options, std::o
   checkOutput(options.output);
 
   ProgressLine progress(!options.quiet, "simulating");
-  const auto drive = [&, passes = 0]() mutable -> RecordFeed
+  const auto drive = [&, passes = 0]() mutable -> RecordStream
   {
     const double before = passes++ / 2.0;  // one pass to count the records, one to write them
     return [&, before, drive = std::make_shared<SimulatedDrive>(scenario)]

@@ -20,7 +20,7 @@ bool isPositive(const Eigen::MatrixXd& information)
 }
 }  // namespace
 
-PoseChain::PoseChain(std::size_t poses, Eigen::Index shared)
+PoseChainSystem::PoseChainSystem(std::size_t poses, Eigen::Index shared)
     : diagonal_(poses, Matrix3d::Zero()),
       above_(poses, Matrix3d::Zero()),
       side_(Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(poses), 1 + shared)),
@@ -29,8 +29,8 @@ PoseChain::PoseChain(std::size_t poses, Eigen::Index shared)
 {
 }
 
-void PoseChain::addReading(std::size_t pose, double residual, const JacobianRow& own, const SharedRow& shared,
-                           double weight)
+void PoseChainSystem::addReading(std::size_t pose, double residual, const JacobianRow& own, const SharedRow& shared,
+                                 double weight)
 {
   const auto at = 3 * static_cast<Eigen::Index>(pose);
   const Vector3d pull = weight * own.transpose();
@@ -41,8 +41,8 @@ void PoseChain::addReading(std::size_t pose, double residual, const JacobianRow&
   shared_side_ += weight * residual * shared.transpose();
 }
 
-void PoseChain::addLink(std::size_t pose, const Vector3d& residual, const Matrix3d& own, const Matrix3d& next,
-                        const SharedRows& shared, double weight)
+void PoseChainSystem::addLink(std::size_t pose, const Vector3d& residual, const Matrix3d& own, const Matrix3d& next,
+                              const SharedRows& shared, double weight)
 {
   const auto at = 3 * static_cast<Eigen::Index>(pose);
   const Matrix3d own_pull = weight * own.transpose(), next_pull = weight * next.transpose();
@@ -57,13 +57,13 @@ void PoseChain::addLink(std::size_t pose, const Vector3d& residual, const Matrix
   shared_side_ += weight * shared.transpose() * residual;
 }
 
-void PoseChain::addShared(Eigen::Index unknown, double residual, double std)
+void PoseChainSystem::addShared(Eigen::Index unknown, double residual, double std)
 {
   shared_(unknown, unknown) += 1 / square(std);
   shared_side_[unknown] += residual / square(std);
 }
 
-std::optional<ChainSolution> PoseChain::solve() const
+std::optional<ChainSolution> PoseChainSystem::solve() const
 {
   const std::size_t n = diagonal_.size();
   ChainSolution solution;

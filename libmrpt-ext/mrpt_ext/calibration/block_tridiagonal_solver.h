@@ -8,7 +8,7 @@
 
 namespace mrpt_ext
 {
-/// What the normal equations of a PoseChain say.
+/// What the normal equations of a PoseChainSystem say.
 struct ChainSolution
 {
   std::vector<Vector3d> steps;           ///< of the poses
@@ -23,13 +23,13 @@ struct ChainSolution
 /// all of them. Everything added is a residual (measured minus predicted), its derivative of the prediction, and a
 /// weight. Solved by block elimination along the chain, in time linear in its length (Schur complement for the shared
 /// unknowns; Bryson-Frazier-like backward pass for the covariances).
-class PoseChain
+class PoseChainSystem
 {
  public:
   using SharedRow = Eigen::RowVectorXd;
   using SharedRows = Eigen::Matrix<double, 3, Eigen::Dynamic>;
 
-  PoseChain(std::size_t poses, Eigen::Index shared);
+  PoseChainSystem(std::size_t poses, Eigen::Index shared);
 
   /// A scalar that depends on one pose.
   void addReading(std::size_t pose, double residual, const JacobianRow& own, const SharedRow& shared, double weight);

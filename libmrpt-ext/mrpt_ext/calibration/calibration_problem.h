@@ -8,29 +8,32 @@
 namespace mrpt_ext
 {
 /// Systematic errors of a recording.
-enum class RecordingError
+enum class CalibrationParameter
 {
   delay,           ///< [s] how old a reading of the sensor is at its stamp, by the clock of odometry
   bearing_offset,  ///< [rad] measured = true + offset
   range_offset,    ///< [m] measured = (1 + scale) true + offset
   range_scale,
-  way_scale,   ///< true way = (1 + scale) way told by odometry
-  turn_scale,  ///< true turn = (1 + scale) turn told by odometry + veer times the way
-  veer         ///< [rad/m] to the left
+  distance_scale,  ///< true way = (1 + scale) way told by odometry
+  rotation_scale,  ///< true turn = (1 + scale) turn told by odometry + veer times the way
+  veer             ///< [rad/m] to the left
 };
 
 /// True for the errors of odometry; the others belong to a sensor.
-[[nodiscard]] constexpr bool isOfOdometry(RecordingError error) { return error >= RecordingError::way_scale; }
+[[nodiscard]] constexpr bool isOfOdometry(CalibrationParameter error)
+{
+  return error >= CalibrationParameter::distance_scale;
+}
 
 /// An unknown error: its kind, and the number of its sensor.
 struct ErrorTerm
 {
-  RecordingError kind = RecordingError::delay;
+  CalibrationParameter kind = CalibrationParameter::delay;
   std::size_t sensor = 0;
 };
 
 /// One number that a sensor measured of a known landmark.
-struct WayReading
+struct CalibrationReading
 {
   std::size_t pose = 0;    ///< number of the pose of its stamp
   std::size_t sensor = 0;  ///< number of the sensor
@@ -43,7 +46,7 @@ struct WayReading
 };
 
 /// A pose of the way, first guess.
-struct WayPose
+struct TrajectoryPose
 {
   double time = 0;  ///< [s]
   Pose2 pose;
@@ -52,11 +55,11 @@ struct WayPose
 };
 
 /// A recording with poses that are roughly known.
-struct RecordedWay
+struct CalibrationProblem
 {
-  std::vector<WayPose> poses;            ///< ordered by time
-  std::vector<WayReading> readings;      ///< ordered by pose
-  std::vector<OdometryRecord> odometry;  ///< empty: the poses drift by `since_previous` alone
+  std::vector<TrajectoryPose> poses;         ///< ordered by time
+  std::vector<CalibrationReading> readings;  ///< ordered by pose
+  std::vector<OdometryRecord> odometry;      ///< empty: the poses drift by `since_previous` alone
   std::size_t sensors = 0;
 };
 }  // namespace mrpt_ext

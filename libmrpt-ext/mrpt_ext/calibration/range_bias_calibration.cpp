@@ -45,7 +45,7 @@ std::vector<PlacedEpoch> place(const std::vector<RadioEpoch>& epochs, double std
       rows.push_back(
           {PoseMeasurement::Kind::range, r.place, horizontal(r, r.range), std_range, {r.offset.x(), r.offset.y(), 0}});
     if (rows.size() < kLeastRanges) continue;
-    const IdentifiedPose solution = solveIdentifiedPose(rows, {.min_consistency = 0});
+    const IdentifiedPose solution = solvePoseFromLandmarks(rows, {.min_consistency = 0});
     if (solution.candidates.empty() || !solution.candidates.front().heading_known) continue;
     placed.push_back({&epoch, solution.candidates.front().pose.mean});
   }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "mrpt_ext/geometry/median.h"
 #include "mrpt_ext/calibration/trajectory_adjustment.h"
+#include "mrpt_ext/geometry/median.h"
 
 namespace mrpt_ext
 {
@@ -12,11 +12,11 @@ namespace
 constexpr std::size_t kLeastReadings = 20;
 constexpr int kRounds = 6, kStepsPerRound = 3, kLastSteps = 15;
 
-bool isUsable(const RecordedWay& way, const std::vector<ErrorTerm>& terms)
+bool isUsable(const CalibrationProblem& way, const std::vector<ErrorTerm>& terms)
 {
-  const auto pose_ok = [](const WayPose& p)
+  const auto pose_ok = [](const TrajectoryPose& p)
   { return std::isfinite(p.time) && isFinite(p.pose) && (!p.since_previous || p.since_previous->allFinite()); };
-  const auto reading_ok = [&](const WayReading& r)
+  const auto reading_ok = [&](const CalibrationReading& r)
   {
     return r.pose < way.poses.size() && r.sensor < way.sensors && r.place.allFinite() && isFinite(r.T_robot_sensor) &&
            std::isfinite(r.height) && std::isfinite(r.value) && r.std > 0;
@@ -26,40 +26,40 @@ bool isUsable(const RecordedWay& way, const std::vector<ErrorTerm>& terms)
          std::all_of(way.readings.begin(), way.readings.end(), reading_ok) &&
          std::all_of(terms.begin(), terms.end(), term_ok) &&
          std::is_sorted(way.poses.begin(), way.poses.end(),
-                        [](const WayPose& a, const WayPose& b) { return a.time < b.time; });
+                        [](const TrajectoryPose& a, const TrajectoryPose& b) { return a.time < b.time; });
 }
 
-double typicalRange(const RecordedWay& way, std::size_t sensor)
+double typicalRange(const CalibrationProblem& way, std::size_t sensor)
 {
   std::vector<double> ranges;
-  for (const WayReading& r : way.readings)
+  for (const CalibrationReading& r : way.readings)
     if (r.is_range && r.sensor == sensor) ranges.push_back(r.value);
   return ranges.empty() ? 1 : medianOf(std::move(ranges));
 }
 
 /// A deviation above it makes the error useless.
-double mostDeviation(const ErrorTerm& term, const RecordedWay& way)
+double mostDeviation(const ErrorTerm& term, const CalibrationProblem& way)
 {
   switch (term.kind)
   {
-    case RecordingError::delay:
+    case CalibrationParameter::delay:
       return 0.1;
-    case RecordingError::bearing_offset:
+    case CalibrationParameter::bearing_offset:
       return degToRad(3.0);
-    case RecordingError::range_offset:
+    case CalibrationParameter::range_offset:
       return 0.05 * typicalRange(way, term.sensor);
-    case RecordingError::range_scale:
-    case RecordingError::veer:
+    case CalibrationParameter::range_scale:
+    case CalibrationParameter::veer:
       return 0.05;
-    case RecordingError::way_scale:
-    case RecordingError::turn_scale:
+    case CalibrationParameter::distance_scale:
+    case CalibrationParameter::rotation_scale:
       return 0.1;
   }
   return 0;
 }
 
 /// True when the robot moves by more than odometry errs: else scales and delays would be fitted to its noise.
-bool moves(const RecordedWay& way, double way_scatter)
+bool moves(const CalibrationProblem& way, double way_scatter)
 {
   constexpr double kStretch = 5, kLeast = 4;  // [s]; squared motion over its variance, per axis
   const OdometryPath path(way.odometry, {});
@@ -84,7 +84,7 @@ bool moves(const RecordedWay& way, double way_scatter)
 }
 
 /// Scatters and adjustment in turns, then the adjustment alone.
-bool settle(WayAdjuster& adjuster, int rounds)
+bool settle(TrajectoryAdjustment& adjuster, int rounds)
 {
   for (int k = 0; k < rounds; ++k)
     if (!adjuster.estimateScatters() || !adjuster.descend(kStepsPerRound)) return false;
@@ -92,17 +92,17 @@ bool settle(WayAdjuster& adjuster, int rounds)
 }
 
 /// The best of several starts for the delays, all the same for a start.
-bool tryDelays(WayAdjuster& adjuster)
+bool tryDelays(TrajectoryAdjustment& adjuster)
 {
   const std::vector<ErrorTerm>& terms = adjuster.model().terms();
-  const auto is_delay = [](const ErrorTerm& t) { return t.kind == RecordingError::delay; };
+  const auto is_delay = [](const ErrorTerm& t) { return t.kind == CalibrationParameter::delay; };
   if (std::none_of(terms.begin(), terms.end(), is_delay)) return true;
-  WayAdjuster best = adjuster;
+  TrajectoryAdjustment best = adjuster;
   if (!best.descend(kStepsPerRound)) return false;
   double lowest = best.cost();
   for (const double start : {-1.0, -0.5, 0.5, 1.0})
   {
-    WayAdjuster other = adjuster;
+    TrajectoryAdjustment other = adjuster;
     Eigen::VectorXd errors = adjuster.model().errors();
     for (std::size_t k = 0; k < terms.size(); ++k)
       if (is_delay(terms[k])) errors[static_cast<Eigen::Index>(k)] += start;
@@ -116,8 +116,8 @@ bool tryDelays(WayAdjuster& adjuster)
 }
 
 /// The error that is told worst, over what it may be; nothing when all are told.
-std::optional<std::size_t> worstOf(const WayAdjuster& adjuster, const Eigen::VectorXd& deviations,
-                                   const RecordedWay& way)
+std::optional<std::size_t> worstOf(const TrajectoryAdjustment& adjuster, const Eigen::VectorXd& deviations,
+                                   const CalibrationProblem& way)
 {
   std::optional<std::size_t> worst;
   double most = 1;
@@ -140,7 +140,7 @@ Eigen::VectorXd without(const Eigen::VectorXd& values, std::size_t number)
 }
 }  // namespace
 
-RecordingErrors estimateRecordingErrors(const RecordedWay& way, const std::vector<ErrorTerm>& terms)
+RecordingErrors calibrate(const CalibrationProblem& way, const std::vector<ErrorTerm>& terms)
 {
   RecordingErrors result;
   for (const ErrorTerm& term : terms) result.errors.push_back({.term = term});
@@ -153,12 +153,12 @@ RecordingErrors estimateRecordingErrors(const RecordedWay& way, const std::vecto
   std::vector<ErrorTerm> left = terms;
   std::vector<std::size_t> numbers;
   for (std::size_t k = 0; k < terms.size(); ++k) numbers.push_back(k);
-  std::optional<WayAdjuster> adjuster(std::in_place, way, left);
+  std::optional<TrajectoryAdjustment> adjuster(std::in_place, way, left);
   if (!settle(*adjuster, 2)) return result;
   if (!moves(way, adjuster->wayScatter()))
   {
-    std::erase_if(numbers,
-                  [&](std::size_t k) { return terms[k].kind == RecordingError::delay || isOfOdometry(terms[k].kind); });
+    std::erase_if(numbers, [&](std::size_t k)
+                  { return terms[k].kind == CalibrationParameter::delay || isOfOdometry(terms[k].kind); });
     left.clear();
     for (const std::size_t k : numbers) left.push_back(terms[k]);
     adjuster.emplace(way, left);
@@ -177,12 +177,12 @@ RecordingErrors estimateRecordingErrors(const RecordedWay& way, const std::vecto
     if (!worst) break;
     const auto at = static_cast<std::ptrdiff_t>(*worst);
     EstimatedError& held = result.errors[numbers[*worst]];
-    held.told = false;
+    held.observable = false;
     held.value = 0;
     const Eigen::VectorXd errors = without(adjuster->model().errors(), *worst);
     left.erase(left.begin() + at);
     numbers.erase(numbers.begin() + at);
-    WayAdjuster fewer(way, left);
+    TrajectoryAdjustment fewer(way, left);
     fewer.restart(*adjuster, errors);
     if (!settle(fewer, 2)) return result;
     adjuster.emplace(std::move(fewer));

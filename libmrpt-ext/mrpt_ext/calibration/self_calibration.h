@@ -2,8 +2,8 @@
 
 #include <Eigen/Core>
 
-#include "mrpt_ext/geometry/solve_status.h"
 #include "mrpt_ext/calibration/calibration_problem.h"
+#include "mrpt_ext/geometry/solve_status.h"
 
 namespace mrpt_ext
 {
@@ -18,9 +18,9 @@ struct SensorScatter
 struct EstimatedError
 {
   ErrorTerm term;
-  bool told = false;  ///< false: the recording does not determine it; it was held at 0 for all others
-  double value = 0;   ///< in the unit of its kind; 0 when not told
-  double std = 0;     ///< likewise; when not told, what a free one would have had, or 0
+  bool observable = false;  ///< false: the recording does not determine it; it was held at 0 for all others
+  double value = 0;         ///< in the unit of its kind; 0 when not told
+  double std = 0;           ///< likewise; when not told, what a free one would have had, or 0
 };
 
 struct RecordingErrors
@@ -35,10 +35,10 @@ struct RecordingErrors
 };
 
 /// Systematic errors of a recording from the recording and the map alone: all poses and all errors are adjusted
-/// together, readings against predictions, the way between poses against odometry (Gauss-Newton, PoseChain). Outliers
-/// do not count (Geman-McClure loss of four deviations for readings; of odometry only what is beyond twenty). Scatters
-/// of readings (median) and of odometry (its redundancy) are estimated beside it, so that declared deviations of
-/// odometry need only be right to a factor of ten; readings are never believed more than declared. Delays are also
+/// together, readings against predictions, the way between poses against odometry (Gauss-Newton, PoseChainSystem).
+/// Outliers do not count (Geman-McClure loss of four deviations for readings; of odometry only what is beyond twenty).
+/// Scatters of readings (median) and of odometry (its redundancy) are estimated beside it, so that declared deviations
+/// of odometry need only be right to a factor of ten; readings are never believed more than declared. Delays are also
 /// tried from starts of up to 1 s either way.
 ///
 /// Standard deviations are the larger of two: those of the normal equations with the scatters found, and those that
@@ -48,5 +48,5 @@ struct RecordingErrors
 /// the worst one is held at 0 and the others are estimated again. A robot that does not move by more than odometry errs
 /// tells no delays and no errors of odometry.
 /// Status: `too_few` below 20 readings or 3 per error, `degenerate` when poses stay undetermined, `bad_input`.
-[[nodiscard]] RecordingErrors estimateRecordingErrors(const RecordedWay& way, const std::vector<ErrorTerm>& terms);
+[[nodiscard]] RecordingErrors calibrate(const CalibrationProblem& way, const std::vector<ErrorTerm>& terms);
 }  // namespace mrpt_ext

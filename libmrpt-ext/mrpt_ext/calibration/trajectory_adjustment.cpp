@@ -3,8 +3,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-#include "mrpt_ext/geometry/median.h"
 #include "mrpt_ext/calibration/robust_loss.h"
+#include "mrpt_ext/geometry/median.h"
 
 namespace mrpt_ext
 {
@@ -20,15 +20,15 @@ constexpr double kSlip2 = 400;  // squared deviations
 constexpr int kMostBlocks = 30, kLeastBlocks = 8;
 
 /// Wide beliefs, so that an error that nothing tells stays a number.
-double priorStd(RecordingError kind)
+double priorStd(CalibrationParameter kind)
 {
   switch (kind)
   {
-    case RecordingError::delay:
+    case CalibrationParameter::delay:
       return 3;
-    case RecordingError::bearing_offset:
+    case CalibrationParameter::bearing_offset:
       return 1;
-    case RecordingError::range_offset:
+    case CalibrationParameter::range_offset:
       return 30;
     default:
       return 1;
@@ -41,23 +41,27 @@ Pose2 moved(const Pose2& pose, const Vector3d& by)
 }
 }  // namespace
 
-WayAdjuster::WayAdjuster(const RecordedWay& way, std::vector<ErrorTerm> terms)
+TrajectoryAdjustment::TrajectoryAdjustment(const CalibrationProblem& way, std::vector<ErrorTerm> terms)
     : way_(way), model_(way, std::move(terms)), scatters_(way.sensors)
 {
-  for (const WayPose& pose : way.poses) poses_.push_back(pose.pose);
-  for (const WayReading& r : way.readings) ++(r.is_range ? scatters_[r.sensor].ranges : scatters_[r.sensor].bearings);
+  for (const TrajectoryPose& pose : way.poses) poses_.push_back(pose.pose);
+  for (const CalibrationReading& r : way.readings)
+    ++(r.is_range ? scatters_[r.sensor].ranges : scatters_[r.sensor].bearings);
 }
 
-double WayAdjuster::scatterOf(const WayReading& r) const
+double TrajectoryAdjustment::scatterOf(const CalibrationReading& r) const
 {
   return r.is_range ? scatters_[r.sensor].range : scatters_[r.sensor].bearing;
 }
 
 /// Never below what is declared: neighbouring readings that share their errors scatter less than they err, and poses
 /// that followed them would make odometry look wrong.
-double WayAdjuster::believedScatterOf(const WayReading& r) const { return std::max(1.0, scatterOf(r)); }
+double TrajectoryAdjustment::believedScatterOf(const CalibrationReading& r) const
+{
+  return std::max(1.0, scatterOf(r));
+}
 
-void WayAdjuster::restart(const WayAdjuster& start, const Eigen::VectorXd& errors)
+void TrajectoryAdjustment::restart(const TrajectoryAdjustment& start, const Eigen::VectorXd& errors)
 {
   poses_ = start.poses_;
   scatters_ = start.scatters_;
@@ -65,12 +69,12 @@ void WayAdjuster::restart(const WayAdjuster& start, const Eigen::VectorXd& error
   model_.setErrors(errors);
 }
 
-PoseChain WayAdjuster::linearised() const
+PoseChainSystem TrajectoryAdjustment::linearised() const
 {
-  PoseChain chain(poses_.size(), model_.errors().size());
-  for (const WayReading& r : way_.readings)
+  PoseChainSystem chain(poses_.size(), model_.errors().size());
+  for (const CalibrationReading& r : way_.readings)
   {
-    const WayReadingRow row = model_.reading(r, poses_[r.pose]);
+    const ReadingResidual row = model_.reading(r, poses_[r.pose]);
     const double scatter = believedScatterOf(r),
                  weight = robust::weight(square(row.residual / scatter)) / square(scatter);
     chain.addReading(r.pose, row.residual, row.own, row.shared, weight);
@@ -80,7 +84,7 @@ PoseChain WayAdjuster::linearised() const
     for (int axis = 0; axis < 3; ++axis)
       chain.addReading(k, 0, JacobianRow::Unit(axis), Eigen::RowVectorXd::Zero(model_.errors().size()), kLoosePose);
     if (k == 0 || !way_.poses[k].since_previous) continue;
-    const WayLinkRow row = model_.link(k, poses_[k - 1], poses_[k]);
+    const OdometryResidual row = model_.link(k, poses_[k - 1], poses_[k]);
     const double weight = robust::weight((linkScale() * row.residual).squaredNorm(), kSlip2) * square(linkScale());
     chain.addLink(k - 1, row.residual, row.own, row.next, row.shared, weight);
   }
@@ -92,10 +96,10 @@ PoseChain WayAdjuster::linearised() const
   return chain;
 }
 
-double WayAdjuster::cost() const
+double TrajectoryAdjustment::cost() const
 {
   double cost = 0;
-  for (const WayReading& r : way_.readings)
+  for (const CalibrationReading& r : way_.readings)
     cost += robust::loss(square(model_.reading(r, poses_[r.pose]).residual / believedScatterOf(r)));
   for (std::size_t k = 1; k < poses_.size(); ++k)
     if (way_.poses[k].since_previous)
@@ -105,14 +109,14 @@ double WayAdjuster::cost() const
   return cost;
 }
 
-void WayAdjuster::move(const ChainSolution& solution, double share, const std::vector<Pose2>& from,
-                       const Eigen::VectorXd& errors)
+void TrajectoryAdjustment::move(const ChainSolution& solution, double share, const std::vector<Pose2>& from,
+                                const Eigen::VectorXd& errors)
 {
   for (std::size_t k = 0; k < poses_.size(); ++k) poses_[k] = moved(from[k], share * solution.steps[k]);
   model_.setErrors(errors + share * solution.shared_step);
 }
 
-bool WayAdjuster::descend(int most_steps)
+bool TrajectoryAdjustment::descend(int most_steps)
 {
   double before = cost();
   for (int k = 0; k < most_steps; ++k, ++steps_)
@@ -136,14 +140,14 @@ bool WayAdjuster::descend(int most_steps)
   return std::isfinite(before);
 }
 
-bool WayAdjuster::estimateScatters()
+bool TrajectoryAdjustment::estimateScatters()
 {
   const std::optional<ChainSolution> solution = linearised().solve();
   if (!solution) return false;
   std::vector<std::vector<double>> bearings(way_.sensors), ranges(way_.sensors);
-  for (const WayReading& r : way_.readings)
+  for (const CalibrationReading& r : way_.readings)
   {
-    const WayReadingRow row = model_.reading(r, poses_[r.pose]);
+    const ReadingResidual row = model_.reading(r, poses_[r.pose]);
     const double weight = robust::weight(square(row.residual / believedScatterOf(r)));
     const double explained = row.own.dot(row.own * solution->covariance[r.pose]) / square(believedScatterOf(r));
     const double redundancy = std::max(1 - weight * explained, kLeastRedundancy);
@@ -155,7 +159,7 @@ bool WayAdjuster::estimateScatters()
   for (std::size_t k = 1; k < poses_.size(); ++k)
   {
     if (!way_.poses[k].since_previous) continue;
-    const WayLinkRow row = model_.link(k, poses_[k - 1], poses_[k]);
+    const OdometryResidual row = model_.link(k, poses_[k - 1], poses_[k]);
     const double weight = robust::weight((linkScale() * row.residual).squaredNorm(), kSlip2);
     const Matrix3d cross = row.own * solution->with_successor[k - 1] * row.next.transpose();
     const Matrix3d explained = row.own * solution->covariance[k - 1] * row.own.transpose() +
@@ -172,17 +176,17 @@ bool WayAdjuster::estimateScatters()
   return true;
 }
 
-std::vector<double> WayAdjuster::misfits() const
+std::vector<double> TrajectoryAdjustment::misfits() const
 {
   std::vector<double> misfits;
-  for (const WayReading& r : way_.readings)
+  for (const CalibrationReading& r : way_.readings)
     misfits.push_back(model_.reading(r, poses_[r.pose]).residual / scatterOf(r));
   return misfits;
 }
 
 /// Gradient of the errors that each block of time has, poses adjusted; one row per block. `curvature`: of the losses
 /// over the weights that the normal equations have in their place.
-Eigen::MatrixXd WayAdjuster::scoresByBlock(const ChainSolution& solution, double& curvature) const
+Eigen::MatrixXd TrajectoryAdjustment::scoresByBlock(const ChainSolution& solution, double& curvature) const
 {
   const Eigen::Index terms = model_.errors().size();
   const auto poses = static_cast<Eigen::Index>(poses_.size());
@@ -192,9 +196,9 @@ Eigen::MatrixXd WayAdjuster::scoresByBlock(const ChainSolution& solution, double
   const auto block_of = [&](std::size_t k) { return static_cast<Eigen::Index>(k) * blocks / poses; };
   const auto pull_of = [&](std::size_t k) { return solution.pull.middleRows<3>(3 * static_cast<Eigen::Index>(k)); };
   double weights = 0, curvatures = 0;
-  for (const WayReading& r : way_.readings)
+  for (const CalibrationReading& r : way_.readings)
   {
-    const WayReadingRow row = model_.reading(r, poses_[r.pose]);
+    const ReadingResidual row = model_.reading(r, poses_[r.pose]);
     const double scatter = believedScatterOf(r), e2 = square(row.residual / scatter);
     const Eigen::RowVectorXd reduced = row.shared - row.own * pull_of(r.pose);
     scores.row(block_of(r.pose)) += robust::weight(e2) * row.residual / square(scatter) * reduced;
@@ -204,7 +208,7 @@ Eigen::MatrixXd WayAdjuster::scoresByBlock(const ChainSolution& solution, double
   for (std::size_t k = 1; k < poses_.size(); ++k)
   {
     if (!way_.poses[k].since_previous) continue;
-    const WayLinkRow row = model_.link(k, poses_[k - 1], poses_[k]);
+    const OdometryResidual row = model_.link(k, poses_[k - 1], poses_[k]);
     const double weight = robust::weight((linkScale() * row.residual).squaredNorm(), kSlip2) * square(linkScale());
     const Eigen::MatrixXd reduced = row.shared - row.own * pull_of(k - 1) - row.next * pull_of(k);
     scores.row(block_of(k)) += weight * row.residual.transpose() * reduced;
@@ -213,7 +217,7 @@ Eigen::MatrixXd WayAdjuster::scoresByBlock(const ChainSolution& solution, double
   return scores;
 }
 
-std::optional<Eigen::VectorXd> WayAdjuster::deviations() const
+std::optional<Eigen::VectorXd> TrajectoryAdjustment::deviations() const
 {
   const std::optional<ChainSolution> solution = linearised().solve();
   if (!solution) return std::nullopt;

@@ -7,11 +7,11 @@
 namespace mrpt_ext
 {
 /// Robust adjustment of the poses and errors of a recording, step by step; see self_calibration.h.
-class WayAdjuster
+class TrajectoryAdjustment
 {
  public:
   /// `way` must outlive it.
-  WayAdjuster(const RecordedWay& way, std::vector<ErrorTerm> terms);
+  TrajectoryAdjustment(const CalibrationProblem& way, std::vector<ErrorTerm> terms);
 
   /// Gauss-Newton steps until nothing moves, at most this many; a step that makes it worse is shortened. False when
   /// something is undetermined.
@@ -22,7 +22,7 @@ class WayAdjuster
   /// Deviations of the errors, see self_calibration.h.
   [[nodiscard]] std::optional<Eigen::VectorXd> deviations() const;
 
-  [[nodiscard]] const WayModel& model() const { return model_; }
+  [[nodiscard]] const TrajectoryModel& model() const { return model_; }
   [[nodiscard]] const std::vector<Pose2>& poses() const { return poses_; }
   [[nodiscard]] const std::vector<SensorScatter>& scatters() const { return scatters_; }
   [[nodiscard]] double wayScatter() const { return way_scatter_; }
@@ -31,18 +31,18 @@ class WayAdjuster
   [[nodiscard]] std::vector<double> misfits() const;
 
   /// Goes on from other errors, and from the poses of `start`.
-  void restart(const WayAdjuster& start, const Eigen::VectorXd& errors);
+  void restart(const TrajectoryAdjustment& start, const Eigen::VectorXd& errors);
 
  private:
-  [[nodiscard]] double scatterOf(const WayReading& reading) const;
-  [[nodiscard]] double believedScatterOf(const WayReading& reading) const;
+  [[nodiscard]] double scatterOf(const CalibrationReading& reading) const;
+  [[nodiscard]] double believedScatterOf(const CalibrationReading& reading) const;
   [[nodiscard]] double linkScale() const { return 1 / way_scatter_; }
-  [[nodiscard]] PoseChain linearised() const;
+  [[nodiscard]] PoseChainSystem linearised() const;
   void move(const ChainSolution& solution, double share, const std::vector<Pose2>& from, const Eigen::VectorXd& errors);
   [[nodiscard]] Eigen::MatrixXd scoresByBlock(const ChainSolution& solution, double& curvature) const;
 
-  const RecordedWay& way_;
-  WayModel model_;
+  const CalibrationProblem& way_;
+  TrajectoryModel model_;
   std::vector<Pose2> poses_;
   std::vector<SensorScatter> scatters_;
   double way_scatter_ = 1;

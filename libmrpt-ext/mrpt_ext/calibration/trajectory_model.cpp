@@ -17,7 +17,7 @@ Pose2 differenceOf(const Pose2& plus, const Pose2& minus, double by)
 }
 }  // namespace
 
-WayModel::WayModel(const RecordedWay& way, std::vector<ErrorTerm> terms)
+TrajectoryModel::TrajectoryModel(const CalibrationProblem& way, std::vector<ErrorTerm> terms)
     : way_(way),
       terms_(std::move(terms)),
       of_sensor_(way.sensors),
@@ -26,18 +26,18 @@ WayModel::WayModel(const RecordedWay& way, std::vector<ErrorTerm> terms)
 {
   for (std::size_t k = 0; k < terms_.size(); ++k)
   {
-    const RecordingError kind = terms_[k].kind;
+    const CalibrationParameter kind = terms_[k].kind;
     SensorTerms unused, &sensor = isOfOdometry(kind) ? unused : of_sensor_[terms_[k].sensor];
-    int& number = kind == RecordingError::delay            ? sensor.delay
-                  : kind == RecordingError::bearing_offset ? sensor.bearing_offset
-                  : kind == RecordingError::range_offset   ? sensor.range_offset
-                  : kind == RecordingError::range_scale    ? sensor.range_scale
-                  : kind == RecordingError::way_scale      ? way_scale_
-                  : kind == RecordingError::turn_scale     ? turn_scale_
-                                                           : veer_;
+    int& number = kind == CalibrationParameter::delay            ? sensor.delay
+                  : kind == CalibrationParameter::bearing_offset ? sensor.bearing_offset
+                  : kind == CalibrationParameter::range_offset   ? sensor.range_offset
+                  : kind == CalibrationParameter::range_scale    ? sensor.range_scale
+                  : kind == CalibrationParameter::distance_scale ? distance_scale_
+                  : kind == CalibrationParameter::rotation_scale ? rotation_scale_
+                                                                 : veer_;
     number = static_cast<int>(k);
   }
-  for (const WayPose& pose : way.poses)
+  for (const TrajectoryPose& pose : way.poses)
   {
     Matrix3d covariance = pose.since_previous.value_or(Matrix3d::Identity());
     covariance.diagonal().array() += square(kLeastLink);
@@ -46,23 +46,23 @@ WayModel::WayModel(const RecordedWay& way, std::vector<ErrorTerm> terms)
 }
 
 /// The chord of an arc turns by half of what its end turns.
-Pose2 WayModel::told(const Pose2& moved) const
+Pose2 TrajectoryModel::predictOdometry(const Pose2& moved) const
 {
-  const double turn = (moved.phi - valueOf(veer_) * moved.position().norm()) / (1 + valueOf(turn_scale_));
-  const Vector2d chord = rotation(0.5 * (turn - moved.phi)) * moved.position() / (1 + valueOf(way_scale_));
+  const double turn = (moved.phi - valueOf(veer_) * moved.position().norm()) / (1 + valueOf(rotation_scale_));
+  const Vector2d chord = rotation(0.5 * (turn - moved.phi)) * moved.position() / (1 + valueOf(distance_scale_));
   return {chord.x(), chord.y(), turn};
 }
 
-Pose2 WayModel::backBy(double time, double late) const { return between(path_.at(time), path_.at(time - late)); }
+Pose2 TrajectoryModel::backBy(double time, double late) const { return between(path_.at(time), path_.at(time - late)); }
 
-WayReadingRow WayModel::reading(const WayReading& r, const Pose2& pose) const
+ReadingResidual TrajectoryModel::reading(const CalibrationReading& r, const Pose2& pose) const
 {
   const SensorTerms& terms = of_sensor_[r.sensor];
   const double time = way_.poses[r.pose].time, late = valueOf(terms.delay);
   const Pose2 back = terms.delay < 0 ? Pose2{} : backBy(time, late);
   const Pose2 then = compose(pose, back);
   const Vector2d offset = r.T_robot_sensor.position();
-  WayReadingRow row{.own = {}, .shared = Eigen::RowVectorXd::Zero(values_.size())};
+  ReadingResidual row{.own = {}, .shared = Eigen::RowVectorXd::Zero(values_.size())};
   JacobianRow by_then;
   double predicted = 0;
   if (r.is_range)
@@ -92,18 +92,19 @@ WayReadingRow WayModel::reading(const WayReading& r, const Pose2& pose) const
   return row;
 }
 
-Vector3d WayModel::linkResidual(std::size_t k, const Pose2& before, const Pose2& pose) const
+Vector3d TrajectoryModel::linkResidual(std::size_t k, const Pose2& before, const Pose2& pose) const
 {
   const Pose2 logged = path_.between(way_.poses[k - 1].time, way_.poses[k].time).increment;
-  const Pose2 predicted = told(between(before, pose));
+  const Pose2 predicted = predictOdometry(between(before, pose));
   return whitening_[k] * Vector3d(logged.x - predicted.x, logged.y - predicted.y, wrap(logged.phi - predicted.phi));
 }
 
-WayLinkRow WayModel::link(std::size_t k, const Pose2& before, const Pose2& pose) const
+OdometryResidual TrajectoryModel::link(std::size_t k, const Pose2& before, const Pose2& pose) const
 {
-  const Pose2 moved = between(before, pose), predicted = told(moved);
+  const Pose2 moved = between(before, pose), predicted = predictOdometry(moved);
   const Vector2d chord = predicted.position(), swing = perpendicular(chord);
-  const double length = moved.position().norm(), way = 1 + valueOf(way_scale_), turn = 1 + valueOf(turn_scale_);
+  const double length = moved.position().norm(), way = 1 + valueOf(distance_scale_),
+               turn = 1 + valueOf(rotation_scale_);
 
   const Matrix2d R = rotation(-before.phi);
   Matrix3d moved_by_before = -Matrix3d::Identity(), moved_by_pose = Matrix3d::Identity();
@@ -120,13 +121,14 @@ WayLinkRow WayModel::link(std::size_t k, const Pose2& before, const Pose2& pose)
   told_by_moved.topLeftCorner<2, 2>() += 0.5 * swing * told_by_moved.bottomLeftCorner<1, 2>();
   told_by_moved.topRightCorner<2, 1>() = 0.5 * (1 / turn - 1) * swing;
 
-  WayLinkRow row{.residual = linkResidual(k, before, pose),
-                 .own = whitening_[k] * told_by_moved * moved_by_before,
-                 .next = whitening_[k] * told_by_moved * moved_by_pose,
-                 .shared = Eigen::Matrix<double, 3, Eigen::Dynamic>::Zero(3, values_.size())};
+  OdometryResidual row{.residual = linkResidual(k, before, pose),
+                       .own = whitening_[k] * told_by_moved * moved_by_before,
+                       .next = whitening_[k] * told_by_moved * moved_by_pose,
+                       .shared = Eigen::Matrix<double, 3, Eigen::Dynamic>::Zero(3, values_.size())};
   const auto turned = [&](double by) { return Vector3d(0.5 * by * swing.x(), 0.5 * by * swing.y(), by); };
-  if (way_scale_ >= 0) row.shared.col(way_scale_) = whitening_[k] * Vector3d(-chord.x() / way, -chord.y() / way, 0);
-  if (turn_scale_ >= 0) row.shared.col(turn_scale_) = whitening_[k] * turned(-predicted.phi / turn);
+  if (distance_scale_ >= 0)
+    row.shared.col(distance_scale_) = whitening_[k] * Vector3d(-chord.x() / way, -chord.y() / way, 0);
+  if (rotation_scale_ >= 0) row.shared.col(rotation_scale_) = whitening_[k] * turned(-predicted.phi / turn);
   if (veer_ >= 0) row.shared.col(veer_) = whitening_[k] * turned(-length / turn);
   return row;
 }

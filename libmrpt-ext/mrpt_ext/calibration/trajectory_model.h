@@ -2,13 +2,13 @@
 
 #include <Eigen/Core>
 
-#include "mrpt_ext/geometry/measurement_jacobian.h"
 #include "mrpt_ext/calibration/calibration_problem.h"
+#include "mrpt_ext/geometry/measurement_jacobian.h"
 
 namespace mrpt_ext
 {
 /// A reading against its prediction, in declared standard deviations.
-struct WayReadingRow
+struct ReadingResidual
 {
   double residual = 0;        ///< measured minus predicted
   JacobianRow own;            ///< of the prediction, by its pose
@@ -16,7 +16,7 @@ struct WayReadingRow
 };
 
 /// The way between a pose and the next against odometry, in declared standard deviations.
-struct WayLinkRow
+struct OdometryResidual
 {
   Vector3d residual{0, 0, 0};  ///< told by odometry minus predicted
   Matrix3d own, next;          ///< of the prediction, by the two poses
@@ -26,20 +26,20 @@ struct WayLinkRow
 /// What a recording should hold, given its poses and its systematic errors. Odometry is what is measured, with noise:
 /// it is predicted from the poses, never scaled to fit them, or its noise would be taken for way that is too long. The
 /// derivative by a delay is a difference (odometry is a polygon).
-class WayModel
+class TrajectoryModel
 {
  public:
   /// `way` must outlive the model.
-  WayModel(const RecordedWay& way, std::vector<ErrorTerm> terms);
+  TrajectoryModel(const CalibrationProblem& way, std::vector<ErrorTerm> terms);
 
   /// `values` in the order of the terms.
   void setErrors(const Eigen::VectorXd& values) { values_ = values; }
   [[nodiscard]] const Eigen::VectorXd& errors() const { return values_; }
   [[nodiscard]] const std::vector<ErrorTerm>& terms() const { return terms_; }
 
-  [[nodiscard]] WayReadingRow reading(const WayReading& reading, const Pose2& pose) const;
+  [[nodiscard]] ReadingResidual reading(const CalibrationReading& reading, const Pose2& pose) const;
   /// Between pose `k - 1` and pose `k`, which must be tied.
-  [[nodiscard]] WayLinkRow link(std::size_t k, const Pose2& before, const Pose2& pose) const;
+  [[nodiscard]] OdometryResidual link(std::size_t k, const Pose2& before, const Pose2& pose) const;
   /// The residual of link() alone.
   [[nodiscard]] Vector3d linkResidual(std::size_t k, const Pose2& before, const Pose2& pose) const;
 
@@ -51,14 +51,14 @@ class WayModel
   };
   [[nodiscard]] double valueOf(int term) const { return term < 0 ? 0 : values_[term]; }
   /// What odometry should tell of a motion.
-  [[nodiscard]] Pose2 told(const Pose2& moved) const;
+  [[nodiscard]] Pose2 predictOdometry(const Pose2& moved) const;
   /// Way by odometry from the stamp to `late` [s] before it.
   [[nodiscard]] Pose2 backBy(double time, double late) const;
 
-  const RecordedWay& way_;
+  const CalibrationProblem& way_;
   std::vector<ErrorTerm> terms_;
   std::vector<SensorTerms> of_sensor_;
-  int way_scale_ = -1, turn_scale_ = -1, veer_ = -1;  // numbers of their terms
+  int distance_scale_ = -1, rotation_scale_ = -1, veer_ = -1;  // numbers of their terms
   OdometryPath path_;
   std::vector<Matrix3d> whitening_;  // of each link
   Eigen::VectorXd values_;

@@ -25,8 +25,8 @@ const std::array<BiasName, 5> kNames{{
     {BiasKind::range_offset, "range_offset", "m", "_m", "measured minus true range"},
     {BiasKind::range_scale, "range_scale", "", "", "share by which measured ranges are too long"},
     {BiasKind::bearing_offset, "bearing_offset", "deg", "_deg", "measured minus true bearing"},
-    {BiasKind::way_scale, "way_scale", "", "", "share by which the true way is longer than odometry tells"},
-    {BiasKind::turn_scale, "turn_scale", "", "", "share by which true turns are larger than odometry tells"},
+    {BiasKind::distance_scale, "distance_scale", "", "", "share by which the true way is longer than odometry tells"},
+    {BiasKind::rotation_scale, "rotation_scale", "", "", "share by which true turns are larger than odometry tells"},
 }};
 
 std::string meanKey(const BiasName& bias) { return bias.name + "_mean" + bias.suffix; }
@@ -35,7 +35,7 @@ std::string driftKey(const BiasName& bias) { return bias.name + "_std_per_sqrt_s
 
 std::vector<KeySpec> keysOf(const BiasName& bias, const std::string& section, const std::string& whose)
 {
-  constexpr Range kNotNegative{0, std::numeric_limits<double>::infinity()};
+  constexpr ValueRange kNotNegative{0, std::numeric_limits<double>::infinity()};
   return {
       {section,
        stdKey(bias),

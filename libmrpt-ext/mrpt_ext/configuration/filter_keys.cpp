@@ -4,9 +4,9 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr Range kPositive{1e-9, std::numeric_limits<double>::infinity()};
-constexpr Range kShare{0, 1};
-constexpr Range kCount{1, 1e8};
+constexpr ValueRange kPositive{1e-9, std::numeric_limits<double>::infinity()};
+constexpr ValueRange kShare{0, 1};
+constexpr ValueRange kCount{1, 1e8};
 }  // namespace
 
 KeyTable filterKeys()
@@ -33,7 +33,7 @@ KeyTable filterKeys()
        {},
        "The sensor's clutter probability counts as much as this many detections of a landmark."},
       {s,
-       "suspicious_share",
+       "reseed_inlier_ratio",
        T::number,
        "",
        "0.5",
@@ -41,9 +41,16 @@ KeyTable filterKeys()
        {},
        "When the share of recent detections that the pose explains falls below this, seeds are injected."},
       {s, "lost_share", T::number, "", "0.3", kShare, {}, "Below this the verdict is `lost`."},
-      {s, "injected_share", T::number, "", "0.25", kShare, {}, "Injected particles per frame, of particles_count."},
       {s,
-       "prior_of_jump",
+       "injected_particle_share",
+       T::number,
+       "",
+       "0.25",
+       kShare,
+       {},
+       "Injected particles per frame, of particles_count."},
+      {s,
+       "relocalization_prior",
        T::number,
        "",
        "0.02",
@@ -51,7 +58,7 @@ KeyTable filterKeys()
        {},
        "Probability per injection that the robot is somewhere else altogether."},
       {s,
-       "kalman_companions",
+       "mode_kalman_filters",
        T::flag,
        "",
        "true",
@@ -60,7 +67,7 @@ KeyTable filterKeys()
        "While several places are possible, one Kalman filter per place divides the weight between them; the particles "
        "keep the shape of each."},
       {s,
-       "redraw_below_effective",
+       "kalman_proposal_below_ess",
        T::integer,
        "",
        "400",
@@ -99,7 +106,7 @@ KeyTable mrptKeys()
        "pfStandardProposal",
        {},
        {{"pfStandardProposal", 0}, {"pfAuxiliaryPFStandard", 1}, {"pfAuxiliaryPFOptimal", 3}},
-       "Proposal of the mrpt engine; that of the batch engine is chosen by redraw_below_effective."},
+       "Proposal of the mrpt engine; that of the batch engine is chosen by kalman_proposal_below_ess."},
       {"PF_options",
        "resamplingMethod",
        T::choice,
@@ -107,7 +114,7 @@ KeyTable mrptKeys()
        "prSystematic",
        {},
        {{"prMultinomial", 0}, {"prResidual", 1}, {"prStratified", 2}, {"prSystematic", 3}},
-       "How particles are redrawn."},
+       "How particles are drawFromKalmanProposal."},
       {"PF_options", "adaptiveSampleSize", T::flag, "", "false", {}, {}, "KLD sample size, see [KLD_options]."},
       {"PF_options", "BETA", T::number, "", "0.5", kShare, {}, "Effective sample ratio below which is resampled."},
       {"PF_options", "sampleSize", T::integer, "", "2000", kCount, {}, "Number of particles; see particles_count."},

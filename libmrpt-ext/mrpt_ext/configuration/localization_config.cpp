@@ -1,9 +1,10 @@
 #include "mrpt_ext/configuration/localization_config.h"
+#include "mrpt_ext/configuration/sensor_sections.h"
 
 #include <algorithm>
 
-#include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/configuration/bias_config.h"
+#include "mrpt_ext/geometry/input_error.h"
 
 namespace mrpt_ext
 {
@@ -104,16 +105,16 @@ ParticleFilterOptions filterOptions(const Settings& settings, const LandmarkTabl
   options.kld = kldOptions(settings);
   options.modes = {.cell_xy = settings.number(kFilter, "mode_cell_m"),
                    .cell_phi = settings.radians(kFilter, "mode_cell_deg")};
-  options.recovery.suspicious_share = settings.number(kFilter, "suspicious_share");
+  options.recovery.reseed_inlier_ratio = settings.number(kFilter, "reseed_inlier_ratio");
   options.recovery.lost_share = settings.number(kFilter, "lost_share");
-  options.recovery.injected_share = settings.number(kFilter, "injected_share");
-  options.recovery.prior_of_jump = settings.number(kFilter, "prior_of_jump");
+  options.recovery.injected_particle_share = settings.number(kFilter, "injected_particle_share");
+  options.recovery.relocalization_prior = settings.number(kFilter, "relocalization_prior");
   options.verdict = {
       .min_best_weight = settings.number(kFilter, "ok_min_weight"),
       .max_std_xy = settings.optionalNumber(kFilter, "ok_max_std_m").value_or(limits.within_m),
       .max_std_phi = settings.optionalRadians(kFilter, "ok_max_std_deg").value_or(degToRad(limits.within_deg))};
-  options.companions = settings.flag(kFilter, "kalman_companions");
-  options.redraw_below = static_cast<std::size_t>(settings.integer(kFilter, "redraw_below_effective"));
+  options.companions = settings.flag(kFilter, "mode_kalman_filters");
+  options.redraw_below = static_cast<std::size_t>(settings.integer(kFilter, "kalman_proposal_below_ess"));
   options.learn_reliability = settings.flag(kFilter, "learn_reliability");
   options.reliability_prior_strength = settings.number(kFilter, "reliability_prior");
   return options;
@@ -167,7 +168,7 @@ LocalizationConfig localizationConfig(const Settings& settings, const LandmarkTa
   config.frames = {.window = settings.number(kExperiment, "frame_window_s"),
                    .independent = settings.flag(kExperiment, "independent_frames"),
                    .odometry = {.scale = settings.number(kMotion, "odometry_scale"),
-                                .turn_scale = settings.number(kMotion, "odometry_turn_scale"),
+                                .rotation_scale = settings.number(kMotion, "odometry_rotation_scale"),
                                 .turn_per_m = settings.radians(kMotion, "odometry_turn_per_m_deg"),
                                 .delay = settings.number(kMotion, "odometry_delay_s")},
                    .sensors = sensorConfigs(settings)};

@@ -6,9 +6,9 @@
 
 #include "mrpt_ext/evaluation/convergence.h"
 #include "mrpt_ext/filter/particle_filter.h"
+#include "mrpt_ext/frames/frame_synchronizer.h"
 #include "mrpt_ext/geometry/bias_model.h"
 #include "mrpt_ext/localizers/running_fix_localizer.h"
-#include "mrpt_ext/frames/frame_synchronizer.h"
 #include "mrpt_ext/settings/settings.h"
 
 namespace mrpt_ext

@@ -7,11 +7,11 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr Range kPositive{1e-9, std::numeric_limits<double>::infinity()};
-constexpr Range kNotNegative{0, std::numeric_limits<double>::infinity()};
-constexpr Range kShare{0, 1};
-constexpr Range kTurn{0.001, 360};
-constexpr Range kCount{1, 1e8};
+constexpr ValueRange kPositive{1e-9, std::numeric_limits<double>::infinity()};
+constexpr ValueRange kNotNegative{0, std::numeric_limits<double>::infinity()};
+constexpr ValueRange kShare{0, 1};
+constexpr ValueRange kTurn{0.001, 360};
+constexpr ValueRange kCount{1, 1e8};
 
 KeyTable experimentKeys()
 {
@@ -225,7 +225,7 @@ KeyTable motionKeys()
        {},
        "How long after its stamp an odometry record becomes true; it is added to the stamps."},
       {s, "odometry_scale", T::number, "", "1", kPositive, {}, "Factor on the measured way (not on turns)."},
-      {s, "odometry_turn_scale", T::number, "", "1", kPositive, {}, "Factor on the measured turns."},
+      {s, "odometry_rotation_scale", T::number, "", "1", kPositive, {}, "Factor on the measured turns."},
       {s,
        "odometry_turn_per_m_deg",
        T::number,

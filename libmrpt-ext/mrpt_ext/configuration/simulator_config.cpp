@@ -130,7 +130,7 @@ OdometryNoise readOdometry(const Settings& settings)
   noise.std_xy_min = value("std_xy_min");
   noise.std_phi_min_deg = value("std_phi_min_deg");
   noise.scale_error = value("scale_error");
-  noise.turn_scale_error = value("turn_scale_error");
+  noise.rotation_scale_error = value("rotation_scale_error");
   return noise;
 }
 

@@ -5,10 +5,10 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr Range kNotNegative{0, kInfinity};
-constexpr Range kPositive{1e-6, kInfinity};
+constexpr ValueRange kNotNegative{0, kInfinity};
+constexpr ValueRange kPositive{1e-6, kInfinity};
 
-KeySpec number(const char* section, const char* name, const char* unit, const char* default_value, Range range,
+KeySpec number(const char* section, const char* name, const char* unit, const char* default_value, ValueRange range,
                const char* help)
 {
   return {section, name, KeyType::number, unit, default_value, range, {}, help};
@@ -24,7 +24,7 @@ KeySpec flag(const char* section, const char* name, const char* default_value, c
   return {section, name, KeyType::flag, "", default_value, {}, {}, help};
 }
 
-KeySpec integer(const char* section, const char* name, const char* default_value, Range range, const char* help)
+KeySpec integer(const char* section, const char* name, const char* default_value, ValueRange range, const char* help)
 {
   return {section, name, KeyType::integer, "", default_value, range, {}, help};
 }
@@ -128,7 +128,7 @@ std::vector<KeySpec> odometryKeys()
       number(s, "std_phi_min_deg", "deg", "0", kNotNegative,
              "Standard deviation of the heading after one second, also at standstill."),
       number(s, "scale_error", "", "0", {-0.5, 0.5}, "Measured way / true way - 1."),
-      number(s, "turn_scale_error", "", "0", {-0.5, 0.5}, "Measured turn / true turn - 1."),
+      number(s, "rotation_scale_error", "", "0", {-0.5, 0.5}, "Measured turn / true turn - 1."),
   };
 }
 

@@ -13,11 +13,11 @@ SensorKind kindFrom(const std::string& name)
   return SensorKind::bearings;
 }
 
-Identity identityFrom(const std::string& name)
+IdentityLevel identityFrom(const std::string& name)
 {
-  if (name == "category") return Identity::category;
-  if (name == "anonymous") return Identity::anonymous;
-  return Identity::known;
+  if (name == "category") return IdentityLevel::category;
+  if (name == "anonymous") return IdentityLevel::anonymous;
+  return IdentityLevel::known;
 }
 
 void readErrors(const Settings& settings, const std::string& section, SimulatedSensor& sensor)

@@ -5,10 +5,10 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr Range kNotNegative{0, kInfinity};
+constexpr ValueRange kNotNegative{0, kInfinity};
 constexpr const char* kSection = "Sensor_<label>";
 
-KeySpec number(const char* name, const char* unit, const char* default_value, Range range, const char* help)
+KeySpec number(const char* name, const char* unit, const char* default_value, ValueRange range, const char* help)
 {
   return {kSection, name, KeyType::number, unit, default_value, range, {}, help};
 }

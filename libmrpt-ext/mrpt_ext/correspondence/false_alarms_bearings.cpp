@@ -13,7 +13,7 @@ namespace
 constexpr double kGateShare = 1.9;  // of what a gate per reading lets through, and of the triples' unequal strengths
 }
 
-double expectedFalsePoses(const ChanceMatches& chance, int matched)
+double expectedFalsePoses(const FalseAlarmModel& chance, int matched)
 {
   const int m = std::max(matched, 3), n = chance.readings;
   if (n < m) return 0;

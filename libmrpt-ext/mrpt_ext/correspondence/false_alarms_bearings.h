@@ -3,7 +3,7 @@
 namespace mrpt_ext
 {
 /// What chance has to work with when poses are sought for readings that do not belong to them.
-struct ChanceMatches
+struct FalseAlarmModel
 {
   double poses_per_triple = 0;  ///< constellations of three landmarks that give a possible pose, per triple of readings
   int readings = 0;
@@ -17,7 +17,7 @@ struct ChanceMatches
 /// the gates need to hold at some pose and not at that of one triple: the bearings that m landmarks give form a surface
 /// of three dimensions, whose area is the root of the sum of the squares of what its C(m, 3) triples see of it
 /// (Cauchy-Binet); 1.9 is measured. Agrees with counted poses within a factor of two.
-[[nodiscard]] double expectedFalsePoses(const ChanceMatches& chance, int matched);
+[[nodiscard]] double expectedFalsePoses(const FalseAlarmModel& chance, int matched);
 
 /// Chance that a reading has a landmark within +-`gate` [rad], with `in_view` landmarks that it may show spread over
 /// all directions.

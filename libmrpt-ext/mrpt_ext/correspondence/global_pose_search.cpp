@@ -9,37 +9,37 @@ namespace mrpt_ext
 {
 namespace
 {
-std::size_t countPoints(std::span<const SensorPlace> places)
+std::size_t countPoints(std::span<const Scan> places)
 {
   std::size_t points = 0;
-  for (const SensorPlace& place : places)
+  for (const Scan& place : places)
     points += static_cast<std::size_t>(std::count_if(place.detections.begin(), place.detections.end(),
                                                      [](const auto& d) { return d.bearing && d.range; }));
   return points;
 }
 
 /// Bearings of the place that has most.
-int mostBearings(std::span<const SensorPlace> places)
+int mostBearings(std::span<const Scan> places)
 {
   std::ptrdiff_t most = 0;
-  for (const SensorPlace& place : places)
+  for (const Scan& place : places)
     most = std::max(most, std::count_if(place.detections.begin(), place.detections.end(),
-                                        [](const UnidentifiedDetection& d) { return d.bearing.has_value(); }));
+                                        [](const AnonymousDetection& d) { return d.bearing.has_value(); }));
   return static_cast<int>(most);
 }
 }  // namespace
 
-PoseSearch LostRobotSearch::search(std::span<const SensorPlace> places, const PoseSearchOptions& options) const
+PoseSearchResult GlobalPoseSearch::search(std::span<const Scan> places, const PoseSearchOptions& options) const
 {
   if (!areUsable(places))
   {
-    PoseSearch nothing;
+    PoseSearchResult nothing;
     nothing.status = SolveStatus::bad_input;
     return nothing;
   }
   if (countPoints(places) >= 2)
   {
-    PoseSearch found = points().search(places, options);
+    PoseSearchResult found = points().search(places, options);
     if (found.status == SolveStatus::ok) return found;
   }
   if (index_.size() <= kLargestTreeMap && mostBearings(places) <= kMostTreeBearings)
@@ -47,13 +47,13 @@ PoseSearch LostRobotSearch::search(std::span<const SensorPlace> places, const Po
   return bearings().search(places, options);
 }
 
-const PointSearch& LostRobotSearch::points() const
+const PointSearch& GlobalPoseSearch::points() const
 {
   std::call_once(points_built_, [this] { points_ = std::make_unique<PointSearch>(index_); });
   return *points_;
 }
 
-const BearingSearch& LostRobotSearch::bearings() const
+const BearingSearch& GlobalPoseSearch::bearings() const
 {
   std::call_once(bearings_built_, [this] { bearings_ = std::make_unique<BearingSearch>(index_); });
   return *bearings_;

@@ -13,13 +13,13 @@ namespace mrpt_ext
 /// points (point_search.h), otherwise, or when they are found nowhere, bearings as constellations of bearings
 /// (bearing_search.h). What a search needs of the map is built when it is first asked for, once; safe to share between
 /// threads.
-class LostRobotSearch
+class GlobalPoseSearch
 {
  public:
-  explicit LostRobotSearch(const LandmarkTable& map) : index_(map) {}
+  explicit GlobalPoseSearch(const LandmarkTable& map) : index_(map) {}
 
   [[nodiscard]] const LandmarkIndex& index() const { return index_; }
-  [[nodiscard]] PoseSearch search(std::span<const SensorPlace> places, const PoseSearchOptions& options) const;
+  [[nodiscard]] PoseSearchResult search(std::span<const Scan> places, const PoseSearchOptions& options) const;
 
  private:
   [[nodiscard]] const PointSearch& points() const;

@@ -30,9 +30,9 @@ LandmarkIndex::LandmarkIndex(std::vector<Vector2d> landmarks, double bucket)
 
 int LandmarkIndex::kindOf(const std::string& category) const
 {
-  if (category.empty()) return kAnyKind;
+  if (category.empty()) return kAnyCategory;
   const auto known = std::find(categories_.begin(), categories_.end(), category);
-  return known == categories_.end() ? kNoSuchKind : static_cast<int>(known - categories_.begin());
+  return known == categories_.end() ? kUnknownCategory : static_cast<int>(known - categories_.begin());
 }
 
 void LandmarkIndex::build(double bucket)

@@ -24,14 +24,15 @@ class LandmarkIndex
   [[nodiscard]] const std::vector<Vector2d>& positions() const { return positions_; }
   /// Kind of a landmark (0 for no category).
   [[nodiscard]] int kind(std::size_t landmark) const { return kinds_[landmark]; }
-  [[nodiscard]] int kindCount() const { return static_cast<int>(categories_.size()); }
-  /// Kinds that some landmark is of (the nameless kind is counted by kindCount in any case).
-  [[nodiscard]] int kindsPresent() const { return kindCount() - (has_nameless_ ? 0 : 1); }
-  /// Kind that a detection of this category has: kAnyKind for an empty one, kNoSuchKind for one the map has not got.
+  [[nodiscard]] int categoryCount() const { return static_cast<int>(categories_.size()); }
+  /// Kinds that some landmark is of (the anonymous kind is counted by categoryCount in any case).
+  [[nodiscard]] int categoriesPresent() const { return categoryCount() - (has_nameless_ ? 0 : 1); }
+  /// Kind that a detection of this category has: kAnyCategory for an empty one, kUnknownCategory for one the map has
+  /// not got.
   [[nodiscard]] int kindOf(const std::string& category) const;
   [[nodiscard]] bool mayShow(int detection_kind, std::size_t landmark) const
   {
-    return detection_kind == kAnyKind || detection_kind == kinds_[landmark];
+    return detection_kind == kAnyCategory || detection_kind == kinds_[landmark];
   }
   [[nodiscard]] const Vector2d& low() const { return low_; }    ///< corner of the bounding box [m]
   [[nodiscard]] const Vector2d& high() const { return high_; }  ///< opposite corner [m]

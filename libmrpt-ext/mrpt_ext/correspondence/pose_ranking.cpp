@@ -33,12 +33,12 @@ std::vector<ConsistentPose> withoutRepeats(std::vector<ConsistentPose> sorted)
 }
 }  // namespace
 
-void rankPoses(PoseSearch& search, const PoseSearchOptions& options, double missed_evidence, int complete_from)
+void rankPoses(PoseSearchResult& search, const PoseSearchOptions& options, double missed_evidence, int complete_from)
 {
   std::stable_sort(search.poses.begin(), search.poses.end(),
                    [](const ConsistentPose& a, const ConsistentPose& b) { return a.log_evidence > b.log_evidence; });
   search.status = search.poses.empty() ? SolveStatus::none : SolveStatus::ok;
-  search.elsewhere = 1;
+  search.probability_elsewhere = 1;
   search.unique = false;
   if (search.poses.empty()) return;
 
@@ -65,7 +65,7 @@ void rankPoses(PoseSearch& search, const PoseSearchOptions& options, double miss
     pose.probability = std::exp(pose.log_evidence - best) / total;
     kept += pose.probability;
   }
-  search.elsewhere = std::max(0.0, 1 - kept);
+  search.probability_elsewhere = std::max(0.0, 1 - kept);
   search.unique = search.poses.front().probability > kStandsOut && search.expected_false <= kMaxExpectedFalse;
 }
 }  // namespace mrpt_ext

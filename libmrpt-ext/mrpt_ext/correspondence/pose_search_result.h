@@ -15,7 +15,7 @@ struct PoseSearchOptions
   double gate = 3.3;                          ///< largest residual of a match [standard deviations]
   double keep_log_units = 12;                 ///< poses less likely than the best by more than this are not returned
   std::size_t max_poses = 200;                ///< returned at most, the likeliest
-  std::optional<MapArea> area;                ///< where the robot can be; absent: anywhere
+  std::optional<Box2> area;                   ///< where the robot can be; absent: anywhere
   std::uint64_t max_tested = 50'000'000'000;  ///< constellations after which the search gives up (see `finished`)
   /// Nodes after which an interpretation tree is given up, for each number of false readings (see `finished`): few
   /// bearings in a narrow view fit thousands of poses.
@@ -34,11 +34,11 @@ struct ConsistentPose
 };
 
 /// Answer of a search for the pose of a lost robot.
-struct PoseSearch
+struct PoseSearchResult
 {
   SolveStatus status = SolveStatus::too_few;
-  std::vector<ConsistentPose> poses;  ///< likeliest first; their probabilities leave room for `elsewhere`
-  double elsewhere = 0;               ///< probability that none of the poses is right
+  std::vector<ConsistentPose> poses;  ///< likeliest first; their probabilities leave room for `probability_elsewhere`
+  double probability_elsewhere = 0;   ///< probability that none of the poses is right
   double expected_false = 0;          ///< wrong poses that would explain as much as the best, by chance
   bool unique = false;                ///< one pose stands out (probability > 0.95) and expected_false <= 0.05
   bool finished = true;               ///< false: the search was given up, poses may be missing

@@ -19,13 +19,13 @@ struct Matching
   int matched = 0;
 };
 
-Matching match(const LandmarkIndex& map, std::span<const SensorPlace> places, const GaussianPose& pose, double gate)
+Matching match(const LandmarkIndex& map, std::span<const Scan> places, const GaussianPose& pose, double gate)
 {
   Matching result;
-  for (const SensorPlace& place : places)
+  for (const Scan& place : places)
   {
     const std::vector<ExpectedLandmark> expected = expectedLandmarks(map, place, pose);
-    for (const int h : matchDetections(map, place, expected, gate))
+    for (const int h : associate(map, place, expected, gate))
     {
       result.assignment.push_back(h < 0 ? -1 : static_cast<int>(expected[static_cast<std::size_t>(h)].landmark));
       result.matched += h >= 0;
@@ -40,13 +40,12 @@ struct MatchedRows
   std::vector<std::size_t> detection;  // of each row, counted over all places
 };
 
-MatchedRows measurementsOf(const LandmarkIndex& map, std::span<const SensorPlace> places,
-                           const std::vector<int>& assignment)
+MatchedRows measurementsOf(const LandmarkIndex& map, std::span<const Scan> places, const std::vector<int>& assignment)
 {
   MatchedRows result;
   std::size_t d = 0;
-  for (const SensorPlace& place : places)
-    for (const UnidentifiedDetection& z : place.detections)
+  for (const Scan& place : places)
+    for (const AnonymousDetection& z : place.detections)
     {
       const std::size_t detection = d++;
       if (assignment[detection] < 0) continue;
@@ -64,7 +63,7 @@ MatchedRows measurementsOf(const LandmarkIndex& map, std::span<const SensorPlace
 
 /// Matches and refines in turn until the matches stay. A match counts when it is within the gate of what the pose with
 /// its uncertainty predicts. False when fewer than `least` detections match or the pose is degenerate.
-bool settle(const LandmarkIndex& map, std::span<const SensorPlace> places, double gate, int least, GaussianPose& pose,
+bool settle(const LandmarkIndex& map, std::span<const Scan> places, double gate, int least, GaussianPose& pose,
             Matching& matching)
 {
   matching = match(map, places, pose, gate);
@@ -84,8 +83,8 @@ bool settle(const LandmarkIndex& map, std::span<const SensorPlace> places, doubl
 
 /// Gives up the worst match as long as it misses by more than the gate allows a single reading. While the pose was
 /// uncertain a wrong landmark could pass; the readings that it has bent the pose away from can then return.
-bool dropMisfits(const LandmarkIndex& map, std::span<const SensorPlace> places, double gate, int least,
-                 GaussianPose& pose, std::vector<int>& assignment)
+bool dropMisfits(const LandmarkIndex& map, std::span<const Scan> places, double gate, int least, GaussianPose& pose,
+                 std::vector<int>& assignment)
 {
   for (auto matched = std::count_if(assignment.begin(), assignment.end(), [](int l) { return l >= 0; });
        matched >= least; --matched)
@@ -105,10 +104,10 @@ bool dropMisfits(const LandmarkIndex& map, std::span<const SensorPlace> places, 
 }
 
 /// log_likelihood and log_evidence of a pose with its assignment.
-bool score(const LandmarkIndex& map, std::span<const SensorPlace> places, ConsistentPose& pose)
+bool score(const LandmarkIndex& map, std::span<const Scan> places, ConsistentPose& pose)
 {
   std::size_t d = 0;
-  for (const SensorPlace& place : places)
+  for (const Scan& place : places)
   {
     const std::vector<ExpectedLandmark> expected = expectedLandmarks(map, place, pose.pose);
     std::vector<int> matches;
@@ -119,7 +118,7 @@ bool score(const LandmarkIndex& map, std::span<const SensorPlace> places, Consis
                                    [&](const auto& h) { return static_cast<int>(h.landmark) == landmark; });
       matches.push_back(at == expected.end() ? -1 : static_cast<int>(at - expected.begin()));
     }
-    pose.log_likelihood += placeLogLikelihood(map, place, expected, matches);
+    pose.log_likelihood += scanLogLikelihood(map, place, expected, matches);
   }
   const double determinant = pose.pose.covariance.determinant();
   if (!(determinant > 0)) return false;
@@ -128,8 +127,8 @@ bool score(const LandmarkIndex& map, std::span<const SensorPlace> places, Consis
 }
 }  // namespace
 
-std::optional<ConsistentPose> judgePose(const LandmarkIndex& map, std::span<const SensorPlace> places,
-                                        const PoseSearchOptions& options, const GaussianPose& candidate, int least)
+std::optional<ConsistentPose> verifyPose(const LandmarkIndex& map, std::span<const Scan> places,
+                                         const PoseSearchOptions& options, const GaussianPose& candidate, int least)
 {
   ConsistentPose result{.pose = candidate};
   Matching matching;

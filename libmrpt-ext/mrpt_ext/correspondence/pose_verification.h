@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "mrpt_ext/correspondence/pose_search_result.h"
 #include "mrpt_ext/correspondence/landmark_index.h"
+#include "mrpt_ext/correspondence/pose_search_result.h"
 #include "mrpt_ext/correspondence/scan.h"
 
 namespace mrpt_ext
@@ -19,13 +19,14 @@ namespace mrpt_ext
 /// where clutter is the expected density of false detections (expectedFalseDetections() / V). Without P the detections
 /// share the landmarks in view: log(c / V + (1 - c) / n sum_j N). A landmark that is matched counts only for its match.
 /// log_evidence adds log sqrt((2 pi)^3 det C), the Laplace approximation of the integral over the pose.
-[[nodiscard]] std::optional<ConsistentPose> judgePose(const LandmarkIndex& map, std::span<const SensorPlace> places,
-                                                      const PoseSearchOptions& options, const GaussianPose& candidate,
-                                                      int least);
+[[nodiscard]] std::optional<ConsistentPose> verifyPose(const LandmarkIndex& map, std::span<const Scan> places,
+                                                       const PoseSearchOptions& options, const GaussianPose& candidate,
+                                                       int least);
 
 /// Sorts by evidence, joins poses that are the same, drops those below `keep_log_units` or beyond `max_poses`, and sets
-/// the probabilities, `elsewhere`, `unique` and the status. `missed_evidence`: log of the evidence that all poses with
-/// fewer than `complete_from` matches are expected to carry together (-infinity: none); those of them which were found
-/// are a part of it. `expected_false` must be set before.
-void rankPoses(PoseSearch& search, const PoseSearchOptions& options, double missed_evidence, int complete_from = 0);
+/// the probabilities, `probability_elsewhere`, `unique` and the status. `missed_evidence`: log of the evidence that all
+/// poses with fewer than `complete_from` matches are expected to carry together (-infinity: none); those of them which
+/// were found are a part of it. `expected_false` must be set before.
+void rankPoses(PoseSearchResult& search, const PoseSearchOptions& options, double missed_evidence,
+               int complete_from = 0);
 }  // namespace mrpt_ext

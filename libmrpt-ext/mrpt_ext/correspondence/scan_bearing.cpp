@@ -6,7 +6,7 @@ namespace mrpt_ext
 {
 namespace
 {
-bool isUsable(const UnidentifiedDetection& d)
+bool isUsable(const AnonymousDetection& d)
 {
   if (d.bearing && !(std::isfinite(*d.bearing) && std::isfinite(d.std_bearing) && d.std_bearing > 0)) return false;
   if (d.range && !(*d.range >= 0 && std::isfinite(*d.range) && std::isfinite(d.std_range) && d.std_range > 0))
@@ -22,26 +22,26 @@ bool isUsable(const SensorModel& model)
 }
 }  // namespace
 
-bool areUsable(std::span<const SensorPlace> places)
+bool areUsable(std::span<const Scan> places)
 {
   return std::all_of(places.begin(), places.end(),
-                     [](const SensorPlace& place)
+                     [](const Scan& place)
                      {
                        return isFinite(place.T_robot_sensor) && isUsable(place.model) &&
                               std::all_of(place.detections.begin(), place.detections.end(),
-                                          [](const UnidentifiedDetection& d) { return isUsable(d); });
+                                          [](const AnonymousDetection& d) { return isUsable(d); });
                      });
 }
 
-std::vector<BearingReading> gatherBearings(std::span<const SensorPlace> places)
+std::vector<ScanBearing> gatherBearings(std::span<const Scan> places)
 {
-  std::vector<BearingReading> readings;
+  std::vector<ScanBearing> readings;
   int detection = 0;
   for (std::size_t p = 0; p < places.size(); ++p)
-    for (const UnidentifiedDetection& d : places[p].detections)
+    for (const AnonymousDetection& d : places[p].detections)
     {
       const int index = detection++;
-      if (!d.bearing || d.kind == kNoSuchKind) continue;
+      if (!d.bearing || d.kind == kUnknownCategory) continue;
       const Vector2d direction(std::cos(*d.bearing), std::sin(*d.bearing));
       readings.push_back({direction, wrap(*d.bearing), d.std_bearing, d.kind, static_cast<int>(p), index});
     }

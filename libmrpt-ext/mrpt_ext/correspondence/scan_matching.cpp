@@ -16,7 +16,7 @@ constexpr double kSlack = 3;            // standard deviations of the pose by wh
 double quadratic(const JacobianRow& J, const Matrix3d& P) { return std::max(0.0, (J * P * J.transpose()).value()); }
 
 /// Squared residual in standard deviations, or nothing beyond the gate.
-std::optional<double> distance2(const UnidentifiedDetection& z, const ExpectedLandmark& h, double gate)
+std::optional<double> distance2(const AnonymousDetection& z, const ExpectedLandmark& h, double gate)
 {
   double sum = 0;
   const auto within = [&](double residual, double variance)
@@ -31,7 +31,7 @@ std::optional<double> distance2(const UnidentifiedDetection& z, const ExpectedLa
   return sum;
 }
 
-double density(const UnidentifiedDetection& z, const ExpectedLandmark& h)
+double density(const AnonymousDetection& z, const ExpectedLandmark& h)
 {
   double log_density = 0;
   const auto add = [&](double residual, double std)
@@ -56,18 +56,17 @@ double chanceInView(const SensorModel& model, const ExpectedLandmark& h)
 }
 
 /// Probability density of a false detection.
-double falseDensity(const LandmarkIndex& map, const UnidentifiedDetection& z, const SensorModel& model)
+double falseDensity(const LandmarkIndex& map, const AnonymousDetection& z, const SensorModel& model)
 {
   double volume = 1;
   if (z.bearing) volume *= model.has_field_of_view ? model.field_of_view : kTwoPi;
   if (z.range) volume *= model.max_range.value_or(std::max(1.0, 1.5 * (map.high() - map.low()).norm()));
-  if (z.kind != kAnyKind) volume *= std::max(1, map.kindsPresent());
+  if (z.kind != kAnyCategory) volume *= std::max(1, map.categoriesPresent());
   return 1 / volume;
 }
 }  // namespace
 
-std::vector<ExpectedLandmark> expectedLandmarks(const LandmarkIndex& map, const SensorPlace& place,
-                                                const GaussianPose& robot)
+std::vector<ExpectedLandmark> expectedLandmarks(const LandmarkIndex& map, const Scan& place, const GaussianPose& robot)
 {
   const Pose2 sensor = compose(robot.mean, place.T_robot_sensor);
   const Vector2d offset = place.T_robot_sensor.position();
@@ -94,8 +93,8 @@ std::vector<ExpectedLandmark> expectedLandmarks(const LandmarkIndex& map, const 
   return expected;
 }
 
-std::vector<int> matchDetections(const LandmarkIndex& map, const SensorPlace& place,
-                                 std::span<const ExpectedLandmark> expected, double gate)
+std::vector<int> associate(const LandmarkIndex& map, const Scan& place, std::span<const ExpectedLandmark> expected,
+                           double gate)
 {
   struct Pair
   {
@@ -121,8 +120,8 @@ std::vector<int> matchDetections(const LandmarkIndex& map, const SensorPlace& pl
   return matches;
 }
 
-double placeLogLikelihood(const LandmarkIndex& map, const SensorPlace& place,
-                          std::span<const ExpectedLandmark> expected, std::span<const int> matches)
+double scanLogLikelihood(const LandmarkIndex& map, const Scan& place, std::span<const ExpectedLandmark> expected,
+                         std::span<const int> matches)
 {
   std::vector<int> claimed_by(expected.size(), -1);
   for (std::size_t d = 0; d < matches.size(); ++d)
@@ -142,7 +141,7 @@ double placeLogLikelihood(const LandmarkIndex& map, const SensorPlace& place,
   }
   for (std::size_t d = 0; d < place.detections.size(); ++d)
   {
-    const UnidentifiedDetection& z = place.detections[d];
+    const AnonymousDetection& z = place.detections[d];
     double sum = 0, visible = 0;
     for (std::size_t h = 0; h < expected.size(); ++h)
     {

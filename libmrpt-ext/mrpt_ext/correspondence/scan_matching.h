@@ -20,15 +20,15 @@ struct ExpectedLandmark
 };
 
 /// The landmarks that a place can see from the pose, and those that it could see if the pose were a little off.
-[[nodiscard]] std::vector<ExpectedLandmark> expectedLandmarks(const LandmarkIndex& map, const SensorPlace& place,
+[[nodiscard]] std::vector<ExpectedLandmark> expectedLandmarks(const LandmarkIndex& map, const Scan& place,
                                                               const GaussianPose& robot);
 
 /// Best one-to-one matching of a place's detections, greedily by residual: per detection the position in `expected`, or
 /// -1. A residual counts when it is within `gate` standard deviations of the innovation, in bearing and in range.
-[[nodiscard]] std::vector<int> matchDetections(const LandmarkIndex& map, const SensorPlace& place,
-                                               std::span<const ExpectedLandmark> expected, double gate);
+[[nodiscard]] std::vector<int> associate(const LandmarkIndex& map, const Scan& place,
+                                         std::span<const ExpectedLandmark> expected, double gate);
 
-/// Log-likelihood of all detections of a place at a pose (see pose_verification.h); `matches` as given by matchDetections.
-[[nodiscard]] double placeLogLikelihood(const LandmarkIndex& map, const SensorPlace& place,
-                                        std::span<const ExpectedLandmark> expected, std::span<const int> matches);
+/// Log-likelihood of all detections of a place at a pose (see pose_verification.h); `matches` as given by associate.
+[[nodiscard]] double scanLogLikelihood(const LandmarkIndex& map, const Scan& place,
+                                       std::span<const ExpectedLandmark> expected, std::span<const int> matches);
 }  // namespace mrpt_ext

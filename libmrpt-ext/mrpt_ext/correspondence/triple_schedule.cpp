@@ -52,7 +52,7 @@ bool extendToHittingSet(const std::vector<ReadingTriple>& triples, std::vector<i
 }
 }  // namespace
 
-void TripleCover::updateSmallestHit()
+void TripleSchedule::updateSmallestHit()
 {
   std::size_t size = smallest_hit_.size();
   std::vector<int> hit;
@@ -60,7 +60,7 @@ void TripleCover::updateSmallestHit()
   smallest_hit_ = std::move(hit);
 }
 
-std::optional<ReadingTriple> TripleCover::next()
+std::optional<ReadingTriple> TripleSchedule::next()
 {
   const ReadingTriple* best = nullptr;
   double least = std::numeric_limits<double>::infinity();
@@ -98,7 +98,7 @@ constexpr double kCostOfPose = 20, kCostOfSurvivor = 700;
 class TripleCost
 {
  public:
-  TripleCost(std::span<const BearingReading> readings, const SearchDensity& density)
+  TripleCost(std::span<const ScanBearing> readings, const SearchDensity& density)
       : readings_(readings), density_(density), pairs_(readings.size() * readings.size())
   {
     const int count = static_cast<int>(readings.size());
@@ -144,7 +144,7 @@ class TripleCost
   }
   [[nodiscard]] double gap(int i, int j) const { return pairs_[place(i, j)].gap; }
   [[nodiscard]] double around(int i, int j) const { return pairs_[place(i, j)].around; }
-  [[nodiscard]] const BearingReading& at(int i) const { return readings_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const ScanBearing& at(int i) const { return readings_[static_cast<std::size_t>(i)]; }
   [[nodiscard]] double allowed(int i) const { return density_.landmarks_allowed[static_cast<std::size_t>(i)]; }
   [[nodiscard]] double range(int i) const { return density_.max_range[static_cast<std::size_t>(at(i).place)]; }
 
@@ -169,20 +169,20 @@ class TripleCost
     return std::min(1.0, 0.5 * others * (others - 1) * std::pow(chance, std::max(0.0, others - 2)));
   }
 
-  std::span<const BearingReading> readings_;
+  std::span<const ScanBearing> readings_;
   const SearchDensity& density_;
   std::vector<Pair> pairs_;
   std::vector<double> in_range_;  // landmarks that a reading may show
 };
 }  // namespace
 
-std::vector<ReadingTriple> tripleCandidates(std::span<const BearingReading> readings, const SearchDensity& density)
+std::vector<ReadingTriple> tripleCandidates(std::span<const ScanBearing> readings, const SearchDensity& density)
 {
   const TripleCost cost(readings, density);
   const int count = static_cast<int>(std::min(readings.size(), kMaxReadings));
   const auto usable = [&](int i, int j)
   {
-    const BearingReading &a = readings[static_cast<std::size_t>(i)], &b = readings[static_cast<std::size_t>(j)];
+    const ScanBearing &a = readings[static_cast<std::size_t>(i)], &b = readings[static_cast<std::size_t>(j)];
     return a.place == b.place &&
            std::abs(a.direction.x() * b.direction.y() - a.direction.y() * b.direction.x()) > kLeastSine;
   };

@@ -22,11 +22,11 @@ struct ReadingTriple
 /// A pose with f false readings explains every triple that avoids them. So if no set of f readings meets all the
 /// triples tried (no hitting set of that size), every pose that explains all but f readings has been proposed. Disjoint
 /// triples are best: f + 1 of them suffice; with few readings they overlap.
-class TripleCover
+class TripleSchedule
 {
  public:
   /// `candidates` are tried cheap ones first, those that share readings with earlier ones later.
-  explicit TripleCover(std::vector<ReadingTriple> candidates) : candidates_(std::move(candidates)) {}
+  explicit TripleSchedule(std::vector<ReadingTriple> candidates) : candidates_(std::move(candidates)) {}
 
   /// So many false readings cannot keep a pose from being proposed; -1 before the first triple.
   [[nodiscard]] int tolerated() const { return static_cast<int>(smallest_hit_.size()) - 1; }
@@ -51,7 +51,7 @@ struct SearchDensity
 };
 
 /// All triples of one place whose bearings differ enough, with what they are expected to cost.
-[[nodiscard]] std::vector<ReadingTriple> tripleCandidates(std::span<const BearingReading> readings,
+[[nodiscard]] std::vector<ReadingTriple> tripleCandidates(std::span<const ScanBearing> readings,
                                                           const SearchDensity& density);
 
 /// Largest distance between two landmarks that are seen `gap` [rad, in (-pi, pi]] apart within `max_range`.

@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "mrpt_ext/geometry/log_probability.h"
+
 namespace mrpt_ext
 {
 namespace
@@ -12,12 +14,6 @@ namespace
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
 constexpr double kMinClutter = 1e-6, kMaxClutter = 0.999, kMinDetection = 1e-9;
 constexpr double kMaxDetection = 0.99;  // as in scan_matching.cpp
-
-double logSum(double a, double b)
-{
-  const double high = std::max(a, b);
-  return std::isfinite(high) ? high + std::log1p(std::exp(std::min(a, b) - high)) : high;
-}
 
 /// Product of two polynomials given by the logarithms of their coefficients.
 std::vector<double> product(const std::vector<double>& a, const std::vector<double>& b)
@@ -28,7 +24,7 @@ std::vector<double> product(const std::vector<double>& a, const std::vector<doub
   return result;
 }
 
-double areaOf(const MapArea& area) { return (area.max - area.min).cwiseMax(0.01).prod(); }
+double areaOf(const Box2& area) { return (area.max - area.min).cwiseMax(0.01).prod(); }
 
 /// A landmark in view gives a detection like this one with `of_landmark`, clutter gives it with `of_clutter`.
 struct Densities
@@ -36,7 +32,7 @@ struct Densities
   double of_landmark, of_clutter;
 };
 
-Densities densities(const LandmarkIndex& map, const SensorModel& model, const UnidentifiedDetection& z, double radius)
+Densities densities(const LandmarkIndex& map, const SensorModel& model, const AnonymousDetection& z, double radius)
 {
   Densities result{1, 1};
   if (z.bearing) result.of_landmark = result.of_clutter = 1 / (model.has_field_of_view ? model.field_of_view : kTwoPi);
@@ -46,14 +42,14 @@ Densities densities(const LandmarkIndex& map, const SensorModel& model, const Un
     result.of_landmark *= 2 * std::max(*z.range, z.std_range) / square(radius);
     result.of_clutter /= model.max_range.value_or(std::max(1.0, 1.5 * (map.high() - map.low()).norm()));
   }
-  const double kinds = std::max(1, map.kindsPresent());
-  if (z.kind != kAnyKind) result.of_clutter /= kinds;
-  if (z.kind != kAnyKind) result.of_landmark *= z.kind == kNoSuchKind ? 0 : 1 / kinds;
+  const double kinds = std::max(1, map.categoriesPresent());
+  if (z.kind != kAnyCategory) result.of_clutter /= kinds;
+  if (z.kind != kAnyCategory) result.of_landmark *= z.kind == kUnknownCategory ? 0 : 1 / kinds;
   return result;
 }
 
 /// Log of the expected likelihood of a place's detections by the number that is matched, at a wrong pose.
-std::vector<double> logLikelihoodByMatches(const LandmarkIndex& map, const SensorPlace& place)
+std::vector<double> logLikelihoodByMatches(const LandmarkIndex& map, const Scan& place)
 {
   const SensorModel& model = place.model;
   const double extent = areaOf({map.low(), map.high()});
@@ -61,7 +57,7 @@ std::vector<double> logLikelihoodByMatches(const LandmarkIndex& map, const Senso
   const double clutter = std::clamp(model.clutter_probability, kMinClutter, 1.0);
   const double false_ones = expectedFalseDetections(map, place);
   std::vector<double> by_matches{0};
-  for (const UnidentifiedDetection& z : place.detections)
+  for (const AnonymousDetection& z : place.detections)
   {
     const Densities d = densities(map, model, z, radius);
     const double right = model.detection_probability ? 1 : 1 - std::min(clutter, 0.999);
@@ -91,7 +87,7 @@ double shareInView(const LandmarkIndex& map, const SensorModel& model)
   return model.has_field_of_view ? share * std::min(1.0, model.field_of_view / kTwoPi) : share;
 }
 
-double expectedFalseDetections(const LandmarkIndex& map, const SensorPlace& place)
+double expectedFalseDetections(const LandmarkIndex& map, const Scan& place)
 {
   const SensorModel& model = place.model;
   const double clutter = std::clamp(model.clutter_probability, kMinClutter, kMaxClutter);
@@ -100,15 +96,15 @@ double expectedFalseDetections(const LandmarkIndex& map, const SensorPlace& plac
   return clutter / (1 - clutter) * p * shareInView(map, model) * static_cast<double>(map.size());
 }
 
-MapArea areaOrMap(const LandmarkIndex& map, const std::optional<MapArea>& area)
+Box2 areaOrMap(const LandmarkIndex& map, const std::optional<Box2>& area)
 {
-  return area ? *area : MapArea{map.low(), map.high()};
+  return area ? *area : Box2{map.low(), map.high()};
 }
 
-std::vector<double> logEvidenceBelow(const LandmarkIndex& map, std::span<const SensorPlace> places, const MapArea& area)
+std::vector<double> logEvidenceOfUnsearched(const LandmarkIndex& map, std::span<const Scan> places, const Box2& area)
 {
   std::vector<double> by_matches{0};
-  for (const SensorPlace& place : places) by_matches = product(by_matches, logLikelihoodByMatches(map, place));
+  for (const Scan& place : places) by_matches = product(by_matches, logLikelihoodByMatches(map, place));
   const double log_volume = std::log(kTwoPi * areaOf(area));
   std::vector<double> below{kNothing};
   for (const double log_likelihood : by_matches) below.push_back(logSum(below.back(), log_likelihood + log_volume));
@@ -116,9 +112,9 @@ std::vector<double> logEvidenceBelow(const LandmarkIndex& map, std::span<const S
   return below;
 }
 
-double logEvidenceBelow(const LandmarkIndex& map, std::span<const SensorPlace> places, const MapArea& area, int least)
+double logEvidenceOfUnsearched(const LandmarkIndex& map, std::span<const Scan> places, const Box2& area, int least)
 {
-  const std::vector<double> below = logEvidenceBelow(map, places, area);
+  const std::vector<double> below = logEvidenceOfUnsearched(map, places, area);
   return below[std::min(static_cast<std::size_t>(std::max(least, 0)), below.size() - 1)];
 }
 }  // namespace mrpt_ext

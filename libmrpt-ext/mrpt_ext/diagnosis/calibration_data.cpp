@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "mrpt_ext/geometry/measurement_jacobian.h"
 #include "mrpt_ext/experiment/method_factory.h"
+#include "mrpt_ext/geometry/measurement_jacobian.h"
 
 namespace mrpt_ext
 {
@@ -66,7 +66,7 @@ class WayBuilder
     result_.way.sensors = result_.sensors.size();
   }
 
-  void add(const Frame& frame, const TrackPoint& sure)
+  void add(const Frame& frame, const PoseEstimate& sure)
   {
     GaussianPose robot = sure.pose;
     robot.mean = compose(robot.mean, moved(sure.time, frame.time).increment);
@@ -75,7 +75,7 @@ class WayBuilder
     for (const Reading& reading : frame.readings)
       for (const Detection& detection : reading.detections) addDetection(detection, reading, robot);
   }
-  [[nodiscard]] ExaminedWay take() { return std::move(result_); }
+  [[nodiscard]] CalibrationData take() { return std::move(result_); }
 
  private:
   [[nodiscard]] OdometryMotion moved(double from, double to) const
@@ -89,14 +89,14 @@ class WayBuilder
     if (time - result_.way.poses.back().time > kLongestGap) return;
     while (time - result_.way.poses.back().time > 1.5 * kStep)
     {
-      const WayPose last = result_.way.poses.back();
+      const TrajectoryPose last = result_.way.poses.back();
       addPose(last.time + kStep, compose(last.pose, moved(last.time, last.time + kStep).increment));
     }
   }
 
   void addPose(double time, const Pose2& pose)
   {
-    WayPose next{time, pose, {}};
+    TrajectoryPose next{time, pose, {}};
     if (!result_.way.poses.empty() && !input_.config.frames.independent)
     {
       const double before = result_.way.poses.back().time;
@@ -112,16 +112,16 @@ class WayBuilder
     const std::optional<std::size_t> landmark = landmarkOf(detection, reading, map, robot);
     if (!landmark)
     {
-      ++result_.nameless;
+      ++result_.anonymous;
       return;
     }
     const auto label = std::find(result_.sensors.begin(), result_.sensors.end(), reading.sensor);
     const Vector3d place = map[*landmark].position;
-    WayReading r{.pose = result_.way.poses.size() - 1,
-                 .sensor = static_cast<std::size_t>(label - result_.sensors.begin()),
-                 .place = place.head<2>(),
-                 .T_robot_sensor = reading.T_robot_sensor,
-                 .height = reading.horizontal_range ? 0 : place.z() - reading.sensor_height};
+    CalibrationReading r{.pose = result_.way.poses.size() - 1,
+                         .sensor = static_cast<std::size_t>(label - result_.sensors.begin()),
+                         .place = place.head<2>(),
+                         .T_robot_sensor = reading.T_robot_sensor,
+                         .height = reading.horizontal_range ? 0 : place.z() - reading.sensor_height};
     const auto add = [&](bool is_range, double value, double std)
     {
       r.is_range = is_range;
@@ -135,19 +135,19 @@ class WayBuilder
   }
 
   const LocalizationInput& input_;
-  ExaminedWay result_;
+  CalibrationData result_;
 };
 }  // namespace
 
-std::vector<TrackPoint> sureTrack(const LocalizationInput& input, std::uint64_t seed)
+std::vector<PoseEstimate> confidentTrajectory(const LocalizationInput& input, std::uint64_t seed)
 {
   LocalizationConfig config = input.config;
   config.methods = {"particle_filter"};
   if (config.frames.independent) config.methods = {"bearing_maximum_likelihood", "two_landmark_pose"};
   const MethodFactory factory(config, input.context.map, input.log.kinds);
   const Methods methods = factory.make(seed, 0);
-  std::vector<TrackPoint> track;
-  const FrameFeed frames = feedOf(input);
+  std::vector<PoseEstimate> track;
+  const FrameFeed frames = streamOf(input);
   while (const auto frame = frames())
     for (const auto& method : methods.localizers)
     {
@@ -159,15 +159,15 @@ std::vector<TrackPoint> sureTrack(const LocalizationInput& input, std::uint64_t 
   return track;
 }
 
-ExaminedWay examinedWay(const LocalizationInput& input, const std::vector<TrackPoint>& track, double window)
+CalibrationData examinedWay(const LocalizationInput& input, const std::vector<PoseEstimate>& track, double window)
 {
   constexpr double kRounding = 1e-6;  // [s]
   WayBuilder builder(input);
-  const FrameFeed frames = feedOf(input);
+  const FrameFeed frames = streamOf(input);
   while (const auto frame = frames())
   {
     const auto sure = std::lower_bound(track.begin(), track.end(), frame->time - kRounding,
-                                       [](const TrackPoint& point, double time) { return point.time < time; });
+                                       [](const PoseEstimate& point, double time) { return point.time < time; });
     if (sure != track.end() && sure->time - frame->time <= window + kRounding && !frame->readings.empty())
       builder.add(*frame, *sure);
   }

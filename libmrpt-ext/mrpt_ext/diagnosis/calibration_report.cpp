@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <map>
 
+#include "mrpt_ext/configuration/bias_config.h"
 #include "mrpt_ext/files/number_format.h"
 #include "mrpt_ext/geometry/median.h"
-#include "mrpt_ext/configuration/bias_config.h"
 
 namespace mrpt_ext
 {
@@ -18,18 +18,18 @@ constexpr std::size_t kLeastJudged = 50;  // readings of a sensor
 
 const std::string kMotion = "MotionModel";
 
-std::string whyNot(RecordingError kind)
+std::string whyNot(CalibrationParameter kind)
 {
   switch (kind)
   {
-    case RecordingError::delay:
+    case CalibrationParameter::delay:
       return "the robot moves too little or too evenly";
-    case RecordingError::bearing_offset:
+    case CalibrationParameter::bearing_offset:
       return "nothing tells it from the heading";
-    case RecordingError::range_offset:
-    case RecordingError::range_scale:
+    case CalibrationParameter::range_offset:
+    case CalibrationParameter::range_scale:
       return "too few different ranges";
-    case RecordingError::turn_scale:
+    case CalibrationParameter::rotation_scale:
       return "too few turns";
     default:
       return "too little way";
@@ -45,15 +45,15 @@ class Translator
   {
   }
 
-  [[nodiscard]] DoctorFinding finding(const EstimatedError& error) const
+  [[nodiscard]] CalibrationFinding finding(const EstimatedError& error) const
   {
-    DoctorFinding found = isOfOdometry(error.term.kind) ? ofOdometry(error) : ofSensor(error);
-    if (!error.told) found.why_not = whyNot(error.term.kind);
+    CalibrationFinding found = isOfOdometry(error.term.kind) ? ofOdometry(error) : ofSensor(error);
+    if (!error.observable) found.why_not = whyNot(error.term.kind);
     return found;
   }
 
  private:
-  [[nodiscard]] double valueOf(RecordingError kind) const
+  [[nodiscard]] double valueOf(CalibrationParameter kind) const
   {
     for (const EstimatedError& error : errors_.errors)
       if (error.term.kind == kind) return error.value;
@@ -61,7 +61,7 @@ class Translator
   }
 
   /// `base + scale * error` is the figure.
-  static void set(DoctorFinding& found, const EstimatedError& error, double base, double scale)
+  static void set(CalibrationFinding& found, const EstimatedError& error, double base, double scale)
   {
     found.now = base;
     found.estimate = base + scale * error.value;
@@ -69,7 +69,7 @@ class Translator
   }
 
   /// Where the configuration tells the error as the mean of one that is estimated, it is told as that mean.
-  bool setAsMean(DoctorFinding& found, const EstimatedError& error, BiasKind kind, const std::string& label) const
+  bool setAsMean(CalibrationFinding& found, const EstimatedError& error, BiasKind kind, const std::string& label) const
   {
     for (const BiasState& bias : config_.biases)
     {
@@ -84,48 +84,50 @@ class Translator
     return false;
   }
 
-  [[nodiscard]] DoctorFinding ofOdometry(const EstimatedError& error) const
+  [[nodiscard]] CalibrationFinding ofOdometry(const EstimatedError& error) const
   {
     const OdometryCorrection& now = config_.frames.odometry;
-    DoctorFinding found;
-    if (error.term.kind == RecordingError::way_scale)
+    CalibrationFinding found;
+    if (error.term.kind == CalibrationParameter::distance_scale)
     {
       found = {.what = "odometry: true over measured way", .decimals = 4, .line = {kMotion, "odometry_scale", ""}};
       set(found, error, now.scale, now.scale);
-      if (setAsMean(found, error, BiasKind::way_scale, "")) found.what = "odometry: true way longer by the share";
+      if (setAsMean(found, error, BiasKind::distance_scale, "")) found.what = "odometry: true way longer by the share";
     }
-    if (error.term.kind == RecordingError::turn_scale)
+    if (error.term.kind == CalibrationParameter::rotation_scale)
     {
-      found = {
-          .what = "odometry: true over measured turns", .decimals = 4, .line = {kMotion, "odometry_turn_scale", ""}};
-      set(found, error, now.turn_scale, now.turn_scale);
-      if (setAsMean(found, error, BiasKind::turn_scale, "")) found.what = "odometry: true turns larger by the share";
+      found = {.what = "odometry: true over measured turns",
+               .decimals = 4,
+               .line = {kMotion, "odometry_rotation_scale", ""}};
+      set(found, error, now.rotation_scale, now.rotation_scale);
+      if (setAsMean(found, error, BiasKind::rotation_scale, ""))
+        found.what = "odometry: true turns larger by the share";
     }
-    if (error.term.kind == RecordingError::veer)
+    if (error.term.kind == CalibrationParameter::veer)
     {
       found = {.what = "odometry: unseen left turn per metre",
                .unit = "deg",
                .decimals = 2,
                .line = {kMotion, "odometry_turn_per_m_deg", ""}};
       // What is configured already is stretched with the turns, and counts per metre of the way as it was.
-      const double base =
-          now.turn_per_m * (1 + valueOf(RecordingError::turn_scale)) / (1 + valueOf(RecordingError::way_scale));
+      const double base = now.turn_per_m * (1 + valueOf(CalibrationParameter::rotation_scale)) /
+                          (1 + valueOf(CalibrationParameter::distance_scale));
       set(found, error, radToDeg(base), radToDeg(1.0));
       found.now = radToDeg(now.turn_per_m);
     }
     return found;
   }
 
-  [[nodiscard]] DoctorFinding ofSensor(const EstimatedError& error) const
+  [[nodiscard]] CalibrationFinding ofSensor(const EstimatedError& error) const
   {
     const std::string label = sensors_[error.term.sensor], section = "Sensor_" + label;
     const SensorConfig& now = configOf(config_.frames.sensors, label);
-    DoctorFinding found;
+    CalibrationFinding found;
     switch (error.term.kind)
     {
-      case RecordingError::delay:
+      case CalibrationParameter::delay:
         return delay(error, label, now);
-      case RecordingError::bearing_offset:
+      case CalibrationParameter::bearing_offset:
         found = {.what = label + ": bearings too large by",
                  .unit = "deg",
                  .decimals = 2,
@@ -133,7 +135,7 @@ class Translator
         set(found, error, radToDeg(now.bias_bearing), radToDeg(now.scale_bearing));
         setAsMean(found, error, BiasKind::bearing_offset, label);
         return found;
-      case RecordingError::range_offset:
+      case CalibrationParameter::range_offset:
         found = {.what = label + ": ranges too long by", .unit = "m", .line = {section, "bias_range_m", ""}};
         set(found, error, now.bias_range, now.scale_range);
         setAsMean(found, error, BiasKind::range_offset, label);
@@ -147,15 +149,15 @@ class Translator
     }
   }
 
-  [[nodiscard]] DoctorFinding delay(const EstimatedError& error, const std::string& label,
-                                    const SensorConfig& now) const
+  [[nodiscard]] CalibrationFinding delay(const EstimatedError& error, const std::string& label,
+                                         const SensorConfig& now) const
   {
     const bool odometry_is_late = config_.frames.odometry.delay != 0 && sensors_.size() == 1;
-    DoctorFinding found{.what = odometry_is_late ? "odometry: true this long after its stamp"
-                                                 : label + ": readings older than odometry by",
-                        .unit = "s",
-                        .line = odometry_is_late ? ConfigurationLine{kMotion, "odometry_delay_s", ""}
-                                                 : ConfigurationLine{"Sensor_" + label, "delay_s", ""}};
+    CalibrationFinding found{.what = odometry_is_late ? "odometry: true this long after its stamp"
+                                                      : label + ": readings older than odometry by",
+                             .unit = "s",
+                             .line = odometry_is_late ? IniAssignment{kMotion, "odometry_delay_s", ""}
+                                                      : IniAssignment{"Sensor_" + label, "delay_s", ""}};
     set(found, error, odometry_is_late ? config_.frames.odometry.delay : now.delay, 1);
     return found;
   }
@@ -165,13 +167,13 @@ class Translator
   const LocalizationConfig& config_;
 };
 
-void settleLine(DoctorFinding& found, bool differs)
+void settleLine(CalibrationFinding& found, bool differs)
 {
   found.differs = differs && found.why_not.empty();
   found.line.value = fixedText(found.estimate, found.decimals);
 }
 
-bool differs(const DoctorFinding& found)
+bool differs(const CalibrationFinding& found)
 {
   return found.why_not.empty() && std::abs(found.estimate - found.now) > kSignificant * found.std;
 }
@@ -185,15 +187,15 @@ struct Judged
 
 bool isOfRanges(const EstimatedError& error)
 {
-  return error.term.kind == RecordingError::range_offset || error.term.kind == RecordingError::range_scale;
+  return error.term.kind == CalibrationParameter::range_offset || error.term.kind == CalibrationParameter::range_scale;
 }
 }  // namespace
 
-std::vector<DoctorFinding> doctorFindings(const RecordingErrors& errors, const std::vector<std::string>& sensors,
-                                          const LocalizationConfig& config)
+std::vector<CalibrationFinding> doctorFindings(const RecordingErrors& errors, const std::vector<std::string>& sensors,
+                                               const LocalizationConfig& config)
 {
   const Translator translator(errors, sensors, config);
-  std::vector<DoctorFinding> findings;
+  std::vector<CalibrationFinding> findings;
   for (const EstimatedError& error : errors.errors) findings.push_back(translator.finding(error));
   for (std::size_t k = 0; k < findings.size(); ++k)
   {
@@ -207,18 +209,18 @@ std::vector<DoctorFinding> doctorFindings(const RecordingErrors& errors, const s
   return findings;
 }
 
-std::vector<DoctorFinding> scatterFindings(const RecordingErrors& errors, const ExaminedWay& examined,
-                                           const LocalizationConfig& config)
+std::vector<CalibrationFinding> scatterFindings(const RecordingErrors& errors, const CalibrationData& examined,
+                                                const LocalizationConfig& config)
 {
   std::map<std::pair<std::size_t, bool>, Judged> judged;
   for (std::size_t i = 0; i < errors.misfits.size(); ++i)
   {
-    const WayReading& r = examined.way.readings[i];
+    const CalibrationReading& r = examined.way.readings[i];
     Judged& of = judged[{r.sensor, r.is_range}];
     of.stds.push_back(r.std);
     of.outliers += std::abs(errors.misfits[i]) > kOutlier;
   }
-  std::vector<DoctorFinding> findings;
+  std::vector<CalibrationFinding> findings;
   for (const auto& [key, of] : judged)
   {
     const auto& [sensor, is_range] = key;
@@ -227,30 +229,30 @@ std::vector<DoctorFinding> scatterFindings(const RecordingErrors& errors, const 
     const double unit = is_range ? 1 : radToDeg(1.0), declared = unit * medianOf(of.stds);
     const double scatter = is_range ? errors.scatter[sensor].range : errors.scatter[sensor].bearing;
     const auto count = static_cast<double>(of.stds.size());
-    DoctorFinding spread{.what = label + (is_range ? ": ranges scatter by" : ": bearings scatter by"),
-                         .unit = is_range ? "m" : "deg",
-                         .now = declared,
-                         .estimate = scatter * declared,
-                         .std = scatter * declared / std::sqrt(count),
-                         .decimals = is_range ? 3 : 2,
-                         .line = {section, is_range ? "std_range_m" : "std_bearing_deg", ""}};
+    CalibrationFinding spread{.what = label + (is_range ? ": ranges scatter by" : ": bearings scatter by"),
+                              .unit = is_range ? "m" : "deg",
+                              .now = declared,
+                              .estimate = scatter * declared,
+                              .std = scatter * declared / std::sqrt(count),
+                              .decimals = is_range ? 3 : 2,
+                              .line = {section, is_range ? "std_range_m" : "std_bearing_deg", ""}};
     const bool enough = of.stds.size() >= kLeastJudged;
     settleLine(spread, enough && scatter > kWorthTelling && !(is_range && now.std_range_per_m > 0));
     findings.push_back(spread);
     const double share = of.outliers / count;
-    DoctorFinding outliers{.what = label + (is_range ? ": outliers among ranges" : ": outliers among bearings"),
-                           .now = now.clutter_probability,
-                           .estimate = share,
-                           .std = std::sqrt(share * (1 - share) / count),
-                           .decimals = 3,
-                           .line = {section, "clutter_probability", ""}};
+    CalibrationFinding outliers{.what = label + (is_range ? ": outliers among ranges" : ": outliers among bearings"),
+                                .now = now.clutter_probability,
+                                .estimate = share,
+                                .std = std::sqrt(share * (1 - share) / count),
+                                .decimals = 3,
+                                .line = {section, "clutter_probability", ""}};
     settleLine(outliers, enough && share > kWorthTelling * now.clutter_probability);
     findings.push_back(outliers);
   }
   return findings;
 }
 
-std::vector<std::string> landmarkLines(const RecordingErrors& errors, const ExaminedWay& examined,
+std::vector<std::string> landmarkLines(const RecordingErrors& errors, const CalibrationData& examined,
                                        const LandmarkTable& map)
 {
   struct Count
@@ -278,10 +280,10 @@ std::vector<std::string> landmarkLines(const RecordingErrors& errors, const Exam
   return lines;
 }
 
-std::vector<std::string> findingsTable(const std::vector<DoctorFinding>& findings)
+std::vector<std::string> findingsTable(const std::vector<CalibrationFinding>& findings)
 {
   std::vector<std::vector<std::string>> rows{{"", "the log says", "the .ini says", ""}};
-  for (const DoctorFinding& f : findings)
+  for (const CalibrationFinding& f : findings)
   {
     const std::string unit = f.unit.empty() ? "" : " " + f.unit;
     const std::string figure = fixedText(f.estimate, f.decimals) + " +- " + fixedText(f.std, f.decimals) + unit;

@@ -4,8 +4,8 @@
 #include <map>
 #include <set>
 
-#include "mrpt_ext/files/number_format.h"
 #include "mrpt_ext/calibration/range_bias_calibration.h"
+#include "mrpt_ext/files/number_format.h"
 
 namespace mrpt_ext
 {

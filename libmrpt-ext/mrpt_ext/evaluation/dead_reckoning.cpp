@@ -20,15 +20,12 @@ Pose2 motionBetween(const Trajectory& odometry, double from, double to)
   return between(poseAt(odometry, from), poseAt(odometry, to));
 }
 
-TrackPoint carry(const TrackPoint& estimate, const Trajectory& odometry, double time)
+PoseEstimate carry(const PoseEstimate& estimate, const Trajectory& odometry, double time)
 {
-  TrackPoint carried = estimate;
+  PoseEstimate carried = estimate;
   carried.time = time;
   if (!estimate.heading_known) return carried;
-  const Pose2 motion = motionBetween(odometry, estimate.time, time);
-  const Matrix3d J = composeJacobianFirst(estimate.pose.mean, motion);
-  carried.pose.mean = compose(estimate.pose.mean, motion);
-  carried.pose.covariance = J * estimate.pose.covariance * J.transpose();
+  carried.pose = compound(estimate.pose, motionBetween(odometry, estimate.time, time));
   return carried;
 }
 }  // namespace mrpt_ext

@@ -11,5 +11,5 @@ namespace mrpt_ext
 
 /// Estimate carried to `time` by dead reckoning, with its covariance turned along (odometry's own noise is not
 /// added). An estimate without a heading stays where it is: the direction of the motion is not known.
-[[nodiscard]] TrackPoint carry(const TrackPoint& estimate, const Trajectory& odometry, double time);
+[[nodiscard]] PoseEstimate carry(const PoseEstimate& estimate, const Trajectory& odometry, double time);
 }  // namespace mrpt_ext

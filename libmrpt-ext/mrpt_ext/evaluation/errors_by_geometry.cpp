@@ -13,7 +13,7 @@ namespace
 constexpr double kOldest = 1.0;  // [s] of the frame that an error is explained by
 constexpr int kRangeClasses = 6;
 
-using Geometries = LongSequence<FrameGeometry>;
+using Geometries = DiskBackedSequence<FrameGeometry>;
 /// Class of a frame, by its position in a list of classes; nothing when the quantity does not exist.
 using Classify = std::function<std::optional<std::size_t>(const FrameGeometry&)>;
 
@@ -92,7 +92,7 @@ class FrameFinder
 class AnswerFinder
 {
  public:
-  explicit AnswerFinder(const MethodTrack& track) : next_(track.points.begin()), end_(track.points.end()) {}
+  explicit AnswerFinder(const MethodTrajectory& track) : next_(track.points.begin()), end_(track.points.end()) {}
 
   bool hasAnswerAt(double time)
   {
@@ -101,7 +101,7 @@ class AnswerFinder
   }
 
  private:
-  LongSequence<TrackPoint>::const_iterator next_, end_;
+  DiskBackedSequence<PoseEstimate>::const_iterator next_, end_;
 };
 
 double countedFrom(const RunContext& context, const RunScore& score)
@@ -110,7 +110,7 @@ double countedFrom(const RunContext& context, const RunScore& score)
 }
 
 /// Errors and answers of one method, class by class.
-void addMethod(GeometryErrors& table, const Quantity& quantity, const Geometries& frames, const MethodTrack& track,
+void addMethod(GeometryErrors& table, const Quantity& quantity, const Geometries& frames, const MethodTrajectory& track,
                const MethodScore& method, double from)
 {
   std::vector<std::vector<double>> errors(table.classes.size());

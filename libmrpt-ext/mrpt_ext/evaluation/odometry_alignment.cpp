@@ -7,10 +7,10 @@ namespace mrpt_ext
 namespace
 {
 /// The poses up to the first at or after `end` [s].
-Trajectory beginningOf(const MethodTrack& track, double end)
+Trajectory beginningOf(const MethodTrajectory& track, double end)
 {
   Trajectory beginning;
-  for (const TrackPoint& point : track.points)
+  for (const PoseEstimate& point : track.points)
   {
     beginning.push_back({point.time, point.pose.mean, true});
     if (point.time >= end) break;
@@ -26,7 +26,7 @@ void turnCovariance(Matrix3d& covariance, double angle)
 }
 }  // namespace
 
-bool anchorToTruth(MethodTrack& odometry, const Trajectory& truth)
+bool anchorToTruth(MethodTrajectory& odometry, const Trajectory& truth)
 {
   if (odometry.points.empty()) return false;
   const double begin = odometry.points.front().time, end = odometry.points.back().time;
@@ -36,8 +36,8 @@ bool anchorToTruth(MethodTrack& odometry, const Trajectory& truth)
     const Pose2 first = odometry.points.front().pose.mean;
     const Pose2 then = compose(first, motionBetween(beginningOf(odometry, anchor.time), begin, anchor.time));
     const Pose2 T_map_own = compose(anchor.pose, inverse(then));
-    LongSequence<TrackPoint> anchored;
-    for (TrackPoint point : odometry.points)
+    DiskBackedSequence<PoseEstimate> anchored;
+    for (PoseEstimate point : odometry.points)
     {
       point.pose.mean = compose(T_map_own, point.pose.mean);
       turnCovariance(point.pose.covariance, T_map_own.phi);
@@ -51,7 +51,7 @@ bool anchorToTruth(MethodTrack& odometry, const Trajectory& truth)
 
 RunRecord withAnchoredOdometry(RunRecord record, const Trajectory& truth)
 {
-  for (MethodTrack& method : record.methods)
+  for (MethodTrajectory& method : record.methods)
     if (method.name == kOdometryMethod) static_cast<void>(anchorToTruth(method, truth));
   return record;
 }

@@ -14,7 +14,7 @@ constexpr std::size_t kMinValues = 5;
 constexpr int kResamples = 1000;
 }  // namespace
 
-std::optional<Interval> rmseInterval(const std::vector<ErrorSample>& errors, double from)
+std::optional<ConfidenceInterval> rmseInterval(const std::vector<ErrorSample>& errors, double from)
 {
   std::vector<double> squares;
   for (const ErrorSample& error : errors)
@@ -22,10 +22,10 @@ std::optional<Interval> rmseInterval(const std::vector<ErrorSample>& errors, dou
   // A ratio to ones is the RMSE itself.
   const auto rmse = rmseRatio(squares, std::vector<double>(squares.size(), 1.0), kBlockOfStamps);
   if (!rmse) return std::nullopt;
-  return Interval{rmse->low, rmse->high};
+  return ConfidenceInterval{rmse->low, rmse->high};
 }
 
-std::optional<Interval> medianInterval(const std::vector<double>& values)
+std::optional<ConfidenceInterval> medianInterval(const std::vector<double>& values)
 {
   if (values.size() < kMinValues) return std::nullopt;
   RandomStream random(1);
@@ -35,6 +35,6 @@ std::optional<Interval> medianInterval(const std::vector<double>& values)
     for (double& value : drawn) value = values[random.below(values.size())];
     medians.push_back(*median(drawn));
   }
-  return Interval{*quantile(medians, 0.025), *quantile(medians, 0.975)};
+  return ConfidenceInterval{*quantile(medians, 0.025), *quantile(medians, 0.975)};
 }
 }  // namespace mrpt_ext

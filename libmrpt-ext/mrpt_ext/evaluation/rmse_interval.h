@@ -8,15 +8,15 @@
 namespace mrpt_ext
 {
 /// What 95 % of resamples lie in.
-struct Interval
+struct ConfidenceInterval
 {
   double low = 0, high = 0;
 };
 
 /// Interval of the position RMSE over the samples from `from` on [m]: moving blocks of ten neighbouring stamps are
 /// resampled, see rmseRatio(). Nothing with fewer than fifty samples.
-[[nodiscard]] std::optional<Interval> rmseInterval(const std::vector<ErrorSample>& errors, double from);
+[[nodiscard]] std::optional<ConfidenceInterval> rmseInterval(const std::vector<ErrorSample>& errors, double from);
 
 /// Interval of the median of independent values (Efron 1979). Nothing with fewer than five.
-[[nodiscard]] std::optional<Interval> medianInterval(const std::vector<double>& values);
+[[nodiscard]] std::optional<ConfidenceInterval> medianInterval(const std::vector<double>& values);
 }  // namespace mrpt_ext

@@ -7,40 +7,22 @@
 #include <vector>
 
 #include "mrpt_ext/evaluation/frame_geometry.h"
-#include "mrpt_ext/files/long_sequence.h"
+#include "mrpt_ext/files/disk_backed_sequence.h"
 #include "mrpt_ext/geometry/gaussian_pose.h"
 #include "mrpt_ext/geometry/landmark_table.h"
+#include "mrpt_ext/geometry/observation_count.h"
+#include "mrpt_ext/geometry/pose_estimate.h"
 #include "mrpt_ext/geometry/trajectory.h"
-#include "mrpt_ext/geometry/verdict.h"
 
 namespace mrpt_ext
 {
-/// One estimate of one method (a row of steps.csv).
-struct TrackPoint
-{
-  double time = 0;  ///< [s]
-  GaussianPose pose;
-  bool heading_known = true;
-  int modes = 1;
-  double best_weight = 1;                   ///< weight of the reported mode
-  std::optional<double> effective_samples;  ///< share in [0, 1], filters only
-  Verdict verdict = Verdict::ok;
-
-  template <class Self, class Archive>
-  static void archive(Self& p, Archive& fields)
-  {
-    fields(p.time, p.pose.mean, p.pose.covariance, p.heading_known, p.modes, p.best_weight, p.effective_samples,
-           p.verdict);
-  }
-};
-
-/// Everything one method said during one trial.
-struct MethodTrack
+/// Everything one method estimated during one trial.
+struct MethodTrajectory
 {
   std::string name;         ///< key in summary.json, file name part of trajectory_<name>.tum
   bool continuous = false;  ///< lives between frames by odometry (odometry, EKF, filter); closed forms do not
   bool oracle = false;      ///< its choice among candidates used the truth
-  LongSequence<TrackPoint> points;
+  DiskBackedSequence<PoseEstimate> points;
   std::size_t frames_offered = 0;    ///< frames with any detection
   std::size_t frames_answered = 0;   ///< ... that it gave an estimate for
   std::size_t frames_ambiguous = 0;  ///< ... with candidates it could not rank: no row
@@ -121,7 +103,7 @@ struct ObjectRow
 };
 
 /// A detection as it is drawn: seen from a sensor that sits at `T_robot_sensor`.
-struct Sighting
+struct DrawnDetection
 {
   Pose2 T_robot_sensor;
   int id = kNoId;
@@ -136,13 +118,7 @@ struct PlaybackStep
   double time = 0;               ///< [s]
   std::vector<Pose2> particles;  ///< drawn by weight, so that all stand for the same share
   std::vector<ModeSummary> modes;
-  std::vector<Sighting> sightings;
-};
-
-/// Counts of one observation class in the log.
-struct ObservationCount
-{
-  std::size_t total = 0, used = 0, ignored = 0;
+  std::vector<DrawnDetection> sightings;
 };
 
 /// What one trial leaves behind before it is judged. What grows with the log is in sequences that go to disk.
@@ -150,12 +126,12 @@ struct RunRecord
 {
   int trial = 0;
   std::uint64_t seed = 0;
-  std::vector<MethodTrack> methods;
-  LongSequence<HypothesisRow> hypotheses;
+  std::vector<MethodTrajectory> methods;
+  DiskBackedSequence<HypothesisRow> hypotheses;
   FilterRecord filter;
-  LongSequence<BiasRow> biases;                     ///< ordered by time
+  DiskBackedSequence<BiasRow> biases;               ///< ordered by time
   std::map<std::string, LandmarkRecord> landmarks;  ///< by id as text
-  LongSequence<ObjectRow> objects;
+  DiskBackedSequence<ObjectRow> objects;
   std::vector<PlaybackStep> playback;  ///< of some frames, evenly spread; may be empty
   Verdict verdict = Verdict::lost;
   std::string verdict_reason;
@@ -184,8 +160,8 @@ struct RunContext
   LandmarkTable map;
   Trajectory truth;  ///< empty: nothing to judge against
   bool truth_is_sparse = false;
-  Trajectory odometry;                   ///< dead-reckoned, own frame: carries continuous methods to the scoring stamps
-  LongSequence<FrameGeometry> geometry;  ///< of every frame with a detection, ordered by time
+  Trajectory odometry;  ///< dead-reckoned, own frame: carries continuous methods to the scoring stamps
+  DiskBackedSequence<FrameGeometry> geometry;  ///< of every frame with a detection, ordered by time
   bool objects_wanted = false;  ///< the configuration names `objects`: objects.csv is written even when none was seen
 };
 }  // namespace mrpt_ext

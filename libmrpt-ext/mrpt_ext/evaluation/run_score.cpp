@@ -28,7 +28,7 @@ ErrorStatistics headingStatistics(const std::vector<ErrorSample>& errors, double
   return errorStatistics(std::move(sample));
 }
 
-MethodScore describe(const MethodTrack& track)
+MethodScore describe(const MethodTrajectory& track)
 {
   MethodScore score;
   score.name = track.name;
@@ -44,10 +44,10 @@ MethodScore describe(const MethodTrack& track)
 }
 
 /// Errors of a method over the whole run; none for dead reckoning that cannot be placed in the map.
-std::vector<ErrorSample> errorsOfMethod(const MethodTrack& track, const RunContext& context)
+std::vector<ErrorSample> errorsOfMethod(const MethodTrajectory& track, const RunContext& context)
 {
   if (track.name != kOdometryMethod) return errorsOf(judge(track, context));
-  MethodTrack anchored = track;
+  MethodTrajectory anchored = track;
   if (!anchorToTruth(anchored, context.truth)) return {};
   return errorsOf(judge(anchored, context));
 }
@@ -67,14 +67,15 @@ FilterScore describe(const FilterRecord& filter)
   return score;
 }
 
-std::map<std::string, BiasScore> atTheEnd(const LongSequence<BiasRow>& rows)
+std::map<std::string, BiasScore> atTheEnd(const DiskBackedSequence<BiasRow>& rows)
 {
   std::map<std::string, BiasScore> scores;
   for (const BiasRow& row : rows) scores[row.name] = {row.mean, row.std};
   return scores;
 }
 
-void addConsistency(FilterScore& score, const MethodTrack& track, const RunContext& context, std::optional<double> from)
+void addConsistency(FilterScore& score, const MethodTrajectory& track, const RunContext& context,
+                    std::optional<double> from)
 {
   // Judged where the estimate was made: dead reckoning would add an error that the covariance does not know.
   std::vector<JudgedEstimate> judged = judgeAtOwnTimes(track, context);
@@ -114,14 +115,14 @@ CostScore describeCost(const RunContext& context, const RunRecord& record)
 /// Fills the errors, the convergence and the success of all methods.
 void judgeMethods(RunScore& score, const RunContext& context, const RunRecord& record, const ConvergenceLimits& limits)
 {
-  const MethodTrack* judged = judgedMethod(record);
+  const MethodTrajectory* judged = judgedMethod(record);
   if (judged) score.judged_method = judged->name;
   const bool something_to_judge = !scoringStamps(context).empty();
   std::optional<double> count_from;
   if (!judged) count_from = context.start_time;
 
   TrialScore& trial = score.trials.front();
-  for (const MethodTrack& track : record.methods)
+  for (const MethodTrajectory& track : record.methods)
   {
     MethodScore method = describe(track);
     method.errors = errorsOfMethod(track, context);
@@ -152,10 +153,10 @@ void judgeMethods(RunScore& score, const RunContext& context, const RunRecord& r
 }
 }  // namespace
 
-const MethodTrack* judgedMethod(const RunRecord& record)
+const MethodTrajectory* judgedMethod(const RunRecord& record)
 {
-  const MethodTrack* first = nullptr;
-  for (const MethodTrack& track : record.methods)
+  const MethodTrajectory* first = nullptr;
+  for (const MethodTrajectory& track : record.methods)
   {
     if (!track.continuous || track.name == kOdometryMethod) continue;
     if (track.name == kParticleFilter) return &track;

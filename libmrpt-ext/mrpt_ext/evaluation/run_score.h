@@ -111,7 +111,7 @@ struct RunScore
 /// The method whose convergence is judged: particle_filter, else the first other method that carries its pose from
 /// frame to frame. Dead reckoning does not count, since its start is taken from the truth. Nothing when only closed
 /// forms ran: then convergence does not apply, all their estimates count, and success is absent.
-[[nodiscard]] const MethodTrack* judgedMethod(const RunRecord& record);
+[[nodiscard]] const MethodTrajectory* judgedMethod(const RunRecord& record);
 
 /// Judges one trial. `record` as it comes from the run: dead reckoning is anchored here.
 [[nodiscard]] RunScore scoreRun(const RunContext& context, const RunRecord& record, const ConvergenceLimits& limits);

@@ -14,10 +14,10 @@ namespace
 class EstimateWindow
 {
  public:
-  explicit EstimateWindow(const MethodTrack& track) : next_(track.points.begin()), end_(track.points.end()) {}
+  explicit EstimateWindow(const MethodTrajectory& track) : next_(track.points.begin()), end_(track.points.end()) {}
 
   /// The estimates from `from` to `to` [s], and the last one before them; neither may go back from call to call.
-  const std::deque<TrackPoint>& moveTo(double from, double to)
+  const std::deque<PoseEstimate>& moveTo(double from, double to)
   {
     for (; next_ != end_ && next_->time <= to; ++next_)
     {
@@ -34,8 +34,8 @@ class EstimateWindow
     while (window_.size() > 1 && window_[1].time < from) window_.pop_front();
   }
 
-  LongSequence<TrackPoint>::const_iterator next_, end_;
-  std::deque<TrackPoint> window_;
+  DiskBackedSequence<PoseEstimate>::const_iterator next_, end_;
+  std::deque<PoseEstimate> window_;
 };
 
 std::optional<TimedPose> truthAt(const RunContext& context, double time)
@@ -43,11 +43,11 @@ std::optional<TimedPose> truthAt(const RunContext& context, double time)
   return interpolate(context.truth, time, context.truth_is_sparse ? 0.0 : kMaxTruthGap);
 }
 
-const TrackPoint* nearestEstimate(EstimateWindow& estimates, double stamp)
+const PoseEstimate* nearestEstimate(EstimateWindow& estimates, double stamp)
 {
   const double from = stamp - kSparseTruthWindow;
-  const TrackPoint* nearest = nullptr;
-  for (const TrackPoint& point : estimates.moveTo(from, stamp + kSparseTruthWindow))
+  const PoseEstimate* nearest = nullptr;
+  for (const PoseEstimate& point : estimates.moveTo(from, stamp + kSparseTruthWindow))
     if (point.time >= from && (!nearest || std::abs(point.time - stamp) <= std::abs(nearest->time - stamp)))
       nearest = &point;
   return nearest;
@@ -55,7 +55,7 @@ const TrackPoint* nearestEstimate(EstimateWindow& estimates, double stamp)
 
 std::optional<JudgedEstimate> judgeNearSparseStamp(EstimateWindow& estimates, const RunContext& context, double stamp)
 {
-  const TrackPoint* nearest = nearestEstimate(estimates, stamp);
+  const PoseEstimate* nearest = nearestEstimate(estimates, stamp);
   const auto truth = truthAt(context, stamp);
   if (!nearest || !truth) return std::nullopt;
   return JudgedEstimate{stamp, carry(*nearest, context.odometry, stamp), *truth};
@@ -86,7 +86,7 @@ std::vector<double> scoringStamps(const RunContext& context)
   return stamps;
 }
 
-std::vector<JudgedEstimate> judge(const MethodTrack& track, const RunContext& context)
+std::vector<JudgedEstimate> judge(const MethodTrajectory& track, const RunContext& context)
 {
   if (!track.continuous) return judgeAtOwnTimes(track, context);
   std::vector<JudgedEstimate> judged;
@@ -97,7 +97,7 @@ std::vector<JudgedEstimate> judge(const MethodTrack& track, const RunContext& co
   return judged;
 }
 
-std::vector<JudgedEstimate> judgeAtOwnTimes(const MethodTrack& track, const RunContext& context)
+std::vector<JudgedEstimate> judgeAtOwnTimes(const MethodTrajectory& track, const RunContext& context)
 {
   std::vector<JudgedEstimate> judged;
   EstimateWindow estimates(track);

@@ -18,9 +18,9 @@ std::optional<FrameBound> boundOfFrames(const FrameFeed& frames, const LandmarkT
   {
     const auto pose = interpolate(truth, frame->time, kMaxTruthGap);
     if (!pose) continue;
-    std::vector<LandmarkSighting> seen = identifiedSightings(frame->readings, map);
+    std::vector<LandmarkMeasurement> seen = identifiedSightings(frame->readings, map);
     if (what == BoundOf::bearings)
-      for (LandmarkSighting& s : seen) s.range.reset();
+      for (LandmarkMeasurement& s : seen) s.range.reset();
     const auto bound = informationBound(poseInformation(poseMeasurements(seen), pose->pose));
     if (!bound) continue;
     position.push_back(bound->position_rms);

@@ -2,9 +2,9 @@
 
 #include <optional>
 
+#include "mrpt_ext/frames/frame_synchronizer.h"
 #include "mrpt_ext/geometry/landmark_table.h"
 #include "mrpt_ext/geometry/trajectory.h"
-#include "mrpt_ext/frames/frame_synchronizer.h"
 
 namespace mrpt_ext
 {

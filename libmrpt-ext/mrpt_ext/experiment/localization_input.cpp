@@ -5,12 +5,12 @@
 #include <set>
 
 #include "mrpt_ext/evaluation/scoring.h"
+#include "mrpt_ext/experiment/method_factory.h"
 #include "mrpt_ext/files/landmark_csv.h"
 #include "mrpt_ext/files/mrpt_index_truth.h"
 #include "mrpt_ext/files/tum.h"
-#include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/frames/frame_sequence.h"
-#include "mrpt_ext/experiment/method_factory.h"
+#include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/rawlog/rawlog_source.h"
 #include "mrpt_ext/rawlog/sha256.h"
 
@@ -39,7 +39,7 @@ LandmarkTable loadMap(const Settings& settings)
 }
 
 /// The records within the window; `source` must outlive them.
-RecordFeed recordsOf(RawlogSource& source, const LogWindow& window)
+RecordStream recordsOf(RawlogSource& source, const LogWindow& window)
 {
   return [&source, window, from = std::optional<double>()]() mutable -> std::optional<Record>
   {
@@ -121,7 +121,7 @@ void readOverview(LocalizationInput& input, RawlogSource& source)
   {
     if constexpr (requires { record.sensor; }) sensors.insert(record.sensor);
   };
-  const RecordFeed records = recordsOf(source, input.log.window);
+  const RecordStream records = recordsOf(source, input.log.window);
   const auto watched = [&]
   {
     auto record = records();
@@ -150,7 +150,7 @@ void readFrames(LocalizationInput& input)
   const double max_gap = context.truth_is_sparse ? 0.0 : kMaxTruthGap;
   FrameLog& log = input.log;
   log.kinds.odometry = !log.overview.odometry.empty();
-  FrameCutter frames = framesOf(input);
+  FrameSynchronizer frames = framesOf(input);
   while (const auto frame = frames.next())
   {
     static_cast<void>(frames.takeObjectFrames());
@@ -196,16 +196,16 @@ LocalizationInput loadLocalization(const Settings& settings, const LogWindow& wi
   return input;
 }
 
-FrameCutter framesOf(const LocalizationInput& input)
+FrameSynchronizer framesOf(const LocalizationInput& input)
 {
   const auto source = std::make_shared<RawlogSource>(input.log.path);
   const auto records = [source, next = recordsOf(*source, input.log.window)] { return next(); };
   return {records, input.context.map, input.config.frames, input.log.overview};
 }
 
-FrameFeed feedOf(const LocalizationInput& input)
+FrameFeed streamOf(const LocalizationInput& input)
 {
-  return [cutter = std::make_shared<FrameCutter>(framesOf(input))]
+  return [cutter = std::make_shared<FrameSynchronizer>(framesOf(input))]
   {
     static_cast<void>(cutter->takeObjectFrames());
     return cutter->next();

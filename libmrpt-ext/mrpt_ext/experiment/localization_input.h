@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "mrpt_ext/evaluation/run_record.h"
-#include "mrpt_ext/observations/usable_detections.h"
-#include "mrpt_ext/frames/frame_synchronizer.h"
 #include "mrpt_ext/configuration/localization_config.h"
+#include "mrpt_ext/evaluation/run_record.h"
 #include "mrpt_ext/experiment/method_factory.h"
+#include "mrpt_ext/frames/frame_synchronizer.h"
+#include "mrpt_ext/observations/usable_detections.h"
 
 namespace mrpt_ext
 {
@@ -47,7 +47,7 @@ struct LocalizationInput
 [[nodiscard]] LocalizationInput loadLocalization(const Settings& settings, const LogWindow& window);
 
 /// Reads the frames of the log from the first one on; `input` must outlive them. For every pass and thread its own.
-[[nodiscard]] FrameCutter framesOf(const LocalizationInput& input);
+[[nodiscard]] FrameSynchronizer framesOf(const LocalizationInput& input);
 /// The same, without the objects.
-[[nodiscard]] FrameFeed feedOf(const LocalizationInput& input);
+[[nodiscard]] FrameFeed streamOf(const LocalizationInput& input);
 }  // namespace mrpt_ext

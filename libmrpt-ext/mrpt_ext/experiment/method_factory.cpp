@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
+#include "mrpt_ext/experiment/mrpt_filter_localizer.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/localizers/closed_form_methods.h"
-#include "mrpt_ext/localizers/windowed_localizer.h"
 #include "mrpt_ext/localizers/kalman_localizer.h"
 #include "mrpt_ext/localizers/odometry_localizer.h"
 #include "mrpt_ext/localizers/particle_filter_localizer.h"
+#include "mrpt_ext/localizers/windowed_localizer.h"
 #include "mrpt_ext/settings/name_suggestion.h"
-#include "mrpt_ext/experiment/mrpt_filter_localizer.h"
 
 namespace mrpt_ext
 {
@@ -49,7 +49,7 @@ KalmanBankOptions kalmanOptions(const LocalizationConfig& config, bool iterated,
 }  // namespace
 
 MethodFactory::MethodFactory(const LocalizationConfig& config, const LandmarkTable& map, const MeasurementKinds& kinds)
-    : config_(config), map_(map), kinds_(kinds), search_(std::make_shared<const LostRobotSearch>(map))
+    : config_(config), map_(map), kinds_(kinds), search_(std::make_shared<const GlobalPoseSearch>(map))
 {
   checkNames();
 }
@@ -114,7 +114,7 @@ std::vector<MethodFactory::Entry> MethodFactory::entries(std::uint64_t seed, int
     all.push_back(entry);
     if (config_.join_window > 0 && moving)
       all.push_back({entry.name + "_joined", entry.applies, [this, make = entry.make] {
-                       return std::make_unique<JoinedLocalizer>(make(), config_.join_window, config_.filter.motion);
+                       return std::make_unique<WindowedLocalizer>(make(), config_.join_window, config_.filter.motion);
                      }});
   }
   // A fix from single ranges needs the way between them.

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "mrpt_ext/configuration/localization_config.h"
 #include "mrpt_ext/correspondence/global_pose_search.h"
 #include "mrpt_ext/localizers/filter_localizer.h"
 #include "mrpt_ext/localizers/localizer.h"
-#include "mrpt_ext/configuration/localization_config.h"
 
 namespace mrpt_ext
 {
@@ -59,6 +59,6 @@ class MethodFactory
   const LocalizationConfig& config_;
   const LandmarkTable& map_;
   MeasurementKinds kinds_;
-  std::shared_ptr<const LostRobotSearch> search_;
+  std::shared_ptr<const GlobalPoseSearch> search_;
 };
 }  // namespace mrpt_ext

@@ -27,7 +27,7 @@ class MrptFilterLocalizer : public FilterLocalizer
         landmark_map_(std::make_shared<CLandmarkMap2D>(map)),
         reliability_(map.size(), options_.reliability_prior_strength, options_.max_clutter),
         monitor_(options_.recovery),
-        trust_(trustOptions(options_.recovery))
+        trust_(slowRatioOptions(options_.recovery))
   {
     mrpt::random::getRandomGenerator().randomize(static_cast<std::uint32_t>(seed));
     auto& pf = engine_.m_options;
@@ -155,7 +155,7 @@ class MrptFilterLocalizer : public FilterLocalizer
     for (const Reading& reading : scoredReadings(frame))
     {
       const double explained = reliability_.observe(reading, map_, particles_, true);
-      for (RecoveryMonitor* monitor : {&monitor_, &trust_})
+      for (InlierRatioMonitor* monitor : {&monitor_, &trust_})
         monitor->observe(explained, 1 - reading.model.clutter_probability, reading.detections.size());
     }
     step_.explained_share = monitor_.average();
@@ -172,7 +172,7 @@ class MrptFilterLocalizer : public FilterLocalizer
   mrpt::slam::CMonteCarloLocalization2D pdf_{1};
   mrpt::bayes::CParticleFilter engine_;
   LandmarkReliability reliability_;
-  RecoveryMonitor monitor_, trust_;
+  InlierRatioMonitor monitor_, trust_;
   ParticleSet particles_;
   FilterStep step_;
 };

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <memory>
 
-#include "mrpt_ext/localizers/filter_localizer.h"
 #include "mrpt_ext/configuration/localization_config.h"
+#include "mrpt_ext/localizers/filter_localizer.h"
 
 namespace mrpt_ext
 {

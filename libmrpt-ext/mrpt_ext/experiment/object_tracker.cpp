@@ -13,16 +13,16 @@ namespace mrpt_ext
 {
 namespace
 {
-Ray rayOf(const LandmarkSighting& s)
+SightRay rayOf(const LandmarkMeasurement& s)
 {
   return {s.T_robot_sensor.position(), s.T_robot_sensor.phi + *s.bearing, s.std_bearing};
 }
 
 /// Where the objects of one category are in the robot frame.
-std::vector<GaussianPoint> pointsInRobot(const std::vector<LandmarkSighting>& sightings)
+std::vector<GaussianPoint> pointsInRobot(const std::vector<LandmarkMeasurement>& sightings)
 {
   std::vector<GaussianPoint> points;
-  for (const LandmarkSighting& s : sightings)
+  for (const LandmarkMeasurement& s : sightings)
     if (s.hasPoint()) points.push_back({s.pointInRobot(), s.pointCovariance()});
   if (!points.empty()) return points;
   // Bearings only: one object seen from several places, placed by the pair of sensors that sees it best. More sightings
@@ -45,15 +45,15 @@ void ObjectTracker::add(std::vector<Frame> sightings)
   std::move(sightings.begin(), sightings.end(), std::back_inserter(sightings_));
 }
 
-void ObjectTracker::place(const TrackPoint& robot, LongSequence<ObjectRow>& rows)
+void ObjectTracker::place(const PoseEstimate& robot, DiskBackedSequence<ObjectRow>& rows)
 {
   for (; !sightings_.empty() && sightings_.front().time <= robot.time; sightings_.pop_front())
   {
     const Frame& frame = sightings_.front();
     GaussianPose then = robot.pose;
     then.mean = compose(robot.pose.mean, odometry_.between(robot.time, frame.time).increment);
-    std::map<std::string, std::vector<LandmarkSighting>> by_category;
-    for (LandmarkSighting& s : unidentifiedSightings(frame.readings, LandmarkTable{}))
+    std::map<std::string, std::vector<LandmarkMeasurement>> by_category;
+    for (LandmarkMeasurement& s : unidentifiedSightings(frame.readings, LandmarkTable{}))
       by_category[s.category].push_back(std::move(s));
     for (const auto& [category, sightings] : by_category)
       for (const GaussianPoint& seen : pointsInRobot(sightings))

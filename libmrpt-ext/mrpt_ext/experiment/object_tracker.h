@@ -20,7 +20,7 @@ class ObjectTracker
   void add(std::vector<Frame> sightings);
   /// Places everything seen up to the time of `robot` that has not been placed yet, from that pose moved back by
   /// odometry to the time of the sighting.
-  void place(const TrackPoint& robot, LongSequence<ObjectRow>& rows);
+  void place(const PoseEstimate& robot, DiskBackedSequence<ObjectRow>& rows);
 
  private:
   const OdometryPath& odometry_;

@@ -6,7 +6,7 @@
 
 namespace mrpt_ext
 {
-void OracleTracks::add(const MethodTrack& method, const Estimate& estimate, double time)
+void OracleTracks::add(const MethodTrajectory& method, const Estimate& estimate, double time)
 {
   if (truth_.empty()) return;
   const std::string name = "oracle_" + method.name;
@@ -33,9 +33,9 @@ void OracleTracks::add(const MethodTrack& method, const Estimate& estimate, doub
                                  .best_weight = nearest->weight});
 }
 
-std::vector<MethodTrack> OracleTracks::take()
+std::vector<MethodTrajectory> OracleTracks::take()
 {
-  std::vector<MethodTrack> tracks;
+  std::vector<MethodTrajectory> tracks;
   for (Entry& entry : entries_)
     if (entry.several) tracks.push_back(std::move(entry.track));
   return tracks;

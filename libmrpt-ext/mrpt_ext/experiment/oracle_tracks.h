@@ -17,14 +17,14 @@ class OracleTracks
  public:
   explicit OracleTracks(const Trajectory& truth) : truth_(truth) {}
 
-  void add(const MethodTrack& method, const Estimate& estimate, double time);
+  void add(const MethodTrajectory& method, const Estimate& estimate, double time);
   /// One track per method that ever had several candidates, in the order of first appearance.
-  [[nodiscard]] std::vector<MethodTrack> take();
+  [[nodiscard]] std::vector<MethodTrajectory> take();
 
  private:
   struct Entry
   {
-    MethodTrack track;
+    MethodTrajectory track;
     bool several = false;
   };
   const Trajectory& truth_;

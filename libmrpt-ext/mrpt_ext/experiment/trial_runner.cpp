@@ -8,8 +8,8 @@
 #include "mrpt_ext/experiment/method_factory.h"
 #include "mrpt_ext/experiment/object_tracker.h"
 #include "mrpt_ext/experiment/oracle_tracks.h"
-#include "mrpt_ext/scene/playback_recorder.h"
 #include "mrpt_ext/experiment/run_verdict.h"
+#include "mrpt_ext/scene/playback_recorder.h"
 
 namespace mrpt_ext
 {
@@ -30,7 +30,7 @@ bool hasDetection(const Frame& frame)
                                              [](const Reading& reading) { return !reading.detections.empty(); });
 }
 
-void record(const Estimate& estimate, const Frame& frame, double milliseconds, MethodTrack& track)
+void record(const Estimate& estimate, const Frame& frame, double milliseconds, MethodTrajectory& track)
 {
   track.step_milliseconds.push_back(milliseconds);
   if (hasDetection(frame))
@@ -117,7 +117,7 @@ TrialOutcome runTrial(const TrialInput& input, std::uint64_t seed, int trial)
 
   const std::size_t count = input.run.log.frames;
   PlaybackRecorder playback(count, input.methods.map());
-  FrameCutter frames = framesOf(input.run);
+  FrameSynchronizer frames = framesOf(input.run);
   std::optional<Frame> last;
   for (std::size_t k = 0; !input.stop; ++k)
   {
@@ -144,7 +144,7 @@ TrialOutcome runTrial(const TrialInput& input, std::uint64_t seed, int trial)
     last = std::move(*frame);
   }
   run.interrupted = input.stop;
-  for (MethodTrack& track : oracles.take()) run.methods.push_back(std::move(track));
+  for (MethodTrajectory& track : oracles.take()) run.methods.push_back(std::move(track));
   finish(methods, input, run);
   if (last)
     outcome.end = playbackStep(*last, methods.filter, input.methods.map(), std::numeric_limits<std::size_t>::max());

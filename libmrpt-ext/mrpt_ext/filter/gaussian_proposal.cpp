@@ -11,8 +11,8 @@ constexpr double kFromPrior = 0.1;
 constexpr double kWider = 1.2;  // standard deviations
 }  // namespace
 
-ParticleSet redrawn(const ParticleSet& like, const KalmanState& prior, const KalmanState& posterior, std::size_t count,
-                    RandomStream& random)
+ParticleSet drawFromKalmanProposal(const ParticleSet& like, const KalmanState& prior, const KalmanState& posterior,
+                                   std::size_t count, RandomStream& random)
 {
   KalmanState wide = posterior;
   wide.covariance *= square(kWider);

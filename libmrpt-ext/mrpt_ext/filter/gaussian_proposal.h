@@ -13,6 +13,6 @@ namespace mrpt_ext
 /// the frame's likelihood gives the exact posterior of a Gaussian prior, false readings and all (Gaussian particle
 /// filter: Kotecha and Djuric, IEEE Trans. Signal Process. 51(10), 2003; defensive mixture: Hesterberg, Technometrics
 /// 37(2), 1995).
-[[nodiscard]] ParticleSet redrawn(const ParticleSet& like, const KalmanState& prior, const KalmanState& posterior,
-                                  std::size_t count, RandomStream& random);
+[[nodiscard]] ParticleSet drawFromKalmanProposal(const ParticleSet& like, const KalmanState& prior,
+                                                 const KalmanState& posterior, std::size_t count, RandomStream& random);
 }  // namespace mrpt_ext

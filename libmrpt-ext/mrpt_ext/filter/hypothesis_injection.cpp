@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mrpt_ext/filter/particles/particle_bias.h"
 #include "mrpt_ext/filter/particle_moments.h"
+#include "mrpt_ext/filter/particles/particle_bias.h"
 
 namespace mrpt_ext
 {
@@ -20,7 +20,7 @@ bool isNear(const Pose2& a, const Pose2& b)
 }
 }  // namespace
 
-double weightOfOthers(const HypothesisSet& along_way, const Pose2& held)
+double weightElsewhere(const HypothesisSet& along_way, const Pose2& held)
 {
   double others = 0;
   for (const PoseHypothesis& place : along_way)
@@ -28,15 +28,15 @@ double weightOfOthers(const HypothesisSet& along_way, const Pose2& held)
   return others;
 }
 
-double shareOfWay(double others, double log_odds_held)
+double injectedShare(double others, double log_odds_held)
 {
   const double said = others < 1 ? std::min(others / (1 - others), kMostOdds) : kMostOdds;
   const double odds = said * std::exp(-std::max(0.0, log_odds_held));
   return odds / (1 + odds);
 }
 
-void addPlaces(ParticleSet& particles, const HypothesisSet& along_way, double share, std::size_t count,
-               RandomStream& random)
+void injectHypotheses(ParticleSet& particles, const HypothesisSet& along_way, double share, std::size_t count,
+                      RandomStream& random)
 {
   double known = 0;
   for (const PoseHypothesis& place : along_way) known += place.weight;

@@ -15,8 +15,8 @@ constexpr int kHalvings = 14;
 constexpr double kLeastExponent = 1e-4;
 }  // namespace
 
-ParticleSet sampleSeeds(const SeedMixture& mixture, const PoseRegion& region, std::size_t count, RandomStream& random,
-                        const ParticleSet& like)
+ParticleSet sampleSeeds(const ProposalDistribution& mixture, const PoseRegion& region, std::size_t count,
+                        RandomStream& random, const ParticleSet& like)
 {
   ParticleSet particles = like.emptyLikeThis();
   particles.reserve(count);
@@ -31,7 +31,7 @@ ParticleSet sampleSeeds(const SeedMixture& mixture, const PoseRegion& region, st
   return particles;
 }
 
-HypothesisSet sharpAndWide(const HypothesisSet& hypotheses, const Vector3d& wide_std)
+HypothesisSet withWideCopies(const HypothesisSet& hypotheses, const Vector3d& wide_std)
 {
   HypothesisSet both = hypotheses;
   for (PoseHypothesis wide : hypotheses)
@@ -68,7 +68,7 @@ double annealingExponent(std::span<const float> log_prior, std::span<const float
   return std::max(low, kLeastExponent);
 }
 
-HypothesisSet hypothesesOf(const ModeSet& modes)
+HypothesisSet hypothesesFrom(const ModeSet& modes)
 {
   HypothesisSet hypotheses;
   for (const Mode& mode : modes.modes)

@@ -27,12 +27,12 @@ struct Proposal
 /// `count` poses drawn from the mixture and weighted (log prior - log density) against the uniform prior over the
 /// region; draws outside the region are drawn again. Not normalised. They share the origin of `like`, and its
 /// systematic errors, which are drawn too.
-[[nodiscard]] ParticleSet sampleSeeds(const SeedMixture& mixture, const PoseRegion& region, std::size_t count,
+[[nodiscard]] ParticleSet sampleSeeds(const ProposalDistribution& mixture, const PoseRegion& region, std::size_t count,
                                       RandomStream& random, const ParticleSet& like = {});
 
 /// Every hypothesis with its own spread and again with `wide_std` (x, y [m], phi [rad]) added: a seed that is as sharp
 /// as its measurements finds a sharp likelihood, a wide one forgives a solver that is too sure.
-[[nodiscard]] HypothesisSet sharpAndWide(const HypothesisSet& hypotheses, const Vector3d& wide_std);
+[[nodiscard]] HypothesisSet withWideCopies(const HypothesisSet& hypotheses, const Vector3d& wide_std);
 
 /// Largest exponent in (0, 1] such that the samples weighted with likelihood^exponent still count for `effective` ones
 /// (annealed importance sampling: Neal, Stat. Comput. 11(2), 2001). `log_prior`: log weights before the likelihood,
@@ -42,5 +42,5 @@ struct Proposal
 
 /// The modes of a first sample as hypotheses, for a second and better one (population Monte Carlo: Cappe et al., J.
 /// Comput. Graph. Stat. 13(4), 2004). Lighter modes than a ten-thousandth are left to the uniform share.
-[[nodiscard]] HypothesisSet hypothesesOf(const ModeSet& modes);
+[[nodiscard]] HypothesisSet hypothesesFrom(const ModeSet& modes);
 }  // namespace mrpt_ext

@@ -55,7 +55,7 @@ struct ScoredMass
 };
 }  // namespace
 
-double ModeCompanion::settle(double difference, double variance)
+double MixtureComponent::settle(double difference, double variance)
 {
   owed = kRemembered * owed + difference;
   owed_variance = kRemembered * kRemembered * owed_variance + variance;
@@ -65,11 +65,11 @@ double ModeCompanion::settle(double difference, double variance)
   return due;
 }
 
-void ModeCompanions::accompany(const ParticleSet& moved_particles, const Frame& frame, const LandmarkTable& map)
+void ModeMixture::predictAndUpdate(const ParticleSet& moved_particles, const Frame& frame, const LandmarkTable& map)
 {
   if (companions_.empty()) return;
   std::vector<PoseGate> gates;
-  for (ModeCompanion& companion : companions_)
+  for (MixtureComponent& companion : companions_)
   {
     companion.state = predict(companion.state, biases_, motion_, frame.motion);
     gates.emplace_back(companion.state, kGate);
@@ -91,7 +91,7 @@ void ModeCompanions::accompany(const ParticleSet& moved_particles, const Frame& 
     if (companion_of_[i] == kNobody) continue;
     prior_mass_[static_cast<std::size_t>(companion_of_[i])] += std::exp(double{moved_particles.log_weight[i]});
   }
-  for (ModeCompanion& companion : companions_)
+  for (MixtureComponent& companion : companions_)
   {
     KalmanUpdate update = updateIterated(companion.state, frame, map, biases_);
     companion.state = std::move(update.state);
@@ -99,7 +99,7 @@ void ModeCompanions::accompany(const ParticleSet& moved_particles, const Frame& 
   }
 }
 
-void ModeCompanions::divideWeight(ParticleSet& particles)
+void ModeMixture::reweight(ParticleSet& particles)
 {
   if (companions_.empty() || companion_of_.size() != particles.size()) return;
   const double top = double{*std::max_element(particles.log_weight.begin(), particles.log_weight.end())};
@@ -142,7 +142,7 @@ void ModeCompanions::divideWeight(ParticleSet& particles)
   }
   for (std::size_t k = 0; k < companions_.size(); ++k)
   {
-    ModeCompanion& companion = companions_[k];
+    MixtureComponent& companion = companions_[k];
     if (counts(k))
       companion.log_weight = said[k] + log_scored - total - std::log(all);
     else
@@ -150,10 +150,10 @@ void ModeCompanions::divideWeight(ParticleSet& particles)
   }
 }
 
-bool ModeCompanions::revive(ParticleSet& particles, std::size_t count, RandomStream& random)
+bool ModeMixture::revive(ParticleSet& particles, std::size_t count, RandomStream& random)
 {
   bool any = false;
-  for (ModeCompanion& companion : companions_)
+  for (MixtureComponent& companion : companions_)
   {
     if (companion.has_particles || companion.log_weight < std::log(kRevivedAt)) continue;
     const GaussianDensity density(companion.state);
@@ -170,7 +170,7 @@ bool ModeCompanions::revive(ParticleSet& particles, std::size_t count, RandomStr
   return any;
 }
 
-void ModeCompanions::follow(const ModeSet& modes, const ParticleSet& particles)
+void ModeMixture::follow(const ModeSet& modes, const ParticleSet& particles)
 {
   const auto places = std::count_if(modes.modes.begin(), modes.modes.end(),
                                     [](const Mode& mode) { return mode.weight > kMinWeight && isCompact(mode); });
@@ -182,7 +182,7 @@ void ModeCompanions::follow(const ModeSet& modes, const ParticleSet& particles)
     if (mode.weight < kMinWeight) break;
     const auto known =
         std::find_if(companions_.begin(), companions_.end(),
-                     [&](const ModeCompanion& companion) { return apart(companion.state, mode.pose) < kSamePlace; });
+                     [&](const MixtureComponent& companion) { return apart(companion.state, mode.pose) < kSamePlace; });
     if (known == companions_.end())
     {
       if (isCompact(mode)) seat(modes, m, particles);
@@ -197,7 +197,7 @@ void ModeCompanions::follow(const ModeSet& modes, const ParticleSet& particles)
   forget();
 }
 
-void ModeCompanions::watch(const Mode& mode, const ParticleSet& particles)
+void ModeMixture::watch(const Mode& mode, const ParticleSet& particles)
 {
   if (!companions_.empty() || !isCompact(mode)) return;
   const PoseGate gate(startingState(mode.pose, biases_), kGate);
@@ -205,31 +205,31 @@ void ModeCompanions::watch(const Mode& mode, const ParticleSet& particles)
     companions_.push_back({.state = *state});
 }
 
-void ModeCompanions::seat(const ModeSet& modes, std::size_t mode, const ParticleSet& particles)
+void ModeMixture::seat(const ModeSet& modes, std::size_t mode, const ParticleSet& particles)
 {
   if (companions_.size() >= kMaxCompanions) return;
   const auto state = momentsOf(particles, [&](std::size_t i) { return modes.mode_of[i] == static_cast<int>(mode); });
   if (state) companions_.push_back({.state = *state, .log_weight = std::log(modes.modes[mode].weight)});
 }
 
-void ModeCompanions::retire(ModeCompanion& companion)
+void ModeMixture::retire(MixtureComponent& companion)
 {
   companion.has_particles = false;
   companion.log_weight = std::min(companion.log_weight, kDroppedLogWeight);
 }
 
-void ModeCompanions::forget()
+void ModeMixture::forget()
 {
   std::erase_if(companions_,
-                [](const ModeCompanion& companion)
+                [](const MixtureComponent& companion)
                 {
                   return !companion.has_particles &&
                          (companion.alone_for > kForgottenAfter || companion.log_weight < kLeastLogWeight);
                 });
-  std::vector<ModeCompanion> kept;
-  for (ModeCompanion& companion : companions_)
+  std::vector<MixtureComponent> kept;
+  for (MixtureComponent& companion : companions_)
     if (std::none_of(kept.begin(), kept.end(),
-                     [&](const ModeCompanion& other)
+                     [&](const MixtureComponent& other)
                      { return apart(other.state, companion.state.gaussianPose()) < 1; }))
       kept.push_back(std::move(companion));
   companions_ = std::move(kept);

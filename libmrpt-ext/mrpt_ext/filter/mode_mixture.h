@@ -9,7 +9,7 @@
 namespace mrpt_ext
 {
 /// A Kalman filter that goes along with one compact mode of the particles.
-struct ModeCompanion
+struct MixtureComponent
 {
   KalmanState state;
   double log_evidence = 0;  ///< of the frame in work
@@ -35,19 +35,19 @@ struct ModeCompanion
 /// A place that lost its particles (two of a symmetric room, of which one was dropped; the old place, when the robot
 /// was sought elsewhere) is watched on for a while. When the evidence since then speaks for it again, it gets particles
 /// again: so a choice made too early, or a seed that was believed too soon, is taken back.
-class ModeCompanions
+class ModeMixture
 {
  public:
-  ModeCompanions(MotionModel motion, BiasModel biases) : motion_(motion), biases_(std::move(biases)) {}
+  ModeMixture(MotionModel motion, BiasModel biases) : motion_(motion), biases_(std::move(biases)) {}
 
   [[nodiscard]] bool empty() const { return companions_.empty(); }
-  [[nodiscard]] const std::vector<ModeCompanion>& all() const { return companions_; }
+  [[nodiscard]] const std::vector<MixtureComponent>& all() const { return companions_; }
   void clear() { companions_.clear(); }
 
   /// Before the particles are scored: moves and updates all companions, notes which particles are theirs.
-  void accompany(const ParticleSet& moved_particles, const Frame& frame, const LandmarkTable& map);
+  void predictAndUpdate(const ParticleSet& moved_particles, const Frame& frame, const LandmarkTable& map);
   /// After the particles were scored, before they are normalised: divides the weight.
-  void divideWeight(ParticleSet& particles);
+  void reweight(ParticleSet& particles);
   /// Particles for the places that have become likely again, `count` for each; true when there were any.
   bool revive(ParticleSet& particles, std::size_t count, RandomStream& random);
   /// After the modes were found: new places get a companion, companions of dropped modes stay without particles.
@@ -57,12 +57,12 @@ class ModeCompanions
 
  private:
   void seat(const ModeSet& modes, std::size_t mode, const ParticleSet& particles);
-  static void retire(ModeCompanion& companion);
+  static void retire(MixtureComponent& companion);
   void forget();
 
   MotionModel motion_;
   BiasModel biases_;
-  std::vector<ModeCompanion> companions_;
+  std::vector<MixtureComponent> companions_;
   std::vector<int> companion_of_;   // per particle, while a frame is in work
   std::vector<double> prior_mass_;  // of its particles, before scoring
 };

@@ -51,8 +51,8 @@ ParticleFilter::ParticleFilter(const ParticleFilterOptions& options, const Landm
       particles_(originOf(map, options.region), options.biases),
       reliability_(map.size(), options.reliability_prior_strength, options.max_clutter),
       monitor_(options.recovery),
-      trust_(trustOptions(options.recovery)),
-      surprise_(surpriseOptions(options.recovery)),
+      trust_(slowRatioOptions(options.recovery)),
+      surprise_(immediateRatioOptions(options.recovery)),
       kinds_(options.recovery),
       looks_(options.evidence.looks, options.motion, map_),
       evidence_(options.evidence, options.motion, map_),
@@ -61,8 +61,8 @@ ParticleFilter::ParticleFilter(const ParticleFilterOptions& options, const Landm
 {
 }
 
-FilterStep ParticleFilter::process(const Frame& frame, const Proposer& propose, std::span<const Reading> since_start,
-                                   const WaySearch& along_way)
+FilterStep ParticleFilter::process(const Frame& frame, const HypothesisSource& propose,
+                                   std::span<const Reading> since_start, const TrajectoryHypotheses& along_way)
 {
   FilterStep step;
   bool settled = true;
@@ -85,14 +85,14 @@ FilterStep ParticleFilter::process(const Frame& frame, const Proposer& propose, 
   }
   followEvidence(frame, step.modes);
   if (options_.companions) companions_.follow(step.modes, particles_);
-  checkAgreement(frame, isOnePlace(step.modes, options_.verdict) && !monitor_.suspicious());
+  checkAgreement(frame, isUnimodal(step.modes, options_.verdict) && !monitor_.suspicious());
   step.explained_share = monitor_.average();
   const VerdictWithReason verdict = judgeStep(step);
   step.verdict = verdict.verdict;
   step.reason = verdict.reason;
   step.biases = estimateBiases(particles_);
   for (const std::string& finding :
-       {kinds_.finding(), lyingText(map_, reliability_.histories()), biasText(particles_.bias_states, step.biases)})
+       {kinds_.finding(), outlierText(map_, reliability_.histories()), biasText(particles_.bias_states, step.biases)})
     if (!finding.empty()) step.reason += "; " + finding;
 
   const double effective = step.effective_ratio * static_cast<double>(step.particles);
@@ -101,7 +101,7 @@ FilterStep ParticleFilter::process(const Frame& frame, const Proposer& propose, 
   if (step.effective_ratio < options_.resample_below || too_many)
   {
     resample(step.modes, wanted);
-    if (!since_start.empty() && !isOnePlace(step.modes, options_.verdict)) moveByReadings(since_start);
+    if (!since_start.empty() && !isUnimodal(step.modes, options_.verdict)) moveByReadings(since_start);
   }
   step.particles = particles_.size();
   mode_memory_ = std::move(step.modes.mode_of);
@@ -121,7 +121,7 @@ KalmanState ParticleFilter::bestPlaceAfter(const OdometryMotion& motion) const
 
 double ParticleFilter::earlierSamplingError(const Frame& frame, const ModeSet& modes) const
 {
-  if (!isOnePlace(modes_, options_.verdict) || !isOnePlace(modes, options_.verdict)) return 0;
+  if (!isUnimodal(modes_, options_.verdict) || !isUnimodal(modes, options_.verdict)) return 0;
   const GaussianPose before = modes_.modes.front().pose;
   // An error e of the prior mean is one of P M^-1 e after the measurement (M, P: covariance before and after it). With
   // e a share of the covariance of the step before, it is this times that share of P, taken as a mean over directions:
@@ -130,15 +130,16 @@ double ParticleFilter::earlierSamplingError(const Frame& frame, const ModeSet& m
   return M > 0 && kept > 0 ? sampling_error_ * std::min(1.0, std::cbrt(kept)) : 0;
 }
 
-void ParticleFilter::track(const Frame& frame, const Proposer& propose, const WaySearch& along_way, FilterStep& step)
+void ParticleFilter::track(const Frame& frame, const HypothesisSource& propose, const TrajectoryHypotheses& along_way,
+                           FilterStep& step)
 {
-  const bool one_place = isOnePlace(modes_, options_.verdict), settled = one_place && !monitor_.suspicious();
+  const bool one_place = isUnimodal(modes_, options_.verdict), settled = one_place && !monitor_.suspicious();
   step.reseeded = looksElsewhere() && since_injection_ + frame.motion.duration >= options_.recovery.min_interval;
   // The way does not know what was told about the start: only when nothing agrees with that any more it is asked.
   const bool asks_way = along_way && (step.reseeded || options_.initial_mode != InitialMode::gaussian);
   step.challenged = !step.reseeded && challengeDue(frame, one_place, asks_way);
   const bool injects = step.reseeded || step.challenged;
-  double jump = options_.recovery.prior_of_jump;
+  double jump = options_.recovery.relocalization_prior;
   if (step.challenged)
   {
     jump *= options_.recovery.challenge_interval / challenge_pause_;
@@ -155,18 +156,18 @@ void ParticleFilter::track(const Frame& frame, const Proposer& propose, const Wa
   else
     evidence_.note(frame);
   // Where the way tells of places far off, a challenge needs no closed forms: odometry's slips remain.
-  if (injects) inject(step.challenged && asks_way ? Proposer() : propose, jump);
+  if (injects) inject(step.challenged && asks_way ? HypothesisSource() : propose, jump);
   if (injects && asks_way) believe(along_way(), frame.motion);
   Frame told = frame;
   told.readings = weighed(frame.readings, sought);
-  companions_.accompany(particles_, told, map_);
+  companions_.predictAndUpdate(particles_, told, map_);
   const std::optional<KalmanState> prior = settled ? priorOfOnePlace(told) : std::nullopt;
   score(told);
-  companions_.divideWeight(particles_);
+  companions_.reweight(particles_);
   if (prior) redrawIfFew(*prior, told);
   if (companions_.empty()) return;
-  const auto revived =
-      static_cast<std::size_t>(std::ceil(options_.recovery.injected_share * static_cast<double>(options_.particles)));
+  const auto revived = static_cast<std::size_t>(
+      std::ceil(options_.recovery.injected_particle_share * static_cast<double>(options_.particles)));
   normalizeWeights(particles_);
   step.revived = companions_.revive(particles_, revived, random_);
 }
@@ -189,7 +190,7 @@ void ParticleFilter::redrawIfFew(const KalmanState& prior, const Frame& frame)
   const KalmanUpdate update = updateIterated(prior, frame, map_, particles_.bias_states);
   if (update.degrees_of_freedom == 0) return;
   ParticleSet moved = std::move(particles_);
-  particles_ = redrawn(moved, prior, update.state, moved.size(), random_);
+  particles_ = drawFromKalmanProposal(moved, prior, update.state, moved.size(), random_);
   score(frame);
   if (effective() < before) particles_ = std::move(moved);
 }
@@ -197,7 +198,7 @@ void ParticleFilter::redrawIfFew(const KalmanState& prior, const Frame& frame)
 std::vector<Reading> ParticleFilter::weighed(const std::vector<Reading>& readings, bool sought)
 {
   std::vector<Reading> fresh;
-  for (const Reading& reading : readings) fresh.push_back(looks_.withoutRepeatedBearings(reading));
+  for (const Reading& reading : readings) fresh.push_back(looks_.withoutCorrelatedBearings(reading));
   return sought ? fresh : readings;
 }
 
@@ -222,7 +223,7 @@ void ParticleFilter::scoreReading(const Reading& reading)
 std::size_t ParticleFilter::wantedParticles(const ModeSet& modes) const
 {
   // Every place that may still be the right one needs enough particles for its weight to mean something.
-  const bool certain = isOnePlace(modes, options_.verdict) && !monitor_.suspicious();
+  const bool certain = isUnimodal(modes, options_.verdict) && !monitor_.suspicious();
   const std::size_t many = std::max(options_.particles, options_.initial_particles);
   if (certain) return options_.particles;
   // ... unless companions see to that: then each place needs what a single one needs.
@@ -245,6 +246,6 @@ void ParticleFilter::resample(const ModeSet& modes, std::size_t count)
   ParticleSet drawn = resampleByMode(particles_, modes.mode_of, options_.resampling, count, random_, options_.threads,
                                      std::move(spare_));
   spare_ = std::exchange(particles_, std::move(drawn));
-  smoothModes(particles_, modes, options_.smoothing, random_, options_.threads);
+  regularizeModes(particles_, modes, options_.smoothing, random_, options_.threads);
 }
 }  // namespace mrpt_ext

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mrpt_ext/filter/particles/particle_bias.h"
-#include "mrpt_ext/filter/particle_filter.h"
-#include "mrpt_ext/filter/resample_move.h"
 #include "mrpt_ext/filter/hypothesis_injection.h"
+#include "mrpt_ext/filter/particle_filter.h"
+#include "mrpt_ext/filter/particles/particle_bias.h"
+#include "mrpt_ext/filter/resample_move.h"
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
 
 namespace mrpt_ext
@@ -33,7 +33,7 @@ Matrix3d squareRoot(const Matrix3d& covariance)
 }
 }  // namespace
 
-bool ParticleFilter::start(const Frame& frame, const Proposer& propose)
+bool ParticleFilter::start(const Frame& frame, const HypothesisSource& propose)
 {
   if (options_.initial_mode == InitialMode::gaussian) return startAtKnownPose(frame);
   const std::size_t count = std::max(options_.initial_particles, options_.particles);
@@ -48,7 +48,7 @@ bool ParticleFilter::start(const Frame& frame, const Proposer& propose)
 
   ParticleSet samples;
   // Weights the samples with as much of the likelihood as they can tell, all of it where they lie well.
-  const auto draw = [&](const SeedMixture& mixture)
+  const auto draw = [&](const ProposalDistribution& mixture)
   {
     samples = sampleSeeds(mixture, options_.region, count, random_, particles_);
     particles_ = samples;
@@ -63,15 +63,15 @@ bool ParticleFilter::start(const Frame& frame, const Proposer& propose)
   };
   const auto around = [&](const HypothesisSet& places, double uniform_share)
   {
-    return SeedMixture(sharpAndWide(places, options_.seed_min_std), options_.region, uniform_share, kSeedInflation,
-                       kSharpest);
+    return ProposalDistribution(withWideCopies(places, options_.seed_min_std), options_.region, uniform_share,
+                                kSeedInflation, kSharpest);
   };
   double exponent = draw(around(proposal.hypotheses, kUniformShareStart));
   if (!mayStart(proposal, evidence)) return false;
   for (int pass = 0; analytic && (pass < kRefinements || exponent < 1) && pass < kMostRefinements; ++pass)
   {
     normalizeWeights(particles_);
-    HypothesisSet places = hypothesesOf(findModes(particles_, options_.modes));
+    HypothesisSet places = hypothesesFrom(findModes(particles_, options_.modes));
     // While the likelihood is held back, the modes are blurred: the seeds stay, so that none of them is lost.
     if (exponent < 1) places.insert(places.end(), proposal.hypotheses.begin(), proposal.hypotheses.end());
     exponent = draw(around(places, kUniformShareRefined));
@@ -83,9 +83,9 @@ bool ParticleFilter::start(const Frame& frame, const Proposer& propose)
 bool ParticleFilter::mayStart(const Proposal& proposal, const Frame& evidence)
 {
   if (proposal.complete) return true;
-  if (proposal.hypotheses.empty() || !hasNameless(evidence)) return !proposal.hypotheses.empty();
+  if (proposal.hypotheses.empty() || !hasAnonymous(evidence)) return !proposal.hypotheses.empty();
   normalizeWeights(particles_);
-  return isOnePlace(findModes(particles_, options_.modes), options_.verdict);
+  return isUnimodal(findModes(particles_, options_.modes), options_.verdict);
 }
 
 bool ParticleFilter::startAtKnownPose(const Frame& frame)
@@ -105,19 +105,19 @@ bool ParticleFilter::startAtKnownPose(const Frame& frame)
   return true;
 }
 
-void ParticleFilter::inject(const Proposer& propose, double jump)
+void ParticleFilter::inject(const HypothesisSource& propose, double jump)
 {
   HypothesisSet hypotheses = propose ? propose().hypotheses : HypothesisSet{};
   const HypothesisSet slipped = slippedPlaces();
   hypotheses.insert(hypotheses.end(), slipped.begin(), slipped.end());
-  const SeedMixture mixture(sharpAndWide(hypotheses, options_.seed_min_std), options_.region, kUniformShareInjected,
-                            kSeedInflation, kSharpest);
-  const SeedMixture nearby(slipped, options_.region, 0, 1, Vector3d::Zero());
+  const ProposalDistribution mixture(withWideCopies(hypotheses, options_.seed_min_std), options_.region,
+                                     kUniformShareInjected, kSeedInflation, kSharpest);
+  const ProposalDistribution nearby(slipped, options_.region, 0, 1, Vector3d::Zero());
   since_injection_ = 0;
   for (float& log_w : particles_.log_weight) log_w += static_cast<float>(std::log1p(-jump));
   const std::size_t kept = particles_.size();
-  const auto count =
-      static_cast<std::size_t>(std::ceil(options_.recovery.injected_share * static_cast<double>(options_.particles)));
+  const auto count = static_cast<std::size_t>(
+      std::ceil(options_.recovery.injected_particle_share * static_cast<double>(options_.particles)));
   const double share_of_slips = slipped.empty() ? 0 : options_.recovery.share_of_slips;
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -135,12 +135,12 @@ void ParticleFilter::believe(const HypothesisSet& along_way, const OdometryMotio
 {
   since_injection_ = 0;
   if (along_way.empty() || modes_.modes.empty()) return;
-  const double others = weightOfOthers(along_way, bestPlaceAfter(motion).gaussianPose().mean);
-  const double share = shareOfWay(others, evidence_.logOdds());
-  contested_ = others > kMajority && share < kMajority;
+  const double others = weightElsewhere(along_way, bestPlaceAfter(motion).gaussianPose().mean);
+  const double share = injectedShare(others, evidence_.logOdds());
+  contradicted_ = others > kMajority && share < kMajority;
   if (share < kLeastPlaceShare) return;
   normalizeWeights(particles_);
-  addPlaces(particles_, along_way, share, options_.particles, random_);
+  injectHypotheses(particles_, along_way, share, options_.particles, random_);
   companions_.clear();
 }
 
@@ -170,7 +170,7 @@ HypothesisSet ParticleFilter::slippedPlaces() const
 {
   const RecoveryOptions& recovery = options_.recovery;
   if (!(recovery.share_of_slips > 0)) return {};
-  HypothesisSet places = hypothesesOf(findModes(particles_, options_.modes));
+  HypothesisSet places = hypothesesFrom(findModes(particles_, options_.modes));
   for (PoseHypothesis& place : places)
     place.pose.covariance.diagonal() +=
         Vector3d(recovery.slip_std_xy, recovery.slip_std_xy, recovery.slip_std_phi).cwiseAbs2();

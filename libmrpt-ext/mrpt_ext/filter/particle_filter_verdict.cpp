@@ -17,7 +17,7 @@ bool ParticleFilter::challengeDue(const Frame& frame, bool one_place, bool way_i
 {
   const double waited = since_injection_ + frame.motion.duration;
   if (!one_place || !evidence_.proven()) return waited >= challenge_pause_ && (one_place || way_is_known);
-  return waited >= options_.recovery.review_interval && (way_is_known || hasNameless(frame));
+  return waited >= options_.recovery.review_interval && (way_is_known || hasAnonymous(frame));
 }
 
 void ParticleFilter::followEvidence(const Frame& frame, const ModeSet& modes)
@@ -27,7 +27,7 @@ void ParticleFilter::followEvidence(const Frame& frame, const ModeSet& modes)
   if (modes.modes.empty()) return;
   const VerdictOptions& limits = options_.verdict;
   const Mode& best = modes.modes.front();
-  const bool one_place = isOnePlace(modes, limits);
+  const bool one_place = isUnimodal(modes, limits);
   bool restart = !tested_ && !one_place;
   if (tested_)
   {
@@ -35,7 +35,7 @@ void ParticleFilter::followEvidence(const Frame& frame, const ModeSet& modes)
     const Vector2d away = best.pose.mean.position() - tested_->mean.head<2>();
     const double turned = wrap(best.pose.mean.phi - tested_->mean.z());
     const bool elsewhere = away.norm() > limits.max_std_xy || std::abs(turned) > limits.max_std_phi;
-    const bool vague = !isOnePlace({{{tested_->gaussianPose(), 1}}, {}}, limits);
+    const bool vague = !isUnimodal({{{tested_->gaussianPose(), 1}}, {}}, limits);
     restart = vague || (elsewhere && best.weight > kMajority);
   }
   if (restart)
@@ -68,7 +68,7 @@ void ParticleFilter::checkAgreement(const Frame& frame, bool learn)
       ++detections;
     }
     const auto of_reading = static_cast<double>(std::max<std::size_t>(1, detections - before));
-    kinds_.observe(kindOfReadings(reading), share * static_cast<double>(reading.detections.size()) / of_reading,
+    kinds_.observe(sensorKey(reading), share * static_cast<double>(reading.detections.size()) / of_reading,
                    (expected - expected_before) / of_reading, detections - before);
   }
   if (detections == 0) return;
@@ -83,7 +83,7 @@ VerdictWithReason ParticleFilter::judgeStep(const FilterStep& step) const
   const double effective = step.effective_ratio * static_cast<double>(particles_.size());
   const bool surprised = surprise_.suspicious() || monitor_.suspicious();
   const double share = surprised ? std::min(surprise_.average(), monitor_.average()) : trust_.average();
-  return judge(step.modes, {share, monitor_.lost(), effective, evidence_.logOdds(), evidence_.proven(), contested_},
+  return judge(step.modes, {share, monitor_.lost(), effective, evidence_.logOdds(), evidence_.proven(), contradicted_},
                options_.verdict);
 }
 }  // namespace mrpt_ext

@@ -13,7 +13,7 @@ namespace
 constexpr double kMinWeight = 0.01;  // lighter modes are not worth it
 
 /// Modes narrow enough to be smoothed, and not all in one place: there is no spread to keep.
-std::vector<Mode> compactModes(const ModeSet& modes, const KernelSmoothing& options)
+std::vector<Mode> compactModes(const ModeSet& modes, const Regularization& options)
 {
   std::vector<Mode> compact;
   for (const Mode& mode : modes.modes)
@@ -28,8 +28,8 @@ std::vector<Mode> compactModes(const ModeSet& modes, const KernelSmoothing& opti
 
 }  // namespace
 
-void smoothModes(ParticleSet& particles, const ModeSet& modes, const KernelSmoothing& options, RandomStream& random,
-                 unsigned threads)
+void regularizeModes(ParticleSet& particles, const ModeSet& modes, const Regularization& options, RandomStream& random,
+                     unsigned threads)
 {
   const std::vector<Mode> narrow = compactModes(modes, options);
   const std::uint64_t seed = random.nextBits();
@@ -42,7 +42,7 @@ void smoothModes(ParticleSet& particles, const ModeSet& modes, const KernelSmoot
   forEachBlock(particles.size(), threads,
                [&](std::size_t first, std::size_t count)
                {
-                 RandomLanes lanes(seed, first / kParticleBlock);
+                 SimdRandom lanes(seed, first / kParticleBlock);
                  smoothBlock(particles, compact, first, count, lanes);
                });
 }

@@ -6,7 +6,7 @@
 
 namespace mrpt_ext
 {
-struct KernelSmoothing
+struct Regularization
 {
   double bandwidth = 0.1;               ///< h: share of a mode's standard deviation that each particle is moved by
   double max_std_xy = 0.5;              ///< [m] wider modes have room enough and are left alone
@@ -18,8 +18,8 @@ struct KernelSmoothing
 /// then moved at random, x' = sqrt(1 - h^2) (x - mean) + mean + h L u with L L^T the mode's covariance: mean and
 /// covariance stay what they were (Liu and West, "Combined parameter and state estimation in simulation-based
 /// filtering", 2001).
-/// Systematic errors are moved with the pose (joint_regularization.h). Without any, one number is drawn from `random`, which
-/// seeds all blocks of particles; `threads` change nothing but the time.
-void smoothModes(ParticleSet& particles, const ModeSet& modes, const KernelSmoothing& options, RandomStream& random,
-                 unsigned threads = 1);
+/// Systematic errors are moved with the pose (joint_regularization.h). Without any, one number is drawn from `random`,
+/// which seeds all blocks of particles; `threads` change nothing but the time.
+void regularizeModes(ParticleSet& particles, const ModeSet& modes, const Regularization& options, RandomStream& random,
+                     unsigned threads = 1);
 }  // namespace mrpt_ext

@@ -83,7 +83,7 @@ SmoothedMode smoothedMode(const GaussianPose& pose, const Vector2d& origin, cons
 }
 
 void smoothBlock(ParticleSet& particles, std::span<const SmoothedMode> modes, std::size_t first, std::size_t count,
-                 RandomLanes& random)
+                 SimdRandom& random)
 {
   Work work{};
   for (const std::size_t end = first + count; first < end; first += kChunk)

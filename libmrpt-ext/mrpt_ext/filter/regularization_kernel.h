@@ -26,5 +26,5 @@ struct SmoothedMode
 /// Moves each of `count` particles from `first` on with the mode that it is nearest to by Mahalanobis distance, if it
 /// lies within 4 standard deviations of it: a wide mode must not draw in a sharp one within its reach.
 void smoothBlock(ParticleSet& particles, std::span<const SmoothedMode> modes, std::size_t first, std::size_t count,
-                 RandomLanes& random);
+                 SimdRandom& random);
 }  // namespace mrpt_ext

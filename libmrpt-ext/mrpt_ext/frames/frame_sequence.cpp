@@ -4,7 +4,7 @@
 
 namespace mrpt_ext
 {
-LogOverview overviewOf(const RecordFeed& records, const OdometryCorrection& correction)
+LogOverview overviewOf(const RecordStream& records, const OdometryCorrection& correction)
 {
   LogOverview overview{.odometry = OdometryPath(correction), .fix_span = {}};
   while (const auto record = records())
@@ -21,9 +21,9 @@ FrameSequence buildFrames(std::vector<Record> records, const LandmarkTable& map,
 {
   std::stable_sort(records.begin(), records.end(),
                    [](const Record& a, const Record& b) { return timeOf(a) < timeOf(b); });
-  LogOverview overview = overviewOf(feedOf(records), options.odometry);
+  LogOverview overview = overviewOf(streamOf(records), options.odometry);
   FrameSequence sequence;
-  FrameCutter cutter(feedOf(records), map, options, overview);
+  FrameSynchronizer cutter(streamOf(records), map, options, overview);
   for (bool more = true; more;)
   {
     auto frame = cutter.next();

@@ -7,7 +7,7 @@
 namespace mrpt_ext
 {
 /// Odometry, and what else the cutter of frames must know of the whole log.
-[[nodiscard]] LogOverview overviewOf(const RecordFeed& records, const OdometryCorrection& correction);
+[[nodiscard]] LogOverview overviewOf(const RecordStream& records, const OdometryCorrection& correction);
 
 /// A log cut into frames, in memory: for logs that are short or not in a file.
 struct FrameSequence
@@ -19,7 +19,7 @@ struct FrameSequence
   std::size_t detections = 0;  ///< of landmarks, used
 };
 
-/// All frames of a FrameCutter at once. The records may be in any order.
+/// All frames of a FrameSynchronizer at once. The records may be in any order.
 [[nodiscard]] FrameSequence buildFrames(std::vector<Record> records, const LandmarkTable& map,
                                         const FrameOptions& options);
 }  // namespace mrpt_ext

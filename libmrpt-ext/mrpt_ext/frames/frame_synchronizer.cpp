@@ -46,8 +46,8 @@ double disorder(const SensorConfigs& sensors)
 }
 }  // namespace
 
-FrameCutter::FrameCutter(RecordFeed records, const LandmarkTable& map, const FrameOptions& options,
-                         const LogOverview& overview)
+FrameSynchronizer::FrameSynchronizer(RecordStream records, const LandmarkTable& map, const FrameOptions& options,
+                                     const LogOverview& overview)
     : records_(std::move(records)),
       map_(map),
       options_(options),
@@ -57,10 +57,10 @@ FrameCutter::FrameCutter(RecordFeed records, const LandmarkTable& map, const Fra
 {
 }
 
-std::optional<Frame> FrameCutter::next()
+std::optional<Frame> FrameSynchronizer::next()
 {
   // Objects within the window of the frame, and ranges of the time of its fixes, may still come.
-  const double settled = std::max(options_.window, RangeHistory::kSameTime);
+  const double settled = std::max(options_.window, LoggedRanges::kSameTime);
   while (!ended_ && (closed_.empty() || now_ - closed_.front().time <= settled)) read();
   if (closed_.empty())
   {
@@ -73,7 +73,7 @@ std::optional<Frame> FrameCutter::next()
   return frame;
 }
 
-std::vector<Frame> FrameCutter::takeObjectFrames()
+std::vector<Frame> FrameSynchronizer::takeObjectFrames()
 {
   std::vector<Frame> taken;
   for (; !closed_objects_.empty() && closed_objects_.front().time <= stamp_; closed_objects_.pop_front())
@@ -86,7 +86,7 @@ std::vector<Frame> FrameCutter::takeObjectFrames()
 }
 
 /// Takes one record out of the queue, or finds that the log has ended.
-void FrameCutter::read()
+void FrameSynchronizer::read()
 {
   while (!queue_.canPop() && !ended_)
   {
@@ -105,7 +105,7 @@ void FrameCutter::read()
   closeOver(open_objects_, closed_objects_);
 }
 
-void FrameCutter::configure(const Record& record)
+void FrameSynchronizer::configure(const Record& record)
 {
   const auto ignored = [&](const std::string& label) { return configOf(options_.sensors, label).ignore; };
   if (const auto* reading = std::get_if<Reading>(&record); reading && !ignored(reading->sensor))
@@ -116,7 +116,7 @@ void FrameCutter::configure(const Record& record)
     queue_.push({.record = configured(*compass, options_.sensors)});
 }
 
-void FrameCutter::take(Record record)
+void FrameSynchronizer::take(Record record)
 {
   now_ = timeOf(record);
   closeOver(open_, closed_);
@@ -135,7 +135,7 @@ void FrameCutter::take(Record record)
   }
 }
 
-void FrameCutter::take(Reading landmarks)
+void FrameSynchronizer::take(Reading landmarks)
 {
   Reading objects = splitObjects(landmarks, options_.object_categories);
   if (!objects.detections.empty()) join(open_objects_, objects.time).readings.push_back(std::move(objects));
@@ -147,14 +147,14 @@ void FrameCutter::take(Reading landmarks)
 }
 
 /// No measurement from now on belongs to a frame whose window is over.
-void FrameCutter::closeOver(std::optional<OpenFrame>& open, std::deque<Frame>& closed) const
+void FrameSynchronizer::closeOver(std::optional<OpenFrame>& open, std::deque<Frame>& closed) const
 {
   if (!open || now_ - open->first_time <= options_.window) return;
   closed.push_back(std::move(open->frame));
   open.reset();
 }
 
-Frame& FrameCutter::join(std::optional<OpenFrame>& open, double time) const
+Frame& FrameSynchronizer::join(std::optional<OpenFrame>& open, double time) const
 {
   if (!open) open = OpenFrame{{}, time};
   open->frame.time = time;
@@ -162,7 +162,7 @@ Frame& FrameCutter::join(std::optional<OpenFrame>& open, double time) const
 }
 
 /// Adds what depends on the stamp, which is final now.
-void FrameCutter::complete(Frame& frame)
+void FrameSynchronizer::complete(Frame& frame)
 {
   const OdometryPath& odometry = overview_.odometry;
   for (; !headings_.empty() && headings_.front().time <= frame.time; headings_.pop_front())

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "mrpt_ext/geometry/frame.h"
-#include "mrpt_ext/geometry/odometry_path.h"
-#include "mrpt_ext/geometry/record_stream.h"
 #include "mrpt_ext/frames/logged_ranges.h"
 #include "mrpt_ext/frames/reorder_buffer.h"
 #include "mrpt_ext/frames/sensor_config.h"
+#include "mrpt_ext/geometry/frame.h"
+#include "mrpt_ext/geometry/odometry_path.h"
+#include "mrpt_ext/geometry/record_stream.h"
 
 namespace mrpt_ext
 {
@@ -39,11 +39,12 @@ struct LogOverview
 /// Turns plain records into frames while they are read: the configuration of the sensors is applied, readings within
 /// the window are moved to the stamp of the last one by odometry, the motion between frames is summed up. Holds what
 /// lies within the window and the differences of the sensors' delays, however long the log is.
-class FrameCutter
+class FrameSynchronizer
 {
  public:
   /// Everything given must outlive the cutter.
-  FrameCutter(RecordFeed records, const LandmarkTable& map, const FrameOptions& options, const LogOverview& overview);
+  FrameSynchronizer(RecordStream records, const LandmarkTable& map, const FrameOptions& options,
+                    const LogOverview& overview);
 
   /// The next frame; its readings are empty only where missed detections count.
   [[nodiscard]] std::optional<Frame> next();
@@ -68,12 +69,12 @@ class FrameCutter
   [[nodiscard]] Frame& join(std::optional<OpenFrame>& open, double time) const;
   void complete(Frame& frame);
 
-  RecordFeed records_;
+  RecordStream records_;
   const LandmarkTable& map_;
   const FrameOptions& options_;
   const LogOverview& overview_;
-  RawlogQueue queue_;  // configured delays disturb the order of time
-  RangeHistory ranges_;
+  ReorderBuffer queue_;  // configured delays disturb the order of time
+  LoggedRanges ranges_;
   double now_ = 0;  // [s] everything before has left the queue
   bool ended_ = false;
   std::optional<OpenFrame> open_, open_objects_;

@@ -5,19 +5,19 @@
 
 namespace mrpt_ext
 {
-void RangeHistory::add(const Reading& reading)
+void LoggedRanges::add(const Reading& reading)
 {
   if (!span_) return;
   for (const Detection& d : reading.detections)
     if (d.range) ranges_[d.id].emplace(reading.time, LoggedRange{reading.sensor, *d.range});
 }
 
-bool RangeHistory::holds(const RunningFixReading& fix) const
+bool LoggedRanges::holds(const RunningFixReading& fix) const
 {
   return holds(fix, fix.first_time, fix.first_range) || holds(fix, fix.time, fix.second_range);
 }
 
-bool RangeHistory::holds(const RunningFixReading& fix, double time, double range) const
+bool LoggedRanges::holds(const RunningFixReading& fix, double time, double range) const
 {
   constexpr double kSameRange = 1e-3;  // m
   const auto of_landmark = ranges_.find(fix.id);
@@ -28,7 +28,7 @@ bool RangeHistory::holds(const RunningFixReading& fix, double time, double range
       { return entry.second.sensor == fix.sensor || std::abs(entry.second.range - range) < kSameRange; });
 }
 
-void RangeHistory::forgetBefore(double time)
+void LoggedRanges::forgetBefore(double time)
 {
   constexpr double kMargin = 1;  // s
   if (!span_) return;

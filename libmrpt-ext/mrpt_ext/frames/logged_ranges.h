@@ -10,13 +10,13 @@ namespace mrpt_ext
 {
 /// The ranges of the last while, to find out whether the single ranges of a running fix are in the log as well and
 /// must not be counted twice.
-class RangeHistory
+class LoggedRanges
 {
  public:
   static constexpr double kSameTime = 1e-3;  ///< [s]
 
   /// `span` [s]: longest time between the two ranges of a fix. Nothing: there are no fixes, nothing is kept.
-  explicit RangeHistory(std::optional<double> span) : span_(span) {}
+  explicit LoggedRanges(std::optional<double> span) : span_(span) {}
 
   void add(const Reading& reading);
   /// True when a range to its landmark at one of its own times was logged, under its own label or, where an app writes

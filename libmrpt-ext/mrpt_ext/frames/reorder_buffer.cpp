@@ -16,7 +16,7 @@ auto sortKey(const LoggedRecord& logged)
 bool leavesLater(const LoggedRecord& a, const LoggedRecord& b) { return sortKey(a) > sortKey(b); }
 }  // namespace
 
-void RawlogQueue::push(LoggedRecord record)
+void ReorderBuffer::push(LoggedRecord record)
 {
   record.order = pushed_++;
   newest_ = std::max(newest_, timeOf(record.record));
@@ -24,12 +24,12 @@ void RawlogQueue::push(LoggedRecord record)
   std::push_heap(heap_.begin(), heap_.end(), leavesLater);
 }
 
-bool RawlogQueue::canPop() const
+bool ReorderBuffer::canPop() const
 {
   return !heap_.empty() && (closed_ || timeOf(heap_.front().record) < newest_ - window_);
 }
 
-LoggedRecord RawlogQueue::pop()
+LoggedRecord ReorderBuffer::pop()
 {
   std::pop_heap(heap_.begin(), heap_.end(), leavesLater);
   LoggedRecord record = std::move(heap_.back());

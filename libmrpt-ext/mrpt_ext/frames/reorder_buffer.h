@@ -18,11 +18,11 @@ struct LoggedRecord
 };
 
 /// Puts records that come nearly in time order exactly into it: a record leaves when no earlier one may come any more.
-class RawlogQueue
+class ReorderBuffer
 {
  public:
   /// `window` [s]: how much earlier than the newest record a record may be.
-  explicit RawlogQueue(double window) : window_(window) {}
+  explicit ReorderBuffer(double window) : window_(window) {}
 
   void push(LoggedRecord record);
   /// The log has ended: everything may leave.

@@ -27,19 +27,19 @@ SensorModel configured(SensorModel model, const SensorConfig& config)
   return model;
 }
 
-void forgetNames(Detection& detection, SensorConfig::Association association, const LandmarkTable& map)
+void forgetNames(Detection& detection, IdentityLevel association, const LandmarkTable& map)
 {
-  if (association == SensorConfig::Association::known) return;
+  if (association == IdentityLevel::known) return;
   if (const auto known = map.indexOf(detection.id); known && detection.category.empty())
     detection.category = map[*known].category;
   detection.id = kNoId;
-  if (association == SensorConfig::Association::anonymous) detection.category.clear();
+  if (association == IdentityLevel::anonymous) detection.category.clear();
 }
 
 /// Measured minus scaled true range, for ranges that name this landmark.
 double rangeBias(const SensorConfig& config, int id)
 {
-  const bool named = config.association == SensorConfig::Association::known && id != kNoId;
+  const bool named = config.association == IdentityLevel::known && id != kNoId;
   return config.bias_range + (named ? valueOf(config.landmark_bias_range, id) : 0);
 }
 
@@ -68,9 +68,9 @@ void correctBearing(double& bearing, double& std, const SensorConfig& config, co
 
 /// Why no place can explain the detection; empty when one can.
 std::string whyUnusable(const Detection& detection, const Reading& reading, const LandmarkTable& map,
-                        SensorConfig::Association association)
+                        IdentityLevel association)
 {
-  const bool named = association == SensorConfig::Association::known && detection.id != kNoId;
+  const bool named = association == IdentityLevel::known && detection.id != kNoId;
   if (named && !map.indexOf(detection.id)) return "id not in the map";
   if (!detection.range) return {};
   if (!(*detection.range > 0)) return "range not above zero";
@@ -79,9 +79,9 @@ std::string whyUnusable(const Detection& detection, const Reading& reading, cons
   const double dz = map[*known].position.z() - reading.sensor_height;
   return *detection.range < std::abs(dz) ? "slant range shorter than the height difference" : "";
 }
-std::string whyUnusable(const RunningFixReading& fix, const LandmarkTable& map, SensorConfig::Association association)
+std::string whyUnusable(const RunningFixReading& fix, const LandmarkTable& map, IdentityLevel association)
 {
-  if (association != SensorConfig::Association::known) return "running fix without a believed id";
+  if (association != IdentityLevel::known) return "running fix without a believed id";
   const auto known = map.indexOf(fix.id);
   if (!known) return "id not in the map";
   const double shorter = std::min(fix.first_range, fix.second_range);
@@ -92,6 +92,12 @@ std::string whyUnusable(const RunningFixReading& fix, const LandmarkTable& map, 
 }
 }  // namespace
 
+double valueOf(const LandmarkValues& values, int id)
+{
+  const auto found = values.find(id);
+  return found == values.end() ? 0 : found->second;
+}
+
 const SensorConfig& configOf(const SensorConfigs& configs, const std::string& label)
 {
   static const SensorConfig kDefaults;
@@ -100,36 +106,6 @@ const SensorConfig& configOf(const SensorConfigs& configs, const std::string& la
     if (const auto found = configs.find(name); found != configs.end()) return found->second;
     if (name.find('.') == std::string::npos) return kDefaults;
   }
-}
-
-SensorConfigs sensorConfigs(const Settings& settings)
-{
-  SensorConfigs configs;
-  for (const std::string& section : settings.sectionsMatching(kPrefix))
-  {
-    SensorConfig& c = configs[section.substr(kPrefix.size())];
-    c.delay = settings.number(section, "delay_s");
-    c.std_bearing = settings.optionalRadians(section, "std_bearing_deg");
-    c.std_range = settings.optionalNumber(section, "std_range_m");
-    c.std_range_per_m = settings.number(section, "std_range_per_m");
-    c.std_heading = settings.optionalRadians(section, "std_heading_deg");
-    c.bias_bearing = settings.radians(section, "bias_bearing_deg");
-    c.scale_bearing = settings.number(section, "scale_bearing");
-    c.bias_range = settings.number(section, "bias_range_m");
-    c.scale_range = settings.number(section, "scale_range");
-    c.landmark_bias_range = landmarkValues(settings, section, "landmark_bias_range_m");
-    c.range_along_axis = settings.flag(section, "range_along_axis");
-    c.field_of_view = settings.optionalRadians(section, "field_of_view_deg");
-    c.max_range = settings.optionalNumber(section, "max_range_m");
-    c.clutter_probability = settings.number(section, "clutter_probability");
-    c.detection_probability = settings.optionalNumber(section, "detection_probability");
-    const std::string association = settings.choice(section, "association");
-    c.association = association == "known"      ? SensorConfig::Association::known
-                    : association == "category" ? SensorConfig::Association::category
-                                                : SensorConfig::Association::anonymous;
-    c.ignore = settings.flag(section, "ignore");
-  }
-  return configs;
 }
 
 Reading configured(Reading reading, const SensorConfigs& configs, const LandmarkTable& map,

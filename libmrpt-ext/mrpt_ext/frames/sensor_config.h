@@ -4,22 +4,22 @@
 #include <optional>
 #include <string>
 
+#include "mrpt_ext/geometry/identity_level.h"
+#include "mrpt_ext/geometry/landmark_table.h"
 #include "mrpt_ext/geometry/measurement.h"
 #include "mrpt_ext/geometry/recording.h"
-#include "mrpt_ext/frames/landmark_values.h"
-#include "mrpt_ext/settings/settings.h"
 
 namespace mrpt_ext
 {
+/// A value per landmark id.
+using LandmarkValues = std::map<int, double>;
+
+/// The value of a landmark, 0 when it has none.
+[[nodiscard]] double valueOf(const LandmarkValues& values, int id);
+
 /// What the configuration says about one sensor label ([Sensor_<label>]); absent values: as logged.
 struct SensorConfig
 {
-  enum class Association
-  {
-    known,
-    category,
-    anonymous
-  };
   double delay = 0;                              ///< [s]
   std::optional<double> std_bearing, std_range;  ///< [rad], [m]
   double std_range_per_m = 0;
@@ -30,7 +30,7 @@ struct SensorConfig
   std::optional<double> field_of_view, max_range;  ///< [rad], [m]
   double clutter_probability = 0.05;
   std::optional<double> detection_probability;
-  Association association = Association::known;
+  IdentityLevel association = IdentityLevel::known;
   bool ignore = false;
 };
 
@@ -38,7 +38,6 @@ struct SensorConfig
 /// camera), else the defaults.
 using SensorConfigs = std::map<std::string, SensorConfig>;
 
-[[nodiscard]] SensorConfigs sensorConfigs(const Settings& settings);
 [[nodiscard]] const SensorConfig& configOf(const SensorConfigs& configs, const std::string& label);
 
 /// Detections that cannot be used, by reason, e.g. "uwb: slant range shorter than the height difference".

@@ -4,12 +4,12 @@ namespace mrpt_ext
 {
 namespace
 {
-KeySpec key(const char* name, const char* unit, const char* default_value, Range range, const char* help)
+KeySpec key(const char* name, const char* unit, const char* default_value, ValueRange range, const char* help)
 {
   return {"ConicMirror", name, KeyType::number, unit, default_value, range, {}, help};
 }
 
-KeySpec whole(const char* name, const char* unit, const char* default_value, Range range, const char* help)
+KeySpec whole(const char* name, const char* unit, const char* default_value, ValueRange range, const char* help)
 {
   return {"ConicMirror", name, KeyType::integer, unit, default_value, range, {}, help};
 }
@@ -17,7 +17,7 @@ KeySpec whole(const char* name, const char* unit, const char* default_value, Ran
 
 KeyTable conicMirrorKeys()
 {
-  constexpr Range kShare{0.01, 1}, kAspect{0.5, 2}, kRadius{0.05, 2};
+  constexpr ValueRange kShare{0.01, 1}, kAspect{0.5, 2}, kRadius{0.05, 2};
   return {{
       {"ConicMirror", "sensor_label", KeyType::text, "", "omni", {}, {}, "Label of the observations."},
       whole("image_width", "px", "", {64, 20000}, "Not set: width of camera.json; neither: any."),

@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <deque>
 
+#include "mrpt_ext/front_ends/image_frame.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/observations/timestamps.h"
-#include "mrpt_ext/front_ends/image_frame.h"
 #include "mrpt_ext/rawlog/rawlog_reader.h"
 
 namespace mrpt_ext

@@ -4,22 +4,22 @@ namespace mrpt_ext
 {
 namespace
 {
-KeySpec key(const char* name, const char* unit, const char* default_value, Range range, const char* help)
+KeySpec key(const char* name, const char* unit, const char* default_value, ValueRange range, const char* help)
 {
   return {"Movis", name, KeyType::number, unit, default_value, range, {}, help};
 }
 
-KeySpec whole(const char* name, const char* unit, const char* default_value, Range range, const char* help)
+KeySpec whole(const char* name, const char* unit, const char* default_value, ValueRange range, const char* help)
 {
   return {"Movis", name, KeyType::integer, unit, default_value, range, {}, help};
 }
 
-KeySpec several(const char* name, const char* unit, const char* default_value, Range range, const char* help)
+KeySpec several(const char* name, const char* unit, const char* default_value, ValueRange range, const char* help)
 {
   return {"Movis", name, KeyType::numbers, unit, default_value, range, {}, help};
 }
 
-constexpr Range kShare{0.001, 1}, kSize{1e-4, 1000}, kLength{1e-3, 100}, kAngle{-360, 360};
+constexpr ValueRange kShare{0.001, 1}, kSize{1e-4, 1000}, kLength{1e-3, 100}, kAngle{-360, 360};
 
 std::vector<KeySpec> cameraKeys()
 {

@@ -6,19 +6,19 @@ namespace
 {
 constexpr const char* kSection = "StereoGoal";
 
-KeySpec key(const char* name, const char* unit, const char* default_value, Range range, const char* help)
+KeySpec key(const char* name, const char* unit, const char* default_value, ValueRange range, const char* help)
 {
   return {kSection, name, KeyType::number, unit, default_value, range, {}, help};
 }
 
-KeySpec whole(const char* name, const char* unit, const char* default_value, Range range, const char* help)
+KeySpec whole(const char* name, const char* unit, const char* default_value, ValueRange range, const char* help)
 {
   return {kSection, name, KeyType::integer, unit, default_value, range, {}, help};
 }
 
 KeyTable cameraKeys()
 {
-  constexpr Range kLength{1e-4, 100}, kPixels{1, 1e5};
+  constexpr ValueRange kLength{1e-4, 100}, kPixels{1, 1e5};
   return {{
       whole("image_width", "px", "", {64, 20000}, "Not set: width of camera.json."),
       whole("image_height", "px", "", {64, 20000}, "Not set: height of camera.json."),
@@ -37,7 +37,7 @@ KeyTable cameraKeys()
 
 KeyTable goalKeys()
 {
-  constexpr Range kShare{0.01, 1.3}, kId{0, 1e6};
+  constexpr ValueRange kShare{0.01, 1.3}, kId{0, 1e6};
   return {{
       whole("scan_step", "px", "4", {1, 16}, "Every such pixel of every such row is looked at; 1 is a full scan."),
       key("goal_height_m", "m", "0.05", {0.001, 10}, "What is not as high where it stands is no goal."),

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "mrpt_ext/geometry/measurement.h"
 #include "mrpt_ext/front_ends/image_frame.h"
+#include "mrpt_ext/geometry/measurement.h"
 #include "mrpt_ext/settings/key_table.h"
 #include "mrpt_ext/settings/settings.h"
 

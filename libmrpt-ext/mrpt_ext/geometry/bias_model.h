@@ -12,8 +12,8 @@ enum class BiasKind
   range_offset,    ///< [m] measured range = (1 + scale) true range + offset
   range_scale,     ///< relative, 0 = as measured
   bearing_offset,  ///< [rad] measured bearing = true bearing + offset
-  way_scale,       ///< relative: true way of the robot = (1 + scale) way told by odometry
-  turn_scale       ///< relative, the same for its turning
+  distance_scale,  ///< relative: true way of the robot = (1 + scale) way told by odometry
+  rotation_scale   ///< relative, the same for its turning
 };
 
 /// One such error, taken as Gaussian at the start and as a random walk from then on.
@@ -32,7 +32,7 @@ using BiasModel = std::vector<BiasState>;
 /// True for the errors of odometry.
 [[nodiscard]] inline bool belongsToOdometry(BiasKind kind)
 {
-  return kind == BiasKind::way_scale || kind == BiasKind::turn_scale;
+  return kind == BiasKind::distance_scale || kind == BiasKind::rotation_scale;
 }
 
 /// True when the error acts on readings of the sensor with this label: its own, or one that is continued after a

@@ -5,7 +5,7 @@
 namespace mrpt_ext
 {
 /// Axis-aligned area in the world [m].
-struct MapArea
+struct Box2
 {
   Vector2d min{0, 0}, max{0, 0};
 

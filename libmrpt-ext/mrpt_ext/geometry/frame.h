@@ -29,9 +29,9 @@ struct Frame
 };
 
 /// True when some detection of the frame has no name.
-[[nodiscard]] inline bool hasNameless(const Frame& frame)
+[[nodiscard]] inline bool hasAnonymous(const Frame& frame)
 {
   return std::any_of(frame.readings.begin(), frame.readings.end(),
-                     [](const Reading& reading) { return hasNameless(reading); });
+                     [](const Reading& reading) { return hasAnonymous(reading); });
 }
 }  // namespace mrpt_ext

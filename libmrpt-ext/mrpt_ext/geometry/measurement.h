@@ -39,12 +39,12 @@ struct Reading
   Pose2 T_robot_sensor;           ///< sensor pose in the robot frame *of the frame the reading belongs to*
   double sensor_height = 0;       ///< [m] above the floor, for slant ranges
   bool horizontal_range = false;  ///< ranges are measured in the plane, not as a slant
-  Matrix2d offset_covariance =
+  Matrix2d sensor_position_covariance =
       Matrix2d::Zero();  ///< of the sensor position when it was carried by odometry, robot axes
   /// Of the robot's pose now, as odometry tells it from the pose at `time`: order (x, y, phi), axes of the robot now;
-  /// zero for a reading of now. `offset_covariance` and the deviations of the bearings already contain it, each for
-  /// itself; this is what all that was measured at one time has in common, and older readings with newer ones.
-  Matrix3d way_covariance = Matrix3d::Zero();
+  /// zero for a reading of now. `sensor_position_covariance` and the deviations of the bearings already contain it,
+  /// each for itself; this is what all that was measured at one time has in common, and older readings with newer ones.
+  Matrix3d odometry_covariance = Matrix3d::Zero();
   SensorModel model;
   std::vector<Detection> detections;
 };
@@ -70,7 +70,7 @@ struct RunningFixReading
 };
 
 /// True when the sensor could not tell which landmark some detection shows.
-[[nodiscard]] inline bool hasNameless(const Reading& reading)
+[[nodiscard]] inline bool hasAnonymous(const Reading& reading)
 {
   return std::any_of(reading.detections.begin(), reading.detections.end(),
                      [](const Detection& d) { return d.id == kNoId; });

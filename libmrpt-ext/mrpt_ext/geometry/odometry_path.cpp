@@ -26,7 +26,7 @@ void OdometryPath::add(const OdometryRecord& record)
   Pose2 step = mrpt_ext::between(before, record.pose);
   step.x *= correction_.scale;
   step.y *= correction_.scale;
-  step.phi = correction_.turn_scale * step.phi + correction_.turn_per_m * step.position().norm();
+  step.phi = correction_.rotation_scale * step.phi + correction_.turn_per_m * step.position().norm();
   length_.push_back(length_.back() + step.position().norm());
   turned_.push_back(turned_.back() + std::abs(step.phi));
   path_.push_back({record.time + correction_.delay, compose(path_.back().pose, step), true});

@@ -10,10 +10,10 @@ namespace mrpt_ext
 /// What is known to be wrong with the odometry of a log.
 struct OdometryCorrection
 {
-  double scale = 1;       ///< factor on the way
-  double turn_scale = 1;  ///< factor on turns
-  double turn_per_m = 0;  ///< [rad/m] added to the heading per metre of way: how the robot veers
-  double delay = 0;       ///< [s] added to the stamps
+  double scale = 1;           ///< factor on the way
+  double rotation_scale = 1;  ///< factor on turns
+  double turn_per_m = 0;      ///< [rad/m] added to the heading per metre of way: how the robot veers
+  double delay = 0;           ///< [s] added to the stamps
 };
 
 /// Dead-reckoned way of a whole log: where odometry stands at any time, and the motion between two times.

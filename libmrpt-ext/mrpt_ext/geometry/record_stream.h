@@ -9,10 +9,10 @@
 namespace mrpt_ext
 {
 /// Records in the order of time, one per call; nothing at the end.
-using RecordFeed = std::function<std::optional<Record>()>;
+using RecordStream = std::function<std::optional<Record>()>;
 
 /// The records must outlive the feed.
-[[nodiscard]] inline RecordFeed feedOf(const std::vector<Record>& records)
+[[nodiscard]] inline RecordStream streamOf(const std::vector<Record>& records)
 {
   return [&records, next = std::size_t{0}]() mutable
   { return next < records.size() ? std::optional(records[next++]) : std::nullopt; };

@@ -32,7 +32,7 @@ ExpectedErrors errorsOf(const BiasModel& biases, const std::string& sensor)
 }
 }  // namespace
 
-std::vector<Reading> withExpectedErrors(std::vector<Reading> readings, const BiasModel& biases)
+std::vector<Reading> withBiasUncertainty(std::vector<Reading> readings, const BiasModel& biases)
 {
   if (biases.empty()) return readings;
   for (Reading& reading : readings)

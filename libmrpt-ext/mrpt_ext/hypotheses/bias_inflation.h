@@ -11,5 +11,5 @@ namespace mrpt_ext
 /// model: the means are taken off, and the deviations grow by how far the errors may lie from them. A range that may be
 /// 5 % too long places a robot 60 m away no better than to 3 m, however little it scatters; a proposal that is sharper
 /// misses the right place.
-[[nodiscard]] std::vector<Reading> withExpectedErrors(std::vector<Reading> readings, const BiasModel& biases);
+[[nodiscard]] std::vector<Reading> withBiasUncertainty(std::vector<Reading> readings, const BiasModel& biases);
 }  // namespace mrpt_ext

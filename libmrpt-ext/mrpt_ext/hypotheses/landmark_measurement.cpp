@@ -16,16 +16,16 @@ std::optional<double> horizontalRange(const Reading& reading, double slant, doub
   return std::sqrt(horizontal2);
 }
 
-LandmarkSighting reduce(const Reading& reading, const Detection& detection, double landmark_height,
-                        const Vector2d& landmark_std)
+LandmarkMeasurement reduce(const Reading& reading, const Detection& detection, double landmark_height,
+                           const Vector2d& landmark_std)
 {
-  LandmarkSighting seen;
+  LandmarkMeasurement seen;
   seen.category = detection.category;
   seen.T_robot_sensor = reading.T_robot_sensor;
   seen.bearing = detection.bearing;
   // The line of sight is not known yet, so the larger of the two axes stands for either direction.
-  const double extra =
-      std::max(reading.offset_covariance(0, 0), reading.offset_covariance(1, 1)) + square(landmark_std.maxCoeff());
+  const double extra = std::max(reading.sensor_position_covariance(0, 0), reading.sensor_position_covariance(1, 1)) +
+                       square(landmark_std.maxCoeff());
   if (detection.range)
   {
     seen.range = horizontalRange(reading, *detection.range, landmark_height);
@@ -38,27 +38,27 @@ LandmarkSighting reduce(const Reading& reading, const Detection& detection, doub
 }
 }  // namespace
 
-Vector2d LandmarkSighting::pointInRobot() const
+Vector2d LandmarkMeasurement::pointInRobot() const
 {
   return transform(T_robot_sensor, *range * Vector2d(std::cos(*bearing), std::sin(*bearing)));
 }
 
-Matrix2d LandmarkSighting::pointCovariance() const
+Matrix2d LandmarkMeasurement::pointCovariance() const
 {
   const Matrix2d R = rotation(T_robot_sensor.phi + *bearing);
   const Matrix2d along_across = Vector2d(square(std_range), square(*range * std_bearing)).asDiagonal();
   return R * along_across * R.transpose();
 }
 
-std::vector<LandmarkSighting> identifiedSightings(std::span<const Reading> readings, const LandmarkTable& map)
+std::vector<LandmarkMeasurement> identifiedSightings(std::span<const Reading> readings, const LandmarkTable& map)
 {
-  std::vector<LandmarkSighting> result;
+  std::vector<LandmarkMeasurement> result;
   for (const Reading& reading : readings)
     for (const Detection& detection : reading.detections)
     {
       const auto known = map.indexOf(detection.id);
       if (!known) continue;
-      LandmarkSighting seen = reduce(reading, detection, map[*known].position.z(), map[*known].stddev);
+      LandmarkMeasurement seen = reduce(reading, detection, map[*known].position.z(), map[*known].stddev);
       seen.landmark = known;
       seen.position = map[*known].position.head<2>();
       if (seen.bearing || seen.range) result.push_back(std::move(seen));
@@ -66,14 +66,14 @@ std::vector<LandmarkSighting> identifiedSightings(std::span<const Reading> readi
   return result;
 }
 
-std::vector<LandmarkSighting> unidentifiedSightings(std::span<const Reading> readings, const LandmarkTable& map)
+std::vector<LandmarkMeasurement> unidentifiedSightings(std::span<const Reading> readings, const LandmarkTable& map)
 {
-  std::vector<LandmarkSighting> result;
+  std::vector<LandmarkMeasurement> result;
   for (const Reading& reading : readings)
     for (const Detection& detection : reading.detections)
     {
       if (detection.id != kNoId) continue;
-      LandmarkSighting seen = reduce(reading, detection, map.meanHeight(), Vector2d::Zero());
+      LandmarkMeasurement seen = reduce(reading, detection, map.meanHeight(), Vector2d::Zero());
       if (seen.bearing || seen.range) result.push_back(std::move(seen));
     }
   return result;
@@ -94,10 +94,10 @@ bool reduceToHorizontal(RunningFixReading& fix, double landmark_height)
   return true;
 }
 
-std::vector<PoseMeasurement> poseMeasurements(std::span<const LandmarkSighting> seen)
+std::vector<PoseMeasurement> poseMeasurements(std::span<const LandmarkMeasurement> seen)
 {
   std::vector<PoseMeasurement> result;
-  for (const LandmarkSighting& s : seen)
+  for (const LandmarkMeasurement& s : seen)
   {
     if (s.bearing)
       result.push_back({PoseMeasurement::Kind::bearing, s.position, *s.bearing, s.std_bearing, s.T_robot_sensor});

@@ -14,8 +14,8 @@ constexpr double kMinShare = 0.02;  // even the least likely seed gets particles
 constexpr double kVagueHeading = 2.0;  // [rad] a standard deviation above this is as good as no heading
 }  // namespace
 
-SeedMixture::SeedMixture(const HypothesisSet& hypotheses, const PoseRegion& region, double uniform_share,
-                         double inflation, const Vector3d& min_std)
+ProposalDistribution::ProposalDistribution(const HypothesisSet& hypotheses, const PoseRegion& region,
+                                           double uniform_share, double inflation, const Vector3d& min_std)
     : region_(region), uniform_share_(hypotheses.empty() ? 1.0 : uniform_share)
 {
   double sum = 0;
@@ -54,7 +54,7 @@ SeedMixture::SeedMixture(const HypothesisSet& hypotheses, const PoseRegion& regi
   if (components_.empty()) uniform_share_ = 1;
 }
 
-Pose2 SeedMixture::sample(RandomStream& random) const
+Pose2 ProposalDistribution::sample(RandomStream& random) const
 {
   if (random.uniform() < uniform_share_) return region_.sample(random);
   const double u = random.uniform();
@@ -66,7 +66,7 @@ Pose2 SeedMixture::sample(RandomStream& random) const
   return {chosen->mean.x + offset.x(), chosen->mean.y + offset.y(), wrap(phi)};
 }
 
-double SeedMixture::density(const Pose2& pose) const
+double ProposalDistribution::density(const Pose2& pose) const
 {
   double sum = 0;
   for (std::size_t k = 0; k < components_.size(); ++k)

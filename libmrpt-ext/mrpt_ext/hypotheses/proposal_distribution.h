@@ -11,13 +11,13 @@ namespace mrpt_ext
 /// Distribution that hypothesis seeds are drawn from: a share of the uniform distribution over the region plus one
 /// Gaussian per hypothesis (heading uniform where the hypothesis does not know it). The uniform share keeps every place
 /// possible; with the density known, seeds can be weighted exactly (importance sampling) instead of counted as truth.
-class SeedMixture
+class ProposalDistribution
 {
  public:
   /// Covariances are multiplied by `inflation` (above 1: a proposal should be wider than what it proposes for) and get
   /// the floor `min_std` (x, y [m], phi [rad]), so that a far too confident solver cannot hide the truth.
-  SeedMixture(const HypothesisSet& hypotheses, const PoseRegion& region, double uniform_share, double inflation,
-              const Vector3d& min_std);
+  ProposalDistribution(const HypothesisSet& hypotheses, const PoseRegion& region, double uniform_share,
+                       double inflation, const Vector3d& min_std);
 
   [[nodiscard]] Pose2 sample(RandomStream& random) const;
   /// Density [1/(m^2 rad)] at a pose.

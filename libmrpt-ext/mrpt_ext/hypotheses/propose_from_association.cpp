@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "mrpt_ext/correspondence/tree/tree_input.h"
+#include "mrpt_ext/hypotheses/scans.h"
 #include "mrpt_ext/hypotheses/window_readings.h"
 #include "mrpt_ext/hypotheses/window_scans.h"
-#include "mrpt_ext/hypotheses/scans.h"
 
 namespace mrpt_ext
 {
@@ -17,21 +17,21 @@ constexpr double kGate = 3.3;              // standard deviations
 }  // namespace
 
 ReadingInterpretation interpretReadings(std::span<const Reading> readings, const LandmarkTable& map,
-                                        const LostRobotSearch& search, const PoseRegion& region,
+                                        const GlobalPoseSearch& search, const PoseRegion& region,
                                         std::uint64_t max_tree_nodes)
 {
-  std::vector<SensorPlace> places = joinedPlaces(readings, map, search.index());
+  std::vector<Scan> places = windowScans(readings, map, search.index());
   if (places.empty()) return {};
   // Where joining gave a constellation, what did not join it is mostly false, and would be counted again and again.
-  const auto is_point = [](const UnidentifiedDetection& d) { return d.bearing && d.range; };
+  const auto is_point = [](const AnonymousDetection& d) { return d.bearing && d.range; };
   const auto& joined = places.front().detections;
-  if (areJoined(readings) && joined.size() >= kConstellation && std::all_of(joined.begin(), joined.end(), is_point))
+  if (isWindow(readings) && joined.size() >= kConstellation && std::all_of(joined.begin(), joined.end(), is_point))
     places.resize(1);
   PoseSearchOptions options;
   options.gate = kGate;
-  options.area = MapArea{region.low, region.low + region.extent()};
+  options.area = Box2{region.low, region.low + region.extent()};
   options.max_tree_nodes = max_tree_nodes;
-  const PoseSearch found = search.search(places, options);
+  const PoseSearchResult found = search.search(places, options);
 
   ReadingInterpretation result{.status = found.status, .unique = found.unique, .finished = found.finished};
   for (const ConsistentPose& pose : found.poses)
@@ -43,17 +43,17 @@ ReadingInterpretation interpretReadings(std::span<const Reading> readings, const
 }
 
 HypothesisSet interpretThreeBearings(std::span<const Reading> readings, const LandmarkTable& map,
-                                     const LostRobotSearch& search, const PoseRegion& region)
+                                     const GlobalPoseSearch& search, const PoseRegion& region)
 {
   const LandmarkIndex& index = search.index();
   if (index.size() > kLargestTreeMap) return {};
-  const std::vector<SensorPlace> places = sensorPlaces(readings, map, index);
-  const TreeQuestion question = askFullestPlace(index, places);
+  const std::vector<Scan> places = scansOf(readings, map, index);
+  const TreeInput question = scanWithMostBearings(index, places);
   const std::size_t count = question.bearings.size();
   if (count < 3 || count > 4) return {};
 
   InterpretationOptions options =
-      treeOptions(question, {.gate = kGate, .area = MapArea{region.low, region.low + region.extent()}});
+      treeOptions(question, {.gate = kGate, .area = Box2{region.low, region.low + region.extent()}});
   options.allow_three = true;
   options.max_unmatched = static_cast<int>(count) - 3;
   options.max_tested = InterpretationOptions{}.max_tested;

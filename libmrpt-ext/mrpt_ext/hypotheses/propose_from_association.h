@@ -24,12 +24,12 @@ struct ReadingInterpretation
 /// several moments, oldest first, are joined through odometry into one constellation first (local_map.h).
 /// `map` must be the table of `search`. `max_tree_nodes`: see PoseSearchOptions.
 [[nodiscard]] ReadingInterpretation interpretReadings(
-    std::span<const Reading> readings, const LandmarkTable& map, const LostRobotSearch& search,
+    std::span<const Reading> readings, const LandmarkTable& map, const GlobalPoseSearch& search,
     const PoseRegion& region, std::uint64_t max_tree_nodes = PoseSearchOptions{}.max_tree_nodes);
 
 /// Poses of three bearings, or of three out of four, by the interpretation tree: many, and nothing verifies them. For
 /// seeding only, where interpretReadings has too few detections; empty with more than four bearings or more than
 /// kLargestTreeMap landmarks.
 [[nodiscard]] HypothesisSet interpretThreeBearings(std::span<const Reading> readings, const LandmarkTable& map,
-                                                   const LostRobotSearch& search, const PoseRegion& region);
+                                                   const GlobalPoseSearch& search, const PoseRegion& region);
 }  // namespace mrpt_ext

@@ -18,22 +18,22 @@ constexpr std::size_t kMaxPairs = 200;  // of landmarks, evenly chosen
 struct Located
 {
   Vector2d landmark{0, 0};
-  std::vector<CarriedLandmarkPlace> places;
+  std::vector<LocalizedLandmark> places;
 };
 
 std::vector<Located> locateAll(std::span<const Reading> oldest_first, const LandmarkTable& map)
 {
   std::vector<Located> result;
-  for (const auto& [landmark, sightings] : carriedSightings(oldest_first, map))
-    if (CarriedLandmark found = locateLandmark(sightings); found.status == SolveStatus::ok)
+  for (const auto& [landmark, sightings] : windowObservations(oldest_first, map))
+    if (WindowLandmark found = locateLandmark(sightings); found.status == SolveStatus::ok)
       result.push_back({map[landmark].position.head<2>(), std::move(found.places)});
   return result;
 }
 
 void addPair(const Located& a, const Located& b, HypothesisSet& result)
 {
-  for (const CarriedLandmarkPlace& at_a : a.places)
-    for (const CarriedLandmarkPlace& at_b : b.places)
+  for (const LocalizedLandmark& at_a : a.places)
+    for (const LocalizedLandmark& at_b : b.places)
     {
       const std::array seen{SeenLandmark{a.landmark, at_a.in_robot}, SeenLandmark{b.landmark, at_b.in_robot}};
       const PointPose fit = solvePointPose(seen);
@@ -57,22 +57,22 @@ void addRing(const PoseRing& ring, const std::optional<CompassRecord>& compass, 
 }
 
 /// The readings as they are, without those that `pose` does not explain.
-std::vector<CarriedMeasurements> explained(std::vector<CarriedMeasurements> readings, const Pose2& pose)
+std::vector<WindowMeasurements> explained(std::vector<WindowMeasurements> readings, const Pose2& pose)
 {
-  for (CarriedMeasurements& reading : readings)
+  for (WindowMeasurements& reading : readings)
     std::erase_if(reading.measurements,
                   [&](const PoseMeasurement& m)
                   {
                     const JacobianRow row = jacobian(m, pose) * composeJacobianSecond(pose);
-                    const double variance = square(m.std) + row * reading.way_covariance * row.transpose();
+                    const double variance = square(m.std) + row * reading.odometry_covariance * row.transpose();
                     return square(residual(m, pose)) > square(kGate) * variance;
                   });
   return readings;
 }
 }  // namespace
 
-HypothesisSet proposeFromCarriedLandmarks(std::span<const Reading> oldest_first, const LandmarkTable& map,
-                                          const std::optional<CompassRecord>& compass, std::size_t points)
+HypothesisSet proposeFromWindowLandmarks(std::span<const Reading> oldest_first, const LandmarkTable& map,
+                                         const std::optional<CompassRecord>& compass, std::size_t points)
 {
   const std::vector<Located> located = locateAll(oldest_first, map);
   HypothesisSet result;
@@ -89,15 +89,15 @@ HypothesisSet proposeFromCarriedLandmarks(std::span<const Reading> oldest_first,
   const auto area = [](const Located& l) { return l.places.front().in_robot.covariance.trace(); };
   const Located& sharpest = *std::min_element(located.begin(), located.end(),
                                               [&](const Located& a, const Located& b) { return area(a) < area(b); });
-  for (const CarriedLandmarkPlace& place : sharpest.places)
+  for (const LocalizedLandmark& place : sharpest.places)
     addRing({sharpest.landmark, place.in_robot}, compass, points, result);
   return result;
 }
 
-std::optional<GaussianPose> refineOnJoined(std::span<const Reading> oldest_first, const LandmarkTable& map,
+std::optional<GaussianPose> refineOnWindow(std::span<const Reading> oldest_first, const LandmarkTable& map,
                                            const Pose2& start)
 {
-  const std::vector<CarriedMeasurements> all = carriedMeasurements(oldest_first, map);
+  const std::vector<WindowMeasurements> all = windowMeasurements(oldest_first, map);
   const PoseMl first = refineCarriedPose(explained(all, start), start);
   if (first.status != SolveStatus::ok || !first.converged) return std::nullopt;
   // Once more with those that the better pose explains.

@@ -18,10 +18,10 @@ constexpr std::size_t kMaxSightings = 200;  // of which triples are formed; the 
 constexpr double kTravelForHeading = 0.3;   // [m] way between joined ranges that tells the heading
 constexpr int kHeadingStarts = 12;
 
-std::vector<LandmarkSighting> only(std::span<const LandmarkSighting> sightings, bool bearing, bool range)
+std::vector<LandmarkMeasurement> only(std::span<const LandmarkMeasurement> sightings, bool bearing, bool range)
 {
-  std::vector<LandmarkSighting> result;
-  for (const LandmarkSighting& s : sightings)
+  std::vector<LandmarkMeasurement> result;
+  for (const LandmarkMeasurement& s : sightings)
     if ((!bearing || s.bearing) && (!range || s.range)) result.push_back(s);
   return result;
 }
@@ -37,25 +37,25 @@ void thin(std::vector<Subset>& subsets)
 }
 
 /// The last kMaxSightings of a list that is ordered by time.
-template <typename Sighting>
-std::span<const Sighting> newest(const std::vector<Sighting>& sightings)
+template <typename Measured>
+std::span<const Measured> newest(const std::vector<Measured>& sightings)
 {
   return std::span(sightings).last(std::min(sightings.size(), kMaxSightings));
 }
 
 /// Largest distance between the places that the sightings were made from.
-double travel(std::span<const LandmarkSighting> sightings)
+double travel(std::span<const LandmarkMeasurement> sightings)
 {
   double longest = 0;
-  for (const LandmarkSighting& s : sightings)
+  for (const LandmarkMeasurement& s : sightings)
     longest = std::max(longest, (s.T_robot_sensor.position() - sightings.front().T_robot_sensor.position()).norm());
   return longest;
 }
 }  // namespace
 
-HypothesisSet proposeFromPointPairs(std::span<const LandmarkSighting> sightings)
+HypothesisSet proposeFromPointPairs(std::span<const LandmarkMeasurement> sightings)
 {
-  const std::vector<LandmarkSighting> points = only(sightings, true, true);
+  const std::vector<LandmarkMeasurement> points = only(sightings, true, true);
   std::vector<std::array<std::size_t, 2>> pairs;
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t j = i + 1; j < points.size(); ++j)
@@ -73,10 +73,10 @@ HypothesisSet proposeFromPointPairs(std::span<const LandmarkSighting> sightings)
   return result;
 }
 
-HypothesisSet proposeFromBearings(std::span<const LandmarkSighting> sightings)
+HypothesisSet proposeFromBearings(std::span<const LandmarkMeasurement> sightings)
 {
-  const std::vector<LandmarkSighting> with_bearing = only(sightings, true, false);
-  const std::span<const LandmarkSighting> bearings = newest(with_bearing);
+  const std::vector<LandmarkMeasurement> with_bearing = only(sightings, true, false);
+  const std::span<const LandmarkMeasurement> bearings = newest(with_bearing);
   std::vector<std::array<std::size_t, 3>> triples;
   for (std::size_t i = 0; i < bearings.size(); ++i)
     for (std::size_t j = i + 1; j < bearings.size(); ++j)
@@ -90,10 +90,10 @@ HypothesisSet proposeFromBearings(std::span<const LandmarkSighting> sightings)
   {
     // The closed form takes all bearings from the robot's centre; the refinement puts each sensor in its place.
     std::vector<KnownBearing> known;
-    std::vector<LandmarkSighting> members;
+    std::vector<LandmarkMeasurement> members;
     for (const std::size_t i : triple)
     {
-      const LandmarkSighting& s = bearings[i];
+      const LandmarkMeasurement& s = bearings[i];
       known.push_back({s.position, wrap(*s.bearing + s.T_robot_sensor.phi), s.std_bearing});
       members.push_back(s);
       members.back().range.reset();
@@ -109,11 +109,11 @@ HypothesisSet proposeFromBearings(std::span<const LandmarkSighting> sightings)
 namespace
 {
 /// A position without heading, as a hypothesis: heading from the first bearing, from the way, or left open.
-void addWithHeading(const RangePosition& place, std::span<const LandmarkSighting> sightings, HypothesisSet& result)
+void addWithHeading(const RangePosition& place, std::span<const LandmarkMeasurement> sightings, HypothesisSet& result)
 {
   const Pose2 at{place.position.mean.x(), place.position.mean.y(), 0};
   std::vector<double> starts;
-  for (const LandmarkSighting& s : sightings)
+  for (const LandmarkMeasurement& s : sightings)
     if (s.bearing)
       if (const auto heading = headingFromBearing(s.position, place.position.mean, *s.bearing))
         starts.push_back(wrap(*heading - s.T_robot_sensor.phi));
@@ -137,11 +137,11 @@ void addWithHeading(const RangePosition& place, std::span<const LandmarkSighting
 }
 }  // namespace
 
-HypothesisSet proposeFromRanges(std::span<const LandmarkSighting> sightings)
+HypothesisSet proposeFromRanges(std::span<const LandmarkMeasurement> sightings)
 {
   HypothesisSet result;
   std::vector<KnownRange> ranges;
-  for (const LandmarkSighting& s : sightings)
+  for (const LandmarkMeasurement& s : sightings)
     if (s.range)
     {
       // From another place of the way, or off the centre, the range holds for the robot to within that distance.
@@ -154,12 +154,12 @@ HypothesisSet proposeFromRanges(std::span<const LandmarkSighting> sightings)
   return result;
 }
 
-HypothesisSet proposeFromRing(std::span<const LandmarkSighting> sightings, std::size_t points)
+HypothesisSet proposeFromRing(std::span<const LandmarkMeasurement> sightings, std::size_t points)
 {
   HypothesisSet result;
-  const std::vector<LandmarkSighting> seen = only(sightings, true, true);
+  const std::vector<LandmarkMeasurement> seen = only(sightings, true, true);
   if (seen.empty()) return result;
-  const LandmarkSighting& s = seen.back();  // the newest
+  const LandmarkMeasurement& s = seen.back();  // the newest
   const PoseRing ring = makePoseRing(s.position, *s.range, s.std_range, *s.bearing, s.std_bearing, s.T_robot_sensor);
   const double spacing = kTwoPi / static_cast<double>(points);
   for (std::size_t k = 0; k < points; ++k)

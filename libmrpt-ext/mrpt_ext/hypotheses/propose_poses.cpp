@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "mrpt_ext/hypotheses/window_readings.h"
-#include "mrpt_ext/hypotheses/propose_from_association.h"
 #include "mrpt_ext/hypotheses/pose_proposals.h"
+#include "mrpt_ext/hypotheses/propose_from_association.h"
 #include "mrpt_ext/hypotheses/propose_from_window.h"
+#include "mrpt_ext/hypotheses/window_readings.h"
 #include "mrpt_ext/likelihood/compass_likelihood.h"
 #include "mrpt_ext/likelihood/reading_likelihood.h"
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
@@ -60,11 +60,11 @@ void score(HypothesisSet& hypotheses, const Frame& frame, const LandmarkTable& m
 }
 }  // namespace
 
-HypothesisSet proposePoses(const Frame& frame, const LandmarkTable& map, const LostRobotSearch& search,
+HypothesisSet proposePoses(const Frame& frame, const LandmarkTable& map, const GlobalPoseSearch& search,
                            const ProposalOptions& options)
 {
   const std::uint64_t nodes = options.max_tree_nodes;
-  const std::vector<LandmarkSighting> identified = identifiedSightings(frame.readings, map);
+  const std::vector<LandmarkMeasurement> identified = identifiedSightings(frame.readings, map);
   HypothesisSet all = proposeFromPointPairs(identified);
   append(all, proposeFromBearings(identified));
   if (all.empty()) append(all, proposeFromRanges(identified));
@@ -73,9 +73,9 @@ HypothesisSet proposePoses(const Frame& frame, const LandmarkTable& map, const L
   if (all.empty()) append(all, proposeFromRing(identified, options.ring_points));
   append(all, proposeFromRunningFixes(frame, map, options.ring_points));
 
-  if (areJoined(frame.readings))
+  if (isWindow(frame.readings))
   {
-    append(all, proposeFromCarriedLandmarks(frame.readings, map, frame.compass, options.ring_points));
+    append(all, proposeFromWindowLandmarks(frame.readings, map, frame.compass, options.ring_points));
     // Joining may fail where one look is enough.
     append(all, interpretReadings(fullestReading(frame.readings), map, search, options.region, nodes).hypotheses);
   }

@@ -22,6 +22,6 @@ struct ProposalOptions
 /// bearing -> rigid fit; three ranges -> position, heading from a bearing or free; one range and bearing, or a running
 /// fix -> ring; detections without identity -> search for their constellation in the map (`search`, of this map).
 /// Measurements may be partly wrong: solvers work on minimal subsets and the whole frame judges.
-[[nodiscard]] HypothesisSet proposePoses(const Frame& frame, const LandmarkTable& map, const LostRobotSearch& search,
+[[nodiscard]] HypothesisSet proposePoses(const Frame& frame, const LandmarkTable& map, const GlobalPoseSearch& search,
                                          const ProposalOptions& options);
 }  // namespace mrpt_ext

@@ -5,15 +5,14 @@
 
 namespace mrpt_ext
 {
-std::vector<SensorPlace> sensorPlaces(std::span<const Reading> readings, const LandmarkTable& map,
-                                      const LandmarkIndex& index)
+std::vector<Scan> scansOf(std::span<const Reading> readings, const LandmarkTable& map, const LandmarkIndex& index)
 {
-  std::vector<SensorPlace> places;
+  std::vector<Scan> places;
   for (const Reading& reading : readings)
   {
-    SensorPlace place{reading.T_robot_sensor, reading.model, {}};
+    Scan place{reading.T_robot_sensor, reading.model, {}};
     if (!scoresMissedDetections(reading)) place.model.detection_probability.reset();
-    for (const LandmarkSighting& s : unidentifiedSightings({&reading, 1}, map))
+    for (const LandmarkMeasurement& s : unidentifiedSightings({&reading, 1}, map))
       place.detections.push_back({s.bearing, s.range, s.std_bearing, s.std_range, index.kindOf(s.category)});
     if (!place.detections.empty()) places.push_back(std::move(place));
   }

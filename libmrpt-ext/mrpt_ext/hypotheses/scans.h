@@ -14,6 +14,6 @@ namespace mrpt_ext
 /// readings without such detections are left out. Slant ranges are reduced to the plane, deviations grown, as in
 /// landmark_measurement.h. Landmarks that were not reported count only where the reading declares range limit, field of
 /// view and detection probability. `index` must be of `map`.
-[[nodiscard]] std::vector<SensorPlace> sensorPlaces(std::span<const Reading> readings, const LandmarkTable& map,
-                                                    const LandmarkIndex& index);
+[[nodiscard]] std::vector<Scan> scansOf(std::span<const Reading> readings, const LandmarkTable& map,
+                                        const LandmarkIndex& index);
 }  // namespace mrpt_ext

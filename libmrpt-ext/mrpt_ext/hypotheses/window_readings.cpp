@@ -8,17 +8,17 @@
 
 namespace mrpt_ext
 {
-bool areJoined(std::span<const Reading> readings)
+bool isWindow(std::span<const Reading> readings)
 {
   return std::any_of(readings.begin(), readings.end(),
-                     [](const Reading& reading) { return !reading.way_covariance.isZero(0); });
+                     [](const Reading& reading) { return !reading.odometry_covariance.isZero(0); });
 }
 
-Reading asTaken(Reading carried)
+Reading withoutOdometryNoise(Reading carried)
 {
-  if (carried.way_covariance.isZero(0)) return carried;
-  carried.offset_covariance.setZero();
-  const double heading_variance = carried.way_covariance(2, 2);
+  if (carried.odometry_covariance.isZero(0)) return carried;
+  carried.sensor_position_covariance.setZero();
+  const double heading_variance = carried.odometry_covariance(2, 2);
   for (Detection& d : carried.detections)
   {
     // Rounding must not leave nothing of a small deviation that was hidden in a large one.
@@ -28,28 +28,28 @@ Reading asTaken(Reading carried)
   return carried;
 }
 
-std::vector<CarriedMeasurements> carriedMeasurements(std::span<const Reading> oldest_first, const LandmarkTable& map)
+std::vector<WindowMeasurements> windowMeasurements(std::span<const Reading> oldest_first, const LandmarkTable& map)
 {
-  std::vector<CarriedMeasurements> result;
+  std::vector<WindowMeasurements> result;
   for (const Reading& carried : oldest_first)
   {
-    const Reading reading = asTaken(carried);
-    CarriedMeasurements one{reading.way_covariance, poseMeasurements(identifiedSightings({&reading, 1}, map))};
+    const Reading reading = withoutOdometryNoise(carried);
+    WindowMeasurements one{reading.odometry_covariance, poseMeasurements(identifiedSightings({&reading, 1}, map))};
     if (!one.measurements.empty()) result.push_back(std::move(one));
   }
   return result;
 }
 
-std::map<std::size_t, std::vector<CarriedSighting>> carriedSightings(std::span<const Reading> oldest_first,
-                                                                     const LandmarkTable& map)
+std::map<std::size_t, std::vector<WindowObservation>> windowObservations(std::span<const Reading> oldest_first,
+                                                                         const LandmarkTable& map)
 {
-  std::map<std::size_t, std::vector<CarriedSighting>> result;
+  std::map<std::size_t, std::vector<WindowObservation>> result;
   for (const Reading& carried : oldest_first)
   {
-    const Reading reading = asTaken(carried);
-    for (const LandmarkSighting& s : identifiedSightings({&reading, 1}, map))
+    const Reading reading = withoutOdometryNoise(carried);
+    for (const LandmarkMeasurement& s : identifiedSightings({&reading, 1}, map))
       result[*s.landmark].push_back(
-          {s.T_robot_sensor, reading.way_covariance, s.bearing, s.range, s.std_bearing, s.std_range});
+          {s.T_robot_sensor, reading.odometry_covariance, s.bearing, s.range, s.std_bearing, s.std_range});
   }
   return result;
 }

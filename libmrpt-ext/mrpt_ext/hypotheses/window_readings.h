@@ -11,21 +11,21 @@
 
 namespace mrpt_ext
 {
-// Joined readings (hypotheses/measurement_window.h) as the solvers want them that know what odometry errors have in common.
-// All take the readings oldest first.
+// Joined readings (relocalization/measurement_window.h) as the solvers want them that know what odometry errors have in
+// common. All take the readings oldest first.
 
 /// True when some of the readings were carried along by odometry.
-[[nodiscard]] bool areJoined(std::span<const Reading> readings);
+[[nodiscard]] bool isWindow(std::span<const Reading> readings);
 
 /// The reading with the deviations it was taken with: what the way has added to bearings and sensor place is left to
-/// `way_covariance`.
-[[nodiscard]] Reading asTaken(Reading carried);
+/// `odometry_covariance`.
+[[nodiscard]] Reading withoutOdometryNoise(Reading carried);
 
 /// The identified detections of every reading that has some.
-[[nodiscard]] std::vector<CarriedMeasurements> carriedMeasurements(std::span<const Reading> oldest_first,
-                                                                   const LandmarkTable& map);
+[[nodiscard]] std::vector<WindowMeasurements> windowMeasurements(std::span<const Reading> oldest_first,
+                                                                 const LandmarkTable& map);
 
 /// The identified detections by landmark (place in the map).
-[[nodiscard]] std::map<std::size_t, std::vector<CarriedSighting>> carriedSightings(
+[[nodiscard]] std::map<std::size_t, std::vector<WindowObservation>> windowObservations(
     std::span<const Reading> oldest_first, const LandmarkTable& map);
 }  // namespace mrpt_ext

@@ -23,27 +23,27 @@ bool isEmptyReading(const Record& record)
 }
 }  // namespace
 
-void hideIdentity(Recording& recording, Identity identity)
+void hideIdentity(Recording& recording, IdentityLevel identity)
 {
-  if (identity == Identity::known) return;
+  if (identity == IdentityLevel::known) return;
   bool any_category = false;
   forEachDetection(recording,
                    [&](Detection& detection)
                    {
                      any_category |= !detection.category.empty();
                      detection.id = kNoId;
-                     if (identity == Identity::anonymous) detection.category.clear();
+                     if (identity == IdentityLevel::anonymous) detection.category.clear();
                    });
-  if (identity == Identity::category && !any_category)
+  if (identity == IdentityLevel::category && !any_category)
     throw configurationError("identity 'category': no detection has a category, expected 'known' or 'anonymous'");
-  recording.notes.push_back(identity == Identity::category ? "landmark ids removed, categories kept"
-                                                           : "landmark ids and categories removed");
+  recording.notes.push_back(identity == IdentityLevel::category ? "landmark ids removed, categories kept"
+                                                                : "landmark ids and categories removed");
 }
 
-void keepMeasurements(Recording& recording, Measurements measurements)
+void keepMeasurements(Recording& recording, MeasurementSelection measurements)
 {
-  if (measurements == Measurements::range_bearing) return;
-  const bool bearings_only = measurements == Measurements::bearing;
+  if (measurements == MeasurementSelection::range_bearing) return;
+  const bool bearings_only = measurements == MeasurementSelection::bearing;
   std::size_t dropped_detections = 0, kept_detections = 0, dropped_readings = 0;
   for (Record& record : recording.records)
   {

@@ -13,12 +13,13 @@ constexpr float kLn2 = 0.693147181F;
 
 /// Exponent to base 2 of the Gaussian of sharp sighting `at` for robot i.
 template <bool Bearing, bool Range>
-[[gnu::always_inline]] inline float sharpExponent(const SensorTile& tile, std::size_t i, const Sighting& at)
+[[gnu::always_inline]] inline float sharpExponent(const SensorTile& tile, std::size_t i, const PreparedDetection& at)
 {
   const Offset to = offsetTo(at.landmark_x, at.landmark_y, tile.x[i], tile.y[i]);
   float exponent = 0;
   if constexpr (Bearing)
-    exponent = at.bearing_factor * sharpBearingError2(to, at.ray_x, at.ray_y, tile.told_cosine[i], tile.told_sine[i]);
+    exponent = at.bearing_factor *
+               sharpBearingError2(to, at.ray_x, at.ray_y, tile.bearing_frame_cosine[i], tile.bearing_frame_sine[i]);
   if constexpr (Range)
   {
     const float told = tile.range_scale[i] * std::sqrt(to.distance2 + at.rise2) + tile.range_shift[i];
@@ -30,8 +31,8 @@ template <bool Bearing, bool Range>
 
 /// Applies a loop over the tile to the sightings, at most `together` (8, 4 or 1) at a time.
 template <class Loop, bool Bearing, bool Range>
-[[gnu::always_inline]] inline void inGroups(const SensorTile& tile, std::span<const Sighting> sightings, int together,
-                                            float* out)
+[[gnu::always_inline]] inline void inGroups(const SensorTile& tile, std::span<const PreparedDetection> sightings,
+                                            int together, float* out)
 {
   std::size_t d = 0;
   for (; together >= 8 && d + 8 <= sightings.size(); d += 8)
@@ -44,8 +45,8 @@ template <class Loop, bool Bearing, bool Range>
 }
 
 template <class Loop>
-[[gnu::always_inline]] inline void ofKind(SightingKind kind, const SensorTile& tile,
-                                          std::span<const Sighting> sightings, int together, float* out)
+[[gnu::always_inline]] inline void ofKind(DetectionKind kind, const SensorTile& tile,
+                                          std::span<const PreparedDetection> sightings, int together, float* out)
 {
   if (kind.bearing && kind.range)
     inGroups<Loop, true, true>(tile, sightings, together, out);
@@ -58,7 +59,7 @@ template <class Loop>
 struct LogMixtures
 {
   template <int Count, bool Bearing, bool Range>
-  [[gnu::always_inline]] static void over(const SensorTile& tile, const Sighting* at, float* log_sum)
+  [[gnu::always_inline]] static void over(const SensorTile& tile, const PreparedDetection* at, float* log_sum)
   {
     MRPT_EXT_INDEPENDENT_ITERATIONS
     for (std::size_t i = 0; i < kSize; ++i)
@@ -74,7 +75,7 @@ struct LogMixtures
 struct LogGaussians
 {
   template <int Count, bool Bearing, bool Range>
-  [[gnu::always_inline]] static void over(const SensorTile& tile, const Sighting* at, float* log_sum)
+  [[gnu::always_inline]] static void over(const SensorTile& tile, const PreparedDetection* at, float* log_sum)
   {
     MRPT_EXT_INDEPENDENT_ITERATIONS
     for (std::size_t i = 0; i < kSize; ++i)
@@ -89,7 +90,7 @@ struct LogGaussians
 struct Densities
 {
   template <int Count, bool Bearing, bool Range>
-  [[gnu::always_inline]] static void over(const SensorTile& tile, const Sighting* at, float* sum)
+  [[gnu::always_inline]] static void over(const SensorTile& tile, const PreparedDetection* at, float* sum)
   {
     MRPT_EXT_INDEPENDENT_ITERATIONS
     for (std::size_t i = 0; i < kSize; ++i)
@@ -108,7 +109,7 @@ struct CarriedCovariance
 };
 
 template <bool Bearing, bool Range, bool LimitsBearing>
-[[gnu::always_inline]] inline void broadDensity(const SensorTile& tile, const Sighting& at,
+[[gnu::always_inline]] inline void broadDensity(const SensorTile& tile, const PreparedDetection& at,
                                                 const CarriedCovariance& carried, const TileLimits& limits, float* sum)
 {
   constexpr float kInvRootTwoPi = 0.398942280F, kHalfLog2E = -0.721347520F;
@@ -122,7 +123,8 @@ template <bool Bearing, bool Range, bool LimitsBearing>
     float exponent = 0, density = at.trust;
     if constexpr (Bearing)
     {
-      const float error = bearingError(to, at.ray_x, at.ray_y, tile.told_cosine[i], tile.told_sine[i]);
+      const float error =
+          bearingError(to, at.ray_x, at.ray_y, tile.bearing_frame_cosine[i], tile.bearing_frame_sine[i]);
       const float across = to.dy * to.dy * at.map_xx + to.dx * to.dx * at.map_yy + y * y * carried.xx -
                            2.0F * x * y * carried.xy + x * x * carried.yy;
       const float extra = (across > 0.0F ? across : 0.0F) / (to.distance2 * to.distance2);
@@ -144,11 +146,11 @@ template <bool Bearing, bool Range, bool LimitsBearing>
 }
 
 template <bool LimitsBearing>
-[[gnu::always_inline]] inline void broadDensities(const SensorTile& tile, std::span<const Sighting> sightings,
-                                                  SightingKind kind, const CarriedCovariance& carried,
+[[gnu::always_inline]] inline void broadDensities(const SensorTile& tile, std::span<const PreparedDetection> sightings,
+                                                  DetectionKind kind, const CarriedCovariance& carried,
                                                   const TileLimits& limits, float* sum)
 {
-  for (const Sighting& at : sightings)
+  for (const PreparedDetection& at : sightings)
     if (kind.bearing && kind.range)
       broadDensity<true, true, LimitsBearing>(tile, at, carried, limits, sum);
     else if (kind.bearing)
@@ -158,14 +160,14 @@ template <bool LimitsBearing>
 }
 
 MRPT_EXT_VECTOR_CLONES
-void broadDensitiesEverywhere(const SensorTile& tile, std::span<const Sighting> sightings, SightingKind kind,
+void broadDensitiesEverywhere(const SensorTile& tile, std::span<const PreparedDetection> sightings, DetectionKind kind,
                               const CarriedCovariance& carried, const TileLimits& limits, float* sum)
 {
   broadDensities<false>(tile, sightings, kind, carried, limits, sum);
 }
 
 MRPT_EXT_VECTOR_CLONES
-void broadDensitiesInView(const SensorTile& tile, std::span<const Sighting> sightings, SightingKind kind,
+void broadDensitiesInView(const SensorTile& tile, std::span<const PreparedDetection> sightings, DetectionKind kind,
                           const CarriedCovariance& carried, const TileLimits& limits, float* sum)
 {
   broadDensities<true>(tile, sightings, kind, carried, limits, sum);
@@ -173,27 +175,27 @@ void broadDensitiesInView(const SensorTile& tile, std::span<const Sighting> sigh
 }  // namespace
 
 MRPT_EXT_VECTOR_CLONES
-void addLogMixtures(const SensorTile& tile, std::span<const Sighting> sightings, SightingKind kind, int together,
-                    SensorTile::Column& log_sum)
+void addLogMixtures(const SensorTile& tile, std::span<const PreparedDetection> sightings, DetectionKind kind,
+                    int together, SensorTile::Column& log_sum)
 {
   ofKind<LogMixtures>(kind, tile, sightings, together, log_sum);
 }
 
 MRPT_EXT_VECTOR_CLONES
-void addLogGaussians(const SensorTile& tile, std::span<const Sighting> sightings, SightingKind kind,
+void addLogGaussians(const SensorTile& tile, std::span<const PreparedDetection> sightings, DetectionKind kind,
                      SensorTile::Column& log_sum)
 {
   ofKind<LogGaussians>(kind, tile, sightings, 8, log_sum);
 }
 
 MRPT_EXT_VECTOR_CLONES
-void addDensities(const SensorTile& tile, std::span<const Sighting> sightings, SightingKind kind,
+void addDensities(const SensorTile& tile, std::span<const PreparedDetection> sightings, DetectionKind kind,
                   SensorTile::Column& sum)
 {
   ofKind<Densities>(kind, tile, sightings, 4, sum);
 }
 
-void addBroadDensities(const SensorTile& tile, std::span<const Sighting> sightings, SightingKind kind,
+void addBroadDensities(const SensorTile& tile, std::span<const PreparedDetection> sightings, DetectionKind kind,
                        const Matrix2d& carried, const ViewLimits& limits, SensorTile::Column& sum)
 {
   const CarriedCovariance covariance{static_cast<float>(carried(0, 0)), static_cast<float>(carried(0, 1)),

@@ -81,14 +81,14 @@ SensorBounds boundsOf(std::span<const SensorTile> tiles)
   const Interval scale = intervalOf(tiles, &SensorTile::range_scale),
                  shift = intervalOf(tiles, &SensorTile::range_shift);
   const Sector heading = sectorOf(tiles, &SensorTile::cosine, &SensorTile::sine);
-  const Sector told = sectorOf(tiles, &SensorTile::told_cosine, &SensorTile::told_sine);
+  const Sector told = sectorOf(tiles, &SensorTile::bearing_frame_cosine, &SensorTile::bearing_frame_sine);
   const double half_x = 0.5 * (double{x.high} - double{x.low}), half_y = 0.5 * (double{y.high} - double{y.low});
   return {.x = double{x.low} + half_x,
           .y = double{y.low} + half_y,
           .radius = std::hypot(half_x, half_y) * (1 + kRounding) + 1e-9,
           .heading = heading.middle,
           .half_turn = heading.half,
-          .told_heading = told.middle,
+          .bearing_heading = told.middle,
           .told_half_turn = told.half,
           .scale_low = scale.low,
           .scale_high = scale.high,
@@ -96,7 +96,7 @@ SensorBounds boundsOf(std::span<const SensorTile> tiles)
           .shift_high = shift.high};
 }
 
-LandmarkWindow::LandmarkWindow(const LandmarkTable& map, const SightingFrame& frame)
+LandmarkCulling::LandmarkCulling(const LandmarkTable& map, const ScoringFrame& frame)
 {
   const double carried = Eigen::SelfAdjointEigenSolver<Matrix2d>(frame.carried_covariance).eigenvalues().maxCoeff();
   for (const Landmark& landmark : map.all())
@@ -110,7 +110,7 @@ LandmarkWindow::LandmarkWindow(const LandmarkTable& map, const SightingFrame& fr
   for (auto* column : {&direction_, &half_width_, &nearest_, &farthest_, &bearing_spread_}) column->resize(x_.size());
 }
 
-void LandmarkWindow::look(const SensorBounds& bounds, const ViewLimits& limits)
+void LandmarkCulling::look(const SensorBounds& bounds, const ViewLimits& limits)
 {
   bounds_ = bounds;
   const auto radius = static_cast<float>(bounds.radius);
@@ -126,7 +126,7 @@ void LandmarkWindow::look(const SensorBounds& bounds, const ViewLimits& limits)
   classify(limits);
 }
 
-void LandmarkWindow::classify(const ViewLimits& limits)
+void LandmarkCulling::classify(const ViewLimits& limits)
 {
   in_view_.assign(x_.size(), InView::surely);
   if (!limits.any()) return;
@@ -143,10 +143,10 @@ void LandmarkWindow::classify(const ViewLimits& limits)
   }
 }
 
-void LandmarkWindow::findNear(const Detection& detection, double cut, std::span<const std::uint32_t> candidates,
-                              std::vector<std::uint32_t>& near) const
+void LandmarkCulling::findNear(const Detection& detection, double cut, std::span<const std::uint32_t> candidates,
+                               std::vector<std::uint32_t>& near) const
 {
-  const auto bearing = static_cast<float>(wrap(detection.bearing.value_or(0) + bounds_.told_heading));
+  const auto bearing = static_cast<float>(wrap(detection.bearing.value_or(0) + bounds_.bearing_heading));
   const auto turn = static_cast<float>(bounds_.told_half_turn + kRounding), c = static_cast<float>(cut);
   const auto var_bearing = static_cast<float>(square(detection.std_bearing));
   const auto var_range = static_cast<float>(square(detection.std_range));

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "mrpt_ext/likelihood/sensor_tile.h"
 #include "mrpt_ext/likelihood/prepared_detection.h"
+#include "mrpt_ext/likelihood/sensor_tile.h"
 #include "mrpt_ext/likelihood/visibility_limits.h"
 
 namespace mrpt_ext
@@ -13,11 +13,11 @@ namespace mrpt_ext
 /// Where the sensors of some tiles are, together: a circle, a sector of headings, and the systematic errors.
 struct SensorBounds
 {
-  double x = 0, y = 0, radius = 0;                ///< [m] from the origin
-  double heading = 0, half_turn = kPi;            ///< [rad] of the sensors
-  double told_heading = 0, told_half_turn = kPi;  ///< [rad] that bearings are told from
-  double scale_low = 1, scale_high = 1;           ///< of ranges
-  double shift_low = 0, shift_high = 0;           ///< [m] of ranges
+  double x = 0, y = 0, radius = 0;                   ///< [m] from the origin
+  double heading = 0, half_turn = kPi;               ///< [rad] of the sensors
+  double bearing_heading = 0, told_half_turn = kPi;  ///< [rad] that bearings are told from
+  double scale_low = 1, scale_high = 1;              ///< of ranges
+  double shift_low = 0, shift_high = 0;              ///< [m] of ranges
 };
 
 [[nodiscard]] SensorBounds boundsOf(std::span<const SensorTile> tiles);
@@ -32,10 +32,10 @@ enum class InView : std::uint8_t
 
 /// The landmarks of a map from the point of view of sensors close to each other: which of them can be in view, and
 /// which can have given a detection. Bounds, never estimates: what is left out is left out for every sensor.
-class LandmarkWindow
+class LandmarkCulling
 {
  public:
-  LandmarkWindow(const LandmarkTable& map, const SightingFrame& frame);
+  LandmarkCulling(const LandmarkTable& map, const ScoringFrame& frame);
 
   /// Turns to these sensors.
   void look(const SensorBounds& bounds, const ViewLimits& limits);

@@ -32,10 +32,10 @@ LandmarkPrediction predict(const Landmark& landmark, const Reading& reading, con
 
   const double ux = dx / horizontal, uy = dy / horizontal;  // line of sight in the world
   Matrix2d position_covariance = landmark.stddev.cwiseAbs2().asDiagonal();
-  if (!reading.offset_covariance.isZero(0))
+  if (!reading.sensor_position_covariance.isZero(0))
   {
     const Matrix2d R = rotation(robot.phi);
-    position_covariance += R * reading.offset_covariance * R.transpose();
+    position_covariance += R * reading.sensor_position_covariance * R.transpose();
   }
   const Matrix2d& C = position_covariance;
   const double along = ux * ux * C(0, 0) + 2 * ux * uy * C(0, 1) + uy * uy * C(1, 1);

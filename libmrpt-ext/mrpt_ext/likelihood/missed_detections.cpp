@@ -19,7 +19,7 @@ double logIdentified(const Reading& reading, const LandmarkTable& map, std::span
   const double detection_probability = *reading.model.detection_probability;
   double log_probability = 0;
   for (std::size_t j = 0; j < map.size(); ++j)
-    if (map[j].id != kNoId || reading.detections.empty())  // where nothing is seen, nameless ones are missed too
+    if (map[j].id != kNoId || reading.detections.empty())  // where nothing is seen, anonymous ones are missed too
       log_probability +=
           std::log(reportProbability(detection_probability * predictions[j].chance, isReported(reading, map[j])));
   return log_probability;

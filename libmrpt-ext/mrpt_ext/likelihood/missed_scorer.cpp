@@ -26,7 +26,7 @@ void addLogOfCount(const SensorTile::Column& mean, const SensorTile::Column& var
 }
 }  // namespace
 
-MissedScorer::MissedScorer(const Reading& reading, const LandmarkTable& map, const SightingFrame& frame)
+MissedScorer::MissedScorer(const Reading& reading, const LandmarkTable& map, const ScoringFrame& frame)
     : reading_(reading),
       map_(map),
       frame_(frame),
@@ -38,7 +38,7 @@ MissedScorer::MissedScorer(const Reading& reading, const LandmarkTable& map, con
     if (const auto known = map.indexOf(detection.id)) reported_[*known] = 1;
 }
 
-void MissedScorer::prepare(const LandmarkWindow& window, Terms& terms) const
+void MissedScorer::prepare(const LandmarkCulling& window, Terms& terms) const
 {
   const double detected = *reading_.model.detection_probability;
   terms.rim.clear();

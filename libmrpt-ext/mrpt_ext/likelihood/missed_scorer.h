@@ -10,7 +10,7 @@ namespace mrpt_ext
 class MissedScorer
 {
  public:
-  MissedScorer(const Reading& reading, const LandmarkTable& map, const SightingFrame& frame);
+  MissedScorer(const Reading& reading, const LandmarkTable& map, const ScoringFrame& frame);
 
   /// What is summed for one block.
   struct Terms
@@ -20,13 +20,13 @@ class MissedScorer
     double mean = 0, variance = 0;  ///< likewise, of the count
   };
 
-  void prepare(const LandmarkWindow& window, Terms& terms) const;
+  void prepare(const LandmarkCulling& window, Terms& terms) const;
   void addTo(const SensorTile& tile, const Terms& terms, SensorTile::Column& log_sum) const;
 
  private:
   const Reading& reading_;
   const LandmarkTable& map_;
-  const SightingFrame& frame_;
+  const ScoringFrame& frame_;
   ViewLimits limits_;
   bool identified_;
   std::vector<std::uint8_t> reported_;  // per landmark of the map

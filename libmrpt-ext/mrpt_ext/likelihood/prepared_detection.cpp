@@ -22,7 +22,8 @@ double peakOf(const Detection& detection, double clutter)
   return peak;
 }
 
-Sighting sightingOf(const Detection& detection, const Landmark& landmark, double clutter, const SightingFrame& frame)
+PreparedDetection sightingOf(const Detection& detection, const Landmark& landmark, double clutter,
+                             const ScoringFrame& frame)
 {
   const double rise = frame.horizontal_range ? 0.0 : landmark.position.z() - frame.sensor_height;
   const double bearing = detection.bearing.value_or(0), range = detection.range.value_or(0);

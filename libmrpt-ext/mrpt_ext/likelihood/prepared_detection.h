@@ -6,25 +6,25 @@
 namespace mrpt_ext
 {
 /// What the likelihood of one reading has in common for all its detections and all robots.
-struct SightingFrame
+struct ScoringFrame
 {
   Vector2d origin{0, 0};                           ///< [m] of the batch, in the map frame
   double sensor_height = 0;                        ///< [m]
   bool horizontal_range = false;                   ///< no slant
   Matrix2d carried_covariance = Matrix2d::Zero();  ///< of the sensor position, axes of the sensor
 
-  SightingFrame(const Reading& reading, const Vector2d& batch_origin)
+  ScoringFrame(const Reading& reading, const Vector2d& batch_origin)
       : origin(batch_origin), sensor_height(reading.sensor_height), horizontal_range(reading.horizontal_range)
   {
     const Matrix2d R = rotation(-reading.T_robot_sensor.phi);
-    carried_covariance = R * reading.offset_covariance * R.transpose();
+    carried_covariance = R * reading.sensor_position_covariance * R.transpose();
   }
 };
 
 /// One detection taken as one landmark: all that does not depend on the robot, in single precision.
 /// With e the clutter probability, s the expected share of the detection that is this landmark and V the volume of the
 /// measurement space, the detection's likelihood is s (1 - e) N + s e / V summed over the landmarks it may show.
-struct Sighting
+struct PreparedDetection
 {
   float landmark_x, landmark_y;  ///< [m] from the origin
   float rise2;                   ///< [m^2] squared height of the landmark above the sensor
@@ -40,7 +40,7 @@ struct Sighting
 };
 
 /// Which components a detection has, and whether only the sensor's own noise counts.
-struct SightingKind
+struct DetectionKind
 {
   bool bearing = false, range = false;
   bool sharp = false;  ///< constant variances, bearings to kSharpBearing or better
@@ -50,8 +50,8 @@ struct SightingKind
 /// exp(-(0.5236 / 0.068)^2 / 2) = 1e-13.
 inline constexpr double kSharpBearing = 0.068;
 
-[[nodiscard]] inline SightingKind kindOf(const Detection& detection, const Landmark& landmark,
-                                         const SightingFrame& frame)
+[[nodiscard]] inline DetectionKind kindOf(const Detection& detection, const Landmark& landmark,
+                                          const ScoringFrame& frame)
 {
   const bool constant = landmark.stddev.isZero(0) && frame.carried_covariance.isZero(0);
   return {detection.bearing.has_value(), detection.range.has_value(),
@@ -59,8 +59,8 @@ inline constexpr double kSharpBearing = 0.068;
 }
 
 /// Likewise unscaled and without a floor, as for a detection that may show several. `clutter`: of the landmark, (0, 1].
-[[nodiscard]] Sighting sightingOf(const Detection& detection, const Landmark& landmark, double clutter,
-                                  const SightingFrame& frame);
+[[nodiscard]] PreparedDetection sightingOf(const Detection& detection, const Landmark& landmark, double clutter,
+                                           const ScoringFrame& frame);
 
 /// (1 - e) times the greatest density of Nfrom the sensor's noise alone.
 [[nodiscard]] double peakOf(const Detection& detection, double clutter);

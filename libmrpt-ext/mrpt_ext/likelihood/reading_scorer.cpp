@@ -19,7 +19,7 @@ bool isNamed(const Detection& detection) { return detection.id != kNoId; }
 struct ReadingScorer::BlockTerms
 {
   std::vector<SensorTile> tiles = std::vector<SensorTile>(kBlockTiles);
-  std::optional<LandmarkWindow> window;
+  std::optional<LandmarkCulling> window;
   UnidentifiedScorer::Terms unidentified;
   MissedScorer::Terms missed;
 };
@@ -48,8 +48,8 @@ ReadingScorer::ReadingScorer(const Reading& reading, const LandmarkTable& map, c
 void ReadingScorer::addIdentified(const Detection& detection, std::size_t landmark, double volume)
 {
   const double clutter = clutterOf(clutter_, reading_.model, landmark);
-  const SightingKind kind = kindOf(detection, map_[landmark], frame_);
-  Sighting sighting = sightingOf(detection, map_[landmark], clutter, frame_);
+  const DetectionKind kind = kindOf(detection, map_[landmark], frame_);
+  PreparedDetection sighting = sightingOf(detection, map_[landmark], clutter, frame_);
   double scale = 1;
   if (kind.sharp)
   {
@@ -64,7 +64,7 @@ void ReadingScorer::addIdentified(const Detection& detection, std::size_t landma
   group.sightings.push_back(sighting);
 }
 
-ReadingScorer::Group& ReadingScorer::groupOf(const SightingKind& kind)
+ReadingScorer::Group& ReadingScorer::groupOf(const DetectionKind& kind)
 {
   const auto same = [&](const Group& group)
   { return group.kind.bearing == kind.bearing && group.kind.range == kind.range && group.kind.sharp == kind.sharp; };
@@ -112,7 +112,7 @@ void ReadingScorer::scoreTile(const SensorTile& tile, const BlockTerms& terms, S
       addLogMixtures(tile, group.sightings, group.kind, group.together, log_sum);
       continue;
     }
-    for (const Sighting& sighting : group.sightings)
+    for (const PreparedDetection& sighting : group.sightings)
     {
       std::fill_n(density, kTile, 0.0F);
       // An identified detection was reported, so it was in view, whatever the declared limits say.

@@ -31,15 +31,15 @@ class ReadingScorer
   /// Identified detections of one kind that are scored by one kernel.
   struct Group
   {
-    SightingKind kind;
+    DetectionKind kind;
     int together = 8;  ///< see mayGoTogether()
-    std::vector<Sighting> sightings;
+    std::vector<PreparedDetection> sightings;
   };
   /// What is summed for one block of tiles.
   struct BlockTerms;
 
   void addIdentified(const Detection& detection, std::size_t landmark, double volume);
-  Group& groupOf(const SightingKind& kind);
+  Group& groupOf(const DetectionKind& kind);
   void scoreBlock(const PoseBatch& robots, std::size_t first, std::size_t count, BlockTerms& terms,
                   std::span<float> log_likelihood) const;
   void scoreTile(const SensorTile& tile, const BlockTerms& terms, SensorTile::Column& log_sum) const;
@@ -47,7 +47,7 @@ class ReadingScorer
   const Reading& reading_;
   const LandmarkTable& map_;
   const LandmarkClutter& clutter_;
-  SightingFrame frame_;
+  ScoringFrame frame_;
   double default_max_range_;
   double constant_ = 0;  // what is the same for every robot
   std::vector<Group> groups_;

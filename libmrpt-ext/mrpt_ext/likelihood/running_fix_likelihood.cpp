@@ -40,7 +40,7 @@ std::vector<Reading> asReadings(const RunningFixReading& fix)
   Reading first = withoutDetections(fix);
   first.time = fix.first_time;
   first.T_robot_sensor = compose(inverse(fix.displacement), fix.T_robot_sensor);
-  first.offset_covariance = firstPositionCovariance(fix, first.T_robot_sensor.position());
+  first.sensor_position_covariance = firstPositionCovariance(fix, first.T_robot_sensor.position());
   first.detections = {{.id = fix.id, .range = fix.first_range, .std_range = fix.first_std}};
   return {first, second};
 }

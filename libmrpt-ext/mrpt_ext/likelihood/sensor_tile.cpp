@@ -47,8 +47,8 @@ void placeSensors(const float* x, const float* y, const float* phi, const Sensor
     const auto [s, c] = vector_math::sineCosineOf(phi[i]);
     tile.x[i] = x[i] + c * at.x - s * at.y;
     tile.y[i] = y[i] + s * at.x + c * at.y;
-    tile.cosine[i] = tile.told_cosine[i] = c * at.yaw_cosine - s * at.yaw_sine;
-    tile.sine[i] = tile.told_sine[i] = s * at.yaw_cosine + c * at.yaw_sine;
+    tile.cosine[i] = tile.bearing_frame_cosine[i] = c * at.yaw_cosine - s * at.yaw_sine;
+    tile.sine[i] = tile.bearing_frame_sine[i] = s * at.yaw_cosine + c * at.yaw_sine;
   }
 }
 
@@ -59,8 +59,8 @@ void turnTold(const SensorTile::Column& bearing_offset, SensorTile& tile)
   for (std::size_t i = 0; i < kSize; ++i)
   {
     const auto [s, c] = vector_math::sineCosineOf(bearing_offset[i]);
-    tile.told_cosine[i] = tile.cosine[i] * c + tile.sine[i] * s;
-    tile.told_sine[i] = tile.sine[i] * c - tile.cosine[i] * s;
+    tile.bearing_frame_cosine[i] = tile.cosine[i] * c + tile.sine[i] * s;
+    tile.bearing_frame_sine[i] = tile.sine[i] * c - tile.cosine[i] * s;
   }
 }
 

@@ -15,9 +15,10 @@ struct alignas(64) SensorTile
   static constexpr std::size_t kSize = 128;
   using Column = float[kSize];
 
-  Column x, y;                          ///< [m] sensor position from the origin of the batch
-  Column cosine, sine;                  ///< of the sensor's heading
-  Column told_cosine, told_sine;        ///< of the heading that bearings are told from: turned by the bearing's offset
+  Column x, y;          ///< [m] sensor position from the origin of the batch
+  Column cosine, sine;  ///< of the sensor's heading
+  Column bearing_frame_cosine,
+      bearing_frame_sine;               ///< of the heading that bearings are told from: turned by the bearing's offset
   Column range_scale{}, range_shift{};  ///< measured range = scale * true range + shift
 };
 

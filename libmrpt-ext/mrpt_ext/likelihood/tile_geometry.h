@@ -1,7 +1,7 @@
 #pragma once
 
-#include "mrpt_ext/likelihood/sensor_tile.h"
 #include "mrpt_ext/likelihood/prepared_detection.h"
+#include "mrpt_ext/likelihood/sensor_tile.h"
 #include "mrpt_ext/likelihood/vector_math.h"
 #include "mrpt_ext/likelihood/visibility_limits.h"
 

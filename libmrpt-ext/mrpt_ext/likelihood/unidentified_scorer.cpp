@@ -32,7 +32,7 @@ void addLogOfShares(const SensorTile::Column& density, const SensorTile::Column&
 }  // namespace
 
 UnidentifiedScorer::UnidentifiedScorer(const Reading& reading, const LandmarkTable& map, const LandmarkClutter& clutter,
-                                       const SightingFrame& frame, double default_max_range)
+                                       const ScoringFrame& frame, double default_max_range)
     : reading_(reading), map_(map), clutter_(clutter), frame_(frame), limits_(reading.model)
 {
   for (const Detection& detection : reading.detections)
@@ -65,7 +65,7 @@ std::size_t UnidentifiedScorer::setOf(const Detection& detection)
   return sets_.size() - 1;
 }
 
-void UnidentifiedScorer::prepare(const LandmarkWindow& window, Terms& terms) const
+void UnidentifiedScorer::prepare(const LandmarkCulling& window, Terms& terms) const
 {
   terms.sets.resize(sets_.size());
   for (std::size_t k = 0; k < sets_.size(); ++k)
@@ -96,7 +96,7 @@ void UnidentifiedScorer::prepare(const LandmarkWindow& window, Terms& terms) con
     window.findNear(*unidentified.detection, unidentified.cut, sets_[unidentified.set].landmarks, terms.near);
     for (const std::uint32_t j : terms.near)
     {
-      const Sighting sighting =
+      const PreparedDetection sighting =
           sightingOf(*unidentified.detection, map_[j], clutterOf(clutter_, reading_.model, j), frame_);
       const bool simple =
           window.inView()[j] == InView::surely && kindOf(*unidentified.detection, map_[j], frame_).sharp;
@@ -119,7 +119,7 @@ void UnidentifiedScorer::addTo(const SensorTile& tile, const Terms& terms, Senso
       std::fill_n(clutter, SensorTile::kSize, terms.sets[summed_set].sure_clutter);
       addChances(tile, terms.sets[summed_set].rim, limits_, chance, clutter);
     }
-    const SightingKind kind{unidentified.detection->bearing.has_value(), unidentified.detection->range.has_value()};
+    const DetectionKind kind{unidentified.detection->bearing.has_value(), unidentified.detection->range.has_value()};
     std::fill_n(density, SensorTile::kSize, 0.0F);
     addDensities(tile, terms.sums[d].sharp, kind, density);
     addBroadDensities(tile, terms.sums[d].broad, kind, frame_.carried_covariance, limits_, density);

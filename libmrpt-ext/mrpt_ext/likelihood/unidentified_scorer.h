@@ -21,7 +21,7 @@ class UnidentifiedScorer
   static constexpr double kNeglected = 1e-4;
 
   UnidentifiedScorer(const Reading& reading, const LandmarkTable& map, const LandmarkClutter& clutter,
-                     const SightingFrame& frame, double default_max_range);
+                     const ScoringFrame& frame, double default_max_range);
 
   /// What is summed for one block.
   struct Terms
@@ -33,7 +33,7 @@ class UnidentifiedScorer
     };
     struct Sum  ///< of one detection
     {
-      std::vector<Sighting> sharp, broad;
+      std::vector<PreparedDetection> sharp, broad;
     };
     std::vector<Set> sets;
     std::vector<Sum> sums;
@@ -41,7 +41,7 @@ class UnidentifiedScorer
   };
 
   [[nodiscard]] bool empty() const { return detections_.empty(); }
-  void prepare(const LandmarkWindow& window, Terms& terms) const;
+  void prepare(const LandmarkCulling& window, Terms& terms) const;
   void addTo(const SensorTile& tile, const Terms& terms, SensorTile::Column& log_sum) const;
 
  private:
@@ -65,7 +65,7 @@ class UnidentifiedScorer
   const Reading& reading_;
   const LandmarkTable& map_;
   const LandmarkClutter& clutter_;
-  const SightingFrame& frame_;
+  const ScoringFrame& frame_;
   ViewLimits limits_;
   std::vector<CandidateSet> sets_;
   std::vector<Unidentified> detections_;

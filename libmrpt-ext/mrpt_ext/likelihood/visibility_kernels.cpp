@@ -70,7 +70,7 @@ template <bool LimitsBearing>
 }
 }  // namespace
 
-ViewedLandmark viewedLandmark(const Landmark& landmark, const SightingFrame& frame, double clutter)
+ViewedLandmark viewedLandmark(const Landmark& landmark, const ScoringFrame& frame, double clutter)
 {
   const double rise = frame.horizontal_range ? 0.0 : landmark.position.z() - frame.sensor_height;
   return {.x = static_cast<float>(landmark.position.x() - frame.origin.x()),

@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "mrpt_ext/likelihood/sensor_tile.h"
 #include "mrpt_ext/likelihood/prepared_detection.h"
+#include "mrpt_ext/likelihood/sensor_tile.h"
 #include "mrpt_ext/likelihood/visibility_limits.h"
 
 /// Sums over landmarks at the rim of view, for all robots of a tile.
@@ -18,7 +18,7 @@ struct ViewedLandmark
   float base = 0, gain = 0;  ///< probability of what was reported of it = base + gain * chance to be in view
 };
 
-[[nodiscard]] ViewedLandmark viewedLandmark(const Landmark& landmark, const SightingFrame& frame, double clutter = 0);
+[[nodiscard]] ViewedLandmark viewedLandmark(const Landmark& landmark, const ScoringFrame& frame, double clutter = 0);
 
 /// chance += sum of the chances c, clutter += sum of c times the landmark's clutter.
 void addChances(const SensorTile& tile, std::span<const ViewedLandmark> landmarks, const ViewLimits& limits,

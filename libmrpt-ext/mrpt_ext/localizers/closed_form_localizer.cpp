@@ -20,7 +20,7 @@ Estimate estimateFrom(ClosedFormAnswer answer, double time)
   const PoseHypothesis& best = estimate.candidates.front();
   estimate.ambiguous = estimate.candidates.size() > 1 && best.log_score - estimate.candidates[1].log_score < kSameScore;
   if (estimate.ambiguous) return estimate;
-  TrackPoint point{.time = time, .pose = best.pose, .heading_known = best.heading_known};
+  PoseEstimate point{.time = time, .pose = best.pose, .heading_known = best.heading_known};
   if (!best.heading_known) point.pose.covariance(2, 2) = kAnyHeadingVariance;
   point.modes = static_cast<int>(estimate.candidates.size());
   point.best_weight = best.weight;

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <map>
 
-#include "mrpt_ext/hypotheses/window_readings.h"
-#include "mrpt_ext/hypotheses/propose_from_association.h"
 #include "mrpt_ext/hypotheses/landmark_measurement.h"
+#include "mrpt_ext/hypotheses/propose_from_association.h"
 #include "mrpt_ext/hypotheses/propose_from_window.h"
+#include "mrpt_ext/hypotheses/window_readings.h"
 #include "mrpt_ext/solvers/bearing_pose_linear.h"
 #include "mrpt_ext/solvers/pose_from_landmarks.h"
 #include "mrpt_ext/solvers/pose_information.h"
@@ -18,14 +18,14 @@ namespace mrpt_ext
 namespace
 {
 /// Means of repeated sightings of one landmark by one sensor place, in the order of first appearance.
-std::vector<LandmarkSighting> averaged(const std::vector<LandmarkSighting>& sightings)
+std::vector<LandmarkMeasurement> averaged(const std::vector<LandmarkMeasurement>& sightings)
 {
-  std::vector<std::vector<LandmarkSighting>> groups;
-  for (const LandmarkSighting& s : sightings)
+  std::vector<std::vector<LandmarkMeasurement>> groups;
+  for (const LandmarkMeasurement& s : sightings)
   {
-    const auto same = [&](const std::vector<LandmarkSighting>& group)
+    const auto same = [&](const std::vector<LandmarkMeasurement>& group)
     {
-      const LandmarkSighting& other = group.front();
+      const LandmarkMeasurement& other = group.front();
       return other.landmark == s.landmark && other.T_robot_sensor.vector() == s.T_robot_sensor.vector() &&
              other.bearing.has_value() == s.bearing.has_value() && other.range.has_value() == s.range.has_value();
     };
@@ -35,13 +35,13 @@ std::vector<LandmarkSighting> averaged(const std::vector<LandmarkSighting>& sigh
     else
       group->push_back(s);
   }
-  std::vector<LandmarkSighting> result;
+  std::vector<LandmarkMeasurement> result;
   for (const auto& group : groups)
   {
-    LandmarkSighting mean = group.front();
+    LandmarkMeasurement mean = group.front();
     const auto n = static_cast<double>(group.size());
     double turned = 0, range = 0;
-    for (const LandmarkSighting& s : group)
+    for (const LandmarkMeasurement& s : group)
     {
       if (mean.bearing) turned += wrap(*s.bearing - *group.front().bearing) / n;
       if (mean.range) range += *s.range / n;
@@ -55,11 +55,11 @@ std::vector<LandmarkSighting> averaged(const std::vector<LandmarkSighting>& sigh
   return result;
 }
 
-std::vector<LandmarkSighting> bearingsOf(const Frame& frame, const LandmarkTable& map)
+std::vector<LandmarkMeasurement> bearingsOf(const Frame& frame, const LandmarkTable& map)
 {
-  std::vector<LandmarkSighting> bearings = identifiedSightings(frame.readings, map);
-  std::erase_if(bearings, [](const LandmarkSighting& s) { return !s.bearing; });
-  for (LandmarkSighting& s : bearings) s.range.reset();
+  std::vector<LandmarkMeasurement> bearings = identifiedSightings(frame.readings, map);
+  std::erase_if(bearings, [](const LandmarkMeasurement& s) { return !s.bearing; });
+  for (LandmarkMeasurement& s : bearings) s.range.reset();
   return averaged(bearings);
 }
 
@@ -70,15 +70,15 @@ struct WorkingFrame
   std::vector<KnownBearing> bearings;
 };
 
-WorkingFrame workingFrame(const std::vector<LandmarkSighting>& sightings)
+WorkingFrame workingFrame(const std::vector<LandmarkMeasurement>& sightings)
 {
   WorkingFrame frame;
   const Pose2& first = sightings.front().T_robot_sensor;
   const bool single =
       std::all_of(sightings.begin(), sightings.end(),
-                  [&](const LandmarkSighting& s) { return s.T_robot_sensor.vector() == first.vector(); });
+                  [&](const LandmarkMeasurement& s) { return s.T_robot_sensor.vector() == first.vector(); });
   if (single) frame.T_robot_frame = first;
-  for (const LandmarkSighting& s : sightings)
+  for (const LandmarkMeasurement& s : sightings)
     frame.bearings.push_back(
         {s.position, single ? *s.bearing : wrap(*s.bearing + s.T_robot_sensor.phi), s.std_bearing});
   return frame;
@@ -97,27 +97,27 @@ void refineJoined(HypothesisSet& candidates, std::vector<Reading> readings, cons
   for (Reading& reading : readings)
     for (Detection& detection : reading.detections) detection.range.reset();
   for (PoseHypothesis& h : candidates)
-    if (const auto refined = refineOnJoined(readings, map, h.pose.mean)) h.pose = *refined;
+    if (const auto refined = refineOnWindow(readings, map, h.pose.mean)) h.pose = *refined;
 }
 
-const auto kAnySighting = [](const LandmarkSighting&) { return true; };
+const auto kAnySighting = [](const LandmarkMeasurement&) { return true; };
 
 /// True when bearings give a pose: of three landmarks, or of two when they are seen from several places on the robot
 /// (paper 001's cameras).
-bool giveAPose(const std::vector<LandmarkSighting>& bearings)
+bool giveAPose(const std::vector<LandmarkMeasurement>& bearings)
 {
   const std::size_t landmarks = distinctLandmarks(bearings, kAnySighting);
   if (landmarks != 2) return landmarks > 2;
   return bearings.size() > 2 &&
          std::any_of(bearings.begin(), bearings.end(),
-                     [&](const LandmarkSighting& s)
+                     [&](const LandmarkMeasurement& s)
                      { return s.T_robot_sensor.position() != bearings.front().T_robot_sensor.position(); });
 }
 }  // namespace
 
 ClosedFormAnswer bearingLeastSquares(const Frame& frame, const LandmarkTable& map)
 {
-  const std::vector<LandmarkSighting> sightings = bearingsOf(frame, map);
+  const std::vector<LandmarkMeasurement> sightings = bearingsOf(frame, map);
   if (distinctLandmarks(sightings, kAnySighting) < 3) return {};
   const WorkingFrame work = workingFrame(sightings);
   const BearingPoseLinear fit = solveBearingPoseLinear(work.bearings);
@@ -130,29 +130,29 @@ ClosedFormAnswer bearingLeastSquares(const Frame& frame, const LandmarkTable& ma
 
 ClosedFormAnswer bearingMaximumLikelihood(const Frame& frame, const LandmarkTable& map)
 {
-  const std::vector<LandmarkSighting> sightings = bearingsOf(frame, map);
+  const std::vector<LandmarkMeasurement> sightings = bearingsOf(frame, map);
   if (!giveAPose(sightings)) return {};
   // A frame in doubt is answered too, and says so by its status.
-  const IdentifiedPose solved = solveIdentifiedPose(poseMeasurements(sightings));
+  const IdentifiedPose solved = solvePoseFromLandmarks(poseMeasurements(sightings));
   ClosedFormAnswer answer{.status = solved.status};
   for (const PoseCandidate& candidate : solved.candidates)
     answer.candidates.push_back(
         {.pose = candidate.pose, .log_score = -0.5 * candidate.chi2, .source = "bearing_maximum_likelihood"});
-  if (areJoined(frame.readings)) refineJoined(answer.candidates, frame.readings, map);
+  if (isWindow(frame.readings)) refineJoined(answer.candidates, frame.readings, map);
   return answer;
 }
 
 ClosedFormAnswer rangeLeastSquares(const Frame& frame, const LandmarkTable& map, const PoseRegion& region)
 {
-  std::vector<LandmarkSighting> sightings = identifiedSightings(frame.readings, map);
-  std::erase_if(sightings, [](const LandmarkSighting& s) { return !s.range; });
-  for (LandmarkSighting& s : sightings) s.bearing.reset();
+  std::vector<LandmarkMeasurement> sightings = identifiedSightings(frame.readings, map);
+  std::erase_if(sightings, [](const LandmarkMeasurement& s) { return !s.range; });
+  for (LandmarkMeasurement& s : sightings) s.bearing.reset();
   sightings = averaged(sightings);
   if (distinctLandmarks(sightings, kAnySighting) < 2) return {};
   // Without a heading the sensor's offset on the robot points anywhere: it widens the covariance instead.
   std::vector<KnownRange> ranges;
   double offset = 0;
-  for (const LandmarkSighting& s : sightings)
+  for (const LandmarkMeasurement& s : sightings)
   {
     ranges.push_back({s.position, *s.range, s.std_range});
     offset = std::max(offset, s.T_robot_sensor.position().norm());
@@ -172,17 +172,17 @@ ClosedFormAnswer rangeLeastSquares(const Frame& frame, const LandmarkTable& map,
 
 ClosedFormAnswer twoLandmarkPose(const Frame& frame, const LandmarkTable& map)
 {
-  std::vector<LandmarkSighting> sightings = identifiedSightings(frame.readings, map);
-  std::erase_if(sightings, [](const LandmarkSighting& s) { return !s.hasPoint(); });
+  std::vector<LandmarkMeasurement> sightings = identifiedSightings(frame.readings, map);
+  std::erase_if(sightings, [](const LandmarkMeasurement& s) { return !s.hasPoint(); });
   sightings = averaged(sightings);
   if (distinctLandmarks(sightings, kAnySighting) < 2) return {};
   std::vector<SeenLandmark> seen;
-  for (const LandmarkSighting& s : sightings) seen.push_back({s.position, {s.pointInRobot(), s.pointCovariance()}});
+  for (const LandmarkMeasurement& s : sightings) seen.push_back({s.position, {s.pointInRobot(), s.pointCovariance()}});
   const PointPose fit = solvePointPose(seen);
   return single(fit.status, fit.pose, "two_landmark_pose");
 }
 
-ClosedFormAnswer interpretationTree(const Frame& frame, const LandmarkTable& map, const LostRobotSearch& search,
+ClosedFormAnswer interpretationTree(const Frame& frame, const LandmarkTable& map, const GlobalPoseSearch& search,
                                     const PoseRegion& region)
 {
   ReadingInterpretation found = interpretReadings(frame.readings, map, search, region);

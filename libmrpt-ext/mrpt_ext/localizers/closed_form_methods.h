@@ -29,5 +29,5 @@ namespace mrpt_ext
 /// Search over the unidentified detections of a frame (paper 000 sec. 3, at any scale: global_pose_search.h): all
 /// consistent poses in the region. `search` must be of `map`.
 [[nodiscard]] ClosedFormAnswer interpretationTree(const Frame& frame, const LandmarkTable& map,
-                                                  const LostRobotSearch& search, const PoseRegion& region);
+                                                  const GlobalPoseSearch& search, const PoseRegion& region);
 }  // namespace mrpt_ext

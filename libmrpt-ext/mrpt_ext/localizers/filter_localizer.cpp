@@ -22,12 +22,12 @@ Estimate estimateFrom(const FilterStep& step, double time)
   if (estimate.candidates.empty()) return estimate;
   estimate.status = SolveStatus::ok;
   estimate.ambiguous = step.verdict == Verdict::ambiguous;
-  estimate.point = TrackPoint{.time = time,
-                              .pose = estimate.candidates.front().pose,
-                              .modes = static_cast<int>(estimate.candidates.size()),
-                              .best_weight = estimate.candidates.front().weight,
-                              .effective_samples = step.effective_ratio,
-                              .verdict = step.verdict};
+  estimate.point = PoseEstimate{.time = time,
+                                .pose = estimate.candidates.front().pose,
+                                .modes = static_cast<int>(estimate.candidates.size()),
+                                .best_weight = estimate.candidates.front().weight,
+                                .effective_samples = step.effective_ratio,
+                                .verdict = step.verdict};
   return estimate;
 }
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "mrpt_ext/hypotheses/bias_inflation.h"
-#include "mrpt_ext/hypotheses/measurement_window.h"
+#include "mrpt_ext/relocalization/measurement_window.h"
 
 namespace mrpt_ext
 {
@@ -22,10 +22,10 @@ void KalmanLocalizer::remember(const Frame& frame)
 
 Proposal KalmanLocalizer::propose() const
 {
-  FrameJoiner joiner(seed_window_, motion_);
+  MeasurementWindow joiner(seed_window_, motion_);
   for (const Frame& frame : recent_) joiner.add(frame);
   Frame joined = joiner.joined();
-  joined.readings = withExpectedErrors(std::move(joined.readings), biases_);
+  joined.readings = withBiasUncertainty(std::move(joined.readings), biases_);
   Proposal proposal(proposePoses(joined, map_, *search_, {.region = region_}));
   proposal.complete = recent_.back().time - first_time_ >= seed_window_;
   return proposal;
@@ -46,11 +46,11 @@ Estimate KalmanLocalizer::process(const Frame& frame)
   estimate.ambiguous = step_.verdict == Verdict::ambiguous;
   if (estimate.candidates.size() > 1 && estimate.candidates[1].weight > kEqual * estimate.candidates[0].weight)
     return estimate;  // it cannot rank them
-  estimate.point = TrackPoint{.time = frame.time,
-                              .pose = estimate.candidates.front().pose,
-                              .modes = static_cast<int>(estimate.candidates.size()),
-                              .best_weight = estimate.candidates.front().weight,
-                              .verdict = step_.verdict};
+  estimate.point = PoseEstimate{.time = frame.time,
+                                .pose = estimate.candidates.front().pose,
+                                .modes = static_cast<int>(estimate.candidates.size()),
+                                .best_weight = estimate.candidates.front().weight,
+                                .verdict = step_.verdict};
   return estimate;
 }
 }  // namespace mrpt_ext

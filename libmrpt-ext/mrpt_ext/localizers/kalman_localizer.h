@@ -18,7 +18,7 @@ class KalmanLocalizer : public Localizer
   /// `region`: where the robot can be found; `seed_window` [s]: how far back readings are joined by odometry when
   /// hypotheses are needed; `search`: of this map.
   KalmanLocalizer(std::string name, const KalmanBankOptions& options, const LandmarkTable& map,
-                  const PoseRegion& region, double seed_window, std::shared_ptr<const LostRobotSearch> search)
+                  const PoseRegion& region, double seed_window, std::shared_ptr<const GlobalPoseSearch> search)
       : name_(std::move(name)),
         map_(map),
         region_(region),
@@ -43,7 +43,7 @@ class KalmanLocalizer : public Localizer
   std::string name_;
   LandmarkTable map_;
   PoseRegion region_;
-  std::shared_ptr<const LostRobotSearch> search_;
+  std::shared_ptr<const GlobalPoseSearch> search_;
   KalmanBank bank_;
   MotionModel motion_;
   BiasModel biases_;

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "mrpt_ext/evaluation/run_record.h"
 #include "mrpt_ext/geometry/frame.h"
+#include "mrpt_ext/geometry/pose_estimate.h"
 #include "mrpt_ext/geometry/solve_status.h"
 #include "mrpt_ext/hypotheses/pose_hypothesis.h"
 
@@ -14,9 +14,9 @@ namespace mrpt_ext
 struct Estimate
 {
   SolveStatus status = SolveStatus::too_few;
-  std::optional<TrackPoint> point;  ///< absent: no estimate, or candidates that it cannot rank
-  HypothesisSet candidates;         ///< all poses consistent with the frame, best first
-  bool ambiguous = false;           ///< several candidates, none preferred
+  std::optional<PoseEstimate> point;  ///< absent: no estimate, or candidates that it cannot rank
+  HypothesisSet candidates;           ///< all poses consistent with the frame, best first
+  bool ambiguous = false;             ///< several candidates, none preferred
 };
 
 /// One way to localize: frame in, estimate out. Never sees ground truth.

@@ -4,11 +4,7 @@ namespace mrpt_ext
 {
 Estimate OdometryLocalizer::process(const Frame& frame)
 {
-  const Pose2& step = frame.motion.increment;
-  const Matrix3d F = composeJacobianFirst(pose_.mean, step), G = composeJacobianSecond(pose_.mean);
-  pose_.covariance =
-      F * pose_.covariance * F.transpose() + G * incrementCovariance(motion_, frame.motion) * G.transpose();
-  pose_.mean = compose(pose_.mean, step);
-  return {.status = SolveStatus::ok, .point = TrackPoint{.time = frame.time, .pose = pose_}};
+  pose_ = compound(pose_, frame.motion.increment, incrementCovariance(motion_, frame.motion));
+  return {.status = SolveStatus::ok, .point = PoseEstimate{.time = frame.time, .pose = pose_}};
 }
 }  // namespace mrpt_ext

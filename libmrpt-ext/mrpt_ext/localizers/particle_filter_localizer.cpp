@@ -13,9 +13,9 @@ constexpr std::uint64_t kFewNodes = 20'000;
 
 ParticleFilterLocalizer::ParticleFilterLocalizer(const ParticleFilterOptions& options, const LandmarkTable& map,
                                                  double seed_window, std::uint64_t seed, std::uint64_t stream,
-                                                 std::shared_ptr<const LostRobotSearch> search)
+                                                 std::shared_ptr<const GlobalPoseSearch> search)
     : map_(map),
-      search_(search ? std::move(search) : std::make_shared<const LostRobotSearch>(map)),
+      search_(search ? std::move(search) : std::make_shared<const GlobalPoseSearch>(map)),
       region_(options.region),
       biases_(options.biases),
       filter_(options, map, seed, stream),
@@ -34,7 +34,7 @@ Estimate ParticleFilterLocalizer::process(const Frame& frame)
   {
     Frame joined = joiner_.joined();
     std::vector<Reading> readings = joined.readings;
-    joined.readings = withExpectedErrors(std::move(joined.readings), biases_);
+    joined.readings = withBiasUncertainty(std::move(joined.readings), biases_);
     ProposalOptions options{.region = region_};
     if (!filter_.particles().empty() || !joiner_.full()) options.max_tree_nodes = kFewNodes;
     Proposal proposal(proposePoses(joined, map_, *search_, options));
@@ -48,11 +48,11 @@ Estimate ParticleFilterLocalizer::process(const Frame& frame)
     return proposal;
   };
   const bool was_ok = step_.verdict == Verdict::ok;
-  ParticleFilter::WaySearch along_way;
-  if (way_.tellsAll()) along_way = [&] { return way_.search(step_.modes); };
+  ParticleFilter::TrajectoryHypotheses along_way;
+  if (way_.isApplicable()) along_way = [&] { return way_.search(step_.modes); };
   step_ = filter_.process(frame, propose, history_.readings(), along_way);
   if (step_.verdict != Verdict::ambiguous) history_.end();
-  if (was_ok && step_.verdict != Verdict::ok) way_.endPause();
+  if (was_ok && step_.verdict != Verdict::ok) way_.resetInterval();
   return estimateFrom(step_, frame.time);
 }
 

@@ -2,14 +2,14 @@
 
 #include "mrpt_ext/hypotheses/propose_poses.h"
 #include "mrpt_ext/localizers/filter_localizer.h"
-#include "mrpt_ext/hypotheses/measurement_window.h"
 #include "mrpt_ext/localizers/range_only_start.h"
+#include "mrpt_ext/relocalization/measurement_window.h"
 #include "mrpt_ext/relocalization/trajectory_relocalizer.h"
 
 namespace mrpt_ext
 {
 /// The batch particle filter, seeded by the closed forms over the readings of the last seconds, and by what was seen
-/// without names along the way (searchAlongWay).
+/// without names along the way (localizeOverTrajectory).
 class ParticleFilterLocalizer : public FilterLocalizer
 {
  public:
@@ -17,7 +17,7 @@ class ParticleFilterLocalizer : public FilterLocalizer
   /// to share its index between filters; absent: one of its own.
   ParticleFilterLocalizer(const ParticleFilterOptions& options, const LandmarkTable& map, double seed_window,
                           std::uint64_t seed, std::uint64_t stream = 0,
-                          std::shared_ptr<const LostRobotSearch> search = nullptr);
+                          std::shared_ptr<const GlobalPoseSearch> search = nullptr);
 
   Estimate process(const Frame& frame) override;
   [[nodiscard]] const FilterStep& lastStep() const override { return step_; }
@@ -26,13 +26,13 @@ class ParticleFilterLocalizer : public FilterLocalizer
 
  private:
   LandmarkTable map_;
-  std::shared_ptr<const LostRobotSearch> search_;
+  std::shared_ptr<const GlobalPoseSearch> search_;
   PoseRegion region_;
   BiasModel biases_;
   ParticleFilter filter_;
-  FrameJoiner joiner_;
-  StartingHistory history_;
-  WayMemory way_;
+  MeasurementWindow joiner_;
+  RangeOnlyStart history_;
+  TrajectoryRelocalizer way_;
   FilterStep step_;
 };
 }  // namespace mrpt_ext

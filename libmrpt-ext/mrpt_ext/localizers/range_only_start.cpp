@@ -19,13 +19,13 @@ bool tellsRangesAlone(const Frame& frame)
 /// True while odometry has carried the reading no farther off than its ranges are uncertain.
 bool isWellCarried(const Reading& reading)
 {
-  const double off = reading.offset_covariance.trace();
+  const double off = reading.sensor_position_covariance.trace();
   return std::all_of(reading.detections.begin(), reading.detections.end(),
                      [off](const Detection& detection) { return off <= square(detection.std_range); });
 }
 }  // namespace
 
-void StartingHistory::add(const Frame& frame)
+void RangeOnlyStart::add(const Frame& frame)
 {
   if (ended_) return;
   joiner_.add(frame);
@@ -33,7 +33,7 @@ void StartingHistory::add(const Frame& frame)
   ended_ = joiner_.full() || ranges_ > kMostRanges || !tellsRangesAlone(frame);
 }
 
-std::vector<Reading> StartingHistory::readings() const
+std::vector<Reading> RangeOnlyStart::readings() const
 {
   if (ended_) return {};
   std::vector<Reading> all = joiner_.readings();

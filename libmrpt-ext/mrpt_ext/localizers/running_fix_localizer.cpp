@@ -72,7 +72,7 @@ void RunningFixLocalizer::updateHeading(const Frame& frame)
 std::vector<RunningFixReading> RunningFixLocalizer::fixesFromRanges(const Frame& frame)
 {
   std::vector<RunningFixReading> fixes;
-  for (const LandmarkSighting& s : identifiedSightings(frame.readings, map_))
+  for (const LandmarkMeasurement& s : identifiedSightings(frame.readings, map_))
   {
     if (!s.range) continue;
     const int id = map_[*s.landmark].id;

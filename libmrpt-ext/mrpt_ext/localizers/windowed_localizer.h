@@ -2,16 +2,16 @@
 
 #include <memory>
 
-#include "mrpt_ext/hypotheses/measurement_window.h"
 #include "mrpt_ext/localizers/localizer.h"
+#include "mrpt_ext/relocalization/measurement_window.h"
 
 namespace mrpt_ext
 {
 /// A closed form that sees the readings of the last seconds as one constellation: `<name>_joined`.
-class JoinedLocalizer : public Localizer
+class WindowedLocalizer : public Localizer
 {
  public:
-  JoinedLocalizer(std::unique_ptr<Localizer> inner, double window, const MotionModel& motion)
+  WindowedLocalizer(std::unique_ptr<Localizer> inner, double window, const MotionModel& motion)
       : inner_(std::move(inner)), joiner_(window, motion)
   {
   }
@@ -26,6 +26,6 @@ class JoinedLocalizer : public Localizer
 
  private:
   std::unique_ptr<Localizer> inner_;
-  FrameJoiner joiner_;
+  MeasurementWindow joiner_;
 };
 }  // namespace mrpt_ext

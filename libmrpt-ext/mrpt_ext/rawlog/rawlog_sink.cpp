@@ -73,7 +73,7 @@ ObservationPtr countComment(const LogSummary& summary)
 }
 
 /// Reads all records, and throws where they cannot be written.
-LogSummary summaryOf(const std::filesystem::path& path, const RecordFeed& records)
+LogSummary summaryOf(const std::filesystem::path& path, const RecordStream& records)
 {
   LogSummary summary;
   double latest = -std::numeric_limits<double>::infinity();
@@ -93,7 +93,7 @@ LogSummary summaryOf(const std::filesystem::path& path, const RecordFeed& record
   return summary;
 }
 
-void writeTo(const std::filesystem::path& file, const LogSummary& summary, const RecordFeed& records)
+void writeTo(const std::filesystem::path& file, const LogSummary& summary, const RecordStream& records)
 {
   mrpt::io::CFileGZOutputStream stream;
   if (!stream.open(file.string())) throw std::runtime_error("cannot be opened");
@@ -106,10 +106,10 @@ void writeTo(const std::filesystem::path& file, const LogSummary& summary, const
 
 void writeRawlog(const std::filesystem::path& path, const Recording& recording)
 {
-  writeRawlog(path, [&recording] { return feedOf(recording.records); });
+  writeRawlog(path, [&recording] { return streamOf(recording.records); });
 }
 
-std::size_t writeRawlog(const std::filesystem::path& path, const std::function<RecordFeed()>& records)
+std::size_t writeRawlog(const std::filesystem::path& path, const std::function<RecordStream()>& records)
 {
   const LogSummary summary = summaryOf(path, records());
   const std::filesystem::path temporary = temporaryNameFor(path);

@@ -21,5 +21,5 @@ void writeRawlog(const std::filesystem::path& path, const Recording& recording);
 
 /// The same for records that need not fit into memory: `records` begins anew with every call, and is called twice,
 /// since the first entry tells of all. Returns their number.
-std::size_t writeRawlog(const std::filesystem::path& path, const std::function<RecordFeed()>& records);
+std::size_t writeRawlog(const std::filesystem::path& path, const std::function<RecordStream()>& records);
 }  // namespace mrpt_ext

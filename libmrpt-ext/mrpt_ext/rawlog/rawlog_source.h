@@ -53,7 +53,7 @@ class RawlogSource
 
   RawlogReader reader_;
   RawlogTranslator translator_;
-  RawlogQueue queue_;
+  ReorderBuffer queue_;
   bool ended_ = false;
   std::optional<std::size_t> step_;
   std::optional<double> first_time_, last_time_;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "mrpt_ext/evaluation/run_record.h"
+#include "mrpt_ext/geometry/observation_count.h"
 #include "mrpt_ext/geometry/recording.h"
 #include "mrpt_ext/observations/usable_detections.h"
 

@@ -53,7 +53,7 @@ void addRay(const Ray& ray, const float* landmark_x, const float* landmark_y, st
 class Grid
 {
  public:
-  Grid(const PoseRegion& region, const PoseGridOptions& options)
+  Grid(const PoseRegion& region, const GridSearchOptions& options)
       : region_(region),
         columns_(cells(region.extent().x(), options.cell)),
         rows_(cells(region.extent().y(), options.cell)),
@@ -76,12 +76,12 @@ class Grid
   }
   [[nodiscard]] double turn() const { return region_.turn() / static_cast<double>(turns_); }
 
-  void score(std::span<const JoinedBearing> bearings, const LandmarkIndex& map, double gate)
+  void score(std::span<const WindowBearing> bearings, const LandmarkIndex& map, double gate)
   {
     std::vector<float> nearest(columns_);
     const auto side = cell();
     const double of_cell = square(kSpreadOfCell * turn()) + square(kSpreadOfCell * side.maxCoeff() / kTypicalRange);
-    for (const JoinedBearing& bearing : bearings)
+    for (const WindowBearing& bearing : bearings)
     {
       std::vector<float> x, y;
       for (std::size_t l = 0; l < map.size(); ++l)
@@ -157,8 +157,8 @@ class Grid
 };
 }  // namespace
 
-std::vector<GaussianPose> likelyPoses(std::span<const JoinedBearing> bearings, const LandmarkIndex& map,
-                                      const PoseRegion& region, const PoseGridOptions& options)
+std::vector<GaussianPose> gridMaxima(std::span<const WindowBearing> bearings, const LandmarkIndex& map,
+                                     const PoseRegion& region, const GridSearchOptions& options)
 {
   const Vector2d extent = region.extent();
   const double cells = extent.prod() / square(options.cell) * region.turn() / options.turn;

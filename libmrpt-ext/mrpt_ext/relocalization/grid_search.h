@@ -11,15 +11,15 @@
 namespace mrpt_ext
 {
 /// A bearing without a name, taken from a place that is rigidly joined to the pose asked for.
-struct JoinedBearing
+struct WindowBearing
 {
-  Pose2 T_robot_sensor;    ///< where it was taken from, in the axes of that pose
-  double bearing = 0;      ///< [rad, CCW from the sensor's forward axis]
-  double std_bearing = 0;  ///< with what joins the places [rad]
-  int kind = kAnyKind;     ///< of landmark (scan.h)
+  Pose2 T_robot_sensor;     ///< where it was taken from, in the axes of that pose
+  double bearing = 0;       ///< [rad, CCW from the sensor's forward axis]
+  double std_bearing = 0;   ///< with what joins the places [rad]
+  int kind = kAnyCategory;  ///< of landmark (scan.h)
 };
 
-struct PoseGridOptions
+struct GridSearchOptions
 {
   double cell = 0.3;            ///< side of a cell [m]
   double turn = degToRad(3.0);  ///< its heading [rad]
@@ -33,6 +33,6 @@ struct PoseGridOptions
 /// in standard deviations of bearing and cell together. Any number of bearings, in any directions, however the
 /// landmarks stand: what closed forms over minimal sets of bearings need is not needed here. Empty without bearings and
 /// where the work would exceed `max_work`.
-[[nodiscard]] std::vector<GaussianPose> likelyPoses(std::span<const JoinedBearing> bearings, const LandmarkIndex& map,
-                                                    const PoseRegion& region, const PoseGridOptions& options = {});
+[[nodiscard]] std::vector<GaussianPose> gridMaxima(std::span<const WindowBearing> bearings, const LandmarkIndex& map,
+                                                   const PoseRegion& region, const GridSearchOptions& options = {});
 }  // namespace mrpt_ext

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "mrpt_ext/correspondence/scan_matching.h"
+#include "mrpt_ext/geometry/log_probability.h"
 #include "mrpt_ext/geometry/measurement_jacobian.h"
 
 namespace mrpt_ext
@@ -15,19 +16,17 @@ constexpr double kMinClutter = 1e-6;
 double clutterOf(const SensorModel& model) { return std::clamp(model.clutter_probability, kMinClutter, 0.999); }
 
 /// Log-density of a false detection, times the chance of one.
-double logFalse(const LandmarkIndex& map, const UnidentifiedDetection& z, const SensorModel& model)
+double logFalse(const LandmarkIndex& map, const AnonymousDetection& z, const SensorModel& model)
 {
   double volume = 1;
   if (z.bearing) volume *= model.has_field_of_view ? model.field_of_view : kTwoPi;
   if (z.range) volume *= model.max_range.value_or(std::max(1.0, 1.5 * (map.high() - map.low()).norm()));
-  if (z.kind != kAnyKind) volume *= std::max(1, map.kindCount());
+  if (z.kind != kAnyCategory) volume *= std::max(1, map.categoryCount());
   return std::log(clutterOf(model) / volume);
 }
 
 /// Log of the share of the detections that a landmark in view may expect.
 double logShare(const SensorModel& model, double in_view) { return std::log((1 - clutterOf(model)) / in_view); }
-
-double logSum(double a, double b) { return std::max(a, b) + std::log1p(std::exp(-std::abs(a - b))); }
 
 /// A detection against a landmark as the pose sees it: the Kalman filter's innovation.
 struct Innovation
@@ -38,7 +37,7 @@ struct Innovation
   double log_density = 0;
 };
 
-Innovation innovationOf(const GaussianPose& pose, const SensorPlace& place, const UnidentifiedDetection& z,
+Innovation innovationOf(const GaussianPose& pose, const Scan& place, const AnonymousDetection& z,
                         const Vector2d& landmark)
 {
   Innovation innovation;
@@ -62,7 +61,7 @@ Innovation innovationOf(const GaussianPose& pose, const SensorPlace& place, cons
   return innovation;
 }
 
-void takeIn(GaussianPose& pose, const Innovation& innovation)
+void kalmanUpdate(GaussianPose& pose, const Innovation& innovation)
 {
   const Eigen::Matrix<double, 3, 2> gain =
       pose.covariance * innovation.rows.transpose() * innovation.variance.inverse();
@@ -73,15 +72,12 @@ void takeIn(GaussianPose& pose, const Innovation& innovation)
 }
 }  // namespace
 
-void moveForward(PoseTrack& track, const TravelStep& step)
+void predict(HypothesisTrack& track, const TrajectoryStep& step)
 {
-  GaussianPose& pose = track.pose;
-  const Matrix3d J = composeJacobianFirst(pose.mean, step.increment), G = composeJacobianSecond(pose.mean);
-  pose.covariance = J * pose.covariance * J.transpose() + G * step.noise * G.transpose();
-  pose.mean = compose(pose.mean, step.increment);
+  track.pose = compound(track.pose, step.increment, step.noise);
 }
 
-void moveBack(PoseTrack& track, const TravelStep& step)
+void retrodict(HypothesisTrack& track, const TrajectoryStep& step)
 {
   GaussianPose& pose = track.pose;
   pose.mean = compose(pose.mean, inverse(step.increment));
@@ -90,18 +86,18 @@ void moveBack(PoseTrack& track, const TravelStep& step)
   pose.covariance = back * (pose.covariance + G * step.noise * G.transpose()) * back.transpose();
 }
 
-std::vector<int> confront(PoseTrack& track, const LandmarkIndex& map, std::span<const SensorPlace> seen, double gate)
+std::vector<int> update(HypothesisTrack& track, const LandmarkIndex& map, std::span<const Scan> seen, double gate)
 {
   std::vector<int> landmarks;
-  for (const SensorPlace& place : seen)
+  for (const Scan& place : seen)
   {
     const std::vector<ExpectedLandmark> expected = expectedLandmarks(map, place, track.pose);
     const auto in_view = std::count_if(expected.begin(), expected.end(), [](const auto& h) { return h.in_view; });
     const double log_share = logShare(place.model, std::max(1.0, static_cast<double>(in_view)));
-    const std::vector<int> matches = matchDetections(map, place, expected, gate);
+    const std::vector<int> matches = associate(map, place, expected, gate);
     for (std::size_t d = 0; d < matches.size(); ++d)
     {
-      const UnidentifiedDetection& z = place.detections[d];
+      const AnonymousDetection& z = place.detections[d];
       const double log_false = logFalse(map, z, place.model);
       landmarks.push_back(-1);
       if (matches[d] < 0)
@@ -114,23 +110,23 @@ std::vector<int> confront(PoseTrack& track, const LandmarkIndex& map, std::span<
       const double log_true = log_share + innovation.log_density;
       track.log_evidence += logSum(log_false, log_true);
       if (log_true < log_false) continue;
-      takeIn(track.pose, innovation);
+      kalmanUpdate(track.pose, innovation);
       landmarks.back() = static_cast<int>(landmark);
     }
   }
   return landmarks;
 }
 
-void confrontAs(PoseTrack& track, const LandmarkIndex& map, std::span<const SensorPlace> seen,
-                std::span<const int> landmarks)
+void updateAssociated(HypothesisTrack& track, const LandmarkIndex& map, std::span<const Scan> seen,
+                      std::span<const int> landmarks)
 {
   std::size_t d = 0;
-  for (const SensorPlace& place : seen)
+  for (const Scan& place : seen)
   {
     const std::vector<ExpectedLandmark> expected = expectedLandmarks(map, place, {track.pose.mean, Matrix3d::Zero()});
     const auto in_view = std::count_if(expected.begin(), expected.end(), [](const auto& h) { return h.in_view; });
     const double log_share = logShare(place.model, std::max(1.0, static_cast<double>(in_view)));
-    for (const UnidentifiedDetection& z : place.detections)
+    for (const AnonymousDetection& z : place.detections)
     {
       const int landmark = landmarks[d++];
       if (landmark < 0)
@@ -141,16 +137,16 @@ void confrontAs(PoseTrack& track, const LandmarkIndex& map, std::span<const Sens
       const Innovation innovation =
           innovationOf(track.pose, place, z, map.position(static_cast<std::size_t>(landmark)));
       track.log_evidence += log_share + innovation.log_density;
-      takeIn(track.pose, innovation);
+      kalmanUpdate(track.pose, innovation);
     }
   }
 }
 
-double expectedEvidence(const LandmarkIndex& map, std::span<const SensorPlace> seen)
+double expectedEvidence(const LandmarkIndex& map, std::span<const Scan> seen)
 {
   double sum = 0;
-  for (const SensorPlace& place : seen)
-    for (const UnidentifiedDetection& z : place.detections)
+  for (const Scan& place : seen)
+    for (const AnonymousDetection& z : place.detections)
     {
       const double clutter = clutterOf(place.model);
       double log_true = logShare(place.model, static_cast<double>(map.size()));

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mrpt_ext/relocalization/window_bearings.h"
 #include "mrpt_ext/relocalization/grid_search.h"
+#include "mrpt_ext/relocalization/window_bearings.h"
 
 namespace mrpt_ext
 {
@@ -21,21 +21,21 @@ constexpr double kSamePose = 1;          // standard deviations in each coordina
 const Vector3d kHardlyKnown(1.0, 1.0, degToRad(20.0));
 constexpr std::size_t kApart = 3;  // looks between two that propose
 
-class WaySearch
+class TrajectorySearch
 {
  public:
-  WaySearch(std::span<const TravelStep> steps, const LostRobotSearch& search, const PoseRegion& region,
-            const TravelSearchOptions& options)
+  TrajectorySearch(std::span<const TrajectoryStep> steps, const GlobalPoseSearch& search, const PoseRegion& region,
+                   const TrajectorySearchOptions& options)
       : steps_(steps), search_(search), map_(search.index()), region_(region), options_(options)
   {
   }
 
-  TravelSearch run(std::span<const GaussianPose> supposed)
+  TrajectorySearchResult run(std::span<const GaussianPose> supposed)
   {
     if (!steps_.empty()) judge(proposedAs(supposed), steps_.size() - 1);
     for (const std::size_t birth : births())
     {
-      std::vector<Travelled> tracks = proposed(birth);
+      std::vector<Candidate> tracks = proposed(birth);
       result_.proposed += tracks.size();
       judge(std::move(tracks), birth);
     }
@@ -44,9 +44,9 @@ class WaySearch
   }
 
  private:
-  struct Travelled
+  struct Candidate
   {
-    PoseTrack track;
+    HypothesisTrack track;
     GaussianPose first;                       // at the look that proposed it
     std::vector<std::vector<int>> landmarks;  // taken in on the way back, newest look first
   };
@@ -73,36 +73,36 @@ class WaySearch
 
   // ---- proposals
 
-  static std::vector<Travelled> proposedAs(std::span<const GaussianPose> supposed)
+  static std::vector<Candidate> proposedAs(std::span<const GaussianPose> supposed)
   {
-    std::vector<Travelled> tracks;
+    std::vector<Candidate> tracks;
     for (const GaussianPose& pose : supposed) tracks.push_back({{pose, 0}, pose, {}});
     return tracks;
   }
 
-  [[nodiscard]] std::vector<Travelled> proposed(std::size_t birth) const
+  [[nodiscard]] std::vector<Candidate> proposed(std::size_t birth) const
   {
     PoseSearchOptions options;
     options.gate = options_.gate;
-    options.area = MapArea{region_.low, region_.low + region_.extent()};
+    options.area = Box2{region_.low, region_.low + region_.extent()};
     options.max_poses = kMostProposed;
-    std::vector<Travelled> tracks;
+    std::vector<Candidate> tracks;
     const auto add = [&](const GaussianPose& pose)
     {
       if (region_.contains(pose.mean)) tracks.push_back({{pose, 0}, pose, {}});
     };
-    const std::vector<SensorPlace>& seen = steps_[birth].seen;
+    const std::vector<Scan>& seen = steps_[birth].seen;
     if (pointCount(seen) >= 2)
       for (const ConsistentPose& pose : search_.search(seen, options).poses) add(pose.pose);
     else
-      for (const GaussianPose& pose : likelyPoses(joinedBearings(steps_, birth), map_, region_)) add(pose);
+      for (const GaussianPose& pose : gridMaxima(windowBearings(steps_, birth), map_, region_)) add(pose);
     return tracks;
   }
 
-  [[nodiscard]] static std::size_t pointCount(std::span<const SensorPlace> seen)
+  [[nodiscard]] static std::size_t pointCount(std::span<const Scan> seen)
   {
     std::size_t points = 0;
-    for (const SensorPlace& place : seen)
+    for (const Scan& place : seen)
       points += static_cast<std::size_t>(std::count_if(place.detections.begin(), place.detections.end(),
                                                        [](const auto& d) { return d.bearing && d.range; }));
     return points;
@@ -111,26 +111,26 @@ class WaySearch
   // ---- tracks
 
   /// Forward to the end of the way, then back from the look that proposed them to its beginning.
-  void follow(std::vector<Travelled>& tracks, std::size_t birth) const
+  void follow(std::vector<Candidate>& tracks, std::size_t birth) const
   {
-    for (Travelled& t : tracks) confront(t.track, map_, steps_[birth].seen, options_.gate);
+    for (Candidate& t : tracks) update(t.track, map_, steps_[birth].seen, options_.gate);
     prune(tracks);
     for (std::size_t k = birth + 1; k < steps_.size(); ++k)
     {
-      for (Travelled& t : tracks)
+      for (Candidate& t : tracks)
       {
-        moveForward(t.track, steps_[k]);
-        confront(t.track, map_, steps_[k].seen, options_.gate);
+        predict(t.track, steps_[k]);
+        update(t.track, map_, steps_[k].seen, options_.gate);
       }
       if (!steps_[k].seen.empty()) prune(tracks);
     }
-    for (Travelled& t : tracks) t.track.pose = t.first;
+    for (Candidate& t : tracks) t.track.pose = t.first;
     for (std::size_t k = birth + 1; k-- > 0;)
     {
-      for (Travelled& t : tracks)
+      for (Candidate& t : tracks)
       {
-        t.landmarks.push_back(confront(t.track, map_, steps_[k].seen, options_.gate));
-        if (k > 0) moveBack(t.track, steps_[k]);
+        t.landmarks.push_back(update(t.track, map_, steps_[k].seen, options_.gate));
+        if (k > 0) retrodict(t.track, steps_[k]);
       }
       if (!steps_[k].seen.empty()) prune(tracks);
     }
@@ -138,18 +138,18 @@ class WaySearch
   }
 
   /// Best first, without those that have fallen behind, left the region, or met a better one.
-  void prune(std::vector<Travelled>& tracks) const
+  void prune(std::vector<Candidate>& tracks) const
   {
     std::stable_sort(tracks.begin(), tracks.end(),
-                     [](const Travelled& a, const Travelled& b)
+                     [](const Candidate& a, const Candidate& b)
                      { return a.track.log_evidence > b.track.log_evidence; });
     const double best = tracks.empty() ? 0 : tracks.front().track.log_evidence;
-    std::vector<Travelled> kept;
-    for (Travelled& t : tracks)
+    std::vector<Candidate> kept;
+    for (Candidate& t : tracks)
     {
       if (t.track.log_evidence < best - options_.keep_log_units || kept.size() >= kMostFollowed) break;
       if (std::none_of(kept.begin(), kept.end(),
-                       [&](const Travelled& k) { return samePose(k.track.pose, t.track.pose); }))
+                       [&](const Candidate& k) { return samePose(k.track.pose, t.track.pose); }))
         kept.push_back(std::move(t));
     }
     tracks = std::move(kept);
@@ -166,24 +166,24 @@ class WaySearch
 
   // ---- judgement
 
-  void judge(std::vector<Travelled> tracks, std::size_t birth)
+  void judge(std::vector<Candidate> tracks, std::size_t birth)
   {
     if (tracks.empty()) return;
     follow(tracks, birth);
-    for (Travelled& track : tracks) judgeFromBeginning(std::move(track), birth);
+    for (Candidate& track : tracks) judgeFromBeginning(std::move(track), birth);
   }
 
-  void judgeFromBeginning(Travelled track, std::size_t birth)
+  void judgeFromBeginning(Candidate track, std::size_t birth)
   {
-    PoseTrack again{track.track.pose, 0};
+    HypothesisTrack again{track.track.pose, 0};
     again.pose.covariance = kHardlyKnown.cwiseAbs2().asDiagonal();
     for (std::size_t k = 0; k < steps_.size(); ++k)
     {
-      if (k > 0) moveForward(again, steps_[k]);
+      if (k > 0) predict(again, steps_[k]);
       if (k <= birth)
-        confrontAs(again, map_, steps_[k].seen, track.landmarks[birth - k]);
+        updateAssociated(again, map_, steps_[k].seen, track.landmarks[birth - k]);
       else
-        confront(again, map_, steps_[k].seen, options_.gate);
+        update(again, map_, steps_[k].seen, options_.gate);
     }
     if (region_.contains(again.pose.mean) && again.pose.covariance.allFinite()) judged_.push_back(again);
   }
@@ -193,33 +193,34 @@ class WaySearch
     if (judged_.empty() && result_.proposed == 0) return;
     result_.status = SolveStatus::none;
     std::stable_sort(judged_.begin(), judged_.end(),
-                     [](const PoseTrack& a, const PoseTrack& b) { return a.log_evidence > b.log_evidence; });
-    std::vector<PoseTrack> distinct;
-    for (const PoseTrack& track : judged_)
+                     [](const HypothesisTrack& a, const HypothesisTrack& b)
+                     { return a.log_evidence > b.log_evidence; });
+    std::vector<HypothesisTrack> distinct;
+    for (const HypothesisTrack& track : judged_)
     {
       if (track.log_evidence < judged_.front().log_evidence - options_.keep_log_units) break;
       if (std::none_of(distinct.begin(), distinct.end(),
-                       [&](const PoseTrack& d) { return samePlace(d.pose, track.pose); }))
+                       [&](const HypothesisTrack& d) { return samePlace(d.pose, track.pose); }))
         distinct.push_back(track);
     }
     if (distinct.empty()) return;
     double expected = std::log(options_.missed);
-    for (const TravelStep& step : steps_) expected += expectedEvidence(map_, step.seen);
+    for (const TrajectoryStep& step : steps_) expected += expectedEvidence(map_, step.seen);
     // What it costs every pose not to have been known at first.
     expected -= kHardlyKnown.array().log().sum() - 0.5 * std::log(distinct.front().pose.covariance.determinant());
     const double best = distinct.front().log_evidence;
     double total = std::exp(expected - best);
     if (!(total < 1e300)) total = 1e300;
-    for (const PoseTrack& track : distinct) total += std::exp(track.log_evidence - best);
+    for (const HypothesisTrack& track : distinct) total += std::exp(track.log_evidence - best);
     double known = 0;
-    for (const PoseTrack& track : distinct)
+    for (const HypothesisTrack& track : distinct)
     {
       const double weight = std::exp(track.log_evidence - best) / total;
       known += weight;
       result_.hypotheses.push_back(
           {.pose = track.pose, .log_score = track.log_evidence, .weight = weight, .source = "travel_search"});
     }
-    result_.elsewhere = std::max(0.0, 1 - known);
+    result_.probability_elsewhere = std::max(0.0, 1 - known);
     result_.status = SolveStatus::ok;
   }
 
@@ -231,20 +232,21 @@ class WaySearch
     return e.dot(better.covariance.ldlt().solve(e)) < 16;
   }
 
-  std::span<const TravelStep> steps_;
-  const LostRobotSearch& search_;
+  std::span<const TrajectoryStep> steps_;
+  const GlobalPoseSearch& search_;
   const LandmarkIndex& map_;
   const PoseRegion& region_;
-  const TravelSearchOptions& options_;
-  std::vector<PoseTrack> judged_;
-  TravelSearch result_;
+  const TrajectorySearchOptions& options_;
+  std::vector<HypothesisTrack> judged_;
+  TrajectorySearchResult result_;
 };
 }  // namespace
 
-TravelSearch searchAlongWay(std::span<const TravelStep> oldest_first, const LostRobotSearch& search,
-                            const PoseRegion& region, std::span<const GaussianPose> supposed,
-                            const TravelSearchOptions& options)
+TrajectorySearchResult localizeOverTrajectory(std::span<const TrajectoryStep> oldest_first,
+                                              const GlobalPoseSearch& search, const PoseRegion& region,
+                                              std::span<const GaussianPose> supposed,
+                                              const TrajectorySearchOptions& options)
 {
-  return WaySearch(oldest_first, search, region, options).run(supposed);
+  return TrajectorySearch(oldest_first, search, region, options).run(supposed);
 }
 }  // namespace mrpt_ext

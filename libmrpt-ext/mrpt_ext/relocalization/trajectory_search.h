@@ -9,7 +9,7 @@
 
 namespace mrpt_ext
 {
-struct TravelSearchOptions
+struct TrajectorySearchOptions
 {
   double gate = 3.3;           ///< [standard deviations]
   std::size_t births = 6;      ///< looks that propose poses, the fullest, spread over the way
@@ -18,25 +18,27 @@ struct TravelSearchOptions
 };
 
 /// Where the robot may be at the end of a way.
-struct TravelSearch
+struct TrajectorySearchResult
 {
   SolveStatus status = SolveStatus::too_few;
-  HypothesisSet hypotheses;  ///< likeliest first; weights leave room for `elsewhere`
-  double elsewhere = 1;      ///< probability that none of them is right
-  std::size_t proposed = 0;  ///< poses that the looks proposed
+  HypothesisSet hypotheses;          ///< likeliest first; weights leave room for `probability_elsewhere`
+  double probability_elsewhere = 1;  ///< probability that none of them is right
+  std::size_t proposed = 0;          ///< poses that the looks proposed
 };
 
 /// Finds a lost robot from what it saw, without names, along a way of any length. The looks with most detections
-/// propose poses (correspondence/global_pose_search.h); each is carried along odometry, forward and back, and confronted
-/// with all other looks (hypothesis_track.h); what falls behind is given up. Survivors start once more at the beginning of
-/// the way from a pose that is hardly known, so that the evidences of all of them count every detection once and
-/// compare. The poses that they have reached at the end are ranked by that evidence, beside the evidence that a pose
-/// which no look has proposed would have.
+/// propose poses (correspondence/global_pose_search.h); each is carried along odometry, forward and back, and
+/// confronted with all other looks (hypothesis_track.h); what falls behind is given up. Survivors start once more at
+/// the beginning of the way from a pose that is hardly known, so that the evidences of all of them count every
+/// detection once and compare. The poses that they have reached at the end are ranked by that evidence, beside the
+/// evidence that a pose which no look has proposed would have.
 ///
 /// In contrast to joining all looks into one constellation (correspondence/local_map/local_map.h), which odometry
 /// limits to a few metres, the way may be long, and a look may be poor. Bearings alone propose poses by a grid over the
-/// region (grid_search.h). `supposed`: poses at the end of the way that are judged with the others, by the same evidence.
-[[nodiscard]] TravelSearch searchAlongWay(std::span<const TravelStep> oldest_first, const LostRobotSearch& search,
-                                          const PoseRegion& region, std::span<const GaussianPose> supposed = {},
-                                          const TravelSearchOptions& options = {});
+/// region (grid_search.h). `supposed`: poses at the end of the way that are judged with the others, by the same
+/// evidence.
+[[nodiscard]] TrajectorySearchResult localizeOverTrajectory(std::span<const TrajectoryStep> oldest_first,
+                                                            const GlobalPoseSearch& search, const PoseRegion& region,
+                                                            std::span<const GaussianPose> supposed = {},
+                                                            const TrajectorySearchOptions& options = {});
 }  // namespace mrpt_ext

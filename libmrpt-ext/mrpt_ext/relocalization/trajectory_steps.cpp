@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/filter/integrity/independent_detections.h"
 #include "mrpt_ext/hypotheses/scans.h"
-#include "mrpt_ext/hypotheses/measurement_window.h"
+#include "mrpt_ext/relocalization/measurement_window.h"
 
 namespace mrpt_ext
 {
@@ -13,14 +13,10 @@ namespace
 constexpr double kGate = 3.3;                // standard deviations
 constexpr double kParallax = degToRad(2.0);  // that a landmark shifts within a look
 
-double worldAngle(const SensorPlace& place, const UnidentifiedDetection& d)
-{
-  return *d.bearing + place.T_robot_sensor.phi;
-}
+double worldAngle(const Scan& place, const AnonymousDetection& d) { return *d.bearing + place.T_robot_sensor.phi; }
 
 /// True when both may show one landmark.
-bool isRepeated(const SensorPlace& at_a, const UnidentifiedDetection& a, const SensorPlace& at_b,
-                const UnidentifiedDetection& b)
+bool isRepeated(const Scan& at_a, const AnonymousDetection& a, const Scan& at_b, const AnonymousDetection& b)
 {
   if (a.kind != b.kind || a.bearing.has_value() != b.bearing.has_value()) return false;
   const double std = std::hypot(a.std_bearing, b.std_bearing);
@@ -29,17 +25,17 @@ bool isRepeated(const SensorPlace& at_a, const UnidentifiedDetection& a, const S
 }
 
 /// Each landmark once, where it was seen last; `places` oldest first.
-std::vector<SensorPlace> withoutRepeats(std::vector<SensorPlace> places)
+std::vector<Scan> withoutRepeats(std::vector<Scan> places)
 {
   std::reverse(places.begin(), places.end());
-  std::vector<SensorPlace> kept;
-  for (SensorPlace& rest : places)
+  std::vector<Scan> kept;
+  for (Scan& rest : places)
   {
     std::erase_if(rest.detections,
-                  [&](const UnidentifiedDetection& d)
+                  [&](const AnonymousDetection& d)
                   {
                     return std::any_of(kept.begin(), kept.end(),
-                                       [&](const SensorPlace& k)
+                                       [&](const Scan& k)
                                        {
                                          return std::any_of(k.detections.begin(), k.detections.end(),
                                                             [&](const auto& e) { return isRepeated(k, e, rest, d); });
@@ -52,23 +48,23 @@ std::vector<SensorPlace> withoutRepeats(std::vector<SensorPlace> places)
 }
 
 /// The way so far and one more piece.
-void extend(TravelStep& step, const Pose2& increment, const Matrix3d& noise)
+void extend(TrajectoryStep& step, const Pose2& increment, const Matrix3d& noise)
 {
-  const Matrix3d J = composeJacobianFirst(step.increment, increment), G = composeJacobianSecond(step.increment);
-  step.noise = J * step.noise * J.transpose() + G * noise * G.transpose();
-  step.increment = compose(step.increment, increment);
+  const GaussianPose extended = compound({step.increment, step.noise}, increment, noise);
+  step.increment = extended.mean;
+  step.noise = extended.covariance;
 }
 }  // namespace
 
-std::vector<TravelStep> travelLooks(std::span<const Frame> frames, const MotionModel& motion, const LandmarkTable& map,
-                                    const LandmarkIndex& index, double look_duration)
+std::vector<TrajectoryStep> trajectorySteps(std::span<const Frame> frames, const MotionModel& motion,
+                                            const LandmarkTable& map, const LandmarkIndex& index, double look_duration)
 {
-  std::vector<TravelStep> steps;
-  FreshLooks fresh({}, motion, map);
+  std::vector<TrajectoryStep> steps;
+  DetectionDecorrelator fresh({}, motion, map);
   for (std::size_t begin = 0, end = 0; begin < frames.size(); begin = end)
   {
-    TravelStep step;
-    FrameJoiner look(2 * look_duration + 1, motion);
+    TrajectoryStep step;
+    MeasurementWindow look(2 * look_duration + 1, motion);
     for (end = begin; end < frames.size() && frames[end].time - frames[begin].time < look_duration; ++end)
     {
       const OdometryMotion believed = believedMotion(motion, frames[end].motion);
@@ -78,7 +74,7 @@ std::vector<TravelStep> travelLooks(std::span<const Frame> frames, const MotionM
       for (Reading& reading : seen.readings) reading = fresh.take(reading);
       look.add(seen);
     }
-    step.seen = withoutRepeats(sensorPlaces(look.readings(), map, index));
+    step.seen = withoutRepeats(scansOf(look.readings(), map, index));
     steps.push_back(std::move(step));
   }
   return steps;

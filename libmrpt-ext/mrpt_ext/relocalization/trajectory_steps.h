@@ -11,10 +11,11 @@
 
 namespace mrpt_ext
 {
-/// Frames as steps of a way for searchAlongWay (relocalization/trajectory_search.h). The unidentified detections of
-/// `look_duration` [s] make one look, at the robot's place of its last frame. What an earlier frame of the look has
-/// seen already is left out: it shares the errors that matter (calibration, map, wheels) and tells nothing new.
-[[nodiscard]] std::vector<TravelStep> travelLooks(std::span<const Frame> frames, const MotionModel& motion,
-                                                  const LandmarkTable& map, const LandmarkIndex& index,
-                                                  double look_duration);
+/// Frames as steps of a way for localizeOverTrajectory (relocalization/trajectory_search.h). The unidentified
+/// detections of `look_duration` [s] make one look, at the robot's place of its last frame. What an earlier frame of
+/// the look has seen already is left out: it shares the errors that matter (calibration, map, wheels) and tells nothing
+/// new.
+[[nodiscard]] std::vector<TrajectoryStep> trajectorySteps(std::span<const Frame> frames, const MotionModel& motion,
+                                                          const LandmarkTable& map, const LandmarkIndex& index,
+                                                          double look_duration);
 }  // namespace mrpt_ext

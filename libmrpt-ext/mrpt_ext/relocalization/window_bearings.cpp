@@ -14,56 +14,56 @@ constexpr std::size_t kMostJoined = 10;         // bearings on either side, from
 class Joiner
 {
  public:
-  explicit Joiner(std::span<const TravelStep> way) : way_(way) {}
+  explicit Joiner(std::span<const TrajectoryStep> way) : way_(way) {}
 
   /// The look's own bearings and those of the looks after it.
   void joinForward(std::size_t at)
   {
-    PoseTrack there{{{}, Matrix3d::Zero()}, 0};
+    HypothesisTrack there{{{}, Matrix3d::Zero()}, 0};
     const std::size_t before = joined_.size();
     for (std::size_t k = at;;)
     {
       add(way_[k], there.pose);
       if (++k == way_.size() || joined_.size() >= before + kMostJoined) return;
-      moveForward(there, way_[k]);
+      predict(there, way_[k]);
       if (!isRigid(there.pose)) return;
     }
   }
 
   void joinBackward(std::size_t at)
   {
-    PoseTrack there{{{}, Matrix3d::Zero()}, 0};
+    HypothesisTrack there{{{}, Matrix3d::Zero()}, 0};
     const std::size_t before = joined_.size();
     for (std::size_t k = at; k > 0 && joined_.size() < before + kMostJoined; --k)
     {
-      moveBack(there, way_[k]);
+      retrodict(there, way_[k]);
       if (!isRigid(there.pose)) return;
       add(way_[k - 1], there.pose);
     }
   }
 
-  [[nodiscard]] std::vector<JoinedBearing> take() { return std::move(joined_); }
+  [[nodiscard]] std::vector<WindowBearing> take() { return std::move(joined_); }
 
  private:
   static bool isRigid(const GaussianPose& there) { return there.covariance(2, 2) < square(kRigid); }
 
-  void add(const TravelStep& step, const GaussianPose& there)
+  void add(const TrajectoryStep& step, const GaussianPose& there)
   {
     const double of_way =
         there.covariance(2, 2) + there.covariance.topLeftCorner<2, 2>().trace() / square(kTypicalRange);
-    for (const SensorPlace& place : step.seen)
-      for (const UnidentifiedDetection& d : place.detections)
-        if (d.bearing && d.kind != kNoSuchKind)
+    for (const Scan& place : step.seen)
+      for (const AnonymousDetection& d : place.detections)
+        if (d.bearing && d.kind != kUnknownCategory)
           joined_.push_back({compose(there.mean, place.T_robot_sensor), *d.bearing,
                              std::sqrt(square(d.std_bearing) + square(kStdParallax) + of_way), d.kind});
   }
 
-  std::span<const TravelStep> way_;
-  std::vector<JoinedBearing> joined_;
+  std::span<const TrajectoryStep> way_;
+  std::vector<WindowBearing> joined_;
 };
 }  // namespace
 
-std::vector<JoinedBearing> joinedBearings(std::span<const TravelStep> way, std::size_t at)
+std::vector<WindowBearing> windowBearings(std::span<const TrajectoryStep> way, std::size_t at)
 {
   Joiner joiner(way);
   joiner.joinForward(at);

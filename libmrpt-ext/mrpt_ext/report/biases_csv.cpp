@@ -4,7 +4,7 @@
 
 namespace mrpt_ext
 {
-void biasesCsv(const LongSequence<BiasRow>& biases, const TextSink& write)
+void biasesCsv(const DiskBackedSequence<BiasRow>& biases, const TextSink& write)
 {
   write("t,bias,mean,std\n");
   for (const BiasRow& row : biases)

@@ -6,5 +6,5 @@
 namespace mrpt_ext
 {
 /// Writes biases.csv: `t,bias,mean,std`, the systematic errors as the filter knew them after every frame.
-void biasesCsv(const LongSequence<BiasRow>& biases, const TextSink& write);
+void biasesCsv(const DiskBackedSequence<BiasRow>& biases, const TextSink& write);
 }  // namespace mrpt_ext

@@ -5,8 +5,8 @@
 
 #include "mrpt_ext/evaluation/rmse_interval.h"
 #include "mrpt_ext/geometry/angle.h"
-#include "mrpt_ext/report/number_text.h"
 #include "mrpt_ext/report/html_text.h"
+#include "mrpt_ext/report/number_text.h"
 #include "mrpt_ext/report/page_assets.h"
 
 namespace mrpt_ext

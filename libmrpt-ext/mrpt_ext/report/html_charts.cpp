@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mrpt_ext/report/number_text.h"
 #include "mrpt_ext/report/html_text.h"
+#include "mrpt_ext/report/number_text.h"
 #include "mrpt_ext/report/svg_chart.h"
 #include "mrpt_ext/report/verdict_spans.h"
 
@@ -52,7 +52,7 @@ std::string errorChart(const RunContext& context, const RunScore& score, Figure 
 /// Marks closer than this are drawn as one: the drawing could not show them apart.
 double resolutionOf(const Chart& chart) { return chart.duration / 700; }
 
-void addVerdictSpans(Chart& chart, const MethodTrack& track, double start, Verdict verdict)
+void addVerdictSpans(Chart& chart, const MethodTrajectory& track, double start, Verdict verdict)
 {
   for (const VerdictSpan& span : verdictSpans(track, verdict, start, resolutionOf(chart)))
     chart.marks.push_back({span.from, span.to, std::string("span ") + toString(verdict), toString(verdict)});
@@ -90,7 +90,7 @@ std::string headingErrorChart(const RunContext& context, const RunScore& score)
 
 std::string confidenceChart(const RunContext& context, const RunRecord& record, const RunScore& score)
 {
-  const MethodTrack* track = judgedMethod(record);
+  const MethodTrajectory* track = judgedMethod(record);
   if (!track || track->points.empty()) return {};
   Chart chart;
   chart.description = "Weight of the reported mode and effective sample ratio over time";
@@ -98,7 +98,7 @@ std::string confidenceChart(const RunContext& context, const RunRecord& record, 
   chart.duration = context.duration_s;
   chart.top = 1.0;
   ChartSeries weight{methodClass(track->name, methodNames(score.methods)), false, {}}, samples{"ess", false, {}};
-  for (const TrackPoint& point : track->points)
+  for (const PoseEstimate& point : track->points)
   {
     weight.points.emplace_back(point.time - context.start_time, point.best_weight);
     if (point.effective_samples) samples.points.emplace_back(point.time - context.start_time, *point.effective_samples);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mrpt_ext/report/number_text.h"
 #include "mrpt_ext/report/html_text.h"
+#include "mrpt_ext/report/number_text.h"
 #include "mrpt_ext/report/svg_shapes.h"
 
 namespace mrpt_ext

@@ -1,11 +1,11 @@
 #include "mrpt_ext/report/html_page.h"
 
 #include "mrpt_ext/report/comparison_text.h"
-#include "mrpt_ext/report/number_text.h"
 #include "mrpt_ext/report/html_charts.h"
 #include "mrpt_ext/report/html_geometry.h"
 #include "mrpt_ext/report/html_tables.h"
 #include "mrpt_ext/report/html_text.h"
+#include "mrpt_ext/report/number_text.h"
 #include "mrpt_ext/report/page_assets.h"
 #include "mrpt_ext/report/page_data.h"
 #include "mrpt_ext/report/residual_chart.h"

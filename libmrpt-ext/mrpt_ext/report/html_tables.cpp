@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "mrpt_ext/files/number_format.h"
-#include "mrpt_ext/report/number_text.h"
 #include "mrpt_ext/report/html_text.h"
 #include "mrpt_ext/report/landmark_quality.h"
+#include "mrpt_ext/report/number_text.h"
 
 namespace mrpt_ext
 {
@@ -97,7 +97,7 @@ std::string landmarkTable(const RunScore& score)
   for (const std::string& id : landmarkOrder(score))
   {
     const LandmarkScore& landmark = score.landmarks.at(id);
-    const std::string doubt = landmarkDoubt(landmark);
+    const std::string doubt = landmarkWarning(landmark);
     rows += row({escapeHtml(id), countText(landmark.seen), figureText(landmark.associated, 1),
                  percentText(landmark.inlier_rate), figureText(landmark.residual_mean, 2),
                  figureText(landmark.residual_std, 2), doubt.empty() ? "" : element("span", "badge warn", doubt)},

@@ -4,7 +4,7 @@
 
 namespace mrpt_ext
 {
-void hypothesesCsv(const LongSequence<HypothesisRow>& hypotheses, const TextSink& write)
+void hypothesesCsv(const DiskBackedSequence<HypothesisRow>& hypotheses, const TextSink& write)
 {
   write("t,rank,x,y,phi_deg,weight,source\n");
   for (const HypothesisRow& row : hypotheses)

@@ -6,5 +6,5 @@
 namespace mrpt_ext
 {
 /// Writes hypotheses.csv: `t,rank,x,y,phi_deg,weight,source` in the order given; rank 0 is the best.
-void hypothesesCsv(const LongSequence<HypothesisRow>& hypotheses, const TextSink& write);
+void hypothesesCsv(const DiskBackedSequence<HypothesisRow>& hypotheses, const TextSink& write);
 }  // namespace mrpt_ext

@@ -30,7 +30,7 @@ bool MapView::contains(const Vector2d& drawn) const
   return drawn.x() >= 0 && drawn.x() <= width_ && drawn.y() >= 0 && drawn.y() <= height_;
 }
 
-std::pair<Vector2d, Vector2d> mapExtent(const RunContext& context, const MethodTrack* path)
+std::pair<Vector2d, Vector2d> mapExtent(const RunContext& context, const MethodTrajectory* path)
 {
   Eigen::AlignedBox2d box;
   for (const Landmark& landmark : context.map.all()) box.extend(Vector2d(landmark.position.head<2>()));
@@ -38,12 +38,12 @@ std::pair<Vector2d, Vector2d> mapExtent(const RunContext& context, const MethodT
     if (truth.time >= context.start_time && truth.time <= context.start_time + context.duration_s)
       box.extend(truth.pose.position());
   if (path)
-    for (const TrackPoint& point : path->points) box.extend(point.pose.mean.position());
+    for (const PoseEstimate& point : path->points) box.extend(point.pose.mean.position());
   if (box.isEmpty()) box.extend(Vector2d(0, 0));
   return {box.min(), box.max()};
 }
 
-MapView viewOf(const RunContext& context, const MethodTrack* path)
+MapView viewOf(const RunContext& context, const MethodTrajectory* path)
 {
   const auto [low, high] = mapExtent(context, path);
   return {low, high};

@@ -26,7 +26,7 @@ class MapView
 
 /// Corners {low, high} of the box around landmarks, truth within the log, and `path` (may be null) [m]; the origin when
 /// there is nothing.
-[[nodiscard]] std::pair<Vector2d, Vector2d> mapExtent(const RunContext& context, const MethodTrack* path);
+[[nodiscard]] std::pair<Vector2d, Vector2d> mapExtent(const RunContext& context, const MethodTrajectory* path);
 /// View of landmarks, truth within the log, and `path` (may be null); around the origin when there is nothing.
-[[nodiscard]] MapView viewOf(const RunContext& context, const MethodTrack* path);
+[[nodiscard]] MapView viewOf(const RunContext& context, const MethodTrajectory* path);
 }  // namespace mrpt_ext

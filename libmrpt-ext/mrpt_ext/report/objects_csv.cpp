@@ -4,7 +4,7 @@
 
 namespace mrpt_ext
 {
-void objectsCsv(const LongSequence<ObjectRow>& objects, const TextSink& write)
+void objectsCsv(const DiskBackedSequence<ObjectRow>& objects, const TextSink& write)
 {
   write("t,label,x,y,cxx,cxy,cyy,x_robot,y_robot\n");
   for (const ObjectRow& row : objects)

@@ -7,5 +7,5 @@ namespace mrpt_ext
 {
 /// Writes objects.csv: `t,label,x,y,cxx,cxy,cyy,x_robot,y_robot`, seen things that are not landmarks, in the map
 /// frame with covariance [m^2] and in the robot frame [m].
-void objectsCsv(const LongSequence<ObjectRow>& objects, const TextSink& write);
+void objectsCsv(const DiskBackedSequence<ObjectRow>& objects, const TextSink& write);
 }  // namespace mrpt_ext

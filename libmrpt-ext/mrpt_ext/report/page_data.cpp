@@ -64,14 +64,14 @@ Json landmarksOf(const RunContext& context, const RunScore& score)
   {
     const std::string id = landmark.id == kNoId ? std::string() : std::to_string(landmark.id);
     const auto known = score.landmarks.find(id);
-    const std::string doubt = known == score.landmarks.end() ? std::string() : landmarkDoubt(known->second);
+    const std::string doubt = known == score.landmarks.end() ? std::string() : landmarkWarning(known->second);
     list.push_back(
         {rounded(landmark.position.x(), 3), rounded(landmark.position.y(), 3), id, landmark.category, doubt});
   }
   return list;
 }
 
-Json spansOf(const MethodTrack& track, Verdict verdict, const RunContext& context)
+Json spansOf(const MethodTrajectory& track, Verdict verdict, const RunContext& context)
 {
   Json list = Json::array();
   for (const VerdictSpan& span : verdictSpans(track, verdict, context.start_time, context.duration_s / 700))
@@ -83,7 +83,7 @@ Json spansOf(const MethodTrack& track, Verdict verdict, const RunContext& contex
 Json confidenceOf(const RunContext& context, const RunRecord& record)
 {
   Json t = Json::array(), weight = Json::array(), ess = Json::array(), modes = Json::array();
-  const MethodTrack* track = judgedMethod(record);
+  const MethodTrajectory* track = judgedMethod(record);
   if (!track) return nullptr;
   const std::size_t joined = track->points.size() / (kMaxStamps + 1) + 1;
   for (auto point = track->points.begin(); point != track->points.end();)

@@ -38,7 +38,7 @@ Json truthAtSteps(const RunContext& context, const Steps& steps)
   return list;
 }
 
-Json posesAtSteps(const MethodTrack& track, const Steps& steps)
+Json posesAtSteps(const MethodTrajectory& track, const Steps& steps)
 {
   Json list = Json::array();
   auto point = track.points.begin();
@@ -69,7 +69,7 @@ Json modesOf(const PlaybackStep& step)
 Json sightingsOf(const PlaybackStep& step, const LandmarkTable& map)
 {
   Json list = Json::array();
-  for (const Sighting& s : step.sightings)
+  for (const DrawnDetection& s : step.sightings)
   {
     addPose(list, s.T_robot_sensor, true);
     list.push_back(s.bearing ? rounded(*s.bearing, 4) : Json(nullptr));
@@ -124,7 +124,7 @@ Json playbackJson(const RunContext& context, const RunRecord& record)
 {
   const Steps& steps = record.playback;
   Json json = {{"t", Json::array()}, {"truth", truthAtSteps(context, steps)}, {"methods", Json::object()}};
-  for (const MethodTrack& track : record.methods) json["methods"][track.name] = posesAtSteps(track, steps);
+  for (const MethodTrajectory& track : record.methods) json["methods"][track.name] = posesAtSteps(track, steps);
   json["modes"] = json["seen"] = Json::array();
   for (const PlaybackStep& step : steps)
   {

@@ -35,7 +35,7 @@ std::string frame(double reach)
 std::string mark(const std::string& id, const LandmarkScore& landmark, double x, double reach, bool named)
 {
   const double mean = *landmark.residual_mean, spread = landmark.residual_std.value_or(0);
-  const std::string doubt = landmarkDoubt(landmark);
+  const std::string doubt = landmarkWarning(landmark);
   const std::string css_class = doubt.empty() ? "residual" : "residual doubtful";
   std::string svg = svgLine({x, heightOf(mean - spread, reach)}, {x, heightOf(mean + spread, reach)}, css_class);
   svg += "<circle class=\"" + css_class + "\" r=\"4\" cx=\"" + svgNumber(x) + "\" cy=\"" +

@@ -43,7 +43,7 @@ void writeTrial(const std::filesystem::path& folder, const RunContext& context, 
   write("hypotheses.csv", hypothesesCsv, placed.hypotheses);
   if (context.objects_wanted || !placed.objects.empty()) write("objects.csv", objectsCsv, placed.objects);
   if (!placed.biases.empty()) write("biases.csv", biasesCsv, placed.biases);
-  for (const MethodTrack& method : placed.methods) writeTrajectoryTum(folder, method);
+  for (const MethodTrajectory& method : placed.methods) writeTrajectoryTum(folder, method);
   writeFileAtomically(folder / "report.html", trialPage(context, placed, score));
   // Last: who finds a summary finds everything that it belongs to.
   writeFileAtomically(folder / "summary.json", summaryJson(context, score));

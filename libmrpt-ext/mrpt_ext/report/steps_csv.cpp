@@ -11,14 +11,14 @@ namespace
 /// A track with the estimate of it that is not written yet.
 struct Column
 {
-  explicit Column(const MethodTrack& track) : method(&track), next(track.points.begin()) {}
+  explicit Column(const MethodTrajectory& track) : method(&track), next(track.points.begin()) {}
   [[nodiscard]] bool atEnd() const { return next == method->points.end(); }
 
-  const MethodTrack* method;
-  LongSequence<TrackPoint>::const_iterator next;
+  const MethodTrajectory* method;
+  DiskBackedSequence<PoseEstimate>::const_iterator next;
 };
 
-std::string rowText(const MethodTrack& method, const TrackPoint& p)
+std::string rowText(const MethodTrajectory& method, const PoseEstimate& p)
 {
   const Matrix3d& P = p.pose.covariance;
   return timeField(p.time) + ',' + textField(method.name) + ',' + lengthField(p.pose.mean.x) + ',' +

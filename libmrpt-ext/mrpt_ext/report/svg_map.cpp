@@ -6,10 +6,10 @@
 #include <span>
 
 #include "mrpt_ext/evaluation/odometry_alignment.h"
-#include "mrpt_ext/report/number_text.h"
 #include "mrpt_ext/report/html_text.h"
 #include "mrpt_ext/report/landmark_quality.h"
 #include "mrpt_ext/report/map_view.h"
+#include "mrpt_ext/report/number_text.h"
 #include "mrpt_ext/report/svg_shapes.h"
 
 namespace mrpt_ext
@@ -58,7 +58,7 @@ std::string landmarkShapes(const LandmarkTable& map, const std::map<std::string,
     const Vector2d p = view.draw(landmark.position.head<2>());
     std::string name = landmark.id == kNoId ? std::string() : std::to_string(landmark.id);
     const auto score = scores.find(name);
-    const bool doubtful = score != scores.end() && !landmarkDoubt(score->second).empty();
+    const bool doubtful = score != scores.end() && !landmarkWarning(score->second).empty();
     std::string tip = name.empty() ? "anonymous landmark" : "landmark " + name;
     if (!landmark.category.empty()) tip += ", " + landmark.category;
     svg += "<path class=\"landmark" + std::string(doubtful ? " doubtful" : "") + "\" d=\"M" + svgNumber(p.x()) + " " +
@@ -92,10 +92,10 @@ std::string scaleBar(const MapView& view)
          svgText({0.5 * (x + end), y - 8}, "middle", "", niceText(length, length) + " m") + "\n";
 }
 
-const MethodTrack* drawnPath(const RunRecord& record) { return judgedMethod(record); }
+const MethodTrajectory* drawnPath(const RunRecord& record) { return judgedMethod(record); }
 
 /// Oracles are left to the table; dead reckoning is drawn only where the truth could place it in the map.
-bool isDrawn(const MethodTrack& method, const RunScore& score)
+bool isDrawn(const MethodTrajectory& method, const RunScore& score)
 {
   if (method.oracle || method.points.empty()) return false;
   if (method.name != kOdometryMethod) return true;
@@ -114,10 +114,10 @@ std::span<const TimedPose> truthWithinLog(const RunContext& context)
 
 std::string methodShapes(const RunRecord& record, const RunScore& score, const MapView& view)
 {
-  const auto position = [](const TrackPoint& p) { return p.pose.mean.position(); };
+  const auto position = [](const PoseEstimate& p) { return p.pose.mean.position(); };
   const std::vector<std::string> names = methodNames(score.methods);
   std::string below, above;
-  for (const MethodTrack& method : record.methods)
+  for (const MethodTrajectory& method : record.methods)
   {
     if (!isDrawn(method, score)) continue;
     const std::string colour = methodClass(method.name, names);
@@ -129,7 +129,7 @@ std::string methodShapes(const RunRecord& record, const RunScore& score, const M
     SvgPoints dots;
     const std::size_t stride = method.points.size() / kMaxDots + 1;
     std::size_t i = 0;
-    for (const TrackPoint& point : method.points)
+    for (const PoseEstimate& point : method.points)
       if (const Vector2d p = view.draw(position(point)); i++ % stride == 0 && view.contains(p)) dots.push_back(p);
     below += svgDots(dots, colour);
   }
@@ -138,7 +138,7 @@ std::string methodShapes(const RunRecord& record, const RunScore& score, const M
 
 std::string endShapes(const RunRecord& record, const MapView& view)
 {
-  const MethodTrack* path = drawnPath(record);
+  const MethodTrajectory* path = drawnPath(record);
   if (!path || path->points.empty()) return {};
   const Vector2d start = view.draw(path->points.front().pose.mean.position());
   const Vector2d end = view.draw(path->points.back().pose.mean.position());
@@ -152,13 +152,13 @@ std::string legend(const RunContext& context, const RunRecord& record, const Run
   std::vector<LegendEntry> entries;
   if (!context.map.empty()) entries.push_back({"landmark", "triangle", "landmark"});
   if (!context.truth.empty()) entries.push_back({"truth", "line", "ground truth"});
-  for (const MethodTrack& method : record.methods)
+  for (const MethodTrajectory& method : record.methods)
   {
     if (!isDrawn(method, score)) continue;
     const std::string symbol = method.name == kOdometryMethod ? "dash" : method.continuous ? "line" : "dot";
     entries.push_back({methodClass(method.name, methodNames(score.methods)), symbol, method.name});
   }
-  if (const MethodTrack* path = drawnPath(record); path && !path->points.empty())
+  if (const MethodTrajectory* path = drawnPath(record); path && !path->points.empty())
   {
     entries.push_back({"", "ring", "first estimate"});
     entries.push_back({"", "square", "last estimate"});
@@ -170,8 +170,8 @@ std::string legend(const RunContext& context, const RunRecord& record, const Run
 std::string outsideNote(const RunRecord& record, const RunScore& score, const MapView& view)
 {
   std::size_t outside = 0;
-  for (const MethodTrack& method : record.methods)
-    for (const TrackPoint& point : method.points)
+  for (const MethodTrajectory& method : record.methods)
+    for (const PoseEstimate& point : method.points)
       outside += isDrawn(method, score) && !view.contains(view.draw(point.pose.mean.position())) ? 1 : 0;
   if (outside == 0) return {};
   return element("p", "note", std::to_string(outside) + " estimates lie outside of this view.") + "\n";

@@ -7,12 +7,12 @@
 
 namespace mrpt_ext
 {
-void writeTrajectoryTum(const std::filesystem::path& folder, const MethodTrack& track)
+void writeTrajectoryTum(const std::filesystem::path& folder, const MethodTrajectory& track)
 {
   const auto rows = [&track](const TextSink& write)
   {
     std::optional<TimedPose> last;
-    for (const TrackPoint& point : track.points)
+    for (const PoseEstimate& point : track.points)
     {
       if (last && last->time != point.time) write(tumRow(*last));
       last = TimedPose{point.time, point.pose.mean, point.heading_known};

@@ -4,7 +4,7 @@
 
 namespace mrpt_ext
 {
-std::vector<VerdictSpan> verdictSpans(const MethodTrack& track, Verdict verdict, double start, double resolution)
+std::vector<VerdictSpan> verdictSpans(const MethodTrajectory& track, Verdict verdict, double start, double resolution)
 {
   std::vector<VerdictSpan> spans;
   const auto last = track.points.end();

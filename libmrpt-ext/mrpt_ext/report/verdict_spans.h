@@ -13,6 +13,6 @@ struct VerdictSpan
 };
 
 /// When the verdict of the track was this one; spans closer than `resolution` [s] are joined, shorter ones widened.
-[[nodiscard]] std::vector<VerdictSpan> verdictSpans(const MethodTrack& track, Verdict verdict, double start,
+[[nodiscard]] std::vector<VerdictSpan> verdictSpans(const MethodTrajectory& track, Verdict verdict, double start,
                                                     double resolution);
 }  // namespace mrpt_ext

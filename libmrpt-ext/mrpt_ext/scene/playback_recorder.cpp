@@ -23,9 +23,9 @@ std::optional<double> planarRange(const Seen& sensor, int id, std::optional<doub
   return std::sqrt(std::max(0.0, square(*range) - square(height)));
 }
 
-std::vector<Sighting> sightingsOf(const Frame& frame, const LandmarkTable& map)
+std::vector<DrawnDetection> sightingsOf(const Frame& frame, const LandmarkTable& map)
 {
-  std::vector<Sighting> sightings;
+  std::vector<DrawnDetection> sightings;
   for (const Reading& reading : frame.readings)
     for (const Detection& seen : reading.detections)
       sightings.push_back(

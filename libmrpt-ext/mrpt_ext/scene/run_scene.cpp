@@ -67,14 +67,14 @@ gl::CDisk::Ptr ring(double x, double y, double radius)
 }
 
 /// What is seen from `robot`; `far` [m] is the length of a ray whose range is not measured.
-gl::CSetOfObjects::Ptr measurements(const std::vector<Sighting>& sightings, const Pose2& robot,
+gl::CSetOfObjects::Ptr measurements(const std::vector<DrawnDetection>& sightings, const Pose2& robot,
                                     const LandmarkTable& map, double far)
 {
   auto shapes = gl::CSetOfObjects::Create();
   auto rays = gl::CSetOfLines::Create();
   rays->setName("rays");
   rays->setColor(0.0F, 0.45F, 0.7F);
-  for (const Sighting& seen : sightings)
+  for (const DrawnDetection& seen : sightings)
   {
     const Pose2 sensor = compose(robot, seen.T_robot_sensor);
     const Landmark* landmark = nullptr;

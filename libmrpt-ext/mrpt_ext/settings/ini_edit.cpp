@@ -25,7 +25,7 @@ std::string withValue(const std::string& line, const std::string& value)
   return result;
 }
 
-void setLine(std::vector<std::string>& text, const ConfigurationLine& wanted)
+void setLine(std::vector<std::string>& text, const IniAssignment& wanted)
 {
   const auto header = std::find_if(
       text.begin(), text.end(), [&](const std::string& line) { return trimmed(line) == '[' + wanted.section + ']'; });
@@ -48,12 +48,12 @@ void setLine(std::vector<std::string>& text, const ConfigurationLine& wanted)
 }
 }  // namespace
 
-std::string withConfiguration(const std::string& ini, const std::vector<ConfigurationLine>& lines)
+std::string withValues(const std::string& ini, const std::vector<IniAssignment>& lines)
 {
   std::vector<std::string> text;
   std::istringstream in(ini);
   for (std::string line; std::getline(in, line);) text.push_back(line);
-  for (const ConfigurationLine& line : lines) setLine(text, line);
+  for (const IniAssignment& line : lines) setLine(text, line);
   std::string result;
   for (const std::string& line : text) result += line + '\n';
   return result;

@@ -19,7 +19,7 @@ std::string plain(double value)
   return text.str();
 }
 
-std::string intervalText(const Range& range)
+std::string intervalText(const ValueRange& range)
 {
   if (std::isfinite(range.low) && std::isfinite(range.high))
     return " in [" + plain(range.low) + ", " + plain(range.high) + "]";
@@ -28,14 +28,14 @@ std::string intervalText(const Range& range)
   return {};
 }
 
-std::string choiceNames(const std::vector<Choice>& choices)
+std::string choiceNames(const std::vector<KeyChoice>& choices)
 {
   std::string text;
-  for (const Choice& choice : choices) text += (text.empty() ? "" : " | ") + choice.name;
+  for (const KeyChoice& choice : choices) text += (text.empty() ? "" : " | ") + choice.name;
   return text;
 }
 
-bool inside(const Range& range, double value) { return value >= range.low && value <= range.high; }
+bool inside(const ValueRange& range, double value) { return value >= range.low && value <= range.high; }
 }  // namespace
 
 std::string KeySpec::expected() const

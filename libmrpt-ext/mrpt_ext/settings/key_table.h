@@ -20,14 +20,14 @@ enum class KeyType
 };
 
 /// A value of a choice; `number` is what MRPT's own files write for it, where MRPT has one.
-struct Choice
+struct KeyChoice
 {
   std::string name;
   std::optional<int> number;
 };
 
 /// Closed interval of allowed values; both ends may be infinite.
-struct Range
+struct ValueRange
 {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
@@ -43,8 +43,8 @@ struct KeySpec
   KeyType type = KeyType::text;
   std::string unit;           ///< empty: none
   std::string default_value;  ///< as in a file; empty: no default, the key stays unset
-  Range range;                ///< of number, integer and every one of numbers
-  std::vector<Choice> choices;
+  ValueRange range;           ///< of number, integer and every one of numbers
+  std::vector<KeyChoice> choices;
   std::string help;  ///< one or a few sentences
 
   /// What a value has to look like, e.g. "a number in [0, 360] deg".

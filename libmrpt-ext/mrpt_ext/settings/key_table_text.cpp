@@ -22,7 +22,7 @@ void writeExplanation(std::ostream& out, const KeySpec& key)
 {
   out << "[" << key.section << "] " << key.name << "\n  " << key.help << "\n  expected: " << key.expected() << "\n";
   out << "  default:  " << (key.default_value.empty() ? "none (not set)" : key.default_value) << "\n";
-  for (const Choice& choice : key.choices)
+  for (const KeyChoice& choice : key.choices)
     if (choice.number) out << "  " << choice.name << " is " << *choice.number << " in MRPT's files\n";
 }
 }  // namespace

@@ -42,10 +42,10 @@ std::optional<std::vector<double>> parseNumbers(const std::string& text)
   return numbers;
 }
 
-std::optional<std::string> parseChoice(const std::string& text, const std::vector<Choice>& choices)
+std::optional<std::string> parseChoice(const std::string& text, const std::vector<KeyChoice>& choices)
 {
   const auto number = parseWholeNumber(text);
-  for (const Choice& choice : choices)
+  for (const KeyChoice& choice : choices)
     if (choice.name == text || (number && choice.number && *number == *choice.number)) return choice.name;
   return std::nullopt;
 }

@@ -16,5 +16,5 @@ namespace mrpt_ext
 [[nodiscard]] std::optional<bool> parseFlag(const std::string& text);
 [[nodiscard]] std::optional<std::vector<double>> parseNumbers(const std::string& text);  ///< at least one
 /// The choice's name, from its name or its number.
-[[nodiscard]] std::optional<std::string> parseChoice(const std::string& text, const std::vector<Choice>& choices);
+[[nodiscard]] std::optional<std::string> parseChoice(const std::string& text, const std::vector<KeyChoice>& choices);
 }  // namespace mrpt_ext

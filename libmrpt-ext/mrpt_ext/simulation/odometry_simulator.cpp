@@ -7,7 +7,8 @@
 
 namespace mrpt_ext
 {
-DeadReckoning::DeadReckoning(const RobotPath& path, const OdometryNoise& noise, double duration, RandomStream& random)
+SimulatedOdometry::SimulatedOdometry(const RobotPath& path, const OdometryNoise& noise, double duration,
+                                     RandomStream& random)
     : path_(path), noise_(noise)
 {
   if (!(noise.rate_hz > 0)) return;
@@ -21,13 +22,13 @@ DeadReckoning::DeadReckoning(const RobotPath& path, const OdometryNoise& noise, 
     const double scale = 1 + noise.scale_error;
     const double dx = scale * moved.x + std.x() * random.gaussian();
     const double dy = scale * moved.y + std.y() * random.gaussian();
-    const double dphi = (1 + noise.turn_scale_error) * moved.phi + std.z() * random.gaussian();
+    const double dphi = (1 + noise.rotation_scale_error) * moved.phi + std.z() * random.gaussian();
     reckoned = compose(reckoned, {dx, dy, dphi});
     records_.push_back({rounded(end), rounded(reckoned)});
   }
 }
 
-Vector3d DeadReckoning::incrementStd(double begin, double end) const
+Vector3d SimulatedOdometry::incrementStd(double begin, double end) const
 {
   const double way = path_.lengthAt(end) - path_.lengthAt(begin);
   const double turned_deg = radToDeg(path_.turnedAt(end) - path_.turnedAt(begin));
@@ -38,7 +39,7 @@ Vector3d DeadReckoning::incrementStd(double begin, double end) const
   return {xy, xy, degToRad(phi_deg)};
 }
 
-std::optional<GaussianPose> DeadReckoning::displacement(double begin, double end) const
+std::optional<GaussianPose> SimulatedOdometry::displacement(double begin, double end) const
 {
   const double gap = noise_.rate_hz > 0 ? 2 / noise_.rate_hz : 0;
   const auto first = interpolate(records_, begin, gap), last = interpolate(records_, end, gap);

@@ -11,11 +11,11 @@
 namespace mrpt_ext
 {
 /// What a robot believes it has driven: the increments of its path, each with its own error, added up from (0, 0, 0).
-class DeadReckoning
+class SimulatedOdometry
 {
  public:
   /// Records from 0 to at least `duration` [s], `noise.rate_hz` of them per second; poses rounded to 1e-6.
-  DeadReckoning(const RobotPath& path, const OdometryNoise& noise, double duration, RandomStream& random);
+  SimulatedOdometry(const RobotPath& path, const OdometryNoise& noise, double duration, RandomStream& random);
 
   [[nodiscard]] const Trajectory& records() const { return records_; }
 

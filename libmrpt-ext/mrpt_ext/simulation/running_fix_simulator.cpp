@@ -8,17 +8,17 @@
 namespace mrpt_ext
 {
 RunningFixSimulator::RunningFixSimulator(const SimulatedSensor& sensor, const RobotPath& path,
-                                         const DeadReckoning& odometry, RandomStream random)
+                                         const SimulatedOdometry& odometry, RandomStream random)
     : sensor_(sensor), path_(path), odometry_(odometry), random_(random)
 {
   sensor_.sees_objects = false;
 }
 
 std::optional<RunningFixReading> RunningFixSimulator::look(double time, const Pose2& robot,
-                                                           const std::vector<Feature>& features)
+                                                           const std::vector<SceneFeature>& features)
 {
-  std::vector<Sighting> sightings = sightingsFrom(sensor_, robot, features);
-  std::erase_if(sightings, [&](const Sighting&) { return !random_.chance(sensor_.detection_probability); });
+  std::vector<VisibleFeature> sightings = sightingsFrom(sensor_, robot, features);
+  std::erase_if(sightings, [&](const VisibleFeature&) { return !random_.chance(sensor_.detection_probability); });
   const bool far_enough = first_ && path_.lengthAt(time) - path_.lengthAt(first_->time) >= sensor_.fix_distance;
   if (!first_ || sightings.empty())
   {
@@ -26,7 +26,7 @@ std::optional<RunningFixReading> RunningFixSimulator::look(double time, const Po
     return std::nullopt;
   }
   const auto again = std::find_if(sightings.begin(), sightings.end(),
-                                  [&](const Sighting& sighting) { return sighting.feature == first_->feature; });
+                                  [&](const VisibleFeature& sighting) { return sighting.feature == first_->feature; });
   if (again == sightings.end()) begin(time, sightings);
   if (again == sightings.end() || !far_enough) return std::nullopt;
   const auto fix = finish(time, *again, features);
@@ -34,17 +34,18 @@ std::optional<RunningFixReading> RunningFixSimulator::look(double time, const Po
   return fix;
 }
 
-void RunningFixSimulator::begin(double time, const std::vector<Sighting>& sightings)
+void RunningFixSimulator::begin(double time, const std::vector<VisibleFeature>& sightings)
 {
   first_.reset();
-  const auto nearest = std::min_element(sightings.begin(), sightings.end(),
-                                        [](const Sighting& a, const Sighting& b) { return a.range < b.range; });
+  const auto nearest =
+      std::min_element(sightings.begin(), sightings.end(),
+                       [](const VisibleFeature& a, const VisibleFeature& b) { return a.range < b.range; });
   if (nearest == sightings.end()) return;
   if (const auto measured = measureRange(sensor_, *nearest, random_)) first_ = First{time, nearest->feature, *measured};
 }
 
-std::optional<RunningFixReading> RunningFixSimulator::finish(double time, const Sighting& sighting,
-                                                             const std::vector<Feature>& features)
+std::optional<RunningFixReading> RunningFixSimulator::finish(double time, const VisibleFeature& sighting,
+                                                             const std::vector<SceneFeature>& features)
 {
   const auto second = measureRange(sensor_, sighting, random_);
   const auto way = odometry_.displacement(first_->time, time);
@@ -57,7 +58,7 @@ std::optional<RunningFixReading> RunningFixSimulator::finish(double time, const 
   fix.sensor_height = sensor_.height;
   fix.horizontal_range = sensor_.horizontal_range;
   fix.model = declaredModel(sensor_);
-  if (sensor_.identity == Identity::known) fix.id = features[sighting.feature].id;
+  if (sensor_.identity == IdentityLevel::known) fix.id = features[sighting.feature].id;
   fix.first_range = first_->measured.range;
   fix.first_std = first_->measured.std_range;
   fix.second_range = second->range;

@@ -13,12 +13,12 @@ namespace mrpt_ext
 class RunningFixSimulator
 {
  public:
-  RunningFixSimulator(const SimulatedSensor& sensor, const RobotPath& path, const DeadReckoning& odometry,
+  RunningFixSimulator(const SimulatedSensor& sensor, const RobotPath& path, const SimulatedOdometry& odometry,
                       RandomStream random);
 
   /// What the sensor sees at `time` [s] from the true pose `robot`; a fix when this is a second range.
   [[nodiscard]] std::optional<RunningFixReading> look(double time, const Pose2& robot,
-                                                      const std::vector<Feature>& features);
+                                                      const std::vector<SceneFeature>& features);
 
  private:
   struct First
@@ -27,13 +27,13 @@ class RunningFixSimulator
     std::size_t feature = 0;
     MeasuredRange measured;
   };
-  void begin(double time, const std::vector<Sighting>& sightings);
-  [[nodiscard]] std::optional<RunningFixReading> finish(double time, const Sighting& sighting,
-                                                        const std::vector<Feature>& features);
+  void begin(double time, const std::vector<VisibleFeature>& sightings);
+  [[nodiscard]] std::optional<RunningFixReading> finish(double time, const VisibleFeature& sighting,
+                                                        const std::vector<SceneFeature>& features);
 
   SimulatedSensor sensor_;
   const RobotPath& path_;
-  const DeadReckoning& odometry_;
+  const SimulatedOdometry& odometry_;
   RandomStream random_;
   std::optional<First> first_;
 };

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mrpt_ext/geometry/identity_level.h"
 #include "mrpt_ext/geometry/landmark_table.h"
 #include "mrpt_ext/simulation/map_generator.h"
 #include "mrpt_ext/simulation/path_planner.h"
@@ -15,14 +16,14 @@ namespace mrpt_ext
 /// along the way, so the errors do not depend on how often odometry is logged.
 struct OdometryNoise
 {
-  double rate_hz = 10;             ///< 0: the robot has no odometry
-  double std_xy_per_m = 0;         ///< [m] after one metre, along and across alike
-  double std_phi_deg_per_deg = 0;  ///< [deg] after turning one degree
-  double std_phi_deg_per_m = 0;    ///< [deg] after one metre
-  double std_xy_min = 0;           ///< [m] after one second, also at standstill
-  double std_phi_min_deg = 0;      ///< [deg] after one second, also at standstill
-  double scale_error = 0;          ///< measured way / true way - 1
-  double turn_scale_error = 0;     ///< measured turn / true turn - 1
+  double rate_hz = 10;              ///< 0: the robot has no odometry
+  double std_xy_per_m = 0;          ///< [m] after one metre, along and across alike
+  double std_phi_deg_per_deg = 0;   ///< [deg] after turning one degree
+  double std_phi_deg_per_m = 0;     ///< [deg] after one metre
+  double std_xy_min = 0;            ///< [m] after one second, also at standstill
+  double std_phi_min_deg = 0;       ///< [deg] after one second, also at standstill
+  double scale_error = 0;           ///< measured way / true way - 1
+  double rotation_scale_error = 0;  ///< measured turn / true turn - 1
 };
 
 enum class SensorKind
@@ -32,14 +33,6 @@ enum class SensorKind
   range_bearing,
   running_fix,  ///< ranges, logged in pairs with the way between them
   compass
-};
-
-/// What a sensor can tell about a landmark beside where it is.
-enum class Identity
-{
-  known,     ///< id and category
-  category,  ///< category only
-  anonymous
 };
 
 struct SimulatedSensor
@@ -64,7 +57,7 @@ struct SimulatedSensor
   double bias_range = 0, scale_range = 1;  ///< measured = scale * true + bias + noise
   double std_heading = 0, bias_heading = 0;  ///< [rad] of a compass
 
-  Identity identity = Identity::known;
+  IdentityLevel identity = IdentityLevel::known;
   double wrong_identity_probability = 0;  ///< share of landmarks reported as another one (or another category)
   double detection_probability = 1;
   double clutter_per_reading = 0;     ///< expected number of detections of nothing

@@ -13,24 +13,24 @@ namespace
 bool measuresBearings(const SimulatedSensor& sensor) { return sensor.kind != SensorKind::ranges; }
 bool measuresRanges(const SimulatedSensor& sensor) { return sensor.kind != SensorKind::bearings; }
 
-std::uint64_t landmarksIn(const std::vector<Feature>& features)
+std::uint64_t landmarksIn(const std::vector<SceneFeature>& features)
 {
-  const auto is_landmark = [](const Feature& feature) { return feature.is_landmark; };
+  const auto is_landmark = [](const SceneFeature& feature) { return feature.is_landmark; };
   return static_cast<std::uint64_t>(std::count_if(features.begin(), features.end(), is_landmark));
 }
 
 /// Index of another landmark, all with equal chances; itself when it is the only one.
-std::size_t otherLandmark(std::size_t itself, const std::vector<Feature>& features, RandomStream& random)
+std::size_t otherLandmark(std::size_t itself, const std::vector<SceneFeature>& features, RandomStream& random)
 {
   const std::uint64_t count = landmarksIn(features);
   return count > 1 ? (itself + 1 + random.below(count - 1)) % count : itself;
 }
 
 /// Names the detection as well as the sensor can.
-void identify(Detection& detection, const SimulatedSensor& sensor, const Feature& feature)
+void identify(Detection& detection, const SimulatedSensor& sensor, const SceneFeature& feature)
 {
-  if (sensor.identity == Identity::known) detection.id = feature.id;
-  if (sensor.identity != Identity::anonymous) detection.category = feature.category;
+  if (sensor.identity == IdentityLevel::known) detection.id = feature.id;
+  if (sensor.identity != IdentityLevel::anonymous) detection.category = feature.category;
 }
 
 /// Depth / range: an ordinary stereo pair measures the depth along its axis, an omnidirectional one the range itself.
@@ -47,8 +47,8 @@ double declaredRangeStd(const SimulatedSensor& sensor, double range, double bear
   return rounded(std::hypot(sensor.std_range, sensor.std_range_per_m * range, std_stereo));
 }
 
-std::optional<Detection> detect(const SimulatedSensor& sensor, const Sighting& sighting,
-                                const std::vector<Feature>& features, RandomStream& random)
+std::optional<Detection> detect(const SimulatedSensor& sensor, const VisibleFeature& sighting,
+                                const std::vector<SceneFeature>& features, RandomStream& random)
 {
   if (!random.chance(sensor.detection_probability)) return std::nullopt;
   Detection detection;
@@ -72,7 +72,7 @@ std::optional<Detection> detect(const SimulatedSensor& sensor, const Sighting& s
 }
 
 /// A detection of nothing: anywhere in view, under the name of any landmark.
-Detection detectNothing(const SimulatedSensor& sensor, const std::vector<Feature>& features, RandomStream& random)
+Detection detectNothing(const SimulatedSensor& sensor, const std::vector<SceneFeature>& features, RandomStream& random)
 {
   Detection detection;
   const std::uint64_t names = landmarksIn(features);
@@ -98,10 +98,10 @@ void shuffle(std::vector<Detection>& detections, RandomStream& random)
 }
 }  // namespace
 
-std::vector<Sighting> sightingsFrom(const SimulatedSensor& sensor, const Pose2& robot,
-                                    const std::vector<Feature>& features)
+std::vector<VisibleFeature> sightingsFrom(const SimulatedSensor& sensor, const Pose2& robot,
+                                          const std::vector<SceneFeature>& features)
 {
-  std::vector<Sighting> sightings;
+  std::vector<VisibleFeature> sightings;
   for (std::size_t i = 0; i < features.size(); ++i)
   {
     const Vector2d place = features[i].position.head<2>();
@@ -116,7 +116,8 @@ std::vector<Sighting> sightingsFrom(const SimulatedSensor& sensor, const Pose2& 
   return sightings;
 }
 
-std::optional<MeasuredRange> measureRange(const SimulatedSensor& sensor, const Sighting& sighting, RandomStream& random)
+std::optional<MeasuredRange> measureRange(const SimulatedSensor& sensor, const VisibleFeature& sighting,
+                                          RandomStream& random)
 {
   double range = sighting.range;
   if (sensor.std_disparity > 0)
@@ -132,7 +133,7 @@ std::optional<MeasuredRange> measureRange(const SimulatedSensor& sensor, const S
   return MeasuredRange{range, declaredRangeStd(sensor, range, sighting.bearing)};
 }
 
-double measureBearing(const SimulatedSensor& sensor, const Sighting& sighting, RandomStream& random)
+double measureBearing(const SimulatedSensor& sensor, const VisibleFeature& sighting, RandomStream& random)
 {
   return roundedAngle(sighting.bearing + sensor.bias_bearing + sensor.std_bearing * random.gaussian());
 }
@@ -146,7 +147,7 @@ SensorModel declaredModel(const SimulatedSensor& sensor)
   return model;
 }
 
-Reading simulateReading(const SimulatedSensor& sensor, const Pose2& robot, const std::vector<Feature>& features,
+Reading simulateReading(const SimulatedSensor& sensor, const Pose2& robot, const std::vector<SceneFeature>& features,
                         RandomStream& random)
 {
   Reading reading;
@@ -155,7 +156,7 @@ Reading simulateReading(const SimulatedSensor& sensor, const Pose2& robot, const
   reading.sensor_height = sensor.height;
   reading.horizontal_range = sensor.horizontal_range;
   reading.model = declaredModel(sensor);
-  for (const Sighting& sighting : sightingsFrom(sensor, robot, features))
+  for (const VisibleFeature& sighting : sightingsFrom(sensor, robot, features))
     if (const auto detection = detect(sensor, sighting, features, random)) reading.detections.push_back(*detection);
   for (int left = random.poisson(sensor.clutter_per_reading); left > 0; --left)
     reading.detections.push_back(detectNothing(sensor, features, random));

@@ -12,7 +12,7 @@ namespace mrpt_ext
 {
 /// Something that a sensor may see: a landmark, or an object with its place at the moment. In lists landmarks come
 /// first.
-struct Feature
+struct SceneFeature
 {
   int id = kNoId;
   std::string category;
@@ -21,7 +21,7 @@ struct Feature
 };
 
 /// A feature in view of a sensor, without errors.
-struct Sighting
+struct VisibleFeature
 {
   std::size_t feature = 0;  ///< index
   double bearing = 0;       ///< [rad] from the sensor's forward axis
@@ -29,8 +29,8 @@ struct Sighting
 };
 
 /// The features inside field of view and range limits, nothing hidden behind anything, in the order of the map.
-[[nodiscard]] std::vector<Sighting> sightingsFrom(const SimulatedSensor& sensor, const Pose2& robot,
-                                                  const std::vector<Feature>& features);
+[[nodiscard]] std::vector<VisibleFeature> sightingsFrom(const SimulatedSensor& sensor, const Pose2& robot,
+                                                        const std::vector<SceneFeature>& features);
 
 /// A measured range and its declared standard deviation [m].
 struct MeasuredRange
@@ -42,16 +42,17 @@ struct MeasuredRange
 /// Range with bias, scale and noise. Of a stereo pair: disparity = baseline focal / (range cos(bearing)) with Gaussian
 /// noise, hence std = range^2 cos(bearing) std_disparity / (baseline focal); with a field of view of 170 degrees and
 /// more the cosine is left out (omnidirectional stereo). Nothing when noise leaves no positive range or disparity.
-[[nodiscard]] std::optional<MeasuredRange> measureRange(const SimulatedSensor& sensor, const Sighting& sighting,
+[[nodiscard]] std::optional<MeasuredRange> measureRange(const SimulatedSensor& sensor, const VisibleFeature& sighting,
                                                         RandomStream& random);
 
 /// Bearing with bias and noise, rounded [rad].
-[[nodiscard]] double measureBearing(const SimulatedSensor& sensor, const Sighting& sighting, RandomStream& random);
+[[nodiscard]] double measureBearing(const SimulatedSensor& sensor, const VisibleFeature& sighting,
+                                    RandomStream& random);
 
 /// One reading of a sensor that measures bearings, ranges or both, clutter and misses included. The detections come in
 /// random order, so that an anonymous one does not give itself away. Values rounded to 1e-6; `time` is left 0.
 [[nodiscard]] Reading simulateReading(const SimulatedSensor& sensor, const Pose2& robot,
-                                      const std::vector<Feature>& features, RandomStream& random);
+                                      const std::vector<SceneFeature>& features, RandomStream& random);
 
 [[nodiscard]] CompassRecord simulateCompass(const SimulatedSensor& sensor, const Pose2& robot, RandomStream& random);
 

@@ -32,8 +32,9 @@ class SimulatedDrive::Simulation
         map_(planned<LandmarkTable>(kMapStream, [&](RandomStream& r) { return generateMap(scenario.map, r); })),
         path_(planned<RobotPath>(kPathStream,
                                  [&](RandomStream& r) { return planPath(scenario.path, scenario.duration, r); })),
-        odometry_(planned<DeadReckoning>(kOdometryStream, [&](RandomStream& r)
-                                         { return DeadReckoning(path_, scenario.odometry, scenario.duration, r); }))
+        odometry_(
+            planned<SimulatedOdometry>(kOdometryStream, [&](RandomStream& r)
+                                       { return SimulatedOdometry(path_, scenario.odometry, scenario.duration, r); }))
   {
     for (std::size_t i = 0; i < scenario.objects.size(); ++i)
       object_paths_.push_back(planned<RobotPath>(kFirstObjectStream + i, [&](RandomStream& r)
@@ -93,9 +94,9 @@ class SimulatedDrive::Simulation
     return compose(T_map_path, path_.poseAt(time));
   }
 
-  [[nodiscard]] std::vector<Feature> featuresAt(double time) const
+  [[nodiscard]] std::vector<SceneFeature> featuresAt(double time) const
   {
-    std::vector<Feature> features;
+    std::vector<SceneFeature> features;
     for (const Landmark& landmark : map_.all())
       features.push_back({landmark.id, landmark.category, landmark.position, true});
     for (std::size_t i = 0; i < object_paths_.size(); ++i)
@@ -106,7 +107,7 @@ class SimulatedDrive::Simulation
     return features;
   }
 
-  RecordFeed odometryRecords()
+  RecordStream odometryRecords()
   {
     return [this, i = std::size_t{0}]() mutable -> std::optional<Record>
     {
@@ -171,14 +172,14 @@ class SimulatedDrive::Simulation
   /// Records of one origin, ordered by time, with the one that waits for its turn.
   struct Source
   {
-    RecordFeed next;
+    RecordStream next;
     std::optional<Record> waiting;
   };
 
   const Scenario& scenario_;
   LandmarkTable map_;
   RobotPath path_;
-  DeadReckoning odometry_;
+  SimulatedOdometry odometry_;
   std::vector<RobotPath> object_paths_;
   std::vector<Source> sources_;
 };

@@ -29,8 +29,8 @@ PoseMl solveBearingPoseMl(std::span<const KnownBearing> bearings, const PoseMlOp
   measurements.reserve(local.size());
   for (const KnownBearing& b : local)
     measurements.push_back({PoseMeasurement::Kind::bearing, b.landmark, b.bearing, b.std, {}});
-  const PoseRows rows(measurements);
-  std::vector<PoseSeed> seeds = proposeSeeds(PoseRows(measurements), 1);
+  const PoseResiduals rows(measurements);
+  std::vector<PoseGuess> seeds = solveMinimalSubsets(PoseResiduals(measurements), 1);
   if (seeds.empty())
   {
     const BearingPoseLinear linear = solveBearingPoseLinear(local);

@@ -31,13 +31,13 @@ struct Moments
   std::vector<int> of_place;
   std::vector<Matrix3d> covariance;  // of the way since, oldest first
 
-  explicit Moments(std::span<const WayPlace> places)
+  explicit Moments(std::span<const ScanPose> places)
   {
-    for (const WayPlace& place : places)
+    for (const ScanPose& place : places)
     {
-      const bool same =
-          !covariance.empty() && (covariance.back() - place.way_covariance).norm() <= 1e-9 * covariance.back().norm();
-      if (!same) covariance.push_back(place.way_covariance);
+      const bool same = !covariance.empty() &&
+                        (covariance.back() - place.odometry_covariance).norm() <= 1e-9 * covariance.back().norm();
+      if (!same) covariance.push_back(place.odometry_covariance);
       of_place.push_back(static_cast<int>(covariance.size()) - 1);
     }
   }
@@ -86,8 +86,8 @@ struct System
 
 struct Problem
 {
-  std::span<const WayPlace> places;
-  std::span<const WaySighting> sightings;
+  std::span<const ScanPose> places;
+  std::span<const LandmarkObservation> sightings;
   Moments moments;
   Eigen::MatrixXd prior;
   bool robust = false;
@@ -98,7 +98,7 @@ struct Problem
     system.own.assign(landmarks.size(), Matrix2d::Zero());
     system.own_side.assign(landmarks.size(), Vector2d::Zero());
     system.mixed.assign(landmarks.size(), Block::Zero(2, errors.size()));
-    for (const WaySighting& s : sightings)
+    for (const LandmarkObservation& s : sightings)
     {
       const auto at = 3 * static_cast<Eigen::Index>(moments.of_place[s.place]);
       const Vector3d error = errors.segment<3>(at);
@@ -171,13 +171,13 @@ double snooped(const Scalar& scalar, const Matrix2d& landmark, const Matrix3d& p
   return square(scalar.error) / std::max(1 - explained, kLeast);
 }
 
-bool isUsable(std::span<const WayPlace> places, std::span<const WaySighting> sightings,
+bool isUsable(std::span<const ScanPose> places, std::span<const LandmarkObservation> sightings,
               const std::vector<Vector2d>& start)
 {
   const bool places_ok =
       std::all_of(places.begin(), places.end(),
-                  [](const WayPlace& p) { return isFinite(p.T_robot_sensor) && p.way_covariance.allFinite(); });
-  const auto usable = [&](const WaySighting& s)
+                  [](const ScanPose& p) { return isFinite(p.T_robot_sensor) && p.odometry_covariance.allFinite(); });
+  const auto usable = [&](const LandmarkObservation& s)
   {
     const bool bearing = !s.bearing || (std::isfinite(*s.bearing) && s.std_bearing > 0);
     const bool range = !s.range || (*s.range >= 0 && std::isfinite(*s.range) && s.std_range > 0);
@@ -188,20 +188,20 @@ bool isUsable(std::span<const WayPlace> places, std::span<const WaySighting> sig
 }
 
 /// The place as it was: an error (x, y, phi) of the robot's pose now had moved it with everything else.
-WayPlace corrected(const WayPlace& place, const Vector3d& error, const Matrix3d& covariance)
+ScanPose corrected(const ScanPose& place, const Vector3d& error, const Matrix3d& covariance)
 {
   return {compose(inverse({error.x(), error.y(), error.z()}), place.T_robot_sensor), covariance};
 }
 }  // namespace
 
-WayAdjustment adjustWay(std::span<const WayPlace> places, std::span<const WaySighting> sightings,
-                        std::vector<Vector2d> start, bool robust)
+BundleAdjustment adjustBundle(std::span<const ScanPose> places, std::span<const LandmarkObservation> sightings,
+                              std::vector<Vector2d> start, bool robust)
 {
-  WayAdjustment result;
+  BundleAdjustment result;
   result.status = SolveStatus::bad_input;
   if (!isUsable(places, sightings, start)) return result;
   int readings = 0;
-  for (const WaySighting& s : sightings) readings += (s.bearing ? 1 : 0) + (s.range ? 1 : 0);
+  for (const LandmarkObservation& s : sightings) readings += (s.bearing ? 1 : 0) + (s.range ? 1 : 0);
   result.degrees = readings - 2 * static_cast<int>(start.size());
   result.status = SolveStatus::too_few;
   if (start.empty() || result.degrees < 0) return result;

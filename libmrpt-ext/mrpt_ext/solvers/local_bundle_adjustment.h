@@ -10,14 +10,15 @@
 namespace mrpt_ext
 {
 /// Where a sensor was when it looked, as odometry tells it from now.
-struct WayPlace
+struct ScanPose
 {
-  Pose2 T_robot_sensor;                        ///< robot frame of now
-  Matrix3d way_covariance = Matrix3d::Zero();  ///< of the way since, as an error of the robot's pose now (robot axes)
+  Pose2 T_robot_sensor;  ///< robot frame of now
+  Matrix3d odometry_covariance =
+      Matrix3d::Zero();  ///< of the way since, as an error of the robot's pose now (robot axes)
 };
 
 /// One of the landmarks of the constellation, seen from one of the places.
-struct WaySighting
+struct LandmarkObservation
 {
   std::size_t place = 0, landmark = 0;
   std::optional<double> bearing;  ///< [rad, CCW from the sensor's forward axis]
@@ -25,11 +26,11 @@ struct WaySighting
   double std_bearing = 0, std_range = 0;
 };
 
-struct WayAdjustment
+struct BundleAdjustment
 {
   SolveStatus status = SolveStatus::too_few;
   std::vector<GaussianPoint> landmarks;  ///< robot frame of now [m]
-  std::vector<WayPlace> places;          ///< corrected, with what remains of their covariance
+  std::vector<ScanPose> places;          ///< corrected, with what remains of their covariance
   std::vector<double> misfits;           ///< of each sighting: squared residuals over the variance they should have
   double chi2 = 0;                       ///< of sightings and odometry together
   int degrees = 0;
@@ -42,6 +43,7 @@ struct WayAdjustment
 /// `robust`: sightings beyond about three deviations hardly pull (Cauchy), for associations that may be wrong; the
 /// covariances then count each by its weight. Gauss-Newton; status `ok`, `too_few` (fewer readings than unknowns),
 /// `degenerate` (a landmark without parallax), `bad_input` (an index out of range or a number that is not finite).
-[[nodiscard]] WayAdjustment adjustWay(std::span<const WayPlace> places, std::span<const WaySighting> sightings,
-                                      std::vector<Vector2d> start, bool robust = false);
+[[nodiscard]] BundleAdjustment adjustBundle(std::span<const ScanPose> places,
+                                            std::span<const LandmarkObservation> sightings, std::vector<Vector2d> start,
+                                            bool robust = false);
 }  // namespace mrpt_ext

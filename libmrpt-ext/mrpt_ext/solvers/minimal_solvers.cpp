@@ -3,14 +3,14 @@
 #include <algorithm>
 
 #include "mrpt_ext/solvers/bearing_triple.h"
-#include "mrpt_ext/solvers/three_bearing_pose_noncentral.h"
 #include "mrpt_ext/solvers/line_of_position.h"
+#include "mrpt_ext/solvers/three_bearing_pose_noncentral.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-using Rows = std::span<const PoseRow>;
+using Rows = std::span<const PoseResidual>;
 
 constexpr std::size_t kAllTriplesUpTo = 5;  // bearings: of more, only some triples are tried
 constexpr std::size_t kTriples = 5;
@@ -21,22 +21,22 @@ constexpr int kHeadings = 12;
 constexpr int kRounds = 4;
 
 /// The first row from `start` on, around the end, whose landmark is none of `others`; the row at `start` when all are.
-const PoseRow& nextOther(Rows rows, std::size_t start, std::span<const PoseRow* const> others)
+const PoseResidual& nextOther(Rows rows, std::size_t start, std::span<const PoseResidual* const> others)
 {
   for (std::size_t k = 0; k < rows.size(); ++k)
   {
-    const PoseRow& row = rows[(start + k) % rows.size()];
-    if (std::none_of(others.begin(), others.end(), [&](const PoseRow* o) { return o->landmark == row.landmark; }))
+    const PoseResidual& row = rows[(start + k) % rows.size()];
+    if (std::none_of(others.begin(), others.end(), [&](const PoseResidual* o) { return o->landmark == row.landmark; }))
       return row;
   }
   return rows[start % rows.size()];
 }
 
 /// At most `most` rows, evenly spread, of different landmarks while there are any.
-std::vector<const PoseRow*> someOf(Rows rows, std::size_t most)
+std::vector<const PoseResidual*> someOf(Rows rows, std::size_t most)
 {
   const std::size_t count = std::min(rows.size(), most);
-  std::vector<const PoseRow*> some;
+  std::vector<const PoseResidual*> some;
   some.reserve(count);
   for (std::size_t k = 0; k < count; ++k) some.push_back(&nextOther(rows, k * rows.size() / count, some));
   return some;
@@ -45,10 +45,10 @@ std::vector<const PoseRow*> someOf(Rows rows, std::size_t most)
 class Proposer
 {
  public:
-  Proposer(const PoseRows& rows, std::vector<PoseSeed>& seeds) : rows_(rows), seeds_(seeds)
+  Proposer(const PoseResiduals& rows, std::vector<PoseGuess>& seeds) : rows_(rows), seeds_(seeds)
   {
     const double share = 1 / static_cast<double>(std::max<std::size_t>(1, rows.sightings().size()));
-    for (const PoseRow& m : rows.sightings())
+    for (const PoseResidual& m : rows.sightings())
     {
       reference_ += share * m.offset;
       one_place_ = one_place_ && m.offset == rows.sightings().front().offset;
@@ -65,7 +65,7 @@ class Proposer
       for (std::size_t t = 0; t < kTriples; ++t)
       {
         const std::size_t i = t * n / kTriples;
-        std::array<const PoseRow*, 2> members{&b[i], &b[i]};
+        std::array<const PoseResidual*, 2> members{&b[i], &b[i]};
         members[1] = &nextOther(b, i + n / 3, members);
         fromTriple(b[i], *members[1], nextOther(b, i + 2 * (n / 3) + t % 2, members));
       }
@@ -87,8 +87,8 @@ class Proposer
     std::vector<Point> points;
     Vector2d world = Vector2d::Zero(), robot = Vector2d::Zero();
     double sum = 0;
-    for (const PoseRow* r : someOf(rows_.ranges(), kPoints))
-      for (const PoseRow& b : rows_.bearings())
+    for (const PoseResidual* r : someOf(rows_.ranges(), kPoints))
+      for (const PoseResidual& b : rows_.bearings())
         if (b.landmark == r->landmark && b.offset == r->offset)
         {
           const double w = 1 / (square(1 / r->weight) + square(r->range / b.weight));
@@ -109,16 +109,16 @@ class Proposer
     }
     if (!(turn.squaredNorm() > 0)) return;
     const Vector2d heading = turn.normalized();
-    propose(world - PoseRows::turned(robot, heading), heading);
+    propose(world - PoseResiduals::turned(robot, heading), heading);
   }
 
   /// Crossings of circles and lines.
   void fromLoci()
   {
     std::vector<Source> sources;
-    for (const PoseRow* r : someOf(rows_.ranges(), kRanges)) sources.push_back({Source::Kind::range, r});
+    for (const PoseResidual* r : someOf(rows_.ranges(), kRanges)) sources.push_back({Source::Kind::range, r});
     if (!rows_.headings().empty())
-      for (const PoseRow* b : someOf(rows_.bearings(), kLines)) sources.push_back({Source::Kind::line, b});
+      for (const PoseResidual* b : someOf(rows_.bearings(), kLines)) sources.push_back({Source::Kind::line, b});
     for (std::size_t i = 0; i < sources.size(); ++i)
       for (std::size_t j = i + 1; j < sources.size(); ++j) fromPair(sources[i], sources[j]);
     if (sources.empty() || rows_.bearings().size() > kAngles) return;
@@ -129,7 +129,7 @@ class Proposer
   }
 
  private:
-  void fromTriple(const PoseRow& a, const PoseRow& b, const PoseRow& c)
+  void fromTriple(const PoseResidual& a, const PoseResidual& b, const PoseResidual& c)
   {
     if (one_place_)
     {
@@ -137,10 +137,10 @@ class Proposer
           solveBearingTriple({a.landmark, b.landmark, c.landmark}, {a.unit, b.unit, c.unit}, 0);
       if (triple.outcome != BearingTriple::Outcome::pose) return;
       const Vector2d heading = direction(triple.phi);
-      propose(triple.position - PoseRows::turned(a.offset, heading), heading);
+      propose(triple.position - PoseResiduals::turned(a.offset, heading), heading);
       return;
     }
-    const BearingTripleOnPath triple = solveBearingTripleOnPath(
+    const NoncentralThreeBearingPose triple = solveBearingTripleOnPath(
         {{{a.landmark, a.offset, a.unit}, {b.landmark, b.offset, b.unit}, {c.landmark, c.offset, c.unit}}});
     for (int k = 0; k < triple.count; ++k)
     {
@@ -159,26 +159,26 @@ class Proposer
       angle  ///< between two bearings
     };
     Kind kind;
-    const PoseRow* first;
-    const PoseRow* second = nullptr;
+    const PoseResidual* first;
+    const PoseResidual* second = nullptr;
   };
 
   /// The landmark moved so that the reference point sees it as the sensor does, on a robot with this heading.
-  [[nodiscard]] Vector2d asSeenFromReference(const PoseRow& m, const Vector2d& heading) const
+  [[nodiscard]] Vector2d asSeenFromReference(const PoseResidual& m, const Vector2d& heading) const
   {
-    return m.landmark - PoseRows::turned(m.offset - reference_, heading);
+    return m.landmark - PoseResiduals::turned(m.offset - reference_, heading);
   }
 
   [[nodiscard]] std::optional<PositionLocus> locusOf(const Source& source, const Vector2d& heading) const
   {
-    const PoseRow& m = *source.first;
+    const PoseResidual& m = *source.first;
     const Vector2d landmark = asSeenFromReference(m, heading);
     switch (source.kind)
     {
       case Source::Kind::range:
         return circleAbout(landmark, m.range);
       case Source::Kind::line:
-        return lineThrough(landmark, PoseRows::turned(m.unit, heading));
+        return lineThrough(landmark, PoseResiduals::turned(m.unit, heading));
       case Source::Kind::angle:
         return circleOfAngle(landmark, asSeenFromReference(*source.second, heading), m.unit, source.second->unit);
     }
@@ -195,13 +195,13 @@ class Proposer
   [[nodiscard]] Vector2d headingAt(const Vector2d& position, const Vector2d& guess) const
   {
     Vector2d sum = Vector2d::Zero();
-    for (const PoseRow& b : rows_.bearings())
+    for (const PoseResidual& b : rows_.bearings())
     {
       const Vector2d d = asSeenFromReference(b, guess) - position;
       const double r = d.norm();
       if (r > 0) sum += square(b.weight) / r * Vector2d(b.unit.dot(d), cross(b.unit, d));
     }
-    for (const PoseRow& h : rows_.headings()) sum += square(h.weight) * h.unit;
+    for (const PoseResidual& h : rows_.headings()) sum += square(h.weight) * h.unit;
     return sum.squaredNorm() > 0 ? sum.normalized() : sum;
   }
 
@@ -237,7 +237,7 @@ class Proposer
 
   void proposeReference(const Vector2d& point, const Vector2d& heading)
   {
-    propose(point - PoseRows::turned(reference_, heading), heading);
+    propose(point - PoseResiduals::turned(reference_, heading), heading);
   }
 
   void propose(const Vector2d& position, const Vector2d& heading)
@@ -246,22 +246,22 @@ class Proposer
     if (std::isfinite(cost)) seeds_.push_back({{position.x(), position.y(), angleOf(heading)}, cost});
   }
 
-  const PoseRows& rows_;
-  std::vector<PoseSeed>& seeds_;
+  const PoseResiduals& rows_;
+  std::vector<PoseGuess>& seeds_;
   Vector2d reference_{0, 0};  ///< mean of the sensors' places, robot axes
   bool one_place_ = true;     ///< all sensors are there
 };
 }  // namespace
 
-std::vector<PoseSeed> proposeSeeds(const PoseRows& rows, std::size_t most)
+std::vector<PoseGuess> solveMinimalSubsets(const PoseResiduals& rows, std::size_t most)
 {
-  std::vector<PoseSeed> seeds;
+  std::vector<PoseGuess> seeds;
   seeds.reserve(16);
   Proposer proposer(rows, seeds);
   proposer.fromTriples();
   proposer.fromPoints();
   proposer.fromLoci();
-  const auto better = [](const PoseSeed& a, const PoseSeed& b) { return a.rough_cost < b.rough_cost; };
+  const auto better = [](const PoseGuess& a, const PoseGuess& b) { return a.rough_cost < b.rough_cost; };
   const std::size_t kept = std::min(most, seeds.size());
   std::partial_sort(seeds.begin(), seeds.begin() + static_cast<std::ptrdiff_t>(kept), seeds.end(), better);
   seeds.resize(kept);

@@ -7,10 +7,10 @@
 namespace mrpt_ext
 {
 /// A pose from a few of the measurements, judged by all of them.
-struct PoseSeed
+struct PoseGuess
 {
   Pose2 pose;
-  double rough_cost = 0;  ///< PoseRows::roughCost
+  double rough_cost = 0;  ///< PoseResiduals::roughCost
 };
 
 /// Poses from minimal subsets of the measurements, best first, at most `most`: triples of bearings (paper 000, or
@@ -18,5 +18,5 @@ struct PoseSeed
 /// and crossings of circles and lines (ranges, pairs of bearings, bearings under a known heading) with the mean of the
 /// headings that the bearings then ask for. The subsets are spread evenly over the measurements, some tens of them.
 /// Ranges of sensors in different places: every twelfth of a turn as heading.
-[[nodiscard]] std::vector<PoseSeed> proposeSeeds(const PoseRows& rows, std::size_t most);
+[[nodiscard]] std::vector<PoseGuess> solveMinimalSubsets(const PoseResiduals& rows, std::size_t most);
 }  // namespace mrpt_ext

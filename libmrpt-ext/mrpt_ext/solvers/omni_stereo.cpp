@@ -8,12 +8,12 @@ namespace
 {
 constexpr double kParallel = 1e-12;  // sine of the angle between the rays
 
-bool isUsable(const Ray& ray)
+bool isUsable(const SightRay& ray)
 {
   return ray.origin.allFinite() && std::isfinite(ray.angle) && std::isfinite(ray.std_angle) && ray.std_angle >= 0;
 }
 
-Matrix2d pointCovariance(const Ray& first, double first_distance, const Ray& second, double second_distance)
+Matrix2d pointCovariance(const SightRay& first, double first_distance, const SightRay& second, double second_distance)
 {
   const double e1 = first_distance * first.std_angle, e2 = second_distance * second.std_angle;
   // Normals span the plane, so the error is a sum of two independent shifts along the other ray.
@@ -23,7 +23,7 @@ Matrix2d pointCovariance(const Ray& first, double first_distance, const Ray& sec
 }
 }  // namespace
 
-Triangulation triangulate(const Ray& first, const Ray& second)
+Triangulation triangulate(const SightRay& first, const SightRay& second)
 {
   Triangulation result;
   if (!isUsable(first) || !isUsable(second)) return result;

@@ -7,7 +7,7 @@
 namespace mrpt_ext
 {
 /// A line of sight, in any frame: from `origin` in the direction `angle`.
-struct Ray
+struct SightRay
 {
   Vector2d origin{0, 0};  ///< [m]
   double angle = 0;       ///< [rad]
@@ -27,5 +27,5 @@ struct Triangulation
 /// when the rays diverge; rays cut each other without either, s = cross(c_j - c_i, d_j) / cross(d_i, d_j).
 /// Covariance: inverse of sum n n^T / (s sigma)^2, n the normal of each ray; the range error grows with range squared.
 /// Status: `degenerate` parallel rays, `behind` the lines meet behind a camera, `bad_input` not finite.
-[[nodiscard]] Triangulation triangulate(const Ray& first, const Ray& second);
+[[nodiscard]] Triangulation triangulate(const SightRay& first, const SightRay& second);
 }  // namespace mrpt_ext

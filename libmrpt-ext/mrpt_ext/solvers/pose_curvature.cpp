@@ -36,15 +36,15 @@ Matrix3d rootFromWeakest(const Matrix3d& P)
 }
 }  // namespace
 
-PoseCurvature poseCurvature(const PoseRows& rows, const Pose2& pose, const Matrix3d& P)
+PoseCurvature poseCurvature(const PoseResiduals& rows, const Pose2& pose, const Matrix3d& P)
 {
   const Matrix3d L = rootFromWeakest(P);
   const Vector2d heading = direction(pose.phi);
   std::array<Vector3d, 6> bends;  // sum_i w_i (J_i L)^T (L_k^T H_i L_l) for (k, l) = 00 01 02 11 12 22
   bends.fill(Vector3d::Zero());
-  const auto add = [&](const PoseRow& m, auto&& derivative, auto&& bend)
+  const auto add = [&](const PoseResidual& m, auto&& derivative, auto&& bend)
   {
-    const Vector2d offset = PoseRows::turned(m.offset, heading), d = m.landmark - pose.position() - offset;
+    const Vector2d offset = PoseResiduals::turned(m.offset, heading), d = m.landmark - pose.position() - offset;
     const double r = d.norm();
     if (!(r > 0)) return;
     const Vector2d along = d / r, across = perpendicular(along), arm = perpendicular(offset);
@@ -62,10 +62,10 @@ PoseCurvature poseCurvature(const PoseRows& rows, const Pose2& pose, const Matri
       for (std::size_t l = k; l < 3; ++l)
         bends[place++] += square(m.weight) * bend(shifts[k], shifts[l], lever, r) * whitened;
   };
-  for (const PoseRow& m : rows.bearings())
+  for (const PoseResidual& m : rows.bearings())
     add(
         m, [](const Shift& s, double r) { return s.across / r - s.turn; }, bendOfBearing);
-  for (const PoseRow& m : rows.ranges())
+  for (const PoseResidual& m : rows.ranges())
     add(
         m, [](const Shift& s, double) { return s.along; }, bendOfRange);
 

@@ -16,5 +16,5 @@ struct PoseCurvature
 };
 
 /// At `pose` with covariance `P` (positive definite).
-[[nodiscard]] PoseCurvature poseCurvature(const PoseRows& rows, const Pose2& pose, const Matrix3d& P);
+[[nodiscard]] PoseCurvature poseCurvature(const PoseResiduals& rows, const Pose2& pose, const Matrix3d& P);
 }  // namespace mrpt_ext

@@ -3,9 +3,9 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "mrpt_ext/solvers/minimal_solvers.h"
 #include "mrpt_ext/solvers/pose_curvature.h"
 #include "mrpt_ext/solvers/pose_information.h"
-#include "mrpt_ext/solvers/minimal_solvers.h"
 
 namespace mrpt_ext
 {
@@ -41,7 +41,7 @@ Pose2 moved(const Pose2& pose, const Vector3d& step)
   return {pose.x + step.x(), pose.y + step.y(), wrap(pose.phi + step.z())};
 }
 
-Minimum refined(const PoseRows& rows, const Pose2& start)
+Minimum refined(const PoseResiduals& rows, const Pose2& start)
 {
   Minimum minimum{start, rows.model(start)};
   const auto improved = [&rows](const Pose2& next, double bound) -> std::optional<NormalEquations<3>>
@@ -56,10 +56,10 @@ Minimum refined(const PoseRows& rows, const Pose2& start)
 
 /// All distinct minima that the seeds lead to, lowest first. A seed whose cost is what the parabola about a minimum
 /// foretells belongs to that minimum and need not be followed; with little redundancy that may be chance.
-std::vector<Minimum> findMinima(const PoseRows& rows, std::span<const PoseSeed> seeds)
+std::vector<Minimum> findMinima(const PoseResiduals& rows, std::span<const PoseGuess> seeds)
 {
   std::vector<Minimum> minima;
-  for (const PoseSeed& seed : seeds)
+  for (const PoseGuess& seed : seeds)
   {
     const auto foretells = [&](const Minimum& m)
     {
@@ -94,10 +94,10 @@ double sceneExtent(std::span<const PoseMeasurement> measurements, const Vector2d
 }
 
 /// Largest length among the measurements: between landmarks, of a range, to a sensor on the robot.
-double measuredExtent(const PoseRows& rows)
+double measuredExtent(const PoseResiduals& rows)
 {
   double extent = 0;
-  for (const PoseRow& m : rows.sightings())
+  for (const PoseResidual& m : rows.sightings())
     extent = std::max({extent, (m.landmark - rows.sightings().front().landmark).norm(), m.offset.norm(), m.range});
   return extent;
 }
@@ -113,7 +113,7 @@ double chiSquareTail(double chi2, int degrees_of_freedom)
 
 /// Where the position is known worst, how much less than foretold does the cost rise along the bent ridge of the
 /// likelihood? A second place just not far enough for a minimum of its own shows so.
-double stretchAt(const PoseRows& rows, const Minimum& minimum, const PoseCurvature& curvature)
+double stretchAt(const PoseResiduals& rows, const Minimum& minimum, const PoseCurvature& curvature)
 {
   double stretch = 1;
   for (const double z : {-kFarOut, kFarOut})
@@ -129,7 +129,7 @@ struct Problem
 {
   std::span<const PoseMeasurement> measurements;
   bool heading_known = true;
-  PoseRows rows;
+  PoseResiduals rows;
   double offset = 0;  ///< longest, of a sensor that turns with an unknown heading [m]
 };
 
@@ -147,7 +147,7 @@ bool tellsHeading(std::span<const PoseMeasurement> measurements)
 /// Without a heading the rows hold for the sensor, and its heading is called 0 with the spread of any heading.
 Problem problemOf(std::span<const PoseMeasurement> measurements)
 {
-  if (tellsHeading(measurements)) return {measurements, true, PoseRows(measurements)};
+  if (tellsHeading(measurements)) return {measurements, true, PoseResiduals(measurements)};
   std::vector<PoseMeasurement> centred(measurements.begin(), measurements.end());
   double offset = 0;
   for (PoseMeasurement& m : centred)
@@ -155,7 +155,7 @@ Problem problemOf(std::span<const PoseMeasurement> measurements)
     offset = std::max(offset, m.T_robot_sensor.position().norm());
     m.T_robot_sensor = {};
   }
-  Problem problem{measurements, false, PoseRows(centred), offset};
+  Problem problem{measurements, false, PoseResiduals(centred), offset};
   problem.rows.addHeading(0, std::sqrt(kAnyHeadingVariance));
   return problem;
 }
@@ -185,7 +185,8 @@ std::optional<PoseCandidate> describe(const Problem& problem, const Minimum& min
 }
 }  // namespace
 
-IdentifiedPose solveIdentifiedPose(std::span<const PoseMeasurement> measurements, const IdentifiedPoseOptions& options)
+IdentifiedPose solvePoseFromLandmarks(std::span<const PoseMeasurement> measurements,
+                                      const IdentifiedPoseOptions& options)
 {
   IdentifiedPose result;
   result.status = SolveStatus::bad_input;
@@ -196,7 +197,7 @@ IdentifiedPose solveIdentifiedPose(std::span<const PoseMeasurement> measurements
   if (static_cast<int>(measurements.size()) < needed) return result;
 
   const Problem problem = problemOf(measurements);
-  const std::vector<Minimum> minima = findMinima(problem.rows, proposeSeeds(problem.rows, kSeeds));
+  const std::vector<Minimum> minima = findMinima(problem.rows, solveMinimalSubsets(problem.rows, kSeeds));
   for (const Minimum& minimum : minima)
     if (minimum.at.cost <= minima.front().at.cost + options.rival_chi2)
       if (const auto candidate = describe(problem, minimum, minima.front().at.cost, options))

@@ -54,6 +54,6 @@ struct IdentifiedPose
 /// pose to noise: singular information, a standard deviation of the position beyond `max_relative_error`, or a
 /// likelihood too bent for its covariance (robot and landmarks near one circle or one line, robot nearly on a
 /// landmark); `none` the residuals contradict the stated standard deviations; `bad_input`.
-[[nodiscard]] IdentifiedPose solveIdentifiedPose(std::span<const PoseMeasurement> measurements,
-                                                 const IdentifiedPoseOptions& options = {});
+[[nodiscard]] IdentifiedPose solvePoseFromLandmarks(std::span<const PoseMeasurement> measurements,
+                                                    const IdentifiedPoseOptions& options = {});
 }  // namespace mrpt_ext

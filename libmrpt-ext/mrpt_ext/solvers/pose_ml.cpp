@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "mrpt_ext/solvers/divergence_guard.h"
 #include "mrpt_ext/solvers/pose_information.h"
 #include "mrpt_ext/solvers/pose_residuals.h"
-#include "mrpt_ext/solvers/divergence_guard.h"
 
 namespace mrpt_ext
 {
@@ -36,7 +36,7 @@ LossValue evaluate(const PoseMlOptions& options, double e2)
 }
 
 /// Cost and model of all measurements under the loss.
-NormalEquations<3> modelAt(const PoseRows& rows, const PoseMlOptions& options, const Pose2& pose)
+NormalEquations<3> modelAt(const PoseResiduals& rows, const PoseMlOptions& options, const Pose2& pose)
 {
   if (options.loss == Loss::squared) return rows.model(pose);
   NormalEquations<3> sum;
@@ -88,7 +88,7 @@ PoseMl refinePose(std::span<const PoseMeasurement> measurements, const Pose2& st
   }
   if (measurements.size() < 3) return result;
 
-  const PoseRows rows(measurements);
+  const PoseResiduals rows(measurements);
   Pose2 pose = start;
   NormalEquations<3> now = modelAt(rows, options, pose);
   result.start_chi2 = now.cost;

@@ -12,7 +12,7 @@ double roughSquare(double across, double along)
 }
 }  // namespace
 
-PoseRows::PoseRows(std::span<const PoseMeasurement> measurements)
+PoseResiduals::PoseResiduals(std::span<const PoseMeasurement> measurements)
 {
   rows_.reserve(measurements.size() + 1);
   const auto add = [&](PoseMeasurement::Kind kind)
@@ -20,7 +20,7 @@ PoseRows::PoseRows(std::span<const PoseMeasurement> measurements)
     for (const PoseMeasurement& m : measurements)
     {
       if (m.kind != kind) continue;
-      PoseRow& row = rows_.emplace_back(PoseRow{m.landmark, m.T_robot_sensor.position()});
+      PoseResidual& row = rows_.emplace_back(PoseResidual{m.landmark, m.T_robot_sensor.position()});
       if (kind == PoseMeasurement::Kind::bearing) row.unit = direction(m.value + m.T_robot_sensor.phi);
       if (kind == PoseMeasurement::Kind::heading) row.unit = direction(m.value);
       if (kind == PoseMeasurement::Kind::range) row.range = m.value;
@@ -34,7 +34,7 @@ PoseRows::PoseRows(std::span<const PoseMeasurement> measurements)
   add(PoseMeasurement::Kind::heading);
 }
 
-NormalEquations<3> PoseRows::model(const Pose2& pose) const
+NormalEquations<3> PoseResiduals::model(const Pose2& pose) const
 {
   double cost = 0, gx = 0, gy = 0, gp = 0, xx = 0, xy = 0, xp = 0, yy = 0, yp = 0, pp = 0;
   forEach(pose,
@@ -53,20 +53,20 @@ NormalEquations<3> PoseRows::model(const Pose2& pose) const
   return sum;
 }
 
-double PoseRows::roughCost(const Vector2d& position, const Vector2d& heading) const
+double PoseResiduals::roughCost(const Vector2d& position, const Vector2d& heading) const
 {
   double sum = 0;
-  for (const PoseRow& m : bearings())
+  for (const PoseResidual& m : bearings())
   {
     const Vector2d d = m.landmark - position - turned(m.offset, heading), seen = turned(m.unit, heading);
     sum += square(m.weight) * roughSquare(cross(seen, d), seen.dot(d));
   }
-  for (const PoseRow& m : ranges())
+  for (const PoseResidual& m : ranges())
   {
     const Vector2d d = m.landmark - position - turned(m.offset, heading);
     sum += square(m.weight * (d.norm() - m.range));
   }
-  for (const PoseRow& m : headings())
+  for (const PoseResidual& m : headings())
     sum += square(m.weight) * roughSquare(cross(m.unit, heading), m.unit.dot(heading));
   return sum;
 }

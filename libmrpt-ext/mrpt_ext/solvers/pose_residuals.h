@@ -10,7 +10,7 @@
 namespace mrpt_ext
 {
 /// A measurement made ready for many poses: bearings and headings have become unit vectors once.
-struct PoseRow
+struct PoseResidual
 {
   Vector2d landmark{0, 0};  ///< world frame [m]
   Vector2d offset{0, 0};    ///< of the sensor, robot axes [m]
@@ -29,19 +29,19 @@ struct PoseRow
 }
 
 /// Measurements of one pose, sorted by kind.
-class PoseRows
+class PoseResiduals
 {
  public:
-  explicit PoseRows(std::span<const PoseMeasurement> measurements);
+  explicit PoseResiduals(std::span<const PoseMeasurement> measurements);
 
-  [[nodiscard]] std::span<const PoseRow> bearings() const { return std::span(rows_).first(ranges_begin_); }
-  [[nodiscard]] std::span<const PoseRow> ranges() const
+  [[nodiscard]] std::span<const PoseResidual> bearings() const { return std::span(rows_).first(ranges_begin_); }
+  [[nodiscard]] std::span<const PoseResidual> ranges() const
   {
     return std::span(rows_).subspan(ranges_begin_, headings_begin_ - ranges_begin_);
   }
   /// Bearings and ranges.
-  [[nodiscard]] std::span<const PoseRow> sightings() const { return std::span(rows_).first(headings_begin_); }
-  [[nodiscard]] std::span<const PoseRow> headings() const { return std::span(rows_).subspan(headings_begin_); }
+  [[nodiscard]] std::span<const PoseResidual> sightings() const { return std::span(rows_).first(headings_begin_); }
+  [[nodiscard]] std::span<const PoseResidual> headings() const { return std::span(rows_).subspan(headings_begin_); }
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
   /// Adds an absolute heading.
   void addHeading(double heading, double std) { rows_.push_back({{0, 0}, {0, 0}, direction(heading), 0, 1 / std}); }
@@ -52,7 +52,7 @@ class PoseRows
   void forEach(const Pose2& pose, const Row& row) const
   {
     const Vector2d position = pose.position(), heading = direction(pose.phi);
-    for (const PoseRow& m : bearings())
+    for (const PoseResidual& m : bearings())
     {
       const Vector2d offset = turned(m.offset, heading), d = m.landmark - position - offset;
       const Vector2d seen = turned(m.unit, heading);
@@ -60,13 +60,13 @@ class PoseRows
       row(m.weight * smallAngle(cross(seen, d), seen.dot(d)),
           JacobianRow(w * d.y(), -w * d.x(), r2 > 0 ? -m.weight - w * d.dot(offset) : 0));
     }
-    for (const PoseRow& m : ranges())
+    for (const PoseResidual& m : ranges())
     {
       const Vector2d offset = turned(m.offset, heading), d = m.landmark - position - offset;
       const double r = d.norm(), w = r > 0 ? m.weight / r : 0;
       row(m.weight * (r - m.range), JacobianRow(-w * d.x(), -w * d.y(), w * cross(d, offset)));
     }
-    for (const PoseRow& m : headings())
+    for (const PoseResidual& m : headings())
       row(m.weight * smallAngle(cross(m.unit, heading), m.unit.dot(heading)), JacobianRow(0, 0, m.weight));
   }
 
@@ -83,7 +83,7 @@ class PoseRows
   }
 
  private:
-  std::vector<PoseRow> rows_;  ///< bearings, ranges, headings
+  std::vector<PoseResidual> rows_;  ///< bearings, ranges, headings
   std::size_t ranges_begin_ = 0, headings_begin_ = 0;
 };
 }  // namespace mrpt_ext

@@ -7,7 +7,7 @@ namespace mrpt_ext
 {
 /// A known landmark [m, world frame] and the unit vector of its bearing (cos b, sin b), robot frame.
 template <class Real>
-struct SightedLandmark
+struct VisibleLandmark
 {
   Real x, y;
   Real c, s;
@@ -48,9 +48,9 @@ struct ThreeBearingSolution
 /// special case for opposite or equal bearings, and holds the heading already. (n, d) vanishes when all are on one
 /// circle. Bearings known to eps move n by no more than 2 eps (|v_1| + |v_2|); below 32 times that it says nothing.
 template <class Real>
-[[gnu::always_inline]] inline ThreeBearingSolution<Real> solveThreeBearings(const SightedLandmark<Real>& first,
-                                                                            const SightedLandmark<Real>& second,
-                                                                            const SightedLandmark<Real>& third)
+[[gnu::always_inline]] inline ThreeBearingSolution<Real> solveThreeBearings(const VisibleLandmark<Real>& first,
+                                                                            const VisibleLandmark<Real>& second,
+                                                                            const VisibleLandmark<Real>& third)
 {
   const Real x1 = second.x - first.x, y1 = second.y - first.y;
   const Real x2 = third.x - first.x, y2 = third.y - first.y;
@@ -77,9 +77,9 @@ template <class Real>
 /// The pose from which three known landmarks are seen under three directed bearings; there is at most one. No
 /// trigonometry, one square root; never NaN. Only differences of landmarks enter, the vectors must have length one.
 template <class Real>
-[[gnu::always_inline]] inline ThreeBearingPose<Real> solveThreeBearingPose(const SightedLandmark<Real>& first,
-                                                                           const SightedLandmark<Real>& second,
-                                                                           const SightedLandmark<Real>& third)
+[[gnu::always_inline]] inline ThreeBearingPose<Real> solveThreeBearingPose(const VisibleLandmark<Real>& first,
+                                                                           const VisibleLandmark<Real>& second,
+                                                                           const VisibleLandmark<Real>& third)
 {
   const ThreeBearingSolution<Real> at = solveThreeBearings(first, second, third);
   ThreeBearingPose<Real> result;

@@ -10,7 +10,7 @@ namespace
 {
 constexpr double kSingular = 1e-10;  // relative, below this rounding decides
 
-bool isUsable(const SightLine& line)
+bool isUsable(const NoncentralBearing& line)
 {
   return line.landmark.allFinite() && line.origin.allFinite() && line.direction.allFinite() &&
          std::abs(line.direction.squaredNorm() - 1) < 1e-6;
@@ -18,14 +18,14 @@ bool isUsable(const SightLine& line)
 
 struct Lines
 {
-  std::array<SightLine, 3> line;  // landmarks relative to their mean, so that large coordinates cost no digits
+  std::array<NoncentralBearing, 3> line;  // landmarks relative to their mean, so that large coordinates cost no digits
   Vector2d mean;
   Vector3d w;  // sum w_i d_i = 0
 
-  explicit Lines(const std::array<SightLine, 3>& lines) : line(lines)
+  explicit Lines(const std::array<NoncentralBearing, 3>& lines) : line(lines)
   {
     mean = (lines[0].landmark + lines[1].landmark + lines[2].landmark) / 3;
-    for (SightLine& l : line) l.landmark -= mean;
+    for (NoncentralBearing& l : line) l.landmark -= mean;
     w = {cross(line[1].direction, line[2].direction), cross(line[2].direction, line[0].direction),
          cross(line[0].direction, line[1].direction)};
   }
@@ -51,7 +51,7 @@ struct Lines
   [[nodiscard]] bool ahead(const Pose2& pose) const
   {
     return std::all_of(line.begin(), line.end(),
-                       [&](const SightLine& l)
+                       [&](const NoncentralBearing& l)
                        {
                          const Vector2d v = rotation(-pose.phi) * (l.landmark + mean - pose.position());
                          return l.direction.dot(v - l.origin) > 0;
@@ -60,16 +60,16 @@ struct Lines
 };
 }  // namespace
 
-BearingTripleOnPath solveBearingTripleOnPath(const std::array<SightLine, 3>& lines)
+NoncentralThreeBearingPose solveBearingTripleOnPath(const std::array<NoncentralBearing, 3>& lines)
 {
-  BearingTripleOnPath result;
+  NoncentralThreeBearingPose result;
   if (!std::all_of(lines.begin(), lines.end(), isUsable)) return result;
   result.status = SolveStatus::degenerate;
   const Lines set(lines);
   double A = 0, B = 0, E = 0, lever = 0, reach = 0;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    const SightLine& l = set.line[i];
+    const NoncentralBearing& l = set.line[i];
     const double w = set.w[static_cast<Eigen::Index>(i)];
     A += w * cross(l.direction, l.landmark);
     B += w * l.direction.dot(l.landmark);

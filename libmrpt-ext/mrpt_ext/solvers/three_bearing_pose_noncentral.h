@@ -8,7 +8,7 @@
 namespace mrpt_ext
 {
 /// A directed line of sight to a known landmark, taken anywhere on the robot or on the way it has come.
-struct SightLine
+struct NoncentralBearing
 {
   Vector2d landmark{0, 0};   ///< world frame [m]
   Vector2d origin{0, 0};     ///< where it was taken, robot frame [m]
@@ -16,7 +16,7 @@ struct SightLine
 };
 
 /// All poses from which three lines of sight from different places hit their landmarks.
-struct BearingTripleOnPath
+struct NoncentralThreeBearingPose
 {
   SolveStatus status = SolveStatus::bad_input;
   int count = 0;  ///< poses: up to 2
@@ -32,5 +32,5 @@ struct BearingTripleOnPath
 /// degrees, with every landmark behind its bearing, and the pose is that of solveBearingTriple. Status: `ok`; `behind`
 /// the lines meet, but a landmark would lie behind; `none` no heading; `degenerate` parallel lines of sight, or every
 /// heading fits (one origin: robot and landmarks on a circle); `bad_input` not finite.
-[[nodiscard]] BearingTripleOnPath solveBearingTripleOnPath(const std::array<SightLine, 3>& lines);
+[[nodiscard]] NoncentralThreeBearingPose solveBearingTripleOnPath(const std::array<NoncentralBearing, 3>& lines);
 }  // namespace mrpt_ext

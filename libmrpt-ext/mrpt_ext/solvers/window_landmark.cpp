@@ -3,10 +3,10 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
-#include "mrpt_ext/solvers/window_noise.h"
 #include "mrpt_ext/solvers/omni_stereo.h"
 #include "mrpt_ext/solvers/plane.h"
 #include "mrpt_ext/solvers/two_circles.h"
+#include "mrpt_ext/solvers/window_noise.h"
 
 namespace mrpt_ext
 {
@@ -17,17 +17,17 @@ constexpr double kVague = 0.5;       // deviation over distance at which there i
 constexpr double kSameSpread = 1;    // squared Mahalanobis distance of minima that are one
 constexpr std::size_t kMaxSeedPairs = 3;
 
-using Sightings = std::span<const CarriedSighting>;
+using Sightings = std::span<const WindowObservation>;
 
-double worldAngle(const CarriedSighting& s) { return *s.bearing + s.T_robot_sensor.phi; }
-Ray rayOf(const CarriedSighting& s) { return {s.T_robot_sensor.position(), worldAngle(s), s.std_bearing}; }
+double worldAngle(const WindowObservation& s) { return *s.bearing + s.T_robot_sensor.phi; }
+SightRay rayOf(const WindowObservation& s) { return {s.T_robot_sensor.position(), worldAngle(s), s.std_bearing}; }
 
-bool isUsable(const CarriedSighting& s)
+bool isUsable(const WindowObservation& s)
 {
   const bool bearing = !s.bearing || (std::isfinite(*s.bearing) && s.std_bearing > 0 && std::isfinite(s.std_bearing));
   const bool range =
       !s.range || (*s.range >= 0 && std::isfinite(*s.range) && s.std_range > 0 && std::isfinite(s.std_range));
-  return bearing && range && isFinite(s.T_robot_sensor) && s.way_covariance.allFinite();
+  return bearing && range && isFinite(s.T_robot_sensor) && s.odometry_covariance.allFinite();
 }
 
 /// Quadratic model of the joint cost for a landmark at `v` (robot frame).
@@ -39,14 +39,14 @@ NormalEquations<2> modelAt(Sightings sightings, const Vector2d& v)
   swing << Matrix2d::Identity(), perpendicular(v);
   for (std::size_t k = 0; k < sightings.size(); ++k)
   {
-    const CarriedSighting& s = sightings[k];
+    const WindowObservation& s = sightings[k];
     const Vector2d d = v - s.T_robot_sensor.position();
     const double r2 = std::max(d.squaredNorm(), 1e-12), r = std::sqrt(r2);
     if (s.bearing)
       addReading(information, wrap(angleOf(d) - worldAngle(s)), (perpendicular(d) / r2).transpose(), s.std_bearing);
     if (s.range) addReading(information, r - *s.range, (d / r).transpose(), s.std_range);
-    Matrix3d noise = s.way_covariance;
-    if (k + 1 < sightings.size()) noise -= sightings[k + 1].way_covariance;
+    Matrix3d noise = s.odometry_covariance;
+    if (k + 1 < sightings.size()) noise -= sightings[k + 1].odometry_covariance;
     diffuse<2>(information, swing * noise * swing.transpose());
   }
   return information;
@@ -54,12 +54,12 @@ NormalEquations<2> modelAt(Sightings sightings, const Vector2d& v)
 
 /// Pairs of sightings, each of the wanted kind, the widest apart first.
 template <typename First, typename Second>
-std::vector<std::pair<const CarriedSighting*, const CarriedSighting*>> widestPairs(Sightings sightings, First&& first,
-                                                                                   Second&& second)
+std::vector<std::pair<const WindowObservation*, const WindowObservation*>> widestPairs(Sightings sightings,
+                                                                                       First&& first, Second&& second)
 {
-  std::vector<std::pair<const CarriedSighting*, const CarriedSighting*>> pairs;
-  for (const CarriedSighting& a : sightings)
-    for (const CarriedSighting& b : sightings)
+  std::vector<std::pair<const WindowObservation*, const WindowObservation*>> pairs;
+  for (const WindowObservation& a : sightings)
+    for (const WindowObservation& b : sightings)
       if (&a != &b && first(a) && second(b)) pairs.emplace_back(&a, &b);
   const auto width = [](const auto& pair)
   { return (pair.first->T_robot_sensor.position() - pair.second->T_robot_sensor.position()).squaredNorm(); };
@@ -71,7 +71,7 @@ std::vector<std::pair<const CarriedSighting*, const CarriedSighting*>> widestPai
 }
 
 /// Where a ray cuts a circle: 0, 1 or 2 points ahead; a ray that passes by gives its nearest point.
-void addRayCircle(const CarriedSighting& ray, const CarriedSighting& circle, std::vector<Vector2d>& seeds)
+void addRayCircle(const WindowObservation& ray, const WindowObservation& circle, std::vector<Vector2d>& seeds)
 {
   const Vector2d d = direction(worldAngle(ray)), to = circle.T_robot_sensor.position() - ray.T_robot_sensor.position();
   const double along = d.dot(to), half2 = square(*circle.range) - square(cross(d, to));
@@ -80,7 +80,7 @@ void addRayCircle(const CarriedSighting& ray, const CarriedSighting& circle, std
     if (s > 0) seeds.emplace_back(ray.T_robot_sensor.position() + s * d);
 }
 
-void addTwoCircles(const CarriedSighting& a, const CarriedSighting& b, std::vector<Vector2d>& seeds)
+void addTwoCircles(const WindowObservation& a, const WindowObservation& b, std::vector<Vector2d>& seeds)
 {
   const Vector2d from = a.T_robot_sensor.position(), to = b.T_robot_sensor.position();
   const TwoCircles circles = intersectCircles({from, *a.range}, {to, *b.range});
@@ -95,10 +95,10 @@ void addTwoCircles(const CarriedSighting& a, const CarriedSighting& b, std::vect
 
 std::vector<Vector2d> seedsFor(Sightings sightings)
 {
-  const auto has_bearing = [](const CarriedSighting& s) { return s.bearing.has_value(); };
-  const auto has_range = [](const CarriedSighting& s) { return s.range.has_value(); };
+  const auto has_bearing = [](const WindowObservation& s) { return s.bearing.has_value(); };
+  const auto has_range = [](const WindowObservation& s) { return s.range.has_value(); };
   std::vector<Vector2d> seeds;
-  for (const CarriedSighting& s : sightings)
+  for (const WindowObservation& s : sightings)
     if (s.bearing && s.range) seeds.emplace_back(transform(s.T_robot_sensor, *s.range * direction(*s.bearing)));
   if (!seeds.empty()) return {seeds.front(), seeds.back()};
   for (const auto& [a, b] : widestPairs(sightings, has_bearing, has_bearing))
@@ -113,7 +113,7 @@ std::vector<Vector2d> seedsFor(Sightings sightings)
 double distanceTo(Sightings sightings, const Vector2d& v)
 {
   double nearest = std::numeric_limits<double>::infinity();
-  for (const CarriedSighting& s : sightings) nearest = std::min(nearest, (v - s.T_robot_sensor.position()).norm());
+  for (const WindowObservation& s : sightings) nearest = std::min(nearest, (v - s.T_robot_sensor.position()).norm());
   return nearest;
 }
 
@@ -122,7 +122,7 @@ double distanceTo(Sightings sightings, const Vector2d& v)
 double curvatureSpread(Sightings sightings, const Vector2d& v)
 {
   double least = std::numeric_limits<double>::infinity(), most = 0, std = 0;
-  for (const CarriedSighting& s : sightings)
+  for (const WindowObservation& s : sightings)
   {
     if (s.bearing) return std::numeric_limits<double>::infinity();
     const Vector2d d = v - s.T_robot_sensor.position();
@@ -131,7 +131,7 @@ double curvatureSpread(Sightings sightings, const Vector2d& v)
     const double curvature = towards / std::max(d.norm(), 1e-6);
     least = std::min(least, curvature);
     most = std::max(most, curvature);
-    std = std::max(std, std::sqrt(square(s.std_range) + s.way_covariance.topLeftCorner<2, 2>().trace()));
+    std = std::max(std, std::sqrt(square(s.std_range) + s.odometry_covariance.topLeftCorner<2, 2>().trace()));
   }
   return most > least ? std::sqrt(2 * std::sqrt(2.0) * std / (most - least)) : std::numeric_limits<double>::infinity();
 }
@@ -150,12 +150,12 @@ std::optional<Matrix2d> covarianceAt(Sightings sightings, const Vector2d& v, con
 }
 }  // namespace
 
-CarriedLandmark locateLandmark(std::span<const CarriedSighting> oldest_first)
+WindowLandmark locateLandmark(std::span<const WindowObservation> oldest_first)
 {
-  CarriedLandmark result;
+  WindowLandmark result;
   result.status = SolveStatus::bad_input;
   if (!std::all_of(oldest_first.begin(), oldest_first.end(), isUsable)) return result;
-  for (const CarriedSighting& s : oldest_first) result.readings += (s.bearing ? 1 : 0) + (s.range ? 1 : 0);
+  for (const WindowObservation& s : oldest_first) result.readings += (s.bearing ? 1 : 0) + (s.range ? 1 : 0);
   result.status = SolveStatus::too_few;
   if (result.readings < 2) return result;
 
@@ -171,7 +171,7 @@ CarriedLandmark locateLandmark(std::span<const CarriedSighting> oldest_first)
     const std::optional<Matrix2d> covariance = covarianceAt(oldest_first, v, minimum.hessian);
     if (!covariance) continue;
     const bool known = std::any_of(result.places.begin(), result.places.end(),
-                                   [&](const CarriedLandmarkPlace& p)
+                                   [&](const LocalizedLandmark& p)
                                    {
                                      const Vector2d e = p.in_robot.mean - v;
                                      return e.dot(minimum.hessian * e) < kSameSpread;

@@ -10,27 +10,28 @@
 namespace mrpt_ext
 {
 /// What a sensor saw of one landmark from one place of the way: a bearing, a range, or both.
-struct CarriedSighting
+struct WindowObservation
 {
-  Pose2 T_robot_sensor;                        ///< the sensor's place then, in the robot frame of now
-  Matrix3d way_covariance = Matrix3d::Zero();  ///< of the way since, as an error of the robot's pose now (robot axes)
-  std::optional<double> bearing;               ///< [rad, CCW from the sensor's forward axis]
-  std::optional<double> range;                 ///< [m, horizontal, from the sensor]
-  double std_bearing = 0, std_range = 0;       ///< of the sensor alone, > 0 where it measured
+  Pose2 T_robot_sensor;  ///< the sensor's place then, in the robot frame of now
+  Matrix3d odometry_covariance =
+      Matrix3d::Zero();                   ///< of the way since, as an error of the robot's pose now (robot axes)
+  std::optional<double> bearing;          ///< [rad, CCW from the sensor's forward axis]
+  std::optional<double> range;            ///< [m, horizontal, from the sensor]
+  double std_bearing = 0, std_range = 0;  ///< of the sensor alone, > 0 where it measured
 };
 
-struct CarriedLandmarkPlace
+struct LocalizedLandmark
 {
   GaussianPoint in_robot;  ///< robot frame of now [m]
   double chi2 = 0;         ///< readings - 2 degrees of freedom
 };
 
 /// Where one landmark is, seen from a robot that saw it once or several times on its way.
-struct CarriedLandmark
+struct WindowLandmark
 {
   SolveStatus status = SolveStatus::too_few;
-  int readings = 0;                          ///< bearings and ranges counted
-  std::vector<CarriedLandmarkPlace> places;  ///< best first; mirror images where the readings leave them
+  int readings = 0;                       ///< bearings and ranges counted
+  std::vector<LocalizedLandmark> places;  ///< best first; mirror images where the readings leave them
 };
 
 /// Maximum-likelihood place of a landmark in the robot frame, sightings oldest first; generalises the triangulation of
@@ -42,5 +43,5 @@ struct CarriedLandmark
 /// circles stay within their noise, as in runningFix. Status: `degenerate` when the readings hold no point (one place
 /// without range, parallel bearings, a parallax within the noise: deviation above half the distance, one range); `none`
 /// the lines of sight meet behind; `bad_input`.
-[[nodiscard]] CarriedLandmark locateLandmark(std::span<const CarriedSighting> oldest_first);
+[[nodiscard]] WindowLandmark locateLandmark(std::span<const WindowObservation> oldest_first);
 }  // namespace mrpt_ext

@@ -2,16 +2,16 @@
 
 #include <algorithm>
 
-#include "mrpt_ext/solvers/window_noise.h"
-#include "mrpt_ext/solvers/pose_information.h"
 #include "mrpt_ext/solvers/divergence_guard.h"
+#include "mrpt_ext/solvers/pose_information.h"
+#include "mrpt_ext/solvers/window_noise.h"
 
 namespace mrpt_ext
 {
 namespace
 {
 /// The quadratic model of the joint cost at a pose. Steps are in world axes, so the noise is turned into them.
-NormalEquations<3> modelAt(std::span<const CarriedMeasurements> readings, const Pose2& pose)
+NormalEquations<3> modelAt(std::span<const WindowMeasurements> readings, const Pose2& pose)
 {
   NormalEquations<3> information;
   const Matrix3d to_world = composeJacobianSecond(pose);
@@ -19,16 +19,16 @@ NormalEquations<3> modelAt(std::span<const CarriedMeasurements> readings, const 
   {
     for (const PoseMeasurement& m : readings[k].measurements)
       addReading(information, residual(m, pose), jacobian(m, pose), m.std);
-    Matrix3d noise = readings[k].way_covariance;
-    if (k + 1 < readings.size()) noise -= readings[k + 1].way_covariance;
+    Matrix3d noise = readings[k].odometry_covariance;
+    if (k + 1 < readings.size()) noise -= readings[k + 1].odometry_covariance;
     diffuse<3>(information, to_world * noise * to_world.transpose());
   }
   return information;
 }
 
-bool isUsableReading(const CarriedMeasurements& reading)
+bool isUsableReading(const WindowMeasurements& reading)
 {
-  return reading.way_covariance.allFinite() && reading.way_covariance.diagonal().minCoeff() >= 0 &&
+  return reading.odometry_covariance.allFinite() && reading.odometry_covariance.diagonal().minCoeff() >= 0 &&
          std::all_of(reading.measurements.begin(), reading.measurements.end(), isUsable);
 }
 
@@ -37,22 +37,22 @@ Pose2 moved(const Pose2& pose, const Vector3d& step)
   return {pose.x + step.x(), pose.y + step.y(), wrap(pose.phi + step.z())};
 }
 
-bool ranOff(std::span<const CarriedMeasurements> readings, const Pose2& pose)
+bool ranOff(std::span<const WindowMeasurements> readings, const Pose2& pose)
 {
   SceneExtent scene(pose.position());
-  for (const CarriedMeasurements& reading : readings)
+  for (const WindowMeasurements& reading : readings)
     for (const PoseMeasurement& m : reading.measurements) scene.add(m);
   return scene.ranOff();
 }
 }  // namespace
 
-PoseMl refineCarriedPose(std::span<const CarriedMeasurements> oldest_first, const Pose2& start, int max_iterations)
+PoseMl refineCarriedPose(std::span<const WindowMeasurements> oldest_first, const Pose2& start, int max_iterations)
 {
   PoseMl result;
   result.status = SolveStatus::bad_input;
   if (!isFinite(start) || !std::all_of(oldest_first.begin(), oldest_first.end(), isUsableReading)) return result;
   std::size_t count = 0;
-  for (const CarriedMeasurements& reading : oldest_first) count += reading.measurements.size();
+  for (const WindowMeasurements& reading : oldest_first) count += reading.measurements.size();
   result.status = SolveStatus::too_few;
   if (count < 3) return result;
 
@@ -66,7 +66,7 @@ PoseMl refineCarriedPose(std::span<const CarriedMeasurements> oldest_first, cons
   result.iterations = report.iterations;
   result.converged = report.converged;
   result.det_ratio = informationRatio(at_solution.hessian);
-  for (const CarriedMeasurements& reading : oldest_first)
+  for (const WindowMeasurements& reading : oldest_first)
     for (const PoseMeasurement& m : reading.measurements) result.residuals.push_back(residual(m, pose));
   result.weights.assign(count, 1);
 

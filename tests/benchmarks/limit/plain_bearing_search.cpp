@@ -90,10 +90,10 @@ struct Search
 };
 }  // namespace
 
-std::optional<Pose2> searchBearings(const LandmarkIndex& map, const SensorPlace& place)
+std::optional<Pose2> searchBearings(const LandmarkIndex& map, const Scan& place)
 {
   Search search{map, {}, {}, place.model.max_range.value_or(0), 0, 0};
-  for (const UnidentifiedDetection& d : place.detections) search.bearings.push_back(d.bearing.value_or(0));
+  for (const AnonymousDetection& d : place.detections) search.bearings.push_back(d.bearing.value_or(0));
   std::sort(search.bearings.begin(), search.bearings.end());
   for (const double b : search.bearings) search.rays.emplace_back(std::cos(b), std::sin(b));
   const std::size_t count = search.bearings.size();

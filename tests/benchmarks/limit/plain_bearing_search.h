@@ -11,5 +11,5 @@ namespace mrpt_ext::plain
 /// landmarks, every further reading tested with one fixed tolerance, given up after two early misses, and the first
 /// pose that explains three quarters is the answer. Fast, but it knows nothing of a triple's own uncertainty and loses
 /// the truth in every fifth trial. The place must have a range limit.
-[[nodiscard]] std::optional<Pose2> searchBearings(const LandmarkIndex& map, const SensorPlace& place);
+[[nodiscard]] std::optional<Pose2> searchBearings(const LandmarkIndex& map, const Scan& place);
 }  // namespace mrpt_ext::plain

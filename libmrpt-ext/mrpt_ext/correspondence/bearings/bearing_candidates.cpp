@@ -16,23 +16,23 @@ constexpr std::size_t kSampledLandmarks = 16;
 constexpr int kSplits = 3;  // of a box of poses in which every reading may be explained in several ways
 }  // namespace
 
-BearingProposer::BearingProposer(const LandmarkIndex& map, std::span<const SensorPlace> places,
-                                 const PoseSearchOptions& options, std::span<const BearingReading> readings,
-                                 const BearingSearch& owner)
+BearingCandidates::BearingCandidates(const LandmarkIndex& map, std::span<const Scan> places,
+                                     const PoseSearchOptions& options, std::span<const ScanBearing> readings,
+                                     const BearingSearch& owner)
     : map_(map), places_(places), options_(options), readings_(readings)
 {
   for (std::size_t p = 0; p < places_.size(); ++p)
   {
-    std::vector<BearingReading> own;
-    for (const BearingReading& r : readings_)
+    std::vector<ScanBearing> own;
+    for (const ScanBearing& r : readings_)
       if (r.place == static_cast<int>(p)) own.push_back(r);
     tables_.emplace_back(own, options_.gate);
     lists_.push_back(own.empty() ? nullptr : owner.listsFor(rangeLimit(places_[p])));
   }
-  for (const BearingReading& r : readings_) neighbours_.push_back(owner.neighboursOf(r.kind));
+  for (const ScanBearing& r : readings_) neighbours_.push_back(owner.neighboursOf(r.kind));
 }
 
-TripleRound BearingProposer::roundOf(const ReadingTriple& triple) const
+TripleRound BearingCandidates::roundOf(const ReadingTriple& triple) const
 {
   const int place = readings_[static_cast<std::size_t>(triple.reading[0])].place;
   TripleRound round;
@@ -49,7 +49,7 @@ TripleRound BearingProposer::roundOf(const ReadingTriple& triple) const
   return round;
 }
 
-int BearingProposer::proposeFrom(const ReadingTriple& triple, int floor, int least)
+int BearingCandidates::proposeFrom(const ReadingTriple& triple, int floor, int least)
 {
   const int place = readings_[static_cast<std::size_t>(triple.reading[0])].place;
   const TripleRound round = roundOf(triple);
@@ -64,13 +64,14 @@ int BearingProposer::proposeFrom(const ReadingTriple& triple, int floor, int lea
   return store.floor();
 }
 
-void BearingProposer::proposeFrom(std::span<const PanoramaHit> boxes, const PanoramaIndex& index, int place, int least)
+void BearingCandidates::proposeFrom(std::span<const PanoramaHit> boxes, const PanoramaIndex& index, int place,
+                                    int least)
 {
-  const std::vector<SieveView> views = viewsFrom(place, 0);
+  const std::vector<BoundingScan> views = viewsFrom(place, 0);
   for (const PanoramaHit& box : boxes) refineBox(poseOf(box, index, options_.gate), place, views, least, kSplits);
 }
 
-TripleEffort BearingProposer::sampleEffort(const ReadingTriple& triple)
+TripleEffort BearingCandidates::sampleEffort(const ReadingTriple& triple)
 {
   const auto place = static_cast<std::size_t>(readings_[static_cast<std::size_t>(triple.reading[0])].place);
   const std::size_t stride = std::max<std::size_t>(1, map_.size() / kSampledLandmarks);
@@ -82,14 +83,14 @@ TripleEffort BearingProposer::sampleEffort(const ReadingTriple& triple)
           lists_[place]->meanCount()};
 }
 
-std::vector<SieveView> BearingProposer::viewsFrom(int place, std::uint32_t used) const
+std::vector<BoundingScan> BearingCandidates::viewsFrom(int place, std::uint32_t used) const
 {
   const Pose2 T_tested_robot = inverse(places_[static_cast<std::size_t>(place)].T_robot_sensor);
-  std::vector<SieveView> views;
+  std::vector<BoundingScan> views;
   for (std::size_t p = 0; p < places_.size(); ++p)
     if (lists_[p])
     {
-      SieveView& view = views.emplace_back();
+      BoundingScan& view = views.emplace_back();
       view.table = &tables_[p];
       view.lists = lists_[p].get();
       view.T_tested_sensor = compose(T_tested_robot, places_[p].T_robot_sensor);
@@ -99,7 +100,7 @@ std::vector<SieveView> BearingProposer::viewsFrom(int place, std::uint32_t used)
 }
 
 /// Bits of a triple's readings in the table of their place.
-std::uint32_t BearingProposer::bitsOf(int place, const ReadingTriple& triple) const
+std::uint32_t BearingCandidates::bitsOf(int place, const ReadingTriple& triple) const
 {
   std::uint32_t bits = 0;
   std::size_t position = 0;
@@ -114,26 +115,26 @@ std::uint32_t BearingProposer::bitsOf(int place, const ReadingTriple& triple) co
   return bits;
 }
 
-std::optional<MapArea> BearingProposer::areaOfSensor(int place) const
+std::optional<Box2> BearingCandidates::areaOfSensor(int place) const
 {
   if (!options_.area) return std::nullopt;
   const double margin = kAreaMargin + places_[static_cast<std::size_t>(place)].T_robot_sensor.position().norm();
-  return MapArea{options_.area->min - Vector2d::Constant(margin), options_.area->max + Vector2d::Constant(margin)};
+  return Box2{options_.area->min - Vector2d::Constant(margin), options_.area->max + Vector2d::Constant(margin)};
 }
 
-void BearingProposer::refine(const GaussianPose& sensor, int place, std::span<const SieveView> views, int least)
+void BearingCandidates::refine(const GaussianPose& sensor, int place, std::span<const BoundingScan> views, int least)
 {
-  const TightenedPose tight = tightenPose(sensor, views, options_.gate, least, scratch_);
+  const RefinedPose tight = refineOnInliers(sensor, views, options_.gate, least, scratch_);
   if (tight.explained >= least) wait(tight, place);
 }
 
 /// A box in which too many readings can be explained in several ways, or in which some were explained in a wrong way,
 /// is split into eight until they cannot.
-void BearingProposer::refineBox(const GaussianPose& sensor, int place, std::span<const SieveView> views, int least,
-                                int splits)
+void BearingCandidates::refineBox(const GaussianPose& sensor, int place, std::span<const BoundingScan> views, int least,
+                                  int splits)
 {
   if (boundOfBox(sensor, views.front(), options_.gate) < least) return;
-  const TightenedPose tight = tightenPose(sensor, views, options_.gate, least, scratch_);
+  const RefinedPose tight = refineOnInliers(sensor, views, options_.gate, least, scratch_);
   if (!tight.plausible) return;
   const bool explained = tight.explained >= least;
   if (explained && (tight.refined || splits == 0)) return wait(tight, place);
@@ -152,18 +153,17 @@ void BearingProposer::refineBox(const GaussianPose& sensor, int place, std::span
   }
 }
 
-void BearingProposer::wait(const TightenedPose& tight, int place)
+void BearingCandidates::wait(const RefinedPose& tight, int place)
 {
   if (!isFixed(tight.sensor, place)) return;
   const Pose2 T_sensor_robot = inverse(places_[static_cast<std::size_t>(place)].T_robot_sensor);
-  const Matrix3d J = composeJacobianFirst(tight.sensor.mean, T_sensor_robot);
   const auto level = static_cast<std::size_t>(tight.explained);
   if (waiting_.size() <= level) waiting_.resize(level + 1);
-  waiting_[level].push_back({compose(tight.sensor.mean, T_sensor_robot), J * tight.sensor.covariance * J.transpose()});
+  waiting_[level].push_back(compound(tight.sensor, T_sensor_robot));
 }
 
 /// False for a pose that is so much free to move that everything in sight would explain its readings.
-bool BearingProposer::isFixed(const GaussianPose& sensor, int place) const
+bool BearingCandidates::isFixed(const GaussianPose& sensor, int place) const
 {
   const double reach =
       std::min(rangeLimit(places_[static_cast<std::size_t>(place)]), (map_.high() - map_.low()).norm());

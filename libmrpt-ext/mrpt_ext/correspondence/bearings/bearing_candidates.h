@@ -5,30 +5,30 @@
 #include <span>
 #include <vector>
 
-#include "mrpt_ext/correspondence/scan_bearing.h"
-#include "mrpt_ext/correspondence/pose_search_result.h"
-#include "mrpt_ext/correspondence/bearings/search_strategy.h"
-#include "mrpt_ext/correspondence/bearings/visibility_vote.h"
 #include "mrpt_ext/correspondence/bearings/inlier_refinement.h"
+#include "mrpt_ext/correspondence/bearings/search_strategy.h"
 #include "mrpt_ext/correspondence/bearings/triple_hypotheses.h"
+#include "mrpt_ext/correspondence/bearings/visibility_vote.h"
+#include "mrpt_ext/correspondence/pose_search_result.h"
+#include "mrpt_ext/correspondence/scan_bearing.h"
 
 namespace mrpt_ext
 {
 class BearingSearch;
 
 /// Range limit of a place's sensor [m]; infinity: none.
-[[nodiscard]] inline double rangeLimit(const SensorPlace& place)
+[[nodiscard]] inline double rangeLimit(const Scan& place)
 {
   return place.model.max_range.value_or(std::numeric_limits<double>::infinity());
 }
 
 /// Finds robot poses that are worth judging, from triples of readings or from panoramas, and refines them on all that
 /// they explain. What it is given must outlive it.
-class BearingProposer
+class BearingCandidates
 {
  public:
-  BearingProposer(const LandmarkIndex& map, std::span<const SensorPlace> places, const PoseSearchOptions& options,
-                  std::span<const BearingReading> readings, const BearingSearch& owner);
+  BearingCandidates(const LandmarkIndex& map, std::span<const Scan> places, const PoseSearchOptions& options,
+                    std::span<const ScanBearing> readings, const BearingSearch& owner);
 
   /// Proposes from all landmark triples that explain one triple of readings: poses that may explain at least `floor`
   /// readings and, refined, explain at least `least`. Returns the floor that was kept: higher than asked for when there
@@ -45,30 +45,30 @@ class BearingProposer
   [[nodiscard]] std::vector<std::vector<GaussianPose>>& waiting() { return waiting_; }
   /// Mean number of landmark triples that explain a triple of readings.
   [[nodiscard]] double meanPossible() const { return possible_ / std::max(1, rounds_); }
-  [[nodiscard]] const PoseSearch::Work& work() const { return work_; }
+  [[nodiscard]] const PoseSearchResult::Work& work() const { return work_; }
   [[nodiscard]] bool finished() const { return finished_; }  ///< false: `max_tested` stopped a round
   /// Where the sensor of a place can be.
-  [[nodiscard]] std::optional<MapArea> areaOfSensor(int place) const;
+  [[nodiscard]] std::optional<Box2> areaOfSensor(int place) const;
 
  private:
   [[nodiscard]] TripleRound roundOf(const ReadingTriple& triple) const;
-  [[nodiscard]] std::vector<SieveView> viewsFrom(int place, std::uint32_t used) const;
+  [[nodiscard]] std::vector<BoundingScan> viewsFrom(int place, std::uint32_t used) const;
   [[nodiscard]] std::uint32_t bitsOf(int place, const ReadingTriple& triple) const;
   [[nodiscard]] bool isFixed(const GaussianPose& sensor, int place) const;
-  void refine(const GaussianPose& sensor, int place, std::span<const SieveView> views, int least);
-  void refineBox(const GaussianPose& sensor, int place, std::span<const SieveView> views, int least, int splits);
-  void wait(const TightenedPose& tight, int place);
+  void refine(const GaussianPose& sensor, int place, std::span<const BoundingScan> views, int least);
+  void refineBox(const GaussianPose& sensor, int place, std::span<const BoundingScan> views, int least, int splits);
+  void wait(const RefinedPose& tight, int place);
 
   const LandmarkIndex& map_;
-  std::span<const SensorPlace> places_;
+  std::span<const Scan> places_;
   const PoseSearchOptions& options_;
-  std::span<const BearingReading> readings_;
+  std::span<const ScanBearing> readings_;
   std::vector<ReadingTable> tables_;
-  std::vector<std::shared_ptr<const VisibleLists>> lists_;        // none for a place without bearings
-  std::vector<std::shared_ptr<const NeighbourGrid>> neighbours_;  // that a reading may show
+  std::vector<std::shared_ptr<const PotentiallyVisibleSets>> lists_;  // none for a place without bearings
+  std::vector<std::shared_ptr<const NeighbourGrid>> neighbours_;      // that a reading may show
   std::vector<std::vector<GaussianPose>> waiting_;
-  SeenLandmarks scratch_;
-  PoseSearch::Work work_;
+  GatedLandmarks scratch_;
+  PoseSearchResult::Work work_;
   double possible_ = 0;
   int rounds_ = 0;
   bool finished_ = true;

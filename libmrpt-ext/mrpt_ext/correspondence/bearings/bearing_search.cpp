@@ -6,13 +6,13 @@
 #include <numeric>
 
 #include "mrpt_ext/correspondence/bearings/bearing_candidates.h"
-#include "mrpt_ext/correspondence/scan_bearing.h"
-#include "mrpt_ext/correspondence/false_alarms_bearings.h"
-#include "mrpt_ext/correspondence/unsearched_evidence.h"
 #include "mrpt_ext/correspondence/bearings/search_strategy.h"
 #include "mrpt_ext/correspondence/bearings/visibility_vote.h"
+#include "mrpt_ext/correspondence/false_alarms_bearings.h"
 #include "mrpt_ext/correspondence/pose_verification.h"
+#include "mrpt_ext/correspondence/scan_bearing.h"
 #include "mrpt_ext/correspondence/triple_schedule.h"
+#include "mrpt_ext/correspondence/unsearched_evidence.h"
 
 namespace mrpt_ext
 {
@@ -30,19 +30,19 @@ constexpr double kNegligible = 1e-3;      // evidence relative to the best pose'
 class SearchRun
 {
  public:
-  SearchRun(const LandmarkIndex& map, std::span<const SensorPlace> places, const PoseSearchOptions& options,
-            std::vector<BearingReading> readings, const BearingSearch& owner)
+  SearchRun(const LandmarkIndex& map, std::span<const Scan> places, const PoseSearchOptions& options,
+            std::vector<ScanBearing> readings, const BearingSearch& owner)
       : map_(map),
         places_(places),
         options_(options),
         readings_(std::move(readings)),
         owner_(owner),
         proposer_(map, places, options, readings_, owner),
-        log_evidence_below_(logEvidenceBelow(map, places, areaOrMap(map, options.area)))
+        log_evidence_below_(logEvidenceOfUnsearched(map, places, areaOrMap(map, options.area)))
   {
   }
 
-  PoseSearch run()
+  PoseSearchResult run()
   {
     const std::vector<double> allowed = landmarksAllowed();
     mean_allowed_ = std::accumulate(allowed.begin(), allowed.end(), 0.0) / static_cast<double>(allowed.size());
@@ -78,18 +78,18 @@ class SearchRun
   [[nodiscard]] std::vector<double> ranges() const
   {
     std::vector<double> result;
-    for (const SensorPlace& place : places_) result.push_back(rangeLimit(place));
+    for (const Scan& place : places_) result.push_back(rangeLimit(place));
     return result;
   }
 
   [[nodiscard]] std::vector<double> landmarksAllowed() const
   {
-    std::vector<double> of_kind(static_cast<std::size_t>(map_.kindCount()), 0);
+    std::vector<double> of_kind(static_cast<std::size_t>(map_.categoryCount()), 0);
     for (std::size_t l = 0; l < map_.size(); ++l) of_kind[static_cast<std::size_t>(map_.kind(l))] += 1;
     std::vector<double> allowed;
-    for (const BearingReading& r : readings_)
-      allowed.push_back(r.kind == kAnyKind ? static_cast<double>(map_.size())
-                                           : of_kind[static_cast<std::size_t>(r.kind)]);
+    for (const ScanBearing& r : readings_)
+      allowed.push_back(r.kind == kAnyCategory ? static_cast<double>(map_.size())
+                                               : of_kind[static_cast<std::size_t>(r.kind)]);
     return allowed;
   }
 
@@ -99,8 +99,7 @@ class SearchRun
   [[nodiscard]] int expectedMisses() const
   {
     double mean = 0;
-    for (const BearingReading& r : readings_)
-      mean += places_[static_cast<std::size_t>(r.place)].model.clutter_probability;
+    for (const ScanBearing& r : readings_) mean += places_[static_cast<std::size_t>(r.place)].model.clutter_probability;
     constexpr double kRounding = 1e-9;  // one false reading of 21 must not count as two
     return static_cast<int>(std::ceil(mean - kRounding)) + 1;
   }
@@ -108,7 +107,7 @@ class SearchRun
   /// Rounds until every pose that matters and explains `floor_` readings has been proposed.
   void searchDownTo(const std::vector<ReadingTriple>& candidates)
   {
-    TripleCover cover(candidates);
+    TripleSchedule cover(candidates);
     proposer_.waiting().clear();
     const int usable = static_cast<int>(readings_.size());
     while (result_.finished && cover.tolerated() < usable - std::max(leastNeeded(), floor_) + spareRounds())
@@ -197,7 +196,7 @@ class SearchRun
       return;
     }
     ++result_.work.judged;
-    const auto pose = judgePose(map_, places_, options_, robot, leastNeeded());
+    const auto pose = verifyPose(map_, places_, options_, robot, leastNeeded());
     if (!pose) return;
     best_matched_ = std::max(best_matched_, pose->matched);
     best_log_evidence_ = std::max(best_log_evidence_, pose->log_evidence);
@@ -244,10 +243,10 @@ class SearchRun
     return log_evidence_below_[std::min(static_cast<std::size_t>(least), log_evidence_below_.size() - 1)];
   }
 
-  [[nodiscard]] ChanceMatches chanceMatches() const
+  [[nodiscard]] FalseAlarmModel chanceMatches() const
   {
     const double triples = proposer_.meanPossible();
-    const SensorPlace& place = places_[static_cast<std::size_t>(readings_.front().place)];
+    const Scan& place = places_[static_cast<std::size_t>(readings_.front().place)];
     return {triples, static_cast<int>(readings_.size()),
             chanceOfMatch(options_.gate * meanStd(), std::max(0.0, inView(place) - 3))};
   }
@@ -255,12 +254,12 @@ class SearchRun
   [[nodiscard]] double meanStd() const
   {
     double sum = 0;
-    for (const BearingReading& r : readings_) sum += r.std;
+    for (const ScanBearing& r : readings_) sum += r.std;
     return sum / static_cast<double>(readings_.size());
   }
 
   /// Mean number of landmarks in view that a reading may show.
-  [[nodiscard]] double inView(const SensorPlace& place) const
+  [[nodiscard]] double inView(const Scan& place) const
   {
     const double range = rangeLimit(place);
     return std::isfinite(range) ? mean_allowed_ * std::min(1.0, kPi * square(range) / mapArea()) : mean_allowed_;
@@ -278,12 +277,12 @@ class SearchRun
   }
 
   const LandmarkIndex& map_;
-  std::span<const SensorPlace> places_;
+  std::span<const Scan> places_;
   const PoseSearchOptions& options_;
-  std::vector<BearingReading> readings_;
+  std::vector<ScanBearing> readings_;
   const BearingSearch& owner_;
-  BearingProposer proposer_;
-  PoseSearch result_;
+  BearingCandidates proposer_;
+  PoseSearchResult result_;
   std::vector<double> log_evidence_below_;  // by the number of matches
   double best_log_evidence_ = -kUnlimited;
   int best_matched_ = 0, floor_ = 0, tolerated_ = -1;
@@ -293,11 +292,11 @@ class SearchRun
 };
 }  // namespace
 
-PoseSearch BearingSearch::search(std::span<const SensorPlace> places, const PoseSearchOptions& options) const
+PoseSearchResult BearingSearch::search(std::span<const Scan> places, const PoseSearchOptions& options) const
 {
-  PoseSearch nothing;
+  PoseSearchResult nothing;
   if (!areUsable(places)) nothing.status = SolveStatus::bad_input;
-  std::vector<BearingReading> readings = gatherBearings(places);
+  std::vector<ScanBearing> readings = gatherBearings(places);
   if (nothing.status == SolveStatus::bad_input || readings.size() < 3) return nothing;
   if (map_.size() < 3)
   {
@@ -307,13 +306,13 @@ PoseSearch BearingSearch::search(std::span<const SensorPlace> places, const Pose
   return SearchRun(map_, places, options, std::move(readings), *this).run();
 }
 
-std::shared_ptr<const VisibleLists> BearingSearch::listsFor(double max_range) const
+std::shared_ptr<const PotentiallyVisibleSets> BearingSearch::listsFor(double max_range) const
 {
   const std::scoped_lock lock(mutex_);
   for (const auto& lists : lists_)
     if (lists->maxRange() == max_range) return lists;
   const double margin = std::isfinite(max_range) ? kListMargin * max_range : 0;
-  return lists_.emplace_back(std::make_shared<const VisibleLists>(map_, max_range, margin));
+  return lists_.emplace_back(std::make_shared<const PotentiallyVisibleSets>(map_, max_range, margin));
 }
 
 std::shared_ptr<const NeighbourGrid> BearingSearch::neighboursOf(int kind) const
@@ -334,7 +333,7 @@ std::shared_ptr<const PanoramaIndex> BearingSearch::panoramasFor(const PanoramaI
   return panoramas_.emplace_back(std::make_shared<const PanoramaIndex>(map_, plan));
 }
 
-std::shared_ptr<const PanoramaIndex> BearingSearch::builtPanoramas(const MapArea& area, double max_range) const
+std::shared_ptr<const PanoramaIndex> BearingSearch::builtPanoramas(const Box2& area, double max_range) const
 {
   const std::scoped_lock lock(mutex_);
   const auto found = std::find_if(panoramas_.begin(), panoramas_.end(),

@@ -53,7 +53,7 @@ void look(const float* x, const float* y, std::size_t count, float px, float py,
 }
 }  // namespace
 
-DirectionWidths::DirectionWidths(const std::vector<Vector2d>& landmarks, const Vector2d& middle) : middle_(middle)
+DirectionIntervals::DirectionIntervals(const std::vector<Vector2d>& landmarks, const Vector2d& middle) : middle_(middle)
 {
   for (const Vector2d& landmark : landmarks)
   {
@@ -64,7 +64,7 @@ DirectionWidths::DirectionWidths(const std::vector<Vector2d>& landmarks, const V
   half_width_.resize(landmarks.size());
 }
 
-void DirectionWidths::lookFrom(const Vector2d& place, double radius, double farthest)
+void DirectionIntervals::lookFrom(const Vector2d& place, double radius, double farthest)
 {
   look(x_.data(), y_.data(), x_.size(), static_cast<float>(place.x() - middle_.x()),
        static_cast<float>(place.y() - middle_.y()), static_cast<float>(radius), static_cast<float>(farthest),

@@ -7,11 +7,11 @@
 namespace mrpt_ext
 {
 /// Directions in which landmarks appear from within a small disc, for all landmarks at once.
-class DirectionWidths
+class DirectionIntervals
 {
  public:
   /// `middle` [m]: a point of the map, for precision.
-  DirectionWidths(const std::vector<Vector2d>& landmarks, const Vector2d& middle);
+  DirectionIntervals(const std::vector<Vector2d>& landmarks, const Vector2d& middle);
 
   /// From a disc of this radius [m] around `place`: fills the arrays. Landmarks farther than `farthest` [m] are left
   /// out.

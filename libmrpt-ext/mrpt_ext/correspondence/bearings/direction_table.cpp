@@ -28,14 +28,14 @@ double ratioAbove(int step)
 }
 }  // namespace
 
-ReadingTable::ReadingTable(std::span<const BearingReading> readings, double gate)
+ReadingTable::ReadingTable(std::span<const ScanBearing> readings, double gate)
     : size_(static_cast<int>(std::min(readings.size(), kMaxReadings))),
       of_kind_(kKinds, 0),
       from_kind_(kKinds, 0),
       readings_(readings.begin(), readings.end())
 {
   double widest = 0;
-  for (const BearingReading& r : readings) widest = std::max(widest, r.std);
+  for (const ScanBearing& r : readings) widest = std::max(widest, r.std);
   if (!(widest > 0)) return;
   inverse_variance_ = static_cast<float>(1 / square(widest));
   const double narrow = gate * widest;
@@ -46,11 +46,12 @@ ReadingTable::ReadingTable(std::span<const BearingReading> readings, double gate
   sets_.assign(static_cast<std::size_t>(levels_) * static_cast<std::size_t>(bins_), 0);
   for (int i = 0; i < size_; ++i)
   {
-    const BearingReading& reading = readings[static_cast<std::size_t>(i)];
+    const ScanBearing& reading = readings[static_cast<std::size_t>(i)];
     const std::uint32_t bit = 1U << i;
     for (std::size_t kind = 0; kind < kKinds; ++kind)
-      if (reading.kind == kAnyKind || (static_cast<std::size_t>(reading.kind) % kKinds) == kind) of_kind_[kind] |= bit;
-    has_kinds_ = has_kinds_ || reading.kind != kAnyKind;
+      if (reading.kind == kAnyCategory || (static_cast<std::size_t>(reading.kind) % kKinds) == kind)
+        of_kind_[kind] |= bit;
+    has_kinds_ = has_kinds_ || reading.kind != kAnyCategory;
     for (int level = 0; level < levels_; ++level)
     {
       const double excess = (ratioAbove(level) - 1) * square(widest);

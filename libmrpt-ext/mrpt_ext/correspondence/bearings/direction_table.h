@@ -23,7 +23,7 @@ class ReadingTable
   static constexpr int kFirstStep = 127 << kStepBits;  ///< step of the float 1
 
   /// `readings`: of one place. `gate` [standard deviations].
-  ReadingTable(std::span<const BearingReading> readings, double gate);
+  ReadingTable(std::span<const ScanBearing> readings, double gate);
 
   [[nodiscard]] int size() const { return size_; }  ///< readings looked up
   [[nodiscard]] float inverseVariance() const { return inverse_variance_; }
@@ -34,7 +34,7 @@ class ReadingTable
   /// Readings that some kind from this one on explains [kind, modulo 256].
   [[nodiscard]] const std::uint32_t* fromKind() const { return from_kind_.data(); }
   [[nodiscard]] bool hasKinds() const { return has_kinds_; }
-  [[nodiscard]] const BearingReading& reading(int bit) const { return readings_[static_cast<std::size_t>(bit)]; }
+  [[nodiscard]] const ScanBearing& reading(int bit) const { return readings_[static_cast<std::size_t>(bit)]; }
 
  private:
   void addReading(std::uint32_t bit, double bearing, double half_width, std::uint32_t* level) const;
@@ -43,6 +43,6 @@ class ReadingTable
   float inverse_variance_ = 0;
   bool has_kinds_ = false;
   std::vector<std::uint32_t> sets_, of_kind_, from_kind_;
-  std::vector<BearingReading> readings_;
+  std::vector<ScanBearing> readings_;
 };
 }  // namespace mrpt_ext

@@ -81,9 +81,9 @@ struct ViewInFloat
   float tx, ty, tc, ts, range;
 };
 
-ViewInFloat inFloat(const SieveView& view, const Vector2d& around)
+ViewInFloat inFloat(const BoundingScan& view, const Vector2d& around)
 {
-  const VisibleLists& lists = *view.lists;
+  const PotentiallyVisibleSets& lists = *view.lists;
   const Pose2& T = view.T_tested_sensor;
   const Vector2d origin = lists.origin() - around;
   return {origin.x(),
@@ -102,8 +102,8 @@ ViewInFloat inFloat(const SieveView& view, const Vector2d& around)
 /// Lists are sorted by kind. So with kinds a pose is given up as soon as the kinds that are left cannot bring it to
 /// `needed`.
 template <bool HasKinds>
-[[gnu::always_inline]] inline void addExplained(const TriplePoses& poses, const SieveView& view, const ViewInFloat& v,
-                                                float gate, int needed, std::uint16_t* explained)
+[[gnu::always_inline]] inline void addExplained(const TriplePoses& poses, const BoundingScan& view,
+                                                const ViewInFloat& v, float gate, int needed, std::uint16_t* explained)
 {
   const TableInFloat table(*view.table);
   for (std::size_t n = 0; n < poses.count; ++n)
@@ -114,7 +114,7 @@ template <bool HasKinds>
     const double gy = static_cast<double>(poses.y[n] + my) - v.origin_y;
     const int column = std::clamp(static_cast<int>(gx * v.inverse_cell), 0, v.columns - 1);
     const int row = std::clamp(static_cast<int>(gy * v.inverse_cell), 0, v.rows - 1);
-    const VisibleLists::Cell cell = view.lists->cell(static_cast<std::size_t>(row) * v.columns + column);
+    const PotentiallyVisibleSets::Cell cell = view.lists->cell(static_cast<std::size_t>(row) * v.columns + column);
     const float ix = poses.ix[n], iy = poses.iy[n], jx = poses.jx[n], jy = poses.jy[n], kx = poses.kx[n];
     const float ky = poses.ky[n];
     const float reach = v.range + gate * std::sqrt(ix * ix + iy * iy + jx * jx + jy * jy + kx * kx + ky * ky);
@@ -135,7 +135,7 @@ template <bool HasKinds>
                          poses.kh[n],
                          reach * reach};
     std::uint32_t set = view.used;
-    const std::size_t block = HasKinds ? VisibleLists::kBlock : cell.count;
+    const std::size_t block = HasKinds ? PotentiallyVisibleSets::kBlock : cell.count;
     for (std::size_t begin = 0; begin < cell.count; begin += block)
     {
       if (HasKinds && explained[n] + std::popcount(set | table.from_kind[cell.kind[begin]]) < needed) break;
@@ -147,27 +147,27 @@ template <bool HasKinds>
 }
 
 MRPT_EXT_VECTOR_CLONES
-void addExplainedAnyKind(const TriplePoses& poses, const SieveView& view, const ViewInFloat& v, float gate, int needed,
-                         std::uint16_t* explained)
+void addExplainedAnyKind(const TriplePoses& poses, const BoundingScan& view, const ViewInFloat& v, float gate,
+                         int needed, std::uint16_t* explained)
 {
   addExplained<false>(poses, view, v, gate, needed, explained);
 }
 
 MRPT_EXT_VECTOR_CLONES
-void addExplainedOfKind(const TriplePoses& poses, const SieveView& view, const ViewInFloat& v, float gate, int needed,
-                        std::uint16_t* explained)
+void addExplainedOfKind(const TriplePoses& poses, const BoundingScan& view, const ViewInFloat& v, float gate,
+                        int needed, std::uint16_t* explained)
 {
   addExplained<true>(poses, view, v, gate, needed, explained);
 }
 }  // namespace
 
-void boundExplained(const TriplePoses& poses, const Vector2d& around, std::span<const SieveView> views, double gate,
-                    int least, std::vector<std::uint16_t>& explained)
+void boundInliers(const TriplePoses& poses, const Vector2d& around, std::span<const BoundingScan> views, double gate,
+                  int least, std::vector<std::uint16_t>& explained)
 {
   explained.assign(poses.count, 0);
   int needed = least;
-  for (const SieveView& view : views) needed -= view.table->size();
-  for (const SieveView& view : views)
+  for (const BoundingScan& view : views) needed -= view.table->size();
+  for (const BoundingScan& view : views)
   {
     needed += view.table->size();  // the views to come may explain all theirs
     const ViewInFloat v = inFloat(view, around);
@@ -179,7 +179,8 @@ void boundExplained(const TriplePoses& poses, const Vector2d& around, std::span<
 namespace
 {
 MRPT_EXT_VECTOR_CLONES
-void lookAtAll(const SievePose& pose, const TableInFloat& table, const VisibleLists::Cell& cell, SeenLandmarks& seen)
+void lookAtAll(const SievePose& pose, const TableInFloat& table, const PotentiallyVisibleSets::Cell& cell,
+               GatedLandmarks& seen)
 {
   std::uint32_t* __restrict explains = seen.explains.data();
   float* __restrict x = seen.x.data(), * __restrict y = seen.y.data(), * __restrict variance = seen.variance.data();
@@ -213,7 +214,7 @@ struct BoxCount
 
 /// As look, for a box.
 MRPT_EXT_VECTOR_CLONES
-BoxCount lookFromBox(const SieveBox& box, const TableInFloat& table, const VisibleLists::Cell& cell)
+BoxCount lookFromBox(const SieveBox& box, const TableInFloat& table, const PotentiallyVisibleSets::Cell& cell)
 {
   std::uint32_t explains = 0;
   int close = 0;
@@ -249,10 +250,10 @@ Matrix3d factorOf(const Matrix3d& covariance)
 }
 }  // namespace
 
-void lookAround(const GaussianPose& tested, const SieveView& view, double gate, SeenLandmarks& seen)
+void landmarkGates(const GaussianPose& tested, const BoundingScan& view, double gate, GatedLandmarks& seen)
 {
   const Pose2 sensor = compose(tested.mean, view.T_tested_sensor);
-  const VisibleLists::CellAt at = view.lists->cellAt(sensor.position());
+  const PotentiallyVisibleSets::CellAt at = view.lists->cellAt(sensor.position());
   const Eigen::Matrix3f f = factorOf(tested.covariance).cast<float>();
   const Eigen::Vector2f position = (sensor.position() - at.centre).cast<float>();
   const Eigen::Vector2f offset = (sensor.position() - tested.mean.position()).cast<float>();
@@ -284,10 +285,10 @@ void lookAround(const GaussianPose& tested, const SieveView& view, double gate, 
   lookAtAll(pose, TableInFloat(*view.table), at.cell, seen);
 }
 
-int boundOfBox(const GaussianPose& box, const SieveView& view, double gate)
+int boundOfBox(const GaussianPose& box, const BoundingScan& view, double gate)
 {
   const Vector2d position = box.mean.position();
-  const VisibleLists::CellAt at = view.lists->cellAt(position);
+  const PotentiallyVisibleSets::CellAt at = view.lists->cellAt(position);
   const double side2 = box.covariance(0, 0);
   const double reach = view.lists->maxRange() + gate * std::sqrt(2 * side2);
   const auto range = std::min(static_cast<float>(reach), kUnlimited);

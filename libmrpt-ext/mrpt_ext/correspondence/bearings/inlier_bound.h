@@ -5,17 +5,17 @@
 #include <vector>
 
 #include "mrpt_ext/correspondence/bearings/direction_table.h"
-#include "mrpt_ext/correspondence/bearings/triple_pose.h"
 #include "mrpt_ext/correspondence/bearings/potentially_visible_sets.h"
+#include "mrpt_ext/correspondence/bearings/triple_pose.h"
 #include "mrpt_ext/geometry/gaussian_pose.h"
 
 namespace mrpt_ext
 {
 /// A place to compare with: where its sensor is relative to the sensor whose poses are tested.
-struct SieveView
+struct BoundingScan
 {
   const ReadingTable* table = nullptr;
-  const VisibleLists* lists = nullptr;
+  const PotentiallyVisibleSets* lists = nullptr;
   Pose2 T_tested_sensor;
   std::uint32_t used = 0;  ///< readings that the tested poses explain by construction
 };
@@ -23,18 +23,18 @@ struct SieveView
 /// For each pose an upper bound on the number of readings that it explains: readings with a landmark in the gate that
 /// the pose's covariance gives it. Never too low for a pose within `gate` standard deviations of the truth, up to the
 /// curvature of bearings. A bound below `least` may come out lower than it is. `around`: landmark i in the world.
-void boundExplained(const TriplePoses& poses, const Vector2d& around, std::span<const SieveView> views, double gate,
-                    int least, std::vector<std::uint16_t>& explained);
+void boundInliers(const TriplePoses& poses, const Vector2d& around, std::span<const BoundingScan> views, double gate,
+                  int least, std::vector<std::uint16_t>& explained);
 
-/// An upper bound on the number of readings that a box of sensor poses explains, counted as tightenPose does but
+/// An upper bound on the number of readings that a box of sensor poses explains, counted as refineOnInliers does but
 /// without the details. `box`: its covariance is diagonal, alike in x and y, and the tested sensor is the view's own.
-[[nodiscard]] int boundOfBox(const GaussianPose& box, const SieveView& view, double gate);
+[[nodiscard]] int boundOfBox(const GaussianPose& box, const BoundingScan& view, double gate);
 
 /// A landmark within the gates of more readings than this is close, and explains one of them, no matter which.
 constexpr int kMostOfOneLandmark = 4;
 
 /// The landmarks that a place could see, as seen from one tested pose; arrays of equal length.
-struct SeenLandmarks
+struct GatedLandmarks
 {
   std::vector<std::uint32_t> explains;  ///< readings within the gate, one bit each; none for a landmark out of range
   std::vector<float> x, y;              ///< [m] in the sensor's axes
@@ -44,5 +44,5 @@ struct SeenLandmarks
 };
 
 /// Looks up what the landmarks around a pose explain.
-void lookAround(const GaussianPose& tested, const SieveView& view, double gate, SeenLandmarks& seen);
+void landmarkGates(const GaussianPose& tested, const BoundingScan& view, double gate, GatedLandmarks& seen);
 }  // namespace mrpt_ext

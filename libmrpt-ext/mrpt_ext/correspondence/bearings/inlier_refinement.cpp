@@ -48,7 +48,7 @@ bool hasMoreThan(int count, std::uint32_t set)
 
 /// Which landmark explains each reading; the number that are explained. A landmark so close that it could be in any
 /// direction explains one reading, no matter which.
-int explain(const SeenLandmarks& seen, const ReadingTable& table, float gate2, Explanations& found)
+int explain(const GatedLandmarks& seen, const ReadingTable& table, float gate2, Explanations& found)
 {
   int close = 0;
   for (std::size_t l = 0; l < seen.count; ++l)
@@ -62,7 +62,7 @@ int explain(const SeenLandmarks& seen, const ReadingTable& table, float gate2, E
     for (std::uint32_t set = seen.explains[l]; set != 0; set &= set - 1)
     {
       const int bit = std::countr_zero(set);
-      const BearingReading& reading = table.reading(bit);
+      const ScanBearing& reading = table.reading(bit);
       const float misfit = angleAgainst(reading.direction, seen.x[l], seen.y[l]);
       const float distance2 = misfit * misfit / (static_cast<float>(square(reading.std)) + seen.variance[l]);
       if (distance2 > gate2) continue;
@@ -79,7 +79,8 @@ int explain(const SeenLandmarks& seen, const ReadingTable& table, float gate2, E
 }
 
 /// Variance [rad^2] of the predicted bearing up to which readings take part, so that `count` are added.
-float largestVariance(const Explanations& found, const SieveView& view, const SeenLandmarks& seen, std::size_t count)
+float largestVariance(const Explanations& found, const BoundingScan& view, const GatedLandmarks& seen,
+                      std::size_t count)
 {
   std::array<float, ReadingTable::kMaxReadings> variance{};
   std::size_t size = 0;
@@ -95,17 +96,18 @@ float largestVariance(const Explanations& found, const SieveView& view, const Se
 }
 
 /// Numbers of readings to add in the first rounds.
-std::span<const std::size_t> addedBy(std::span<const SieveView> views)
+std::span<const std::size_t> addedBy(std::span<const BoundingScan> views)
 {
-  const bool of_triple = std::any_of(views.begin(), views.end(), [](const SieveView& view) { return view.used != 0; });
+  const bool of_triple =
+      std::any_of(views.begin(), views.end(), [](const BoundingScan& view) { return view.used != 0; });
   return of_triple ? std::span<const std::size_t>(kAddedToTriple) : kAddedToBox;
 }
 }  // namespace
 
-TightenedPose tightenPose(const GaussianPose& sensor, std::span<const SieveView> views, double gate, int least,
-                          SeenLandmarks& scratch)
+RefinedPose refineOnInliers(const GaussianPose& sensor, std::span<const BoundingScan> views, double gate, int least,
+                            GatedLandmarks& scratch)
 {
-  TightenedPose result{sensor};
+  RefinedPose result{sensor};
   const std::span<const std::size_t> added = addedBy(views);
   for (std::size_t round = 0;; ++round)
   {
@@ -113,9 +115,9 @@ TightenedPose tightenPose(const GaussianPose& sensor, std::span<const SieveView>
     Matrix3d information = Matrix3d::Zero();
     Vector3d gradient = Vector3d::Zero();
     result.explained = 0;
-    for (const SieveView& view : views)
+    for (const BoundingScan& view : views)
     {
-      lookAround(result.sensor, view, gate, scratch);
+      landmarkGates(result.sensor, view, gate, scratch);
       Explanations found{};
       result.explained += explain(scratch, *view.table, static_cast<float>(gate * gate), found);
       const float largest = growing ? largestVariance(found, view, scratch, added[round]) : 0;

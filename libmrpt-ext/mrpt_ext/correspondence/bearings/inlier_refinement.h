@@ -7,7 +7,7 @@
 
 namespace mrpt_ext
 {
-struct TightenedPose
+struct RefinedPose
 {
   GaussianPose sensor;
   int explained = 0;       ///< readings with a landmark within the gate of the refined pose
@@ -19,6 +19,6 @@ struct TightenedPose
 /// readings that only one landmark can explain and that are predicted best, then, with the smaller gates that result,
 /// on all that are explained. Gives up when fewer than `least` are. `scratch` saves allocations. About a microsecond:
 /// it stands between the sieve and the full judgement.
-[[nodiscard]] TightenedPose tightenPose(const GaussianPose& sensor, std::span<const SieveView> views, double gate,
-                                        int least, SeenLandmarks& scratch);
+[[nodiscard]] RefinedPose refineOnInliers(const GaussianPose& sensor, std::span<const BoundingScan> views, double gate,
+                                          int least, GatedLandmarks& scratch);
 }  // namespace mrpt_ext

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "mrpt_ext/correspondence/landmark_index.h"
 #include "mrpt_ext/correspondence/bearings/triple_scan.h"
+#include "mrpt_ext/correspondence/landmark_index.h"
 
 namespace mrpt_ext
 {
@@ -13,7 +13,7 @@ namespace mrpt_ext
 class NeighbourGrid
 {
  public:
-  /// `kind`: kAnyKind for all landmarks.
+  /// `kind`: kAnyCategory for all landmarks.
   NeighbourGrid(const LandmarkIndex& map, int kind);
 
   /// The landmarks within `radius` [m] of `centre`, relative to it, and padded. One exactly at the centre is left out.

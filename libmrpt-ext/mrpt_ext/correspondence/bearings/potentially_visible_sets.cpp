@@ -20,7 +20,7 @@ std::uint8_t listedKind(const LandmarkIndex& map, std::size_t landmark)
 }
 }  // namespace
 
-VisibleLists::VisibleLists(const LandmarkIndex& map, double max_range, double margin)
+PotentiallyVisibleSets::PotentiallyVisibleSets(const LandmarkIndex& map, double max_range, double margin)
     : max_range_(max_range), margin_(margin)
 {
   chooseGrid(map);
@@ -28,7 +28,7 @@ VisibleLists::VisibleLists(const LandmarkIndex& map, double max_range, double ma
   orderByTiles(map);
 }
 
-void VisibleLists::chooseGrid(const LandmarkIndex& map)
+void PotentiallyVisibleSets::chooseGrid(const LandmarkIndex& map)
 {
   const Vector2d extent = map.high() - map.low();
   if (!std::isfinite(max_range_))
@@ -53,7 +53,7 @@ void VisibleLists::chooseGrid(const LandmarkIndex& map)
   rows_ = static_cast<int>(span.y() / cell_) + 1;
 }
 
-void VisibleLists::fill(const LandmarkIndex& map)
+void PotentiallyVisibleSets::fill(const LandmarkIndex& map)
 {
   const bool limited = std::isfinite(max_range_);
   const std::size_t cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
@@ -68,7 +68,7 @@ void VisibleLists::fill(const LandmarkIndex& map)
       const double radius = limited ? max_range_ + margin_ + 0.7072 * cell_ : 2 * cell_;
       near.clear();
       map.forEachNear(centre, radius, [&](std::size_t l) { near.push_back(l); });
-      if (map.kindCount() > 1)
+      if (map.categoryCount() > 1)
         std::stable_sort(near.begin(), near.end(),
                          [&](std::size_t a, std::size_t b) { return listedKind(map, a) < listedKind(map, b); });
       for (const std::size_t l : near)
@@ -88,7 +88,7 @@ void VisibleLists::fill(const LandmarkIndex& map)
   mean_count_ = static_cast<double>(listed) / static_cast<double>(cells);
 }
 
-void VisibleLists::orderByTiles(const LandmarkIndex& map)
+void PotentiallyVisibleSets::orderByTiles(const LandmarkIndex& map)
 {
   order_.resize(map.size());
   std::iota(order_.begin(), order_.end(), 0U);
@@ -103,7 +103,7 @@ void VisibleLists::orderByTiles(const LandmarkIndex& map)
                    [&](std::uint32_t a, std::uint32_t b) { return tile_of(a) < tile_of(b); });
 }
 
-VisibleLists::CellAt VisibleLists::cellAt(const Vector2d& point) const
+PotentiallyVisibleSets::CellAt PotentiallyVisibleSets::cellAt(const Vector2d& point) const
 {
   const auto along = [this](double offset, int count)
   { return static_cast<int>(std::clamp(std::floor(offset / cell_), 0.0, count - 1.0)); };
@@ -112,7 +112,7 @@ VisibleLists::CellAt VisibleLists::cellAt(const Vector2d& point) const
           origin_ + cell_ * Vector2d(column + 0.5, row + 0.5)};
 }
 
-std::size_t VisibleLists::bytes() const
+std::size_t PotentiallyVisibleSets::bytes() const
 {
   return x_.size() * 2 * sizeof(float) + kind_.size() + first_.size() * sizeof(std::size_t) +
          order_.size() * sizeof(std::uint32_t);

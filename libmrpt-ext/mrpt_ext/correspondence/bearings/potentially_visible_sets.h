@@ -11,13 +11,13 @@ namespace mrpt_ext
 /// the cell, as arrays ready for vector instructions. Coordinates are relative to the cell's centre, so that a large
 /// map costs no digits. Without a range limit there is one cell with all landmarks.
 /// Built in O(cells * landmarks in view); the cells grow until the lists take about 100 MB at most.
-class VisibleLists
+class PotentiallyVisibleSets
 {
  public:
   static constexpr std::size_t kBlock = 16;  ///< lists are padded to multiples of this
 
   /// `max_range` [m], infinity for none; `margin` [m]: how far beyond it landmarks are listed.
-  VisibleLists(const LandmarkIndex& map, double max_range, double margin);
+  PotentiallyVisibleSets(const LandmarkIndex& map, double max_range, double margin);
 
   struct Cell
   {

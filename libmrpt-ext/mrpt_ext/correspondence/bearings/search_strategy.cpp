@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mrpt_ext/correspondence/binomial.h"
 #include "mrpt_ext/correspondence/bearings/visibility_vote.h"
+#include "mrpt_ext/correspondence/binomial.h"
 
 namespace mrpt_ext
 {
@@ -36,20 +36,20 @@ double costOf(const PanoramaIndex::Plan& plan, std::size_t landmarks, std::span<
 }
 }  // namespace
 
-std::optional<PanoramaIndex::Plan> choosePanoramas(const LandmarkIndex& map, const MapArea& area, double max_range,
-                                                   std::span<const BearingReading> readings, double gate,
+std::optional<PanoramaIndex::Plan> choosePanoramas(const LandmarkIndex& map, const Box2& area, double max_range,
+                                                   std::span<const ScanBearing> readings, double gate,
                                                    const TripleEffort& triples, int misses,
                                                    const PanoramaIndex::Plan* built)
 {
   const bool has_kinds =
-      std::any_of(readings.begin(), readings.end(), [](const BearingReading& r) { return r.kind != kAnyKind; });
+      std::any_of(readings.begin(), readings.end(), [](const ScanBearing& r) { return r.kind != kAnyCategory; });
   const bool one_place = std::all_of(readings.begin(), readings.end(),
-                                     [&](const BearingReading& r) { return r.place == readings.front().place; });
+                                     [&](const ScanBearing& r) { return r.place == readings.front().place; });
   double least = (kCostOfTriple * triples.tested + kCostOfSieve * triples.possible * triples.in_view) * (misses + 1);
   if (has_kinds || !one_place || least < kWorthThinking) return std::nullopt;
 
   std::vector<std::size_t> shifts;
-  for (const BearingReading& r : readings) shifts.push_back(panoramaShifts(r, gate).size());
+  for (const ScanBearing& r : readings) shifts.push_back(panoramaShifts(r, gate).size());
   if (built != nullptr && costOf(*built, 0, shifts, misses) < least) return *built;
   std::optional<PanoramaIndex::Plan> best;
   for (const double motion : {1.0, 1.5, 2.0, 3.0, 4.0})

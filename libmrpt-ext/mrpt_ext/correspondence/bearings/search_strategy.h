@@ -3,8 +3,8 @@
 #include <optional>
 #include <span>
 
-#include "mrpt_ext/correspondence/scan_bearing.h"
 #include "mrpt_ext/correspondence/bearings/visibility_grid.h"
+#include "mrpt_ext/correspondence/scan_bearing.h"
 
 namespace mrpt_ext
 {
@@ -17,9 +17,9 @@ struct TripleEffort
 
 /// The grid to count off when that is expected to cost less than rounds of triples, or nothing. `misses`: readings that
 /// may be without landmark. `built`: a grid whose panoramas exist, preferred to one that would have to be built.
-[[nodiscard]] std::optional<PanoramaIndex::Plan> choosePanoramas(const LandmarkIndex& map, const MapArea& area,
+[[nodiscard]] std::optional<PanoramaIndex::Plan> choosePanoramas(const LandmarkIndex& map, const Box2& area,
                                                                  double max_range,
-                                                                 std::span<const BearingReading> readings, double gate,
+                                                                 std::span<const ScanBearing> readings, double gate,
                                                                  const TripleEffort& triples, int misses,
                                                                  const PanoramaIndex::Plan* built);
 }  // namespace mrpt_ext

@@ -11,25 +11,23 @@ namespace
 constexpr std::size_t kBatch = 65536;  // (j, k) tried before the hits are looked at
 constexpr double kRangeSlack = 1.02;   // a landmark at the limit is seen though the pose is a little off
 
-TripleShape shapeOf(const BearingReading& middle, const BearingReading& first, const BearingReading& second,
-                    double max_range)
+TripleShape shapeOf(const ScanBearing& middle, const ScanBearing& first, const ScanBearing& second, double max_range)
 {
-  const auto cot = [&](const BearingReading& r)
-  { return static_cast<float>(1 / std::tan(r.bearing - middle.bearing)); };
-  const auto sign = [&](const BearingReading& r) { return std::sin(r.bearing - middle.bearing) > 0 ? 1.0F : -1.0F; };
+  const auto cot = [&](const ScanBearing& r) { return static_cast<float>(1 / std::tan(r.bearing - middle.bearing)); };
+  const auto sign = [&](const ScanBearing& r) { return std::sin(r.bearing - middle.bearing) > 0 ? 1.0F : -1.0F; };
   const double farthest = std::min(kRangeSlack * max_range, 1e9);
   return {cot(first), cot(second), sign(first), sign(second), static_cast<float>(square(farthest))};
 }
 
-TripleBearings bearingsOf(const BearingReading& middle, const BearingReading& first, const BearingReading& second)
+TripleBearings bearingsOf(const ScanBearing& middle, const ScanBearing& first, const ScanBearing& second)
 {
-  const auto std = [](const BearingReading& r) { return static_cast<float>(r.std); };
+  const auto std = [](const ScanBearing& r) { return static_cast<float>(r.std); };
   return {static_cast<float>(middle.direction.x()), static_cast<float>(middle.direction.y()), std(middle), std(first),
           std(second)};
 }
 
 /// Keeps the hits inside the area.
-void keepInside(const MapArea& area, const Vector2d& around, TripleHits& hits)
+void keepInside(const Box2& area, const Vector2d& around, TripleHits& hits)
 {
   const Vector2d low = area.min - around, high = area.max - around;
   std::size_t kept = 0;
@@ -86,12 +84,12 @@ std::vector<PoseProposal> ProposalStore::takeSorted()
 template <typename Visit>
 TripleRound::Work TripleRound::forEachScan(std::size_t stride, Visit&& visit) const
 {
-  const auto reading = [this](int n) -> const BearingReading&
+  const auto reading = [this](int n) -> const ScanBearing&
   { return readings[static_cast<std::size_t>(triple.reading[static_cast<std::size_t>(n)])]; };
-  const BearingReading &middle = reading(0), &first = reading(1), &second = reading(2);
+  const ScanBearing &middle = reading(0), &first = reading(1), &second = reading(2);
   const TripleShape shape = shapeOf(middle, first, second, max_range);
   const double all = 2 * (map->high() - map->low()).norm() + 1;
-  const auto radius = [&](const BearingReading& r)
+  const auto radius = [&](const ScanBearing& r)
   { return std::min(kRangeSlack * largestSeparation(wrap(r.bearing - middle.bearing), max_range), all); };
   const double radius_first = radius(first), radius_second = radius(second);
 
@@ -131,7 +129,7 @@ TripleRound::Work TripleRound::forEachScan(std::size_t stride, Visit&& visit) co
 
 TripleRound::Work TripleRound::run(ProposalStore& store) const
 {
-  const auto reading = [this](std::size_t n) -> const BearingReading&
+  const auto reading = [this](std::size_t n) -> const ScanBearing&
   { return readings[static_cast<std::size_t>(triple.reading[n])]; };
   const TripleBearings bearings = bearingsOf(reading(0), reading(1), reading(2));
   TriplePoses poses;
@@ -140,7 +138,7 @@ TripleRound::Work TripleRound::run(ProposalStore& store) const
                      [&](std::uint32_t i, const Neighbours& first, const Neighbours& second, const TripleHits& hits)
                      {
                        posesOfHits(bearings, first, second, hits, poses);
-                       boundExplained(poses, map->position(i), views, gate, store.floor(), explained);
+                       boundInliers(poses, map->position(i), views, gate, store.floor(), explained);
                        for (std::size_t n = 0; n < poses.count; ++n)
                          if (explained[n] >= store.floor())
                            store.add(proposalAt(poses, n, map->position(i), explained[n]));

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "mrpt_ext/correspondence/bearings/inlier_bound.h"
-#include "mrpt_ext/geometry/box.h"
 #include "mrpt_ext/correspondence/bearings/neighbour_grid.h"
 #include "mrpt_ext/correspondence/triple_schedule.h"
+#include "mrpt_ext/geometry/box.h"
 #include "mrpt_ext/geometry/gaussian_pose.h"
 
 namespace mrpt_ext
@@ -42,13 +42,13 @@ class ProposalStore
 struct TripleRound
 {
   const LandmarkIndex* map = nullptr;
-  std::span<const BearingReading> readings;
+  std::span<const ScanBearing> readings;
   ReadingTriple triple;
   std::array<const NeighbourGrid*, 2> neighbours{};  ///< landmarks that the outer readings may show
-  std::vector<SieveView> views;                      ///< of all places, relative to the triple's sensor
+  std::vector<BoundingScan> views;                   ///< of all places, relative to the triple's sensor
   double max_range = 0;                              ///< of the triple's place; infinity: none
   double gate = 3.3;
-  std::optional<MapArea> area;  ///< of the sensor
+  std::optional<Box2> area;  ///< of the sensor
   std::uint64_t max_tested = 0;
 
   struct Work

@@ -19,7 +19,7 @@ struct Surroundings
   double in_range = 0, inverse_distance = 0;
 };
 
-Surroundings lookAround(const LandmarkIndex& map, const MapArea& area, double max_range, double nearest)
+Surroundings landmarkGates(const LandmarkIndex& map, const Box2& area, double max_range, double nearest)
 {
   Surroundings mean;
   const Vector2d step = (area.max - area.min) / kSamples;
@@ -39,14 +39,14 @@ Surroundings lookAround(const LandmarkIndex& map, const MapArea& area, double ma
 }
 }  // namespace
 
-std::optional<PanoramaIndex::Plan> PanoramaIndex::plan(const LandmarkIndex& map, const MapArea& area, double max_range,
+std::optional<PanoramaIndex::Plan> PanoramaIndex::plan(const LandmarkIndex& map, const Box2& area, double max_range,
                                                        double motion)
 {
   const Vector2d extent = area.max - area.min;
   if (map.empty() || !extent.allFinite() || !(extent.minCoeff() > 0)) return std::nullopt;
   Plan plan{area, max_range};
   const double largest = extent.maxCoeff();
-  const Surroundings around = lookAround(map, area, max_range, 1e-3 * largest);
+  const Surroundings around = landmarkGates(map, area, max_range, 1e-3 * largest);
   if (!(around.in_range > 0)) return std::nullopt;
   const double typical_distance = around.in_range / around.inverse_distance;
   plan.cell = std::sqrt(2.0) * motion * kBinWidth * typical_distance;
@@ -62,7 +62,7 @@ std::optional<PanoramaIndex::Plan> PanoramaIndex::plan(const LandmarkIndex& map,
 PanoramaIndex::PanoramaIndex(const LandmarkIndex& map, const Plan& plan)
     : plan_(plan), bits_(plan.cells() * kWords), close_(plan.cells())
 {
-  DirectionWidths seen(map.positions(), (plan.area.min + plan.area.max) / 2);
+  DirectionIntervals seen(map.positions(), (plan.area.min + plan.area.max) / 2);
   const double farthest = std::min(plan.max_range, 1e9) + cellRadius();
   for (std::size_t c = 0; c < plan.cells(); ++c)
   {

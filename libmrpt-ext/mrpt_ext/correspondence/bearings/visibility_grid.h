@@ -28,7 +28,7 @@ class PanoramaIndex
   /// The grid that suits a map.
   struct Plan
   {
-    MapArea area;
+    Box2 area;
     double max_range = 0;  ///< [m], infinity for none
     double cell = 1;       ///< [m] side of a cell
     int columns = 0, rows = 0;
@@ -41,13 +41,13 @@ class PanoramaIndex
   };
   /// Cells from whose middle to whose rim the direction of a typical landmark moves by `motion` [bins]. Nothing for an
   /// area that is not finite, or when it would take more than 100 MB.
-  [[nodiscard]] static std::optional<Plan> plan(const LandmarkIndex& map, const MapArea& area, double max_range,
+  [[nodiscard]] static std::optional<Plan> plan(const LandmarkIndex& map, const Box2& area, double max_range,
                                                 double motion);
 
   PanoramaIndex(const LandmarkIndex& map, const Plan& plan);
 
   [[nodiscard]] const Plan& plan() const { return plan_; }
-  [[nodiscard]] bool isOf(const MapArea& area, double max_range) const
+  [[nodiscard]] bool isOf(const Box2& area, double max_range) const
   {
     return plan_.area.min == area.min && plan_.area.max == area.max && plan_.max_range == max_range;
   }

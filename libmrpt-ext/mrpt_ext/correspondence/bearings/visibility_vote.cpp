@@ -21,10 +21,10 @@ struct Rotation
   std::int32_t ends_reading = 0;  ///< the last one of its reading
 };
 
-std::vector<Rotation> rotationsOf(std::span<const BearingReading> readings, double gate)
+std::vector<Rotation> rotationsOf(std::span<const ScanBearing> readings, double gate)
 {
   std::vector<Rotation> rotations;
-  for (const BearingReading& reading : readings)
+  for (const ScanBearing& reading : readings)
   {
     for (const int shift : panoramaShifts(reading, gate)) rotations.push_back({shift >> 3, shift & 7, 0});
     rotations.back().ends_reading = 1;
@@ -101,7 +101,7 @@ int missesOf(const MissCounters& count, std::size_t w, int bit)
 }
 }  // namespace
 
-std::vector<int> panoramaShifts(const BearingReading& reading, double gate)
+std::vector<int> panoramaShifts(const ScanBearing& reading, double gate)
 {
   const double low = (reading.bearing - gate * reading.std) / PanoramaIndex::kBinWidth;
   const double high = (reading.bearing + gate * reading.std) / PanoramaIndex::kBinWidth + 1;  // headings fill a bin
@@ -111,7 +111,7 @@ std::vector<int> panoramaShifts(const BearingReading& reading, double gate)
   return shifts;
 }
 
-PanoramaHits scanPanoramas(const PanoramaIndex& index, std::span<const BearingReading> readings, double gate, int floor,
+PanoramaHits scanPanoramas(const PanoramaIndex& index, std::span<const ScanBearing> readings, double gate, int floor,
                            std::size_t capacity)
 {
   const int usable = static_cast<int>(readings.size());

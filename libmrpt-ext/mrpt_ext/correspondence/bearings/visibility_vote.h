@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "mrpt_ext/correspondence/scan_bearing.h"
 #include "mrpt_ext/correspondence/bearings/visibility_grid.h"
+#include "mrpt_ext/correspondence/scan_bearing.h"
 #include "mrpt_ext/geometry/gaussian_pose.h"
 
 namespace mrpt_ext
@@ -28,7 +28,7 @@ struct PanoramaHits
 };
 
 /// Rotations [bins] of a ring whose union holds what a reading could point to.
-[[nodiscard]] std::vector<int> panoramaShifts(const BearingReading& reading, double gate);
+[[nodiscard]] std::vector<int> panoramaShifts(const ScanBearing& reading, double gate);
 
 /// Compares the readings of one place with every cell under every heading: box by box, the number of readings that have
 /// no landmark anywhere they could point to is counted for all headings at once, in bit slices (one addition of 64
@@ -36,8 +36,8 @@ struct PanoramaHits
 /// every reading within `gate` standard deviations of a landmark counts as explained. At most kMostPanoramaMisses
 /// readings, and no more than all but `floor`, may be without landmark; when more than `capacity` boxes survive, the
 /// floor rises.
-[[nodiscard]] PanoramaHits scanPanoramas(const PanoramaIndex& index, std::span<const BearingReading> readings,
-                                         double gate, int floor, std::size_t capacity);
+[[nodiscard]] PanoramaHits scanPanoramas(const PanoramaIndex& index, std::span<const ScanBearing> readings, double gate,
+                                         int floor, std::size_t capacity);
 
 /// The pose in the middle of a box, with a covariance of which `gate` standard deviations cover the box.
 [[nodiscard]] GaussianPose poseOf(const PanoramaHit& hit, const PanoramaIndex& index, double gate);

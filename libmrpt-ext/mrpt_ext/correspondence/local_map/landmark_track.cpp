@@ -11,13 +11,14 @@ namespace
 {
 constexpr std::size_t kEnoughToPredict = 8;  // sightings, evenly chosen; all of them count in the end
 
-CarriedSighting sightingOf(const CarriedPlace& from, const UnidentifiedDetection& d, const Matrix3d& reference)
+WindowObservation sightingOf(const PastScan& from, const AnonymousDetection& d, const Matrix3d& reference)
 {
-  return {from.place.T_robot_sensor, from.way_covariance - reference, d.bearing, d.range, d.std_bearing, d.std_range};
+  return {
+      from.place.T_robot_sensor, from.odometry_covariance - reference, d.bearing, d.range, d.std_bearing, d.std_range};
 }
 
-TrackPrediction predictFromDirection(const CarriedPlace& from, const CarriedPlace& at,
-                                     const UnidentifiedDetection& seen, double nearest)
+TrackPrediction predictFromDirection(const PastScan& from, const PastScan& at, const AnonymousDetection& seen,
+                                     double nearest)
 {
   const double inverse_depth = 0.25 / nearest, std_inverse_depth = 0.25 / nearest;
   const Vector2d ray = direction(from.place.T_robot_sensor.phi + *seen.bearing);
@@ -30,11 +31,11 @@ TrackPrediction predictFromDirection(const CarriedPlace& from, const CarriedPlac
   expected.bearing_variance = square(seen.std_bearing) + square(slope * std_inverse_depth);
   Eigen::Matrix<double, 2, 3> swing;
   swing << Matrix2d::Identity(), perpendicular(expected.point.mean);
-  expected.point.covariance = swing * (from.way_covariance - at.way_covariance) * swing.transpose();
+  expected.point.covariance = swing * (from.odometry_covariance - at.odometry_covariance) * swing.transpose();
   return expected;
 }
 
-std::optional<GaussianPoint> predictedPoint(const LandmarkTrack& track, std::span<const CarriedPlace> places,
+std::optional<GaussianPoint> predictedPoint(const LandmarkTrack& track, std::span<const PastScan> places,
                                             const Matrix3d& reference)
 {
   LandmarkTrack some = track;
@@ -44,33 +45,33 @@ std::optional<GaussianPoint> predictedPoint(const LandmarkTrack& track, std::spa
     for (std::size_t k = 0; k < kEnoughToPredict; ++k)  // the newest among them
       some.members.push_back(track.members[(k + 1) * track.members.size() / kEnoughToPredict - 1]);
   }
-  const CarriedLandmark found = locateLandmark(sightingsOf(some, places, reference));
+  const WindowLandmark found = locateLandmark(sightingsOf(some, places, reference));
   if (found.status != SolveStatus::ok || found.places.size() != 1) return std::nullopt;
   return found.places.front().in_robot;
 }
 }  // namespace
 
-std::vector<CarriedSighting> sightingsOf(const LandmarkTrack& track, std::span<const CarriedPlace> places,
-                                         const Matrix3d& reference_covariance)
+std::vector<WindowObservation> sightingsOf(const LandmarkTrack& track, std::span<const PastScan> places,
+                                           const Matrix3d& reference_covariance)
 {
-  std::vector<CarriedSighting> sightings;
+  std::vector<WindowObservation> sightings;
   for (const LandmarkTrack::Member& m : track.members)
     sightings.push_back(
         sightingOf(places[m.place], places[m.place].place.detections[m.detection], reference_covariance));
   return sightings;
 }
 
-TrackPrediction predictTrack(const LandmarkTrack& track, std::span<const CarriedPlace> places, std::size_t at,
+TrackPrediction predictTrack(const LandmarkTrack& track, std::span<const PastScan> places, std::size_t at,
                              double nearest)
 {
   if (track.located)
-    if (const auto point = predictedPoint(track, places, places[at].way_covariance)) return {*point, 0, true};
+    if (const auto point = predictedPoint(track, places, places[at].odometry_covariance)) return {*point, 0, true};
   const LandmarkTrack::Member& last = track.members.back();
   return predictFromDirection(places[last.place], places[at], places[last.place].place.detections[last.detection],
                               nearest);
 }
 
-TrackFit compare(const TrackPrediction& expected, const CarriedPlace& at, const UnidentifiedDetection& d)
+TrackFit compare(const TrackPrediction& expected, const PastScan& at, const AnonymousDetection& d)
 {
   const Vector2d offset = expected.point.mean - at.place.T_robot_sensor.position();
   const double r = std::max(offset.norm(), 1e-6);

@@ -16,15 +16,15 @@ struct LandmarkTrack
   {
     std::size_t place = 0, detection = 0;
   };
-  int kind = kAnyKind;
+  int kind = kAnyCategory;
   std::vector<Member> members;  ///< by place, at most one of each
   GaussianPoint point;          ///< robot frame of now [m], of a finished track
   bool located = false;         ///< its sightings hold a point: no longer a mere direction
 };
 
 /// The track's sightings as seen from place `reference`: what odometry adds on the way before it, nothing after.
-[[nodiscard]] std::vector<CarriedSighting> sightingsOf(const LandmarkTrack& track, std::span<const CarriedPlace> places,
-                                                       const Matrix3d& reference_covariance);
+[[nodiscard]] std::vector<WindowObservation> sightingsOf(const LandmarkTrack& track, std::span<const PastScan> places,
+                                                         const Matrix3d& reference_covariance);
 
 /// Where a later place should see the track's landmark.
 struct TrackPrediction
@@ -37,8 +37,8 @@ struct TrackPrediction
 /// A located track predicts a point. A direction alone predicts the bearing of a landmark at an inverse depth of
 /// 1/4 +- 1/4 of 1 / `nearest` (inverse depth: Civera, Davison, Montiel 2008; its error is Gaussian where that of a
 /// depth is not).
-[[nodiscard]] TrackPrediction predictTrack(const LandmarkTrack& track, std::span<const CarriedPlace> places,
-                                           std::size_t at, double nearest);
+[[nodiscard]] TrackPrediction predictTrack(const LandmarkTrack& track, std::span<const PastScan> places, std::size_t at,
+                                           double nearest);
 
 /// How well a detection agrees with a prediction.
 struct TrackFit
@@ -46,6 +46,6 @@ struct TrackFit
   double chi2 = 0;
   int values = 0;  ///< bearing, or bearing and range: degrees of freedom
 };
-[[nodiscard]] TrackFit compare(const TrackPrediction& expected, const CarriedPlace& at,
-                               const UnidentifiedDetection& detection);
+[[nodiscard]] TrackFit compare(const TrackPrediction& expected, const PastScan& at,
+                               const AnonymousDetection& detection);
 }  // namespace mrpt_ext

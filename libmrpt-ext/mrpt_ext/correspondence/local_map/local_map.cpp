@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "mrpt_ext/solvers/plane.h"
 #include "mrpt_ext/solvers/local_bundle_adjustment.h"
+#include "mrpt_ext/solvers/plane.h"
 
 namespace mrpt_ext
 {
@@ -17,38 +17,38 @@ constexpr int kPasses = 2;  // of finding tracks anew along the corrected way
 /// The tracks' sightings, and where they put the landmarks and the way.
 struct Settled
 {
-  WayAdjustment adjusted;
+  BundleAdjustment adjusted;
   std::vector<LandmarkTrack::Member> members;  // of each sighting
   std::vector<std::size_t> tracks;             // likewise
 };
 
-Settled adjust(const std::vector<LandmarkTrack>& tracks, std::span<const CarriedPlace> places, bool robust)
+Settled adjust(const std::vector<LandmarkTrack>& tracks, std::span<const PastScan> places, bool robust)
 {
   Settled result;
-  std::vector<WaySighting> sightings;
+  std::vector<LandmarkObservation> sightings;
   std::vector<Vector2d> start;
   for (std::size_t j = 0; j < tracks.size(); ++j)
   {
     start.push_back(tracks[j].point.mean);
     for (const LandmarkTrack::Member& m : tracks[j].members)
     {
-      const UnidentifiedDetection& d = places[m.place].place.detections[m.detection];
+      const AnonymousDetection& d = places[m.place].place.detections[m.detection];
       sightings.push_back({m.place, j, d.bearing, d.range, d.std_bearing, d.std_range});
       result.members.push_back(m);
       result.tracks.push_back(j);
     }
   }
-  std::vector<WayPlace> way;
-  for (const CarriedPlace& p : places) way.push_back({p.place.T_robot_sensor, p.way_covariance});
-  result.adjusted = adjustWay(way, sightings, std::move(start), robust);
+  std::vector<ScanPose> way;
+  for (const PastScan& p : places) way.push_back({p.place.T_robot_sensor, p.odometry_covariance});
+  result.adjusted = adjustBundle(way, sightings, std::move(start), robust);
   if (result.adjusted.status != SolveStatus::ok) result.adjusted.places = std::move(way);
   return result;
 }
 
 /// Takes the worst sighting from every track that has one beyond the gate; true if there was any. Tracks that have too
 /// little left, or no point any more, go.
-bool dropWorst(std::vector<LandmarkTrack>& tracks, const Settled& settled, std::span<const CarriedPlace> places,
-               const JoiningOptions& options)
+bool dropWorst(std::vector<LandmarkTrack>& tracks, const Settled& settled, std::span<const PastScan> places,
+               const LocalMapOptions& options)
 {
   std::vector<double> worst(tracks.size(), 0);
   std::vector<LandmarkTrack::Member> member(tracks.size());
@@ -67,14 +67,14 @@ bool dropWorst(std::vector<LandmarkTrack>& tracks, const Settled& settled, std::
     any = true;
     std::erase_if(tracks[j].members, [&](const auto& m) { return m.place == member[j].place; });
     const bool enough = tracks[j].members.size() >= (d.range ? 1 : leastBearings(options.tracks, places.size()));
-    const auto found = enough ? locateLandmark(sightingsOf(tracks[j], places, Matrix3d::Zero())) : CarriedLandmark{};
+    const auto found = enough ? locateLandmark(sightingsOf(tracks[j], places, Matrix3d::Zero())) : WindowLandmark{};
     if (found.places.empty()) tracks.erase(tracks.begin() + static_cast<std::ptrdiff_t>(j));
   }
   return any;
 }
 
 /// Adjusts until every sighting agrees with the others, first robustly, so that the wrong ones are told from the right.
-Settled settle(std::vector<LandmarkTrack>& tracks, std::span<const CarriedPlace> places, const JoiningOptions& options)
+Settled settle(std::vector<LandmarkTrack>& tracks, std::span<const PastScan> places, const LocalMapOptions& options)
 {
   Settled settled;
   for (const bool robust : {true, false}) do
@@ -90,17 +90,17 @@ Settled settle(std::vector<LandmarkTrack>& tracks, std::span<const CarriedPlace>
 }
 
 /// The places as the tracks themselves correct them; what remains unsure counts as each sighting's own deviation.
-std::vector<CarriedPlace> correctedBy(const std::vector<LandmarkTrack>& tracks, std::span<const CarriedPlace> places)
+std::vector<PastScan> correctedBy(const std::vector<LandmarkTrack>& tracks, std::span<const PastScan> places)
 {
-  std::vector<CarriedPlace> corrected(places.begin(), places.end());
-  const WayAdjustment adjusted = adjust(tracks, places, true).adjusted;
+  std::vector<PastScan> corrected(places.begin(), places.end());
+  const BundleAdjustment adjusted = adjust(tracks, places, true).adjusted;
   if (adjusted.status != SolveStatus::ok) return corrected;
   for (std::size_t k = 0; k < places.size(); ++k)
   {
     corrected[k].place.T_robot_sensor = adjusted.places[k].T_robot_sensor;
-    corrected[k].way_covariance.setZero();
-    const Matrix3d& E = adjusted.places[k].way_covariance;
-    for (UnidentifiedDetection& d : corrected[k].place.detections)
+    corrected[k].odometry_covariance.setZero();
+    const Matrix3d& E = adjusted.places[k].odometry_covariance;
+    for (AnonymousDetection& d : corrected[k].place.detections)
     {
       d.std_bearing = std::sqrt(square(d.std_bearing) + E(2, 2));
       d.std_range = std::sqrt(square(d.std_range) + 0.5 * E.topLeftCorner<2, 2>().trace());
@@ -109,19 +109,19 @@ std::vector<CarriedPlace> correctedBy(const std::vector<LandmarkTrack>& tracks, 
   return corrected;
 }
 
-bool isSharp(const GaussianPoint& point, double max_std)
+bool isPrecise(const GaussianPoint& point, double max_std)
 {
   const Eigen::SelfAdjointEigenSolver<Matrix2d> eigen(point.covariance, Eigen::EigenvaluesOnly);
   return eigen.eigenvalues().y() <= square(max_std);
 }
 
 /// One sensor in the robot's centre that could have seen what any of them saw from anywhere on the way.
-SensorModel commonModel(std::span<const CarriedPlace> places)
+SensorModel commonModel(std::span<const PastScan> places)
 {
   SensorModel model;
   model.clutter_probability = 0;
   double reach = 0;
-  for (const CarriedPlace& p : places)
+  for (const PastScan& p : places)
   {
     model.clutter_probability = std::max(model.clutter_probability, p.place.model.clutter_probability);
     const double limit = p.place.model.max_range.value_or(std::numeric_limits<double>::infinity());
@@ -132,19 +132,19 @@ SensorModel commonModel(std::span<const CarriedPlace> places)
 }
 
 /// What no point stands for, at the corrected places.
-std::vector<CarriedPlace> leftOver(std::span<const CarriedPlace> places, const std::vector<WayPlace>& corrected,
-                                   const std::vector<ConstellationPoint>& points)
+std::vector<PastScan> leftOver(std::span<const PastScan> places, const std::vector<ScanPose>& corrected,
+                               const std::vector<ConstellationPoint>& points)
 {
   std::vector<std::vector<bool>> used;
-  for (const CarriedPlace& p : places) used.emplace_back(p.place.detections.size(), false);
+  for (const PastScan& p : places) used.emplace_back(p.place.detections.size(), false);
   for (const ConstellationPoint& point : points)
     for (const LandmarkTrack::Member& m : point.members) used[m.place][m.detection] = true;
-  std::vector<CarriedPlace> rest;
+  std::vector<PastScan> rest;
   for (std::size_t k = 0; k < places.size(); ++k)
   {
-    CarriedPlace left = places[k];
+    PastScan left = places[k];
     left.place.T_robot_sensor = corrected[k].T_robot_sensor;
-    left.way_covariance = corrected[k].way_covariance;
+    left.odometry_covariance = corrected[k].odometry_covariance;
     left.place.detections.clear();
     for (std::size_t d = 0; d < used[k].size(); ++d)
       if (!used[k][d]) left.place.detections.push_back(places[k].place.detections[d]);
@@ -154,17 +154,17 @@ std::vector<CarriedPlace> leftOver(std::span<const CarriedPlace> places, const s
 }
 
 /// The detections of a place that was left, with what odometry adds to each by itself.
-SensorPlace grown(const CarriedPlace& carried)
+Scan grown(const PastScan& carried)
 {
   constexpr double kTypicalDistance = 3;  // [m] turns a shift into a turn where no range is measured
-  SensorPlace place = carried.place;
-  const Matrix3d& E = carried.way_covariance;
+  Scan place = carried.place;
+  const Matrix3d& E = carried.odometry_covariance;
   if (E.isZero(0)) return place;
   place.model.detection_probability.reset();
   Eigen::Matrix<double, 2, 3> swing;
   swing << Matrix2d::Identity(), perpendicular(place.T_robot_sensor.position());
   const double shift = (swing * E * swing.transpose()).diagonal().maxCoeff();
-  for (UnidentifiedDetection& d : place.detections)
+  for (AnonymousDetection& d : place.detections)
   {
     const double distance = d.range.value_or(kTypicalDistance);
     d.std_bearing = std::sqrt(square(d.std_bearing) + E(2, 2) + shift / square(distance));
@@ -174,29 +174,30 @@ SensorPlace grown(const CarriedPlace& carried)
 }
 }  // namespace
 
-JoinedConstellation joinPlaces(std::span<const CarriedPlace> oldest_first, const JoiningOptions& options)
+LocalLandmarkMap buildLocalMap(std::span<const PastScan> oldest_first, const LocalMapOptions& options)
 {
-  JoinedConstellation result;
+  LocalLandmarkMap result;
   if (oldest_first.size() < 2)
   {
     result.rest.assign(oldest_first.begin(), oldest_first.end());
     return result;
   }
-  std::vector<LandmarkTrack> tracks = findTracks(oldest_first, options.tracks);
-  for (int pass = 0; pass < kPasses; ++pass) tracks = findTracks(correctedBy(tracks, oldest_first), options.tracks);
+  std::vector<LandmarkTrack> tracks = associateTracks(oldest_first, options.tracks);
+  for (int pass = 0; pass < kPasses; ++pass)
+    tracks = associateTracks(correctedBy(tracks, oldest_first), options.tracks);
   const Settled settled = settle(tracks, oldest_first, options);
   for (std::size_t j = 0; j < tracks.size(); ++j)
-    if (isSharp(settled.adjusted.landmarks[j], options.max_std))
+    if (isPrecise(settled.adjusted.landmarks[j], options.max_std))
       result.points.push_back({settled.adjusted.landmarks[j], tracks[j].kind, std::move(tracks[j].members)});
   result.seen_by = commonModel(oldest_first);
   result.rest = leftOver(oldest_first, settled.adjusted.places, result.points);
   return result;
 }
 
-std::vector<SensorPlace> asSensorPlaces(const JoinedConstellation& joined)
+std::vector<Scan> asScans(const LocalLandmarkMap& joined)
 {
-  std::vector<SensorPlace> places;
-  SensorPlace points{{}, joined.seen_by, {}};
+  std::vector<Scan> places;
+  Scan points{{}, joined.seen_by, {}};
   for (const ConstellationPoint& point : joined.points)
   {
     const Vector2d& v = point.in_robot.mean;
@@ -210,7 +211,7 @@ std::vector<SensorPlace> asSensorPlaces(const JoinedConstellation& joined)
                                  .kind = point.kind});
   }
   if (!points.detections.empty()) places.push_back(std::move(points));
-  for (const CarriedPlace& carried : joined.rest) places.push_back(grown(carried));
+  for (const PastScan& carried : joined.rest) places.push_back(grown(carried));
   return places;
 }
 }  // namespace mrpt_ext

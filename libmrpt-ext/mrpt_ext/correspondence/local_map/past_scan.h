@@ -7,9 +7,10 @@ namespace mrpt_ext
 {
 /// What one sensor saw from a place that the robot has since left. Deviations are those of the sensor alone; what
 /// odometry adds is shared by all that was seen from there.
-struct CarriedPlace
+struct PastScan
 {
-  SensorPlace place;                           ///< T_robot_sensor: the sensor's place then, in the robot frame of now
-  Matrix3d way_covariance = Matrix3d::Zero();  ///< of the way since, as an error of the robot's pose now (robot axes)
+  Scan place;  ///< T_robot_sensor: the sensor's place then, in the robot frame of now
+  Matrix3d odometry_covariance =
+      Matrix3d::Zero();  ///< of the way since, as an error of the robot's pose now (robot axes)
 };
 }  // namespace mrpt_ext

@@ -21,9 +21,9 @@ struct Candidate
 class TrackSearch
 {
  public:
-  TrackSearch(std::span<const CarriedPlace> places, const TrackOptions& options) : places_(places), options_(options)
+  TrackSearch(std::span<const PastScan> places, const TrackOptions& options) : places_(places), options_(options)
   {
-    for (const CarriedPlace& p : places) taken_.emplace_back(p.place.detections.size(), false);
+    for (const PastScan& p : places) taken_.emplace_back(p.place.detections.size(), false);
   }
 
   std::vector<LandmarkTrack> run()
@@ -49,14 +49,14 @@ class TrackSearch
   }
 
  private:
-  [[nodiscard]] const std::vector<UnidentifiedDetection>& detectionsOf(std::size_t place) const
+  [[nodiscard]] const std::vector<AnonymousDetection>& detectionsOf(std::size_t place) const
   {
     return places_[place].place.detections;
   }
 
   void startFrom(const LandmarkTrack::Member& first)
   {
-    const UnidentifiedDetection& d = detectionsOf(first.place)[first.detection];
+    const AnonymousDetection& d = detectionsOf(first.place)[first.detection];
     if (!d.bearing) return;
     const LandmarkTrack single{.kind = d.kind, .members = {first}};
     if (d.range) return grow({d.kind, {first}, {}, true});
@@ -72,7 +72,7 @@ class TrackSearch
   [[nodiscard]] std::optional<double> fitsWell(const TrackPrediction& expected, int kind, std::size_t at,
                                                std::size_t detection) const
   {
-    const UnidentifiedDetection& d = detectionsOf(at)[detection];
+    const AnonymousDetection& d = detectionsOf(at)[detection];
     if (!d.bearing || d.kind != kind) return std::nullopt;
     const TrackFit fit = compare(expected, places_[at], d);
     if (fit.chi2 > square(options_.gate) * fit.values) return std::nullopt;
@@ -105,14 +105,14 @@ class TrackSearch
         std::any_of(track.members.begin(), track.members.end(),
                     [&](const auto& m) { return detectionsOf(m.place)[m.detection].range.has_value(); });
     if (track.members.empty() || (!has_range && track.members.size() < leastBearings(options_, places_.size()))) return;
-    const CarriedLandmark found = locateLandmark(sightingsOf(track, places_, Matrix3d::Zero()));
+    const WindowLandmark found = locateLandmark(sightingsOf(track, places_, Matrix3d::Zero()));
     if (found.status != SolveStatus::ok || found.places.size() != 1) return;
     track.point = found.places.front().in_robot;
     const double evidence = kWorth * static_cast<double>(track.members.size()) - found.places.front().chi2;
     candidates_.push({std::move(track), evidence, born_++});
   }
 
-  std::span<const CarriedPlace> places_;
+  std::span<const PastScan> places_;
   const TrackOptions& options_;
   std::vector<std::vector<bool>> taken_;
   std::priority_queue<Candidate> candidates_;
@@ -120,7 +120,7 @@ class TrackSearch
 };
 }  // namespace
 
-std::vector<LandmarkTrack> findTracks(std::span<const CarriedPlace> oldest_first, const TrackOptions& options)
+std::vector<LandmarkTrack> associateTracks(std::span<const PastScan> oldest_first, const TrackOptions& options)
 {
   return TrackSearch(oldest_first, options).run();
 }

@@ -26,6 +26,6 @@ struct TrackOptions
 /// which then takes from every later place the closest detection within the gate of what it predicts. Most of these
 /// tracks are wrong, but the right ones explain more: the track with the most evidence is kept, its detections are
 /// taken from all others, and so on until none has enough left.
-[[nodiscard]] std::vector<LandmarkTrack> findTracks(std::span<const CarriedPlace> oldest_first,
-                                                    const TrackOptions& options = {});
+[[nodiscard]] std::vector<LandmarkTrack> associateTracks(std::span<const PastScan> oldest_first,
+                                                         const TrackOptions& options = {});
 }  // namespace mrpt_ext

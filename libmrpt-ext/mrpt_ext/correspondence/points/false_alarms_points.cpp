@@ -9,14 +9,14 @@ namespace
 constexpr double kPoseShare = 0.75;  // of a point's mean variance: what the pose's error adds to that of a prediction
 }
 
-ChancePoints chancePoints(const LandmarkIndex& map, std::span<const ReadingPoint> points, double gate)
+FalseAlarmPoints chancePoints(const LandmarkIndex& map, std::span<const ReadingPoint> points, double gate)
 {
   if (points.size() < 2 || map.empty()) return {0, 0, static_cast<int>(points.size())};
   const Vector2d extent = map.high() - map.low();
   const double area = std::max(extent.prod(), 0.01 * extent.squaredNorm() + 1e-9);
-  const bool kinds = std::none_of(points.begin(), points.end(), [](const auto& p) { return p.kind == kAnyKind; });
+  const bool kinds = std::none_of(points.begin(), points.end(), [](const auto& p) { return p.kind == kAnyCategory; });
   const auto count = static_cast<double>(map.size());
-  const double density = count / area / (kinds ? std::max(1, map.kindsPresent()) : 1);
+  const double density = count / area / (kinds ? std::max(1, map.categoriesPresent()) : 1);
 
   const auto n = static_cast<double>(points.size());
   double variance = 0, area_of_gate = 0, separation = 0;
@@ -32,7 +32,7 @@ ChancePoints chancePoints(const LandmarkIndex& map, std::span<const ReadingPoint
   return {pairs, -std::expm1(-area_of_gate * density), static_cast<int>(points.size())};
 }
 
-double expectedFalsePoses(const ChancePoints& chance, int matched)
+double expectedFalsePoses(const FalseAlarmPoints& chance, int matched)
 {
   const int m = std::max(matched, 2), n = chance.points;
   if (n < m) return 0;

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <limits>
 
-#include "mrpt_ext/correspondence/scan_bearing.h"
 #include "mrpt_ext/correspondence/points/false_alarms_points.h"
-#include "mrpt_ext/correspondence/unsearched_evidence.h"
 #include "mrpt_ext/correspondence/points/point_fit.h"
 #include "mrpt_ext/correspondence/pose_verification.h"
+#include "mrpt_ext/correspondence/scan_bearing.h"
 #include "mrpt_ext/correspondence/triple_schedule.h"
+#include "mrpt_ext/correspondence/unsearched_evidence.h"
 
 namespace mrpt_ext
 {
@@ -29,7 +29,7 @@ constexpr double kNothing = -std::numeric_limits<double>::infinity();
 class PointSearchRun
 {
  public:
-  PointSearchRun(const LandmarkIndex& map, const TriangleIndex& triangles, std::span<const SensorPlace> places,
+  PointSearchRun(const LandmarkIndex& map, const TriangleIndex& triangles, std::span<const Scan> places,
                  const PoseSearchOptions& options, std::vector<ReadingPoint> points)
       : map_(map),
         triangles_(triangles),
@@ -40,7 +40,7 @@ class PointSearchRun
   {
   }
 
-  PoseSearch run()
+  PoseSearchResult run()
   {
     const int count = static_cast<int>(points_.size());
     if (count >= 3) searchTriangles(std::max(3, (count + 1) / 2));
@@ -123,7 +123,7 @@ class PointSearchRun
   void searchTriangles(int least)
   {
     least_ = least;
-    TripleCover cover(triangleCandidates());
+    TripleSchedule cover(triangleCandidates());
     while (cover.tolerated() < static_cast<int>(points_.size()) - std::max(least_, best_matched_))
     {
       const std::optional<ReadingTriple> triple = cover.next();
@@ -255,7 +255,7 @@ class PointSearchRun
         break;
       }
       ++result_.work.judged;
-      auto judged = judgePose(map_, places_, options_, pose, 2);
+      auto judged = verifyPose(map_, places_, options_, pose, 2);
       if (!judged) continue;
       best_explained_ = std::max(best_explained_, candidate.explained);
       best_matched_ = std::max(best_matched_, std::min(judged->matched, static_cast<int>(points_.size())));
@@ -273,7 +273,7 @@ class PointSearchRun
   /// Log of the evidence of the poses that explain less than the best.
   [[nodiscard]] double missedEvidence() const
   {
-    return logEvidenceBelow(map_, places_, areaOrMap(map_, options_.area), best_matched_);
+    return logEvidenceOfUnsearched(map_, places_, areaOrMap(map_, options_.area), best_matched_);
   }
 
   /// False when the best pose may be chance: the right one may have been seen by no triangle of the index.
@@ -298,21 +298,21 @@ class PointSearchRun
 
   const LandmarkIndex& map_;
   const TriangleIndex& triangles_;
-  std::span<const SensorPlace> places_;
+  std::span<const Scan> places_;
   const PoseSearchOptions& options_;
   std::vector<ReadingPoint> points_;
-  ChancePoints chance_;
+  FalseAlarmPoints chance_;
   std::vector<GrownFit> waiting_;
-  PoseSearch result_;
+  PoseSearchResult result_;
   int best_matched_ = 0;    // by a judged pose
   int best_explained_ = 0;  // before it was judged
   int least_ = 2;
 };
 }  // namespace
 
-PoseSearch PointSearch::search(std::span<const SensorPlace> places, const PoseSearchOptions& options) const
+PoseSearchResult PointSearch::search(std::span<const Scan> places, const PoseSearchOptions& options) const
 {
-  PoseSearch nothing;
+  PoseSearchResult nothing;
   if (!areUsable(places)) nothing.status = SolveStatus::bad_input;
   if (nothing.status == SolveStatus::bad_input) return nothing;
   std::vector<ReadingPoint> points = gatherPoints(places, options.gate);

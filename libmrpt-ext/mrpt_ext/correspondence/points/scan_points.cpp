@@ -4,7 +4,7 @@
 
 namespace mrpt_ext
 {
-std::vector<ReadingPoint> gatherPoints(std::span<const SensorPlace> places, double gate)
+std::vector<ReadingPoint> gatherPoints(std::span<const Scan> places, double gate)
 {
   struct Gathered
   {
@@ -13,9 +13,9 @@ std::vector<ReadingPoint> gatherPoints(std::span<const SensorPlace> places, doub
   };
   std::vector<Gathered> gathered;
   for (std::size_t p = 0; p < places.size(); ++p)
-    for (const UnidentifiedDetection& d : places[p].detections)
+    for (const AnonymousDetection& d : places[p].detections)
     {
-      if (!d.bearing || !d.range || d.kind == kNoSuchKind) continue;
+      if (!d.bearing || !d.range || d.kind == kUnknownCategory) continue;
       const Vector2d offset = *d.range * Vector2d(std::cos(*d.bearing), std::sin(*d.bearing));
       const ReadingPoint point{transform(places[p].T_robot_sensor, offset),
                                std::max(d.std_range, *d.range * d.std_bearing), d.std_range * *d.range * d.std_bearing,

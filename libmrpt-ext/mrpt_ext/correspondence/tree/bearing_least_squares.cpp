@@ -18,7 +18,7 @@ constexpr double kBeside = 0.1;    // and what still is beside it: other bearing
 /// Predicted minus measured [rad]; `heading` is the unit vector of the pose's.
 double misfit(const MatchedBearing& m, const Vector2d& heading, const Vector2d& to_landmark)
 {
-  const Vector2d seen = PoseRows::turned(m.unit, heading);
+  const Vector2d seen = PoseResiduals::turned(m.unit, heading);
   return smallAngle(cross(seen, to_landmark), seen.dot(to_landmark));
 }
 
@@ -63,8 +63,8 @@ BearingFit fitBearings(std::span<const MatchedBearing> matched, const Pose2& sta
   return fit;
 }
 
-std::optional<Pose2> besideLandmark(std::span<const MatchedBearing> matched, std::size_t close, const Vector2d& about,
-                                    double reach, double error)
+std::optional<Pose2> startNearLandmark(std::span<const MatchedBearing> matched, std::size_t close,
+                                       const Vector2d& about, double reach, double error)
 {
   const MatchedBearing& at = matched[close];
   double next = std::numeric_limits<double>::infinity();

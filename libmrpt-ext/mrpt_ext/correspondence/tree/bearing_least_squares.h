@@ -28,6 +28,6 @@ struct BearingFit
 /// A start next to one of the landmarks, where its bearing says little about the position: the pose that the others
 /// have there, moved to where the bearing is right. Nothing when the landmark is further than `reach` from `about` and
 /// than a tenth of the way to the next landmark, or when the others contradict each other there by more than `error`.
-[[nodiscard]] std::optional<Pose2> besideLandmark(std::span<const MatchedBearing> matched, std::size_t close,
-                                                  const Vector2d& about, double reach, double error);
+[[nodiscard]] std::optional<Pose2> startNearLandmark(std::span<const MatchedBearing> matched, std::size_t close,
+                                                     const Vector2d& about, double reach, double error);
 }  // namespace mrpt_ext

@@ -19,7 +19,7 @@ bool withinRange(std::span<const PoseMeasurement> measurements, const Pose2& pos
 
 /// The pose of a robot on which least squares would place a landmark: as close as a figure still makes sense, in the
 /// direction it has. Nothing when no landmark is close (a tenth of the way to the next one).
-std::optional<Pose2> besideLandmark(std::span<const PoseMeasurement> measurements, const Pose2& pose)
+std::optional<Pose2> startNearLandmark(std::span<const PoseMeasurement> measurements, const Pose2& pose)
 {
   double nearest = std::numeric_limits<double>::infinity(), next = nearest;
   Vector2d landmark(0, 0);
@@ -41,7 +41,7 @@ PoseMl bestPose(std::span<const PoseMeasurement> measurements, const Pose2& star
 {
   PoseMl fit = refinePose(measurements, start);
   if (fit.status != SolveStatus::degenerate) return fit;
-  const std::optional<Pose2> beside = besideLandmark(measurements, start);
+  const std::optional<Pose2> beside = startNearLandmark(measurements, start);
   if (!beside) return fit;
   const std::optional<Matrix3d> covariance = covarianceFromInformation(poseInformation(measurements, *beside));
   if (!covariance) return fit;

@@ -48,7 +48,7 @@ std::optional<Interpretation> interpretMatched(const InterpretationProblem& prob
   for (std::size_t i = 0; i < matched.size(); ++i)
   {
     const std::optional<Pose2> beside =
-        besideLandmark(matched, i, start.pose.position(), reach, problem.options.max_residual);
+        startNearLandmark(matched, i, start.pose.position(), reach, problem.options.max_residual);
     if (!beside) continue;
     if (auto found = interpretFrom(*beside, problem, assignment, matched)) return found;
   }

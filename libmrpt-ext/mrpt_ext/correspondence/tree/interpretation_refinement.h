@@ -1,8 +1,8 @@
 #pragma once
 
 #include "mrpt_ext/correspondence/tree/bearing_least_squares.h"
-#include "mrpt_ext/correspondence/tree/interpretation_problem.h"
 #include "mrpt_ext/correspondence/tree/circle_inversion.h"
+#include "mrpt_ext/correspondence/tree/interpretation_problem.h"
 
 namespace mrpt_ext
 {

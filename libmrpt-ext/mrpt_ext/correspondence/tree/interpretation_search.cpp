@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "mrpt_ext/correspondence/tree/interpretation_refinement.h"
-#include "mrpt_ext/correspondence/tree/ray_bundle.h"
 #include "mrpt_ext/correspondence/tree/matching_order.h"
+#include "mrpt_ext/correspondence/tree/ray_bundle.h"
 #include "mrpt_ext/solvers/plane.h"
 
 namespace mrpt_ext
@@ -40,7 +40,7 @@ class Search
 
   InterpretationCandidates run()
   {
-    for (SearchPlan& plan : searchPlans(problem_))
+    for (MatchingOrder& plan : searchPlans(problem_))
     {
       plan_ = std::move(plan);
       masks_.clear();
@@ -301,12 +301,12 @@ class Search
 
   const InterpretationProblem& problem_;
   const InterpretationOptions& options_;
-  SearchPlan plan_;
+  MatchingOrder plan_;
   bool covariance_;
   double reach_;
-  RayFan fan_;
+  RayBundle fan_;
   CrossingBounds bounds_;
-  std::vector<RayFan::Mask> masks_;     ///< landmarks allowed, per place of the order
+  std::vector<RayBundle::Mask> masks_;  ///< landmarks allowed, per place of the order
   std::vector<Node> nodes_;             ///< by number of matched bearings
   std::vector<RayCrossing> crossings_;  ///< of the newest ray with the others
   std::vector<std::size_t> kept_;

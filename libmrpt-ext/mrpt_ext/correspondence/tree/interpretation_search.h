@@ -7,7 +7,8 @@ namespace mrpt_ext
 /// Depth-first search for all consistent interpretations. Differences to the paper's rule, and why:
 /// - the first three bearings are the best spread ones, not the first given: their pose is the most certain;
 /// - a further bearing must lie within the gate that the uncertainty of the pose leaves (InterpretationGate). Poses and
-///   gates come from crossings of two rays in the plane of circle_inversion.h, where the bounds hold beyond first order;
+///   gates come from crossings of two rays in the plane of circle_inversion.h, where the bounds hold beyond first
+///   order;
 /// - nearly parallel rays (robot and landmarks nearly on one circle) leave a prefix open: the next bearing decides;
 /// - from four bearings on, every crossing of the newest ray with another must explain all the others, and the
 ///   candidates of the bearings to come; the most certain one is the pose;

@@ -21,24 +21,24 @@ bool validOptions(const InterpretationOptions& o)
          o.clutter_probability < 1;
 }
 
-bool validInput(std::span<const Vector2d> landmarks, std::span<const UnidentifiedBearing> bearings)
+bool validInput(std::span<const Vector2d> landmarks, std::span<const AnonymousBearing> bearings)
 {
   const int count = static_cast<int>(landmarks.size());
   const auto known = [&](int index) { return index >= 0 && index < count; };
   return std::all_of(landmarks.begin(), landmarks.end(), [](const Vector2d& l) { return l.allFinite(); }) &&
          std::all_of(bearings.begin(), bearings.end(),
-                     [&](const UnidentifiedBearing& b) {
+                     [&](const AnonymousBearing& b) {
                        return std::isfinite(b.bearing) && std::all_of(b.candidates.begin(), b.candidates.end(), known);
                      });
 }
 
-InterpretationProblem makeProblem(std::span<const Vector2d> landmarks, std::span<const UnidentifiedBearing> bearings,
+InterpretationProblem makeProblem(std::span<const Vector2d> landmarks, std::span<const AnonymousBearing> bearings,
                                   const InterpretationOptions& options)
 {
   InterpretationProblem problem{landmarks, {}, {}, options};
   std::vector<int> everything(landmarks.size());
   std::iota(everything.begin(), everything.end(), 0);
-  for (const UnidentifiedBearing& b : bearings)
+  for (const AnonymousBearing& b : bearings)
   {
     problem.bearings.push_back(wrap(b.bearing));
     problem.allowed.push_back(b.candidates.empty() ? everything : b.candidates);
@@ -70,7 +70,7 @@ std::vector<Interpretation> withoutParts(std::vector<Interpretation> all)
 }
 }  // namespace
 
-Interpretations interpretBearings(std::span<const Vector2d> landmarks, std::span<const UnidentifiedBearing> bearings,
+Interpretations interpretBearings(std::span<const Vector2d> landmarks, std::span<const AnonymousBearing> bearings,
                                   const InterpretationOptions& options)
 {
   Interpretations result;

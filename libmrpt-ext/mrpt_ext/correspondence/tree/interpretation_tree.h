@@ -12,7 +12,7 @@
 namespace mrpt_ext
 {
 /// A bearing to a landmark that the sensor could not name.
-struct UnidentifiedBearing
+struct AnonymousBearing
 {
   double bearing = 0;           ///< [rad, CCW from the sensor's forward axis]
   std::vector<int> candidates;  ///< landmark indices it may show (its category); empty: any
@@ -40,7 +40,7 @@ struct InterpretationOptions
   double max_residual = 0.0175;         ///< eps [rad]: largest residual of a consistent interpretation, about 3.3 sigma
   std::optional<double> std_bearing;    ///< sigma [rad]; eps / 3.3 when absent
   int max_unmatched = 0;                ///< bearings that may show no landmark at all
-  std::optional<MapArea> area;          ///< where the sensor can be
+  std::optional<Box2> area;             ///< where the sensor can be
   std::optional<double> max_range;      ///< of the sensor [m]
   double clutter_probability = 0.05;    ///< share of bearings that show no landmark, for the ranking
   bool allow_three = false;             ///< accept interpretations of three bearings, which nothing verifies
@@ -75,6 +75,6 @@ struct Interpretations
 /// Status: `ok` with solutions, `none` without, `too_few` when less than four bearings can be matched (three with
 /// allow_three), `bad_input` for non-finite numbers, eps <= 0, or a candidate that is no landmark index.
 [[nodiscard]] Interpretations interpretBearings(std::span<const Vector2d> landmarks,
-                                                std::span<const UnidentifiedBearing> bearings,
+                                                std::span<const AnonymousBearing> bearings,
                                                 const InterpretationOptions& options);
 }  // namespace mrpt_ext

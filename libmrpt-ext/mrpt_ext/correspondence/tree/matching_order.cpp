@@ -78,11 +78,11 @@ std::vector<int> spreadOrder(const InterpretationProblem& problem, std::span<con
 }
 }  // namespace
 
-std::vector<SearchPlan> searchPlans(const InterpretationProblem& problem)
+std::vector<MatchingOrder> searchPlans(const InterpretationProblem& problem)
 {
   const std::size_t count = problem.bearings.size();
   const std::size_t max_skipped = count - static_cast<std::size_t>(problem.minimumMatched());
-  SearchPlan plan{spreadOrder(problem), 0, 0, max_skipped};
+  MatchingOrder plan{spreadOrder(problem), 0, 0, max_skipped};
   if (max_skipped != 1 || count < 6) return {plan};
   plan.skip_from = 3;
   return {plan, {spreadOrder(problem, std::span(plan.order).first(3)), count - 3, 1, 1}};

@@ -136,7 +136,7 @@ MRPT_EXT_VECTOR_CLONES std::int64_t admitAll(GateArrays gates, const double* __r
 }
 }  // namespace
 
-RayFan::RayFan(std::span<const Vector2d> landmarks, std::vector<Vector2d> units, double error)
+RayBundle::RayBundle(std::span<const Vector2d> landmarks, std::vector<Vector2d> units, double error)
     : units_(std::move(units)), error_(error)
 {
   const std::size_t size = (landmarks.size() + kLanes - 1) / kLanes * kLanes;
@@ -152,7 +152,7 @@ RayFan::RayFan(std::span<const Vector2d> landmarks, std::vector<Vector2d> units,
   marks_.assign(size, 0);
 }
 
-void RayFan::aim(std::size_t bearing, std::size_t landmark)
+void RayBundle::aim(std::size_t bearing, std::size_t landmark)
 {
   reference_x_ = x_[landmark];
   reference_y_ = y_[landmark];
@@ -165,8 +165,8 @@ void RayFan::aim(std::size_t bearing, std::size_t landmark)
   }
 }
 
-void RayFan::cross(const InverseRay& ray, std::size_t bearing, const CrossingBounds& bounds, const Mask& mask,
-                   std::vector<CrossedLandmark>& result)
+void RayBundle::cross(const InverseRay& ray, std::size_t bearing, const CrossingBounds& bounds, const Mask& mask,
+                      std::vector<CrossedLandmark>& result)
 {
   const CrossingArrays crossings(marks_.data(), crossings_.data(), size());
   const Directions& d = directions_[bearing];
@@ -176,7 +176,7 @@ void RayFan::cross(const InverseRay& ray, std::size_t bearing, const CrossingBou
     if (marks_[l] != 0) result.push_back({l, crossings.at(l)});
 }
 
-void RayFan::look(const RayCrossing& crossing, bool covariance, double max_range)
+void RayBundle::look(const RayCrossing& crossing, bool covariance, double max_range)
 {
   const GateArrays gates{wx_.data(), wy_.data(), narrow_.data(), wide_.data()};
   (covariance ? gatesCovariance : gatesWorstCase)(crossing, error_, px_.data(), py_.data(), size(), gates);
@@ -186,7 +186,7 @@ void RayFan::look(const RayCrossing& crossing, bool covariance, double max_range
     if (std::hypot(x_[l] - reference_x_ - crossing.x, y_[l] - reference_y_ - crossing.y) > limit) exclude(l);
 }
 
-void RayFan::admit(std::size_t bearing, const Mask& mask, std::vector<std::size_t>& result)
+void RayBundle::admit(std::size_t bearing, const Mask& mask, std::vector<std::size_t>& result)
 {
   const Directions& d = directions_[bearing];
   const GateArrays gates{wx_.data(), wy_.data(), narrow_.data(), wide_.data()};

@@ -18,14 +18,14 @@ struct CrossedLandmark
 
 /// The rays of every bearing to every landmark, seen from one reference landmark, and the loops over all of them.
 /// Arrays are padded to whole vectors with landmarks that are in no mask.
-class RayFan
+class RayBundle
 {
  public:
   /// A set of landmarks: an entry per landmark (and padding), -1 for a member, 0 otherwise.
   using Mask = std::vector<std::int64_t>;
 
   /// `units`: (cos b, sin b) of every bearing. `error`: see CrossingBounds.
-  RayFan(std::span<const Vector2d> landmarks, std::vector<Vector2d> units, double error);
+  RayBundle(std::span<const Vector2d> landmarks, std::vector<Vector2d> units, double error);
 
   /// Chooses the reference: this landmark was seen under this bearing.
   void aim(std::size_t bearing, std::size_t landmark);

@@ -11,22 +11,22 @@ constexpr double kRangeMargin = 1.3;  // a pose from few bearings may put its la
 std::vector<int> landmarksOfKind(const LandmarkIndex& map, int kind)
 {
   std::vector<int> landmarks;
-  if (kind == kAnyKind) return landmarks;  // empty: any
+  if (kind == kAnyCategory) return landmarks;  // empty: any
   for (std::size_t l = 0; l < map.size(); ++l)
     if (map.kind(l) == kind) landmarks.push_back(static_cast<int>(l));
   return landmarks;
 }
 }  // namespace
 
-TreeQuestion askFullestPlace(const LandmarkIndex& map, std::span<const SensorPlace> places)
+TreeInput scanWithMostBearings(const LandmarkIndex& map, std::span<const Scan> places)
 {
-  TreeQuestion fullest;
-  for (const SensorPlace& place : places)
+  TreeInput fullest;
+  for (const Scan& place : places)
   {
-    TreeQuestion question{&place, {}, 0};
-    for (const UnidentifiedDetection& d : place.detections)
+    TreeInput question{&place, {}, 0};
+    for (const AnonymousDetection& d : place.detections)
     {
-      if (!d.bearing || d.kind == kNoSuchKind) continue;
+      if (!d.bearing || d.kind == kUnknownCategory) continue;
       question.bearings.push_back({*d.bearing, landmarksOfKind(map, d.kind)});
       question.std_bearing = std::max(question.std_bearing, d.std_bearing);
     }
@@ -35,7 +35,7 @@ TreeQuestion askFullestPlace(const LandmarkIndex& map, std::span<const SensorPla
   return fullest;
 }
 
-InterpretationOptions treeOptions(const TreeQuestion& question, const PoseSearchOptions& options)
+InterpretationOptions treeOptions(const TreeInput& question, const PoseSearchOptions& options)
 {
   InterpretationOptions tree;
   tree.gate = InterpretationGate::covariance;
@@ -46,15 +46,13 @@ InterpretationOptions treeOptions(const TreeQuestion& question, const PoseSearch
   if (options.area)
   {
     const double offset = question.place->T_robot_sensor.position().norm();
-    tree.area = MapArea{options.area->min.array() - offset, options.area->max.array() + offset};
+    tree.area = Box2{options.area->min.array() - offset, options.area->max.array() + offset};
   }
   return tree;
 }
 
 GaussianPose robotPose(const GaussianPose& sensor, const Pose2& T_robot_sensor)
 {
-  const Pose2 back = inverse(T_robot_sensor);
-  const Matrix3d J = composeJacobianFirst(sensor.mean, back);
-  return {compose(sensor.mean, back), J * sensor.covariance * J.transpose()};
+  return compound(sensor, inverse(T_robot_sensor));
 }
 }  // namespace mrpt_ext

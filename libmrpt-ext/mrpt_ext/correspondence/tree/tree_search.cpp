@@ -4,10 +4,10 @@
 #include <limits>
 
 #include "mrpt_ext/correspondence/false_alarms_bearings.h"
-#include "mrpt_ext/correspondence/tree/interpretation_tree.h"
-#include "mrpt_ext/correspondence/unsearched_evidence.h"
 #include "mrpt_ext/correspondence/pose_verification.h"
+#include "mrpt_ext/correspondence/tree/interpretation_tree.h"
 #include "mrpt_ext/correspondence/tree/tree_input.h"
+#include "mrpt_ext/correspondence/unsearched_evidence.h"
 
 namespace mrpt_ext
 {
@@ -16,25 +16,25 @@ namespace
 constexpr int kLeastMatches = 4;          // three bearings are explained by every constellation
 constexpr double kPosesPerTriple = 0.25;  // share of landmark triples that can be seen so from within the map
 
-void judgeAll(const Interpretations& found, const LandmarkIndex& map, std::span<const SensorPlace> places,
-              const PoseSearchOptions& options, const TreeQuestion& question, PoseSearch& search)
+void judgeAll(const Interpretations& found, const LandmarkIndex& map, std::span<const Scan> places,
+              const PoseSearchOptions& options, const TreeInput& question, PoseSearchResult& search)
 {
   search.poses.clear();
   for (const Interpretation& interpretation : found.solutions)
   {
     const GaussianPose robot = robotPose(interpretation.pose, question.place->T_robot_sensor);
-    if (auto pose = judgePose(map, places, options, robot, kLeastMatches)) search.poses.push_back(std::move(*pose));
+    if (auto pose = verifyPose(map, places, options, robot, kLeastMatches)) search.poses.push_back(std::move(*pose));
   }
   search.work.judged += found.solutions.size();
   for (const std::uint64_t tested : found.tested_by_depth) search.work.tested += tested;
   search.finished = found.finished;
 }
 
-ChanceMatches chanceMatches(const LandmarkIndex& map, const TreeQuestion& question, double gate)
+FalseAlarmModel chanceMatches(const LandmarkIndex& map, const TreeInput& question, double gate)
 {
   const auto n = static_cast<double>(map.size());
   double allowed = 0;
-  for (const UnidentifiedBearing& b : question.bearings)
+  for (const AnonymousBearing& b : question.bearings)
     allowed += (b.candidates.empty() ? n : static_cast<double>(b.candidates.size())) /
                static_cast<double>(question.bearings.size());
   return {kPosesPerTriple * allowed * std::max(0.0, allowed - 1) * std::max(0.0, allowed - 2),
@@ -43,10 +43,10 @@ ChanceMatches chanceMatches(const LandmarkIndex& map, const TreeQuestion& questi
 }
 }  // namespace
 
-PoseSearch searchByTree(const LandmarkIndex& map, std::span<const SensorPlace> places, const PoseSearchOptions& options)
+PoseSearchResult searchByTree(const LandmarkIndex& map, std::span<const Scan> places, const PoseSearchOptions& options)
 {
-  PoseSearch search;
-  const TreeQuestion question = askFullestPlace(map, places);
+  PoseSearchResult search;
+  const TreeInput question = scanWithMostBearings(map, places);
   const int count = static_cast<int>(question.bearings.size());
   if (count < kLeastMatches) return search;
 
@@ -75,9 +75,9 @@ PoseSearch searchByTree(const LandmarkIndex& map, std::span<const SensorPlace> p
     const auto best = std::max_element(search.poses.begin(), search.poses.end(),
                                        [](const ConsistentPose& a, const ConsistentPose& b)
                                        { return a.log_evidence < b.log_evidence; });
-    const ChanceMatches chance = chanceMatches(map, question, options.gate);
+    const FalseAlarmModel chance = chanceMatches(map, question, options.gate);
     const int matched = std::min(best->matched, count);
-    missed = logEvidenceBelow(map, places, areaOrMap(map, options.area), searched);
+    missed = logEvidenceOfUnsearched(map, places, areaOrMap(map, options.area), searched);
     search.expected_false = expectedFalsePoses(chance, matched);
   }
   rankPoses(search, options, missed, searched);

@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "mrpt_ext/correspondence/pose_search_result.h"
 #include "mrpt_ext/correspondence/landmark_index.h"
+#include "mrpt_ext/correspondence/pose_search_result.h"
 #include "mrpt_ext/correspondence/scan.h"
 
 namespace mrpt_ext
@@ -18,6 +18,6 @@ inline constexpr int kMostTreeBearings = 7;
 /// one more at a time until some pose explains the rest, and once more, because a pose that leaves one more reading
 /// unexplained may yet fit better what was not seen. All places judge the poses (pose_verification.h).
 /// Status `too_few` below four bearings at one place.
-[[nodiscard]] PoseSearch searchByTree(const LandmarkIndex& map, std::span<const SensorPlace> places,
-                                      const PoseSearchOptions& options);
+[[nodiscard]] PoseSearchResult searchByTree(const LandmarkIndex& map, std::span<const Scan> places,
+                                            const PoseSearchOptions& options);
 }  // namespace mrpt_ext

@@ -20,10 +20,10 @@ const char* nameOf(BiasKind kind)
       return "range_scale";
     case BiasKind::bearing_offset:
       return "bearing_offset";
-    case BiasKind::way_scale:
-      return "way_scale";
-    case BiasKind::turn_scale:
-      return "turn_scale";
+    case BiasKind::distance_scale:
+      return "distance_scale";
+    case BiasKind::rotation_scale:
+      return "rotation_scale";
   }
   return "";
 }
@@ -81,7 +81,7 @@ std::string biasText(const BiasModel& biases, const std::vector<BiasEstimate>& e
   return text;
 }
 
-std::vector<std::size_t> lyingLandmarks(const std::vector<LandmarkHistory>& histories)
+std::vector<std::size_t> outlierLandmarks(const std::vector<LandmarkHistory>& histories)
 {
   std::vector<std::size_t> found;
   for (std::size_t j = 0; j < histories.size(); ++j)
@@ -90,10 +90,10 @@ std::vector<std::size_t> lyingLandmarks(const std::vector<LandmarkHistory>& hist
   return found;
 }
 
-std::string lyingText(const LandmarkTable& map, const std::vector<LandmarkHistory>& histories)
+std::string outlierText(const LandmarkTable& map, const std::vector<LandmarkHistory>& histories)
 {
   std::string text;
-  for (const std::size_t j : lyingLandmarks(histories))
+  for (const std::size_t j : outlierLandmarks(histories))
   {
     char figures[120];
     std::snprintf(figures, sizeof(figures), "landmark %d is often wrong (%.0f %% of its %.0f detections)", map[j].id,

@@ -27,8 +27,8 @@ struct BiasEstimate
 
 /// Positions in the table of the landmarks of whose named detections more than three in ten are false, and more than
 /// chance makes of three in ten.
-[[nodiscard]] std::vector<std::size_t> lyingLandmarks(const std::vector<LandmarkHistory>& histories);
+[[nodiscard]] std::vector<std::size_t> outlierLandmarks(const std::vector<LandmarkHistory>& histories);
 
 /// They in words: "landmark 7 is often wrong (93 % of its 210 detections)"; empty without any.
-[[nodiscard]] std::string lyingText(const LandmarkTable& map, const std::vector<LandmarkHistory>& histories);
+[[nodiscard]] std::string outlierText(const LandmarkTable& map, const std::vector<LandmarkHistory>& histories);
 }  // namespace mrpt_ext

@@ -27,18 +27,18 @@ Spread spreadOf(const Mode& mode)
 }
 
 // Comparisons are written so that a weight or spread that is no number fails.
-bool isHeavy(const Mode& mode, const VerdictOptions& options) { return mode.weight >= options.min_best_weight; }
+bool isDominant(const Mode& mode, const VerdictOptions& options) { return mode.weight >= options.min_best_weight; }
 
-bool isSharp(const Spread& spread, const VerdictOptions& options)
+bool isPrecise(const Spread& spread, const VerdictOptions& options)
 {
   return spread.xy <= options.max_std_xy && spread.phi <= options.max_std_phi;
 }
 }  // namespace
 
-bool isOnePlace(const ModeSet& modes, const VerdictOptions& options)
+bool isUnimodal(const ModeSet& modes, const VerdictOptions& options)
 {
-  return !modes.modes.empty() && isHeavy(modes.modes.front(), options) &&
-         isSharp(spreadOf(modes.modes.front()), options);
+  return !modes.modes.empty() && isDominant(modes.modes.front(), options) &&
+         isPrecise(spreadOf(modes.modes.front()), options);
 }
 
 VerdictWithReason judge(const ModeSet& modes, const VerdictEvidence& evidence, const VerdictOptions& options)
@@ -50,10 +50,10 @@ VerdictWithReason judge(const ModeSet& modes, const VerdictEvidence& evidence, c
             text("the best pose explains only %.0f %% of the recent detections expected of it", percent)};
   const Mode& best = modes.modes.front();
   const Spread spread = spreadOf(best);
-  if (!isHeavy(best, options))
+  if (!isDominant(best, options))
     return {Verdict::ambiguous,
             text("%zu places explain the detections, the best has weight %.2f", modes.modes.size(), best.weight)};
-  if (!isSharp(spread, options))
+  if (!isPrecise(spread, options))
     return {Verdict::ambiguous,
             text("the pose is not sharp yet: %.2f m and %.1f deg standard deviation", spread.xy, radToDeg(spread.phi))};
   if (!(evidence.explained_share >= options.min_explained_share))
@@ -65,7 +65,7 @@ VerdictWithReason judge(const ModeSet& modes, const VerdictEvidence& evidence, c
     return {
         Verdict::ambiguous,
         text("one place, but fresh readings do not yet tell it from a chance fit (log odds %.1f)", evidence.log_odds)};
-  if (evidence.contested)
+  if (evidence.contradicted)
     return {Verdict::ambiguous, "one place, but what was seen along the way behind fits another one better"};
   return {Verdict::ok, text("one place, weight %.2f, %.3f m and %.1f deg standard deviation, explains %.0f %% of the "
                             "recent detections expected of it",

@@ -31,11 +31,11 @@ struct VerdictEvidence
   double effective = 1e9;      ///< effective number of particles
   double log_odds = 0;         ///< of the place against a chance fit, from fresh looks
   bool proven = true;          ///< they suffice
-  bool contested = false;      ///< all that was seen along the way fits other places better
+  bool contradicted = false;   ///< all that was seen along the way fits other places better
 };
 
 /// True when the posterior is one sharp place, whether the detections agree with it or not.
-[[nodiscard]] bool isOnePlace(const ModeSet& modes, const VerdictOptions& options);
+[[nodiscard]] bool isUnimodal(const ModeSet& modes, const VerdictOptions& options);
 
 /// Judges the posterior from its modes and from the share of recent detections it explains; never from ground truth.
 [[nodiscard]] VerdictWithReason judge(const ModeSet& modes, const VerdictEvidence& evidence,

@@ -23,7 +23,8 @@ Reading only(const Reading& reading, const std::vector<bool>& keep)
 }
 }  // namespace
 
-FreshLooks::FreshLooks(const LookSpacing& spacing, const MotionModel& motion, const LandmarkTable& map)
+DetectionDecorrelator::DetectionDecorrelator(const DecorrelationOptions& spacing, const MotionModel& motion,
+                                             const LandmarkTable& map)
     : motion_(motion), look_way_(spacing.longest)
 {
   if (map.size() < 2) return;
@@ -31,20 +32,20 @@ FreshLooks::FreshLooks(const LookSpacing& spacing, const MotionModel& motion, co
   look_way_ = std::min(look_way_, spacing.share * (high - low).norm());
 }
 
-void FreshLooks::move(const OdometryMotion& motion)
+void DetectionDecorrelator::move(const OdometryMotion& motion)
 {
   odometry_.move(motion_, motion);
   std::erase_if(looks_, [&](const Look& look) { return (look.from - odometry_.pose.position()).norm() > look_way_; });
 }
 
-FreshLooks::Look FreshLooks::lookOf(const Reading& reading, const Detection& detection) const
+DetectionDecorrelator::Look DetectionDecorrelator::lookOf(const Reading& reading, const Detection& detection) const
 {
   Look look{reading.sensor, detection, odometry_.pose.position(), 0, odometry_.heading_variance};
   if (detection.bearing) look.direction = odometry_.pose.phi + reading.T_robot_sensor.phi + *detection.bearing;
   return look;
 }
 
-bool FreshLooks::isRepeat(const Look& look) const
+bool DetectionDecorrelator::isRepeat(const Look& look) const
 {
   const auto same = [&](const Look& other)
   {
@@ -61,7 +62,7 @@ bool FreshLooks::isRepeat(const Look& look) const
   return std::any_of(looks_.begin(), looks_.end(), same);
 }
 
-std::vector<bool> FreshLooks::freshOnes(const Reading& reading)
+std::vector<bool> DetectionDecorrelator::freshOnes(const Reading& reading)
 {
   std::vector<bool> fresh;
   std::vector<Look> added;
@@ -75,9 +76,9 @@ std::vector<bool> FreshLooks::freshOnes(const Reading& reading)
   return fresh;
 }
 
-Reading FreshLooks::take(const Reading& reading) { return only(reading, freshOnes(reading)); }
+Reading DetectionDecorrelator::take(const Reading& reading) { return only(reading, freshOnes(reading)); }
 
-Reading FreshLooks::withoutRepeatedBearings(const Reading& reading)
+Reading DetectionDecorrelator::withoutCorrelatedBearings(const Reading& reading)
 {
   std::vector<bool> keep = freshOnes(reading);
   for (std::size_t d = 0; d < keep.size(); ++d)

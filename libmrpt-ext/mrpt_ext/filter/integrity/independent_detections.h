@@ -10,7 +10,7 @@
 namespace mrpt_ext
 {
 /// When a landmark that was seen is looked at again, not just seen still.
-struct LookSpacing
+struct DecorrelationOptions
 {
   double share = 0.02;   ///< of the map's diagonal: the way after which the same direction is a fresh look ...
   double longest = 0.3;  ///< [m] ... or this, whichever is less
@@ -20,10 +20,10 @@ struct LookSpacing
 /// calibration, of the map, of what stands in the way of what): fifty readings of it are not fifty witnesses for one
 /// place and against another. A look is fresh when nothing like it was seen in that direction, as odometry tells
 /// directions, since the robot last was a piece of way from here.
-class FreshLooks
+class DetectionDecorrelator
 {
  public:
-  FreshLooks(const LookSpacing& spacing, const MotionModel& motion, const LandmarkTable& map);
+  DetectionDecorrelator(const DecorrelationOptions& spacing, const MotionModel& motion, const LandmarkTable& map);
 
   void clear() { looks_.clear(); }
   void move(const OdometryMotion& motion);
@@ -32,7 +32,7 @@ class FreshLooks
   [[nodiscard]] Reading take(const Reading& reading);
   /// The reading without repeated bearings that have no name: many wrong places explain them as well as the right one.
   /// With a range they tell places apart at once. Unchanged where none is; what it shows is remembered.
-  [[nodiscard]] Reading withoutRepeatedBearings(const Reading& reading);
+  [[nodiscard]] Reading withoutCorrelatedBearings(const Reading& reading);
 
  private:
   /// Something seen, as odometry tells where: way so far [m], direction in odometry's axes [rad].

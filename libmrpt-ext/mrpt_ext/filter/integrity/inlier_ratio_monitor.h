@@ -10,16 +10,16 @@ namespace mrpt_ext
 /// When the filter should look for the robot elsewhere.
 struct RecoveryOptions
 {
-  double suspicious_share = 0.5;  ///< below this explained share (relative to what is expected) seeds are injected
-  double lost_share = 0.3;        ///< below this the verdict is `lost`
-  double memory_detections = 12;  ///< the average forgets over about this many detections
-  double trust_memory = 60;       ///< [detections] the same for the average that `ok` rests on
-  double surprise_memory = 4;     ///< [detections] the same for the average that withholds `ok` at once
-  double injected_share = 0.25;   ///< of the particle count, added per frame while suspicious
-  double min_interval = 0.5;      ///< [s] between two injections, which are costly
-  double challenge_interval = 3;  ///< [s] after which seeds challenge a place that is not proven
-  double review_interval = 20;    ///< [s] likewise a proven one, where detections have no names
-  double prior_of_jump = 0.02;    ///< probability per injection, that the robot is somewhere else
+  double reseed_inlier_ratio = 0.5;  ///< below this explained share (relative to what is expected) seeds are injected
+  double lost_share = 0.3;           ///< below this the verdict is `lost`
+  double memory_detections = 12;     ///< the average forgets over about this many detections
+  double trust_memory = 60;          ///< [detections] the same for the average that `ok` rests on
+  double surprise_memory = 4;        ///< [detections] the same for the average that withholds `ok` at once
+  double injected_particle_share = 0.25;  ///< of the particle count, added per frame while suspicious
+  double min_interval = 0.5;              ///< [s] between two injections, which are costly
+  double challenge_interval = 3;          ///< [s] after which seeds challenge a place that is not proven
+  double review_interval = 20;            ///< [s] likewise a proven one, where detections have no names
+  double relocalization_prior = 0.02;     ///< probability per injection, that the robot is somewhere else
   double share_of_slips =
       0.5;                   ///< of the jumps are errors of odometry (wheels slipped, a long gap); others go anywhere
   double slip_std_xy = 0.3;  ///< [m] of such an error
@@ -27,14 +27,14 @@ struct RecoveryOptions
 };
 
 /// The same with the memory of the average that `ok` rests on.
-[[nodiscard]] inline RecoveryOptions trustOptions(RecoveryOptions options)
+[[nodiscard]] inline RecoveryOptions slowRatioOptions(RecoveryOptions options)
 {
   options.memory_detections = options.trust_memory;
   return options;
 }
 
 /// The same with the memory of the average that withholds `ok`.
-[[nodiscard]] inline RecoveryOptions surpriseOptions(RecoveryOptions options)
+[[nodiscard]] inline RecoveryOptions immediateRatioOptions(RecoveryOptions options)
 {
   options.memory_detections = options.surprise_memory;
   return options;
@@ -43,10 +43,10 @@ struct RecoveryOptions
 /// Running share of detections that the posterior explains.
 /// A tracker that sits at the right place explains all but the clutter; one at the wrong place explains only what
 /// happens to fit by chance.
-class RecoveryMonitor
+class InlierRatioMonitor
 {
  public:
-  explicit RecoveryMonitor(const RecoveryOptions& options) : options_(options) {}
+  explicit InlierRatioMonitor(const RecoveryOptions& options) : options_(options) {}
 
   /// `explained_share` of `detections`, where `expected_share` would be normal (one minus the clutter probability).
   void observe(double explained_share, double expected_share, std::size_t detections)
@@ -60,7 +60,7 @@ class RecoveryMonitor
   }
   /// Explained share over the last detections relative to what is expected, in [0, 1]; 1 before any.
   [[nodiscard]] double average() const { return average_; }
-  [[nodiscard]] bool suspicious() const { return average_ < options_.suspicious_share; }
+  [[nodiscard]] bool suspicious() const { return average_ < options_.reseed_inlier_ratio; }
   [[nodiscard]] bool lost() const { return average_ < options_.lost_share; }
 
  private:

@@ -18,15 +18,15 @@ double normalDensity(double residual, double variance)
 }
 }  // namespace
 
-MaplessWorld::MaplessWorld(const MotionModel& motion, double max_range)
+NullModel::NullModel(const MotionModel& motion, double max_range)
     : motion_(motion), max_range_(std::max(max_range, 2 * kNearest))
 {
 }
 
-void MaplessWorld::move(const OdometryMotion& motion) { odometry_.move(motion_, motion); }
+void NullModel::move(const OdometryMotion& motion) { odometry_.move(motion_, motion); }
 
-MaplessWorld::Expected MaplessWorld::expect(const Thing& thing, const Pose2& sensor, const SensorModel& model,
-                                            const Detection& bearing) const
+NullModel::Expected NullModel::expect(const Thing& thing, const Pose2& sensor, const SensorModel& model,
+                                      const Detection& bearing) const
 {
   std::array<double, kRanges> seen_at{};
   for (std::size_t k = 0; k < kRanges; ++k)
@@ -51,8 +51,8 @@ MaplessWorld::Expected MaplessWorld::expect(const Thing& thing, const Pose2& sen
   return expected;
 }
 
-void MaplessWorld::place(Thing& thing, const Pose2& sensor, const Detection& bearing,
-                         const std::array<double, kRanges>& ranges)
+void NullModel::place(Thing& thing, const Pose2& sensor, const Detection& bearing,
+                      const std::array<double, kRanges>& ranges)
 {
   const double direction = sensor.phi + *bearing.bearing;
   const Vector2d ray(std::cos(direction), std::sin(direction));
@@ -61,7 +61,7 @@ void MaplessWorld::place(Thing& thing, const Pose2& sensor, const Detection& bea
   thing.heading_variance = odometry_.heading_variance;
 }
 
-double MaplessWorld::take(const Reading& reading, const Detection& bearing)
+double NullModel::take(const Reading& reading, const Detection& bearing)
 {
   const Pose2 sensor = compose(odometry_.pose, reading.T_robot_sensor);
   const double even = 1 / measurementVolume(bearing, reading.model, max_range_);

@@ -12,17 +12,17 @@ namespace mrpt_ext
 /// What somebody without a map expects to see: what stands still is seen where it was seen before, moved by parallax.
 ///
 /// A place on the map that has once taken up a bearing without a name goes on to agree with the same thing, right or
-/// wrong: the next bearing of it is no surprise to anybody. So the evidence for a place (pose_verification_test.h) is measured
-/// against this model, not against bearings spread evenly. Each thing is a direction in odometry's axes and a
+/// wrong: the next bearing of it is no surprise to anybody. So the evidence for a place (pose_verification_test.h) is
+/// measured against this model, not against bearings spread evenly. Each thing is a direction in odometry's axes and a
 /// distribution over its range; a bearing comes from one of the things in view, or from a new one, with the odds at
 /// which new ones have come so far.
-class MaplessWorld
+class NullModel
 {
  public:
   /// `max_range` [m]: things farther away are not told apart from those at that range.
-  MaplessWorld(const MotionModel& motion, double max_range);
+  NullModel(const MotionModel& motion, double max_range);
 
-  void clear() { *this = MaplessWorld(motion_, max_range_); }
+  void clear() { *this = NullModel(motion_, max_range_); }
   void move(const OdometryMotion& motion);
   /// Logarithm of the density [1/rad] that a bearing of a reading has, false ones included, given those before; it is
   /// remembered. The detection has a bearing and no range.

@@ -26,26 +26,27 @@ ParticleSet thinned(const ParticleSet& particles)
 bool isNamelessBearing(const Detection& d) { return d.id == kNoId && d.bearing && !d.range; }
 }  // namespace
 
-PlaceEvidence::PlaceEvidence(const PlaceEvidenceOptions& options, const MotionModel& motion, const LandmarkTable& map)
+SequentialPoseTest::SequentialPoseTest(const SequentialPoseTestOptions& options, const MotionModel& motion,
+                                       const LandmarkTable& map)
     : options_(options), looks_(options.looks, motion, map), mapless_(motion, defaultMaxRange(map))
 {
 }
 
-void PlaceEvidence::note(const Frame& frame)
+void SequentialPoseTest::note(const Frame& frame)
 {
   move(frame.motion);
-  endBlindSpell(frame);
+  decayAfterGap(frame);
   for (const Reading& reading : scoredReadings(frame)) (void)logChance(looks_.take(reading), 1);
 }
 
-void PlaceEvidence::move(const OdometryMotion& motion)
+void SequentialPoseTest::move(const OdometryMotion& motion)
 {
   looks_.move(motion);
   mapless_.move(motion);
   blind_for_ += motion.duration;
 }
 
-void PlaceEvidence::endBlindSpell(const Frame& frame)
+void SequentialPoseTest::decayAfterGap(const Frame& frame)
 {
   const auto any = [&](auto&& is)
   {
@@ -54,13 +55,13 @@ void PlaceEvidence::endBlindSpell(const Frame& frame)
                        { return std::any_of(reading.detections.begin(), reading.detections.end(), is); });
   };
   if (!any([](const Detection&) { return true; })) return;
-  const double forgotten = options_.forgotten_per_s * std::max(0.0, blind_for_ - options_.blind_after);
+  const double forgotten = options_.decay_per_s * std::max(0.0, blind_for_ - options_.decay_after);
   blind_for_ = 0;
   if (log_odds_ > 0 && !any([](const Detection& d) { return d.id != kNoId; }))
     log_odds_ = std::max(0.0, log_odds_ - forgotten);
 }
 
-double PlaceEvidence::logChance(const Reading& looks, double default_max_range)
+double SequentialPoseTest::logChance(const Reading& looks, double default_max_range)
 {
   double sum = 0;
   for (const Detection& d : looks.detections)
@@ -69,7 +70,8 @@ double PlaceEvidence::logChance(const Reading& looks, double default_max_range)
   return sum;
 }
 
-void PlaceEvidence::begin(const std::vector<Reading>& readings, const LandmarkTable& map, const ParticleSet& samples)
+void SequentialPoseTest::begin(const std::vector<Reading>& readings, const LandmarkTable& map,
+                               const ParticleSet& samples)
 {
   looks_.clear();
   mapless_.clear();
@@ -80,14 +82,14 @@ void PlaceEvidence::begin(const std::vector<Reading>& readings, const LandmarkTa
   log_odds_ = std::min(log_odds_, options_.proven / 2);
 }
 
-void PlaceEvidence::observe(const Frame& frame, const LandmarkTable& map, const ParticleSet& moved_particles)
+void SequentialPoseTest::observe(const Frame& frame, const LandmarkTable& map, const ParticleSet& moved_particles)
 {
   move(frame.motion);
-  endBlindSpell(frame);
+  decayAfterGap(frame);
   test(scoredReadings(frame), map, thinned(moved_particles));
 }
 
-void PlaceEvidence::test(const std::vector<Reading>& readings, const LandmarkTable& map, ParticleSet particles)
+void SequentialPoseTest::test(const std::vector<Reading>& readings, const LandmarkTable& map, ParticleSet particles)
 {
   const LandmarkClutter clutter;
   for (const Reading& reading : readings)

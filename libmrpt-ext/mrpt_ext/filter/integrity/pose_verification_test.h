@@ -12,15 +12,15 @@
 namespace mrpt_ext
 {
 /// When fresh looks have singled a place out.
-struct PlaceEvidenceOptions
+struct SequentialPoseTestOptions
 {
   double proven = 9;   ///< log odds against chance: one wrong place in exp(9) = 8000 gets that far
   double refuted = 5;  ///< log odds for chance, at which the robot is sought elsewhere
   double most = 14;    ///< log odds that are remembered at most, so that a wrong turn is felt soon
   /// A robot that saw nothing for a while may have slipped, or turned more than it knows, and what it sees then without
-  /// names fits wrong places too. Each second beyond `blind_after` [s] takes this much of what spoke for its place.
-  double forgotten_per_s = 0.3, blind_after = 5;
-  LookSpacing looks;  ///< what makes a look fresh
+  /// names fits wrong places too. Each second beyond `decay_after` [s] takes this much of what spoke for its place.
+  double decay_per_s = 0.3, decay_after = 5;
+  DecorrelationOptions looks;  ///< what makes a look fresh
 };
 
 /// A sequential test (Wald, Ann. Math. Stat. 16(2), 1945) of "the robot is where its particles are" against "the
@@ -32,10 +32,10 @@ struct PlaceEvidenceOptions
 /// a piece of way, scored by the particles as they were *before*. Each adds the logarithm of its density over that of a
 /// false detection. Where readings fit by chance alone, the odds exceed 1/a with probability a at most, whenever one
 /// looks (Ville's inequality); at the right place they grow with every look.
-class PlaceEvidence
+class SequentialPoseTest
 {
  public:
-  PlaceEvidence(const PlaceEvidenceOptions& options, const MotionModel& motion, const LandmarkTable& map);
+  SequentialPoseTest(const SequentialPoseTestOptions& options, const MotionModel& motion, const LandmarkTable& map);
 
   /// The start: `samples` of the uniform prior with log weights log(prior / density), not yet weighted with `readings`.
   /// The best of many places, it is never proven by that alone: maps are not made by chance, rooms look alike.
@@ -57,15 +57,15 @@ class PlaceEvidence
   void move(const OdometryMotion& motion);
   /// Where the frame shows something again, and nothing of it has a name: what was proven before counts less, the
   /// longer ago that is.
-  void endBlindSpell(const Frame& frame);
+  void decayAfterGap(const Frame& frame);
   /// Logarithm of the density that fresh looks have without a map; remembers them.
   double logChance(const Reading& looks, double default_max_range);
   /// Adds to the log odds what the fresh looks among the readings tell; `particles` are weighted with them.
   void test(const std::vector<Reading>& readings, const LandmarkTable& map, ParticleSet particles);
 
-  PlaceEvidenceOptions options_;
-  FreshLooks looks_;
-  MaplessWorld mapless_;
+  SequentialPoseTestOptions options_;
+  DetectionDecorrelator looks_;
+  NullModel mapless_;
   double log_odds_ = 0;
   double blind_for_ = 0;  // [s] since the last detection
 };

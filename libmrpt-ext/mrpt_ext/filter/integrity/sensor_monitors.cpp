@@ -10,7 +10,7 @@ namespace
 constexpr double kDropped = 0.6;  // of the long average
 }  // namespace
 
-std::string kindOfReadings(const Reading& reading)
+std::string sensorKey(const Reading& reading)
 {
   const auto any = [&](auto member)
   {
@@ -21,16 +21,16 @@ std::string kindOfReadings(const Reading& reading)
   return reading.sensor + (bearings && ranges ? " ranges and bearings" : bearings ? " bearings" : " ranges");
 }
 
-void KindMonitors::observe(const std::string& kind, double explained_share, double expected_share,
-                           std::size_t detections)
+void SensorMonitors::observe(const std::string& kind, double explained_share, double expected_share,
+                             std::size_t detections)
 {
   const auto [entry, added] =
-      kinds_.try_emplace(kind, Averages{RecoveryMonitor(options_), RecoveryMonitor(trustOptions(options_))});
+      kinds_.try_emplace(kind, Averages{InlierRatioMonitor(options_), InlierRatioMonitor(slowRatioOptions(options_))});
   entry->second.quick.observe(explained_share, expected_share, detections);
   entry->second.slow.observe(explained_share, expected_share, detections);
 }
 
-bool KindMonitors::dropped() const
+bool SensorMonitors::dropped() const
 {
   return std::any_of(kinds_.begin(), kinds_.end(),
                      [](const auto& entry)
@@ -40,7 +40,7 @@ bool KindMonitors::dropped() const
                      });
 }
 
-std::string KindMonitors::finding() const
+std::string SensorMonitors::finding() const
 {
   const auto worst = std::min_element(kinds_.begin(), kinds_.end(),
                                       [](const auto& a, const auto& b)

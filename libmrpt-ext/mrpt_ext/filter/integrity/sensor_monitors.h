@@ -9,7 +9,7 @@
 namespace mrpt_ext
 {
 /// "camera bearings", "stereo ranges and bearings": what one sensor measures is one kind.
-[[nodiscard]] std::string kindOfReadings(const Reading& reading);
+[[nodiscard]] std::string sensorKey(const Reading& reading);
 
 /// Agreement of each kind of measurement with the posterior, over a short and over a long time.
 ///
@@ -17,12 +17,12 @@ namespace mrpt_ext
 /// once a second is not heard beside a radio that agrees twenty times. A kind raises the alarm when it agrees much less
 /// than it used to (w_fast against w_slow of augmented Monte Carlo localization: Thrun, Burgard, Fox, Probabilistic
 /// Robotics, 8.3.5); one that never agreed has another fault and is only named.
-class KindMonitors
+class SensorMonitors
 {
  public:
-  explicit KindMonitors(const RecoveryOptions& options) : options_(options) {}
+  explicit SensorMonitors(const RecoveryOptions& options) : options_(options) {}
 
-  /// As RecoveryMonitor::observe(), of detections of one kind.
+  /// As InlierRatioMonitor::observe(), of detections of one kind.
   void observe(const std::string& kind, double explained_share, double expected_share, std::size_t detections);
   /// Some kind agrees no longer.
   [[nodiscard]] bool dropped() const;
@@ -32,7 +32,7 @@ class KindMonitors
  private:
   struct Averages
   {
-    RecoveryMonitor quick, slow;
+    InlierRatioMonitor quick, slow;
   };
   RecoveryOptions options_;
   std::map<std::string, Averages> kinds_;

@@ -41,7 +41,7 @@ HypothesisSet withHeadings(const HypothesisSet& proposals)
 void widen(KalmanHypothesis& filter) { filter.state.covariance.topLeftCorner<3, 3>() *= square(kSeedInflation); }
 }  // namespace
 
-KalmanStep KalmanBank::process(const Frame& frame, const Proposer& propose)
+KalmanStep KalmanBank::process(const Frame& frame, const HypothesisSource& propose)
 {
   KalmanStep step;
   if (hypotheses_.empty())
@@ -63,8 +63,8 @@ KalmanHypothesis KalmanBank::filterAt(const GaussianPose& pose, double log_weigh
 {
   return {.state = startingState(pose, options_.biases),
           .log_weight = log_weight,
-          .quick = RecoveryMonitor(options_.recovery),
-          .trust = RecoveryMonitor(trustOptions(options_.recovery))};
+          .quick = InlierRatioMonitor(options_.recovery),
+          .trust = InlierRatioMonitor(slowRatioOptions(options_.recovery))};
 }
 
 KalmanHypotheses KalmanBank::filtersFor(const HypothesisSet& proposals) const
@@ -83,7 +83,7 @@ KalmanHypotheses KalmanBank::filtersFor(const HypothesisSet& proposals) const
   return filters;
 }
 
-bool KalmanBank::isSharp(const KalmanHypothesis& filter) const
+bool KalmanBank::isPrecise(const KalmanHypothesis& filter) const
 {
   const Matrix3d C = filter.state.gaussianPose().covariance;
   return C(0, 0) + C(1, 1) <= square(kSharp * options_.verdict.max_std_xy) &&
@@ -96,13 +96,13 @@ bool KalmanBank::mayStart(const KalmanHypotheses& filters, bool complete) const
   if (waited_ > kPatience) return true;
   double sharp = 0;
   for (const KalmanHypothesis& filter : filters)
-    if (isSharp(filter)) sharp += std::exp(filter.log_weight);
+    if (isPrecise(filter)) sharp += std::exp(filter.log_weight);
   if (!(sharp > kClearWeight)) return false;
   const bool clear = std::exp(filters.front().log_weight) > kClearWeight;
   return options_.max_hypotheses > 1 || clear || complete;
 }
 
-void KalmanBank::start(const Frame& frame, const Proposer& propose)
+void KalmanBank::start(const Frame& frame, const HypothesisSource& propose)
 {
   if (options_.start)
   {
@@ -127,7 +127,7 @@ void KalmanBank::start(const Frame& frame, const Proposer& propose)
   since_restart_ = 0;
 }
 
-void KalmanBank::track(const Frame& frame, const Proposer& propose, KalmanStep& step)
+void KalmanBank::track(const Frame& frame, const HypothesisSource& propose, KalmanStep& step)
 {
   since_restart_ += frame.motion.duration;
   for (KalmanHypothesis& h : hypotheses_) h.state = predict(h.state, options_.biases, options_.motion, frame.motion);
@@ -148,14 +148,14 @@ void KalmanBank::track(const Frame& frame, const Proposer& propose, KalmanStep& 
   prune(hypotheses_, options_.max_hypotheses, kMinWeight);
 }
 
-void KalmanBank::lookElsewhere(const Proposer& propose, KalmanStep& step)
+void KalmanBank::lookElsewhere(const HypothesisSource& propose, KalmanStep& step)
 {
   const bool single = options_.max_hypotheses == 1;
   if (single && !hypotheses_.front().quick.lost()) return;
   since_restart_ = 0;
   pause_ = std::min(2 * pause_, std::max(kLongestPause, options_.recovery.min_interval));
   KalmanHypotheses filters = filtersFor(propose ? propose().hypotheses : HypothesisSet{});
-  std::erase_if(filters, [this](const KalmanHypothesis& filter) { return !isSharp(filter); });
+  std::erase_if(filters, [this](const KalmanHypothesis& filter) { return !isPrecise(filter); });
   if (filters.empty()) return;
   rank(filters);
   for (KalmanHypothesis& filter : filters) widen(filter);
@@ -167,7 +167,7 @@ void KalmanBank::lookElsewhere(const Proposer& propose, KalmanStep& step)
     hypotheses_ = std::move(filters);
     return;
   }
-  const double jump = options_.recovery.prior_of_jump;
+  const double jump = options_.recovery.relocalization_prior;
   for (KalmanHypothesis& h : hypotheses_) h.log_weight += std::log1p(-jump);
   for (KalmanHypothesis& filter : filters)
   {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
+#include "mrpt_ext/filter/initialization.h"
 #include "mrpt_ext/filter/integrity/filter_verdict.h"
 #include "mrpt_ext/filter/kalman/kalman_hypothesis.h"
-#include "mrpt_ext/filter/initialization.h"
 
 namespace mrpt_ext
 {
@@ -53,28 +53,28 @@ struct KalmanStep
 class KalmanBank
 {
  public:
-  using Proposer = std::function<Proposal()>;
+  using HypothesisSource = std::function<Proposal()>;
 
   KalmanBank(KalmanBankOptions options, const LandmarkTable& map)
       : options_(std::move(options)), map_(map), pause_(options_.recovery.min_interval)
   {
   }
 
-  KalmanStep process(const Frame& frame, const Proposer& propose);
+  KalmanStep process(const Frame& frame, const HypothesisSource& propose);
 
   [[nodiscard]] const KalmanHypotheses& hypotheses() const { return hypotheses_; }
 
  private:
-  void start(const Frame& frame, const Proposer& propose);
+  void start(const Frame& frame, const HypothesisSource& propose);
   /// One filter per proposal that is worth it, weights normalised.
   [[nodiscard]] KalmanHypotheses filtersFor(const HypothesisSet& proposals) const;
   /// True when it is narrow enough to be linearised: half the deviations that `ok` allows.
-  [[nodiscard]] bool isSharp(const KalmanHypothesis& filter) const;
+  [[nodiscard]] bool isPrecise(const KalmanHypothesis& filter) const;
   [[nodiscard]] bool mayStart(const KalmanHypotheses& filters, bool complete) const;
   [[nodiscard]] KalmanHypothesis filterAt(const GaussianPose& pose, double log_weight) const;
   [[nodiscard]] KalmanUpdate updated(const KalmanState& state, const Frame& frame) const;
-  void track(const Frame& frame, const Proposer& propose, KalmanStep& step);
-  void lookElsewhere(const Proposer& propose, KalmanStep& step);
+  void track(const Frame& frame, const HypothesisSource& propose, KalmanStep& step);
+  void lookElsewhere(const HypothesisSource& propose, KalmanStep& step);
   void judgeStep(KalmanStep& step) const;
 
   KalmanBankOptions options_;

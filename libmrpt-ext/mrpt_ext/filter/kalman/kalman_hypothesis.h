@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "mrpt_ext/filter/integrity/inlier_ratio_monitor.h"
 #include "mrpt_ext/filter/kalman/kalman_update.h"
 #include "mrpt_ext/filter/modes/modes.h"
-#include "mrpt_ext/filter/integrity/inlier_ratio_monitor.h"
 #include "mrpt_ext/hypotheses/pose_hypothesis.h"
 
 namespace mrpt_ext
@@ -14,8 +14,8 @@ struct KalmanHypothesis
 {
   KalmanState state;
   double log_weight = 0;
-  RecoveryMonitor quick;       ///< tells when to look elsewhere
-  RecoveryMonitor trust;       ///< slower: tells when to claim `ok`
+  InlierRatioMonitor quick;    ///< tells when to look elsewhere
+  InlierRatioMonitor trust;    ///< slower: tells when to claim `ok`
   std::size_t detections = 0;  ///< seen since it was made
 };
 

@@ -52,11 +52,11 @@ KalmanState predict(const KalmanState& state, const BiasModel& biases, const Mot
                     const OdometryMotion& motion)
 {
   const Pose2 told = believedMotion(model, motion).increment;
-  const double way_scale = total(state.mean, biases, BiasKind::way_scale);
-  const double turn_scale = total(state.mean, biases, BiasKind::turn_scale);
-  const Vector2d direction = rotation(0.5 * turn_scale * told.phi) * told.position();
-  const Vector2d chord = (1 + way_scale) * direction;
-  const Pose2 increment{chord.x(), chord.y(), (1 + turn_scale) * told.phi};
+  const double distance_scale = total(state.mean, biases, BiasKind::distance_scale);
+  const double rotation_scale = total(state.mean, biases, BiasKind::rotation_scale);
+  const Vector2d direction = rotation(0.5 * rotation_scale * told.phi) * told.position();
+  const Vector2d chord = (1 + distance_scale) * direction;
+  const Pose2 increment{chord.x(), chord.y(), (1 + rotation_scale) * told.phi};
 
   const auto size = static_cast<int>(state.mean.size());
   const Pose2 before = state.pose();
@@ -67,8 +67,8 @@ KalmanState predict(const KalmanState& state, const BiasModel& biases, const Mot
   {
     const Vector3d by_way(direction.x(), direction.y(), 0);
     const Vector3d by_turn(-0.5 * told.phi * chord.y(), 0.5 * told.phi * chord.x(), told.phi);
-    if (biases[k].kind == BiasKind::way_scale) F.block<3, 1>(0, kPose + static_cast<int>(k)) = G * by_way;
-    if (biases[k].kind == BiasKind::turn_scale) F.block<3, 1>(0, kPose + static_cast<int>(k)) = G * by_turn;
+    if (biases[k].kind == BiasKind::distance_scale) F.block<3, 1>(0, kPose + static_cast<int>(k)) = G * by_way;
+    if (biases[k].kind == BiasKind::rotation_scale) F.block<3, 1>(0, kPose + static_cast<int>(k)) = G * by_turn;
   }
 
   KalmanState next = state;

@@ -20,14 +20,14 @@ std::vector<DetectionUse> ordered(const std::vector<Reading>& readings, const La
                                   const KalmanState& prior, const BiasModel& biases, double default_max_range)
 {
   std::vector<DetectionUse> order;
-  bool nameless = false;
+  bool anonymous = false;
   for (std::size_t r = 0; r < readings.size(); ++r)
     for (std::size_t d = 0; d < readings[r].detections.size(); ++d)
     {
-      nameless = nameless || readings[r].detections[d].id == kNoId;
+      anonymous = anonymous || readings[r].detections[d].id == kNoId;
       order.push_back({.reading = r, .detection = d});
     }
-  if (!nameless) return order;
+  if (!anonymous) return order;
   std::vector<std::pair<double, DetectionUse>> sureness;
   for (const DetectionUse& use : order)
   {

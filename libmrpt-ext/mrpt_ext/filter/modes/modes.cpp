@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "mrpt_ext/filter/particles/particle_blocks.h"
 #include "mrpt_ext/filter/modes/pose_histogram.h"
+#include "mrpt_ext/filter/particles/particle_blocks.h"
 
 namespace mrpt_ext
 {
@@ -14,7 +14,7 @@ namespace
 constexpr int kNone = -1;
 
 /// Labels connected heavy cells; returns the number of labels.
-int labelCores(const PoseCells& grid, double threshold, std::vector<int>& label)
+int labelCores(const PoseHistogram& grid, double threshold, std::vector<int>& label)
 {
   int labels = 0;
   std::vector<std::size_t> open;
@@ -41,7 +41,7 @@ int labelCores(const PoseCells& grid, double threshold, std::vector<int>& label)
 }
 
 /// Gives light cells, heaviest first, the label of their heaviest labelled neighbour, or a label of their own.
-int labelRest(const PoseCells& grid, int labels, std::vector<int>& label)
+int labelRest(const PoseHistogram& grid, int labels, std::vector<int>& label)
 {
   std::vector<std::size_t> order(grid.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -65,7 +65,7 @@ int labelRest(const PoseCells& grid, int labels, std::vector<int>& label)
 
 /// Mean heading of some cells: the angle of the sum of the unit vectors of their mean headings, and what the mean of
 /// the differences from it adds.
-double meanHeading(const PoseCells& grid, const std::vector<std::size_t>& cells, double weight)
+double meanHeading(const PoseHistogram& grid, const std::vector<std::size_t>& cells, double weight)
 {
   double c = 0, s = 0;
   for (const std::size_t cell : cells)
@@ -87,7 +87,7 @@ double meanHeading(const PoseCells& grid, const std::vector<std::size_t>& cells,
 }
 
 /// From the moments of the cells, moved to the common mean.
-Mode describe(const PoseCells& grid, const std::vector<std::size_t>& cells)
+Mode describe(const PoseHistogram& grid, const std::vector<std::size_t>& cells)
 {
   Mode mode;
   Vector2d position = Vector2d::Zero();
@@ -118,7 +118,7 @@ ModeSet findModes(const ParticleSet& particles, const ModeOptions& options, unsi
 {
   ModeSet result;
   if (particles.empty()) return result;
-  PoseCells grid(particles, options.cell_xy, options.cell_phi, threads, std::move(memory));
+  PoseHistogram grid(particles, options.cell_xy, options.cell_phi, threads, std::move(memory));
   double heaviest = 0;
   for (std::size_t cell = 0; cell < grid.size(); ++cell) heaviest = std::max(heaviest, grid.weight(cell));
   std::vector<int> label(grid.size(), kNone);

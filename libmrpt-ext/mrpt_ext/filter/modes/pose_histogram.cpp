@@ -18,7 +18,7 @@ std::uint64_t mixed(std::uint64_t v)
 }
 }  // namespace
 
-std::size_t PoseCells::Index::slotOf(const Cell& cell, const std::vector<Cell>& cells) const
+std::size_t PoseHistogram::Index::slotOf(const Cell& cell, const std::vector<Cell>& cells) const
 {
   const auto low = static_cast<std::uint64_t>(static_cast<std::uint32_t>(cell.x));
   const auto high = static_cast<std::uint64_t>(static_cast<std::uint32_t>(cell.y));
@@ -27,7 +27,7 @@ std::size_t PoseCells::Index::slotOf(const Cell& cell, const std::vector<Cell>& 
   return slot;
 }
 
-std::uint32_t PoseCells::Index::insert(const Cell& cell, std::vector<Cell>& cells)
+std::uint32_t PoseHistogram::Index::insert(const Cell& cell, std::vector<Cell>& cells)
 {
   std::size_t slot = slotOf(cell, cells);
   if (slots[slot] != kNone) return slots[slot];
@@ -43,7 +43,7 @@ std::uint32_t PoseCells::Index::insert(const Cell& cell, std::vector<Cell>& cell
 }
 
 /// The cells about the first one asked for, in a table of their own: quicker than by hash, and mostly all there are.
-class PoseCells::NearCells
+class PoseHistogram::NearCells
 {
  public:
   NearCells() { numbers_.fill(kNone); }
@@ -67,8 +67,8 @@ class PoseCells::NearCells
   std::array<std::uint32_t, kSide * kSide * kSide> numbers_;
 };
 
-PoseCells::PoseCells(const ParticleSet& particles, double cell_xy, double cell_phi, unsigned threads,
-                     std::vector<int> memory)
+PoseHistogram::PoseHistogram(const ParticleSet& particles, double cell_xy, double cell_phi, unsigned threads,
+                             std::vector<int> memory)
     : origin_(particles.origin),
       cell_xy_(cell_xy),
       turns_(static_cast<std::int32_t>(std::max(1LL, std::llround(kTwoPi / cell_phi)))),
@@ -92,7 +92,7 @@ PoseCells::PoseCells(const ParticleSet& particles, double cell_xy, double cell_p
   }
 }
 
-std::vector<int> PoseCells::labelParticles(const std::vector<int>& label_of_cell, unsigned threads) &&
+std::vector<int> PoseHistogram::labelParticles(const std::vector<int>& label_of_cell, unsigned threads) &&
 {
   forEachBlock(cell_of_.size(), threads,
                [&](std::size_t first, std::size_t count)
@@ -105,7 +105,7 @@ std::vector<int> PoseCells::labelParticles(const std::vector<int>& label_of_cell
   return std::move(cell_of_);
 }
 
-void PoseCells::gather(const ParticleSet& particles, std::size_t first, std::size_t count, Gathered& block)
+void PoseHistogram::gather(const ParticleSet& particles, std::size_t first, std::size_t count, Gathered& block)
 {
   const auto shift_of = [&](double origin)
   { return static_cast<float>(origin / cell_xy_ - std::floor(origin / cell_xy_)); };
@@ -135,9 +135,9 @@ void PoseCells::gather(const ParticleSet& particles, std::size_t first, std::siz
   for (std::size_t k = 0; k < sums.size(); ++k) block.sums[k / kCellTurns] += sums[k];
 }
 
-std::uint32_t PoseCells::find(const Cell& cell) const { return index_.slots[index_.slotOf(cell, cells_)]; }
+std::uint32_t PoseHistogram::find(const Cell& cell) const { return index_.slots[index_.slotOf(cell, cells_)]; }
 
-CellMoments PoseCells::moments(std::size_t cell) const
+CellMoments PoseHistogram::moments(std::size_t cell) const
 {
   const CellSums& s = sums_[cell];
   CellMoments moments{.weight = s.first[0], .first = {s.first[1], s.first[2], s.first[3]}};
@@ -147,7 +147,7 @@ CellMoments PoseCells::moments(std::size_t cell) const
   return moments;
 }
 
-Pose2 PoseCells::middle(std::size_t cell) const
+Pose2 PoseHistogram::middle(std::size_t cell) const
 {
   const auto along = [&](double origin, std::int32_t number)
   { return (std::floor(origin / cell_xy_) + number + 0.5) * cell_xy_; };

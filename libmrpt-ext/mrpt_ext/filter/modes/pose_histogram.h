@@ -19,7 +19,7 @@ struct CellMoments
 
 /// The cells of a grid over (x, y, phi) that particles occupy, in order of first appearance; headings close at +-pi.
 /// Blocks of particles are gathered each by itself and joined in order, so that nothing depends on the threads.
-class PoseCells
+class PoseHistogram
 {
  public:
   struct Cell
@@ -29,8 +29,8 @@ class PoseCells
   };
 
   /// Cells of `cell_xy` [m] and about `cell_phi` [rad]; normalised particles. `memory` holds the labels then.
-  PoseCells(const ParticleSet& particles, double cell_xy, double cell_phi, unsigned threads,
-            std::vector<int> memory = {});
+  PoseHistogram(const ParticleSet& particles, double cell_xy, double cell_phi, unsigned threads,
+                std::vector<int> memory = {});
 
   [[nodiscard]] std::size_t size() const { return cells_.size(); }
   [[nodiscard]] double weight(std::size_t cell) const { return sums_[cell].first[0]; }

@@ -95,7 +95,7 @@ void moveByScales(const ParticleSet& particles, const Poses& poses, const Motion
   {
     const BiasKind kind = particles.bias_states[k].kind;
     if (!belongsToOdometry(kind)) continue;
-    Chunk& scale = kind == BiasKind::way_scale ? way : turn;
+    Chunk& scale = kind == BiasKind::distance_scale ? way : turn;
     for (std::size_t i = 0; i < poses.count; ++i) scale[i] += particles.bias[k][first + i];
   }
   Believed believed;
@@ -104,8 +104,7 @@ void moveByScales(const ParticleSet& particles, const Poses& poses, const Motion
 }
 }  // namespace
 
-void moveBlock(ParticleSet& particles, const MotionStep& step, std::size_t first, std::size_t count,
-               RandomLanes& random)
+void moveBlock(ParticleSet& particles, const MotionStep& step, std::size_t first, std::size_t count, SimdRandom& random)
 {
   const bool scaled = hasScales(particles);
   Noise noise;

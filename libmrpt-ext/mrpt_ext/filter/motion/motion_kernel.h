@@ -17,5 +17,5 @@ struct MotionStep
 
 /// Moves `count` particles from `first` on.
 void moveBlock(ParticleSet& particles, const MotionStep& step, std::size_t first, std::size_t count,
-               RandomLanes& random);
+               SimdRandom& random);
 }  // namespace mrpt_ext

@@ -78,7 +78,7 @@ void moveParticles(ParticleSet& particles, const MotionModel& model, const Odome
   forEachBlock(particles.size(), threads,
                [&](std::size_t first, std::size_t count)
                {
-                 RandomLanes lanes(seed, first / kParticleBlock);
+                 SimdRandom lanes(seed, first / kParticleBlock);
                  moveBlock(particles, step, first, count, lanes);
                });
 }

@@ -9,7 +9,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr std::size_t kLanes = RandomLanes::kLanes;
+constexpr std::size_t kLanes = SimdRandom::kLanes;
 constexpr std::size_t kChunk = 512;  // numbers made at a time
 
 [[gnu::always_inline]] inline std::uint32_t rotated(std::uint32_t v, int by) { return (v << by) | (v >> (32 - by)); }
@@ -48,16 +48,16 @@ void gaussianPairs(const std::uint32_t* bits, std::size_t pairs, float* values)
 }
 }  // namespace
 
-RandomLanes::RandomLanes(std::uint64_t seed, std::uint64_t block)
+SimdRandom::SimdRandom(std::uint64_t seed, std::uint64_t block)
 {
   RandomStream random(seed, block);
   for (auto& word : state_)
     for (std::uint32_t& value : word) value = static_cast<std::uint32_t>(random.nextBits() >> 32);
 }
 
-void RandomLanes::fillBits(std::span<std::uint32_t> values) { nextBits(state_, values.size() / kLanes, values.data()); }
+void SimdRandom::fillBits(std::span<std::uint32_t> values) { nextBits(state_, values.size() / kLanes, values.data()); }
 
-void RandomLanes::fillGaussians(std::span<float> values)
+void SimdRandom::fillGaussians(std::span<float> values)
 {
   alignas(64) std::uint32_t bits[kChunk];
   for (std::size_t first = 0; first < values.size(); first += kChunk)

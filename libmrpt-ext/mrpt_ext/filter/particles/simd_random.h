@@ -10,12 +10,12 @@ namespace mrpt_ext
 {
 /// Sixteen generators side by side (xoshiro128++, Blackman and Vigna 2019), so that random numbers come as vector code:
 /// about a nanosecond for a Gaussian. One object per block of particles, from (seed, block).
-class RandomLanes
+class SimdRandom
 {
  public:
   static constexpr std::size_t kLanes = 16;
 
-  RandomLanes(std::uint64_t seed, std::uint64_t block);
+  SimdRandom(std::uint64_t seed, std::uint64_t block);
 
   /// Standard normal deviates (Box and Muller), at most 5.9 from 0. The size is a multiple of 2 kLanes.
   void fillGaussians(std::span<float> values);

@@ -1,4 +1,4 @@
-#include "mrpt_ext/hypotheses/measurement_window.h"
+#include "mrpt_ext/relocalization/measurement_window.h"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ const ExactSensor kSensor{.range = true, .T_robot_sensor = {0.3, -0.2, 0.7}};
 /// Empty readings of a sensor in the robot's centre, carried along `steps`; the carried first one.
 Reading carriedAlong(const std::vector<OdometryMotion>& steps, const Reading& first)
 {
-  FrameJoiner joiner(1e9, kModel);
+  MeasurementWindow joiner(1e9, kModel);
   joiner.add(frameAt(0, {}, {first}));
   double time = 0;
   for (const OdometryMotion& step : steps) joiner.add(frameAt(++time, step, {}));
@@ -80,9 +80,9 @@ void expectSimilar(const Matrix2d& actual, const Matrix2d& expected)
 }
 }  // namespace
 
-TEST(FrameJoiner, CarriedReadingsPredictWhatWasMeasured)
+TEST(MeasurementWindow, CarriedReadingsPredictWhatWasMeasured)
 {
-  FrameJoiner joiner(10, kModel);
+  MeasurementWindow joiner(10, kModel);
   Pose2 robot{1, 2, 0.4};
   joiner.add(frameAt(0, {}, {seenFrom(robot, kMap, {0, 1}, kSensor)}));
   for (const Pose2 step : {Pose2{0.5, 0.1, 0.6}, Pose2{0.3, 0, -1.2}, Pose2{0, 0, 2.9}})
@@ -101,21 +101,21 @@ TEST(FrameJoiner, CarriedReadingsPredictWhatWasMeasured)
     }
 }
 
-TEST(FrameJoiner, TheNewestReadingsAreAsTheyCame)
+TEST(MeasurementWindow, TheNewestReadingsAreAsTheyCame)
 {
-  FrameJoiner joiner(10, kModel);
+  MeasurementWindow joiner(10, kModel);
   joiner.add(frameAt(0, {}, {seenFrom({}, kMap, {0}, kSensor)}));
   const Reading newest = seenFrom({1, 0, 0}, kMap, {1}, kSensor, 1);
   joiner.add(frameAt(1, motionOf({1, 0, 0}), {newest}));
   const Reading kept = joiner.joined().readings.back();
   EXPECT_EQ(kept.T_robot_sensor.vector(), newest.T_robot_sensor.vector());
-  EXPECT_TRUE(kept.offset_covariance.isZero(0));
+  EXPECT_TRUE(kept.sensor_position_covariance.isZero(0));
   EXPECT_EQ(kept.detections.front().std_bearing, newest.detections.front().std_bearing);
 }
 
-TEST(FrameJoiner, ReadingsOlderThanTheWindowAreDropped)
+TEST(MeasurementWindow, ReadingsOlderThanTheWindowAreDropped)
 {
-  FrameJoiner joiner(2, kModel);
+  MeasurementWindow joiner(2, kModel);
   for (int k = 0; k < 6; ++k)
   {
     joiner.add(frameAt(k, motionOf({0.1, 0, 0}), {seenFrom({}, kMap, {0}, kSensor)}));
@@ -126,42 +126,42 @@ TEST(FrameJoiner, ReadingsOlderThanTheWindowAreDropped)
   EXPECT_EQ(joiner.joined().time, 5);
 }
 
-TEST(FrameJoiner, AWindowOfZeroKeepsNothing)
+TEST(MeasurementWindow, AWindowOfZeroKeepsNothing)
 {
-  FrameJoiner joiner(0, kModel);
+  MeasurementWindow joiner(0, kModel);
   joiner.add(frameAt(0, {}, {seenFrom({}, kMap, {0}, kSensor)}));
   joiner.add(frameAt(0.1, motionOf({0.1, 0, 0}), {seenFrom({}, kMap, {1}, kSensor)}));
   EXPECT_EQ(joiner.readings().size(), 1u);
   EXPECT_TRUE(joiner.full());
 }
 
-TEST(FrameJoiner, WhatWasNotSeenThenIsNotHeldAgainstThePoseNow)
+TEST(MeasurementWindow, WhatWasNotSeenThenIsNotHeldAgainstThePoseNow)
 {
   Reading first = seenFrom({}, kMap, {0}, kSensor);
   first.model.detection_probability = 0.9;
   EXPECT_FALSE(carriedAlong({motionOf({0.1, 0, 0})}, first).model.detection_probability);
 }
 
-TEST(FrameJoiner, TheSensorPlaceGrowsAsUncertainAsOdometryMakesIt)
+TEST(MeasurementWindow, TheSensorPlaceGrowsAsUncertainAsOdometryMakesIt)
 {
   Reading first;
   const std::vector<OdometryMotion> curve(30, motionOf({0.1, 0, 0.04}, 0.2));
-  expectSimilar(carriedAlong(curve, first).offset_covariance, covarianceOf(sampleCarried(curve, {}, 40000)));
+  expectSimilar(carriedAlong(curve, first).sensor_position_covariance, covarianceOf(sampleCarried(curve, {}, 40000)));
   first.T_robot_sensor = {0.4, 0.3, 1.0};
-  expectSimilar(carriedAlong(curve, first).offset_covariance,
+  expectSimilar(carriedAlong(curve, first).sensor_position_covariance,
                 covarianceOf(sampleCarried(curve, first.T_robot_sensor, 40000)));
 }
 
-TEST(FrameJoiner, OneLongMotionMakesItAsUncertainAsManyShortOnes)
+TEST(MeasurementWindow, OneLongMotionMakesItAsUncertainAsManyShortOnes)
 {
   const Reading first;
   const std::vector<OdometryMotion> one{motionOf({3, 0, 0}, 6)}, many(60, motionOf({0.05, 0, 0}, 0.1));
   const Matrix2d expected = covarianceOf(sampleCarried(many, {}, 40000));
-  expectSimilar(carriedAlong(many, first).offset_covariance, expected);
-  expectSimilar(carriedAlong(one, first).offset_covariance, expected);
+  expectSimilar(carriedAlong(many, first).sensor_position_covariance, expected);
+  expectSimilar(carriedAlong(one, first).sensor_position_covariance, expected);
 }
 
-TEST(FrameJoiner, BearingsGrowAsUncertainAsTheHeadingOfTheWay)
+TEST(MeasurementWindow, BearingsGrowAsUncertainAsTheHeadingOfTheWay)
 {
   const Reading first = seenFrom({}, kMap, {0, 1}, {.range = true});
   const std::vector<OdometryMotion> curve(30, motionOf({0.1, 0, 0.04}, 0.2));
@@ -177,10 +177,10 @@ TEST(FrameJoiner, BearingsGrowAsUncertainAsTheHeadingOfTheWay)
   }
 }
 
-TEST(FrameJoiner, KnowsTheCovarianceOfTheWayItself)
+TEST(MeasurementWindow, KnowsTheCovarianceOfTheWayItself)
 {
   const std::vector<OdometryMotion> curve(30, motionOf({0.1, 0, 0.04}, 0.2));
-  const Matrix3d way = carriedAlong(curve, {.T_robot_sensor = {0.4, 0.3, 1.0}}).way_covariance;
+  const Matrix3d way = carriedAlong(curve, {.T_robot_sensor = {0.4, 0.3, 1.0}}).odometry_covariance;
   // The robot's pose at the end of the noisy way, in axes of where it is said to be.
   Pose2 end;
   for (const OdometryMotion& step : curve) end = compose(end, step.increment);
@@ -200,10 +200,10 @@ TEST(FrameJoiner, KnowsTheCovarianceOfTheWayItself)
       EXPECT_NEAR(way(i, j), sampled(i, j), 0.03 * std::sqrt(way(i, i) * way(j, j))) << i << j;
 }
 
-TEST(FrameJoiner, ARandomWalkBelievesNoOdometry)
+TEST(MeasurementWindow, ARandomWalkBelievesNoOdometry)
 {
   MotionModel walk{.type = MotionType::random_walk, .std_xy_per_s = 0.3, .std_phi_per_s = 0.2};
-  FrameJoiner joiner(10, walk);
+  MeasurementWindow joiner(10, walk);
   const Reading seen = seenFrom({}, kMap, {0, 1}, kSensor);
   joiner.add(frameAt(0, {}, {seen}));
   // Odometry says something; without a way and a turn to be noisy about, only time counts.
@@ -211,8 +211,8 @@ TEST(FrameJoiner, ARandomWalkBelievesNoOdometry)
   const Reading carried = joiner.readings().front();
   EXPECT_EQ(carried.T_robot_sensor.vector(), seen.T_robot_sensor.vector());
   const Matrix3d expected = Vector3d(0.09 * 2, 0.09 * 2, 0.04 * 2).asDiagonal();
-  EXPECT_TRUE(carried.way_covariance.isApprox(expected, 1e-12)) << carried.way_covariance;
-  EXPECT_GE(carried.offset_covariance(0, 0), 0.18);
+  EXPECT_TRUE(carried.odometry_covariance.isApprox(expected, 1e-12)) << carried.odometry_covariance;
+  EXPECT_GE(carried.sensor_position_covariance(0, 0), 0.18);
   EXPECT_NEAR(square(carried.detections[0].std_bearing) - square(seen.detections[0].std_bearing), 0.08, 1e-12);
 }
 
@@ -232,7 +232,7 @@ std::vector<Reading> joinedDrive(const Pose2& end, RandomStream& random)
     moveParticles(noisy, kModel, said, random);
     way.insert(way.begin(), compose(way.front(), inverse(noisy.pose(0))));
   }
-  FrameJoiner joiner(100, kModel);
+  MeasurementWindow joiner(100, kModel);
   for (std::size_t k = 0; k < way.size(); ++k)
   {
     Reading reading = seenFrom(way[k], kMap, {0, 2, 3}, kSensor);
@@ -247,14 +247,14 @@ std::vector<Reading> joinedDrive(const Pose2& end, RandomStream& random)
 }
 }  // namespace
 
-TEST(FrameJoiner, AReadingCanBeGivenBackAsItWasTaken)
+TEST(MeasurementWindow, AReadingCanBeGivenBackAsItWasTaken)
 {
   RandomStream random(7);
   for (const Reading& reading : joinedDrive({2, 3, 0.5}, random))
-    for (const Detection& d : asTaken(reading).detections) EXPECT_NEAR(d.std_bearing, degToRad(0.5), 1e-9);
+    for (const Detection& d : withoutOdometryNoise(reading).detections) EXPECT_NEAR(d.std_bearing, degToRad(0.5), 1e-9);
 }
 
-TEST(FrameJoiner, APoseSolvedFromJoinedReadingsIsAsUncertainAsItSays)
+TEST(MeasurementWindow, APoseSolvedFromJoinedReadingsIsAsUncertainAsItSays)
 {
   RandomStream random(8);
   const int trials = 500;
@@ -262,7 +262,7 @@ TEST(FrameJoiner, APoseSolvedFromJoinedReadingsIsAsUncertainAsItSays)
   for (int trial = 0; trial < trials; ++trial)
   {
     const Pose2 end{random.uniform(1, 4), random.uniform(1, 4), random.uniform(-kPi, kPi)};
-    const PoseMl fit = refineCarriedPose(carriedMeasurements(joinedDrive(end, random), kMap), end);
+    const PoseMl fit = refineCarriedPose(windowMeasurements(joinedDrive(end, random), kMap), end);
     ASSERT_EQ(fit.status, SolveStatus::ok);
     Vector3d e = fit.pose.mean.vector() - end.vector();
     e.z() = wrap(e.z());
@@ -291,10 +291,10 @@ class Listener : public Localizer
 };
 }  // namespace
 
-TEST(JoinedLocalizer, HandsTheJoinedReadingsToTheMethod)
+TEST(WindowedLocalizer, HandsTheJoinedReadingsToTheMethod)
 {
   Frame heard;
-  JoinedLocalizer localizer(std::make_unique<Listener>(heard), 5, kModel);
+  WindowedLocalizer localizer(std::make_unique<Listener>(heard), 5, kModel);
   EXPECT_EQ(localizer.name(), "listener_joined");
   EXPECT_FALSE(localizer.continuous());
   Frame first = frameAt(0, {}, {seenFrom({}, kMap, {0}, kSensor)});

@@ -17,16 +17,16 @@ namespace mrpt_ext
 /// more memory than a short one. A value like a vector: copies share the pages, which never change.
 /// `Row` as ArchivedRow. Readers on several threads are fine while nobody appends.
 template <typename Row>
-class LongSequence
+class DiskBackedSequence
 {
  public:
   static constexpr std::size_t kRowsPerPage = 256, kPagesInMemory = 16;
 
   class const_iterator;
 
-  LongSequence() = default;
-  LongSequence(std::initializer_list<Row> rows) : LongSequence(std::vector<Row>(rows)) {}
-  LongSequence(std::vector<Row> rows)
+  DiskBackedSequence() = default;
+  DiskBackedSequence(std::initializer_list<Row> rows) : DiskBackedSequence(std::vector<Row>(rows)) {}
+  DiskBackedSequence(std::vector<Row> rows)
   {
     for (Row& row : rows) push_back(std::move(row));
   }
@@ -86,7 +86,7 @@ class LongSequence
 
 /// Goes forward only; a row is there until the iterator moves.
 template <typename Row>
-class LongSequence<Row>::const_iterator
+class DiskBackedSequence<Row>::const_iterator
 {
  public:
   using iterator_category = std::input_iterator_tag;  // NOLINT(readability-identifier-naming)
@@ -95,7 +95,7 @@ class LongSequence<Row>::const_iterator
   using pointer = const Row*;                         // NOLINT(readability-identifier-naming)
   using reference = const Row&;                       // NOLINT(readability-identifier-naming)
 
-  const_iterator(const LongSequence& rows, std::size_t index) : rows_(&rows), index_(index) {}
+  const_iterator(const DiskBackedSequence& rows, std::size_t index) : rows_(&rows), index_(index) {}
 
   const Row& operator*() const
   {
@@ -121,7 +121,7 @@ class LongSequence<Row>::const_iterator
   bool operator==(const const_iterator& other) const { return index_ == other.index_; }
 
  private:
-  const LongSequence* rows_;
+  const DiskBackedSequence* rows_;
   std::size_t index_;
   mutable std::shared_ptr<const Page> page_;
   mutable std::size_t page_number_ = std::numeric_limits<std::size_t>::max();

@@ -12,13 +12,14 @@ namespace mrpt_ext
 /// grows their offset covariance and, by its heading error, the deviations of their bearings: each detection by itself
 /// is then as uncertain as it is, which gates and scores need. But the readings of one moment share that error, and all
 /// older ones share the error of the way that is common to them; treated as independent, a hundred of them would seem
-/// to average it away. `Reading::way_covariance` keeps what is shared; solvers/window_pose.h uses it and is neither
-/// over- nor under-confident. A random walk believes no odometry: readings stay where they were and grow uncertain.
-class FrameJoiner
+/// to average it away. `Reading::odometry_covariance` keeps what is shared; solvers/window_pose.h uses it and is
+/// neither over- nor under-confident. A random walk believes no odometry: readings stay where they were and grow
+/// uncertain.
+class MeasurementWindow
 {
  public:
   /// `window` [s]; 0 keeps nothing.
-  FrameJoiner(double window, const MotionModel& motion) : window_(window), motion_(motion) {}
+  MeasurementWindow(double window, const MotionModel& motion) : window_(window), motion_(motion) {}
 
   /// Takes in the next frame.
   void add(const Frame& frame);

@@ -1,4 +1,4 @@
-#include "mrpt_ext/files/long_sequence.h"
+#include "mrpt_ext/files/disk_backed_sequence.h"
 
 #include <gtest/gtest.h>
 
@@ -52,17 +52,17 @@ void expectSame(const Row& a, const Row& b)
   EXPECT_EQ(a.inner.b, b.inner.b);
 }
 
-constexpr std::size_t kPage = LongSequence<Row>::kRowsPerPage;
-constexpr std::size_t kInMemory = kPage * LongSequence<Row>::kPagesInMemory;
+constexpr std::size_t kPage = DiskBackedSequence<Row>::kRowsPerPage;
+constexpr std::size_t kInMemory = kPage * DiskBackedSequence<Row>::kPagesInMemory;
 
-LongSequence<Row> sequenceOf(std::size_t size)
+DiskBackedSequence<Row> sequenceOf(std::size_t size)
 {
-  LongSequence<Row> rows;
+  DiskBackedSequence<Row> rows;
   for (std::size_t i = 0; i < size; ++i) rows.push_back(rowOf(i));
   return rows;
 }
 
-void expectRows(const LongSequence<Row>& rows, std::size_t size)
+void expectRows(const DiskBackedSequence<Row>& rows, std::size_t size)
 {
   ASSERT_EQ(rows.size(), size);
   std::size_t i = 0;
@@ -71,31 +71,31 @@ void expectRows(const LongSequence<Row>& rows, std::size_t size)
 }
 }  // namespace
 
-TEST(LongSequence, GivesBackWhatWasAppendedHoweverMuchItIs)
+TEST(DiskBackedSequence, GivesBackWhatWasAppendedHoweverMuchItIs)
 {
   for (const std::size_t size : {std::size_t{0}, std::size_t{1}, kPage, kPage + 1, kInMemory, kInMemory + kPage,
                                  kInMemory + kPage + 1, 2 * kInMemory + 100})
   {
-    const LongSequence<Row> rows = sequenceOf(size);
+    const DiskBackedSequence<Row> rows = sequenceOf(size);
     expectRows(rows, size);
     if (size == 0) continue;
     expectSame(rows.front(), rowOf(0));
     expectSame(rows.back(), rowOf(size - 1));
   }
-  EXPECT_TRUE(LongSequence<Row>().empty());
+  EXPECT_TRUE(DiskBackedSequence<Row>().empty());
 }
 
-TEST(LongSequence, KeepsNoMoreInMemoryThanItMay)
+TEST(DiskBackedSequence, KeepsNoMoreInMemoryThanItMay)
 {
   EXPECT_EQ(sequenceOf(100).rowsInMemory(), 100u);
   for (const std::size_t size : {2 * kInMemory, 5 * kInMemory, 5 * kInMemory + 17})
     EXPECT_LE(sequenceOf(size).rowsInMemory(), kInMemory + kPage);
 }
 
-TEST(LongSequence, CopiesGoTheirOwnWays)
+TEST(DiskBackedSequence, CopiesGoTheirOwnWays)
 {
-  const LongSequence<Row> before = sequenceOf(kInMemory + 2 * kPage + 5);
-  LongSequence<Row> one = before, other = before;
+  const DiskBackedSequence<Row> before = sequenceOf(kInMemory + 2 * kPage + 5);
+  DiskBackedSequence<Row> one = before, other = before;
   for (std::size_t i = 0; i < 3 * kPage; ++i)
   {
     one.push_back(rowOf(before.size() + i));
@@ -114,9 +114,9 @@ TEST(LongSequence, CopiesGoTheirOwnWays)
   expectRows(one, 0);
 }
 
-TEST(LongSequence, MayBeReadByThreadsAtTheSameTime)
+TEST(DiskBackedSequence, MayBeReadByThreadsAtTheSameTime)
 {
-  const LongSequence<Row> rows = sequenceOf(kInMemory + 10 * kPage);
+  const DiskBackedSequence<Row> rows = sequenceOf(kInMemory + 10 * kPage);
   std::size_t sums[2] = {0, 0};
   const auto add = [&rows](std::size_t& sum)
   {
@@ -129,14 +129,14 @@ TEST(LongSequence, MayBeReadByThreadsAtTheSameTime)
   EXPECT_EQ(sums[1], sums[0]);
 }
 
-TEST(LongSequence, LeavesNothingInTheFolderForTemporaryFiles)
+TEST(DiskBackedSequence, LeavesNothingInTheFolderForTemporaryFiles)
 {
   const testing::ScratchFolder folder;
   const char* before = std::getenv("TMPDIR");
   const std::string kept = before ? before : "";
   setenv("TMPDIR", folder.path().c_str(), 1);
   {
-    const LongSequence<Row> rows = sequenceOf(kInMemory + 2 * kPage);
+    const DiskBackedSequence<Row> rows = sequenceOf(kInMemory + 2 * kPage);
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
     expectRows(rows, kInMemory + 2 * kPage);
   }

@@ -1,4 +1,4 @@
-#include "mrpt_ext/hypotheses/measurement_window.h"
+#include "mrpt_ext/relocalization/measurement_window.h"
 
 #include <cmath>
 
@@ -21,10 +21,10 @@ void carry(Reading& reading, const OdometryMotion& motion, const Matrix3d& S)
   const Vector2d swing(-lever.y(), lever.x());  // a heading error of the way turns the old place about the new one
   const Matrix2d R = rotation(-motion.increment.phi);
   const Matrix2d cross = S.topRightCorner<2, 1>() * swing.transpose();
-  const Matrix2d grown = reading.offset_covariance + S.topLeftCorner<2, 2>() + S(2, 2) * swing * swing.transpose() +
-                         cross + cross.transpose();
-  reading.offset_covariance = R * grown * R.transpose();
-  reading.way_covariance = continued(reading.way_covariance, motion.increment, S);
+  const Matrix2d grown = reading.sensor_position_covariance + S.topLeftCorner<2, 2>() +
+                         S(2, 2) * swing * swing.transpose() + cross + cross.transpose();
+  reading.sensor_position_covariance = R * grown * R.transpose();
+  reading.odometry_covariance = continued(reading.odometry_covariance, motion.increment, S);
   for (Detection& detection : reading.detections)
     if (detection.bearing) detection.std_bearing = std::hypot(detection.std_bearing, std::sqrt(S(2, 2)));
   reading.T_robot_sensor = compose(inverse(motion.increment), reading.T_robot_sensor);
@@ -32,7 +32,7 @@ void carry(Reading& reading, const OdometryMotion& motion, const Matrix3d& S)
 }
 }  // namespace
 
-void FrameJoiner::add(const Frame& frame)
+void MeasurementWindow::add(const Frame& frame)
 {
   if (!first_time_) first_time_ = frame.time;
   full_ = frame.time - *first_time_ >= window_;
@@ -44,14 +44,14 @@ void FrameJoiner::add(const Frame& frame)
   newest_ = frame;
 }
 
-std::vector<Reading> FrameJoiner::readings() const
+std::vector<Reading> MeasurementWindow::readings() const
 {
   std::vector<Reading> all(older_.begin(), older_.end());
   all.insert(all.end(), newest_.readings.begin(), newest_.readings.end());
   return all;
 }
 
-Frame FrameJoiner::joined() const
+Frame MeasurementWindow::joined() const
 {
   Frame frame = newest_;
   frame.readings = readings();
