@@ -1,17 +1,21 @@
 #!/usr/bin/env bash
-# Installs what is missing, configures and builds into build/. With --tests: the test programs too.
-# An existing build/ keeps its generator and its other settings, and both forms share its object files.
+# Installs what is missing, configures and builds into build/.
+#   build.sh               all apps
+#   build.sh TARGET...     these targets only, e.g. landmark-localization
+#   build.sh --tests       everything, with the test programs
+# An existing build/ keeps its generator and its other settings, and all forms share its object files.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$root/build
 
-settings=()
+settings=() targets=()
 if [ "${1:-}" = --tests ]; then
   bash "$root/apps/install_dependencies.sh" --tests
   settings+=(-DMRPT_EXT_BUILD_TESTS=ON)
 else
   bash "$root/apps/install_dependencies.sh"
   [ -f "$build/CMakeCache.txt" ] || settings+=(-DMRPT_EXT_BUILD_TESTS=OFF)
+  [ $# -eq 0 ] || targets=(--target "$@")
 fi
 if [ ! -f "$build/CMakeCache.txt" ]; then
   settings+=(-G Ninja -DCMAKE_BUILD_TYPE=Release)
@@ -20,4 +24,4 @@ fi
 [ "$("${CXX:-g++}" -dumpversion | cut -d. -f1)" = 12 ] && settings+=(-DMRPT_EXT_WARNINGS_AS_ERRORS=ON)
 
 cmake -S "$root" -B "$build" "${settings[@]}"
-cmake --build "$build" --parallel "$(nproc)"
+cmake --build "$build" --parallel "$(nproc)" "${targets[@]}"
