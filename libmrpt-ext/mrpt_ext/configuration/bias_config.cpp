@@ -25,8 +25,10 @@ const std::array<BiasName, 5> kNames{{
     {BiasKind::range_offset, "range_offset", "m", "_m", "measured minus true range"},
     {BiasKind::range_scale, "range_scale", "", "", "share by which measured ranges are too long"},
     {BiasKind::bearing_offset, "bearing_offset", "deg", "_deg", "measured minus true bearing"},
-    {BiasKind::distance_scale, "distance_scale", "", "", "share by which the true way is longer than odometry tells"},
-    {BiasKind::rotation_scale, "rotation_scale", "", "", "share by which true turns are larger than odometry tells"},
+    {BiasKind::distance_scale, "odometry_distance_scale", "", "",
+     "share by which the true way is longer than odometry tells"},
+    {BiasKind::rotation_scale, "odometry_rotation_scale", "", "",
+     "share by which true turns are larger than odometry tells"},
 }};
 
 std::string meanKey(const BiasName& bias) { return bias.name + "_mean" + bias.suffix; }

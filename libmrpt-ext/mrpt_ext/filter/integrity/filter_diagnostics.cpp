@@ -21,9 +21,9 @@ const char* nameOf(BiasKind kind)
     case BiasKind::bearing_offset:
       return "bearing_offset";
     case BiasKind::distance_scale:
-      return "distance_scale";
+      return "odometry_distance_scale";
     case BiasKind::rotation_scale:
-      return "rotation_scale";
+      return "odometry_rotation_scale";
   }
   return "";
 }
