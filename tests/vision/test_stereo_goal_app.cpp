@@ -166,7 +166,7 @@ TEST(StereoGoalApp, SaysWhatIsMissingInOneLine)
   folder.write("frames.csv", "frame,left\n0,a.png\n");
   expect("right");
   folder.write("frames.csv", "frame,left,right\n0,a.png,b.png\n");
-  expect("[StereoGoal] image_width is missing, and the images' camera has no \"width\"");
+  expect("[StereoGoal] image_width is missing, expected it here or as width in camera.json");
   folder.write("camera.json", R"({"stereo": {"width": "wide"}})");
   expect("camera.json: width is no number");
   folder.write("camera.json", R"({"stereo": {"width": 320, "height": 240, "fx": 0, "fy": 300, "cx": 159.5, "cy": 119.5,

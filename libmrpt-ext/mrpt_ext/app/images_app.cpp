@@ -8,9 +8,9 @@
 #include "mrpt_ext/files/atomic_file.h"
 #include "mrpt_ext/files/landmark_csv.h"
 #include "mrpt_ext/files/tum.h"
+#include "mrpt_ext/front_ends/front_end_factory.h"
 #include "mrpt_ext/front_ends/images_keys.h"
 #include "mrpt_ext/front_ends/measurement_csv.h"
-#include "mrpt_ext/front_ends/vision_front_end.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/rawlog/rawlog_sink.h"
 

@@ -10,45 +10,27 @@ namespace
 {
 constexpr const char* kSection = "ConicMirror";
 
-std::optional<double> cameraNumber(const nlohmann::json& camera, const char* name)
-{
-  if (!camera.is_object() || !camera.contains(name)) return std::nullopt;
-  if (!camera[name].is_number()) throw dataError(std::string("camera.json: ") + name + " is no number");
-  return camera[name].get<double>();
-}
-
-/// The .ini wins over camera.json.
-double sizeFrom(const Settings& settings, const char* key, const nlohmann::json& camera, const char* name)
-{
-  if (const auto number = settings.optionalNumber(kSection, key)) return *number;
-  return cameraNumber(camera, name).value_or(0);
-}
-
 /// All four numbers or none: without them the mirror's axis is taken for the camera's.
-std::optional<MirrorAxis> axisFrom(const Settings& settings, const nlohmann::json& camera)
+std::optional<MirrorAxis> axisFrom(const CameraNumbers& numbers)
 {
-  const auto number = [&](const char* key, const char* name)
-  {
-    const auto own = settings.optionalNumber(kSection, key);
-    return own ? own : cameraNumber(camera, name);
-  };
-  const auto u = number("principal_u_px", "cx"), v = number("principal_v_px", "cy");
-  const auto cone = number("cone_half_angle_deg", "cone_half_angle_deg"), rim = number("rim_angle_deg", "rim_phi_deg");
+  const auto u = numbers.optional("principal_u_px", "cx"), v = numbers.optional("principal_v_px", "cy");
+  const auto cone = numbers.optional("cone_half_angle_deg", "cone_half_angle_deg");
+  const auto rim = numbers.optional("rim_angle_deg", "rim_phi_deg");
   if (!u || !v || !cone || !rim) return std::nullopt;
   if (!(*rim > 0 && *rim < *cone && *cone < 90))
     throw dataError("camera.json: expected 0 < rim_phi_deg < cone_half_angle_deg < 90");
   return MirrorAxis{{*u, *v}, degToRad(*cone), degToRad(*rim)};
 }
 
-ConicMirrorSettings readModel(const Settings& settings, const nlohmann::json& camera)
+ConicMirrorSettings readModel(const Settings& settings, const CameraFile& camera)
 {
+  const CameraNumbers of_camera(settings, kSection, camera);
   const auto number = [&](const char* key) { return settings.number(kSection, key); };
   ConicMirrorSettings model;
-  model.image_size = {static_cast<int>(sizeFrom(settings, "image_width", camera, "width")),
-                      static_cast<int>(sizeFrom(settings, "image_height", camera, "height"))};
-  const auto yaw = settings.optionalRadians(kSection, "mount_yaw_deg");
-  model.mount_yaw = yaw ? *yaw : degToRad(cameraNumber(camera, "mount_yaw_deg").value_or(0));
-  model.axis = axisFrom(settings, camera);
+  model.image_size = {static_cast<int>(of_camera.optional("image_width", "width").value_or(0)),
+                      static_cast<int>(of_camera.optional("image_height", "height").value_or(0))};
+  model.mount_yaw = degToRad(of_camera.optional("mount_yaw_deg", "mount_yaw_deg").value_or(0));
+  model.axis = axisFrom(of_camera);
   model.outline = {number("rim_radius_min"), number("rim_radius_max"),    number("rim_aspect_min"),
                    number("rim_aspect_max"), number("rim_visible_share"), number("rim_contrast")};
   model.grid = {static_cast<int>(settings.integer(kSection, "azimuths")),
@@ -67,7 +49,7 @@ ConicMirrorSettings readModel(const Settings& settings, const nlohmann::json& ca
 }
 }  // namespace
 
-ConicMirrorFrontEnd::ConicMirrorFrontEnd(const Settings& settings, const nlohmann::json& camera)
+ConicMirrorFrontEnd::ConicMirrorFrontEnd(const Settings& settings, const CameraFile& camera)
     : model_(readModel(settings, camera)),
       T_robot_sensor_{settings.number(kSection, "sensor_x_m"), settings.number(kSection, "sensor_y_m"), 0},
       label_(settings.text(kSection, "sensor_label"))

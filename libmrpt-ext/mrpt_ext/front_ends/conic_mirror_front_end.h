@@ -1,16 +1,17 @@
 #pragma once
 
+#include "mrpt_ext/front_ends/camera_file.h"
 #include "mrpt_ext/front_ends/vision_front_end.h"
 #include "mrpt_ext/vision/conic_mirror.h"
 
 namespace mrpt_ext
 {
-/// Vertical edges of the conic mirror as bearings without names (paper 000).
+/// Vertical edges of the conic mirror as anonymous bearings (paper 000).
 class ConicMirrorFrontEnd : public VisionFrontEnd
 {
  public:
-  /// Image size and mounting yaw: of the .ini, else of camera.json, else any and 0.
-  ConicMirrorFrontEnd(const Settings& settings, const nlohmann::json& camera);
+  /// Image size and mounting yaw: from the .ini, else from camera.json, else any and 0.
+  ConicMirrorFrontEnd(const Settings& settings, const CameraFile& camera);
 
   [[nodiscard]] FrameMeasurements measure(const ImageFrame& frame, bool with_drawings) const override;
 
@@ -19,6 +20,4 @@ class ConicMirrorFrontEnd : public VisionFrontEnd
   Pose2 T_robot_sensor_;
   std::string label_;
 };
-
-[[nodiscard]] KeyTable conicMirrorKeys();
 }  // namespace mrpt_ext

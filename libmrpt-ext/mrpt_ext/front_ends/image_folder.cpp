@@ -2,7 +2,6 @@
 #include <cmath>
 #include <fstream>
 
-#include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/files/text_table.h"
 #include "mrpt_ext/front_ends/image_file.h"
 #include "mrpt_ext/front_ends/image_frame.h"
@@ -47,11 +46,11 @@ class ImageNames
   {
     if (!point_) return;
     for (const auto& entry : fs::directory_iterator(folder))
-      if (const std::string kind = entry.path().extension().string(); kind == ".jpg" || kind == ".png")
+      if (const std::string type = entry.path().extension().string(); type == ".jpg" || type == ".png")
         files_.push_back(entry.path().filename().string());
     std::sort(files_.begin(), files_.end());
   }
-  /// A camera that took no image at all is not mounted, where cameras are told by their files alone.
+  /// Where cameras are known by their files alone, one without any image is not mounted.
   [[nodiscard]] bool has(const std::string& role) const
   {
     if (table_.findColumn(role) || !point_) return true;
@@ -74,22 +73,6 @@ class ImageNames
   std::optional<std::size_t> point_;
   std::vector<std::string> files_;
 };
-
-nlohmann::json readCamera(const fs::path& file)
-{
-  if (!fs::exists(file)) return nullptr;
-  const auto content = nlohmann::json::parse(readTextFile(file), nullptr, false);
-  const auto objectNamed = [&](const char* name)
-  { return content.is_object() && content.contains(name) && content[name].is_object(); };
-  for (const char* const name : {"camera", "stereo"})
-  {
-    if (!objectNamed(name)) continue;
-    nlohmann::json camera = content[name];
-    if (objectNamed("field")) camera["field"] = content["field"];
-    return camera;
-  }
-  throw dataError(file.string() + ": damaged, expected JSON with an object \"camera\" or \"stereo\"");
-}
 
 LandmarkTable readMap(const fs::path& file)
 {
@@ -116,13 +99,13 @@ class ImageFolder : public ImageSequence
         names_(folder, table_),
         odometry_(table_, "odometry_", heading_offset)
   {
-    camera = readCamera(folder / "camera.json");
+    camera = CameraFile::read(folder / "camera.json");
     map = readMap(folder / "map.csv");
     for (const std::string& role : roles)
     {
       if (!names_.has(role)) continue;
       roles_.push_back(role);
-      if (table_.size() > 0) static_cast<void>(names_.at(0, role));  // tells a missing column
+      if (table_.size() > 0) static_cast<void>(names_.at(0, role));  // reports a missing column
     }
     const PoseColumns poses(table_, "", heading_offset);
     for (std::size_t row = 0; row < table_.size(); ++row)
@@ -135,12 +118,12 @@ class ImageFolder : public ImageSequence
   std::optional<ImageRecord> next() override
   {
     if (row_ == table_.size()) return std::nullopt;
-    if (const auto odometry = odometry_.at(row_); odometry && !odometry_told_)
+    if (const auto odometry = odometry_.at(row_); odometry && !odometry_done_)
     {
-      odometry_told_ = true;
+      odometry_done_ = true;
       return OdometryRecord{timeOf(row_), *odometry};
     }
-    odometry_told_ = false;
+    odometry_done_ = false;
     return frameAt(row_++);
   }
 
@@ -167,7 +150,7 @@ class ImageFolder : public ImageSequence
   std::vector<std::string> roles_;
   PoseColumns odometry_;
   std::size_t row_ = 0;
-  bool odometry_told_ = false;  ///< of this row
+  bool odometry_done_ = false;  ///< of this row
 };
 }  // namespace
 

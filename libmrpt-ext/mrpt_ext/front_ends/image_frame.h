@@ -2,13 +2,13 @@
 
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "mrpt_ext/front_ends/camera_file.h"
 #include "mrpt_ext/geometry/recording.h"
 
 namespace mrpt_ext
@@ -22,7 +22,7 @@ struct FrameImage
   Pose2 T_robot_camera;
 };
 
-/// Images taken at one moment.
+/// Images taken at one time.
 struct ImageFrame
 {
   int number = 0;
@@ -45,7 +45,7 @@ class ImageSequence
   /// Nothing at the end.
   [[nodiscard]] virtual std::optional<ImageRecord> next() = 0;
 
-  nlohmann::json camera;    ///< object `camera` or `stereo` of camera.json, its object `field` within; null without one
+  CameraFile camera;        ///< what comes with the images
   LandmarkTable map;        ///< empty when none comes with the images
   Trajectory truth;         ///< likewise
   std::size_t ignored = 0;  ///< records that are neither images nor odometry

@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 
 constexpr double kLeastHorizontal = 0.9;  ///< of the optical axis' vertical part
 
-/// Where the camera is and where its image's u axis points, seen from above. A camera that looks up has its axes as
-/// the robot has them when its pose says nothing.
+/// Position of the camera and direction of its image's u axis, seen from above. With the default pose a camera that
+/// looks up has the axes of the robot.
 Pose2 planarPose(const mrpt::poses::CPose3D& pose)
 {
   const auto rotation = pose.getRotationMatrix();
@@ -43,26 +43,26 @@ cv::Mat pixelsOf(const mrpt::img::CImage& image)
   }
 }
 
-/// What the log says about its stereo pair, under the names of camera.json; nothing about what was left at zero. The
-/// optical axis is the pose's z axis, as MRPT has it.
-nlohmann::json cameraOf(const mrpt::obs::CObservationStereoImages& stereo)
+/// What the log states about its stereo pair, under the names of camera.json; zero stands for unknown. The optical axis
+/// is the pose's z axis, as MRPT has it.
+CameraFile cameraOf(const mrpt::obs::CObservationStereoImages& stereo)
 {
-  nlohmann::json camera = nlohmann::json::object();
-  const auto tell = [&](const char* name, double value)
+  std::map<std::string, double> camera;
+  const auto state = [&](const char* name, double value)
   {
     if (value > 0) camera[name] = value;
   };
   const mrpt::img::TCamera& model = stereo.leftCamera;
-  tell("width", model.ncols), tell("height", model.nrows);
-  tell("fx", model.fx()), tell("fy", model.fy()), tell("cx", model.cx()), tell("cy", model.cy());
-  tell("baseline", std::abs(stereo.rightCameraPose.x()));
+  state("width", model.ncols), state("height", model.nrows);
+  state("fx", model.fx()), state("fy", model.fy()), state("cx", model.cx()), state("cy", model.cy());
+  state("baseline", std::abs(stereo.rightCameraPose.x()));
   const mrpt::poses::CPose3D pose(stereo.cameraPose);
   const auto rotation = pose.getRotationMatrix();
-  tell("height_m", pose.z());
-  if (std::abs(rotation(2, 2)) > kLeastHorizontal) return camera;  // looks up or down: nothing was said
+  state("height_m", pose.z());
+  if (std::abs(rotation(2, 2)) > kLeastHorizontal) return CameraFile(camera);  // looks up or down: the pose was not set
   camera["pitch_deg"] = radToDeg(std::asin(-rotation(2, 2)));
   camera["forward"] = pose.x(), camera["left"] = pose.y();
-  return camera;
+  return CameraFile(camera);
 }
 
 class ImageRawlog : public ImageSequence
@@ -71,7 +71,7 @@ class ImageRawlog : public ImageSequence
   ImageRawlog(const fs::path& rawlog, std::vector<std::string> roles) : reader_(rawlog), roles_(std::move(roles))
   {
     mrpt::img::CImage::setImagesPathBase(mrpt::obs::CRawlog::detectImagesDirectory(rawlog.string()));
-    // The first image tells the camera.
+    // The first image comes with the camera.
     while (frames_ == 0 && read())
     {
     }
@@ -121,13 +121,14 @@ class ImageRawlog : public ImageSequence
     }
     ImageFrame frame{frames_++, time, {}};
     const std::string name = observation.sensorLabel + "_" + std::to_string(frame.number);
-    // A camera that the sensor knows by name, or the only one.
-    const bool named = std::find(roles_.begin(), roles_.end(), observation.sensorLabel) != roles_.end();
-    const std::string role = named ? observation.sensorLabel : "image";
+    // One of the sensor's cameras by its label, or the only one.
+    const bool labelled = std::find(roles_.begin(), roles_.end(), observation.sensorLabel) != roles_.end();
+    const std::string role = labelled ? observation.sensorLabel : "image";
     if (image) frame.images = {{role, name, pixelsOf(image->image), planarPose(image->cameraPose)}};
     if (stereo)
     {
-      if (camera.is_null()) camera = cameraOf(*stereo);
+      if (!has_camera_) camera = cameraOf(*stereo);
+      has_camera_ = true;
       frame.images = {{"left", name + "_left", pixelsOf(stereo->imageLeft), {}}};
       if (stereo->hasImageRight) frame.images.push_back({"right", name + "_right", pixelsOf(stereo->imageRight), {}});
     }
@@ -138,6 +139,7 @@ class ImageRawlog : public ImageSequence
   std::vector<std::string> roles_;
   std::deque<ImageRecord> waiting_;
   int frames_ = 0;
+  bool has_camera_ = false;  // of the first stereo pair
 };
 }  // namespace
 

@@ -1,9 +1,5 @@
 #include "mrpt_ext/front_ends/images_keys.h"
 
-#include "mrpt_ext/front_ends/conic_mirror_front_end.h"
-#include "mrpt_ext/front_ends/movis_front_end.h"
-#include "mrpt_ext/front_ends/stereo_goal_front_end.h"
-
 namespace mrpt_ext
 {
 KeyTable imagesKeys()

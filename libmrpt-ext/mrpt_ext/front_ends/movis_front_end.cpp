@@ -28,16 +28,16 @@ std::vector<int> wholeNumbers(const Settings& settings, const char* key)
 }
 
 /// "M1: turned by 0.412 deg, standard deviation 0.020 deg".
-std::string yawText(const std::string& label, const CameraYaw& yaw, double deviation)
+std::string yawText(const std::string& label, const CameraYaw& yaw, double std)
 {
   char text[120];
   std::snprintf(text, sizeof text, "%s: turned by %.3f deg, standard deviation %.3f deg", label.c_str(),
-                radToDeg(-yaw.offset), radToDeg(deviation));
+                radToDeg(-yaw.offset), radToDeg(std));
   return text;
 }
 }  // namespace
 
-MovisFrontEnd::MovisFrontEnd(const Settings& settings, const nlohmann::json& camera)
+MovisFrontEnd::MovisFrontEnd(const Settings& settings, const CameraFile& camera)
     : pole_ids_(wholeNumbers(settings, "pole_ids")), calibration_frames_(wholeNumbers(settings, "calibration_frame"))
 {
   if (pole_ids_.size() != 2 || pole_ids_[0] == pole_ids_[1] || std::min(pole_ids_[0], pole_ids_[1]) < 0)
@@ -47,10 +47,10 @@ MovisFrontEnd::MovisFrontEnd(const Settings& settings, const nlohmann::json& cam
   pole_height_ = movis.cameras[0].sizes.pole_height;
   for (std::size_t i = 0; i < movis.cameras.size(); ++i)
   {
-    const auto place = movisCamera(static_cast<int>(i) + 1, movis.mount_radius);
-    const double u_axis = forwardBearingFromSlant(place->slantFromTheta(0));
+    const auto mount = movisCamera(static_cast<int>(i) + 1, movis.mount_radius);
+    const double u_axis = forwardBearingFromSlant(mount->slantFromTheta(0));
     cameras_.push_back(
-        {kLabels[i], robotFromMovis(place->position), wrap(u_axis + movis.mount_yaw[i]), OmniCamera(movis.cameras[i])});
+        {kLabels[i], robotFromMovis(mount->position), wrap(u_axis + movis.mount_yaw[i]), OmniCamera(movis.cameras[i])});
   }
 }
 
@@ -122,22 +122,22 @@ std::vector<std::string> MovisFrontEnd::calibrate(const std::vector<FrameAtPose>
   std::vector<std::string> lines;
   for (Mounted& mounted : cameras_)
   {
-    std::vector<CalibrationSighting> sightings;
+    std::vector<CalibrationSighting> detections;
     double variances = 0;
     for (const auto& [frame, robot] : frames)
       if (const FrameImage* const image = frame.find(mounted.label))
         for (const OmniObject& object : mounted.camera.view(image->pixels).objects)
           if (const auto pole = poles.indexOf(idOf(object.label)))
           {
-            sightings.push_back({robot, poles[*pole].position.head<2>(), bearingOf(mounted, object)});
+            detections.push_back({robot, poles[*pole].position.head<2>(), bearingOf(mounted, object)});
             variances += square(object.std_azimuth);
           }
-    const CameraYaw yaw = calibrateCameraYaw(sightings, {mounted.position.x(), mounted.position.y(), 0});
+    const CameraYaw yaw = calibrateCameraYaw(detections, {mounted.position.x(), mounted.position.y(), 0});
     if (yaw.status != SolveStatus::ok) continue;
     mounted.yaw = wrap(mounted.yaw - yaw.offset);
-    // Two sightings may agree by chance: their scatter alone does not tell how sure the mean is.
-    const double by_sightings = std::sqrt(variances) / static_cast<double>(sightings.size());
-    lines.push_back(yawText(mounted.label, yaw, std::hypot(yaw.std_offset, by_sightings)));
+    // Two detections may agree by chance: their scatter alone underestimates the error of the mean.
+    const double by_detections = std::sqrt(variances) / static_cast<double>(detections.size());
+    lines.push_back(yawText(mounted.label, yaw, std::hypot(yaw.std_offset, by_detections)));
   }
   return lines;
 }

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "mrpt_ext/front_ends/camera_file.h"
 #include "mrpt_ext/front_ends/vision_front_end.h"
 #include "mrpt_ext/solvers/two_pole_pose.h"
 #include "mrpt_ext/vision/omni_objects.h"
@@ -13,12 +14,12 @@ class MovisFrontEnd : public VisionFrontEnd
 {
  public:
   /// Sizes of cameras, mirrors and field: of the .ini, else of camera.json.
-  MovisFrontEnd(const Settings& settings, const nlohmann::json& camera);
+  MovisFrontEnd(const Settings& settings, const CameraFile& camera);
 
   [[nodiscard]] FrameMeasurements measure(const ImageFrame& frame, bool with_drawings) const override;
   [[nodiscard]] LandmarkTable landmarks() const override;
   [[nodiscard]] std::vector<int> calibrationFrames() const override { return calibration_frames_; }
-  /// Measures how far each camera is turned against its place in the triangle, and takes that off from then on.
+  /// Estimates the rotation of each camera against its position in the triangle, and corrects for it from then on.
   std::vector<std::string> calibrate(const std::vector<FrameAtPose>& frames) override;
 
  private:
@@ -39,6 +40,4 @@ class MovisFrontEnd : public VisionFrontEnd
   double pole_height_ = 0;
   std::vector<int> pole_ids_, calibration_frames_;
 };
-
-[[nodiscard]] KeyTable movisKeys();
 }  // namespace mrpt_ext

@@ -1,4 +1,4 @@
-#include "mrpt_ext/front_ends/movis_front_end.h"
+#include "mrpt_ext/front_ends/images_keys.h"
 
 namespace mrpt_ext
 {

@@ -9,72 +9,28 @@ namespace mrpt_ext
 namespace
 {
 constexpr const char* kSection = "Movis";
-constexpr double kHolderShare = 1.1;  ///< radius of a mirror's holder over that of its rim, when nothing tells it
-
-/// Numbers of camera.json, by the name they have there.
-class CameraFile
-{
- public:
-  explicit CameraFile(const nlohmann::json& camera) : camera_(camera) {}
-
-  [[nodiscard]] std::optional<double> number(const char* name, bool of_field) const
-  {
-    const nlohmann::json* const object = find(of_field ? "field" : nullptr);
-    if (!object || !object->contains(name)) return std::nullopt;
-    if (!(*object)[name].is_number()) throw dataError(std::string("camera.json: ") + name + " is no number");
-    return (*object)[name].get<double>();
-  }
-  /// cx cy of camera 1, 2, 3.
-  [[nodiscard]] std::optional<std::vector<double>> centres() const
-  {
-    if (!camera_.is_object() || !camera_.contains("centers")) return std::nullopt;
-    std::vector<double> all;
-    for (const auto& centre : camera_["centers"])
-    {
-      if (!centre.is_array() || centre.size() != 2 || !centre[0].is_number() || !centre[1].is_number())
-        throw dataError("camera.json: centers: expected [cx, cy] of three cameras");
-      all.push_back(centre[0].get<double>());
-      all.push_back(centre[1].get<double>());
-    }
-    return all;
-  }
-
- private:
-  [[nodiscard]] const nlohmann::json* find(const char* name) const
-  {
-    if (!camera_.is_object()) return nullptr;
-    if (!name) return &camera_;
-    return camera_.contains(name) && camera_[name].is_object() ? &camera_[name] : nullptr;
-  }
-  const nlohmann::json& camera_;
-};
+constexpr double kHolderShare = 1.1;  ///< radius of a mirror's holder over that of its rim, when it is not configured
 
 class Reader
 {
  public:
-  Reader(const Settings& settings, const nlohmann::json& camera) : settings_(settings), file_(camera) {}
+  Reader(const Settings& settings, const CameraFile& camera)
+      : settings_(settings), file_(camera), of_camera_(settings, kSection, camera)
+  {
+  }
 
   [[nodiscard]] double number(const char* key) const { return settings_.number(kSection, key); }
   [[nodiscard]] int whole(const char* key) const { return static_cast<int>(settings_.integer(kSection, key)); }
-  /// Of the .ini, else of camera.json, else an error about the key.
-  [[nodiscard]] double size(const char* key, const char* name, bool of_field = false) const
-  {
-    if (const auto value = settings_.optionalNumber(kSection, key)) return *value;
-    const auto value = file_.number(name, of_field);
-    if (!value) throw missing(key, name);
-    if (!(*value > 0)) throw dataError(std::string("camera.json: ") + name + " is not above zero");
-    return *value;
-  }
+  [[nodiscard]] const CameraNumbers& ofCamera() const { return of_camera_; }
   [[nodiscard]] int pixels(const char* key, const char* name) const
   {
-    if (const auto value = settings_.optionalNumber(kSection, key)) return static_cast<int>(*value);
-    return static_cast<int>(file_.number(name, false).value_or(0));
+    return static_cast<int>(of_camera_.optional(key, name).value_or(0));
   }
   [[nodiscard]] std::vector<double> centres() const
   {
     const bool own = settings_.hasValue(kSection, "centres");
     const auto all = own ? settings_.numbers(kSection, "centres") : file_.centres();
-    if (!all) throw missing("centres", "centers");
+    if (!all) throw of_camera_.missing("centres", "centers");
     if (all->size() == 6) return *all;
     if (own) throw settings_.errorAt(kSection, "centres", "expected cx cy of M1, M2 and M3");
     throw dataError("camera.json: centers: expected [cx, cy] of three cameras");
@@ -94,13 +50,9 @@ class Reader
   [[nodiscard]] bool has(const char* key) const { return settings_.hasValue(kSection, key); }
 
  private:
-  [[nodiscard]] static InputError missing(const char* key, const char* name)
-  {
-    return configurationError(std::string("[Movis] ") + key + " is missing, expected it here or as " + name +
-                              " in camera.json");
-  }
   const Settings& settings_;
-  CameraFile file_;
+  const CameraFile& file_;
+  CameraNumbers of_camera_;
 };
 
 ColourModel readColours(const Reader& read)
@@ -128,14 +80,15 @@ OmniCameraSettings readCamera(const Reader& read)
 {
   OmniCameraSettings camera;
   camera.image_size = {read.pixels("image_width", "width"), read.pixels("image_height", "height")};
-  camera.mirror.a = read.size("mirror_a_m", "a");
-  camera.mirror.b = read.size("mirror_b_m", "b");
-  camera.mirror.rim_radius = read.size("mirror_rim_radius_m", "rim_radius");
-  camera.mirror.focus_height = read.size("mirror_focus_height_m", "focus_height");
-  camera.mirror.fx = read.size("focal_length_x_px", "fx");
-  camera.mirror.fy = read.size("focal_length_y_px", "fy");
-  camera.sizes = {read.size("pole_radius_m", "pole_radius", true), read.size("pole_height_m", "pole_height", true),
-                  read.size("ball_radius_m", "ball_radius", true)};
+  camera.mirror.a = read.ofCamera().size("mirror_a_m", "a");
+  camera.mirror.b = read.ofCamera().size("mirror_b_m", "b");
+  camera.mirror.rim_radius = read.ofCamera().size("mirror_rim_radius_m", "rim_radius");
+  camera.mirror.focus_height = read.ofCamera().size("mirror_focus_height_m", "focus_height");
+  camera.mirror.fx = read.ofCamera().size("focal_length_x_px", "fx");
+  camera.mirror.fy = read.ofCamera().size("focal_length_y_px", "fy");
+  camera.sizes = {read.ofCamera().fieldSize("pole_radius_m", "pole_radius"),
+                  read.ofCamera().fieldSize("pole_height_m", "pole_height"),
+                  read.ofCamera().fieldSize("ball_radius_m", "ball_radius")};
   camera.colours = readColours(read);
   camera.search = {read.number("min_distance_m"), read.number("max_distance_m"), read.number("band_share"),
                    read.number("width_tolerance"), read.number("ball_area")};
@@ -156,11 +109,11 @@ std::vector<BlockedSector> neighbours(double holder_radius, double mount_radius)
 }
 }  // namespace
 
-MovisSettings movisSettings(const Settings& settings, const nlohmann::json& camera)
+MovisSettings movisSettings(const Settings& settings, const CameraFile& camera)
 {
   const Reader read(settings, camera);
   MovisSettings result;
-  result.mount_radius = read.size("mount_radius_m", "L");
+  result.mount_radius = read.ofCamera().size("mount_radius_m", "L");
   const auto yaw = read.several("mount_yaw_deg", 3, "the angles of M1, M2 and M3");
   const auto centres = read.centres();
   OmniCameraSettings common = readCamera(read);
@@ -173,7 +126,8 @@ MovisSettings movisSettings(const Settings& settings, const nlohmann::json& came
     result.cameras[i] = common;
     result.cameras[i].mirror.centre = {centres[2 * i], centres[2 * i + 1]};
   }
-  result.field = {read.size("field_half_width_m", "Fw", true), read.size("field_depth_m", "Fd", true)};
+  result.field = {read.ofCamera().fieldSize("field_half_width_m", "Fw"),
+                  read.ofCamera().fieldSize("field_depth_m", "Fd")};
   return result;
 }
 }  // namespace mrpt_ext

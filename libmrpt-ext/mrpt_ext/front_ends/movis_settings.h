@@ -1,15 +1,14 @@
 #pragma once
 
 #include <array>
-#include <nlohmann/json.hpp>
 
-#include "mrpt_ext/settings/settings.h"
+#include "mrpt_ext/front_ends/camera_file.h"
 #include "mrpt_ext/solvers/two_pole_pose.h"
 #include "mrpt_ext/vision/omni_objects.h"
 
 namespace mrpt_ext
 {
-/// The three cameras and the field, as the .ini and camera.json tell them.
+/// The three cameras and the field, from the .ini and camera.json.
 struct MovisSettings
 {
   double mount_radius = 0;            ///< L [m] of paper 001, from the robot's middle to each mirror
@@ -18,6 +17,6 @@ struct MovisSettings
   PoleField field;
 };
 
-/// The .ini wins over camera.json. Throws InputError naming what neither tells.
-[[nodiscard]] MovisSettings movisSettings(const Settings& settings, const nlohmann::json& camera);
+/// The .ini wins over camera.json. Throws InputError naming what neither has.
+[[nodiscard]] MovisSettings movisSettings(const Settings& settings, const CameraFile& camera);
 }  // namespace mrpt_ext

@@ -10,36 +10,10 @@ namespace
 {
 constexpr const char* kSection = "StereoGoal";
 
-/// A number of the .ini or of camera.json; the .ini wins.
-class CameraNumbers
+StereoCamera readCameraModel(const Settings& settings, const CameraFile& camera)
 {
- public:
-  CameraNumbers(const Settings& settings, const nlohmann::json& camera) : settings_(settings), camera_(camera) {}
-
-  [[nodiscard]] std::optional<double> optional(const char* key, const char* name) const
-  {
-    if (const auto number = settings_.optionalNumber(kSection, key)) return number;
-    if (!camera_.is_object() || !camera_.contains(name)) return std::nullopt;
-    if (!camera_[name].is_number()) throw dataError(std::string("camera.json: ") + name + " is no number");
-    return camera_[name].get<double>();
-  }
-  [[nodiscard]] double operator()(const char* key, const char* name) const
-  {
-    const auto number = optional(key, name);
-    if (!number)
-      throw configurationError(settings_.file().string() + ": [StereoGoal] " + key +
-                               " is missing, and the images' camera has no \"" + name + "\"");
-    return *number;
-  }
-
- private:
-  const Settings& settings_;
-  const nlohmann::json& camera_;
-};
-
-StereoCamera readCameraModel(const Settings& settings, const nlohmann::json& camera)
-{
-  const CameraNumbers number(settings, camera);
+  const CameraNumbers numbers(settings, kSection, camera);
+  const auto number = [&](const char* key, const char* name) { return numbers.required(key, name); };
   StereoCamera model;
   model.size = {static_cast<int>(number("image_width", "width")), static_cast<int>(number("image_height", "height"))};
   model.fx = number("focal_u_px", "fx"), model.fy = number("focal_v_px", "fy");
@@ -60,7 +34,7 @@ GoalColour readColour(const Settings& settings, const std::string& name)
   return GoalColour({share("blue"), share("green"), share("red")});
 }
 
-StereoGoalSettings readModel(const Settings& settings, const nlohmann::json& camera)
+StereoGoalSettings readModel(const Settings& settings, const CameraFile& camera)
 {
   const auto number = [&](const char* key) { return settings.number(kSection, key); };
   StereoGoalSettings model;
@@ -102,11 +76,13 @@ Detection detectionOf(const StereoMeasurement& measured)
 }
 }  // namespace
 
-StereoGoalFrontEnd::StereoGoalFrontEnd(const Settings& settings, const nlohmann::json& camera)
+StereoGoalFrontEnd::StereoGoalFrontEnd(const Settings& settings, const CameraFile& camera)
     : model_(readModel(settings, camera)),
-      T_robot_sensor_{
-          CameraNumbers(settings, camera)("sensor_x_m", "forward"),
-          CameraNumbers(settings, camera).optional("sensor_y_m", "left").value_or(0.5 * model_.camera.baseline), 0},
+      T_robot_sensor_{CameraNumbers(settings, kSection, camera).required("sensor_x_m", "forward"),
+                      CameraNumbers(settings, kSection, camera)
+                          .optional("sensor_y_m", "left")
+                          .value_or(0.5 * model_.camera.baseline),
+                      0},
       label_(settings.text(kSection, "sensor_label")),
       line_label_(settings.text(kSection, "line_label"))
 {

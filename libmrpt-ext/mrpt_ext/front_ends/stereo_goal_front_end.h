@@ -1,16 +1,17 @@
 #pragma once
 
+#include "mrpt_ext/front_ends/camera_file.h"
 #include "mrpt_ext/front_ends/vision_front_end.h"
 #include "mrpt_ext/vision/stereo_goal.h"
 
 namespace mrpt_ext
 {
-/// Goal corners with names and line landmarks with kinds, as ranges and bearings (paper 004).
+/// Identified goal corners and line landmarks with categories, as ranges and bearings (paper 004).
 class StereoGoalFrontEnd : public VisionFrontEnd
 {
  public:
   /// The camera's model: of the .ini, else of camera.json. Throws InputError when neither has it.
-  StereoGoalFrontEnd(const Settings& settings, const nlohmann::json& camera);
+  StereoGoalFrontEnd(const Settings& settings, const CameraFile& camera);
 
   [[nodiscard]] FrameMeasurements measure(const ImageFrame& frame, bool with_drawings) const override;
 
@@ -27,6 +28,4 @@ class StereoGoalFrontEnd : public VisionFrontEnd
   std::string label_, line_label_;
   std::array<CornerName, 4> names_;  ///< of both corners of the yellow and of the blue goal, left one first
 };
-
-[[nodiscard]] KeyTable stereoGoalKeys();
 }  // namespace mrpt_ext

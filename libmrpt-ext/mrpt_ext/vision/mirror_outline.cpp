@@ -2,27 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "mrpt_ext/geometry/angle.h"
+#include "mrpt_ext/geometry/random.h"
 #include "mrpt_ext/vision/mirror_votes.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr std::size_t kTriedPlaces = 12;  ///< of the coarse search
-constexpr double kSureShare = 0.7;        ///< of the rim: no other place can have as much
+constexpr std::size_t kTriedCandidates = 12;  ///< of the coarse search
+constexpr double kDominantShare = 0.7;        ///< of the rim: no other candidate can have as much
 constexpr int kCoarseRays = 128, kFineRays = 512;
 constexpr double kCoarseWindow = 0.12;  ///< half width of the search across the rim, share of its radius
 constexpr double kFineWindow = 0.02;
 constexpr int kStepsPerRay = 2;           ///< strongest steps of brightness that are kept
-constexpr int kFours = 240;               ///< ellipses proposed by four points each
+constexpr int kSamples = 240;             ///< ellipses proposed by four steps each
+constexpr std::uint64_t kSampleSeed = 1;  ///< fixed: an image always gives the same outline
 constexpr double kCoarseTolerance = 2.0;  ///< [px]
 constexpr double kFineTolerance = 1.0;    ///< [px]
 constexpr int kHalfStep = 2;              ///< [px] brightness is compared this far before and behind
 
-constexpr int kNoiseGrid = 13;  ///< [px] spacing of the places where the noise is estimated
+constexpr int kNoiseGrid = 13;  ///< [px] spacing of the pixels at which the noise is estimated
 constexpr double kStepSignificance = 3.5;
 constexpr double kMedianOfNormal = 0.6745;
 
@@ -95,10 +96,10 @@ std::vector<RimStep> stepsAcross(const cv::Mat& grey, const AxisEllipse& rim, in
 }
 
 /// Distance to an ellipse without roots: good enough beside the rim of a nearly round mirror.
-class QuickDistance
+class AlgebraicDistance
 {
  public:
-  explicit QuickDistance(const AxisEllipse& e)
+  explicit AlgebraicDistance(const AxisEllipse& e)
       : centre_(e.centre),
         per_u_(1 / square(e.semi_u)),
         per_v_(1 / square(e.semi_v)),
@@ -119,7 +120,7 @@ class QuickDistance
 std::vector<cv::Point2d> supportOf(const AxisEllipse& ellipse, const std::vector<RimStep>& steps, double tolerance)
 {
   std::vector<cv::Point2d> support;
-  const QuickDistance distance_of(ellipse);
+  const AlgebraicDistance distance_of(ellipse);
   int ray = -1;
   double nearest = tolerance;
   for (const RimStep& step : steps)
@@ -145,18 +146,17 @@ bool isAllowed(const AxisEllipse& e, const cv::Mat& grey, const OutlineSettings&
 }
 
 /// The ellipse with most support among those through four steps.
-std::optional<AxisEllipse> bestOfFours(const cv::Mat& grey, const std::vector<RimStep>& steps,
-                                       const OutlineSettings& settings)
+std::optional<AxisEllipse> bestSample(const cv::Mat& grey, const std::vector<RimStep>& steps,
+                                      const OutlineSettings& settings)
 {
   if (steps.size() < 8) return std::nullopt;
-  std::minstd_rand random(1);
-  std::uniform_int_distribution<std::size_t> any(0, steps.size() - 1);
+  RandomStream random(kSampleSeed);
   std::optional<AxisEllipse> best;
   std::size_t most = 0;
   std::vector<cv::Point2d> four(4);
-  for (int trial = 0; trial < kFours; ++trial)
+  for (int trial = 0; trial < kSamples; ++trial)
   {
-    for (cv::Point2d& p : four) p = steps[any(random)].point;
+    for (cv::Point2d& p : four) p = steps[random.below(steps.size())].point;
     const auto ellipse = ellipseThrough(four);
     if (!ellipse || !isAllowed(*ellipse, grey, settings)) continue;
     const std::size_t support = supportOf(*ellipse, steps, kCoarseTolerance).size();
@@ -211,17 +211,17 @@ std::optional<MirrorOutline> findMirrorOutline(const cv::Mat& grey, const Outlin
 {
   const double least_step = leastStep(grey, settings);
   std::optional<MirrorOutline> best;
-  std::vector<AxisEllipse> places = voteForMirrors(grey, settings);
-  if (places.size() > kTriedPlaces) places.resize(kTriedPlaces);
-  for (const AxisEllipse& place : places)
+  std::vector<AxisEllipse> candidates = voteForMirrors(grey, settings);
+  if (candidates.size() > kTriedCandidates) candidates.resize(kTriedCandidates);
+  for (const AxisEllipse& candidate : candidates)
   {
-    const auto steps = stepsAcross(grey, place, kCoarseRays, kCoarseWindow, least_step);
-    const auto coarse = bestOfFours(grey, steps, settings);
+    const auto steps = stepsAcross(grey, candidate, kCoarseRays, kCoarseWindow, least_step);
+    const auto coarse = bestSample(grey, steps, settings);
     if (!coarse) continue;
     auto outline = refine(grey, *coarse, least_step, settings);
-    const bool is_sure = outline && outline->visible_share > kSureShare;
+    const bool is_dominant = outline && outline->visible_share > kDominantShare;
     if (outline && (!best || outline->visible_share > best->visible_share)) best = std::move(outline);
-    if (is_sure) break;
+    if (is_dominant) break;
   }
   if (best && best->visible_share < settings.min_visible_share) return std::nullopt;
   return best;

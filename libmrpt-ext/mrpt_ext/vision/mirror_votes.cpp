@@ -14,7 +14,7 @@ constexpr double kAspectStep = 0.15;      ///< between the aspect ratios that ar
 constexpr float kRadialStride = 1.5F;     ///< [px] between the votes of one pixel
 constexpr std::size_t kCentres = 2;       ///< per aspect ratio
 constexpr int kRadiiPerCentre = 2;
-constexpr double kPointsAtCentre = 0.95;  ///< cosine between a rim's gradient and the way to the centre
+constexpr double kPointsAtCentre = 0.95;  ///< cosine between a rim's gradient and the direction to the centre
 
 /// A pixel with a strong gradient; in stretched coordinates the rim is a circle.
 struct EdgePixel

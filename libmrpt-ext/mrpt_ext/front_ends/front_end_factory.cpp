@@ -1,4 +1,4 @@
-#include "mrpt_ext/front_ends/vision_front_end.h"
+#include "mrpt_ext/front_ends/front_end_factory.h"
 
 #include <stdexcept>
 
@@ -22,7 +22,7 @@ double headingOffset(const Settings& settings)
   return settings.choice("Images", "sensor") == "movis" ? headingFromSlope(0) : 0;
 }
 
-std::unique_ptr<VisionFrontEnd> makeFrontEnd(const Settings& settings, const nlohmann::json& camera)
+std::unique_ptr<VisionFrontEnd> makeFrontEnd(const Settings& settings, const CameraFile& camera)
 {
   const std::string sensor = settings.choice("Images", "sensor");
   if (sensor == "conic_mirror") return std::make_unique<ConicMirrorFrontEnd>(settings, camera);
