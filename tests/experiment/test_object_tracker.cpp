@@ -37,12 +37,12 @@ std::vector<ObjectRow> placed(const std::vector<Frame>& sightings, const PoseEst
   ObjectTracker tracker(odometry);
   tracker.add(sightings);
   DiskBackedSequence<ObjectRow> rows;
-  tracker.place(robot, rows);
+  tracker.locate(robot, rows);
   return {rows.begin(), rows.end()};
 }
 }  // namespace
 
-TEST(ObjectTracker, RangeAndBearingPlaceTheBall)
+TEST(ObjectTracker, RangeAndBearingLocateTheBall)
 {
   const Pose2 mount{0.3, -0.2, 0.8};
   const auto rows = placed({frameAt(2, {ballSeenBy(kRobot, mount, true, "eye")})}, pointAt(2, kRobot));
@@ -55,7 +55,7 @@ TEST(ObjectTracker, RangeAndBearingPlaceTheBall)
   EXPECT_GT(rows[0].covariance(1, 1), 0.01);
 }
 
-TEST(ObjectTracker, TwoBearingsFromTwoPlacesAreTriangulated)
+TEST(ObjectTracker, TwoBearingsFromTwoSensorsAreTriangulated)
 {
   const auto rows = placed({frameAt(2, {ballSeenBy(kRobot, {0, 0.3, 0.2}, false, "left"),
                                         ballSeenBy(kRobot, {0, -0.3, -0.2}, false, "right")})},
@@ -64,7 +64,7 @@ TEST(ObjectTracker, TwoBearingsFromTwoPlacesAreTriangulated)
   EXPECT_LT((rows[0].position - kBall).norm(), 1e-9);
 }
 
-TEST(ObjectTracker, OneBearingIsNoPlace)
+TEST(ObjectTracker, OneBearingGivesNoPosition)
 {
   EXPECT_TRUE(placed({frameAt(2, {ballSeenBy(kRobot, {}, false, "eye")})}, pointAt(2, kRobot)).empty());
   EXPECT_TRUE(
@@ -86,7 +86,7 @@ TEST(ObjectTracker, CategoriesAreNotMixed)
   EXPECT_EQ(rows[1].label, "cup");
 }
 
-TEST(ObjectTracker, SightingsBetweenFramesArePlacedFromWhereTheRobotWas)
+TEST(ObjectTracker, DetectionsBetweenFramesAreLocatedFromThePoseAtTheirTime)
 {
   const Pose2 now = compose(kRobot, {1, 0, 0.5});
   const OdometryPath odometry({{1, {0, 0, 0}}, {2, {1, 0, 0.5}}}, {});
@@ -96,7 +96,7 @@ TEST(ObjectTracker, SightingsBetweenFramesArePlacedFromWhereTheRobotWas)
   EXPECT_LT((rows[0].position - kBall).norm(), 1e-9);
 }
 
-TEST(ObjectTracker, EverySightingIsPlacedOnceInItsTurn)
+TEST(ObjectTracker, EveryDetectionIsLocatedOnceInOrder)
 {
   const std::vector<Frame> sightings{frameAt(1, {ballSeenBy(kRobot, {}, true, "eye")}),
                                      frameAt(2, {ballSeenBy(kRobot, {}, true, "eye")}),
@@ -105,13 +105,13 @@ TEST(ObjectTracker, EverySightingIsPlacedOnceInItsTurn)
   ObjectTracker tracker(odometry);
   tracker.add(sightings);
   DiskBackedSequence<ObjectRow> rows;
-  tracker.place(pointAt(0.5, kRobot), rows);
+  tracker.locate(pointAt(0.5, kRobot), rows);
   EXPECT_EQ(rows.size(), 0u);
-  tracker.place(pointAt(2, kRobot), rows);
+  tracker.locate(pointAt(2, kRobot), rows);
   EXPECT_EQ(rows.size(), 2u);
-  tracker.place(pointAt(3, kRobot), rows);
+  tracker.locate(pointAt(3, kRobot), rows);
   EXPECT_EQ(rows.size(), 2u);
-  tracker.place(pointAt(9, kRobot), rows);
+  tracker.locate(pointAt(9, kRobot), rows);
   EXPECT_EQ(rows.size(), 3u);
 }
 }  // namespace mrpt_ext

@@ -1,4 +1,4 @@
-#include "mrpt_ext/experiment/oracle_tracks.h"
+#include "mrpt_ext/experiment/oracle_trajectories.h"
 
 #include <gtest/gtest.h>
 
@@ -16,9 +16,9 @@ MethodTrajectory methodAfter(std::size_t frames) { return {.name = "tree", .fram
 Estimate estimateOf(HypothesisSet candidates) { return {.candidates = std::move(candidates)}; }
 }  // namespace
 
-TEST(OracleTracks, KeepsTheCandidateNearestTheTruth)
+TEST(OracleTrajectories, KeepsTheCandidateNearestTheTruth)
 {
-  OracleTracks oracles(kTruth);
+  OracleTrajectories oracles(kTruth);
   oracles.add(methodAfter(1), estimateOf({at(5, 5, 0.7), at(0.3, 0.1, 0.2), at(9, 9, 0.1)}), 0.25);
   const std::vector<MethodTrajectory> tracks = oracles.take();
   ASSERT_EQ(tracks.size(), 1u);
@@ -32,12 +32,12 @@ TEST(OracleTracks, KeepsTheCandidateNearestTheTruth)
   EXPECT_EQ(tracks[0].points.front().best_weight, 0.2);
 }
 
-TEST(OracleTracks, MethodsThatNeverHadAChoiceHaveNoOracle)
+TEST(OracleTrajectories, MethodsWithSingleCandidatesHaveNoOracle)
 {
-  OracleTracks oracles(kTruth);
+  OracleTrajectories oracles(kTruth);
   oracles.add(methodAfter(1), estimateOf({at(0, 0, 1)}), 0.25);
   EXPECT_TRUE(oracles.take().empty());
-  OracleTracks chosen_once(kTruth);
+  OracleTrajectories chosen_once(kTruth);
   chosen_once.add(methodAfter(1), estimateOf({at(0, 0, 1)}), 0.25);
   chosen_once.add(methodAfter(2), estimateOf({at(0, 0, 0.5), at(1, 0, 0.5)}), 0.5);
   const std::vector<MethodTrajectory> tracks = chosen_once.take();
@@ -45,22 +45,22 @@ TEST(OracleTracks, MethodsThatNeverHadAChoiceHaveNoOracle)
   EXPECT_EQ(tracks[0].points.size(), 2u);
 }
 
-TEST(OracleTracks, WithoutTruthThereIsNone)
+TEST(OracleTrajectories, WithoutTruthThereIsNone)
 {
   const Trajectory no_truth;
-  OracleTracks none(no_truth);
+  OracleTrajectories none(no_truth);
   none.add(methodAfter(1), estimateOf({at(0, 0, 0.5), at(1, 0, 0.5)}), 0.25);
   EXPECT_TRUE(none.take().empty());
-  OracleTracks gap(kTruth);
+  OracleTrajectories gap(kTruth);
   gap.add(methodAfter(1), estimateOf({at(0, 0, 0.5), at(1, 0, 0.5)}), 2);  // in a gap of two seconds
   const std::vector<MethodTrajectory> tracks = gap.take();
   ASSERT_EQ(tracks.size(), 1u);
   EXPECT_TRUE(tracks[0].points.empty());
 }
 
-TEST(OracleTracks, FramesWithoutCandidatesCountAsOffered)
+TEST(OracleTrajectories, FramesWithoutCandidatesCountAsOffered)
 {
-  OracleTracks oracles(kTruth);
+  OracleTrajectories oracles(kTruth);
   oracles.add(methodAfter(1), estimateOf({at(0, 0, 0.5), at(1, 0, 0.5)}), 0.25);
   oracles.add(methodAfter(2), estimateOf({}), 0.5);
   oracles.add(methodAfter(3), estimateOf({}), 0.75);
@@ -70,9 +70,9 @@ TEST(OracleTracks, FramesWithoutCandidatesCountAsOffered)
   EXPECT_EQ(tracks[0].frames_offered, 3u);
 }
 
-TEST(OracleTracks, TracksAreInOrderOfAppearance)
+TEST(OracleTrajectories, TrajectoriesAreInOrderOfAppearance)
 {
-  OracleTracks oracles(kTruth);
+  OracleTrajectories oracles(kTruth);
   for (const char* name : {"zebra", "ant", "zebra"})
     oracles.add({.name = name, .frames_offered = 1}, estimateOf({at(0, 0, 0.5), at(1, 0, 0.5)}), 0.25);
   const std::vector<MethodTrajectory> tracks = oracles.take();

@@ -49,7 +49,7 @@ TEST(RunVerdict, IsThatOfTheEndNotOfTheStart)
   EXPECT_EQ(verdict.reason, "as it ended");
 }
 
-TEST(RunVerdict, TheWorseOfTheLastStepAndTheUsualOneOfTheLastTenSeconds)
+TEST(RunVerdict, TheWorseOfTheLastStepAndTheMostFrequentOfTheLastTenSeconds)
 {
   std::vector<Verdict> verdicts(30, kOk);
   verdicts.back() = kLost;
@@ -61,7 +61,7 @@ TEST(RunVerdict, TheWorseOfTheLastStepAndTheUsualOneOfTheLastTenSeconds)
   EXPECT_EQ(lucky.reason, "mostly ambiguous over the last 10 s; at the end: as it ended");
 }
 
-TEST(RunVerdict, MentionsWhatHappenedBefore)
+TEST(RunVerdict, MentionsLostStepsBefore)
 {
   std::vector<Verdict> verdicts(40, kOk);
   verdicts[3] = verdicts[4] = kLost;
@@ -76,7 +76,7 @@ TEST(RunVerdict, AFilterWithoutFramesIsLost)
   EXPECT_EQ(verdictOfFilter({}, lastStep(kOk)).verdict, kLost);
 }
 
-TEST(RunVerdict, ClosedFormsAreJudgedByWhatTheBestOfThemAnswered)
+TEST(RunVerdict, ClosedFormsAreJudgedByTheirBestMethod)
 {
   EXPECT_EQ(verdictOfClosedForms(closedForm(10, 5, 0)).verdict, kOk);
   EXPECT_EQ(verdictOfClosedForms(closedForm(10, 5, 0)).reason, "tree answers 5 of 10 frames");
@@ -92,7 +92,7 @@ TEST(RunVerdict, ClosedFormsAreJudgedByWhatTheBestOfThemAnswered)
   EXPECT_EQ(verdictOfClosedForms(several).reason, "better answers 8 of 10 frames");
 }
 
-TEST(RunVerdict, TheBestOfSeveralCandidatesIsNoSureAnswer)
+TEST(RunVerdict, TheBestOfSeveralCandidatesIsAmbiguous)
 {
   RunRecord run = closedForm(10, 8, 0);
   std::vector<PoseEstimate> points(8);

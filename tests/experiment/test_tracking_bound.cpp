@@ -83,7 +83,7 @@ TEST(TrackingBound, InformationAddsUpWhileTheRobotStands)
   EXPECT_FALSE(limitFrom(bound, 1000).position_rmse_m);
 }
 
-TEST(TrackingBound, FalseDetectionsTellNothing)
+TEST(TrackingBound, OutliersHaveNoInformation)
 {
   BoundInput input = standingRobot();
   const double honest = boundOf(input).stamps.back().position_variance;
@@ -109,7 +109,7 @@ TEST(TrackingBound, AKnownStartAndOdometryCount)
   EXPECT_GT(boundOf(input).stamps.back().position_variance, 2 * still) << "odometry forgets";
 }
 
-TEST(TrackingBound, SaysWhyThereIsNone)
+TEST(TrackingBound, StatesWhyThereIsNone)
 {
   BoundInput anonymous = standingRobot();
   anonymous.frames[3].readings[0].detections[0].id = kNoId;

@@ -41,7 +41,7 @@ TEST(TrialPool, NoMoreThanTheGivenNumberAtOnce)
   EXPECT_LE(most, 3);
 }
 
-TEST(TrialPool, TwoThreadsReallyRunAtOnce)
+TEST(TrialPool, TwoThreadsRunConcurrently)
 {
   // Each trial waits for the other: with one at a time this would never end.
   std::atomic<int> arrived = 0;
@@ -55,7 +55,7 @@ TEST(TrialPool, TwoThreadsReallyRunAtOnce)
   EXPECT_EQ(arrived, 2);
 }
 
-TEST(TrialPool, EveryTrialHasAFreshThread)
+TEST(TrialPool, EveryTrialHasANewThread)
 {
   thread_local int left_by_another = 0;
   std::atomic<int> fresh = 0;

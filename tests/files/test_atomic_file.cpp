@@ -29,7 +29,7 @@ TEST(WriteFileAtomically, ReplacesContentAndLeavesNoTemporary)
   EXPECT_EQ(filesIn(path.parent_path()), 1);
 }
 
-TEST(WriteFileAtomically, ImpossiblePlaceIsAnInputError)
+TEST(WriteFileAtomically, UnwritablePathIsAnInputError)
 {
   const ScratchFolder folder;
   folder.write("file", "");

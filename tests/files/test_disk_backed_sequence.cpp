@@ -71,7 +71,7 @@ void expectRows(const DiskBackedSequence<Row>& rows, std::size_t size)
 }
 }  // namespace
 
-TEST(DiskBackedSequence, GivesBackWhatWasAppendedHoweverMuchItIs)
+TEST(DiskBackedSequence, ReturnsAllRowsAtAnySize)
 {
   for (const std::size_t size : {std::size_t{0}, std::size_t{1}, kPage, kPage + 1, kInMemory, kInMemory + kPage,
                                  kInMemory + kPage + 1, 2 * kInMemory + 100})
@@ -85,14 +85,14 @@ TEST(DiskBackedSequence, GivesBackWhatWasAppendedHoweverMuchItIs)
   EXPECT_TRUE(DiskBackedSequence<Row>().empty());
 }
 
-TEST(DiskBackedSequence, KeepsNoMoreInMemoryThanItMay)
+TEST(DiskBackedSequence, MemoryIsBounded)
 {
   EXPECT_EQ(sequenceOf(100).rowsInMemory(), 100u);
   for (const std::size_t size : {2 * kInMemory, 5 * kInMemory, 5 * kInMemory + 17})
     EXPECT_LE(sequenceOf(size).rowsInMemory(), kInMemory + kPage);
 }
 
-TEST(DiskBackedSequence, CopiesGoTheirOwnWays)
+TEST(DiskBackedSequence, CopiesAreIndependent)
 {
   const DiskBackedSequence<Row> before = sequenceOf(kInMemory + 2 * kPage + 5);
   DiskBackedSequence<Row> one = before, other = before;

@@ -54,7 +54,7 @@ TEST(LandmarkCsv, MistakesAreNamedWithTheirLine)
   EXPECT_NE(read("id,x,y,std_x\n1,0,0,-1\n").find("map.csv:2: std_x is negative"), std::string::npos);
 }
 
-TEST(LandmarkCsv, CategoryThatWouldBreakTheFileIsRefused)
+TEST(LandmarkCsv, CategoryThatWouldBreakTheFileIsRejected)
 {
   const ScratchFolder folder;
   EXPECT_THROW(writeLandmarkCsv(folder.path() / "map.csv", LandmarkTable({{1, {0, 0, 0}, "a,b", {0, 0}}})), InputError);

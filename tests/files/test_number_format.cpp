@@ -24,7 +24,7 @@ TEST(FixedText, HasNoMinusZero)
   EXPECT_EQ(fixedText(-0.01, 2), "-0.01");
 }
 
-TEST(FixedText, NamesWhatIsNotFinite)
+TEST(FixedText, NonFiniteNumbersHaveNames)
 {
   EXPECT_EQ(fixedText(std::nan(""), 2), "nan");
   EXPECT_EQ(fixedText(-std::numeric_limits<double>::infinity(), 2), "-inf");
@@ -39,7 +39,7 @@ TEST(ParseNumber, TakesOnlyWholeFiniteNumbers)
     EXPECT_FALSE(parseNumber(wrong)) << wrong;
 }
 
-TEST(ParseInteger, RefusesFractionsAndOverflow)
+TEST(ParseInteger, RejectsFractionsAndOverflow)
 {
   EXPECT_EQ(parseInteger("+7"), 7);
   EXPECT_EQ(parseInteger("-3"), -3);

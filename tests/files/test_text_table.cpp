@@ -47,7 +47,7 @@ TEST(TextTable, ErrorsNameFileLineAndColumn)
             path + ":1: unknown column 'b', expected only a");
 }
 
-TEST(TextTable, ReadsRowsOfOneKindAndKnowsTheOthers)
+TEST(TextTable, ReadsRowsOfOneTypeAndSkipsKnownOnes)
 {
   const ScratchFolder folder;
   const auto path = folder.write("t.txt", "r 1 2\nw 3\nr 4 5\n");
@@ -55,7 +55,7 @@ TEST(TextTable, ReadsRowsOfOneKindAndKnowsTheOthers)
   ASSERT_EQ(ranges.size(), 2u);
   EXPECT_EQ(ranges.number(1, 2), 5);
   const auto only = [&] { TextTable(path, {Delimiter::white_space, "#", {"kind", "a"}, {"w", {}}}); };
-  EXPECT_NE(messageOf<InputError>(only).find("t.txt:1: unknown kind of row 'r', expected w"), std::string::npos);
+  EXPECT_NE(messageOf<InputError>(only).find("t.txt:1: unknown type of row 'r', expected w"), std::string::npos);
 }
 
 TEST(TextTable, RowOfAnotherLengthIsAnError)

@@ -1,9 +1,10 @@
-#include "mrpt_ext/frames/frame_sequence.h"
+#include "mrpt_ext/frames/frame_synchronizer.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "frame_sequence.h"
 #include "mrpt_ext/geometry/measurement_jacobian.h"
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
 
@@ -11,6 +12,9 @@ namespace mrpt_ext
 {
 namespace
 {
+using testing::buildFrames;
+using testing::FrameSequence;
+
 const LandmarkTable kMap({{.id = 1, .position = {4, 1, 0}}, {.id = 2, .position = {-2, 3, 0}}});
 
 /// A robot on a circle: 1 m/s ahead, 0.5 rad/s to the left.
@@ -53,7 +57,7 @@ std::vector<double> stampsOf(const std::vector<Frame>& frames)
 }
 }  // namespace
 
-TEST(FrameBuilder, ReadingsWithinTheWindowOfTheFirstAreOneFrame)
+TEST(FrameSynchronizer, ReadingsWithinTheWindowOfTheFirstAreOneFrame)
 {
   const FrameSequence sequence = framesOf(
       {bearingTo(0, 1.0), bearingTo(1, 1.04), bearingTo(0, 1.049, "left"), bearingTo(0, 1.06), bearingTo(0, 1.2)});
@@ -63,13 +67,13 @@ TEST(FrameBuilder, ReadingsWithinTheWindowOfTheFirstAreOneFrame)
   EXPECT_EQ(sequence.detections, 5u);
 }
 
-TEST(FrameBuilder, RecordsOutOfOrderAreSorted)
+TEST(FrameSynchronizer, RecordsOutOfOrderAreSorted)
 {
   const FrameSequence sequence = framesOf({bearingTo(0, 2), bearingTo(1, 1)});
   EXPECT_EQ(stampsOf(sequence.frames), (std::vector<double>{1, 2}));
 }
 
-TEST(FrameBuilder, EarlierReadingsAreCarriedToTheStamp)
+TEST(FrameSynchronizer, EarlierReadingsAreMovedToTheStamp)
 {
   const FrameSequence sequence = framesOf({bearingTo(0, 1.0), bearingTo(1, 1.3)}, {.window = 0.5});
   ASSERT_EQ(sequence.frames.size(), 1u);
@@ -83,7 +87,7 @@ TEST(FrameBuilder, EarlierReadingsAreCarriedToTheStamp)
   EXPECT_EQ(sequence.frames[0].readings[0].time, 1.0);
 }
 
-TEST(FrameBuilder, MotionsBetweenFramesAddUpToTheWay)
+TEST(FrameSynchronizer, MotionsBetweenFramesAddUpToTheTrajectory)
 {
   const FrameSequence sequence = framesOf({bearingTo(0, 1), bearingTo(0, 1.7), bearingTo(0, 3)});
   ASSERT_EQ(sequence.frames.size(), 3u);
@@ -97,7 +101,7 @@ TEST(FrameBuilder, MotionsBetweenFramesAddUpToTheWay)
   EXPECT_NEAR(sequence.frames[2].motion.duration, 1.3, 1e-12);
 }
 
-TEST(FrameBuilder, OdometryIsCorrectedAsConfigured)
+TEST(FrameSynchronizer, OdometryIsCorrectedAsConfigured)
 {
   const FrameSequence sequence =
       framesOf({bearingTo(0, 1), bearingTo(0, 2)}, {.odometry = {.scale = 2, .rotation_scale = 0.5, .delay = 0.1}});
@@ -106,7 +110,7 @@ TEST(FrameBuilder, OdometryIsCorrectedAsConfigured)
   EXPECT_NEAR(sequence.odometry.trajectory().front().time, 0.1, 1e-12);
 }
 
-TEST(FrameBuilder, ObjectsAreSplitOff)
+TEST(FrameSynchronizer, ObjectsAreSplitOff)
 {
   Reading reading = bearingTo(0, 1);
   reading.detections.push_back({.category = "ball", .bearing = 0.2, .std_bearing = 0.01});
@@ -126,7 +130,7 @@ TEST(FrameBuilder, ObjectsAreSplitOff)
   EXPECT_TRUE(framesOf({reading, only_ball}).object_frames.empty());
 }
 
-TEST(FrameBuilder, EmptyReadingsCountOnlyWhereMissedDetectionsAreScored)
+TEST(FrameSynchronizer, EmptyReadingsCountOnlyWhereMissedDetectionsAreScored)
 {
   const Reading nothing{.time = 1, .sensor = "eye"};
   EXPECT_TRUE(framesOf({nothing}).frames.empty());
@@ -138,7 +142,7 @@ TEST(FrameBuilder, EmptyReadingsCountOnlyWhereMissedDetectionsAreScored)
   EXPECT_EQ(sequence.detections, 0u);
 }
 
-TEST(FrameBuilder, TheNewestCompassIsCarriedToTheStamp)
+TEST(FrameSynchronizer, TheNewestCompassIsMovedToTheStamp)
 {
   const auto north = [](double time) { return CompassRecord{time, "north", poseAt(time).phi, 0.02}; };
   const FrameSequence sequence =
@@ -151,7 +155,7 @@ TEST(FrameBuilder, TheNewestCompassIsCarriedToTheStamp)
   EXPECT_NEAR(sequence.frames[2].compass->heading, 1.25, 1e-9);
 }
 
-TEST(FrameBuilder, RunningFixesWhoseRangesAreLoggedTooAreMarked)
+TEST(FrameSynchronizer, RunningFixesWhoseRangesAreLoggedTooAreMarked)
 {
   RunningFixReading fix{.time = 2, .first_time = 1, .sensor = "sonar", .id = 1, .first_range = 3, .first_std = 0.1};
   fix.second_range = 3;
@@ -173,7 +177,7 @@ TEST(FrameBuilder, RunningFixesWhoseRangesAreLoggedTooAreMarked)
   EXPECT_FALSE(marked({range}));
 }
 
-TEST(FrameBuilder, RunningFixesAreCarriedToTheStampToo)
+TEST(FrameSynchronizer, RunningFixesAreMovedToTheStampToo)
 {
   RunningFixReading fix{.time = 2, .first_time = 1, .sensor = "sonar", .T_robot_sensor = kMount, .id = 1};
   const Vector2d landmark = kMap[0].position.head<2>();
@@ -189,7 +193,7 @@ TEST(FrameBuilder, RunningFixesAreCarriedToTheStampToo)
     EXPECT_NEAR(predictRange(poseAt(2.4), landmark, reading.T_robot_sensor), *reading.detections[0].range, 1e-6);
 }
 
-TEST(FrameBuilder, IndependentFramesKnowNoMotion)
+TEST(FrameSynchronizer, IndependentFramesHaveNoMotion)
 {
   const FrameSequence sequence =
       framesOf({bearingTo(0, 1), bearingTo(1, 1.3), bearingTo(0, 3)}, {.window = 0.5, .independent = true});
@@ -200,7 +204,7 @@ TEST(FrameBuilder, IndependentFramesKnowNoMotion)
     EXPECT_EQ(reading.T_robot_sensor.vector(), kMount.vector());
 }
 
-TEST(FrameBuilder, IgnoredSensorsAndUnusableDetectionsAreLeftOut)
+TEST(FrameSynchronizer, IgnoredSensorsAndUnusableDetectionsAreLeftOut)
 {
   FrameOptions options;
   options.sensors["left"].ignore = true;
@@ -212,7 +216,7 @@ TEST(FrameBuilder, IgnoredSensorsAndUnusableDetectionsAreLeftOut)
   EXPECT_EQ(sequence.detections, 1u);
 }
 
-TEST(FrameBuilder, SensorDelaysMoveReadingsBackInTime)
+TEST(FrameSynchronizer, SensorDelaysMoveReadingsBackInTime)
 {
   FrameOptions options;
   options.sensors["left"].delay = 0.5;
@@ -223,14 +227,14 @@ TEST(FrameBuilder, SensorDelaysMoveReadingsBackInTime)
   EXPECT_EQ(sequence.frames[0].readings.size(), 2u);
 }
 
-TEST(FrameBuilder, AnEmptyLogHasNoFrames)
+TEST(FrameSynchronizer, AnEmptyLogHasNoFrames)
 {
   const FrameSequence sequence = buildFrames({}, kMap, {});
   EXPECT_TRUE(sequence.frames.empty());
   EXPECT_TRUE(sequence.odometry.empty());
 }
 
-TEST(FrameSynchronizer, ReadsNoFurtherThanTheWindowAndTheDelaysDemand)
+TEST(FrameSynchronizer, ReadsNoFurtherThanTheWindowAndTheDelaysRequire)
 {
   constexpr double kStep = 0.1, kDelay = 0.35;
   std::vector<Record> records;
@@ -260,7 +264,7 @@ TEST(FrameSynchronizer, ReadsNoFurtherThanTheWindowAndTheDelaysDemand)
   EXPECT_FALSE(cutter.next());
 }
 
-TEST(FrameSynchronizer, RangesAreRememberedAsLongAsAFixMayAskForThem)
+TEST(FrameSynchronizer, RangesAreKeptAsLongAsAFixMayNeedThem)
 {
   Reading range{.time = 1, .sensor = "sonar"};
   range.detections = {{.id = 1, .range = 3, .std_range = 0.1}};

@@ -70,7 +70,7 @@ TEST(SensorConfig, WithoutASectionEverythingIsAsLogged)
   EXPECT_FALSE(reading.model.detection_probability);
 }
 
-TEST(SensorConfig, DelayBiasAndScaleAreTakenOff)
+TEST(SensorConfig, DelayBiasAndScaleAreCorrected)
 {
   UnusableDetections unusable;
   const SensorConfigs configs =
@@ -119,7 +119,7 @@ TEST(SensorConfig, DepthOfALandmarkBesideTheSensorIsCountedAsUnusable)
   EXPECT_EQ(unusable.at("eye: depth of a landmark that is not ahead"), 1U);
 }
 
-TEST(SensorConfig, ConfiguredDeviationsReplaceLoggedOnesAndGrowWithRange)
+TEST(SensorConfig, ConfiguredStdsReplaceLoggedOnesAndGrowWithRange)
 {
   EXPECT_NEAR(configuredDetection(kBoth, "std_bearing_deg = 3\n").std_bearing, degToRad(3), 1e-12);
   EXPECT_NEAR(configuredDetection(kBoth, "std_range_m = 0.3\n").std_range, 0.3, 1e-12);
@@ -128,7 +128,7 @@ TEST(SensorConfig, ConfiguredDeviationsReplaceLoggedOnesAndGrowWithRange)
   EXPECT_EQ(configuredDetection(kBoth, "std_bearing_deg = 3\n").std_range, 0.1);
 }
 
-TEST(SensorConfig, AMissingDeviationIsAnErrorThatNamesTheKey)
+TEST(SensorConfig, AMissingStdIsAnErrorThatNamesTheKey)
 {
   UnusableDetections unusable;
   const auto take = [&](const Detection& detection)
@@ -159,7 +159,7 @@ TEST(SensorConfig, TheSensorModelIsReplacedWhereConfigured)
   EXPECT_FALSE(configured(readingOf({}), {}, kMap, unusable).model.has_field_of_view);
 }
 
-TEST(SensorConfig, AssociationSaysWhatIsBelievedOfNames)
+TEST(SensorConfig, AssociationLimitsTheIdentityThatIsUsed)
 {
   EXPECT_EQ(configuredDetection(kBoth, "association = known\n").id, 1);
   const Detection category = configuredDetection(kBoth, "association = category\n");
@@ -173,7 +173,7 @@ TEST(SensorConfig, AssociationSaysWhatIsBelievedOfNames)
   EXPECT_EQ(anonymous.category, "");
 }
 
-TEST(SensorConfig, UnusableDetectionsAreTakenOutAndCounted)
+TEST(SensorConfig, UnusableDetectionsAreRemovedAndCounted)
 {
   UnusableDetections unusable;
   const Reading reading = configured(readingOf({kBoth,
@@ -233,7 +233,7 @@ TEST(SensorConfig, UnusableRunningFixesAreCounted)
   EXPECT_FALSE(configured(good, configsOf("association = anonymous\n"), kMap, unusable));
   EXPECT_EQ(unusable, (UnusableDetections{{"eye: id not in the map", 1},
                                           {"eye: range not above zero", 1},
-                                          {"eye: running fix without a believed id", 1},
+                                          {"eye: running fix, not identified", 1},
                                           {"eye: slant range shorter than the height difference", 1}}));
   low.horizontal_range = true;
   EXPECT_TRUE(configured(low, {}, kMap, unusable));
@@ -247,13 +247,13 @@ TEST(SensorConfig, EverySectionIsASensor)
   EXPECT_TRUE(configs.at("a").ignore);
   EXPECT_FALSE(configs.at("b").ignore);
 }
-TEST(SensorConfig, BearingsAreFreedOfOffsetAndScale)
+TEST(SensorConfig, BearingsAreCorrectedForOffsetAndScale)
 {
   const Detection d = configuredDetection(kBoth, "bias_bearing_deg = -1.5\nscale_bearing = 1.04\n");
   EXPECT_NEAR(*d.bearing, (0.5 + degToRad(1.5)) / 1.04, 1e-12);
 }
 
-TEST(SensorConfig, ALabelTakesWhatItsSectionDoesNotSayFromTheOneItContinues)
+TEST(SensorConfig, ALabelInheritsFromTheOneItContinues)
 {
   const SensorConfigs configs = sensorConfigs(
       Settings::parse("[Sensor_eye]\nscale_range = 1.1\nbias_range_m = 0.5\n[Sensor_eye.2]\nscale_range = 1.2\n",

@@ -23,9 +23,9 @@ TEST(LandmarkTable, FindsByIdAndKeepsOrder)
   EXPECT_FALSE(table.indexOf(kNoId).has_value());
 }
 
-TEST(LandmarkTable, RefusesAnIdTwice) { EXPECT_THROW(LandmarkTable({at(1, 0, 0), at(1, 1, 1)}), InputError); }
+TEST(LandmarkTable, RejectsAnIdTwice) { EXPECT_THROW(LandmarkTable({at(1, 0, 0), at(1, 1, 1)}), InputError); }
 
-TEST(LandmarkTable, RefusesNonFinite)
+TEST(LandmarkTable, RejectsNonFinite)
 {
   EXPECT_THROW(LandmarkTable({at(1, std::numeric_limits<double>::quiet_NaN(), 0)}), InputError);
 }

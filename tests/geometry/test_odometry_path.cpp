@@ -38,7 +38,7 @@ TEST(OdometryPath, StandsStillBeforeTheFirstAndAfterTheLast)
   EXPECT_EQ(late.duration, 5);
 }
 
-TEST(OdometryPath, MotionsAddUpWayTurnAndTime)
+TEST(OdometryPath, MotionsAddUpDistanceRotationAndTime)
 {
   const OdometryPath path(kRecords, {});
   const OdometryMotion all = path.between(10, 15);
@@ -58,7 +58,7 @@ TEST(OdometryPath, GoesBackInTimeToo)
   expectPose(compose(path.between(10, 14).increment, path.between(14, 10).increment), {});
 }
 
-TEST(OdometryPath, ScalesTheWayAndTheTurnsByThemselves)
+TEST(OdometryPath, ScalesDistancesAndRotationsIndependently)
 {
   const std::vector<OdometryRecord> square{{0, {0, 0, 0}}, {1, {1, 0, kPi / 2}}, {2, {1, 1, kPi}}};
   expectPose(OdometryPath(square, {.scale = 2}).at(2), {2, 2, kPi});
@@ -68,7 +68,7 @@ TEST(OdometryPath, ScalesTheWayAndTheTurnsByThemselves)
   EXPECT_NEAR(OdometryPath(square, {.rotation_scale = 2}).between(0, 2).path_length, 2, 1e-12);
 }
 
-TEST(OdometryPath, AVeeringRobotTurnsWithItsWay)
+TEST(OdometryPath, TurnPerMetreGrowsWithTheDistance)
 {
   const std::vector<OdometryRecord> straight{{0, {0, 0, 0}}, {1, {2, 0, 0}}, {2, {2, 0, 0}}, {3, {3, 0, 0}}};
   const OdometryPath path(straight, {.scale = 0.5, .turn_per_m = 0.2});

@@ -26,7 +26,7 @@ TEST(RandomStream, SameSeedAndStreamGiveTheSameNumbers)
   for (int i = 0; i < 1000; ++i) ASSERT_EQ(a.gaussian(), b.gaussian());
 }
 
-TEST(RandomStream, FirstNumbersAreFixedForEver)
+TEST(RandomStream, FirstNumbersNeverChange)
 {
   RandomStream bits(42, 7);  // expected: the published algorithms, evaluated independently with whole numbers
   EXPECT_EQ(bits.nextBits(), 0x554651e47226193fULL);

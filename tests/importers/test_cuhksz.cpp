@@ -13,7 +13,7 @@ using testing::DamagedCopy;
 using testing::hasNote;
 using testing::recordsOf;
 
-TEST(Cuhksz, EveryTagIsASensorWithItsPlaceOnTheBody)
+TEST(Cuhksz, EveryTagIsASensorWithItsPositionOnTheBody)
 {
   const Recording recording = importCuhksz(testing::sampleFolder("cuhksz"));
   const auto readings = recordsOf<Reading>(recording);

@@ -11,7 +11,7 @@ TEST(DateTime, CountsSecondsSince1970)
   EXPECT_EQ(parseDateTime("2022-08-15 9:42:24.25"), 1660556544.25);
 }
 
-TEST(DateTime, RefusesWhatIsNone)
+TEST(DateTime, RejectsOtherText)
 {
   for (const char* text :
        {"", "2022-08-15", "2022-08-15 9:42", "2022-02-30 9:42:24", "2022-08-15 25:42:24", "2022-08-15 9:61:24",

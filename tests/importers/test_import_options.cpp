@@ -37,7 +37,7 @@ Recording smallRecording()
 }
 }  // namespace
 
-TEST(HideIdentity, RemovesWhatTheLevelSays)
+TEST(HideIdentity, RemovesIdentityByLevel)
 {
   Recording recording = smallRecording();
   hideIdentity(recording, IdentityLevel::known);
@@ -51,7 +51,7 @@ TEST(HideIdentity, RemovesWhatTheLevelSays)
   EXPECT_THROW(hideIdentity(recording, IdentityLevel::category), InputError);
 }
 
-TEST(KeepMeasurements, DropsAndCountsWhatIsLeftEmpty)
+TEST(KeepMeasurements, DropsAndCountsEmptyReadings)
 {
   Recording bearings = smallRecording();
   keepMeasurements(bearings, MeasurementSelection::bearing);

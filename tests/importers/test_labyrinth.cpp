@@ -26,7 +26,7 @@ TEST(Labyrinth, WheelSpeedsAreIntegratedAsArcs)
   EXPECT_TRUE(hasNote(recording, "3 rows of wheel speeds"));
 }
 
-TEST(Labyrinth, RangesCarryTheirDeviationAndTheModulesMakeTheMap)
+TEST(Labyrinth, RangesHaveTheirStdAndTheModulesMakeTheMap)
 {
   const Recording recording = importLabyrinth(testing::sampleFolder("labyrinth"));
   const auto readings = recordsOf<Reading>(recording);
@@ -52,7 +52,7 @@ TEST(Labyrinth, DamagedFilesAreNamedWithTheirLine)
   damaged("range2 0.6 1.5 0.01 2.4 0 107");
   EXPECT_INPUT_ERROR(import(), "Room_Input.txt:2: 7 fields, expected 8");
   damaged("range3 0.6 1.5 0.01 2.4 0 107 0");
-  EXPECT_INPUT_ERROR(import(), "Room_Input.txt:2: unknown kind of row 'range3', expected range2 or odom2diff");
+  EXPECT_INPUT_ERROR(import(), "Room_Input.txt:2: unknown type of row 'range3', expected range2 or odom2diff");
   damaged("range2 0.05 1.5 0.01 2.4 0 107 0");
   EXPECT_INPUT_ERROR(import(), "Room_Input.txt:2: time 0.05 is before the row above");
   damaged("range2 0.6 1500 0.01 2.4 0 107 0");
@@ -60,7 +60,7 @@ TEST(Labyrinth, DamagedFilesAreNamedWithTheirLine)
   damaged("range2 0.6 1.5 -0.01 2.4 0 107 0");
   EXPECT_INPUT_ERROR(import(), "Room_Input.txt:2: variance -0.01, expected > 0");
   damaged("range2 0.6 1.5 0.01 2.4 0 105 0");
-  EXPECT_INPUT_ERROR(import(), "Room_Input.txt:2: module 105 has another place than before");
+  EXPECT_INPUT_ERROR(import(), "Room_Input.txt:2: module 105 has another position than before");
   damaged("odom2diff 0.6 0.1 0.1 0 0 0.1 0.1 0.1");
   EXPECT_INPUT_ERROR(import(), "Room_Input.txt:2: half_axle 0, expected > 0 m");
   copy.remove("Room_Input.txt");

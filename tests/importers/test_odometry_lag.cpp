@@ -4,7 +4,7 @@
 
 namespace mrpt_ext
 {
-TEST(OdometryLag, TellsHowOldTheOdometryIs)
+TEST(OdometryLag, IsTheAgeOfTheOdometry)
 {
   const auto lag = odometryLag({1, 2, 3}, {0.5, 1.25, 2, 2.5, 7});
   ASSERT_TRUE(lag);

@@ -45,7 +45,7 @@ TEST(Plaza, RangesAreOrderedByTimeAndNothingIsLostSilently)
   EXPECT_NEAR(recording.truth[2].pose.phi, kPi / 2, 1e-12);
 }
 
-TEST(Plaza, TheRunIsNamedWhereTheFolderHoldsSeveral)
+TEST(Plaza, TheRunMustBeGivenWhereTheFolderHasSeveral)
 {
   const DamagedCopy copy("plaza");
   EXPECT_EQ(recordsOf<Reading>(importPlaza(copy.path() / "Lawn")).size(), 3u);

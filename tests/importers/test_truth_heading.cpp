@@ -64,7 +64,7 @@ TEST(TruthHeading, MotionInAllDirectionsIsNoOffset)
   EXPECT_FALSE(truthHeadingOffset(recordingWith(sideways, {})));
 }
 
-TEST(TruthHeading, UnknownHeadingsAndShortPathsSayNothing)
+TEST(TruthHeading, UnknownHeadingsAndShortPathsGiveNoOffset)
 {
   Trajectory unknown = windingPath(1);
   for (TimedPose& entry : unknown) entry.heading_known = false;

@@ -28,7 +28,7 @@ TEST(UsableDetections, KeepsTheGoodAndCountsTheRestByReason)
   const UnusableCounts expected = {{"range not positive", 2},
                                    {"range not finite", 1},
                                    {"bearing not finite", 1},
-                                   {"bearing deviation negative or not finite", 1},
+                                   {"bearing std negative or not finite", 1},
                                    {"neither bearing nor range", 1}};
   EXPECT_EQ(counts, expected);
 }

@@ -64,7 +64,7 @@ TEST(MapGenerator, GridTouchesItsBox)
   EXPECT_EQ(map[5].id, kNoId);
 }
 
-TEST(MapGenerator, SaysWhenThereIsNoRoom)
+TEST(MapGenerator, ReportsWhenThereIsNoRoom)
 {
   MapPlan plan;
   plan.layout = MapLayout::random;

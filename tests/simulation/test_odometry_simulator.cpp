@@ -99,7 +99,7 @@ TEST(SimulatedOdometry, ReportedCovarianceDescribesTheErrors)
       EXPECT_NEAR(seen(i, j), reported(i, j), 0.12 * std::sqrt(reported(i, i) * reported(j, j)));
 }
 
-TEST(SimulatedOdometry, ScaleErrorStretchesTheWay)
+TEST(SimulatedOdometry, ScaleErrorStretchesThePath)
 {
   OdometryNoise noise;
   noise.scale_error = 0.02;

@@ -34,7 +34,7 @@ TEST(PathPlanner, TurnsInPlaceAtTheWaypoints)
   EXPECT_NEAR(path.poseAt(8 + turn + 6).y, 3, 1e-9);
 }
 
-TEST(PathPlanner, ClosedWayComesBackAndGoesRoundAgain)
+TEST(PathPlanner, ClosedPathRepeats)
 {
   for (const double turn_radius : {0.0, 0.3})
   {
@@ -56,7 +56,7 @@ TEST(PathPlanner, ClosedWayComesBackAndGoesRoundAgain)
   }
 }
 
-TEST(PathPlanner, OpenWayEndsAtItsLastWaypoint)
+TEST(PathPlanner, OpenPathEndsAtItsLastWaypoint)
 {
   PathPlan open = triangle();
   open.closed = false;
@@ -67,7 +67,7 @@ TEST(PathPlanner, OpenWayEndsAtItsLastWaypoint)
   EXPECT_NEAR(path.poseAt(1000).phi, kPi / 2, 1e-9);
 }
 
-TEST(PathPlanner, RoundedSquareKeepsInsideItsCornersBothWays)
+TEST(PathPlanner, RoundedSquareStaysInsideItsCornersInBothDirections)
 {
   for (const bool clockwise : {false, true})
   {
@@ -122,7 +122,7 @@ TEST(PathPlanner, RandomWalkStaysInsideAndMoves)
   }
 }
 
-TEST(PathPlanner, RefusesWhatCannotBeDriven)
+TEST(PathPlanner, RejectsImpossiblePaths)
 {
   PathPlan tight = triangle();
   tight.turn_radius = 2.5;

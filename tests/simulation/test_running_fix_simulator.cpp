@@ -60,7 +60,7 @@ TEST(RunningFixSimulator, NoRangeIsUsedTwice)
   for (std::size_t i = 1; i < fixes.size(); ++i) EXPECT_GT(fixes[i].first_time, fixes[i - 1].time);
 }
 
-TEST(RunningFixSimulator, BeginsAnewWhenItsLandmarkIsOutOfView)
+TEST(RunningFixSimulator, StartsOverWhenItsLandmarkIsOutOfView)
 {
   const std::vector<SceneFeature> aside{{1, "", {1, 0.4, 0}, true}};  // 60 degrees: lost after 0.31 m
   EXPECT_TRUE(fixesAlong(RobotPath({0, 0, 0}, {{8, 0.4, 0}}), watcher(), aside).empty());

@@ -47,7 +47,7 @@ SimulatedSensor rangeBearing()
 }
 }  // namespace
 
-TEST(Sightings, RespectPoseFieldOfViewAndRange)
+TEST(VisibleFeatures, RespectPoseFieldOfViewAndRange)
 {
   SimulatedSensor sensor = rangeBearing();
   sensor.T_robot_sensor = {1, 0, kPi / 2};
@@ -58,14 +58,14 @@ TEST(Sightings, RespectPoseFieldOfViewAndRange)
   const std::vector<SceneFeature> features{{1, "", {1, 3, 4}, true},   {2, "", {1, -3, 0}, true},
                                            {3, "", {1, 6, 0}, true},   {4, "", {1, 0.4, 0}, true},
                                            {5, "", {3.9, 3, 0}, true}, {6, "", {4.1, 3, 0}, true}};
-  const auto sightings = sightingsFrom(sensor, {0, 0, 0}, features);
-  ASSERT_EQ(sightings.size(), 2U);
-  EXPECT_EQ(sightings[0].feature, 0U);
-  EXPECT_NEAR(sightings[0].bearing, 0, 1e-12);
-  EXPECT_NEAR(sightings[0].range, 5, 1e-12);
-  EXPECT_EQ(sightings[1].feature, 4U);
+  const auto visible = visibleFeatures(sensor, {0, 0, 0}, features);
+  ASSERT_EQ(visible.size(), 2U);
+  EXPECT_EQ(visible[0].feature, 0U);
+  EXPECT_NEAR(visible[0].bearing, 0, 1e-12);
+  EXPECT_NEAR(visible[0].range, 5, 1e-12);
+  EXPECT_EQ(visible[1].feature, 4U);
   sensor.horizontal_range = true;
-  EXPECT_NEAR(sightingsFrom(sensor, {0, 0, 0}, features)[0].range, 3, 1e-12);
+  EXPECT_NEAR(visibleFeatures(sensor, {0, 0, 0}, features)[0].range, 3, 1e-12);
 }
 
 TEST(SimulateReading, NoiseAndBiasComeOutAsConfigured)
@@ -144,7 +144,7 @@ TEST(SimulateReading, ClutterRateComesOutAsConfiguredAndFillsTheView)
   EXPECT_NEAR(momentsOf(ranges).mean, 2, 0.06);
 }
 
-TEST(SimulateReading, TellsNoMoreThanItsIdentityLevel)
+TEST(SimulateReading, ReportsNoMoreThanItsIdentityLevel)
 {
   SimulatedSensor sensor = rangeBearing();
   RandomStream random(1);
@@ -191,7 +191,7 @@ TEST(SimulateReading, LargestNumberOfDetectionsIsAFairChoice)
   for (const int count : counts) EXPECT_NEAR(count, 0.4 * kReadings, 0.02 * kReadings);
 }
 
-TEST(SimulateReading, OrderDoesNotGiveTheLandmarksAway)
+TEST(SimulateReading, OrderDoesNotIdentifyTheLandmarks)
 {
   SimulatedSensor sensor = rangeBearing();
   const std::vector<SceneFeature> features{{1, "", {1, 0, 0}, true}, {2, "", {0, 1, 0}, true}};

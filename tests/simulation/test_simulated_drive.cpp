@@ -1,13 +1,16 @@
-#include "mrpt_ext/simulation/simulator.h"
+#include "mrpt_ext/simulation/simulated_drive.h"
 
 #include <gtest/gtest.h>
 
 #include "mrpt_ext/geometry/measurement_jacobian.h"
+#include "simulated_recording.h"
 
 namespace mrpt_ext
 {
 namespace
 {
+using testing::simulate;
+
 Scenario smallWorld()
 {
   Scenario scenario;
@@ -34,7 +37,7 @@ std::vector<Kind> all(const Recording& recording)
 }
 }  // namespace
 
-TEST(Simulator, RecordsAreOrderedAndAsManyAsTheRatesSay)
+TEST(SimulatedDrive, RecordsAreOrderedAndCountFollowsTheRates)
 {
   const Recording recording = simulate(smallWorld());
   EXPECT_EQ(all<OdometryRecord>(recording).size(), 201U);
@@ -45,7 +48,7 @@ TEST(Simulator, RecordsAreOrderedAndAsManyAsTheRatesSay)
   EXPECT_EQ(recording.map.size(), 10U);
 }
 
-TEST(Simulator, MeasurementsWithoutErrorsFitTheTruth)
+TEST(SimulatedDrive, MeasurementsWithoutErrorsFitTheTruth)
 {
   const Recording recording = simulate(smallWorld());
   for (const Reading& reading : all<Reading>(recording))
@@ -60,7 +63,7 @@ TEST(Simulator, MeasurementsWithoutErrorsFitTheTruth)
   }
 }
 
-TEST(Simulator, TruthCoversTheWholeRun)
+TEST(SimulatedDrive, TruthCoversTheWholeRun)
 {
   Scenario scenario = smallWorld();
   scenario.duration = 10.05;
@@ -70,7 +73,7 @@ TEST(Simulator, TruthCoversTheWholeRun)
   for (std::size_t i = 1; i < truth.size(); ++i) EXPECT_GT(truth[i].time, truth[i - 1].time);
 }
 
-TEST(Simulator, KidnappingMovesTheRobotButNotItsOdometry)
+TEST(SimulatedDrive, KidnappingMovesTheRobotButNotItsOdometry)
 {
   Scenario scenario = smallWorld();
   const auto before = all<OdometryRecord>(simulate(scenario));
@@ -85,7 +88,7 @@ TEST(Simulator, KidnappingMovesTheRobotButNotItsOdometry)
   EXPECT_GT((at(8.0).position() - at(8.1).position()).norm(), 3);
 }
 
-TEST(Simulator, SameSeedSameRecordsAndStreamsAreSeparate)
+TEST(SimulatedDrive, SameSeedSameRecordsAndStreamsAreSeparate)
 {
   Scenario scenario = smallWorld();
   scenario.sensors[0].std_bearing = 0.01;
@@ -105,7 +108,7 @@ TEST(Simulator, SameSeedSameRecordsAndStreamsAreSeparate)
   EXPECT_NE(firstBearing(noisier), firstBearing(simulate(scenario)));
 }
 
-TEST(Simulator, ObjectsAreSeenWhereTheyAre)
+TEST(SimulatedDrive, ObjectsAreSeenWhereTheyAre)
 {
   Scenario scenario = smallWorld();
   scenario.map.layout = MapLayout::given;
@@ -126,7 +129,7 @@ TEST(Simulator, ObjectsAreSeenWhereTheyAre)
   EXPECT_TRUE(recording.map.empty());
 }
 
-TEST(Simulator, CompassAndRunningFixesAreLogged)
+TEST(SimulatedDrive, CompassAndRunningFixesAreLogged)
 {
   Scenario scenario = smallWorld();
   SimulatedSensor compass;

@@ -7,7 +7,7 @@
 #include "mrpt_ext/configuration/simulator_config.h"
 #include "mrpt_ext/configuration/simulator_keys.h"
 #include "mrpt_ext/settings/settings.h"
-#include "mrpt_ext/simulation/simulator.h"
+#include "simulated_recording.h"
 
 namespace mrpt_ext
 {
@@ -27,11 +27,11 @@ FilterScenario playScenario(const std::string& name, std::uint64_t seed,
 {
   Settings simulator = Settings::load(shipped("landmark-simulator", name), simulatorKeys(), simulator_changes);
   simulator.set("Simulation", "random_seed", std::to_string(seed), "seed");
-  const Recording recording = simulate(readScenario(simulator));
+  const Recording recording = testing::simulate(readScenario(simulator));
   const Settings settings =
       Settings::load(shipped("landmark-localization", name), localizationKeys(), localization_changes);
   FilterScenario scenario{recording.map, recording.truth, localizationConfig(settings, recording.map), {}};
-  scenario.sequence = buildFrames(recording.records, scenario.map, scenario.config.frames);
+  scenario.sequence = testing::buildFrames(recording.records, scenario.map, scenario.config.frames);
   return scenario;
 }
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "frame_sequence.h"
 #include "mrpt_ext/configuration/localization_config.h"
-#include "mrpt_ext/frames/frame_sequence.h"
 #include "mrpt_ext/localizers/particle_filter_localizer.h"
 
 namespace mrpt_ext
@@ -16,7 +16,7 @@ struct FilterScenario
   LandmarkTable map;
   Trajectory truth;
   LocalizationConfig config;
-  FrameSequence sequence;
+  testing::FrameSequence sequence;
 };
 
 /// `changes`: "Section.key=value" each, as for --set.

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "frame_sequence.h"
 #include "mrpt_ext/configuration/localization_config.h"
 #include "mrpt_ext/configuration/localization_keys.h"
-#include "mrpt_ext/frames/frame_sequence.h"
 #include "mrpt_ext/importers/mrclam.h"
 #include "mrpt_ext/relocalization/trajectory_search.h"
 #include "mrpt_ext/relocalization/trajectory_steps.h"
@@ -51,7 +51,7 @@ inline bool isRight(const Pose2& pose, const Pose2& truth)
 
 /// Grows a window from `start` until the search is sure of a pose, and judges its answer. Nothing is counted where the
 /// truth is not known then.
-inline void judgeWindow(const FrameSequence& sequence, std::size_t start, const Recording& recording,
+inline void judgeWindow(const testing::FrameSequence& sequence, std::size_t start, const Recording& recording,
                         const GlobalPoseSearch& search, const LocalizationConfig& config, Tally& tally)
 {
   const double begin = sequence.frames[start].time;
@@ -89,7 +89,7 @@ inline Tally tallyWindows(const Recording& recording, double between_starts)
   const Settings settings =
       Settings::load(std::string(MRPT_EXT_SOURCE_DIR) + "/ini/landmark-localization/mrclam.ini", localizationKeys());
   const LocalizationConfig config = localizationConfig(settings, recording.map);
-  const FrameSequence sequence = buildFrames(recording.records, recording.map, config.frames);
+  const testing::FrameSequence sequence = testing::buildFrames(recording.records, recording.map, config.frames);
   const GlobalPoseSearch search(recording.map);
   Tally tally;
   double next = -1e9;

@@ -11,13 +11,13 @@ using testing::FieldPicture;
 using testing::Marking;
 
 /// Markings from a place in the directions given, turned by `turn` [rad].
-FieldPicture star(const Eigen::Vector2d& place, const std::vector<double>& directions_deg, double turn = 0)
+FieldPicture star(const Eigen::Vector2d& position, const std::vector<double>& directions_deg, double turn = 0)
 {
   FieldPicture picture;
   for (const double direction : directions_deg)
   {
     const double angle = degToRad(direction) + turn;
-    picture.markings.push_back({place, place + 0.12 * Eigen::Vector2d(std::cos(angle), std::sin(angle))});
+    picture.markings.push_back({position, position + 0.12 * Eigen::Vector2d(std::cos(angle), std::sin(angle))});
   }
   return picture;
 }
@@ -31,32 +31,32 @@ std::vector<LineLandmark> landmarksOf(const FieldPicture& picture, int seed = 1)
   return viewStereoGoal(pair.left, pair.right, settings).landmarks;
 }
 
-void expectOnly(const FieldPicture& picture, JunctionKind kind, const Eigen::Vector2d& place)
+void expectOnly(const FieldPicture& picture, JunctionKind kind, const Eigen::Vector2d& position)
 {
   const auto landmarks = landmarksOf(picture);
-  ASSERT_EQ(landmarks.size(), 1u) << nameOf(kind) << " at " << place.transpose();
+  ASSERT_EQ(landmarks.size(), 1u) << nameOf(kind) << " at " << position.transpose();
   const LineLandmark& seen = landmarks.front();
   EXPECT_EQ(nameOf(seen.kind), std::string(nameOf(kind)));
-  EXPECT_LT(std::abs(seen.measured.range - place.norm()), 3.5 * seen.measured.std_range);
-  EXPECT_LT(std::abs(seen.measured.bearing - std::atan2(place.y(), place.x())), 3.5 * seen.measured.std_bearing);
+  EXPECT_LT(std::abs(seen.measured.range - position.norm()), 3.5 * seen.measured.std_range);
+  EXPECT_LT(std::abs(seen.measured.bearing - std::atan2(position.y(), position.x())), 3.5 * seen.measured.std_bearing);
 }
 }  // namespace
 
 TEST(FloorJunctions, AreCrossingsTeesAndCorners)
 {
-  const Eigen::Vector2d place(0.28, 0.02);
+  const Eigen::Vector2d position(0.28, 0.02);
   for (const double turn : {degToRad(15), degToRad(40), degToRad(65)})
   {
-    expectOnly(star(place, {0, 90, 180, 270}, turn), JunctionKind::crossing, place);
-    expectOnly(star(place, {90, 180, 270}, turn), JunctionKind::tee, place);
-    expectOnly(star(place, {180, 270}, turn), JunctionKind::corner, place);
+    expectOnly(star(position, {0, 90, 180, 270}, turn), JunctionKind::crossing, position);
+    expectOnly(star(position, {90, 180, 270}, turn), JunctionKind::tee, position);
+    expectOnly(star(position, {180, 270}, turn), JunctionKind::corner, position);
   }
 }
 
 TEST(FloorJunctions, OfAnArcWithALineAreCrossings)
 {
   FieldPicture picture;
-  const Eigen::Vector2d place(0.3, -0.02), centre(0.3, 0.23);
+  const Eigen::Vector2d position(0.3, -0.02), centre(0.3, 0.23);
   for (int i = 0; i < 90; ++i)
   {
     const auto at = [&](int k)
@@ -66,12 +66,12 @@ TEST(FloorJunctions, OfAnArcWithALineAreCrossings)
   picture.markings.push_back({{0.25, 0.3}, {0.33, -0.212}});
   const auto landmarks = landmarksOf(picture);
   ASSERT_FALSE(landmarks.empty());
-  const auto nearest = std::min_element(landmarks.begin(), landmarks.end(),
-                                        [&](const auto& a, const auto& b) {
-                                          return (a.measured.place - place).norm() < (b.measured.place - place).norm();
-                                        });
+  const auto nearest =
+      std::min_element(landmarks.begin(), landmarks.end(),
+                       [&](const auto& a, const auto& b)
+                       { return (a.measured.position - position).norm() < (b.measured.position - position).norm(); });
   EXPECT_EQ(nearest->kind, JunctionKind::crossing);
-  EXPECT_LT((nearest->measured.place - place).norm(), 0.015);
+  EXPECT_LT((nearest->measured.position - position).norm(), 0.015);
 }
 
 TEST(FloorJunctions, OfAMarkingWithAWallAreTees)

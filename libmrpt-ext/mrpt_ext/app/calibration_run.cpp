@@ -18,10 +18,10 @@ const std::string kExperiment = "LocalizationExperiment";
 /// What there is to be asked of this log.
 std::vector<ErrorTerm> termsOf(const LocalizationInput& input, const CalibrationData& examined)
 {
-  const bool moving = !input.config.frames.independent && !examined.way.odometry.empty() &&
+  const bool moving = !input.config.frames.independent && !examined.problem.odometry.empty() &&
                       input.config.filter.motion.type != MotionType::random_walk;
   std::set<std::size_t> bearings, ranges;
-  for (const CalibrationReading& r : examined.way.readings) (r.is_range ? ranges : bearings).insert(r.sensor);
+  for (const CalibrationReading& r : examined.problem.readings) (r.is_range ? ranges : bearings).insert(r.sensor);
   std::vector<ErrorTerm> terms;
   if (moving)
     terms = {
@@ -50,7 +50,7 @@ std::string headline(const LocalizationInput& input, const CalibrationData& exam
                      const std::vector<PoseEstimate>& track)
 {
   const auto frames = static_cast<double>(input.log.frames);
-  std::string text = "examined " + std::to_string(examined.way.readings.size()) + " bearings and ranges in " +
+  std::string text = "examined " + std::to_string(examined.problem.readings.size()) + " bearings and ranges in " +
                      fixedText(input.context.duration_s, 1) + " s, where the place was sure (" +
                      fixedText(100 * static_cast<double>(track.size()) / frames, 0) + " % of the frames)";
   if (examined.anonymous > 0)
@@ -78,16 +78,16 @@ int runExamination(Settings settings, const ExaminationRequest& request, std::os
 
   const auto seed = static_cast<std::uint64_t>(settings.integer(kExperiment, "random_seed"));
   const std::vector<PoseEstimate> track = confidentTrajectory(input, seed);
-  const CalibrationData examined = examinedWay(by_stamp, track, input.config.frames.window);
-  const RecordingErrors errors = calibrate(examined.way, termsOf(input, examined));
+  const CalibrationData examined = collectCalibrationData(by_stamp, track, input.config.frames.window);
+  const RecordingErrors errors = calibrate(examined.problem, termsOf(input, examined));
   if (!request.quiet) out << headline(input, examined, track) << '\n';
   if (errors.status != SolveStatus::ok)
   {
     out << "nothing can be told: " << whyNothing(errors.status, track) << '\n';
     return kExitDone;
   }
-  std::vector<CalibrationFinding> findings = doctorFindings(errors, examined.sensors, input.config);
-  for (CalibrationFinding& finding : scatterFindings(errors, examined, input.config))
+  std::vector<CalibrationFinding> findings = calibrationFindings(errors, examined.sensors, input.config);
+  for (CalibrationFinding& finding : noiseFindings(errors, examined, input.config))
     findings.push_back(std::move(finding));
   const std::vector<IniAssignment> lines = linesToSet(findings);
   if (request.quiet)
@@ -98,7 +98,7 @@ int runExamination(Settings settings, const ExaminationRequest& request, std::os
   else
   {
     for (const std::string& line : findingsTable(findings)) out << line << '\n';
-    if (!examined.way.odometry.empty())
+    if (!examined.problem.odometry.empty())
       out << "odometry errs " << fixedText(errors.way_scatter, 1) << " times as much as [MotionModel] declares\n";
     for (const std::string& line : landmarkLines(errors, examined, input.context.map)) out << line << '\n';
   }

@@ -106,7 +106,7 @@ void DatasetApp::tell(const Recording& recording)
 
 void DatasetApp::examine(const Recording& recording, const std::string& calibrated)
 {
-  const RadioFindings findings = examineRadios(recording);
+  const RangeBiasReport findings = reportRangeBiases(recording);
   if (!shell_.options().quiet)
   {
     for (const std::string& line : findings.lines) shell_.out() << line << '\n';

@@ -105,7 +105,7 @@ class TrialBatch
       : input_(input),
         request_(request),
         view_(view),
-        methods_(input.config, input.context.map, input.log.kinds),
+        methods_(input.config, input.context.map, input.log.available),
         folder_(std::move(folder)),
         seed_(seed)
   {
@@ -208,7 +208,7 @@ class TrialBatch
     std::string text = ambiguityText(outcome.record, input_.context.start_time);
     if (request_.verbose) text += verdictText(outcome.record, input_.context.start_time);
     writeTrial(folder, input_.context, std::move(outcome.record), score);
-    if (input_.config.final_scene) writeScene(folder / "final.3Dscene", input_.context.map, outcome.end);
+    if (input_.config.final_scene) writeScene(folder / "final.3Dscene", input_.context.map, outcome.final_step);
     for (MethodScore& method : score.methods) method.errors.clear();
     const std::lock_guard lock(mutex_);
     texts_[place] = std::move(text);

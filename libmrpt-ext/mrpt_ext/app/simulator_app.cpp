@@ -11,7 +11,7 @@
 #include "mrpt_ext/files/tum.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/rawlog/rawlog_sink.h"
-#include "mrpt_ext/simulation/simulator.h"
+#include "mrpt_ext/simulation/simulated_drive.h"
 
 namespace mrpt_ext
 {

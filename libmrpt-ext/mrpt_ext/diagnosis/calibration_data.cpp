@@ -9,67 +9,68 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kStep = 1;                // [s] longest way between two poses
-constexpr double kLongestGap = 180;        // [s] that odometry bridges
-constexpr double kNear2 = 16, kFar2 = 49;  // squared deviations: surely meant, surely not meant
+constexpr double kStep = 1;                           // [s] longest time between two poses
+constexpr double kLongestGap = 180;                   // [s] that odometry bridges
+constexpr double kInnerGate2 = 16, kOuterGate2 = 49;  // squared standard deviations: a match, and none
 
-/// Squared deviations by which a landmark misses a detection.
-double missOf(const Detection& detection, const Reading& reading, const Landmark& landmark, const GaussianPose& robot)
+/// Squared Mahalanobis distance between a detection and the prediction of a landmark.
+double squaredDistance(const Detection& detection, const Reading& reading, const Landmark& landmark,
+                       const GaussianPose& robot)
 {
-  const Vector2d place = landmark.position.head<2>(), offset = reading.T_robot_sensor.position();
-  double miss = 0;
+  const Vector2d position = landmark.position.head<2>(), offset = reading.T_robot_sensor.position();
+  double sum = 0;
   const auto add = [&](double error, const JacobianRow& row, double std)
-  { miss += square(error) / (square(std) + row.dot(row * robot.covariance)); };
+  { sum += square(error) / (square(std) + row.dot(row * robot.covariance)); };
   if (detection.bearing)
-    add(wrap(*detection.bearing - predictBearing(robot.mean, place, reading.T_robot_sensor)),
-        bearingJacobian(robot.mean, place, offset), detection.std_bearing);
+    add(wrap(*detection.bearing - predictBearing(robot.mean, position, reading.T_robot_sensor)),
+        bearingJacobian(robot.mean, position, offset), detection.std_bearing);
   if (detection.range)
   {
     const double height = reading.horizontal_range ? 0 : landmark.position.z() - reading.sensor_height;
-    add(*detection.range - std::hypot(predictRange(robot.mean, place, reading.T_robot_sensor), height),
-        rangeJacobian(robot.mean, place, offset), detection.std_range);
+    add(*detection.range - std::hypot(predictRange(robot.mean, position, reading.T_robot_sensor), height),
+        rangeJacobian(robot.mean, position, offset), detection.std_range);
   }
-  return miss;
+  return sum;
 }
 
-/// The landmark that is meant: by its name, or the only one near.
+/// The landmark of a detection: by its id, or the only one within the gate.
 std::optional<std::size_t> landmarkOf(const Detection& detection, const Reading& reading, const LandmarkTable& map,
                                       const GaussianPose& robot)
 {
   if (detection.id != kNoId) return map.indexOf(detection.id);
-  double best = kNear2, second = kFar2;
+  double best = kInnerGate2, second = kOuterGate2;
   std::optional<std::size_t> found;
   for (std::size_t j = 0; j < map.size(); ++j)
   {
     if (!detection.category.empty() && map[j].category != detection.category) continue;
-    const double miss = missOf(detection, reading, map[j], robot);
-    if (miss < best)
+    const double distance = squaredDistance(detection, reading, map[j], robot);
+    if (distance < best)
     {
       second = found ? best : second;
-      best = miss;
+      best = distance;
       found = j;
     }
     else
-      second = std::min(second, miss);
+      second = std::min(second, distance);
   }
-  return second < kFar2 ? std::nullopt : found;
+  return second < kOuterGate2 ? std::nullopt : found;
 }
 
-class WayBuilder
+class CalibrationDataBuilder
 {
  public:
-  WayBuilder(const LocalizationInput& input) : input_(input)
+  CalibrationDataBuilder(const LocalizationInput& input) : input_(input)
   {
     for (const TimedPose& entry : input.log.overview.odometry.trajectory())
-      result_.way.odometry.push_back({entry.time, entry.pose});
+      result_.problem.odometry.push_back({entry.time, entry.pose});
     result_.sensors = input.logged_sensors;
-    result_.way.sensors = result_.sensors.size();
+    result_.problem.sensors = result_.sensors.size();
   }
 
-  void add(const Frame& frame, const PoseEstimate& sure)
+  void add(const Frame& frame, const PoseEstimate& estimate)
   {
-    GaussianPose robot = sure.pose;
-    robot.mean = compose(robot.mean, moved(sure.time, frame.time).increment);
+    GaussianPose robot = estimate.pose;
+    robot.mean = compose(robot.mean, moved(estimate.time, frame.time).increment);
     bridgeTo(frame.time);
     addPose(frame.time, robot.mean);
     for (const Reading& reading : frame.readings)
@@ -85,11 +86,11 @@ class WayBuilder
 
   void bridgeTo(double time)
   {
-    if (result_.way.poses.empty() || input_.config.frames.independent) return;
-    if (time - result_.way.poses.back().time > kLongestGap) return;
-    while (time - result_.way.poses.back().time > 1.5 * kStep)
+    if (result_.problem.poses.empty() || input_.config.frames.independent) return;
+    if (time - result_.problem.poses.back().time > kLongestGap) return;
+    while (time - result_.problem.poses.back().time > 1.5 * kStep)
     {
-      const TrajectoryPose last = result_.way.poses.back();
+      const TrajectoryPose last = result_.problem.poses.back();
       addPose(last.time + kStep, compose(last.pose, moved(last.time, last.time + kStep).increment));
     }
   }
@@ -97,13 +98,13 @@ class WayBuilder
   void addPose(double time, const Pose2& pose)
   {
     TrajectoryPose next{time, pose, {}};
-    if (!result_.way.poses.empty() && !input_.config.frames.independent)
+    if (!result_.problem.poses.empty() && !input_.config.frames.independent)
     {
-      const double before = result_.way.poses.back().time;
+      const double before = result_.problem.poses.back().time;
       if (time - before <= kLongestGap)
         next.since_previous = incrementCovariance(input_.config.filter.motion, moved(before, time));
     }
-    result_.way.poses.push_back(next);
+    result_.problem.poses.push_back(next);
   }
 
   void addDetection(const Detection& detection, const Reading& reading, const GaussianPose& robot)
@@ -116,18 +117,18 @@ class WayBuilder
       return;
     }
     const auto label = std::find(result_.sensors.begin(), result_.sensors.end(), reading.sensor);
-    const Vector3d place = map[*landmark].position;
-    CalibrationReading r{.pose = result_.way.poses.size() - 1,
+    const Vector3d position = map[*landmark].position;
+    CalibrationReading r{.pose = result_.problem.poses.size() - 1,
                          .sensor = static_cast<std::size_t>(label - result_.sensors.begin()),
-                         .place = place.head<2>(),
+                         .place = position.head<2>(),
                          .T_robot_sensor = reading.T_robot_sensor,
-                         .height = reading.horizontal_range ? 0 : place.z() - reading.sensor_height};
+                         .height = reading.horizontal_range ? 0 : position.z() - reading.sensor_height};
     const auto add = [&](bool is_range, double value, double std)
     {
       r.is_range = is_range;
       r.value = value;
       r.std = std;
-      result_.way.readings.push_back(r);
+      result_.problem.readings.push_back(r);
       result_.landmarks.push_back(*landmark);
     };
     if (detection.bearing) add(false, *detection.bearing, detection.std_bearing);
@@ -144,32 +145,33 @@ std::vector<PoseEstimate> confidentTrajectory(const LocalizationInput& input, st
   LocalizationConfig config = input.config;
   config.methods = {"particle_filter"};
   if (config.frames.independent) config.methods = {"bearing_maximum_likelihood", "two_landmark_pose"};
-  const MethodFactory factory(config, input.context.map, input.log.kinds);
+  const MethodFactory factory(config, input.context.map, input.log.available);
   const Methods methods = factory.make(seed, 0);
-  std::vector<PoseEstimate> track;
-  const FrameFeed frames = streamOf(input);
+  std::vector<PoseEstimate> trajectory;
+  const FrameStream frames = streamOf(input);
   while (const auto frame = frames())
     for (const auto& method : methods.localizers)
     {
       const Estimate estimate = method->process(*frame);
-      const bool sure = estimate.point && estimate.point->verdict == Verdict::ok && estimate.point->heading_known;
-      const bool first = track.empty() || track.back().time < frame->time;
-      if (sure && first) track.push_back(*estimate.point);
+      const bool confident = estimate.point && estimate.point->verdict == Verdict::ok && estimate.point->heading_known;
+      const bool first = trajectory.empty() || trajectory.back().time < frame->time;
+      if (confident && first) trajectory.push_back(*estimate.point);
     }
-  return track;
+  return trajectory;
 }
 
-CalibrationData examinedWay(const LocalizationInput& input, const std::vector<PoseEstimate>& track, double window)
+CalibrationData collectCalibrationData(const LocalizationInput& input, const std::vector<PoseEstimate>& trajectory,
+                                       double window)
 {
   constexpr double kRounding = 1e-6;  // [s]
-  WayBuilder builder(input);
-  const FrameFeed frames = streamOf(input);
+  CalibrationDataBuilder builder(input);
+  const FrameStream frames = streamOf(input);
   while (const auto frame = frames())
   {
-    const auto sure = std::lower_bound(track.begin(), track.end(), frame->time - kRounding,
-                                       [](const PoseEstimate& point, double time) { return point.time < time; });
-    if (sure != track.end() && sure->time - frame->time <= window + kRounding && !frame->readings.empty())
-      builder.add(*frame, *sure);
+    const auto estimate = std::lower_bound(trajectory.begin(), trajectory.end(), frame->time - kRounding,
+                                           [](const PoseEstimate& point, double time) { return point.time < time; });
+    if (estimate != trajectory.end() && estimate->time - frame->time <= window + kRounding && !frame->readings.empty())
+      builder.add(*frame, *estimate);
   }
   return builder.take();
 }

@@ -11,32 +11,32 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kSignificant = 2;        // deviations
-constexpr double kOutlier = 4;            // deviations
-constexpr double kWorthTelling = 1.5;     // times what is promised
-constexpr std::size_t kLeastJudged = 50;  // readings of a sensor
+constexpr double kSignificant = 2;          // standard deviations
+constexpr double kOutlier = 4;              // standard deviations
+constexpr double kSignificantRatio = 1.5;   // estimated over configured
+constexpr std::size_t kLeastReadings = 50;  // of a sensor
 
 const std::string kMotion = "MotionModel";
 
-std::string whyNot(CalibrationParameter kind)
+std::string whyNotObservable(CalibrationParameter kind)
 {
   switch (kind)
   {
     case CalibrationParameter::delay:
       return "the robot moves too little or too evenly";
     case CalibrationParameter::bearing_offset:
-      return "nothing tells it from the heading";
+      return "not separable from the heading";
     case CalibrationParameter::range_offset:
     case CalibrationParameter::range_scale:
       return "too few different ranges";
     case CalibrationParameter::rotation_scale:
       return "too few turns";
     default:
-      return "too little way";
+      return "too short a trajectory";
   }
 }
 
-/// Turns the errors that were found into figures of the configuration.
+/// Converts estimated errors into values of the configuration.
 class Translator
 {
  public:
@@ -48,7 +48,7 @@ class Translator
   [[nodiscard]] CalibrationFinding finding(const EstimatedError& error) const
   {
     CalibrationFinding found = isOfOdometry(error.term.kind) ? ofOdometry(error) : ofSensor(error);
-    if (!error.observable) found.why_not = whyNot(error.term.kind);
+    if (!error.observable) found.why_not_observable = whyNotObservable(error.term.kind);
     return found;
   }
 
@@ -60,15 +60,15 @@ class Translator
     return 0;
   }
 
-  /// `base + scale * error` is the figure.
+  /// The value is `base + scale * error`.
   static void set(CalibrationFinding& found, const EstimatedError& error, double base, double scale)
   {
-    found.now = base;
+    found.configured = base;
     found.estimate = base + scale * error.value;
     found.std = std::abs(scale) * error.std;
   }
 
-  /// Where the configuration tells the error as the mean of one that is estimated, it is told as that mean.
+  /// Where the configuration states the mean of this error for its estimation, the finding is that mean.
   bool setAsMean(CalibrationFinding& found, const EstimatedError& error, BiasKind kind, const std::string& label) const
   {
     for (const BiasState& bias : config_.biases)
@@ -77,7 +77,7 @@ class Translator
       if (bias.kind != kind || !acts || bias.mean == 0) continue;
       const double unit = kind == BiasKind::bearing_offset ? radToDeg(1.0) : 1;
       set(found, error, 0, unit);
-      found.now = unit * bias.mean;
+      found.configured = unit * bias.mean;
       found.line = {bias.sensor.empty() ? "Bias" : "Sensor_" + bias.sensor, biasMeanKey(kind), ""};
       return true;
     }
@@ -90,30 +90,29 @@ class Translator
     CalibrationFinding found;
     if (error.term.kind == CalibrationParameter::distance_scale)
     {
-      found = {.what = "odometry: true over measured way", .decimals = 4, .line = {kMotion, "odometry_scale", ""}};
+      found = {.what = "odometry: true over measured distance", .decimals = 4, .line = {kMotion, "odometry_scale", ""}};
       set(found, error, now.scale, now.scale);
-      if (setAsMean(found, error, BiasKind::distance_scale, "")) found.what = "odometry: true way longer by the share";
+      if (setAsMean(found, error, BiasKind::distance_scale, "")) found.what = "odometry: relative error of distance";
     }
     if (error.term.kind == CalibrationParameter::rotation_scale)
     {
-      found = {.what = "odometry: true over measured turns",
+      found = {.what = "odometry: true over measured rotation",
                .decimals = 4,
                .line = {kMotion, "odometry_rotation_scale", ""}};
       set(found, error, now.rotation_scale, now.rotation_scale);
-      if (setAsMean(found, error, BiasKind::rotation_scale, ""))
-        found.what = "odometry: true turns larger by the share";
+      if (setAsMean(found, error, BiasKind::rotation_scale, "")) found.what = "odometry: relative error of rotation";
     }
     if (error.term.kind == CalibrationParameter::veer)
     {
-      found = {.what = "odometry: unseen left turn per metre",
+      found = {.what = "odometry: unmeasured left turn per metre",
                .unit = "deg",
                .decimals = 2,
                .line = {kMotion, "odometry_turn_per_m_deg", ""}};
-      // What is configured already is stretched with the turns, and counts per metre of the way as it was.
+      // The configured value scales with the rotations, and is per metre of the uncorrected distance.
       const double base = now.turn_per_m * (1 + valueOf(CalibrationParameter::rotation_scale)) /
                           (1 + valueOf(CalibrationParameter::distance_scale));
       set(found, error, radToDeg(base), radToDeg(1.0));
-      found.now = radToDeg(now.turn_per_m);
+      found.configured = radToDeg(now.turn_per_m);
     }
     return found;
   }
@@ -128,7 +127,7 @@ class Translator
       case CalibrationParameter::delay:
         return delay(error, label, now);
       case CalibrationParameter::bearing_offset:
-        found = {.what = label + ": bearings too large by",
+        found = {.what = label + ": bearing offset",
                  .unit = "deg",
                  .decimals = 2,
                  .line = {section, "bias_bearing_deg", ""}};
@@ -136,15 +135,14 @@ class Translator
         setAsMean(found, error, BiasKind::bearing_offset, label);
         return found;
       case CalibrationParameter::range_offset:
-        found = {.what = label + ": ranges too long by", .unit = "m", .line = {section, "bias_range_m", ""}};
+        found = {.what = label + ": range offset", .unit = "m", .line = {section, "bias_range_m", ""}};
         set(found, error, now.bias_range, now.scale_range);
         setAsMean(found, error, BiasKind::range_offset, label);
         return found;
       default:
         found = {.what = label + ": measured over true range", .decimals = 4, .line = {section, "scale_range", ""}};
         set(found, error, now.scale_range, now.scale_range);
-        if (setAsMean(found, error, BiasKind::range_scale, label))
-          found.what = label + ": ranges too long by the share";
+        if (setAsMean(found, error, BiasKind::range_scale, label)) found.what = label + ": relative error of ranges";
         return found;
     }
   }
@@ -153,8 +151,7 @@ class Translator
                                          const SensorConfig& now) const
   {
     const bool odometry_is_late = config_.frames.odometry.delay != 0 && sensors_.size() == 1;
-    CalibrationFinding found{.what = odometry_is_late ? "odometry: true this long after its stamp"
-                                                      : label + ": readings older than odometry by",
+    CalibrationFinding found{.what = odometry_is_late ? "odometry: latency" : label + ": delay against odometry",
                              .unit = "s",
                              .line = odometry_is_late ? IniAssignment{kMotion, "odometry_delay_s", ""}
                                                       : IniAssignment{"Sensor_" + label, "delay_s", ""}};
@@ -169,17 +166,17 @@ class Translator
 
 void settleLine(CalibrationFinding& found, bool differs)
 {
-  found.differs = differs && found.why_not.empty();
+  found.differs = differs && found.why_not_observable.empty();
   found.line.value = fixedText(found.estimate, found.decimals);
 }
 
 bool differs(const CalibrationFinding& found)
 {
-  return found.why_not.empty() && std::abs(found.estimate - found.now) > kSignificant * found.std;
+  return found.why_not_observable.empty() && std::abs(found.estimate - found.configured) > kSignificant * found.std;
 }
 
-/// Readings of one kind of one sensor.
-struct Judged
+/// Bearings or ranges of one sensor.
+struct Residuals
 {
   std::vector<double> stds;  // declared
   double outliers = 0;
@@ -191,8 +188,9 @@ bool isOfRanges(const EstimatedError& error)
 }
 }  // namespace
 
-std::vector<CalibrationFinding> doctorFindings(const RecordingErrors& errors, const std::vector<std::string>& sensors,
-                                               const LocalizationConfig& config)
+std::vector<CalibrationFinding> calibrationFindings(const RecordingErrors& errors,
+                                                    const std::vector<std::string>& sensors,
+                                                    const LocalizationConfig& config)
 {
   const Translator translator(errors, sensors, config);
   std::vector<CalibrationFinding> findings;
@@ -209,50 +207,50 @@ std::vector<CalibrationFinding> doctorFindings(const RecordingErrors& errors, co
   return findings;
 }
 
-std::vector<CalibrationFinding> scatterFindings(const RecordingErrors& errors, const CalibrationData& examined,
-                                                const LocalizationConfig& config)
+std::vector<CalibrationFinding> noiseFindings(const RecordingErrors& errors, const CalibrationData& data,
+                                              const LocalizationConfig& config)
 {
-  std::map<std::pair<std::size_t, bool>, Judged> judged;
+  std::map<std::pair<std::size_t, bool>, Residuals> by_sensor;
   for (std::size_t i = 0; i < errors.misfits.size(); ++i)
   {
-    const CalibrationReading& r = examined.way.readings[i];
-    Judged& of = judged[{r.sensor, r.is_range}];
+    const CalibrationReading& r = data.problem.readings[i];
+    Residuals& of = by_sensor[{r.sensor, r.is_range}];
     of.stds.push_back(r.std);
     of.outliers += std::abs(errors.misfits[i]) > kOutlier;
   }
   std::vector<CalibrationFinding> findings;
-  for (const auto& [key, of] : judged)
+  for (const auto& [key, of] : by_sensor)
   {
     const auto& [sensor, is_range] = key;
-    const std::string label = examined.sensors[sensor], section = "Sensor_" + label;
+    const std::string label = data.sensors[sensor], section = "Sensor_" + label;
     const SensorConfig& now = configOf(config.frames.sensors, label);
     const double unit = is_range ? 1 : radToDeg(1.0), declared = unit * medianOf(of.stds);
     const double scatter = is_range ? errors.scatter[sensor].range : errors.scatter[sensor].bearing;
     const auto count = static_cast<double>(of.stds.size());
-    CalibrationFinding spread{.what = label + (is_range ? ": ranges scatter by" : ": bearings scatter by"),
+    CalibrationFinding spread{.what = label + (is_range ? ": std of ranges" : ": std of bearings"),
                               .unit = is_range ? "m" : "deg",
-                              .now = declared,
+                              .configured = declared,
                               .estimate = scatter * declared,
                               .std = scatter * declared / std::sqrt(count),
                               .decimals = is_range ? 3 : 2,
                               .line = {section, is_range ? "std_range_m" : "std_bearing_deg", ""}};
-    const bool enough = of.stds.size() >= kLeastJudged;
-    settleLine(spread, enough && scatter > kWorthTelling && !(is_range && now.std_range_per_m > 0));
+    const bool enough = of.stds.size() >= kLeastReadings;
+    settleLine(spread, enough && scatter > kSignificantRatio && !(is_range && now.std_range_per_m > 0));
     findings.push_back(spread);
     const double share = of.outliers / count;
     CalibrationFinding outliers{.what = label + (is_range ? ": outliers among ranges" : ": outliers among bearings"),
-                                .now = now.clutter_probability,
+                                .configured = now.clutter_probability,
                                 .estimate = share,
                                 .std = std::sqrt(share * (1 - share) / count),
                                 .decimals = 3,
                                 .line = {section, "clutter_probability", ""}};
-    settleLine(outliers, enough && share > kWorthTelling * now.clutter_probability);
+    settleLine(outliers, enough && share > kSignificantRatio * now.clutter_probability);
     findings.push_back(outliers);
   }
   return findings;
 }
 
-std::vector<std::string> landmarkLines(const RecordingErrors& errors, const CalibrationData& examined,
+std::vector<std::string> landmarkLines(const RecordingErrors& errors, const CalibrationData& data,
                                        const LandmarkTable& map)
 {
   struct Count
@@ -262,7 +260,7 @@ std::vector<std::string> landmarkLines(const RecordingErrors& errors, const Cali
   std::map<std::size_t, Count> counts;
   for (std::size_t i = 0; i < errors.misfits.size(); ++i)
   {
-    Count& count = counts[examined.landmarks[i]];
+    Count& count = counts[data.landmarks[i]];
     ++count.readings;
     count.outliers += std::abs(errors.misfits[i]) > kOutlier;
   }
@@ -274,7 +272,7 @@ std::vector<std::string> landmarkLines(const RecordingErrors& errors, const Cali
                                  ? std::to_string(of.id)
                                  : "at " + fixedText(of.position.x(), 2) + " " + fixedText(of.position.y(), 2);
     const double share = static_cast<double>(count.outliers) / static_cast<double>(count.readings);
-    lines.push_back("landmark " + name + ": " + std::to_string(count.readings) + " figures, " +
+    lines.push_back("landmark " + name + ": " + std::to_string(count.readings) + " bearings and ranges, " +
                     fixedText(100 * share, 1) + " % outliers");
   }
   return lines;
@@ -282,15 +280,16 @@ std::vector<std::string> landmarkLines(const RecordingErrors& errors, const Cali
 
 std::vector<std::string> findingsTable(const std::vector<CalibrationFinding>& findings)
 {
-  std::vector<std::vector<std::string>> rows{{"", "the log says", "the .ini says", ""}};
+  std::vector<std::vector<std::string>> rows{{"", "estimated", "configured", ""}};
   for (const CalibrationFinding& f : findings)
   {
     const std::string unit = f.unit.empty() ? "" : " " + f.unit;
-    const std::string figure = fixedText(f.estimate, f.decimals) + " +- " + fixedText(f.std, f.decimals) + unit;
-    rows.push_back({f.what, f.why_not.empty() ? figure : "cannot be told", fixedText(f.now, f.decimals) + unit,
-                    !f.why_not.empty() ? f.why_not
-                    : f.differs        ? "set [" + f.line.section + "] " + f.line.key + " = " + f.line.value
-                                       : "as it is"});
+    const std::string estimate = fixedText(f.estimate, f.decimals) + " +- " + fixedText(f.std, f.decimals) + unit;
+    rows.push_back({f.what, f.why_not_observable.empty() ? estimate : "not observable",
+                    fixedText(f.configured, f.decimals) + unit,
+                    !f.why_not_observable.empty() ? f.why_not_observable
+                    : f.differs                   ? "set [" + f.line.section + "] " + f.line.key + " = " + f.line.value
+                                                  : "consistent"});
   }
   std::vector<std::size_t> widths(4, 0);
   for (const auto& row : rows)

@@ -11,36 +11,35 @@
 
 namespace mrpt_ext
 {
-/// A figure of the configuration, and what the log says about it.
+/// A value of the configuration beside its estimate from the log.
 struct CalibrationFinding
 {
-  std::string what;     ///< "camera: bearings too large by"
-  std::string unit;     ///< of the three figures, those of the .ini
-  double now = 0;       ///< what the configuration says
-  double estimate = 0;  ///< what the log says
-  double std = 0;
+  std::string what;  ///< "camera: bearings too large by"
+  std::string unit;  ///< of the three numbers, as in the .ini
+  double configured = 0;
+  double estimate = 0;  ///< from the log
+  double std = 0;       ///< of the estimate
   int decimals = 3;
-  std::string why_not;   ///< why the log does not tell it; empty: it does
-  IniAssignment line;    ///< that sets it
-  bool differs = false;  ///< the line is to be set
+  std::string why_not_observable;  ///< empty: observable
+  IniAssignment line;              ///< that sets the estimate
+  bool differs = false;            ///< significantly: the line should be set
 };
 
-/// The errors that were found on top of the configuration's own corrections, as figures of the configuration.
-/// A figure that [Bias] or [Sensor_<label>] gives as the mean of an estimated error is told as that mean. Only the
-/// difference of two clocks shows: it is blamed on odometry where the configuration does so and there is one sensor,
-/// else on the sensor. A line is to be set when the log differs by more than two deviations; offset and scale of a
-/// range belong together.
-[[nodiscard]] std::vector<CalibrationFinding> doctorFindings(const RecordingErrors& errors,
-                                                             const std::vector<std::string>& sensors,
-                                                             const LocalizationConfig& config);
+/// The errors that were found on top of the configured corrections, as values of the configuration. Where [Bias] or
+/// [Sensor_<label>] states the mean of an estimated error, that mean is reported. Only the difference of two clocks is
+/// observable: it is attributed to odometry where the configuration does so and there is one sensor, else to the
+/// sensor. A value differs when it is more than two standard deviations from the configured one; offset and scale of a
+/// range are set together.
+[[nodiscard]] std::vector<CalibrationFinding> calibrationFindings(const RecordingErrors& errors,
+                                                                  const std::vector<std::string>& sensors,
+                                                                  const LocalizationConfig& config);
 
-/// How readings scatter and how many of them are outliers, by sensor; a line where the configuration promises less.
-[[nodiscard]] std::vector<CalibrationFinding> scatterFindings(const RecordingErrors& errors,
-                                                              const CalibrationData& examined,
-                                                              const LocalizationConfig& config);
+/// Measurement noise and share of outliers by sensor; they differ where the configuration states less.
+[[nodiscard]] std::vector<CalibrationFinding> noiseFindings(const RecordingErrors& errors, const CalibrationData& data,
+                                                            const LocalizationConfig& config);
 
 /// Shares of outliers by landmark, one line each.
-[[nodiscard]] std::vector<std::string> landmarkLines(const RecordingErrors& errors, const CalibrationData& examined,
+[[nodiscard]] std::vector<std::string> landmarkLines(const RecordingErrors& errors, const CalibrationData& data,
                                                      const LandmarkTable& map);
 
 /// A table, one line per finding, with a heading.

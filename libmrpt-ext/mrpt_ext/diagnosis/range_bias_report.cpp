@@ -11,7 +11,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr std::size_t kMostEpochs = 500;  // evenly chosen: neighbouring moments tell the same
+constexpr std::size_t kMostEpochs = 500;  // evenly chosen: neighbouring epochs are redundant
 
 /// Labels of sensors and ids of landmarks, by their numbers in the epochs.
 struct Radios
@@ -56,10 +56,10 @@ void addRanges(const Reading& reading, const LandmarkTable& map, const Radios& r
   for (const Detection& detection : reading.detections)
   {
     if (!isRadioRange(detection, map)) continue;
-    const Vector3d place = map[map.indexOf(detection.id).value()].position;
+    const Vector3d position = map[map.indexOf(detection.id).value()].position;
     epoch.push_back({numberOf(radios.sensors, reading.sensor), numberOf(radios.landmarks, detection.id),
-                     place.head<2>(), reading.T_robot_sensor.position(),
-                     reading.horizontal_range ? 0 : place.z() - reading.sensor_height, *detection.range});
+                     position.head<2>(), reading.T_robot_sensor.position(),
+                     reading.horizontal_range ? 0 : position.z() - reading.sensor_height, *detection.range});
   }
 }
 
@@ -80,26 +80,25 @@ std::vector<RadioEpoch> epochsOf(const Recording& recording, const Radios& radio
   return chosen;
 }
 
-std::string withDeviation(double value, double std) { return fixedText(value, 3) + " +- " + fixedText(std, 3) + " m"; }
+std::string withStd(double value, double std) { return fixedText(value, 3) + " +- " + fixedText(std, 3) + " m"; }
 
-RadioFindings report(const RadioDelays& delays, const Radios& radios)
+RangeBiasReport report(const RadioDelays& delays, const Radios& radios)
 {
-  RadioFindings findings;
-  findings.lines.push_back("radios: " + std::to_string(delays.epochs) + " moments fitted together, ranges scatter by " +
-                           fixedText(delays.scatter, 3) + " m about the fit");
+  RangeBiasReport findings;
+  findings.lines.push_back("radios: " + std::to_string(delays.epochs) + " epochs, std of the ranges " +
+                           fixedText(delays.scatter, 3) + " m");
   std::string by_landmark;
   for (std::size_t j = 0; j < radios.landmarks.size(); ++j)
   {
     const std::string id = std::to_string(radios.landmarks[j]);
     by_landmark += (j > 0 ? " " : "") + id + ":" + fixedText(delays.landmark[j], 3);
-    findings.lines.push_back("landmark " + id + ": ranges too long by " +
-                             withDeviation(delays.landmark[j], delays.std_landmark[j]) + " against the mean, " +
-                             fixedText(100 * delays.outlier_share[j], 1) + " % outliers");
+    findings.lines.push_back("landmark " + id + ": range bias " + withStd(delays.landmark[j], delays.std_landmark[j]) +
+                             " relative to the mean, " + fixedText(100 * delays.outlier_share[j], 1) + " % outliers");
   }
   for (std::size_t i = 0; i < radios.sensors.size(); ++i)
   {
-    findings.lines.push_back("sensor " + radios.sensors[i] + ": ranges too long by " +
-                             withDeviation(delays.sensor[i], delays.std_sensor[i]));
+    findings.lines.push_back("sensor " + radios.sensors[i] + ": range bias " +
+                             withStd(delays.sensor[i], delays.std_sensor[i]));
     const std::string section = "Sensor_" + radios.sensors[i];
     findings.configuration.push_back({section, "bias_range_m", fixedText(delays.sensor[i], 3)});
     findings.configuration.push_back({section, "landmark_bias_range_m", by_landmark});
@@ -108,14 +107,14 @@ RadioFindings report(const RadioDelays& delays, const Radios& radios)
 }
 }  // namespace
 
-RadioFindings examineRadios(const Recording& recording)
+RangeBiasReport reportRangeBiases(const Recording& recording)
 {
   const Radios radios = radiosOf(recording);
   const RadioDelays delays = estimateRadioDelays(epochsOf(recording, radios), radios.std_range);
   if (delays.status == SolveStatus::ok) return report(delays, radios);
   const std::string why = delays.status == SolveStatus::degenerate
                               ? "the ranges leave some of them undetermined"
-                              : "not at ten moments do several sensors range to landmarks";
-  return {{"radios: no delays can be told, " + why}, {}};
+                              : "fewer than ten epochs in which several sensors range to landmarks";
+  return {{"radios: range biases not observable, " + why}, {}};
 }
 }  // namespace mrpt_ext

@@ -8,15 +8,15 @@
 
 namespace mrpt_ext
 {
-/// What the ranges of a recording tell about its radios.
-struct RadioFindings
+/// Range biases of the radios of a recording.
+struct RangeBiasReport
 {
-  std::vector<std::string> lines;            ///< for people, one finding each
+  std::vector<std::string> lines;            ///< for the reader, one finding each
   std::vector<IniAssignment> configuration;  ///< what to set in a configuration of landmark-localization
 };
 
-/// Delays, scatter and outliers of radios, from moments at which several sensors of the robot range to named landmarks
-/// (calibration/range_bias_calibration.h); never from the truth. Where there are too few such moments, a line says so
+/// Biases, noise and outliers of radios, from epochs at which several sensors of the robot range to identified
+/// landmarks (calibration/range_bias_calibration.h); never from the truth. With too few such epochs, a line states it
 /// and there is nothing to set.
-[[nodiscard]] RadioFindings examineRadios(const Recording& recording);
+[[nodiscard]] RangeBiasReport reportRangeBiases(const Recording& recording);
 }  // namespace mrpt_ext

@@ -10,7 +10,7 @@
 
 namespace mrpt_ext
 {
-std::optional<FrameBound> boundOfFrames(const FrameFeed& frames, const LandmarkTable& map, const Trajectory& truth,
+std::optional<FrameBound> boundOfFrames(const FrameStream& frames, const LandmarkTable& map, const Trajectory& truth,
                                         BoundOf what)
 {
   std::vector<double> position, heading;

@@ -8,7 +8,7 @@
 
 namespace mrpt_ext
 {
-/// Cramer-Rao limit of frames that are solved one by one.
+/// Cramer-Rao bound of frames that are solved one by one.
 struct FrameBound
 {
   std::size_t frames = 0;      ///< that determine a pose
@@ -23,9 +23,9 @@ enum class BoundOf
   everything  ///< identified bearings and ranges
 };
 
-/// The limit at the true poses, with the configured standard deviations. Nothing when no frame with a true pose
-/// determines one. Where the truth knows no heading, zero stands for it: turning the robot changes no position bound,
-/// for sensors in its centre exactly.
-[[nodiscard]] std::optional<FrameBound> boundOfFrames(const FrameFeed& frames, const LandmarkTable& map,
+/// The bound at the true poses, with the configured standard deviations. Nothing when no frame with a true pose
+/// determines one. Where the truth has no heading, zero stands for it: the position bound does not depend on the
+/// heading, exactly so for sensors in the centre of the robot.
+[[nodiscard]] std::optional<FrameBound> boundOfFrames(const FrameStream& frames, const LandmarkTable& map,
                                                       const Trajectory& truth, BoundOf what);
 }  // namespace mrpt_ext

@@ -9,7 +9,7 @@
 #include "mrpt_ext/files/landmark_csv.h"
 #include "mrpt_ext/files/mrpt_index_truth.h"
 #include "mrpt_ext/files/tum.h"
-#include "mrpt_ext/frames/frame_sequence.h"
+#include "mrpt_ext/frames/log_overview.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/rawlog/rawlog_source.h"
 #include "mrpt_ext/rawlog/sha256.h"
@@ -92,7 +92,7 @@ bool isSparse(const Trajectory& truth)
   return 2 * long_gaps > truth.size();
 }
 
-/// The files beside the log, with what tells whether they are still the same.
+/// The files beside the log, with their checksums.
 std::vector<InputFile> inputFiles(const Settings& settings)
 {
   std::vector<InputFile> files{{"configuration", settings.file().string(), {}},
@@ -111,7 +111,7 @@ void matchSensors(LocalizationInput& input, const std::set<std::string>& logged)
     if (logged.count(label) == 0) input.unmatched_sensors.push_back(label);
 }
 
-/// First pass: what the records tell about the log as a whole.
+/// First pass: properties of the log as a whole.
 void readOverview(LocalizationInput& input, RawlogSource& source)
 {
   RunContext& context = input.context;
@@ -122,7 +122,7 @@ void readOverview(LocalizationInput& input, RawlogSource& source)
     if constexpr (requires { record.sensor; }) sensors.insert(record.sensor);
   };
   const RecordStream records = recordsOf(source, input.log.window);
-  const auto watched = [&]
+  const auto observed = [&]
   {
     auto record = records();
     if (!record) return record;
@@ -131,8 +131,8 @@ void readOverview(LocalizationInput& input, RawlogSource& source)
     std::visit(collect, *record);
     return record;
   };
-  input.log.overview = overviewOf(watched, input.config.frames.odometry);
-  while (source.next()) continue;  // damage and counts are told of the whole log
+  input.log.overview = overviewOf(observed, input.config.frames.odometry);
+  while (source.next()) continue;  // damage and counts concern the whole log
   if (first) context.start_time = *first;
   if (first) context.duration_s = *last - *first;
   matchSensors(input, sensors);
@@ -143,19 +143,19 @@ void readOverview(LocalizationInput& input, RawlogSource& source)
   input.unusable = statistics.unusable;
 }
 
-/// Second pass: what can be known from the frames.
+/// Second pass: properties of the frames.
 void readFrames(LocalizationInput& input)
 {
   const RunContext& context = input.context;
   const double max_gap = context.truth_is_sparse ? 0.0 : kMaxTruthGap;
   FrameLog& log = input.log;
-  log.kinds.odometry = !log.overview.odometry.empty();
+  log.available.odometry = !log.overview.odometry.empty();
   FrameSynchronizer frames = framesOf(input);
   while (const auto frame = frames.next())
   {
     static_cast<void>(frames.takeObjectFrames());
     ++log.frames;
-    log.kinds.add(*frame);
+    log.available.add(*frame);
     if (const auto geometry = frameGeometry(*frame, context.map, context.truth, max_gap))
       input.context.geometry.push_back(*geometry);
   }
@@ -191,7 +191,8 @@ LocalizationInput loadLocalization(const Settings& settings, const LogWindow& wi
   input.context.truth_is_sparse = isSparse(input.context.truth);
   readFrames(input);
   checkAnythingToScore(input);
-  (void)MethodFactory(input.config, input.context.map, input.log.kinds);  // an unknown name is told before the work
+  (void)MethodFactory(input.config, input.context.map,
+                      input.log.available);  // reports an unknown method before the work
   input.context.inputs = inputFiles(settings);
   return input;
 }
@@ -203,12 +204,12 @@ FrameSynchronizer framesOf(const LocalizationInput& input)
   return {records, input.context.map, input.config.frames, input.log.overview};
 }
 
-FrameFeed streamOf(const LocalizationInput& input)
+FrameStream streamOf(const LocalizationInput& input)
 {
-  return [cutter = std::make_shared<FrameSynchronizer>(framesOf(input))]
+  return [synchronizer = std::make_shared<FrameSynchronizer>(framesOf(input))]
   {
-    static_cast<void>(cutter->takeObjectFrames());
-    return cutter->next();
+    static_cast<void>(synchronizer->takeObjectFrames());
+    return synchronizer->next();
   };
 }
 }  // namespace mrpt_ext

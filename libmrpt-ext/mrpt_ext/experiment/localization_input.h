@@ -20,14 +20,14 @@ struct LogWindow
   std::optional<double> duration;
 };
 
-/// A log of frames, as far as it must be known as a whole. The frames themselves are read anew whenever they are asked
-/// for: that costs little beside the methods, and hours of them need not fit into memory.
+/// A log of frames: its properties as a whole. The frames are read from the file in every pass, so that hours of them
+/// need not fit into memory; that costs little beside the methods.
 struct FrameLog
 {
   std::filesystem::path path;
   LogWindow window;
   LogOverview overview;
-  MeasurementKinds kinds;
+  AvailableMeasurements available;
   std::size_t frames = 0, detections = 0;
 };
 
@@ -39,15 +39,16 @@ struct LocalizationInput
   FrameLog log;
   UnusableCounts unusable;                     ///< detections that were left out, by reason
   std::vector<std::string> logged_sensors;     ///< labels of the records
-  std::vector<std::string> unmatched_sensors;  ///< labels of [Sensor_<label>] that no record has, perhaps misspelt
+  std::vector<std::string> unmatched_sensors;  ///< labels of [Sensor_<label>] without records, perhaps misspelt
 };
 
-/// Reads map and truth that the settings name, and the whole log once. Throws InputError when a file is missing or
+/// Reads the map and the truth of the settings, and the whole log twice. Throws InputError when a file is missing or
 /// damaged, a key is wrong, or nothing in the log can be scored against the map.
 [[nodiscard]] LocalizationInput loadLocalization(const Settings& settings, const LogWindow& window);
 
-/// Reads the frames of the log from the first one on; `input` must outlive them. For every pass and thread its own.
+/// Reads the frames of the log from the first one on; `input` must outlive the result. Each pass and thread takes its
+/// own.
 [[nodiscard]] FrameSynchronizer framesOf(const LocalizationInput& input);
 /// The same, without the objects.
-[[nodiscard]] FrameFeed streamOf(const LocalizationInput& input);
+[[nodiscard]] FrameStream streamOf(const LocalizationInput& input);
 }  // namespace mrpt_ext

@@ -13,27 +13,27 @@
 
 namespace mrpt_ext
 {
-void MeasurementKinds::add(const Frame& frame)
+void AvailableMeasurements::add(const Frame& frame)
 {
   fix = fix || !frame.fixes.empty();
   for (const Reading& reading : frame.readings)
   {
-    const Vector2d place = reading.T_robot_sensor.position();
-    several_places = several_places || place != frame.readings.front().T_robot_sensor.position();
+    const Vector2d position = reading.T_robot_sensor.position();
+    separate_sensors = separate_sensors || position != frame.readings.front().T_robot_sensor.position();
     for (const Detection& d : reading.detections)
     {
-      const bool known = d.id != kNoId;
-      known_bearing = known_bearing || (known && d.bearing);
-      known_range = known_range || (known && d.range);
-      known_point = known_point || (known && d.bearing && d.range);
-      unknown_bearing = unknown_bearing || (!known && d.bearing);
+      const bool identified = d.id != kNoId;
+      identified_bearing = identified_bearing || (identified && d.bearing);
+      identified_range = identified_range || (identified && d.range);
+      identified_point = identified_point || (identified && d.bearing && d.range);
+      anonymous_bearing = anonymous_bearing || (!identified && d.bearing);
     }
   }
 }
 
 namespace
 {
-/// The same motion, errors, recovery and promises as the particle filter's.
+/// Motion, biases, recovery and verdict as those of the particle filter.
 KalmanBankOptions kalmanOptions(const LocalizationConfig& config, bool iterated, std::size_t max_hypotheses)
 {
   KalmanBankOptions options{.max_hypotheses = max_hypotheses,
@@ -48,8 +48,9 @@ KalmanBankOptions kalmanOptions(const LocalizationConfig& config, bool iterated,
 }
 }  // namespace
 
-MethodFactory::MethodFactory(const LocalizationConfig& config, const LandmarkTable& map, const MeasurementKinds& kinds)
-    : config_(config), map_(map), kinds_(kinds), search_(std::make_shared<const GlobalPoseSearch>(map))
+MethodFactory::MethodFactory(const LocalizationConfig& config, const LandmarkTable& map,
+                             const AvailableMeasurements& available)
+    : config_(config), map_(map), available_(available), search_(std::make_shared<const GlobalPoseSearch>(map))
 {
   checkNames();
 }
@@ -69,16 +70,17 @@ std::vector<MethodFactory::Entry> MethodFactory::closedForms() const
     return Entry{name, applies, [name, method] { return std::make_unique<ClosedFormLocalizer>(name, method); }};
   };
   return {
-      entry("bearing_least_squares", kinds_.known_bearing && map.size() >= 3,
+      entry("bearing_least_squares", available_.identified_bearing && map.size() >= 3,
             [&map](const Frame& frame) { return bearingLeastSquares(frame, map); }),
-      entry("bearing_maximum_likelihood", kinds_.known_bearing && map.size() >= (kinds_.several_places ? 2U : 3U),
+      entry("bearing_maximum_likelihood",
+            available_.identified_bearing && map.size() >= (available_.separate_sensors ? 2U : 3U),
             [&map](const Frame& frame) { return bearingMaximumLikelihood(frame, map); }),
-      entry("interpretation_tree", kinds_.unknown_bearing && map.size() >= 3,
+      entry("interpretation_tree", available_.anonymous_bearing && map.size() >= 3,
             [&map, region, search = search_](const Frame& frame)
             { return interpretationTree(frame, map, *search, region); }),
-      entry("two_landmark_pose", kinds_.known_point && map.size() >= 2,
+      entry("two_landmark_pose", available_.identified_point && map.size() >= 2,
             [&map](const Frame& frame) { return twoLandmarkPose(frame, map); }),
-      entry("range_least_squares", kinds_.known_range && map.size() >= 2,
+      entry("range_least_squares", available_.identified_range && map.size() >= 2,
             [&map, region](const Frame& frame) { return rangeLeastSquares(frame, map, region); }),
   };
 }
@@ -106,7 +108,7 @@ std::vector<MethodFactory::Entry> MethodFactory::entries(std::uint64_t seed, int
   const bool moving = !config_.frames.independent;
   std::vector<Entry> all{
       {"particle_filter", moving, [this, seed, trial] { return makeFilter(seed, trial); }},
-      {"odometry", moving && kinds_.odometry,
+      {"odometry", moving && available_.odometry,
        [this] { return std::make_unique<OdometryLocalizer>(config_.filter.motion, config_.filter.initial_pose); }}};
   for (Entry& entry : kalmanFilters()) all.push_back(std::move(entry));
   for (Entry& entry : closedForms())
@@ -117,8 +119,8 @@ std::vector<MethodFactory::Entry> MethodFactory::entries(std::uint64_t seed, int
                        return std::make_unique<WindowedLocalizer>(make(), config_.join_window, config_.filter.motion);
                      }});
   }
-  // A fix from single ranges needs the way between them.
-  all.push_back({"running_fix", moving && (kinds_.fix || (kinds_.known_range && kinds_.odometry)),
+  // A fix from single ranges needs the motion between them.
+  all.push_back({"running_fix", moving && (available_.fix || (available_.identified_range && available_.odometry)),
                  [this, &methods]
                  {
                    RunningFixLocalizer::FilterHeading heading;
@@ -147,10 +149,10 @@ Methods MethodFactory::make(std::uint64_t seed, int trial) const
   Methods methods;
   for (const Entry& entry : entries(seed, trial, methods))
   {
-    const bool wanted = config_.methods.empty() ? entry.applies
-                                                : std::find(config_.methods.begin(), config_.methods.end(),
-                                                            entry.name) != config_.methods.end();
-    if (!wanted) continue;
+    const bool selected = config_.methods.empty() ? entry.applies
+                                                  : std::find(config_.methods.begin(), config_.methods.end(),
+                                                              entry.name) != config_.methods.end();
+    if (!selected) continue;
     methods.localizers.push_back(entry.make());
     if (entry.name == "particle_filter")
       methods.filter = static_cast<FilterLocalizer*>(methods.localizers.back().get());

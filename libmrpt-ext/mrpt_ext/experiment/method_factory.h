@@ -20,30 +20,30 @@ struct Methods
   FilterLocalizer* filter = nullptr;
 };
 
-/// What kinds of measurements a log holds: decides which closed forms make sense.
-struct MeasurementKinds
+/// Which measurements a log contains: decides which methods apply.
+struct AvailableMeasurements
 {
-  bool known_bearing = false, known_range = false, known_point = false, unknown_bearing = false, fix = false;
-  bool several_places = false;  ///< sensors at different places on the robot
+  bool identified_bearing = false, identified_range = false, identified_point = false;
+  bool anonymous_bearing = false, fix = false;
+  bool separate_sensors = false;  ///< sensors at different positions on the robot
   bool odometry = false;
 
   void add(const Frame& frame);
 };
 
-/// Builds the methods of each trial: those named in the configuration, or all for which the log holds measurements.
-/// What is the same for all trials is made once; trials may ask at the same time. Everything given must outlive the
-/// factory and the methods.
+/// Builds the methods of each trial: those of the configuration, or all that apply to the log. What all trials share is
+/// built once; trials may call make() concurrently. The arguments must outlive the factory and the methods.
 class MethodFactory
 {
  public:
-  /// Throws InputError (configuration) for an unknown name.
-  MethodFactory(const LocalizationConfig& config, const LandmarkTable& map, const MeasurementKinds& kinds);
+  /// Throws InputError (configuration) for an unknown method.
+  MethodFactory(const LocalizationConfig& config, const LandmarkTable& map, const AvailableMeasurements& available);
 
   [[nodiscard]] Methods make(std::uint64_t seed, int trial) const;
   [[nodiscard]] const LandmarkTable& map() const { return map_; }
 
  private:
-  /// A method by name; `applies` tells whether the log gives it anything.
+  /// A method by name; `applies`: the log contains measurements for it.
   struct Entry
   {
     std::string name;
@@ -58,7 +58,7 @@ class MethodFactory
 
   const LocalizationConfig& config_;
   const LandmarkTable& map_;
-  MeasurementKinds kinds_;
+  AvailableMeasurements available_;
   std::shared_ptr<const GlobalPoseSearch> search_;
 };
 }  // namespace mrpt_ext

@@ -26,8 +26,8 @@ class MrptFilterLocalizer : public FilterLocalizer
         map_(map),
         landmark_map_(std::make_shared<CLandmarkMap2D>(map)),
         reliability_(map.size(), options_.reliability_prior_strength, options_.max_clutter),
-        monitor_(options_.recovery),
-        trust_(slowRatioOptions(options_.recovery))
+        fast_ratio_(options_.recovery),
+        slow_ratio_(slowRatioOptions(options_.recovery))
   {
     mrpt::random::getRandomGenerator().randomize(static_cast<std::uint32_t>(seed));
     auto& pf = engine_.m_options;
@@ -45,7 +45,7 @@ class MrptFilterLocalizer : public FilterLocalizer
     auto maps = mrpt::maps::CMultiMetricMap::Create();
     maps->maps.emplace_back(landmark_map_);
     pdf_.options.metricMap = maps;
-    placeParticles();
+    initializeParticles();
   }
 
   Estimate process(const Frame& frame) override
@@ -66,7 +66,7 @@ class MrptFilterLocalizer : public FilterLocalizer
       moved = true;
     }
     if (!moved) engine_.executeOn(pdf_, &action, nullptr);
-    judgeParticles(frame);
+    evaluateParticles(frame);
     return estimateFrom(step_, frame.time);
   }
 
@@ -92,18 +92,18 @@ class MrptFilterLocalizer : public FilterLocalizer
     return Filter::prSystematic;
   }
 
-  /// What executeOn() does for BETA > 0, but with the number of particles named: MRPT 2.5.8 resets as many weights as
-  /// performResampling() was asked for, by default none, so that the evidence of survivors would count twice.
+  /// As executeOn() for BETA > 0, but with an explicit number of particles: MRPT 2.5.8 resets only as many weights as
+  /// the number passed to performResampling(), by default none, so that the evidence of survivors would count twice.
   void resampleIfNeeded()
   {
     if (options_.adaptive_size) return;
-    // The many particles of an uncertain start are thinned once the place is certain, as in the batch engine.
+    // The many particles of a global initialization are reduced once the verdict is ok, as in the batch engine.
     const bool too_many = pdf_.particlesCount() > options_.particles && step_.verdict == Verdict::ok;
     if (!too_many && pdf_.ESS() >= options_.resample_below) return;
     pdf_.performResampling(engine_.m_options, too_many ? options_.particles : pdf_.particlesCount());
   }
 
-  void placeParticles()
+  void initializeParticles()
   {
     RandomStream random(static_cast<std::uint64_t>(mrpt::random::getRandomGenerator().drawUniform32bit()));
     const bool known = options_.initial_mode == InitialMode::gaussian;
@@ -125,7 +125,7 @@ class MrptFilterLocalizer : public FilterLocalizer
     }
   }
 
-  /// The increment with the same Gaussian noise as our motion model, in MRPT's words.
+  /// The increment with the Gaussian noise of our motion model, as MRPT represents it.
   [[nodiscard]] mrpt::obs::CActionCollection motionOf(const OdometryMotion& motion) const
   {
     const Vector3d std = incrementStd(options_.motion, motion);
@@ -144,7 +144,7 @@ class MrptFilterLocalizer : public FilterLocalizer
     return action;
   }
 
-  void judgeParticles(const Frame& frame)
+  void evaluateParticles(const Frame& frame)
   {
     particles_.clear();
     for (const auto& particle : pdf_.m_particles)
@@ -154,14 +154,14 @@ class MrptFilterLocalizer : public FilterLocalizer
     step_.modes = findModes(particles_, options_.modes);
     for (const Reading& reading : scoredReadings(frame))
     {
-      const double explained = reliability_.observe(reading, map_, particles_, true);
-      for (InlierRatioMonitor* monitor : {&monitor_, &trust_})
-        monitor->observe(explained, 1 - reading.model.clutter_probability, reading.detections.size());
+      const double inliers = reliability_.observe(reading, map_, particles_, true);
+      for (InlierRatioMonitor* ratio : {&fast_ratio_, &slow_ratio_})
+        ratio->observe(inliers, 1 - reading.model.clutter_probability, reading.detections.size());
     }
-    step_.explained_share = monitor_.average();
+    step_.explained_share = fast_ratio_.average();
     const double effective = step_.effective_ratio * static_cast<double>(particles_.size());
-    const double share = monitor_.suspicious() ? monitor_.average() : trust_.average();
-    const VerdictWithReason verdict = judge(step_.modes, {share, monitor_.lost(), effective}, options_.verdict);
+    const double share = fast_ratio_.suspicious() ? fast_ratio_.average() : slow_ratio_.average();
+    const VerdictWithReason verdict = judge(step_.modes, {share, fast_ratio_.lost(), effective}, options_.verdict);
     step_.verdict = verdict.verdict;
     step_.reason = verdict.reason;
   }
@@ -172,7 +172,7 @@ class MrptFilterLocalizer : public FilterLocalizer
   mrpt::slam::CMonteCarloLocalization2D pdf_{1};
   mrpt::bayes::CParticleFilter engine_;
   LandmarkReliability reliability_;
-  InlierRatioMonitor monitor_, trust_;
+  InlierRatioMonitor fast_ratio_, slow_ratio_;
   ParticleSet particles_;
   FilterStep step_;
 };

@@ -9,8 +9,9 @@
 namespace mrpt_ext
 {
 /// The reference engine: MRPT's own CMonteCarloLocalization2D over CLandmarkMap2D, with the same motion noise, the same
-/// likelihood and the same judgement of modes as the batch engine, but none of its seeding, recovery or learned
-/// reliability. MRPT's generator is one per thread and cannot be reset completely: run every trial in a fresh thread.
+/// likelihood and the same extraction of modes as the batch engine, but without its initialization, recovery and
+/// learned reliability. MRPT has one generator per thread, which cannot be reset completely: run every trial in a new
+/// thread.
 [[nodiscard]] std::unique_ptr<FilterLocalizer> makeMrptFilterLocalizer(const LocalizationConfig& config,
                                                                        const LandmarkTable& map, std::uint64_t seed,
                                                                        int trial);

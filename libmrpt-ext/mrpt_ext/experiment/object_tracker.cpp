@@ -18,20 +18,20 @@ SightRay rayOf(const LandmarkMeasurement& s)
   return {s.T_robot_sensor.position(), s.T_robot_sensor.phi + *s.bearing, s.std_bearing};
 }
 
-/// Where the objects of one category are in the robot frame.
-std::vector<GaussianPoint> pointsInRobot(const std::vector<LandmarkMeasurement>& sightings)
+/// Positions of the objects of one category in the robot frame.
+std::vector<GaussianPoint> pointsInRobot(const std::vector<LandmarkMeasurement>& detections)
 {
   std::vector<GaussianPoint> points;
-  for (const LandmarkMeasurement& s : sightings)
+  for (const LandmarkMeasurement& s : detections)
     if (s.hasPoint()) points.push_back({s.pointInRobot(), s.pointCovariance()});
   if (!points.empty()) return points;
-  // Bearings only: one object seen from several places, placed by the pair of sensors that sees it best. More sightings
-  // of the kind cannot be told apart.
-  for (std::size_t i = 0; i < sightings.size(); ++i)
-    for (std::size_t j = i + 1; j < sightings.size(); ++j)
+  // Bearings only: one object seen by several sensors, triangulated by the best pair of them. Several objects of one
+  // category cannot be distinguished.
+  for (std::size_t i = 0; i < detections.size(); ++i)
+    for (std::size_t j = i + 1; j < detections.size(); ++j)
     {
-      if (sightings[i].T_robot_sensor.position() == sightings[j].T_robot_sensor.position()) continue;
-      const Triangulation meeting = triangulate(rayOf(sightings[i]), rayOf(sightings[j]));
+      if (detections[i].T_robot_sensor.position() == detections[j].T_robot_sensor.position()) continue;
+      const Triangulation meeting = triangulate(rayOf(detections[i]), rayOf(detections[j]));
       if (meeting.status != SolveStatus::ok) continue;
       if (points.empty() || meeting.point.covariance.trace() < points.front().covariance.trace())
         points.assign(1, meeting.point);
@@ -40,23 +40,23 @@ std::vector<GaussianPoint> pointsInRobot(const std::vector<LandmarkMeasurement>&
 }
 }  // namespace
 
-void ObjectTracker::add(std::vector<Frame> sightings)
+void ObjectTracker::add(std::vector<Frame> frames)
 {
-  std::move(sightings.begin(), sightings.end(), std::back_inserter(sightings_));
+  std::move(frames.begin(), frames.end(), std::back_inserter(pending_));
 }
 
-void ObjectTracker::place(const PoseEstimate& robot, DiskBackedSequence<ObjectRow>& rows)
+void ObjectTracker::locate(const PoseEstimate& robot, DiskBackedSequence<ObjectRow>& rows)
 {
-  for (; !sightings_.empty() && sightings_.front().time <= robot.time; sightings_.pop_front())
+  for (; !pending_.empty() && pending_.front().time <= robot.time; pending_.pop_front())
   {
-    const Frame& frame = sightings_.front();
+    const Frame& frame = pending_.front();
     GaussianPose then = robot.pose;
     then.mean = compose(robot.pose.mean, odometry_.between(robot.time, frame.time).increment);
     std::map<std::string, std::vector<LandmarkMeasurement>> by_category;
     for (LandmarkMeasurement& s : unidentifiedSightings(frame.readings, LandmarkTable{}))
       by_category[s.category].push_back(std::move(s));
-    for (const auto& [category, sightings] : by_category)
-      for (const GaussianPoint& seen : pointsInRobot(sightings))
+    for (const auto& [category, detections] : by_category)
+      for (const GaussianPoint& seen : pointsInRobot(detections))
       {
         const GaussianPoint world = objectPosition(then, seen);
         rows.push_back({frame.time, category, world.mean, world.covariance, seen.mean});

@@ -9,22 +9,21 @@
 
 namespace mrpt_ext
 {
-/// What methods with several candidates could have reached had somebody told them which one: the candidate nearest the
-/// truth, as a row `oracle_<method>` of its own that is marked as such. Kept apart from the methods, which never see
-/// the truth.
-class OracleTracks
+/// What methods with several candidates would reach with perfect selection: the candidate nearest the truth, as a row
+/// `oracle_<method>` of its own that is marked as such. Kept apart from the methods, which never see the truth.
+class OracleTrajectories
 {
  public:
-  explicit OracleTracks(const Trajectory& truth) : truth_(truth) {}
+  explicit OracleTrajectories(const Trajectory& truth) : truth_(truth) {}
 
   void add(const MethodTrajectory& method, const Estimate& estimate, double time);
-  /// One track per method that ever had several candidates, in the order of first appearance.
+  /// One trajectory per method that ever had several candidates, in the order of first appearance.
   [[nodiscard]] std::vector<MethodTrajectory> take();
 
  private:
   struct Entry
   {
-    MethodTrajectory track;
+    MethodTrajectory trajectory;
     bool several = false;
   };
   const Trajectory& truth_;

@@ -6,11 +6,11 @@
 
 namespace mrpt_ext
 {
-/// Verdict on a whole run from the filter's own account: that of the last seconds (the worse of the last step and the
-/// most frequent one), with what happened before. Never from ground truth.
+/// Verdict on a whole run from the filter's own verdicts: that of the last seconds (the worse of the last step and the
+/// most frequent one), with the lost steps before. Never from ground truth.
 [[nodiscard]] VerdictWithReason verdictOfFilter(const RunRecord& run, const FilterStep& last);
 
-/// Where only closed forms ran: ok when most frames were answered, ambiguous when most had candidates that could not be
-/// ranked, lost otherwise.
+/// For runs with closed forms only: ok when most frames were answered, ambiguous when most had candidates that could
+/// not be ranked, lost otherwise.
 [[nodiscard]] VerdictWithReason verdictOfClosedForms(const RunRecord& run);
 }  // namespace mrpt_ext

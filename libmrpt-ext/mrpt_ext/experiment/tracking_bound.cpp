@@ -13,12 +13,12 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kFalseBeyond = 5;  // standard deviations
+constexpr double kOutlierGate = 5;  // standard deviations
 
-bool isFalse(const DetectionRows& rows)
+bool isOutlier(const DetectionRows& rows)
 {
   return std::any_of(rows.rows.begin(), rows.rows.begin() + rows.count,
-                     [](const KalmanRow& row) { return square(row.residual) > square(kFalseBeyond) * row.variance; });
+                     [](const KalmanRow& row) { return square(row.residual) > square(kOutlierGate) * row.variance; });
 }
 
 void addInformation(Matrix3d& information, const KalmanRow& row)
@@ -36,7 +36,7 @@ Matrix3d informationOf(const Frame& frame, const LandmarkTable& map, const Pose2
       const auto landmark = map.indexOf(detection.id);
       if (!landmark) continue;
       const DetectionRows rows = linearise(detection, reading, map[*landmark], state.mean, {});
-      if (isFalse(rows)) continue;
+      if (isOutlier(rows)) continue;
       for (int r = 0; r < rows.count; ++r) addInformation(information, rows.rows[static_cast<std::size_t>(r)]);
     }
   if (frame.compass)
@@ -51,15 +51,7 @@ Matrix3d priorCovariance(const ParticleFilterOptions& filter)
   return Vector3d(square(extent.x()), square(extent.y()), square(filter.region.turn())).asDiagonal() * (1.0 / 12);
 }
 
-bool hasNamelessDetection(const Frame& frame)
-{
-  const auto isNameless = [](const Detection& d) { return d.id == kNoId; };
-  return std::any_of(frame.readings.begin(), frame.readings.end(),
-                     [&](const Reading& reading)
-                     { return std::any_of(reading.detections.begin(), reading.detections.end(), isNameless); });
-}
-
-/// Follows the bound from moment to moment along the true poses.
+/// The recursion of the bound along the true poses.
 class BoundAlongTruth
 {
  public:
@@ -113,7 +105,7 @@ bool addStamps(TrackingBound& result, BoundAlongTruth& bound, std::vector<double
 }  // namespace
 
 TrackingBound trackingBound(const RunContext& context, const ParticleFilterOptions& filter,
-                            const OdometryPath& odometry, const FrameFeed& frames)
+                            const OdometryPath& odometry, const FrameStream& frames)
 {
   std::optional<Frame> frame = frames();
   if (!frame || context.truth.empty()) return {{}, "there is no truth"};
@@ -125,7 +117,7 @@ TrackingBound trackingBound(const RunContext& context, const ParticleFilterOptio
   bool known = true;
   for (; frame; frame = frames())
   {
-    if (hasNamelessDetection(*frame)) return {{}, "detections have no names, the true ones are not known"};
+    if (hasAnonymous(*frame)) return {{}, "the true landmarks of anonymous detections are not known"};
     known = known && addStamps(result, bound, stamp, stamps.end(), frame->time) &&
             bound.advance(frame->time, &*frame).has_value();
   }

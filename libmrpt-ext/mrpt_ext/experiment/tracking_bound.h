@@ -19,19 +19,19 @@ struct TrackingBound
     double heading_variance = 0;   ///< [rad^2]
   };
   std::vector<Stamp> stamps;
-  std::string why_none;  ///< why there is no bound, for people; empty where there is one
+  std::string why_none;  ///< why there is no bound, for the reader; empty where there is one
 };
 
-/// The bound along the true trajectory with the configured models (of the particle filter): initial deviations (of the
-/// box of possible poses where the start is not told), noise of odometry for the way that was driven, deviations of the
-/// detections and of the map. Systematic errors count as known, which makes the bound lower where they have to be
-/// found. Detections that are more than five standard deviations from what the true pose predicts are false and tell
-/// nothing. Needs a true pose with heading at every frame and a name on every detection, since the true associations
-/// are not known otherwise.
+/// The bound along the true trajectory with the configured models (of the particle filter): initial covariance (that of
+/// the box of possible poses where the start is unknown), noise of odometry along the true trajectory, standard
+/// deviations of the detections and of the map. Systematic errors count as known, which lowers the bound where they
+/// must be estimated. Detections more than five standard deviations from the prediction at the true pose are outliers
+/// without information. Needs a true pose with heading at every frame, and only identified detections: the true
+/// associations of anonymous ones are not known.
 [[nodiscard]] TrackingBound trackingBound(const RunContext& context, const ParticleFilterOptions& filter,
-                                          const OdometryPath& odometry, const FrameFeed& frames);
+                                          const OdometryPath& odometry, const FrameStream& frames);
 
-/// Root of the mean over the stamps from `from` on: what a method's RMSE over the same stamps is compared with.
-/// No stamp: no figures.
+/// Root of the mean over the stamps from `from` on, for comparison with a method's RMSE over the same stamps; absent
+/// without a stamp.
 [[nodiscard]] LimitScore limitFrom(const TrackingBound& bound, double from);
 }  // namespace mrpt_ext

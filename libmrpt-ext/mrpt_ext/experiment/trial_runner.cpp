@@ -7,7 +7,7 @@
 
 #include "mrpt_ext/experiment/method_factory.h"
 #include "mrpt_ext/experiment/object_tracker.h"
-#include "mrpt_ext/experiment/oracle_tracks.h"
+#include "mrpt_ext/experiment/oracle_trajectories.h"
 #include "mrpt_ext/experiment/run_verdict.h"
 #include "mrpt_ext/scene/playback_recorder.h"
 
@@ -30,16 +30,16 @@ bool hasDetection(const Frame& frame)
                                              [](const Reading& reading) { return !reading.detections.empty(); });
 }
 
-void record(const Estimate& estimate, const Frame& frame, double milliseconds, MethodTrajectory& track)
+void record(const Estimate& estimate, const Frame& frame, double milliseconds, MethodTrajectory& trajectory)
 {
-  track.step_milliseconds.push_back(milliseconds);
+  trajectory.step_milliseconds.push_back(milliseconds);
   if (hasDetection(frame))
   {
-    ++track.frames_offered;
-    if (estimate.point) ++track.frames_answered;
-    if (!estimate.point && estimate.ambiguous) ++track.frames_ambiguous;
+    ++trajectory.frames_offered;
+    if (estimate.point) ++trajectory.frames_answered;
+    if (!estimate.point && estimate.ambiguous) ++trajectory.frames_ambiguous;
   }
-  if (estimate.point) track.points.push_back(*estimate.point);
+  if (estimate.point) trajectory.points.push_back(*estimate.point);
 }
 
 void recordFilter(const FilterStep& step, const BiasModel& biases, const Estimate& estimate, double time,
@@ -110,7 +110,7 @@ TrialOutcome runTrial(const TrialInput& input, std::uint64_t seed, int trial)
   run.trial = trial;
   run.seed = seed;
   const Methods methods = input.methods.make(seed, trial);
-  OracleTracks oracles(input.run.context.truth);
+  OracleTrajectories oracles(input.run.context.truth);
   ObjectTracker objects(input.run.log.overview.odometry);
   for (const auto& localizer : methods.localizers)
     run.methods.push_back({.name = localizer->name(), .continuous = localizer->continuous()});
@@ -133,21 +133,22 @@ TrialOutcome runTrial(const TrialInput& input, std::uint64_t seed, int trial)
       if (methods.localizers[m].get() == methods.filter)
       {
         recordFilter(methods.filter->lastStep(), methods.filter->particles().bias_states, estimate, frame->time, run);
-        if (estimate.point) objects.place(*estimate.point, run.objects);
+        if (estimate.point) objects.locate(*estimate.point, run.objects);
       }
       else if (!run.methods[m].continuous)
         oracles.add(run.methods[m], estimate, frame->time);
     }
     playback.add(*frame, methods.filter, run.playback);
-    if (input.watch) input.watch(k, *frame, methods.filter);
-    if (input.progress) input.progress(static_cast<double>(k + 1) / static_cast<double>(count));
+    if (input.on_frame) input.on_frame(k, *frame, methods.filter);
+    if (input.on_progress) input.on_progress(static_cast<double>(k + 1) / static_cast<double>(count));
     last = std::move(*frame);
   }
   run.interrupted = input.stop;
-  for (MethodTrajectory& track : oracles.take()) run.methods.push_back(std::move(track));
+  for (MethodTrajectory& trajectory : oracles.take()) run.methods.push_back(std::move(trajectory));
   finish(methods, input, run);
   if (last)
-    outcome.end = playbackStep(*last, methods.filter, input.methods.map(), std::numeric_limits<std::size_t>::max());
+    outcome.final_step =
+        playbackStep(*last, methods.filter, input.methods.map(), std::numeric_limits<std::size_t>::max());
   run.wall_s = std::chrono::duration<double>(Clock::now() - started).count();
   run.cpu_s = threadCpuSeconds() - cpu_before;
   return outcome;

@@ -14,21 +14,21 @@ namespace mrpt_ext
 struct TrialInput
 {
   const MethodFactory& methods;
-  const LocalizationInput& run;          ///< its truth is used after the estimates, for the oracle rows only
-  const std::atomic<bool>& stop;         ///< set on Ctrl-C: the trial ends after the frame in work
-  std::function<void(double)> progress;  ///< told the share done, in [0, 1]
-  /// Shown every frame after the methods have seen it, with its number and the filter (null without one). May be empty.
-  std::function<void(std::size_t, const Frame&, const FilterLocalizer*)> watch;
+  const LocalizationInput& run;             ///< its truth is used for the oracle rows only, after the estimates
+  const std::atomic<bool>& stop;            ///< set on Ctrl-C: the trial ends after the frame in work
+  std::function<void(double)> on_progress;  ///< called with the share done, in [0, 1]; may be empty
+  /// Called after each frame with its number and the filter (null without one); may be empty.
+  std::function<void(std::size_t, const Frame&, const FilterLocalizer*)> on_frame;
 };
 
-/// A finished trial, and its end with all particles.
+/// A finished trial, and its last frame with all particles.
 struct TrialOutcome
 {
   RunRecord record;
-  PlaybackStep end;
+  PlaybackStep final_step;
 };
 
-/// Feeds all frames to all methods and keeps what they say. The same (seed, trial) gives the same record, whatever
-/// runs beside it.
+/// Passes all frames to all methods and records their estimates. The same (seed, trial) gives the same record, whatever
+/// runs concurrently.
 [[nodiscard]] TrialOutcome runTrial(const TrialInput& input, std::uint64_t seed, int trial);
 }  // namespace mrpt_ext

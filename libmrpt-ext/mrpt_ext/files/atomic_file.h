@@ -11,13 +11,13 @@ namespace mrpt_ext
 using TextSink = std::function<void(std::string_view)>;
 
 /// A file that readers see either with its old content or with all of the new: written under a temporary name in the
-/// same folder, then renamed. Missing parent folders are created. Throws InputError (data) when the place is not
-/// writable or the disk is full; no temporary file is left behind then.
+/// same folder, then renamed. Missing parent folders are created. Throws InputError (data) when the folder is not
+/// writable or the disk is full, and leaves no temporary file behind.
 class AtomicFile
 {
  public:
   explicit AtomicFile(std::filesystem::path path);
-  ~AtomicFile();  ///< what was not committed is gone
+  ~AtomicFile();  ///< discards what was not committed
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 

@@ -37,13 +37,13 @@ TemporaryFile::~TemporaryFile() { close(file_); }
 TemporaryFile::Block TemporaryFile::append(std::string_view bytes)
 {
   const Block block{end_.fetch_add(bytes.size()), bytes.size()};
-  std::uint64_t place = block.offset;
+  std::uint64_t offset = block.offset;
   while (!bytes.empty())
   {
-    const ssize_t written = pwrite(file_, bytes.data(), bytes.size(), static_cast<off_t>(place));
+    const ssize_t written = pwrite(file_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) fail(folder_, written < 0 ? errno : ENOSPC);
-    place += static_cast<std::uint64_t>(written);
+    offset += static_cast<std::uint64_t>(written);
     bytes.remove_prefix(static_cast<std::size_t>(written));
   }
   return block;

@@ -7,9 +7,9 @@
 
 namespace mrpt_ext
 {
-/// A place on disk for what does not fit into memory: blocks of bytes that are written once and read back in any order.
-/// The file lies in the folder for temporary files (TMPDIR) and has no name any more once it is open, so that nothing
-/// is left behind, however the program ends. Several threads may write and read at once.
+/// Blocks of bytes on disk, written once and read back in any order, for data that does not fit into memory.
+/// The file is in the folder for temporary files (TMPDIR) and is unlinked once it is open, so that nothing is left
+/// behind however the program ends. Several threads may write and read at once.
 /// Throws InputError (data) when the disk is full or cannot be read.
 class TemporaryFile
 {

@@ -27,7 +27,7 @@ void forEachBlock(const std::filesystem::path& path, const std::function<void(st
   while ((count = gzread(file.get(), block.data(), block.size())) > 0)
     take({block.data(), static_cast<std::size_t>(count)});
 
-  // gzread hands out what it could unpack and then ends like a whole file; only gzerror tells that data was cut off.
+  // At the end of damaged data gzread reports a normal end of file; only gzerror reveals the truncation.
   int status = Z_OK;
   gzerror(file.get(), &status);
   if (count < 0 || (status != Z_OK && status != Z_STREAM_END))

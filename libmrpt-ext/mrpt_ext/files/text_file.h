@@ -8,12 +8,12 @@
 
 namespace mrpt_ext
 {
-/// The whole content of a file, unpacked when it is gzip data (told by its first bytes, not by its name).
+/// The whole content of a file, decompressed when it is gzip data (by its first bytes, not by its name).
 /// Throws InputError (data) when the file is missing, unreadable or its gzip data is damaged or cut off.
 [[nodiscard]] std::string readTextFile(const std::filesystem::path& path);
 
-/// The same line by line, without the ends "\n", so that a long file takes no memory. Damage is told where it is
-/// reached; the last line of a damaged file is not given.
+/// The same line by line, without the ends "\n", so that a long file takes no memory. Damage is reported when it
+/// is reached; the last line of a damaged file is not passed on.
 void forEachLine(const std::filesystem::path& path, const std::function<void(std::string_view)>& take);
 
 /// `path` itself when it exists, else `path`.gz when that exists, else nothing.

@@ -36,7 +36,7 @@ std::vector<std::string> splitAtBlanks(std::string_view text)
 }
 
 template <typename Names>
-std::string joined(const Names& names)
+std::string commaSeparated(const Names& names)
 {
   std::string text;
   for (const auto& name : names) (text += text.empty() ? "" : ",") += name;
@@ -101,17 +101,17 @@ void TextTable::addLine(std::string_view line_text, int line)
   if (!isWanted(fields.front(), line)) return;
   if (fields.size() != columns().size())
     throw errorAtLine(line, std::to_string(fields.size()) + " fields, expected " + std::to_string(columns().size()) +
-                                " (" + joined(columns()) + ")");
+                                " (" + commaSeparated(columns()) + ")");
   rows_.push_back({line, std::move(fields)});
 }
 
-bool TextTable::isWanted(const std::string& kind, int line) const
+bool TextTable::isWanted(const std::string& type, int line) const
 {
-  const auto& [read, others] = format_.kinds;
-  if (read.empty() || kind == read) return true;
-  if (std::find(others.begin(), others.end(), kind) != others.end()) return false;
-  throw errorAtLine(
-      line, "unknown kind of row '" + kind + "', expected " + read + (others.empty() ? "" : " or " + joined(others)));
+  const auto& [read, others] = format_.types;
+  if (read.empty() || type == read) return true;
+  if (std::find(others.begin(), others.end(), type) != others.end()) return false;
+  throw errorAtLine(line, "unknown type of row '" + type + "', expected " + read +
+                              (others.empty() ? "" : " or " + commaSeparated(others)));
 }
 
 std::optional<std::size_t> TextTable::findColumn(std::string_view name) const
@@ -124,7 +124,8 @@ std::optional<std::size_t> TextTable::findColumn(std::string_view name) const
 std::size_t TextTable::column(std::string_view name) const
 {
   if (const auto found = findColumn(name)) return *found;
-  throw errorAtLine(header_line_, "no column '" + std::string(name) + "', the header line has " + joined(columns()));
+  throw errorAtLine(header_line_,
+                    "no column '" + std::string(name) + "', the header line has " + commaSeparated(columns()));
 }
 
 const std::string& TextTable::text(std::size_t row, std::size_t column) const
@@ -159,7 +160,7 @@ void TextTable::expectOnlyColumns(const std::vector<std::string_view>& known) co
 {
   for (const std::string& name : columns())
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw errorAtLine(header_line_, "unknown column '" + name + "', expected only " + joined(known));
+      throw errorAtLine(header_line_, "unknown column '" + name + "', expected only " + commaSeparated(known));
 }
 
 InputError TextTable::errorAtLine(int line, const std::string& message) const
@@ -167,8 +168,9 @@ InputError TextTable::errorAtLine(int line, const std::string& message) const
   return dataError(path_.string() + ":" + std::to_string(line) + ": " + message);
 }
 
-InputError TextTable::wrongField(std::size_t row, std::size_t column, std::string_view kind) const
+InputError TextTable::wrongField(std::size_t row, std::size_t column, std::string_view expected) const
 {
-  return errorAt(row, "'" + text(row, column) + "' is not " + std::string(kind) + ", expected " + columns()[column]);
+  return errorAt(row,
+                 "'" + text(row, column) + "' is not " + std::string(expected) + ", expected " + columns()[column]);
 }
 }  // namespace mrpt_ext

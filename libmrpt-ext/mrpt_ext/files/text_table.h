@@ -17,11 +17,11 @@ enum class Delimiter
   white_space  ///< runs of blanks and tabs separate
 };
 
-/// Which rows are read from a file whose rows begin with a word that tells their kind.
-struct RowKinds
+/// Which rows to read from a file whose rows begin with their type.
+struct RowTypes
 {
-  std::string read;                 ///< rows that begin with this word; empty: all rows, whatever they begin with
-  std::vector<std::string> others;  ///< known kinds that are skipped; a row of any other kind is an error
+  std::string read;                 ///< type of the rows to read; empty: all rows
+  std::vector<std::string> others;  ///< types that are skipped; any other type is an error
 };
 
 /// How a table file is laid out.
@@ -30,7 +30,7 @@ struct TextTableFormat
   Delimiter delimiter = Delimiter::comma;
   std::string comment_prefix = "#";  ///< lines that begin with it are skipped; empty: no comments
   std::vector<std::string> columns;  ///< names, in file order; empty: the first row is a header that names them
-  RowKinds kinds = {};
+  RowTypes types = {};
 };
 
 /// A delimited text file in memory. Every row has one field per column: a row of another length is an error, so that a
@@ -72,10 +72,10 @@ class TextTable
                          const std::function<void(const TextTable&)>& take);
   void read(const std::function<void()>& row_added);
   void addLine(std::string_view line_text, int line);
-  /// False for rows of a known kind that is not wanted.
-  [[nodiscard]] bool isWanted(const std::string& kind, int line) const;
+  /// False for rows of a type that is skipped.
+  [[nodiscard]] bool isWanted(const std::string& type, int line) const;
   [[nodiscard]] InputError errorAtLine(int line, const std::string& message) const;
-  [[nodiscard]] InputError wrongField(std::size_t row, std::size_t column, std::string_view kind) const;
+  [[nodiscard]] InputError wrongField(std::size_t row, std::size_t column, std::string_view expected) const;
 
   std::filesystem::path path_;
   TextTableFormat format_;

@@ -17,14 +17,14 @@ Reading splitObjects(Reading& reading, const std::set<std::string>& categories)
   return objects;
 }
 
-void carryTo(Reading& reading, double time, const OdometryPath& odometry)
+void moveTo(Reading& reading, double time, const OdometryPath& odometry)
 {
   const Pose2 T_frame_then = between(odometry.at(time), odometry.at(reading.time));
   reading.T_robot_sensor = compose(T_frame_then, reading.T_robot_sensor);
 }
 
-/// Both places of the fix as seen from where the robot is at `time`.
-void carryTo(RunningFixReading& fix, double time, const OdometryPath& odometry)
+/// Expresses both poses of the fix in the frame of the robot at `time`.
+void moveTo(RunningFixReading& fix, double time, const OdometryPath& odometry)
 {
   const Pose2 T_frame_then = between(odometry.at(time), odometry.at(fix.time));
   fix.T_robot_sensor = compose(T_frame_then, fix.T_robot_sensor);
@@ -33,7 +33,7 @@ void carryTo(RunningFixReading& fix, double time, const OdometryPath& odometry)
   fix.displacement_covariance = J * fix.displacement_covariance * J.transpose();
 }
 
-/// By how much configured delays can turn the order of two records round [s].
+/// Longest time [s] by which configured delays can reverse the order of two records.
 double disorder(const SensorConfigs& sensors)
 {
   double least = 0, most = 0;
@@ -59,9 +59,9 @@ FrameSynchronizer::FrameSynchronizer(RecordStream records, const LandmarkTable& 
 
 std::optional<Frame> FrameSynchronizer::next()
 {
-  // Objects within the window of the frame, and ranges of the time of its fixes, may still come.
+  // Objects within the window of the frame, and ranges at the times of its fixes, may still arrive.
   const double settled = std::max(options_.window, LoggedRanges::kSameTime);
-  while (!ended_ && (closed_.empty() || now_ - closed_.front().time <= settled)) read();
+  while (!ended_ && (closed_.empty() || now_ - closed_.front().time <= settled)) advance();
   if (closed_.empty())
   {
     stamp_ = std::numeric_limits<double>::infinity();
@@ -79,14 +79,14 @@ std::vector<Frame> FrameSynchronizer::takeObjectFrames()
   for (; !closed_objects_.empty() && closed_objects_.front().time <= stamp_; closed_objects_.pop_front())
   {
     Frame& frame = closed_objects_.front();
-    for (Reading& reading : frame.readings) carryTo(reading, frame.time, overview_.odometry);
+    for (Reading& reading : frame.readings) moveTo(reading, frame.time, overview_.odometry);
     taken.push_back(std::move(frame));
   }
   return taken;
 }
 
-/// Takes one record out of the queue, or finds that the log has ended.
-void FrameSynchronizer::read()
+/// Processes one record of the queue, or the end of the log.
+void FrameSynchronizer::advance()
 {
   while (!queue_.canPop() && !ended_)
   {
@@ -125,7 +125,7 @@ void FrameSynchronizer::take(Record record)
   if (auto* fix = std::get_if<RunningFixReading>(&record))
   {
     ++detections_;
-    join(open_, fix->time).fixes.push_back(std::move(*fix));
+    frameAt(open_, fix->time).fixes.push_back(std::move(*fix));
   }
   if (auto* compass = std::get_if<CompassRecord>(&record))
   {
@@ -138,12 +138,12 @@ void FrameSynchronizer::take(Record record)
 void FrameSynchronizer::take(Reading landmarks)
 {
   Reading objects = splitObjects(landmarks, options_.object_categories);
-  if (!objects.detections.empty()) join(open_objects_, objects.time).readings.push_back(std::move(objects));
-  // An empty reading still tells that nothing was seen, where missed detections are scored.
+  if (!objects.detections.empty()) frameAt(open_objects_, objects.time).readings.push_back(std::move(objects));
+  // Where missed detections are scored, an empty reading is a measurement too.
   if (landmarks.detections.empty() && !landmarks.model.detection_probability) return;
   detections_ += landmarks.detections.size();
   ranges_.add(landmarks);
-  join(open_, landmarks.time).readings.push_back(std::move(landmarks));
+  frameAt(open_, landmarks.time).readings.push_back(std::move(landmarks));
 }
 
 /// No measurement from now on belongs to a frame whose window is over.
@@ -154,7 +154,7 @@ void FrameSynchronizer::closeOver(std::optional<OpenFrame>& open, std::deque<Fra
   open.reset();
 }
 
-Frame& FrameSynchronizer::join(std::optional<OpenFrame>& open, double time) const
+Frame& FrameSynchronizer::frameAt(std::optional<OpenFrame>& open, double time) const
 {
   if (!open) open = OpenFrame{{}, time};
   open->frame.time = time;
@@ -169,7 +169,7 @@ void FrameSynchronizer::complete(Frame& frame)
     frame.compass = std::move(headings_.front());
   if (frame.compass)
   {
-    // Several headings since the last frame are hardly independent: the newest speaks for all.
+    // Several headings since the last frame are hardly independent: only the newest counts.
     const double turned = odometry.between(frame.compass->time, frame.time).increment.phi;
     frame.compass->heading = wrap(frame.compass->heading + turned);
   }
@@ -178,8 +178,8 @@ void FrameSynchronizer::complete(Frame& frame)
   if (!options_.independent)
   {
     if (stamp_) frame.motion = odometry.between(*stamp_, frame.time);
-    for (Reading& reading : frame.readings) carryTo(reading, frame.time, odometry);
-    for (RunningFixReading& fix : frame.fixes) carryTo(fix, frame.time, odometry);
+    for (Reading& reading : frame.readings) moveTo(reading, frame.time, odometry);
+    for (RunningFixReading& fix : frame.fixes) moveTo(fix, frame.time, odometry);
   }
   stamp_ = frame.time;
 }

@@ -8,12 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "mrpt_ext/frames/log_overview.h"
 #include "mrpt_ext/frames/logged_ranges.h"
 #include "mrpt_ext/frames/reorder_buffer.h"
 #include "mrpt_ext/frames/sensor_config.h"
 #include "mrpt_ext/geometry/frame.h"
-#include "mrpt_ext/geometry/odometry_path.h"
-#include "mrpt_ext/geometry/record_stream.h"
 
 namespace mrpt_ext
 {
@@ -27,46 +26,39 @@ struct FrameOptions
 };
 
 /// Frames in the order of time, one per call; nothing at the end.
-using FrameFeed = std::function<std::optional<Frame>()>;
+using FrameStream = std::function<std::optional<Frame>()>;
 
-/// What must be known of the whole log before its first frame can be given.
-struct LogOverview
-{
-  OdometryPath odometry;
-  std::optional<double> fix_span;  ///< [s] longest time between the two ranges of a running fix; absent without fixes
-};
-
-/// Turns plain records into frames while they are read: the configuration of the sensors is applied, readings within
-/// the window are moved to the stamp of the last one by odometry, the motion between frames is summed up. Holds what
-/// lies within the window and the differences of the sensors' delays, however long the log is.
+/// Turns records into frames while they are read: applies the configuration of the sensors, moves readings within the
+/// window to the stamp of the last one by odometry, sums up the motion between frames. Memory
+/// depends on the window and on the differences of the sensors' delays, not on the length of the log.
 class FrameSynchronizer
 {
  public:
-  /// Everything given must outlive the cutter.
+  /// All arguments must outlive the synchronizer.
   FrameSynchronizer(RecordStream records, const LandmarkTable& map, const FrameOptions& options,
                     const LogOverview& overview);
 
   /// The next frame; its readings are empty only where missed detections count.
   [[nodiscard]] std::optional<Frame> next();
-  /// Sightings of objects since the last call: up to the frame given last, after the last frame all. Without motions.
+  /// Detections of objects since the last call, up to the last frame returned; all after the end. Without motions.
   [[nodiscard]] std::vector<Frame> takeObjectFrames();
 
   [[nodiscard]] const UnusableDetections& unusable() const { return unusable_; }  ///< of what was read so far
   [[nodiscard]] std::size_t detections() const { return detections_; }            ///< of landmarks, used so far
 
  private:
-  /// A frame that measurements within the window of its first one still join.
+  /// A frame that still takes measurements within the window of its first one.
   struct OpenFrame
   {
     Frame frame;
     double first_time = 0;
   };
-  void read();
+  void advance();
   void configure(const Record& record);
   void take(Record record);
   void take(Reading reading);
   void closeOver(std::optional<OpenFrame>& open, std::deque<Frame>& closed) const;
-  [[nodiscard]] Frame& join(std::optional<OpenFrame>& open, double time) const;
+  [[nodiscard]] Frame& frameAt(std::optional<OpenFrame>& open, double time) const;
   void complete(Frame& frame);
 
   RecordStream records_;

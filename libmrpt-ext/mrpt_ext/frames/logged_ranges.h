@@ -8,7 +8,7 @@
 
 namespace mrpt_ext
 {
-/// The ranges of the last while, to find out whether the single ranges of a running fix are in the log as well and
+/// The most recent ranges of the log: they show whether the ranges of a running fix are logged one by one as well and
 /// must not be counted twice.
 class LoggedRanges
 {
@@ -22,7 +22,7 @@ class LoggedRanges
   /// True when a range to its landmark at one of its own times was logged, under its own label or, where an app writes
   /// fixes under another one, with its own value.
   [[nodiscard]] bool holds(const RunningFixReading& fix) const;
-  /// No fix at or before `time` will be asked for any more.
+  /// Later calls concern fixes after `time` only.
   void forgetBefore(double time);
 
  private:

@@ -9,7 +9,7 @@
 
 namespace mrpt_ext
 {
-/// A record with where it came from.
+/// A record with its origin.
 struct LoggedRecord
 {
   Record record;
@@ -17,7 +17,7 @@ struct LoggedRecord
   std::uint64_t order = 0;          ///< records of the same time keep this order
 };
 
-/// Puts records that come nearly in time order exactly into it: a record leaves when no earlier one may come any more.
+/// Sorts records that arrive nearly in order of time: a record leaves when no earlier one can arrive any more.
 class ReorderBuffer
 {
  public:
@@ -30,7 +30,7 @@ class ReorderBuffer
   [[nodiscard]] bool canPop() const;
   [[nodiscard]] LoggedRecord pop();
   [[nodiscard]] double newestTime() const { return newest_; }
-  /// True if a record of this time comes too late to be put in order.
+  /// True if a record of this time arrives too late to be sorted.
   [[nodiscard]] bool isTooLate(double time) const { return time < newest_ - window_; }
 
  private:

@@ -9,9 +9,9 @@ namespace mrpt_ext
 namespace
 {
 const std::string kPrefix = "Sensor_";
-constexpr double kLeastDepthShare = 0.1;  // beside the sensor or behind it a depth tells no range
+constexpr double kLeastDepthShare = 0.1;  // beside or behind the sensor the depth does not determine the range
 
-InputError missingDeviation(const std::string& sensor, const std::string& what, const std::string& key)
+InputError missingStd(const std::string& sensor, const std::string& what, const std::string& key)
 {
   return configurationError("sensor '" + sensor + "' logs " + what + " without a standard deviation, set [" + kPrefix +
                             sensor + "] " + key);
@@ -27,7 +27,7 @@ SensorModel configured(SensorModel model, const SensorConfig& config)
   return model;
 }
 
-void forgetNames(Detection& detection, IdentityLevel association, const LandmarkTable& map)
+void reduceIdentity(Detection& detection, IdentityLevel association, const LandmarkTable& map)
 {
   if (association == IdentityLevel::known) return;
   if (const auto known = map.indexOf(detection.id); known && detection.category.empty())
@@ -36,21 +36,21 @@ void forgetNames(Detection& detection, IdentityLevel association, const Landmark
   if (association == IdentityLevel::anonymous) detection.category.clear();
 }
 
-/// Measured minus scaled true range, for ranges that name this landmark.
+/// Measured minus scaled true range, for identified ranges to this landmark.
 double rangeBias(const SensorConfig& config, int id)
 {
-  const bool named = config.association == IdentityLevel::known && id != kNoId;
-  return config.bias_range + (named ? valueOf(config.landmark_bias_range, id) : 0);
+  const bool identified = config.association == IdentityLevel::known && id != kNoId;
+  return config.bias_range + (identified ? valueOf(config.landmark_bias_range, id) : 0);
 }
 
-/// Corrects a measured range and its deviation; `depth_share` of the true range was measured.
+/// Corrects a measured range and its standard deviation; `depth_share` of the true range was measured.
 void correctRange(double& range, double& std, const SensorConfig& config, const std::string& sensor, int id,
                   double depth_share = 1)
 {
   range = (range - rangeBias(config, id)) / (config.scale_range * depth_share);
   if (config.std_range) std = *config.std_range;
   std += config.std_range_per_m * std::max(range, 0.0);
-  if (!(std > 0)) throw missingDeviation(sensor, "ranges", "std_range_m");
+  if (!(std > 0)) throw missingStd(sensor, "ranges", "std_range_m");
 }
 
 /// Cosine between the forward axis and the landmark where ranges are logged as depth along that axis; else 1.
@@ -63,15 +63,15 @@ void correctBearing(double& bearing, double& std, const SensorConfig& config, co
 {
   bearing = wrap(wrap(bearing - config.bias_bearing) / config.scale_bearing);
   if (config.std_bearing) std = *config.std_bearing;
-  if (!(std > 0)) throw missingDeviation(sensor, "bearings", "std_bearing_deg");
+  if (!(std > 0)) throw missingStd(sensor, "bearings", "std_bearing_deg");
 }
 
-/// Why no place can explain the detection; empty when one can.
+/// Why the detection fits no pose; empty when it may fit one.
 std::string whyUnusable(const Detection& detection, const Reading& reading, const LandmarkTable& map,
                         IdentityLevel association)
 {
-  const bool named = association == IdentityLevel::known && detection.id != kNoId;
-  if (named && !map.indexOf(detection.id)) return "id not in the map";
+  const bool identified = association == IdentityLevel::known && detection.id != kNoId;
+  if (identified && !map.indexOf(detection.id)) return "id not in the map";
   if (!detection.range) return {};
   if (!(*detection.range > 0)) return "range not above zero";
   const auto known = map.indexOf(detection.id);
@@ -81,7 +81,7 @@ std::string whyUnusable(const Detection& detection, const Reading& reading, cons
 }
 std::string whyUnusable(const RunningFixReading& fix, const LandmarkTable& map, IdentityLevel association)
 {
-  if (association != IdentityLevel::known) return "running fix without a believed id";
+  if (association != IdentityLevel::known) return "running fix, not identified";
   const auto known = map.indexOf(fix.id);
   if (!known) return "id not in the map";
   const double shorter = std::min(fix.first_range, fix.second_range);
@@ -129,7 +129,7 @@ Reading configured(Reading reading, const SensorConfigs& configs, const Landmark
       ++unusable[reading.sensor + ": " + why];
       continue;
     }
-    forgetNames(detection, config.association, map);
+    reduceIdentity(detection, config.association, map);
     usable.push_back(std::move(detection));
   }
   reading.detections = std::move(usable);
@@ -158,7 +158,7 @@ CompassRecord configured(CompassRecord compass, const SensorConfigs& configs)
   compass.time -= config.delay;
   compass.heading = wrap(compass.heading - config.bias_bearing);
   if (config.std_heading) compass.std_heading = *config.std_heading;
-  if (!(compass.std_heading > 0)) throw missingDeviation(compass.sensor, "headings", "std_heading_deg");
+  if (!(compass.std_heading > 0)) throw missingStd(compass.sensor, "headings", "std_heading_deg");
   return compass;
 }
 }  // namespace mrpt_ext

@@ -17,7 +17,7 @@ using LandmarkValues = std::map<int, double>;
 /// The value of a landmark, 0 when it has none.
 [[nodiscard]] double valueOf(const LandmarkValues& values, int id);
 
-/// What the configuration says about one sensor label ([Sensor_<label>]); absent values: as logged.
+/// Configuration of one sensor label ([Sensor_<label>]); absent values: as logged.
 struct SensorConfig
 {
   double delay = 0;                              ///< [s]
@@ -34,7 +34,7 @@ struct SensorConfig
   bool ignore = false;
 };
 
-/// By sensor label. A label without a section has that of the label it continues after a dot (camera.4 that of
+/// By sensor label. A label without a section uses that of the label it continues after a dot (camera.4 that of
 /// camera), else the defaults.
 using SensorConfigs = std::map<std::string, SensorConfig>;
 
@@ -43,12 +43,12 @@ using SensorConfigs = std::map<std::string, SensorConfig>;
 /// Detections that cannot be used, by reason, e.g. "uwb: slant range shorter than the height difference".
 using UnusableDetections = std::map<std::string, std::size_t>;
 
-/// Applies the configuration to a logged reading: delay, biases, deviations, sensor model, what is believed of names.
-/// Detections that no place can explain are taken out and counted. Throws InputError (configuration) when a deviation
-/// is neither logged nor configured.
+/// Applies the configuration to a logged reading: delay, biases, standard deviations, sensor model, identity level.
+/// Detections that fit no pose are removed and counted. Throws InputError (configuration) when a standard deviation is
+/// neither logged nor configured.
 [[nodiscard]] Reading configured(Reading reading, const SensorConfigs& configs, const LandmarkTable& map,
                                  UnusableDetections& unusable);
-/// The same for a running fix, which needs a believed id; nothing when it cannot be used, which is counted.
+/// The same for a running fix, which must be identified; nothing when it cannot be used, which is counted.
 [[nodiscard]] std::optional<RunningFixReading> configured(RunningFixReading fix, const SensorConfigs& configs,
                                                           const LandmarkTable& map, UnusableDetections& unusable);
 [[nodiscard]] CompassRecord configured(CompassRecord compass, const SensorConfigs& configs);

@@ -6,23 +6,23 @@
 
 namespace mrpt_ext
 {
-/// A systematic error that an estimator may carry beside the pose.
+/// A systematic error that an estimator may estimate beside the pose.
 enum class BiasKind
 {
   range_offset,    ///< [m] measured range = (1 + scale) true range + offset
   range_scale,     ///< relative, 0 = as measured
   bearing_offset,  ///< [rad] measured bearing = true bearing + offset
-  distance_scale,  ///< relative: true way of the robot = (1 + scale) way told by odometry
-  rotation_scale   ///< relative, the same for its turning
+  distance_scale,  ///< relative error of odometry: true = (1 + scale) * measured distance
+  rotation_scale   ///< relative error of odometry: true = (1 + scale) * measured rotation
 };
 
-/// One such error, taken as Gaussian at the start and as a random walk from then on.
+/// One such error: Gaussian prior, then a random walk.
 struct BiasState
 {
   BiasKind kind = BiasKind::range_offset;
   std::string sensor;         ///< label of the sensor it belongs to; empty: all sensors (and odometry)
-  double mean = 0;            ///< at the start, in the unit of the kind
-  double std = 0;             ///< likewise; 0: known, not estimated
+  double mean = 0;            ///< of the prior, in the unit of the kind
+  double std = 0;             ///< of the prior; 0: known, not estimated
   double std_per_sqrt_s = 0;  ///< random walk: standard deviation after one second
 };
 
@@ -35,8 +35,8 @@ using BiasModel = std::vector<BiasState>;
   return kind == BiasKind::distance_scale || kind == BiasKind::rotation_scale;
 }
 
-/// True when the error acts on readings of the sensor with this label: its own, or one that is continued after a
-/// dot ("camera" has a part in "camera.4").
+/// True when the error acts on readings of the sensor with this label: its own label, or one that continues it after
+/// a dot ("camera" acts on "camera.4").
 [[nodiscard]] inline bool actsOn(const BiasState& bias, std::string_view sensor)
 {
   if (belongsToOdometry(bias.kind)) return false;

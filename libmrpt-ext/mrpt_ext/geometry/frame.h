@@ -8,17 +8,17 @@
 
 namespace mrpt_ext
 {
-/// Motion by odometry between two moments, with what the noise model needs to know about the way between them.
+/// Motion between two times by odometry, with what the noise model needs to know about the trajectory between them.
 struct OdometryMotion
 {
   Pose2 increment;         ///< later pose in the frame of the earlier one
-  double path_length = 0;  ///< [m] along the path
+  double path_length = 0;  ///< [m] along the trajectory
   double turned = 0;       ///< [rad] sum of absolute heading changes
   double duration = 0;     ///< [s]
 };
 
-/// The detections of all sensors at (nearly) one time: what every localizer is given, one after the other.
-/// Readings taken before `time` had their sensor pose carried to `time` by odometry.
+/// The detections of all sensors at (nearly) one time: the input of every localizer.
+/// The sensor poses of earlier readings are moved to `time` by odometry.
 struct Frame
 {
   double time = 0;        ///< [s] stamp of the last reading
@@ -28,7 +28,7 @@ struct Frame
   std::optional<CompassRecord> compass;
 };
 
-/// True when some detection of the frame has no name.
+/// True when some detection of the frame is anonymous.
 [[nodiscard]] inline bool hasAnonymous(const Frame& frame)
 {
   return std::any_of(frame.readings.begin(), frame.readings.end(),

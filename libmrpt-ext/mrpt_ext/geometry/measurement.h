@@ -10,11 +10,11 @@
 
 namespace mrpt_ext
 {
-/// One seen feature: a bearing, a range, or both, with or without a name.
+/// One detected feature: a bearing, a range, or both, identified or anonymous.
 struct Detection
 {
-  int id = kNoId;                 ///< landmark id, kNoId when the sensor cannot tell
-  std::string category;           ///< kind of feature, empty when the sensor cannot tell
+  int id = kNoId;                 ///< landmark id, kNoId when unknown
+  std::string category;           ///< of the landmark, empty when unknown
   std::optional<double> bearing;  ///< [rad] CCW from the sensor's forward axis
   std::optional<double> range;    ///< [m] from the sensor origin
   double std_bearing = 0;         ///< [rad], meaningful with a bearing
@@ -26,30 +26,30 @@ struct SensorModel
 {
   double field_of_view = kTwoPi;                ///< [rad], full angle, centred on the forward axis
   std::optional<double> max_range;              ///< [m]
-  double clutter_probability = 0.05;            ///< share of detections that show no mapped landmark
-  std::optional<double> detection_probability;  ///< of a landmark in view; absent: missed ones are not scored
+  double clutter_probability = 0.05;            ///< share of detections that come from no mapped landmark
+  std::optional<double> detection_probability;  ///< of a landmark in view; absent: missed detections are not scored
   bool has_field_of_view = false;               ///< true when declared by the log or the configuration
 };
 
-/// All detections that one sensor made at one time, ready for solving and scoring.
+/// The detections of one sensor at one time.
 struct Reading
 {
-  double time = 0;                ///< [s] when the light or radio wave arrived (sensor delay already taken off)
+  double time = 0;                ///< [s] of the measurement, corrected for the delay of the sensor
   std::string sensor;             ///< label, never empty
   Pose2 T_robot_sensor;           ///< sensor pose in the robot frame *of the frame the reading belongs to*
   double sensor_height = 0;       ///< [m] above the floor, for slant ranges
   bool horizontal_range = false;  ///< ranges are measured in the plane, not as a slant
-  Matrix2d sensor_position_covariance =
-      Matrix2d::Zero();  ///< of the sensor position when it was carried by odometry, robot axes
-  /// Of the robot's pose now, as odometry tells it from the pose at `time`: order (x, y, phi), axes of the robot now;
-  /// zero for a reading of now. `sensor_position_covariance` and the deviations of the bearings already contain it,
-  /// each for itself; this is what all that was measured at one time has in common, and older readings with newer ones.
+  /// Of the sensor position that odometry moved to the time of the frame, in robot axes.
+  Matrix2d sensor_position_covariance = Matrix2d::Zero();
+  /// Of the odometry from `time` to the time of the frame: order (x, y, phi), axes of the robot at the latter; zero
+  /// without motion between them. `sensor_position_covariance` and the standard deviations of the bearings contain it
+  /// already, each for itself; here it stands as the error that measurements of one time share.
   Matrix3d odometry_covariance = Matrix3d::Zero();
   SensorModel model;
   std::vector<Detection> detections;
 };
 
-/// Two ranges to one landmark from two places (paper 004), as logged by CObservationRunningFix.
+/// Two ranges to one landmark from two poses (paper 004), as logged by CObservationRunningFix.
 struct RunningFixReading
 {
   double time = 0;        ///< [s] of the second range
@@ -66,10 +66,10 @@ struct RunningFixReading
   Matrix3d displacement_covariance = Matrix3d::Zero();
   std::optional<double> second_bearing;  ///< [rad] at the second pose
   double second_bearing_std = 0;
-  bool ranges_logged_too = false;  ///< its single ranges are in the log as well: propose from it, do not score it
+  bool ranges_logged_too = false;  ///< its ranges are in the log as well: propose from it, do not score it
 };
 
-/// True when the sensor could not tell which landmark some detection shows.
+/// True when some detection is anonymous.
 [[nodiscard]] inline bool hasAnonymous(const Reading& reading)
 {
   return std::any_of(reading.detections.begin(), reading.detections.end(),

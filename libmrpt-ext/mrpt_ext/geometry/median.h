@@ -5,7 +5,7 @@
 
 namespace mrpt_ext
 {
-/// The middle value, of an even number the upper one of the two in the middle. There must be one.
+/// The middle value; of an even count the upper one of the two in the middle. `values` must not be empty.
 [[nodiscard]] inline double medianOf(std::vector<double> values)
 {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);

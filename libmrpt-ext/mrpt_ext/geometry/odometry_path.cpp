@@ -32,7 +32,7 @@ void OdometryPath::add(const OdometryRecord& record)
   path_.push_back({record.time + correction_.delay, compose(path_.back().pose, step), true});
 }
 
-OdometryPath::Milestone OdometryPath::milestone(double time) const
+OdometryPath::PathPoint OdometryPath::pointAt(double time) const
 {
   if (path_.empty()) return {};
   const auto after = std::upper_bound(path_.begin(), path_.end(), time,
@@ -46,11 +46,11 @@ OdometryPath::Milestone OdometryPath::milestone(double time) const
           length_[i] + share * (length_[i + 1] - length_[i]), turned_[i] + share * (turned_[i + 1] - turned_[i])};
 }
 
-Pose2 OdometryPath::at(double time) const { return milestone(time).pose; }
+Pose2 OdometryPath::at(double time) const { return pointAt(time).pose; }
 
 OdometryMotion OdometryPath::between(double from, double to) const
 {
-  const Milestone a = milestone(from), b = milestone(to);
+  const PathPoint a = pointAt(from), b = pointAt(to);
   return {mrpt_ext::between(a.pose, b.pose), b.length - a.length, b.turned - a.turned, to - from};
 }
 }  // namespace mrpt_ext

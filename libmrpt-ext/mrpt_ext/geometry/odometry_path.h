@@ -7,16 +7,16 @@
 
 namespace mrpt_ext
 {
-/// What is known to be wrong with the odometry of a log.
+/// Calibration of the odometry of a log.
 struct OdometryCorrection
 {
-  double scale = 1;           ///< factor on the way
-  double rotation_scale = 1;  ///< factor on turns
-  double turn_per_m = 0;      ///< [rad/m] added to the heading per metre of way: how the robot veers
+  double scale = 1;           ///< factor on distances
+  double rotation_scale = 1;  ///< factor on rotations
+  double turn_per_m = 0;      ///< [rad/m] added to the heading per metre driven
   double delay = 0;           ///< [s] added to the stamps
 };
 
-/// Dead-reckoned way of a whole log: where odometry stands at any time, and the motion between two times.
+/// Dead-reckoned trajectory of a whole log: the pose at any time, and the motion between two times.
 class OdometryPath
 {
  public:
@@ -28,19 +28,19 @@ class OdometryPath
   /// A record that is not earlier than those before.
   void add(const OdometryRecord& record);
   [[nodiscard]] bool empty() const { return path_.empty(); }
-  /// Interpolated between records; standing still before the first and after the last.
+  /// Interpolated between records; constant before the first and after the last.
   [[nodiscard]] Pose2 at(double time) const;
   [[nodiscard]] OdometryMotion between(double from, double to) const;
   [[nodiscard]] const Trajectory& trajectory() const { return path_; }
 
  private:
-  /// What has been added up by a time.
-  struct Milestone
+  /// Sums from the start to a time.
+  struct PathPoint
   {
     Pose2 pose;
     double length = 0, turned = 0;
   };
-  [[nodiscard]] Milestone milestone(double time) const;
+  [[nodiscard]] PathPoint pointAt(double time) const;
 
   OdometryCorrection correction_;
   Pose2 logged_;  // of the record added last, not corrected

@@ -56,7 +56,7 @@ class RandomStream
   struct Ziggurat
   {
     std::array<double, 129> edge;   ///< right edge of each layer, decreasing
-    std::array<double, 128> ratio;  ///< edge[i + 1] / edge[i]: inside it a point is surely below the curve
+    std::array<double, 128> ratio;  ///< edge[i + 1] / edge[i]: inside it a point is below the curve
     Ziggurat();
   };
   static const Ziggurat kZiggurat;

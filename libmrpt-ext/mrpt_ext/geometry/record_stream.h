@@ -11,7 +11,7 @@ namespace mrpt_ext
 /// Records in the order of time, one per call; nothing at the end.
 using RecordStream = std::function<std::optional<Record>()>;
 
-/// The records must outlive the feed.
+/// The records must outlive the stream.
 [[nodiscard]] inline RecordStream streamOf(const std::vector<Record>& records)
 {
   return [&records, next = std::size_t{0}]() mutable

@@ -11,7 +11,7 @@ enum class SolveStatus
   too_few,     ///< fewer measurements than the problem needs
   degenerate,  ///< the geometry leaves a direction undetermined (e.g. all on one circle, coincident centres)
   behind,      ///< lines meet, but a directed bearing points away from its landmark
-  none,        ///< the measurements contradict each other: no pose explains them
+  none,        ///< the measurements contradict each other: no pose fits them
   bad_input    ///< non-finite, negative or mismatched input
 };
 

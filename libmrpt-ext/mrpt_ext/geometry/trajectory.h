@@ -19,6 +19,6 @@ struct TimedPose
 using Trajectory = std::vector<TimedPose>;
 
 /// Pose at `time`, interpolated (heading along the shorter arc) between two poses at most `max_gap` [s] apart.
-/// A stamp hit exactly needs no neighbour. Nothing outside the trajectory or inside a longer gap.
+/// At the exact time of a pose no neighbour is needed. Nothing outside the trajectory or inside a longer gap.
 [[nodiscard]] std::optional<TimedPose> interpolate(const Trajectory& trajectory, double time, double max_gap);
 }  // namespace mrpt_ext

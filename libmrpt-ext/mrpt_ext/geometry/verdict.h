@@ -2,12 +2,12 @@
 
 namespace mrpt_ext
 {
-/// How sure a localizer is, judged from its own consistency, never from ground truth.
+/// How far an estimate can be trusted, judged from its own consistency, never from ground truth.
 enum class Verdict
 {
-  ok,         ///< one place, sharp, and the measurements agree with it
-  ambiguous,  ///< several places explain the measurements, or one that is not yet sharp
-  lost        ///< no place explains the measurements better than chance
+  ok,         ///< one precise mode, verified by the measurements
+  ambiguous,  ///< several modes, one imprecise mode, or one that is not verified yet
+  lost        ///< no mode fits the measurements better than the null hypothesis
 };
 
 [[nodiscard]] constexpr const char* toString(Verdict verdict)

@@ -85,8 +85,8 @@ class DetectionTable
     detection.range = checked(row, range_, 0, kMost);
     if (!detection.bearing && !detection.range)
       throw table_.errorAt(row, "neither bearing_deg nor range_m, expected at least one of them");
-    detection.std_bearing = degToRad(deviation(row, std_bearing_, detection.bearing.has_value()));
-    detection.std_range = deviation(row, std_range_, detection.range.has_value());
+    detection.std_bearing = degToRad(stdOf(row, std_bearing_, detection.bearing.has_value()));
+    detection.std_range = stdOf(row, std_range_, detection.range.has_value());
     return detection;
   }
 
@@ -111,12 +111,12 @@ class DetectionTable
     return value;
   }
 
-  [[nodiscard]] double deviation(std::size_t row, std::size_t column, bool needed) const
+  [[nodiscard]] double stdOf(std::size_t row, std::size_t column, bool needed) const
   {
     const auto value = table_.optionalNumber(row, column);
     if ((needed && !value) || (value && *value <= 0))
       throw table_.errorAt(row, table_.columns()[column] + " is '" + table_.text(row, column) +
-                                    "', expected a standard deviation > 0 for what was measured");
+                                    "', expected a standard deviation > 0 of a measurement");
     return value.value_or(0);
   }
 

@@ -7,7 +7,7 @@
 
 namespace mrpt_ext
 {
-/// The plain text form for data of one's own; the columns of every file are found by their header names.
+/// The plain text format for your own data; the columns of every file are found by their header names.
 struct CsvFiles
 {
   /// `id,x,y,z,category` (+ optional `std_x,std_y`), see landmark_csv.h.

@@ -23,7 +23,7 @@ TextTable readRanges(const fs::path& path)
 {
   return TextTable(path, {Delimiter::white_space,
                           "#",
-                          {"kind", "time", "range", "variance", "x", "y", "module", "snr"},
+                          {"type", "time", "range", "variance", "x", "y", "module", "snr"},
                           {kRangeRow, {kWheelRow}}});
 }
 
@@ -31,7 +31,7 @@ TextTable readWheels(const fs::path& path)
 {
   return TextTable(path, {Delimiter::white_space,
                           "#",
-                          {"kind", "time", "v_1", "v_2", "v_y", "half_axle", "variance_1", "variance_2", "variance_y"},
+                          {"type", "time", "v_1", "v_2", "v_y", "half_axle", "variance_1", "variance_2", "variance_y"},
                           {kWheelRow, {kRangeRow}}});
 }
 
@@ -55,17 +55,18 @@ void addOdometry(Recording& recording, const fs::path& path)
             "rows of wheel speeds share the stamp of the row before: the later one holds");
 }
 
-/// The places of the modules, which every row of ranges repeats.
+/// The positions of the modules, which every row of ranges repeats.
 LandmarkTable readModules(const TextTable& table)
 {
   std::map<int, Landmark> modules;
   for (std::size_t row = 0; row < table.size(); ++row)
   {
     const int id = table.integer(row, 6);
-    const Vector3d place(table.number(row, 4), table.number(row, 5), 0);
-    const auto [module, is_new] = modules.try_emplace(id, Landmark{id, place, kLabyrinthCategory, {0, 0}});
-    if (!is_new && module->second.position != place)
-      throw table.errorAt(row, "module " + table.text(row, 6) + " has another place than before, expected fixed ones");
+    const Vector3d position(table.number(row, 4), table.number(row, 5), 0);
+    const auto [module, is_new] = modules.try_emplace(id, Landmark{id, position, kLabyrinthCategory, {0, 0}});
+    if (!is_new && module->second.position != position)
+      throw table.errorAt(row,
+                          "module " + table.text(row, 6) + " has another position than before, expected fixed modules");
   }
   std::vector<Landmark> landmarks;
   for (const auto& [id, landmark] : modules) landmarks.push_back(landmark);
@@ -101,7 +102,7 @@ void addTruth(Recording& recording, const fs::path& path)
     return;
   }
   const TextTable table(
-      path, {Delimiter::white_space, "#", {"kind", "time", "x", "y", "cxx", "cxy", "cyx", "cyy"}, {kTruthRow, {}}});
+      path, {Delimiter::white_space, "#", {"type", "time", "x", "y", "cxx", "cxy", "cyx", "cyy"}, {kTruthRow, {}}});
   for (std::size_t row = 0; row < table.size(); ++row)
     recording.truth.push_back({ascendingTime(table, row, 1), {table.number(row, 2), table.number(row, 3), 0}, false});
   recording.notes.emplace_back("truth has no heading");

@@ -11,7 +11,7 @@ inline constexpr const char* kLabyrinthCategory = "module";
 inline constexpr double kLabyrinthMostRange = 100;  ///< [m]
 
 /// A recording in the text form of TU Chemnitz' libRSF, as its Labyrinth set (T. Pfeifer, 2017): a small robot with two
-/// wheels and one ultra-wideband module that ranges to modules at known places, one after the other.
+/// wheels and one ultra-wideband module that ranges to modules at known positions, one after the other.
 /// `input`: a folder with <run>_Input.txt and perhaps <run>_GT.txt, or FOLDER/RUN. Rows, white space between:
 ///   range2 time range variance module_x module_y module 0
 ///   odom2diff time v_1 v_2 v_y half_axle variance_1 variance_2 variance_y

@@ -13,9 +13,9 @@ namespace
 {
 namespace fs = std::filesystem;
 
-std::string robotFile(int robot, const std::string& kind)
+std::string robotFile(int robot, const std::string& content)
 {
-  return "Robot" + std::to_string(robot) + "_" + kind + ".dat";
+  return "Robot" + std::to_string(robot) + "_" + content + ".dat";
 }
 
 std::optional<TextTable> readIfPresent(const fs::path& path, const TextTableFormat& format)
@@ -123,7 +123,7 @@ std::optional<Trajectory> readMrclamSparseTruth(const fs::path& folder, int robo
                      {table->number(row, x), table->number(row, y), wrap(table->number(row, theta))},
                      true});
   }
-  // Intervals may overlap or lie within each other, so their middles need not be in order.
+  // Intervals may overlap or contain each other, so their middles need not be in order.
   std::stable_sort(truth.begin(), truth.end(), [](const TimedPose& l, const TimedPose& r) { return l.time < r.time; });
   truth.erase(
       std::unique(truth.begin(), truth.end(), [](const TimedPose& l, const TimedPose& r) { return l.time == r.time; }),

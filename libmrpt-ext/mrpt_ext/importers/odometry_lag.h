@@ -6,7 +6,7 @@
 
 namespace mrpt_ext
 {
-/// How readings lie in time to the odometry.
+/// Delay of readings against odometry.
 struct OdometryLag
 {
   double median = 0, largest = 0;  ///< [s] age of the newest odometry record at a reading

@@ -86,7 +86,7 @@ void addRanges(Recording& recording, const fs::path& path)
   noteCount(recording, table.size(), "rows of ranges");
   noteCount(recording, unanswered, "ranges of 0 dropped");
   noteCount(recording, unknown, "ranges to beacons without a position dropped");
-  if (antennas.size() > 1) noteCount(recording, antennas.size(), "antennas, taken for one place");
+  if (antennas.size() > 1) noteCount(recording, antennas.size(), "antennas, treated as one position");
 }
 
 void addTruth(Recording& recording, const fs::path& path)

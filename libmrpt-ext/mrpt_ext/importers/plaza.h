@@ -8,8 +8,8 @@ namespace mrpt_ext
 {
 inline constexpr const char* kPlazaSensor = "radio";
 inline constexpr const char* kPlazaCategory = "beacon";
-/// Standard deviation given to the ranges [m]: what they scatter about their mean error. That mean is not zero, it
-/// grows with the distance: let the estimator carry a scale and an offset.
+/// Standard deviation given to the ranges [m]: their scatter about their mean error. That mean is not zero and grows
+/// with the distance: let the estimator estimate a scale and an offset.
 inline constexpr double kPlazaStdRange = 1.15;
 inline constexpr double kPlazaMostRange = 500;  ///< [m], several times what the radios reach
 

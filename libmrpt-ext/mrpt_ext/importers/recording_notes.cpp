@@ -11,7 +11,7 @@ namespace mrpt_ext
 {
 namespace
 {
-/// Stamps of one kind of record.
+/// Stamps of one type of record.
 struct Series
 {
   std::size_t count = 0;
@@ -43,13 +43,13 @@ struct SensorSeries
     stamps.add(reading.time);
     times.push_back(reading.time);
     detections += reading.detections.size();
-    std::set<int> named;
+    std::set<int> identified;
     for (const Detection& detection : reading.detections)
     {
       bearings += detection.bearing.has_value();
       ranges += detection.range.has_value();
       unknown_ids += detection.id != kNoId && !map.indexOf(detection.id);
-      duplicates += detection.id != kNoId && !named.insert(detection.id).second;
+      duplicates += detection.id != kNoId && !identified.insert(detection.id).second;
     }
   }
   [[nodiscard]] std::string text(const std::string& name) const

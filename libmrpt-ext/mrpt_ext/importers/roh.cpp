@@ -21,7 +21,7 @@ struct Standstill
   fs::path path;
 };
 
-// Position told by a file name such as "(X1.5,Y4.5).csv"; nothing for other names.
+// Position from a file name such as "(X1.5,Y4.5).csv"; nothing for other names.
 std::optional<Vector2d> positionInName(const std::string& name)
 {
   static const std::regex kName(R"(\(X([-+.0-9]+),Y([-+.0-9]+)\)\.csv)");

@@ -25,7 +25,7 @@ Trajectory odometryOf(const Recording& recording)
 }
 }  // namespace
 
-std::optional<TravelDirection> travelDirection(const Trajectory& trajectory)
+std::optional<DrivingDirection> drivingDirection(const Trajectory& trajectory)
 {
   std::complex<double> sum = 0;
   std::size_t segments = 0, begin = 0;
@@ -36,24 +36,24 @@ std::optional<TravelDirection> travelDirection(const Trajectory& trajectory)
     const double turn = wrap(to.pose.phi - from.pose.phi);
     const bool usable = from.heading_known && to.heading_known && std::abs(turn) <= kMostTurn &&
                         to.time - trajectory[i - 1].time <= kLongestPause;
-    const Vector2d way = to.pose.position() - from.pose.position();
-    if (usable && way.norm() < kSegmentLength) continue;
+    const Vector2d motion = to.pose.position() - from.pose.position();
+    if (usable && motion.norm() < kSegmentLength) continue;
     if (usable)
     {
-      sum += std::polar(1.0, std::atan2(way.y(), way.x()) - from.pose.phi - turn / 2);
+      sum += std::polar(1.0, std::atan2(motion.y(), motion.x()) - from.pose.phi - turn / 2);
       ++segments;
     }
     begin = i;
   }
   if (segments < kLeastSegments) return std::nullopt;
-  return TravelDirection{std::arg(sum), std::abs(sum) / static_cast<double>(segments), segments};
+  return DrivingDirection{std::arg(sum), std::abs(sum) / static_cast<double>(segments), segments};
 }
 
 std::optional<double> truthHeadingOffset(const Recording& recording)
 {
-  const auto in_truth = travelDirection(recording.truth);
+  const auto in_truth = drivingDirection(recording.truth);
   if (!in_truth || in_truth->concentration < kLeastConcentration) return std::nullopt;
-  const auto in_odometry = travelDirection(odometryOf(recording)).value_or(TravelDirection{0, 1, 0});
+  const auto in_odometry = drivingDirection(odometryOf(recording)).value_or(DrivingDirection{0, 1, 0});
   if (in_odometry.concentration < kLeastConcentration) return std::nullopt;
   const double offset = wrap(in_truth->angle - in_odometry.angle);
   return std::abs(offset) > kLeastOffset ? std::optional(offset) : std::nullopt;

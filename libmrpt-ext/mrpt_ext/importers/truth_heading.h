@@ -7,7 +7,7 @@
 namespace mrpt_ext
 {
 /// Direction of motion relative to the heading, averaged over a trajectory.
-struct TravelDirection
+struct DrivingDirection
 {
   double angle = 0;          ///< [rad], 0 when the robot drives forward
   double concentration = 0;  ///< mean resultant length in [0, 1]; 1: always the same direction
@@ -15,7 +15,7 @@ struct TravelDirection
 };
 
 /// Nothing when the trajectory has too few nearly straight stretches of 0.1 m and more.
-[[nodiscard]] std::optional<TravelDirection> travelDirection(const Trajectory& trajectory);
+[[nodiscard]] std::optional<DrivingDirection> drivingDirection(const Trajectory& trajectory);
 
 /// Constant angle to add to the truth's heading [rad] so that the robot moves in the truth as it does in the odometry
 /// (without odometry: forward). Nothing when there is no constant offset, or none beyond 5 degrees.

@@ -6,7 +6,7 @@
 
 namespace mrpt_ext
 {
-/// What one pass over the bytes of a (usually gzip-compressed) rawlog tells before any record is read.
+/// Properties of a (usually gzip-compressed) rawlog from one pass over its bytes, before any record is read.
 struct RawlogFileCheck
 {
   std::string sha256;         ///< of the file as it is on disk, lower-case hexadecimal
@@ -16,6 +16,6 @@ struct RawlogFileCheck
 };
 
 /// Reads the whole file once. Throws InputError (data) when it is missing, not readable or empty.
-/// MRPT's streams take the end of a truncated gzip file for its end; here the checksum behind the data must be there.
+/// MRPT's streams take the end of a truncated gzip file for its end; here the trailing checksum must be present.
 [[nodiscard]] RawlogFileCheck checkRawlogFile(const std::filesystem::path& path);
 }  // namespace mrpt_ext

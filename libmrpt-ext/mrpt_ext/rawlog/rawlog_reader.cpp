@@ -30,7 +30,7 @@ std::optional<std::string> unknownClass(const std::string& text)
   return std::regex_search(text, match, kUnknown) ? std::optional<std::string>(match[1]) : std::nullopt;
 }
 
-std::string explain(const std::string& text)
+std::string causeOf(const std::string& text)
 {
   if (const auto name = unknownClass(text))
     return "unknown class '" + *name +
@@ -39,7 +39,7 @@ std::string explain(const std::string& text)
 }
 }  // namespace
 
-/// The decompressed bytes, counted: the end of the log is where none is left, and nowhere else.
+/// The decompressed bytes, counted: the log ends where none is left, and nowhere else.
 class RawlogReader::Content : public mrpt::io::CStream
 {
  public:
@@ -96,7 +96,7 @@ mrpt::serialization::CSerializable::Ptr RawlogReader::next()
 
 mrpt::serialization::CSerializable::Ptr RawlogReader::nextObject()
 {
-  const std::string place = path_.string() + ": record " + std::to_string(entries_) + ": ";
+  const std::string where = path_.string() + ": record " + std::to_string(entries_) + ": ";
   try
   {
     auto object = mrpt::serialization::archiveFrom(*content_).ReadObject();
@@ -105,11 +105,11 @@ mrpt::serialization::CSerializable::Ptr RawlogReader::nextObject()
   catch (const std::exception& error)
   {
     if (content_->atEnd() && !unknownClass(error.what()))
-      throw dataError(place + "cut off, the log ends in the middle of it");
+      throw dataError(where + "cut off, the log ends in the middle of it");
     const bool nothing_read = entries_ == 0 && !unknownClass(error.what());
-    throw dataError(place + (nothing_read ? "not readable, expected a rawlog" : explain(error.what())));
+    throw dataError(where + (nothing_read ? "not readable, expected a rawlog" : causeOf(error.what())));
   }
-  throw dataError(place + "empty, expected an observation, a sensory frame or an action collection");
+  throw dataError(where + "empty, expected an observation, a sensory frame or an action collection");
 }
 
 void RawlogReader::findDamagedRecord()

@@ -117,7 +117,7 @@ std::size_t writeRawlog(const std::filesystem::path& path, const std::function<R
   {
     if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
     writeTo(temporary, summary, records());
-    // Closing does not report a full disk: look whether the checksum at the end is there.
+    // Closing does not report a full disk: check the trailing checksum.
     if (!checkRawlogFile(temporary).damage.empty()) throw std::runtime_error("is the disk full?");
   }
   catch (const std::exception& error)

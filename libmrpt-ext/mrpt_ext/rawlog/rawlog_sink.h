@@ -11,7 +11,7 @@ namespace mrpt_ext
 /// end.
 ///
 /// Odometry becomes CObservationOdometry "odometry", running fixes CObservationRunningFix, headings CObservationIMU
-/// (which has no place for the deviation). All readings of a sensor label become the same class, so that
+/// (which has no field for the standard deviation). All readings of a sensor label become the same class, so that
 /// rawlog-edit --export-txt gives one table per label: CObservationStereoRanges if any has a range, else
 /// CObservationLandmarkBearings. The first entry is a comment "entries=N" that RawlogReader compares.
 ///
@@ -19,7 +19,7 @@ namespace mrpt_ext
 /// a sensor without label or records out of order, and when the file cannot be written completely.
 void writeRawlog(const std::filesystem::path& path, const Recording& recording);
 
-/// The same for records that need not fit into memory: `records` begins anew with every call, and is called twice,
-/// since the first entry tells of all. Returns their number.
+/// The same for records that need not fit into memory: `records` starts over with every call, and is called twice,
+/// since the first entry holds their number. Returns that number.
 std::size_t writeRawlog(const std::filesystem::path& path, const std::function<RecordStream()>& records);
 }  // namespace mrpt_ext

@@ -6,11 +6,6 @@
 
 namespace mrpt_ext
 {
-RawlogSource::RawlogSource(const std::filesystem::path& path, const Options& options)
-    : reader_(path), queue_(options.reorder_window)
-{
-}
-
 std::optional<Record> RawlogSource::next()
 {
   while (!ended_ && !queue_.canPop()) readEntry();

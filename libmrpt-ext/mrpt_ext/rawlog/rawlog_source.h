@@ -12,7 +12,7 @@
 
 namespace mrpt_ext
 {
-/// What a log held and what became of it; complete once the source has given its last record.
+/// Contents of a log and their use; complete once the source has returned its last record.
 struct RawlogStatistics
 {
   std::size_t entries = 0;                               ///< records in the file
@@ -22,18 +22,15 @@ struct RawlogStatistics
   [[nodiscard]] double duration() const { return last_time - first_time; }
 };
 
-/// A rawlog of either form as plain records in time order, one after the other; see RawlogTranslator for how entries
-/// become records. Damage, unknown classes and times that go back by more than `reorder_window` are an InputError
-/// (data): damaged compression at construction, the rest when its place is reached.
+/// A rawlog of either form as plain records in order of time; see RawlogTranslator for how entries
+/// become records. Damage, unknown classes and times that go back by more than kReorderWindow are an InputError
+/// (data): damaged compression at construction, the rest when it is reached.
 class RawlogSource
 {
  public:
-  struct Options
-  {
-    double reorder_window = 1.0;  ///< [s] a record may be this much older than the newest before it
-  };
-  explicit RawlogSource(const std::filesystem::path& path) : RawlogSource(path, Options{}) {}
-  RawlogSource(const std::filesystem::path& path, const Options& options);
+  static constexpr double kReorderWindow = 1;  ///< [s] a record may be this much older than the newest before it
+
+  explicit RawlogSource(const std::filesystem::path& path) : reader_(path), queue_(kReorderWindow) {}
 
   /// The next record in time order; nothing at the end.
   [[nodiscard]] std::optional<Record> next();
@@ -44,7 +41,7 @@ class RawlogSource
 
   /// Time [s] of each action/sensory-frame pair read so far, by step; empty for an observation-only log.
   [[nodiscard]] const std::vector<double>& stepTimes() const { return translator_.stepTimes(); }
-  /// Step of the record given last; nothing in an observation-only log.
+  /// Step of the last record returned; nothing in an observation-only log.
   [[nodiscard]] std::optional<std::size_t> step() const { return step_; }
 
  private:

@@ -14,15 +14,15 @@
 
 namespace mrpt_ext
 {
-/// Turns the entries of a log into plain records, in the order of the log, and counts what became of each observation.
+/// Turns the entries of a log into plain records, in the order of the log, and counts used and ignored observations.
 ///
 /// Observation-only logs: CObservationOdometry (of one label), our observations, MRPT's CObservationBearingRange and
 /// CObservationBeaconRanges, and CObservationIMU with an absolute yaw become records; other classes are ignored.
-/// An IMU does not log its deviation: std_heading is 0 (not declared).
+/// An IMU does not log its standard deviation: std_heading is 0 (not declared).
 ///
-/// Logs of action/sensory-frame pairs: increments are accumulated to a dead-reckoned pose. An action is the way from
-/// one sensory frame to the next, so its pose is given at the time of the frame after it: the latest time in that
-/// frame, else the time of the action. Observations without a time of their own take that of their frame.
+/// Logs of action/sensory-frame pairs: increments are accumulated to a dead-reckoned pose. An action is the motion
+/// from one sensory frame to the next, so its pose has the time of the frame after it: the latest time in that frame,
+/// else the time of the action. Observations without a time of their own take that of their frame.
 /// Pair i is step i; a frame before the first action belongs to no step.
 class RawlogTranslator
 {
@@ -35,7 +35,7 @@ class RawlogTranslator
 
   /// Records of one entry; nothing (not even an empty list) when such an object is no part of a log.
   [[nodiscard]] std::optional<std::vector<Output>> translate(const mrpt::serialization::CSerializable& entry);
-  /// What is left when the log has ended: actions after the last frame.
+  /// The rest at the end of the log: actions after the last frame.
   [[nodiscard]] std::vector<Output> finish();
 
   /// By class, without namespace.
@@ -57,7 +57,7 @@ class RawlogTranslator
   void readFrame(const mrpt::obs::CSensoryFrame& frame);
   /// `frame_time`: for observations without a time of their own.
   void readObservation(const mrpt::obs::CObservation& observation, std::optional<double> frame_time);
-  /// These give the reason why nothing of the observation is used; empty when something is.
+  /// These return why nothing of the observation is used; empty when something is.
   std::string useObservation(const mrpt::obs::CObservation& observation, double time);
   std::string useOdometry(const mrpt::obs::CObservation& observation, double time);
   std::string useCompass(const mrpt::obs::CObservation& observation, double time);
@@ -72,7 +72,7 @@ class RawlogTranslator
   std::map<std::string, ObservationCount> observations_;
   UnusableCounts unusable_;
   std::vector<double> step_times_;
-  std::string odometry_source_;             // label, or the name of actions; the first one seen is followed
+  std::string odometry_source_;             // label, or kActions; only the first one counts
   std::optional<double> first_frame_time_;  // of a frame before any odometry
   Pose2 dead_reckoned_;
   std::vector<PendingAction> pending_actions_;  // since the last frame

@@ -15,7 +15,7 @@ enum class MapLayout
   grid     ///< rows and columns over the box, its corners included
 };
 
-/// How the map of a scenario comes about.
+/// How to generate the map of a scenario.
 struct MapPlan
 {
   MapLayout layout = MapLayout::given;
@@ -26,7 +26,7 @@ struct MapPlan
   Vector3d high{10, 10, 0};             ///< [m]
   double min_distance = 0;              ///< [m] random
   bool with_ids = true;                 ///< 1, 2, 3, ...; otherwise all are anonymous
-  std::vector<std::string> categories;  ///< given out in turn; empty: none
+  std::vector<std::string> categories;  ///< assigned in turn; empty: none
 };
 
 /// Positions rounded to 1e-6 m. Throws InputError (configuration) when min_distance leaves no room for `count`.

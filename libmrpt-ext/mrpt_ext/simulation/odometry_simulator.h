@@ -10,7 +10,7 @@
 
 namespace mrpt_ext
 {
-/// What a robot believes it has driven: the increments of its path, each with its own error, added up from (0, 0, 0).
+/// Dead reckoning: the increments of the path, each with its own error, added up from (0, 0, 0).
 class SimulatedOdometry
 {
  public:
@@ -19,8 +19,8 @@ class SimulatedOdometry
 
   [[nodiscard]] const Trajectory& records() const { return records_; }
 
-  /// Way from `begin` to `end` [s] as logged, later pose in the frame of the earlier, with the covariance of the
-  /// errors added up in between. Nothing outside the records.
+  /// Motion from `begin` to `end` [s] as logged, later pose in the frame of the earlier, with the covariance of the
+  /// accumulated errors. Nothing outside the records.
   [[nodiscard]] std::optional<GaussianPose> displacement(double begin, double end) const;
 
  private:

@@ -36,7 +36,7 @@ struct PathPlan
   Vector2d low{0, 0}, high{0, 0};  ///< [m] box that a random walk does not leave
 };
 
-/// The path over `duration` [s], repeated where the plan says so. A closed way with rounded corners starts in the
+/// The path over `duration` [s], repeated where the plan says so. A closed path with rounded corners starts in the
 /// middle of its first leg, every other at its first waypoint. Throws InputError (configuration) when corners do not
 /// fit between the waypoints, a leg has no length, or a random walk starts outside its box.
 [[nodiscard]] RobotPath planPath(const PathPlan& plan, double duration, RandomStream& random);

@@ -15,7 +15,7 @@ struct TwistSegment
   double turn_rate = 0;  ///< [rad/s] counter-clockwise
 };
 
-/// Where the robot is at any time; before the first segment and after the last it stands still.
+/// Pose of the robot at any time, at rest before the first segment and after the last.
 class RobotPath
 {
  public:
@@ -35,7 +35,7 @@ class RobotPath
     double length = 0, turned = 0;
     TwistSegment motion;
   };
-  /// The leg at `time`, and how long it has been going on.
+  /// The leg at `time`, and the time since its begin.
   [[nodiscard]] std::pair<const Leg*, double> legAt(double time) const;
 
   std::vector<Leg> legs_;  ///< the last one is the standstill at the end

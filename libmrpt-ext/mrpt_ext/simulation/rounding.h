@@ -6,7 +6,7 @@
 
 namespace mrpt_ext
 {
-/// To the nearest millionth. The last bits of sin, cos and log differ between machines; what is written must not.
+/// To the nearest millionth. The last bits of sin, cos and log differ between machines; written values must not.
 [[nodiscard]] inline double rounded(double value) { return std::round(value * 1e6) / 1e6; }
 
 [[nodiscard]] inline double roundedAngle(double angle) { return wrap(rounded(wrap(angle))); }

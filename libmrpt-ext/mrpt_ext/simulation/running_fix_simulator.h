@@ -7,18 +7,18 @@
 
 namespace mrpt_ext
 {
-/// A sensor that measures a landmark's range, lets the robot move on by `fix_distance` and measures it again
-/// (paper 004). It watches one landmark at a time: the nearest when it begins; when that one gets out of view it begins
-/// anew. Every range is used in one fix only, and is not logged on its own.
+/// A sensor that measures the range to a landmark, and again after the robot has moved by `fix_distance` (paper 004).
+/// One landmark at a time: the nearest at the first range; when it leaves the view the sensor starts over. Every range
+/// belongs to one fix only, and is not logged on its own.
 class RunningFixSimulator
 {
  public:
   RunningFixSimulator(const SimulatedSensor& sensor, const RobotPath& path, const SimulatedOdometry& odometry,
                       RandomStream random);
 
-  /// What the sensor sees at `time` [s] from the true pose `robot`; a fix when this is a second range.
-  [[nodiscard]] std::optional<RunningFixReading> look(double time, const Pose2& robot,
-                                                      const std::vector<SceneFeature>& features);
+  /// Measures at `time` [s] from the true pose `robot`; returns a fix at every second range.
+  [[nodiscard]] std::optional<RunningFixReading> measure(double time, const Pose2& robot,
+                                                         const std::vector<SceneFeature>& features);
 
  private:
   struct First
@@ -27,8 +27,8 @@ class RunningFixSimulator
     std::size_t feature = 0;
     MeasuredRange measured;
   };
-  void begin(double time, const std::vector<VisibleFeature>& sightings);
-  [[nodiscard]] std::optional<RunningFixReading> finish(double time, const VisibleFeature& sighting,
+  void begin(double time, const std::vector<VisibleFeature>& visible);
+  [[nodiscard]] std::optional<RunningFixReading> finish(double time, const VisibleFeature& feature,
                                                         const std::vector<SceneFeature>& features);
 
   SimulatedSensor sensor_;

@@ -12,8 +12,8 @@
 
 namespace mrpt_ext
 {
-/// Errors of dead reckoning. Every standard deviation is the one after one unit of way, turn or time; variances add up
-/// along the way, so the errors do not depend on how often odometry is logged.
+/// Errors of dead reckoning. Standard deviations are per unit of distance, rotation or time; variances add up, so the
+/// errors do not depend on the rate of odometry.
 struct OdometryNoise
 {
   double rate_hz = 10;              ///< 0: the robot has no odometry
@@ -22,8 +22,8 @@ struct OdometryNoise
   double std_phi_deg_per_m = 0;     ///< [deg] after one metre
   double std_xy_min = 0;            ///< [m] after one second, also at standstill
   double std_phi_min_deg = 0;       ///< [deg] after one second, also at standstill
-  double scale_error = 0;           ///< measured way / true way - 1
-  double rotation_scale_error = 0;  ///< measured turn / true turn - 1
+  double scale_error = 0;           ///< measured / true distance - 1
+  double rotation_scale_error = 0;  ///< measured / true rotation - 1
 };
 
 enum class SensorKind
@@ -31,7 +31,7 @@ enum class SensorKind
   bearings,
   ranges,
   range_bearing,
-  running_fix,  ///< ranges, logged in pairs with the way between them
+  running_fix,  ///< ranges, logged in pairs with the motion between them
   compass
 };
 
@@ -41,7 +41,7 @@ struct SimulatedSensor
   SensorKind kind = SensorKind::bearings;
   double rate_hz = 5;
   double phase_s = 0;               ///< time of the first reading after the start
-  double delay_s = 0;               ///< stamps are this much later than what is measured
+  double delay_s = 0;               ///< of the stamp, after the measurement
   Pose2 T_robot_sensor;             ///< yaw = direction of the forward axis
   double height = 0;                ///< [m] above the floor
   bool horizontal_range = false;    ///< ranges in the floor plane instead of slant ranges
@@ -60,15 +60,15 @@ struct SimulatedSensor
   IdentityLevel identity = IdentityLevel::known;
   double wrong_identity_probability = 0;  ///< share of landmarks reported as another one (or another category)
   double detection_probability = 1;
-  double clutter_per_reading = 0;     ///< expected number of detections of nothing
+  double clutter_per_reading = 0;     ///< expected number of false detections
   std::optional<int> max_detections;  ///< a random choice when more are seen
   bool sees_objects = true;
 
-  double fix_distance = 0.1;  ///< [m] way between the two ranges of a running fix
+  double fix_distance = 0.1;  ///< [m] distance between the two ranges of a running fix
   bool fix_bearing = false;   ///< the second range of a running fix comes with a bearing
 };
 
-/// A thing that is seen but is no landmark, still or moving on a path of its own.
+/// A detectable object that is no landmark, at rest or on a path of its own.
 struct SimulatedObject
 {
   std::string category;
@@ -76,14 +76,14 @@ struct SimulatedObject
   PathPlan path;
 };
 
-/// At `time` the robot is put down at `pose`, unnoticed by its odometry; it then drives on as it would have.
+/// At `time` the robot is moved to `pose`, unnoticed by its odometry; it then continues its path from there.
 struct Kidnapping
 {
   double time = 0;  ///< [s] after the start
   Pose2 pose;
 };
 
-/// Everything the simulator needs to know.
+/// Input of the simulator.
 struct Scenario
 {
   double start_time = 1000;  ///< [s] stamp of the first record

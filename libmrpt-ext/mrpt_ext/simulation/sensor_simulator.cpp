@@ -26,7 +26,7 @@ std::size_t otherLandmark(std::size_t itself, const std::vector<SceneFeature>& f
   return count > 1 ? (itself + 1 + random.below(count - 1)) % count : itself;
 }
 
-/// Names the detection as well as the sensor can.
+/// The identity as far as the sensor determines it.
 void identify(Detection& detection, const SimulatedSensor& sensor, const SceneFeature& feature)
 {
   if (sensor.identity == IdentityLevel::known) detection.id = feature.id;
@@ -47,23 +47,23 @@ double declaredRangeStd(const SimulatedSensor& sensor, double range, double bear
   return rounded(std::hypot(sensor.std_range, sensor.std_range_per_m * range, std_stereo));
 }
 
-std::optional<Detection> detect(const SimulatedSensor& sensor, const VisibleFeature& sighting,
+std::optional<Detection> detect(const SimulatedSensor& sensor, const VisibleFeature& feature,
                                 const std::vector<SceneFeature>& features, RandomStream& random)
 {
   if (!random.chance(sensor.detection_probability)) return std::nullopt;
   Detection detection;
-  std::size_t named = sighting.feature;
-  if (features[named].is_landmark && random.chance(sensor.wrong_identity_probability))
-    named = otherLandmark(named, features, random);
-  identify(detection, sensor, features[named]);
+  std::size_t reported = feature.feature;
+  if (features[reported].is_landmark && random.chance(sensor.wrong_identity_probability))
+    reported = otherLandmark(reported, features, random);
+  identify(detection, sensor, features[reported]);
   if (measuresBearings(sensor))
   {
-    detection.bearing = measureBearing(sensor, sighting, random);
+    detection.bearing = measureBearing(sensor, feature, random);
     detection.std_bearing = rounded(sensor.std_bearing);
   }
   if (measuresRanges(sensor))
   {
-    const auto measured = measureRange(sensor, sighting, random);
+    const auto measured = measureRange(sensor, feature, random);
     if (!measured) return std::nullopt;
     detection.range = measured->range;
     detection.std_range = measured->std_range;
@@ -71,7 +71,7 @@ std::optional<Detection> detect(const SimulatedSensor& sensor, const VisibleFeat
   return detection;
 }
 
-/// A detection of nothing: anywhere in view, under the name of any landmark.
+/// A false detection: anywhere in view, with the identity of any landmark.
 Detection detectNothing(const SimulatedSensor& sensor, const std::vector<SceneFeature>& features, RandomStream& random)
 {
   Detection detection;
@@ -98,10 +98,10 @@ void shuffle(std::vector<Detection>& detections, RandomStream& random)
 }
 }  // namespace
 
-std::vector<VisibleFeature> sightingsFrom(const SimulatedSensor& sensor, const Pose2& robot,
-                                          const std::vector<SceneFeature>& features)
+std::vector<VisibleFeature> visibleFeatures(const SimulatedSensor& sensor, const Pose2& robot,
+                                            const std::vector<SceneFeature>& features)
 {
-  std::vector<VisibleFeature> sightings;
+  std::vector<VisibleFeature> visible;
   for (std::size_t i = 0; i < features.size(); ++i)
   {
     const Vector2d place = features[i].position.head<2>();
@@ -111,31 +111,31 @@ std::vector<VisibleFeature> sightingsFrom(const SimulatedSensor& sensor, const P
     if (std::abs(bearing) > 0.5 * sensor.field_of_view || distance < sensor.min_range) continue;
     if (sensor.max_range && distance > *sensor.max_range) continue;
     const double rise = features[i].position.z() - sensor.height;
-    sightings.push_back({i, bearing, sensor.horizontal_range ? distance : std::hypot(distance, rise)});
+    visible.push_back({i, bearing, sensor.horizontal_range ? distance : std::hypot(distance, rise)});
   }
-  return sightings;
+  return visible;
 }
 
-std::optional<MeasuredRange> measureRange(const SimulatedSensor& sensor, const VisibleFeature& sighting,
+std::optional<MeasuredRange> measureRange(const SimulatedSensor& sensor, const VisibleFeature& feature,
                                           RandomStream& random)
 {
-  double range = sighting.range;
+  double range = feature.range;
   if (sensor.std_disparity > 0)
   {
-    const double share = depthShare(sensor, sighting.bearing);
+    const double share = depthShare(sensor, feature.bearing);
     const double disparity = sensor.baseline_focal / (range * share) + sensor.std_disparity * random.gaussian();
     if (!(disparity > 0)) return std::nullopt;
     range = sensor.baseline_focal / disparity / share;
   }
-  const double std = std::hypot(sensor.std_range, sensor.std_range_per_m * sighting.range);
+  const double std = std::hypot(sensor.std_range, sensor.std_range_per_m * feature.range);
   range = rounded(sensor.scale_range * range + sensor.bias_range + std * random.gaussian());
   if (!(range > 0)) return std::nullopt;
-  return MeasuredRange{range, declaredRangeStd(sensor, range, sighting.bearing)};
+  return MeasuredRange{range, declaredRangeStd(sensor, range, feature.bearing)};
 }
 
-double measureBearing(const SimulatedSensor& sensor, const VisibleFeature& sighting, RandomStream& random)
+double measureBearing(const SimulatedSensor& sensor, const VisibleFeature& feature, RandomStream& random)
 {
-  return roundedAngle(sighting.bearing + sensor.bias_bearing + sensor.std_bearing * random.gaussian());
+  return roundedAngle(feature.bearing + sensor.bias_bearing + sensor.std_bearing * random.gaussian());
 }
 
 SensorModel declaredModel(const SimulatedSensor& sensor)
@@ -156,8 +156,8 @@ Reading simulateReading(const SimulatedSensor& sensor, const Pose2& robot, const
   reading.sensor_height = sensor.height;
   reading.horizontal_range = sensor.horizontal_range;
   reading.model = declaredModel(sensor);
-  for (const VisibleFeature& sighting : sightingsFrom(sensor, robot, features))
-    if (const auto detection = detect(sensor, sighting, features, random)) reading.detections.push_back(*detection);
+  for (const VisibleFeature& feature : visibleFeatures(sensor, robot, features))
+    if (const auto detection = detect(sensor, feature, features, random)) reading.detections.push_back(*detection);
   for (int left = random.poisson(sensor.clutter_per_reading); left > 0; --left)
     reading.detections.push_back(detectNothing(sensor, features, random));
   shuffle(reading.detections, random);

@@ -10,8 +10,7 @@
 
 namespace mrpt_ext
 {
-/// Something that a sensor may see: a landmark, or an object with its place at the moment. In lists landmarks come
-/// first.
+/// A landmark, or an object at its present position. In lists landmarks come first.
 struct SceneFeature
 {
   int id = kNoId;
@@ -25,12 +24,12 @@ struct VisibleFeature
 {
   std::size_t feature = 0;  ///< index
   double bearing = 0;       ///< [rad] from the sensor's forward axis
-  double range = 0;         ///< [m] as the sensor measures it: slant or horizontal
+  double range = 0;         ///< [m] slant or horizontal, as the sensor measures
 };
 
-/// The features inside field of view and range limits, nothing hidden behind anything, in the order of the map.
-[[nodiscard]] std::vector<VisibleFeature> sightingsFrom(const SimulatedSensor& sensor, const Pose2& robot,
-                                                        const std::vector<SceneFeature>& features);
+/// The features inside field of view and range limits, without occlusion, in the order of the map.
+[[nodiscard]] std::vector<VisibleFeature> visibleFeatures(const SimulatedSensor& sensor, const Pose2& robot,
+                                                          const std::vector<SceneFeature>& features);
 
 /// A measured range and its declared standard deviation [m].
 struct MeasuredRange
@@ -41,21 +40,20 @@ struct MeasuredRange
 
 /// Range with bias, scale and noise. Of a stereo pair: disparity = baseline focal / (range cos(bearing)) with Gaussian
 /// noise, hence std = range^2 cos(bearing) std_disparity / (baseline focal); with a field of view of 170 degrees and
-/// more the cosine is left out (omnidirectional stereo). Nothing when noise leaves no positive range or disparity.
-[[nodiscard]] std::optional<MeasuredRange> measureRange(const SimulatedSensor& sensor, const VisibleFeature& sighting,
+/// more the cosine is left out (omnidirectional stereo). Nothing when noise makes the range or the disparity negative.
+[[nodiscard]] std::optional<MeasuredRange> measureRange(const SimulatedSensor& sensor, const VisibleFeature& feature,
                                                         RandomStream& random);
 
 /// Bearing with bias and noise, rounded [rad].
-[[nodiscard]] double measureBearing(const SimulatedSensor& sensor, const VisibleFeature& sighting,
-                                    RandomStream& random);
+[[nodiscard]] double measureBearing(const SimulatedSensor& sensor, const VisibleFeature& feature, RandomStream& random);
 
 /// One reading of a sensor that measures bearings, ranges or both, clutter and misses included. The detections come in
-/// random order, so that an anonymous one does not give itself away. Values rounded to 1e-6; `time` is left 0.
+/// random order, so that the order does not identify anonymous ones. Values rounded to 1e-6; `time` is left 0.
 [[nodiscard]] Reading simulateReading(const SimulatedSensor& sensor, const Pose2& robot,
                                       const std::vector<SceneFeature>& features, RandomStream& random);
 
 [[nodiscard]] CompassRecord simulateCompass(const SimulatedSensor& sensor, const Pose2& robot, RandomStream& random);
 
-/// What a log says about the sensor itself.
+/// The model of the sensor that the log declares.
 [[nodiscard]] SensorModel declaredModel(const SimulatedSensor& sensor);
 }  // namespace mrpt_ext

@@ -1,4 +1,4 @@
-#include "mrpt_ext/simulation/simulator.h"
+#include "mrpt_ext/simulation/simulated_drive.h"
 
 #include <algorithm>
 #include <utility>
@@ -50,17 +50,17 @@ class SimulatedDrive::Simulation
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  /// The earliest of what the sources give next. At one time odometry comes first, then the sensors in the order of the
+  /// The earliest next record of all sources. At one time odometry comes first, then the sensors in the order of the
   /// scenario.
   std::optional<Record> next()
   {
     Source* first = nullptr;
     for (Source& source : sources_)
     {
-      if (!source.waiting) source.waiting = source.next();
-      if (source.waiting && (!first || timeOf(*source.waiting) < timeOf(*first->waiting))) first = &source;
+      if (!source.pending) source.pending = source.next();
+      if (source.pending && (!first || timeOf(*source.pending) < timeOf(*first->pending))) first = &source;
     }
-    return first ? std::exchange(first->waiting, std::nullopt) : std::nullopt;
+    return first ? std::exchange(first->pending, std::nullopt) : std::nullopt;
   }
 
   [[nodiscard]] const LandmarkTable& map() const { return map_; }
@@ -117,7 +117,7 @@ class SimulatedDrive::Simulation
     };
   }
 
-  /// What one sensor measures, tick by tick.
+  /// The measurements of one sensor, tick by tick.
   class SensorRun
   {
    public:
@@ -151,7 +151,7 @@ class SimulatedDrive::Simulation
       }
       if (sensor_.kind == SensorKind::running_fix)
       {
-        auto fix = fixes_.look(time, robot, simulation_.featuresAt(time));
+        auto fix = fixes_.measure(time, robot, simulation_.featuresAt(time));
         if (!fix) return std::nullopt;
         fix->time = simulation_.stamp(fix->time + sensor_.delay_s);
         fix->first_time = simulation_.stamp(fix->first_time + sensor_.delay_s);
@@ -169,11 +169,11 @@ class SimulatedDrive::Simulation
     int tick_ = 0;
   };
 
-  /// Records of one origin, ordered by time, with the one that waits for its turn.
+  /// Records of one origin, ordered by time, with the next one.
   struct Source
   {
     RecordStream next;
-    std::optional<Record> waiting;
+    std::optional<Record> pending;
   };
 
   const Scenario& scenario_;
@@ -191,13 +191,4 @@ std::optional<Record> SimulatedDrive::next() { return simulation_->next(); }
 const LandmarkTable& SimulatedDrive::map() const { return simulation_->map(); }
 Trajectory SimulatedDrive::truth() const { return simulation_->truth(); }
 
-Recording simulate(const Scenario& scenario)
-{
-  SimulatedDrive drive(scenario);
-  Recording recording;
-  while (auto record = drive.next()) recording.records.push_back(std::move(*record));
-  recording.map = drive.map();
-  recording.truth = drive.truth();
-  return recording;
-}
 }  // namespace mrpt_ext

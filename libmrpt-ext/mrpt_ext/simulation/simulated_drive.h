@@ -8,13 +8,13 @@
 
 namespace mrpt_ext
 {
-/// A scenario while it is played: the log comes record by record, so that hours of it need no memory. Same scenario,
-/// same records. Map, path, odometry, every object and every sensor draw from random streams of their own, so that
-/// changing one leaves the others as they were.
+/// A simulated scenario, record by record, so that hours of it need no memory. The same scenario gives the same
+/// records. Map, path, odometry, every object and every sensor use random streams of their own, so that changing one
+/// does not affect the others.
 class SimulatedDrive
 {
  public:
-  /// Throws InputError (configuration) for a scenario that cannot be played; the scenario must outlive the drive.
+  /// Throws InputError (configuration) for an impossible scenario; the scenario must outlive the drive.
   explicit SimulatedDrive(const Scenario& scenario);
   ~SimulatedDrive();
   SimulatedDrive(SimulatedDrive&&) noexcept;
@@ -29,7 +29,4 @@ class SimulatedDrive
   class Simulation;
   std::unique_ptr<Simulation> simulation_;
 };
-
-/// The whole drive in memory: log, map and truth.
-[[nodiscard]] Recording simulate(const Scenario& scenario);
 }  // namespace mrpt_ext

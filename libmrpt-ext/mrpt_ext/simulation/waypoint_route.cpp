@@ -24,7 +24,7 @@ std::vector<Leg> legsOf(const WaypointRoute& route)
   {
     const Vector2d way = route.waypoints[(i + 1) % n] - route.waypoints[i];
     if (!(way.norm() > 0))
-      throw configurationError("path: waypoint " + std::to_string(i + 1) + " and the next one are the same place");
+      throw configurationError("path: waypoint " + std::to_string(i + 1) + " coincides with the next one");
     legs.push_back({way.norm(), std::atan2(way.y(), way.x())});
   }
   return legs;

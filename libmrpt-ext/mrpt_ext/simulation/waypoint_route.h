@@ -6,11 +6,11 @@
 
 namespace mrpt_ext
 {
-/// A way along straight legs from waypoint to waypoint.
+/// Straight legs from waypoint to waypoint.
 struct WaypointRoute
 {
   std::vector<Vector2d> waypoints;  ///< [m]
-  bool closed = true;               ///< one round, back to where it began
+  bool closed = true;               ///< one round, back to its begin
   double turn_radius = 0;           ///< [m] of the rounded corners; 0: turns in place
   double speed = 0.3;               ///< [m/s]
   double turn_rate = 1;             ///< [rad/s] of turns in place

@@ -7,8 +7,8 @@
 
 namespace mrpt_ext
 {
-/// An ellipse whose axes lie along the image's: a circle seen along its axis by a camera with non-square pixels.
-/// Pixel centres at integers.
+/// An ellipse with axes parallel to those of the image: a circle seen along its axis by a camera with non-square
+/// pixels. Pixel centres at integers.
 struct AxisEllipse
 {
   cv::Point2d centre;
@@ -25,7 +25,7 @@ struct AxisEllipse
   [[nodiscard]] double distance(const cv::Point2d& p) const;
 };
 
-/// An ellipse with what the points it was fitted to say about it.
+/// An ellipse fitted to points, with its covariance.
 struct EllipseFit
 {
   AxisEllipse ellipse;
@@ -34,7 +34,7 @@ struct EllipseFit
 };
 
 /// Through exactly four points or, in the least-squares sense of the conic u^2 + B v^2 + C u + D v + E = 0, near more
-/// of them. Nothing when they lie on no ellipse.
+/// of them. Nothing when they are on no ellipse.
 [[nodiscard]] std::optional<AxisEllipse> ellipseThrough(const std::vector<cv::Point2d>& points);
 
 /// Smallest sum of squared distances, starting from `start` (Gauss-Newton). Nothing with fewer than five points or a

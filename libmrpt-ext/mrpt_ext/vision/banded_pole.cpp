@@ -12,7 +12,7 @@ namespace
 {
 constexpr double kDistanceStep = 1.05;  ///< ratio of neighbouring distances that are tried
 constexpr double kHeadroom = 1.15;      ///< share of the pole's height where its top colour must have ended
-constexpr int kMinBandRows = 2;         ///< a band of fewer rows says nothing
+constexpr int kMinBandRows = 2;         ///< fewer rows of a band do not count
 
 /// Rows of the panorama that a distance gives to the bands: the first rows of headroom, top, middle, bottom, floor.
 struct BandRows

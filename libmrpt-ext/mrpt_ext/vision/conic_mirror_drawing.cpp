@@ -32,9 +32,9 @@ cv::Mat drawConicMirror(const cv::Mat& image, const ConicMirrorView& view, doubl
     cv::line(drawing, at(edge.inner), at(edge.outer), edge.polarity > 0 ? kBrighter : kDarker, 1, cv::LINE_AA,
              kFractionBits);
     const std::string text = std::to_string(cvRound(radToDeg(wrap(edge.azimuth + yaw))));
-    const cv::Point2d place = rim.at(direction, 1.04);
-    cv::putText(drawing, text, {cvRound(place.x) - 10, cvRound(place.y) + 4}, cv::FONT_HERSHEY_SIMPLEX, 0.35, kText, 1,
-                cv::LINE_AA);
+    const cv::Point2d position = rim.at(direction, 1.04);
+    cv::putText(drawing, text, {cvRound(position.x) - 10, cvRound(position.y) + 4}, cv::FONT_HERSHEY_SIMPLEX, 0.35,
+                kText, 1, cv::LINE_AA);
   }
   return drawing;
 }

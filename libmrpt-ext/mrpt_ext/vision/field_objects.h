@@ -16,7 +16,7 @@ struct FieldObjectSizes
   double pole_radius = 0, pole_height = 0, ball_radius = 0;
 };
 
-/// How poles and balls are sought.
+/// Search for poles and balls.
 struct FieldObjectSearch
 {
   double min_distance = 0.3, max_distance = 10;  ///< [m]
@@ -38,7 +38,7 @@ struct ObjectGuess
 
 /// The pole whose bands are from above `ends`, `middle`, `ends`: for every azimuth the distance that explains the
 /// colours along it best. Two of the three bands are enough, one of them the middle one; the others may be hidden or
-/// outside the mirror. Nothing when there is no place where bands and width fit one distance.
+/// outside the mirror. Nothing when bands and width fit one distance nowhere.
 [[nodiscard]] std::optional<ObjectGuess> findBandedPole(const cv::Mat1b& colours, const MirrorPanorama& panorama,
                                                         const HyperbolicMirror& mirror, ObjectColour ends,
                                                         ObjectColour middle, const FieldObjectSizes& sizes,

@@ -13,10 +13,10 @@ namespace
 const double kLeastSine = std::sin(degToRad(35));  ///< of the angle between lines that meet
 constexpr double kReach = 0.025;                   ///< [m] lines may end before they meet, beside three pixels
 constexpr double kFitReach = 0.02;    ///< [m] points around the meeting that are fitted again, beside five pixels
-constexpr double kOff = 0.005;        ///< [m] a point may lie off its line, beside half a pixel
+constexpr double kOff = 0.005;        ///< [m] a point may be off its line, beside half a pixel
 constexpr double kArmStart = 0.003;   ///< [m] from the meeting, beside two and a half pixels
 constexpr double kArmLength = 0.025;  ///< [m] and at least four pixels
-constexpr double kArmOff = 0.003;     ///< [m] a point may lie off an arm, beside three quarters of a pixel
+constexpr double kArmOff = 0.003;     ///< [m] a point may be off an arm, beside three quarters of a pixel
 constexpr double kArmRadius = 0.2;    ///< [m] of the tightest arc
 constexpr double kArmBin = 0.003;     ///< [m] and at least 1.3 pixels
 constexpr double kThere = 0.6, kMissing = 0.3;  ///< shares of an arm's bins
@@ -81,20 +81,20 @@ class JunctionFinder
   }
 
  private:
-  [[nodiscard]] Eigen::Vector2d footprintAt(const Eigen::Vector2d& place) const
+  [[nodiscard]] Eigen::Vector2d footprintAt(const Eigen::Vector2d& position) const
   {
-    const double range = place.norm();
+    const double range = position.norm();
     return {range * range / (camera_.height * camera_.fy), range / camera_.fx};
   }
 
-  /// One junction per place; the one with more arms wins.
+  /// One junction per position; the one with more arms wins.
   void keep(std::vector<FloorJunction>& found, const std::optional<FloorJunction>& junction) const
   {
     if (!junction) return;
-    const Eigen::Vector2d size = footprintAt(junction->place);
+    const Eigen::Vector2d size = footprintAt(junction->position);
     for (FloorJunction& other : found)
     {
-      const Eigen::Vector2d d = other.place - junction->place;
+      const Eigen::Vector2d d = other.position - junction->position;
       if (std::abs(d.x()) > 0.015 + 3 * size.x() || std::abs(d.y()) > 0.015 + 3 * size.y()) continue;
       if (junction->kind > other.kind || (junction->kind == other.kind && junction->std_u < other.std_u))
         other = *junction;
@@ -103,10 +103,10 @@ class JunctionFinder
     found.push_back(*junction);
   }
 
-  [[nodiscard]] static bool reaches(const FloorLine& line, const Eigen::Vector2d& place,
+  [[nodiscard]] static bool reaches(const FloorLine& line, const Eigen::Vector2d& position,
                                     const Eigen::Vector2d& footprint)
   {
-    const double along = line.direction.dot(place - line.middle);
+    const double along = line.direction.dot(position - line.middle);
     const double reach = kReach + 3 * pixelAlong(footprint, line.direction);
     return along > line.first - reach && along < line.last + reach;
   }
@@ -115,11 +115,11 @@ class JunctionFinder
   {
     const double sine = cross(a.direction, b.direction);
     if (std::abs(sine) < kLeastSine) return std::nullopt;
-    const Eigen::Vector2d place = a.middle + cross(b.middle - a.middle, b.direction) / sine * a.direction;
-    if (!(place.x() > 0) || place.norm() > settings_.max_range) return std::nullopt;
-    const auto pixel = camera_.pixelOf(place);
+    const Eigen::Vector2d position = a.middle + cross(b.middle - a.middle, b.direction) / sine * a.direction;
+    if (!(position.x() > 0) || position.norm() > settings_.max_range) return std::nullopt;
+    const auto pixel = camera_.pixelOf(position);
     if (!pixel || !inside(*pixel)) return std::nullopt;
-    return place;
+    return position;
   }
   [[nodiscard]] bool inside(const cv::Point2d& p) const
   {
@@ -127,11 +127,11 @@ class JunctionFinder
            p.y <= camera_.size.height - 1 - kBorder;
   }
 
-  /// The line through the points of `line` near `place`; as it was with too few.
-  [[nodiscard]] Line fitNear(const Eigen::Vector2d& place, const Line& line,
+  /// The line through the points of `line` near `position`; as it was with too few.
+  [[nodiscard]] Line fitNear(const Eigen::Vector2d& position, const Line& line,
                              const std::vector<MarkingPoint>& points) const
   {
-    const Eigen::Vector2d footprint = footprintAt(place);
+    const Eigen::Vector2d footprint = footprintAt(position);
     const double reach = kFitReach + 5 * pixelAlong(footprint, line.direction);
     const double off = kOff + 0.5 * pixelAcross(footprint, line.direction);
     Eigen::Vector2d sum(0, 0);
@@ -139,9 +139,9 @@ class JunctionFinder
     int n = 0;
     for (const MarkingPoint& p : points)
     {
-      const Eigen::Vector2d d = p.place - place;
+      const Eigen::Vector2d d = p.position - position;
       if (std::abs(line.direction.dot(d)) > reach) continue;
-      if (std::abs(cross(line.direction, p.place - line.middle)) > off || !mayRun(p, line.direction)) continue;
+      if (std::abs(cross(line.direction, p.position - line.middle)) > off || !mayRun(p, line.direction)) continue;
       sum += d, xx += d.x() * d.x(), xy += d.x() * d.y(), yy += d.y() * d.y(), ++n;
     }
     if (n < 4) return {line.middle, line.direction, pixelAcross(footprint, line.direction)};
@@ -152,20 +152,20 @@ class JunctionFinder
     const double scatter = std::max(0.0, 0.5 * (xx + yy - spread)) / (n - 2);
     const double by_points = scatter * (1.0 / n + square(along) / length);
     const double floor = settings_.std_line * pixelAcross(footprint, line.direction);
-    return {place + mean, {std::cos(angle), std::sin(angle)}, std::sqrt(by_points + square(floor))};
+    return {position + mean, {std::cos(angle), std::sin(angle)}, std::sqrt(by_points + square(floor))};
   }
 
-  [[nodiscard]] Arm arm(const Eigen::Vector2d& place, const Eigen::Vector2d& direction,
+  [[nodiscard]] Arm arm(const Eigen::Vector2d& position, const Eigen::Vector2d& direction,
                         const std::vector<MarkingPoint>& points) const
   {
-    const Eigen::Vector2d footprint = footprintAt(place);
+    const Eigen::Vector2d footprint = footprintAt(position);
     const double pixel = pixelAlong(footprint, direction), across = pixelAcross(footprint, direction);
     const double start = kArmStart + 2.5 * pixel, bin = std::max(kArmBin, 1.3 * pixel);
     const auto bins = static_cast<std::size_t>(std::max(3.0, std::ceil(std::max(kArmLength, 4 * pixel) / bin)));
     std::vector<char> seen(bins, 0);
     for (const MarkingPoint& p : points)
     {
-      const Eigen::Vector2d d = p.place - place;
+      const Eigen::Vector2d d = p.position - position;
       const double along = direction.dot(d);
       if (along < start || along >= start + bin * static_cast<double>(bins)) continue;
       const double off = kArmOff + 0.75 * across + square(along) / (2 * kArmRadius);
@@ -175,7 +175,7 @@ class JunctionFinder
     std::size_t visible = 0, hits = 0;
     for (std::size_t i = 0; i < bins; ++i)
     {
-      const auto at = camera_.pixelOf(place + (start + bin * (static_cast<double>(i) + 0.5)) * direction);
+      const auto at = camera_.pixelOf(position + (start + bin * (static_cast<double>(i) + 0.5)) * direction);
       if (!at || !inside(*at)) continue;
       ++visible, hits += static_cast<std::size_t>(seen[i]);
     }
@@ -187,18 +187,19 @@ class JunctionFinder
   [[nodiscard]] std::optional<FloorJunction> between(const FloorLine& first, const FloorLine& second) const
   {
     Line a{first.middle, first.direction, 0}, b{second.middle, second.direction, 0};
-    auto place = meeting(a, b);
-    if (!place || !reaches(first, *place, footprintAt(*place)) || !reaches(second, *place, footprintAt(*place)))
+    auto position = meeting(a, b);
+    if (!position || !reaches(first, *position, footprintAt(*position)) ||
+        !reaches(second, *position, footprintAt(*position)))
       return std::nullopt;
-    a = fitNear(*place, a, markings_.points.stripes), b = fitNear(*place, b, markings_.points.stripes);
-    place = meeting(a, b);
-    if (!place) return std::nullopt;
+    a = fitNear(*position, a, markings_.points.stripes), b = fitNear(*position, b, markings_.points.stripes);
+    position = meeting(a, b);
+    if (!position) return std::nullopt;
     int arms_a = 0, arms_b = 0;
     bool complete = true;
     for (const auto& [line, arms] : {std::pair(&a, &arms_a), std::pair(&b, &arms_b)})
       for (const double sign : {1.0, -1.0})
       {
-        const Arm seen = arm(*place, sign * line->direction, markings_.points.stripes);
+        const Arm seen = arm(*position, sign * line->direction, markings_.points.stripes);
         if (seen == Arm::unclear) return std::nullopt;
         *arms += seen == Arm::there;
         complete = complete && seen != Arm::outside;
@@ -206,43 +207,44 @@ class JunctionFinder
     if (arms_a == 0 || arms_b == 0) return std::nullopt;
     const int arms = arms_a + arms_b;
     const JunctionKind kind = arms == 4 ? JunctionKind::crossing : arms == 3 ? JunctionKind::tee : JunctionKind::corner;
-    return made(*place, kind, complete, a, b);
+    return made(*position, kind, complete, a, b);
   }
 
   [[nodiscard]] std::optional<FloorJunction> atWall(const FloorLine& stripe, const FloorLine& wall) const
   {
     Line a{stripe.middle, stripe.direction, 0}, b{wall.middle, wall.direction, 0};
-    auto place = meeting(a, b);
-    if (!place || !reaches(stripe, *place, footprintAt(*place)) || !reaches(wall, *place, footprintAt(*place)))
+    auto position = meeting(a, b);
+    if (!position || !reaches(stripe, *position, footprintAt(*position)) ||
+        !reaches(wall, *position, footprintAt(*position)))
       return std::nullopt;
-    a = fitNear(*place, a, markings_.points.stripes), b = fitNear(*place, b, markings_.points.walls);
-    place = meeting(a, b);
-    if (!place) return std::nullopt;
+    a = fitNear(*position, a, markings_.points.stripes), b = fitNear(*position, b, markings_.points.walls);
+    position = meeting(a, b);
+    if (!position) return std::nullopt;
     // The marking comes from the side on which the camera is.
     const Eigen::Vector2d normal(-b.direction.y(), b.direction.x());
     const bool away = (normal.dot(a.direction) > 0) == (normal.dot(b.middle) > 0);
-    if (arm(*place, away ? Eigen::Vector2d(-a.direction) : a.direction, markings_.points.stripes) != Arm::there)
+    if (arm(*position, away ? Eigen::Vector2d(-a.direction) : a.direction, markings_.points.stripes) != Arm::there)
       return std::nullopt;
-    const Arm one = arm(*place, b.direction, markings_.points.walls),
-              other = arm(*place, -b.direction, markings_.points.walls);
+    const Arm one = arm(*position, b.direction, markings_.points.walls),
+              other = arm(*position, -b.direction, markings_.points.walls);
     const auto fits = [](Arm seen) { return seen == Arm::there || seen == Arm::outside; };
     if (!fits(one) || !fits(other) || (one == Arm::outside && other == Arm::outside)) return std::nullopt;
-    return made(*place, JunctionKind::tee, true, a, b);
+    return made(*position, JunctionKind::tee, true, a, b);
   }
 
-  [[nodiscard]] FloorJunction made(const Eigen::Vector2d& place, JunctionKind kind, bool complete, const Line& a,
+  [[nodiscard]] FloorJunction made(const Eigen::Vector2d& position, JunctionKind kind, bool complete, const Line& a,
                                    const Line& b) const
   {
-    const cv::Point2d pixel = *camera_.pixelOf(place);
-    // A line that lies off by e moves the meeting by e / sine along the other one.
+    const cv::Point2d pixel = *camera_.pixelOf(position);
+    // A line that is off by e moves the meeting by e / sine along the other one.
     const double sine = std::abs(cross(a.direction, b.direction));
     const auto columns = [&](const Eigen::Vector2d& step)
     {
-      const auto moved = camera_.pixelOf(place + kStep * step.normalized());
+      const auto moved = camera_.pixelOf(position + kStep * step.normalized());
       return moved ? (moved->x - pixel.x) / kStep : 0.0;
     };
     const double by_a = columns(b.direction) * a.std_across / sine, by_b = columns(a.direction) * b.std_across / sine;
-    return {kind, place, pixel, std::hypot(by_a, by_b), complete};
+    return {kind, position, pixel, std::hypot(by_a, by_b), complete};
   }
 
   const FloorMarkings& markings_;

@@ -20,13 +20,13 @@ enum class JunctionKind
 struct FloorJunction
 {
   JunctionKind kind = JunctionKind::corner;
-  Eigen::Vector2d place{0, 0};  ///< [m] (forward, left) of the camera's foot
+  Eigen::Vector2d position{0, 0};  ///< [m] (forward, left) of the camera's foot
   cv::Point2d pixel;
   double std_u = 0;      ///< [px] of the pixel's column
-  bool complete = true;  ///< false: some of the directions in which arms might be lie outside the image
+  bool complete = true;  ///< false: some possible arms are outside the image
 };
 
-/// What was found on the way, for drawings.
+/// Intermediate results, for drawings.
 struct FloorMarkings
 {
   MarkingPoints points;
@@ -35,9 +35,9 @@ struct FloorMarkings
 };
 
 /// Junctions of markings. Lines that would meet at more than a right angle's third are fitted again to the points near
-/// their meeting, so that arcs have their tangents there; then it is looked how many of the four arms exist. An arm is
-/// there when points follow it, bent at most like the field's circle; with an arm that is neither there nor missing
-/// nothing is said. Markings at a wall's foot are junctions as well.
+/// their meeting, so that arcs have their tangents there; then the existing ones of the four arms are counted. An arm
+/// is there when points follow it, bent at most like the field's circle; with an arm that is neither there nor missing
+/// nothing is reported. Markings at a wall's foot are junctions as well.
 [[nodiscard]] FloorMarkings findFloorJunctions(const cv::Mat& whiteness, const StereoCamera& camera,
                                                const MarkingSettings& settings);
 }  // namespace mrpt_ext

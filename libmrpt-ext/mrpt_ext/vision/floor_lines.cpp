@@ -11,7 +11,7 @@ namespace
 {
 constexpr int kDirections = 60;      ///< of half a turn
 constexpr double kDistance = 0.005;  ///< [m] width of a cell
-constexpr double kOff = 0.005;       ///< [m] a point may lie off its line, beside half a pixel
+constexpr double kOff = 0.005;       ///< [m] a point may be off its line, beside half a pixel
 constexpr double kGap = 0.04;        ///< [m] within one line, beside three pixels
 constexpr int kLeastPoints = 5;
 constexpr double kLeastLength = 0.012;  ///< [m] beside three pixels
@@ -77,7 +77,7 @@ class Hough
   [[nodiscard]] double distance(std::size_t i, int k) const
   {
     const auto d = static_cast<std::size_t>(k);
-    return cosines_[d] * points_[i].place.y() - sines_[d] * points_[i].place.x();
+    return cosines_[d] * points_[i].position.y() - sines_[d] * points_[i].position.x();
   }
   [[nodiscard]] int cellOf(double distance) const
   {
@@ -100,7 +100,7 @@ class Hough
     return from_first <= sectors_[i].last - sectors_[i].first;
   }
 
-  /// The points of a cell that lie without a gap, the longest such row of them.
+  /// The longest run of points of a cell without a gap.
   [[nodiscard]] std::vector<std::size_t> longestRun(int k, int cell) const
   {
     const double middle = (cell - cells_ / 2) * kDistance;
@@ -112,7 +112,7 @@ class Hough
       const double pixel =
           std::abs(direction.x()) * points_[i].footprint.y() + std::abs(direction.y()) * points_[i].footprint.x();
       if (std::abs(distance(i, k) - middle) > kOff + 0.5 * pixel) continue;
-      along.emplace_back(direction.dot(points_[i].place), i);
+      along.emplace_back(direction.dot(points_[i].position), i);
     }
     std::sort(along.begin(), along.end());
     std::vector<std::size_t> run, best;
@@ -132,18 +132,18 @@ class Hough
   {
     FloorLine line;
     line.points = static_cast<int>(run.size());
-    for (const std::size_t i : run) line.middle += points_[i].place / static_cast<double>(run.size());
+    for (const std::size_t i : run) line.middle += points_[i].position / static_cast<double>(run.size());
     double xx = 0, xy = 0, yy = 0;
     for (const std::size_t i : run)
     {
-      const Eigen::Vector2d d = points_[i].place - line.middle;
+      const Eigen::Vector2d d = points_[i].position - line.middle;
       xx += d.x() * d.x(), xy += d.x() * d.y(), yy += d.y() * d.y();
     }
     const double angle = 0.5 * std::atan2(2 * xy, xx - yy);
     line.direction = {std::cos(angle), std::sin(angle)};
     for (const std::size_t i : run)
     {
-      const double along = line.direction.dot(points_[i].place - line.middle);
+      const double along = line.direction.dot(points_[i].position - line.middle);
       line.first = std::min(line.first, along), line.last = std::max(line.last, along);
     }
     return line;

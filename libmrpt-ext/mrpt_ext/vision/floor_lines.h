@@ -16,7 +16,7 @@ struct FloorLine
 };
 
 /// Straight pieces among the points by a Hough transform on the floor, in which each point votes only for the
-/// directions its gradients allow. Lines are taken one by one, most votes first; what they explain votes no more. An
+/// directions its gradients allow. Lines are taken one by one, most votes first; their points do not vote again. An
 /// arc gives the chords that follow it within the grid's width.
 [[nodiscard]] std::vector<FloorLine> findFloorLines(const std::vector<MarkingPoint>& points, double max_range);
 }  // namespace mrpt_ext

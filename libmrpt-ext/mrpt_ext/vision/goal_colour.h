@@ -36,7 +36,7 @@ class GoalColour
   return pixel[0] >= least_white[0] && pixel[1] >= least_white[1] && pixel[2] >= least_white[2];
 }
 
-/// Where white and a goal's colour meet in one row. `side` +1: the colour lies at larger columns. Columns are to
+/// Where white and a goal's colour meet in one row. `side` +1: the colour is at larger columns. Columns are to
 /// a fraction of a pixel, where the darkest channel is half way between both sides.
 [[nodiscard]] std::vector<double> colourStepsInRow(const cv::Mat& bgr, int row, int first_column, int last_column,
                                                    const GoalColour& colour, int side, const cv::Vec3f& least_white);

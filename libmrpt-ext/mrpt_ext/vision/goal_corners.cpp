@@ -12,11 +12,11 @@ namespace mrpt_ext
 namespace
 {
 constexpr int kWindow = 10;            ///< [px] around the candidate's column
-constexpr int kWhiteStep = 16;         ///< [px] between pixels that tell what is white
+constexpr int kWhiteStep = 16;         ///< [px] between pixels that define white
 constexpr int kInside = 4;             ///< [px] from the step to where the coloured side's height is measured
 constexpr double kSameFeature = 1.5;   ///< [px] disparities of one feature agree
-constexpr double kOutlier = 3;         ///< in robust deviations
-constexpr double kLeastScatter = 0.2;  ///< [px] robust deviation of a row's column is not believed below
+constexpr double kOutlier = 3;         ///< in robust standard deviations
+constexpr double kLeastScatter = 0.2;  ///< [px] least robust standard deviation of a row's column
 constexpr double kMedianOfNormal = 0.6745;
 constexpr double kAgreeingShare = 0.5;  ///< of the rows of the left image
 constexpr float kAsWhite = 0.6F;        ///< of the white beside the step is still it, share of each channel
@@ -39,7 +39,7 @@ double median(std::vector<double> values)
   return *middle;
 }
 
-/// Removes rows whose value lies off the median by more than the scatter explains.
+/// Removes rows whose value is an outlier against the median and its scatter.
 template <typename Value>
 void removeOutliers(std::vector<RowStep>& rows, const Value& value)
 {
@@ -218,15 +218,15 @@ class CornerFinder
   /// colour is that of the goal's back, whose foot is farther away and so higher in the image than the corner's.
   [[nodiscard]] bool looksLikeGoal(const GoalCorner& corner) const
   {
-    const Eigen::Vector2d& place = corner.measured.place;
-    const auto foot = camera_.pixelOf(place), top = camera_.pixelOf(place, settings_.goal_height);
+    const Eigen::Vector2d& position = corner.measured.position;
+    const auto foot = camera_.pixelOf(position), top = camera_.pixelOf(position, settings_.goal_height);
     if (!foot || !top) return false;
     const double expected = foot->y - top->y, seen = corner.row_bottom - corner.row_top;
     const double tolerance = settings_.height_tolerance * expected + kEndOfRows;
     if (seen > expected + tolerance || corner.row_bottom > corner.white_bottom + tolerance) return false;
-    // The foot of a goal close by may lie below the image.
+    // The foot of a near goal may be below the image.
     if (corner.white_bottom >= left_.rows - 1) return true;
-    const double at_back = expected * place.x() / (place.x() + settings_.goal_depth);
+    const double at_back = expected * position.x() / (position.x() + settings_.goal_depth);
     return seen >= at_back - tolerance && std::abs(corner.white_bottom - corner.row_top - expected) <= tolerance;
   }
 

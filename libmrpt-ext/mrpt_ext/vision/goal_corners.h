@@ -20,7 +20,7 @@ struct GoalCornerSettings
   double min_range = 0.15;         ///< [m] depth
   double max_range = 2.2;          ///< [m] depth
   int min_rows = 5;                ///< rows in which both images must show the step
-  double std_column = 0.15;        ///< [px] of a corner's column beside what the rows' scatter tells: coding, blur
+  double std_column = 0.15;        ///< [px] of a corner's column beyond the scatter of the rows: coding, blur
   double std_disparity = 0.12;     ///< [px] likewise; both images share much of the former
 };
 
@@ -35,7 +35,7 @@ struct GoalCorner
   StereoMeasurement measured;
 };
 
-/// A place where the coarse scan saw white beside a goal's colour.
+/// A pixel where the coarse scan found white beside a goal's colour.
 struct CornerCandidate
 {
   int colour = 0, side = 0;

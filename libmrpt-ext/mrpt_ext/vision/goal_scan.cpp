@@ -7,7 +7,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr int kSpan = 8;          ///< [px] between the two pixels compared: both lie beside a blurred step
+constexpr int kSpan = 8;          ///< [px] between the two pixels compared: both are beside a blurred step
 constexpr int kRowGap = 12;       ///< [px] rows without a hit within one candidate
 constexpr int kLeastChange = 24;  ///< [grey levels] of blue minus red; with less nothing can be a goal's colour
 

@@ -114,9 +114,9 @@ class PointFinder
   void alongRow(int v, std::vector<MarkingPoint>& points) const
   {
     const uchar* const row = image_.ptr<uchar>(v);
-    const auto place = camera_.floorAt(cv::Point2d(camera_.cx, v));
-    if (!place) return;
-    const double width = settings_.line_width * camera_.fx / place->norm();
+    const auto position = camera_.floorAt(cv::Point2d(camera_.cx, v));
+    if (!position) return;
+    const double width = settings_.line_width * camera_.fx / position->norm();
     eachStripe(
         0, image_.cols, [row](int u) { return static_cast<double>(row[u]); },
         [&](int) { return kSlant * width + kBlur; },
@@ -131,9 +131,9 @@ class PointFinder
     const int wall = wallAbove(u, first, points.walls);
     const auto widest = [this, u](int v)
     {
-      const auto place = camera_.floorAt(cv::Point2d(u, v));
-      if (!place) return kBlur;
-      return kSlant * settings_.line_width * camera_.height * camera_.fy / place->squaredNorm() + kBlur;
+      const auto position = camera_.floorAt(cv::Point2d(u, v));
+      if (!position) return kBlur;
+      return kSlant * settings_.line_width * camera_.height * camera_.fy / position->squaredNorm() + kBlur;
     };
     eachStripe(std::max(first - 2, wall), image_.rows, value, widest,
                [&](double middle, int begin, int end) {
@@ -144,9 +144,9 @@ class PointFinder
   /// [px] half the height of a wall that stands at this pixel.
   [[nodiscard]] int wallRows(int u, int v) const
   {
-    const auto place = camera_.floorAt(cv::Point2d(u, v));
-    if (!place) return kWallRows;
-    return std::max(kWallRows, static_cast<int>(kWallShare * settings_.wall_height * camera_.fy / place->x()));
+    const auto position = camera_.floorAt(cv::Point2d(u, v));
+    if (!position) return kWallRows;
+    return std::max(kWallRows, static_cast<int>(kWallShare * settings_.wall_height * camera_.fy / position->x()));
   }
 
   /// From below to the first bright area that is no marking; its first dark row.
@@ -184,7 +184,7 @@ class PointFinder
             2 * (s(0, 1) - s(0, -1)) + s(1, 1) - s(1, -1) + s(-1, 1) - s(-1, -1)};
   }
 
-  /// A point with the direction that the gradients at both its edges (one, of a wall) tell.
+  /// A point with the direction of the gradients at both its edges (one, of a wall).
   void add(std::vector<MarkingPoint>& points, const cv::Point2d& pixel, int u_begin, int v_begin, int u_end, int v_end,
            bool in_row, bool single = false) const
   {
@@ -196,11 +196,11 @@ class PointFinder
     const double size = std::hypot(normal.x, normal.y);
     // Along a row the edges must be steeper than flat, along a column flatter than steep: the other scan sees the rest.
     if (!(size > 0) || (in_row ? std::abs(normal.x) : std::abs(normal.y)) < 0.4 * size) return;
-    const auto place = camera_.floorAt(pixel);
-    if (!place || place->norm() > settings_.max_range) return;
+    const auto position = camera_.floorAt(pixel);
+    if (!position || position->norm() > settings_.max_range) return;
     MarkingPoint point;
     point.pixel = pixel;
-    point.place = *place;
+    point.position = *position;
     const double angle = std::atan2(normal.x, -normal.y);  // along the line, in the image
     const auto direction = [&](double turn)
     {
@@ -210,7 +210,7 @@ class PointFinder
     };
     point.along_a = direction(-kDirectionStd), point.along_b = direction(kDirectionStd);
     if (point.along_a.isZero() || point.along_b.isZero()) return;
-    const double range = place->norm();
+    const double range = position->norm();
     point.footprint = {range * range / (camera_.height * camera_.fy), range / camera_.fx};
     points.push_back(point);
   }

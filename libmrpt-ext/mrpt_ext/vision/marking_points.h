@@ -15,13 +15,13 @@ struct MarkingSettings
   double min_significance = 5;  ///< likewise, in standard deviations of the image's noise
   double wall_contrast = 0.4;   ///< of a wall against the floor, share of the image's white
   double wall_height = 0.05;    ///< [m]
-  double std_line = 0.3;        ///< [px] of a marking's middle line, beside what its points' scatter tells
+  double std_line = 0.3;        ///< [px] of a marking's middle line, beyond the scatter of its points
 };
 
 /// A point of a marking's middle line or of a wall's foot.
 struct MarkingPoint
 {
-  Eigen::Vector2d place{0, 0};                   ///< [m] (forward, left) of the camera's foot
+  Eigen::Vector2d position{0, 0};                ///< [m] (forward, left) of the camera's foot
   Eigen::Vector2d along_a{0, 0}, along_b{0, 0};  ///< unit, the directions along the floor between which the line runs
   Eigen::Vector2d footprint{0, 0};               ///< [m] forward and left of one pixel here
   cv::Point2d pixel;

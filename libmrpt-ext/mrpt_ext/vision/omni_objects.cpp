@@ -17,16 +17,16 @@ constexpr int kMinSliceCount = 5;      ///< of one colour, so that they can be c
 constexpr double kSliceMargin = 1.5;   ///< [px] from where a colour ends
 constexpr double kBallShare = 0.75;    ///< of the ball's height that is measured: its poles are short
 
-int brightnessAt(const cv::Mat& image, const cv::Point2d& place)
+int brightnessAt(const cv::Mat& image, const cv::Point2d& position)
 {
-  const cv::Point pixel(cvRound(place.x), cvRound(place.y));
+  const cv::Point pixel(cvRound(position.x), cvRound(position.y));
   if (!cv::Rect({0, 0}, image.size()).contains(pixel)) return -1;
   const auto& p = image.at<cv::Vec3b>(pixel);
   return (p[0] + p[1] + p[2]) / 3;
 }
 
-/// True when enough of the mirror's rim is where it should be: bright inside, dark outside. What is the other way round
-/// counts against it, else mere noise would have a rim.
+/// True when enough of the mirror's rim is at its expected position: bright inside, dark outside. What is the other way
+/// round counts against it, else mere noise would have a rim.
 bool rimIsThere(const cv::Mat& image, const OmniCameraSettings& settings)
 {
   const HyperbolicMirror& mirror = settings.mirror;
@@ -44,8 +44,8 @@ bool rimIsThere(const cv::Mat& image, const OmniCameraSettings& settings)
   return counted > 0 && seen >= settings.rim_visible_share * counted;
 }
 
-/// Cuts image radii [low, high], `margin` [px] less at both ends, into slices; `half_width` tells the object's width at
-/// a radius.
+/// Cuts image radii [low, high], `margin` [px] less at both ends, into slices; `half_width` is half the object's width
+/// at a radius.
 template <typename HalfWidth>
 void addSlices(std::vector<SilhouetteSlice>& slices, const HyperbolicMirror& mirror, double low, double high,
                double margin, const HalfWidth& half_width)

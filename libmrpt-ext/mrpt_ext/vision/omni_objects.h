@@ -38,7 +38,7 @@ struct OmniObject
   double azimuth = 0;      ///< [rad] in the image
   double std_azimuth = 0;  ///< [rad]
   double half_width = 0;   ///< [rad] as seen
-  double distance = 0;     ///< [m] from the mirror's axis, by its size and place: rough, for drawings and checks only
+  double distance = 0;  ///< [m] from the mirror's axis, by its size and position: rough, for drawings and checks only
 };
 
 /// What one image shows.

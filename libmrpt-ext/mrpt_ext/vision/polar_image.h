@@ -20,7 +20,7 @@ struct PolarGrid
 };
 
 /// The ring unrolled: row k at radius grid.radiusOf(k), column j at the azimuth j * azimuthStep() around the centre
-/// of azimuths at this radius (mirror_axis.h), measured on the undistorted circle; CV_32F grey levels. What lies
+/// of azimuths at this radius (mirror_axis.h), measured on the undistorted circle; CV_32F grey levels. What is
 /// outside the image repeats its border; `inside` is 0 there and 255 elsewhere.
 struct PolarImage
 {

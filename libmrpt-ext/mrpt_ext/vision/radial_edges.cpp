@@ -11,8 +11,8 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kNeighbourhood = 1.3;  ///< a peak is the largest within this many deviations of the smoothing
-constexpr double kFlank = 6;            ///< its flanks reach so many deviations
+constexpr double kNeighbourhood = 1.3;  ///< a peak is the largest within this many standard deviations of the smoothing
+constexpr double kFlank = 6;            ///< its flanks reach so many standard deviations
 /// Neighbouring rows share pixels, and so do the rows of one pixel near the centre.
 constexpr double kRowCorrelation = 1.2;
 constexpr int kNeighbourRounds = 12;  ///< neighbours' moves depend on each other
@@ -33,7 +33,7 @@ class RunProfile
     noise_ = kRowCorrelation / std::sqrt(total_);
   }
 
-  /// [grey levels] mean step at a column, which may lie beyond either end of a turn.
+  /// [grey levels] mean step at a column, which may be beyond either end of a turn.
   [[nodiscard]] double operator()(int column) const
   {
     const int columns = steps_.heights.cols, j = ((column % columns) + columns) % columns;
@@ -54,8 +54,8 @@ class RunProfile
 /// A peak of a profile: a Gaussian through three samples.
 struct Peak
 {
-  double offset = 0;     ///< [columns] from the middle sample
-  double deviation = 0;  ///< [columns]
+  double offset = 0;  ///< [columns] from the middle sample
+  double sigma = 0;   ///< [columns]
   double height = 0;
 };
 
@@ -97,12 +97,12 @@ std::vector<int> peakColumns(const std::vector<RadialRun>& runs, int reach, floa
   return peaks;
 }
 
-/// [rad] by which `other`, at `place`, moves the peak of an edge at `own_place`: the slope of its profile there over
-/// the peak's bend. Edges of opposite polarity push each other away.
-double pull(const RadialEdge& edge, double own_place, const RadialEdge& other, double place)
+/// [rad] by which `other`, at `position`, moves the peak of an edge at `own_position`: the slope of its profile there
+/// over the peak's bend. Edges of opposite polarity push each other away.
+double pull(const RadialEdge& edge, double own_position, const RadialEdge& other, double position)
 {
   if (std::max(edge.inner, other.inner) >= std::min(edge.outer, other.outer)) return 0;  // at different heights
-  const double apart = wrap(place - own_place), variance = square(other.width);
+  const double apart = wrap(position - own_position), variance = square(other.width);
   const double height = edge.polarity * other.polarity * other.contrast / edge.contrast;
   return height * square(edge.width) * apart / variance * std::exp(-square(apart) / (2 * variance));
 }
@@ -161,7 +161,7 @@ std::vector<RadialEdge> findRadialEdges(const PolarImage& polar, double centre_s
       const double inner = polar.grid.radiusOf(run.first), outer = polar.grid.radiusOf(run.end - 1);
       const double pixel = 1 / (0.5 * (inner + outer) * radius);  // [rad]
       const double widest = std::hypot(settings.max_width, settings.smoothing, settings.blur * pixel);
-      if (significance < settings.min_significance || peak->deviation * step > widest) continue;
+      if (significance < settings.min_significance || peak->sigma * step > widest) continue;
       if (prominence(profile, column, peak->height, static_cast<int>(kFlank * smoothing)) < settings.min_prominence)
         continue;
       RadialEdge edge;
@@ -169,13 +169,13 @@ std::vector<RadialEdge> findRadialEdges(const PolarImage& polar, double centre_s
       edge.polarity = polarity;
       edge.contrast = peak->height;
       edge.significance = significance;
-      // A neighbour makes the peak look narrower than any edge is.
-      edge.width = std::max(peak->deviation * step, std::hypot(settings.smoothing, settings.blur * pixel));
+      // A neighbour makes the peak narrower than any edge is.
+      edge.width = std::max(peak->sigma * step, std::hypot(settings.smoothing, settings.blur * pixel));
       edge.inner = inner;
       edge.outer = outer;
-      // White noise through a Gaussian's derivative: the slope's deviation is sqrt(3/2)/smoothing of the value's, and
-      // the peak's bend is height/deviation^2.
-      const double by_noise = std::sqrt(1.5) * square(peak->deviation) / (smoothing * significance) * step;
+      // White noise through a Gaussian's derivative: the slope's standard deviation is sqrt(3/2)/smoothing of the
+      // value's, and the peak's bend is height/sigma^2.
+      const double by_noise = std::sqrt(1.5) * square(peak->sigma) / (smoothing * significance) * step;
       const double by_centre = centre_std * pixel;
       edge.std_azimuth = std::sqrt(square(by_noise) + square(by_centre) + square(settings.std_floor));
       edges.push_back(edge);

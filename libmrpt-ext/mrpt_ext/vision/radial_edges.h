@@ -16,7 +16,7 @@ struct RadialEdgeSettings
   double max_width = 0.0107;     ///< [rad] standard deviation of a soft edge in the room, as an exact camera sees it
   double blur = 1.05;            ///< [px] standard deviation of what camera and sampling add to an edge's width
   double min_prominence = 0.45;  ///< how far the profile falls on both sides, share of the peak
-  double std_floor = 0.0005;     ///< [rad] of what the noise does not explain
+  double std_floor = 0.0005;     ///< [rad] beyond the effect of noise
 };
 
 /// A vertical edge of the room: a radial one in the image.

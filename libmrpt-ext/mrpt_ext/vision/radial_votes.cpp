@@ -8,22 +8,22 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr float kFullVote = 3;          ///< of one row, in deviations of its noise
+constexpr float kFullVote = 3;          ///< of one row, in standard deviations of its noise
 constexpr float kExcessShare = 0.05F;   ///< what is above counts little, only to leave peaks of strong edges sharp
-constexpr float kVoteThreshold = 0.7F;  ///< a row below it speaks against the edge
+constexpr float kVoteThreshold = 0.7F;  ///< a row below it is evidence against the edge
 constexpr float kLeastNoise = 0.15F;    ///< [grey levels] that rounding leaves even in a perfect image
 constexpr int kNoiseStride = 4;         ///< every fourth column is enough for a median
 constexpr double kMedianOfNormal = 0.6745;
 
 /// Derivative of a Gaussian, each half summing to 1.
-cv::Mat stepKernel(double deviation)
+cv::Mat stepKernel(double sigma)
 {
-  const int reach = std::max(1, static_cast<int>(std::ceil(3 * deviation)));
+  const int reach = std::max(1, static_cast<int>(std::ceil(3 * sigma)));
   cv::Mat kernel(1, 2 * reach + 1, CV_32F);
   double half = 0;
-  for (int i = 1; i <= reach; ++i) half += i * std::exp(-i * i / (2 * deviation * deviation));
+  for (int i = 1; i <= reach; ++i) half += i * std::exp(-i * i / (2 * sigma * sigma));
   for (int i = -reach; i <= reach; ++i)
-    kernel.at<float>(0, i + reach) = static_cast<float>(i * std::exp(-i * i / (2 * deviation * deviation)) / half);
+    kernel.at<float>(0, i + reach) = static_cast<float>(i * std::exp(-i * i / (2 * sigma * sigma)) / half);
   return kernel;
 }
 

@@ -13,7 +13,7 @@ struct AzimuthSteps
   std::vector<float> noise;  ///< [grey levels] standard deviation per row
 };
 
-/// Steps between what lies before and behind every cell, weighted by a Gaussian's derivative with deviation
+/// Steps between the cells before and behind every cell, weighted by a Gaussian's derivative with standard deviation
 /// `smoothing` [rad] so that a sharp step of height h gives a peak of h. The noise of a row is the median of its
 /// absolute steps, which a few edges do not move.
 [[nodiscard]] AzimuthSteps stepsAlongAzimuth(const PolarImage& polar, double smoothing);

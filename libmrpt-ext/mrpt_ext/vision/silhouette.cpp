@@ -13,17 +13,17 @@ namespace
 constexpr double kSampleStep = 0.5;       ///< [px] between samples
 constexpr double kEdgeReach = 2;          ///< [px] from an edge, where blur has ended
 constexpr double kBackground = 6;         ///< [px] from an edge, where the background is taken from
-constexpr double kMinAngleSquare = 0.01;  ///< squared sine of the angle between two colours that can be told apart
+constexpr double kMinAngleSquare = 0.01;  ///< squared sine of the angle between two colours that can be distinguished
 constexpr double kOutlier = 3;            ///< standard deviations
 constexpr double kAgreement = 0.15;       ///< [px] by which slices may differ in any case, as standard deviation
 constexpr int kRecentring = 2;
 
 using Profile = std::vector<cv::Vec3d>;
 
-/// Linear light at a place of the image, between its pixels; nothing outside.
-std::optional<cv::Vec3d> lightAt(const cv::Mat& image, const cv::Point2d& place)
+/// Linear light at a point of the image, between its pixels; nothing outside.
+std::optional<cv::Vec3d> lightAt(const cv::Mat& image, const cv::Point2d& position)
 {
-  const int u = static_cast<int>(std::floor(place.x)), v = static_cast<int>(std::floor(place.y));
+  const int u = static_cast<int>(std::floor(position.x)), v = static_cast<int>(std::floor(position.y));
   if (u < 0 || v < 0 || u + 1 >= image.cols || v + 1 >= image.rows) return std::nullopt;
   const auto& linear = linearLight();
   const auto light = [&](int row, int column)
@@ -31,7 +31,7 @@ std::optional<cv::Vec3d> lightAt(const cv::Mat& image, const cv::Point2d& place)
     const auto& p = image.at<cv::Vec3b>(row, column);
     return cv::Vec3d(linear[p[0]], linear[p[1]], linear[p[2]]);
   };
-  const double x = place.x - u, y = place.y - v;
+  const double x = position.x - u, y = position.y - v;
   return (1 - y) * ((1 - x) * light(v, u) + x * light(v, u + 1)) +
          y * ((1 - x) * light(v + 1, u) + x * light(v + 1, u + 1));
 }
@@ -88,7 +88,7 @@ std::optional<Edge> edgeOf(const Profile& profile, double half_width, double ste
   return Edge{inside * step, oo / determinant};
 }
 
-/// What one slice tells.
+/// The result of one slice.
 struct SliceResult
 {
   double offset = 0;       ///< [rad] of its middle from the guess

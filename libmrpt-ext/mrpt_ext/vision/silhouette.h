@@ -26,8 +26,8 @@ struct Silhouette
 
 /// Middle of an object from where it ends on both sides in each slice. Every pixel of a slice is a mixture of the
 /// object's colour, at whatever brightness, and the background's colour beside it, in linear light; the shares of the
-/// background, summed outwards from the middle, tell the edges to fractions of a pixel, whatever the shading of a round
-/// object. Slices that do not agree with the others (something in front, a background that changes) are left out;
+/// background, summed outwards from the middle, locate the edges to fractions of a pixel, whatever the shading of a
+/// round object. Slices that do not agree with the others (something in front, a background that changes) are left out;
 /// nothing when fewer than `min_slices` agree.
 [[nodiscard]] std::optional<Silhouette> measureSilhouette(const cv::Mat& image, const HyperbolicMirror& mirror,
                                                           double azimuth, const std::vector<SilhouetteSlice>& slices,

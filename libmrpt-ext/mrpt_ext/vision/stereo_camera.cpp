@@ -8,7 +8,7 @@ namespace
 {
 constexpr double kLeastSlant = 1e-3;           ///< [rad] below the horizon
 constexpr double kLeastDepth = 1e-3;           ///< [m]
-const double kRounding = std::sqrt(1.0 / 12);  ///< [px] deviation of what is rounded
+const double kRounding = std::sqrt(1.0 / 12);  ///< [px] standard deviation of rounding
 }  // namespace
 
 std::optional<Eigen::Vector2d> StereoCamera::floorAt(const cv::Point2d& pixel) const
@@ -20,13 +20,13 @@ std::optional<Eigen::Vector2d> StereoCamera::floorAt(const cv::Point2d& pixel) c
   return Eigen::Vector2d{depth * (std::cos(pitch) - y * std::sin(pitch)), -depth * x};
 }
 
-std::optional<cv::Point2d> StereoCamera::pixelOf(const Eigen::Vector2d& place, double height_above_floor) const
+std::optional<cv::Point2d> StereoCamera::pixelOf(const Eigen::Vector2d& position, double height_above_floor) const
 {
   const double up = height_above_floor - height;
-  const double depth = place.x() * std::cos(pitch) - up * std::sin(pitch);
+  const double depth = position.x() * std::cos(pitch) - up * std::sin(pitch);
   if (!(depth > kLeastDepth)) return std::nullopt;
-  const double down = -place.x() * std::sin(pitch) - up * std::cos(pitch);
-  return cv::Point2d{cx - fx * place.y() / depth, cy + fy * down / depth};
+  const double down = -position.x() * std::sin(pitch) - up * std::cos(pitch);
+  return cv::Point2d{cx - fx * position.y() / depth, cy + fy * down / depth};
 }
 
 double StereoCamera::uprightSlope(const cv::Point2d& pixel) const
@@ -50,8 +50,8 @@ std::optional<StereoMeasurement> measureStereo(const StereoCamera& camera, const
   if (!(ahead > 0)) return std::nullopt;
   StereoMeasurement m;
   m.depth = camera.fx * camera.baseline / disparity;
-  m.place = {m.depth * ahead, -m.depth * x};
-  m.range = m.place.norm();
+  m.position = {m.depth * ahead, -m.depth * x};
+  m.range = m.position.norm();
   m.std_range = m.range * std_disparity / disparity;
   m.bearing = std::atan2(-x, ahead);
   m.std_bearing = ahead / (ahead * ahead + x * x) * std_u / camera.fx;

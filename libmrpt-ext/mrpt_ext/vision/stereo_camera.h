@@ -22,24 +22,25 @@ struct StereoCamera
   [[nodiscard]] double disparityAt(double depth) const { return fx * baseline / depth; }
   /// Where the ray of a pixel meets the floor; nothing at or above the horizon.
   [[nodiscard]] std::optional<Eigen::Vector2d> floorAt(const cv::Point2d& pixel) const;
-  /// The pixel of a place at `height_above_floor` [m]; nothing behind the camera.
-  [[nodiscard]] std::optional<cv::Point2d> pixelOf(const Eigen::Vector2d& place, double height_above_floor = 0) const;
+  /// The pixel of a point at `height_above_floor` [m]; nothing behind the camera.
+  [[nodiscard]] std::optional<cv::Point2d> pixelOf(const Eigen::Vector2d& position,
+                                                   double height_above_floor = 0) const;
   /// Columns per row along an upright edge through this pixel: with a pitch, upright edges meet in a point.
   [[nodiscard]] double uprightSlope(const cv::Point2d& pixel) const;
 };
 
-/// What a pair of pixels tells: range in the floor plane from the left camera and bearing from the forward axis.
+/// Measurement from a pair of pixels: range in the floor plane from the left camera and bearing from the forward axis.
 struct StereoMeasurement
 {
   double range = 0, std_range = 0;      ///< [m]
   double bearing = 0, std_bearing = 0;  ///< [rad] CCW
   double depth = 0;                     ///< [m] along the optical axis
-  Eigen::Vector2d place{0, 0};          ///< [m] (forward, left) of the left camera
+  Eigen::Vector2d position{0, 0};       ///< [m] (forward, left) of the left camera
 };
 
-/// The deviation of the range grows with its square, as that of the depth f B / disparity does; the bearing does not
-/// depend on the disparity (paper 004, section 4; the horizontal distance, with the pitch taken off, where the paper
-/// takes the depth). Nothing without a positive disparity.
+/// The standard deviation of the range grows with its square, as that of the depth f B / disparity does; the bearing
+/// does not depend on the disparity (paper 004, section 4; the horizontal distance, with the pitch taken off, where the
+/// paper takes the depth). Nothing without a positive disparity.
 [[nodiscard]] std::optional<StereoMeasurement> measureStereo(const StereoCamera& camera, const cv::Point2d& left,
                                                              double disparity, double std_u, double std_disparity);
 }  // namespace mrpt_ext

@@ -9,19 +9,19 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kRowsApart = 1.5;       ///< [px] of one junction in both images
-constexpr double kFloorShare = 0.25;     ///< the disparity may differ from the floor's by this share, beside a pixel:
-                                         ///< a degree of pitch is a tenth at the farthest markings
-constexpr double kLeastDeviation = 1.0;  ///< [grey levels] an image with less shows nothing
+constexpr double kRowsApart = 1.5;    ///< [px] of one junction in both images
+constexpr double kFloorShare = 0.25;  ///< the disparity may differ from the floor's by this share, beside a pixel:
+                                      ///< a degree of pitch is a tenth at the farthest markings
+constexpr double kLeastStd = 1.0;     ///< [grey levels] an image with less shows nothing
 
 std::string complaint(const cv::Mat& image, const cv::Size& size, const char* side)
 {
   std::string text = complaintAboutImage(image, size);
   if (text.empty())
   {
-    cv::Scalar mean, deviation;
-    cv::meanStdDev(image, mean, deviation);
-    if (cv::sum(deviation)[0] < kLeastDeviation) text = "image is black or of one colour";
+    cv::Scalar mean, std;
+    cv::meanStdDev(image, mean, std);
+    if (cv::sum(std)[0] < kLeastStd) text = "image is black or of one colour";
   }
   return text.empty() ? "" : std::string(side) + " " + text;
 }
@@ -41,7 +41,7 @@ std::vector<LineLandmark> findLineLandmarks(const FloorMarkings& left, const Flo
   std::vector<LineLandmark> landmarks;
   for (const FloorJunction& l : left.junctions)
   {
-    const double depth = l.place.x() * std::cos(camera.pitch) + camera.height * std::sin(camera.pitch);
+    const double depth = l.position.x() * std::cos(camera.pitch) + camera.height * std::sin(camera.pitch);
     const double on_floor = camera.disparityAt(depth);
     const FloorJunction* nearest = nullptr;
     double least = kFloorShare * on_floor + 1;

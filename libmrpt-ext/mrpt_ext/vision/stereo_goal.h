@@ -34,7 +34,7 @@ struct StereoGoalView
   FloorMarkings markings;  ///< of the left image
 };
 
-/// Junctions of both images' markings that are of one kind, lie in the same row and whose disparity agrees with the
+/// Junctions of both images' markings that are of one kind, are in the same row and whose disparity agrees with the
 /// floor's.
 [[nodiscard]] std::vector<LineLandmark> findLineLandmarks(const FloorMarkings& left, const FloorMarkings& right,
                                                           const StereoGoalSettings& settings);

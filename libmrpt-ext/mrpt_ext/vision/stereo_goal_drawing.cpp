@@ -21,9 +21,9 @@ void drawLines(cv::Mat& drawing, const std::vector<FloorLine>& lines, const Ster
   }
 }
 
-void write(cv::Mat& drawing, const std::string& text, const cv::Point& place)
+void write(cv::Mat& drawing, const std::string& text, const cv::Point& position)
 {
-  cv::putText(drawing, text, place, cv::FONT_HERSHEY_SIMPLEX, 0.4, kText, 1, cv::LINE_AA);
+  cv::putText(drawing, text, position, cv::FONT_HERSHEY_SIMPLEX, 0.4, kText, 1, cv::LINE_AA);
 }
 }  // namespace
 

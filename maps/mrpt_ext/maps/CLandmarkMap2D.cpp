@@ -21,7 +21,7 @@ CLandmarkMap2D::TMapDefinition::TMapDefinition() = default;
 void CLandmarkMap2D::TMapDefinition::loadFromConfigFile_map_specific(const mrpt::config::CConfigFileBase& source,
                                                                      const std::string& prefix)
 {
-  refuseUnknownKeys(
+  rejectUnknownKeys(
       source, prefix + "_creationOpts",
       {"landmarks_file", "enableSaveAs3DObject", "enableObservationLikelihood", "enableObservationInsertion"});
   landmarks_file = source.read_string(prefix + "_creationOpts", "landmarks_file", landmarks_file);

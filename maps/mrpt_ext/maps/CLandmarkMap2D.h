@@ -15,7 +15,7 @@ namespace mrpt_ext
 ///     [MetricMap]
 ///     landmarkMap2D_count = 1
 ///     [MetricMap_landmarkMap2D_00_creationOpts]
-///     landmarks_file = room_map.csv          ; see landmark_file.h for where it is looked for
+///     landmarks_file = room_map.csv          ; see landmark_file.h for the search path
 ///     [MetricMap_landmarkMap2D_00_likelihoodOpts]
 ///     clutter_probability = 0.05             ; see landmark_likelihood_options.h
 ///
@@ -33,7 +33,6 @@ class CLandmarkMap2D : public mrpt::maps::CMetricMap
   LandmarkLikelihoodOptions likelihood_options;
 
   [[nodiscard]] const LandmarkTable& landmarks() const { return landmarks_; }
-  void setLandmarks(LandmarkTable landmarks) { landmarks_ = std::move(landmarks); }
 
   bool isEmpty() const override { return landmarks_.empty(); }
   std::string asString() const override;
@@ -61,9 +60,9 @@ class CLandmarkMap2D : public mrpt::maps::CMetricMap
   MAP_DEFINITION_END(CLandmarkMap2D)
 };
 
-/// Log-likelihood of what an observation says about landmarks, for one robot pose; always finite.
+/// Log-likelihood of the landmark measurements of an observation, for one robot pose; always finite.
 /// Running fixes count as two ranges (running_fix_likelihood.h); unusable detections do not count.
-/// Nothing for a class that says nothing about landmarks.
+/// Nothing for a class without landmark measurements.
 [[nodiscard]] std::optional<double> observationLogLikelihood(const mrpt::obs::CObservation& observation,
                                                              const LandmarkTable& landmarks,
                                                              const LandmarkLikelihoodOptions& options,

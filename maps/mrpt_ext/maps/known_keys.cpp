@@ -6,7 +6,7 @@
 
 namespace mrpt_ext
 {
-void refuseUnknownKeys(const mrpt::config::CConfigFileBase& source, const std::string& section,
+void rejectUnknownKeys(const mrpt::config::CConfigFileBase& source, const std::string& section,
                        const std::vector<std::string>& known)
 {
   std::vector<std::string> keys;

@@ -8,6 +8,6 @@
 namespace mrpt_ext
 {
 /// Throws InputError (configuration) when the section holds a key that is not `known`; MRPT itself would ignore it.
-void refuseUnknownKeys(const mrpt::config::CConfigFileBase& source, const std::string& section,
+void rejectUnknownKeys(const mrpt::config::CConfigFileBase& source, const std::string& section,
                        const std::vector<std::string>& known);
 }  // namespace mrpt_ext

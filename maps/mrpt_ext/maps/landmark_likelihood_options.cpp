@@ -23,7 +23,7 @@ double readWithin(const mrpt::config::CConfigFileBase& source, const std::string
 void LandmarkLikelihoodOptions::loadFromConfigFile(const mrpt::config::CConfigFileBase& source,
                                                    const std::string& section)
 {
-  refuseUnknownKeys(source, section,
+  rejectUnknownKeys(source, section,
                     {"clutter_probability", "detection_probability", "default_std_bearing_deg", "default_std_range_m"});
   clutter_probability = readWithin(source, section, "clutter_probability", clutter_probability, 1e-9, 1);
   detection_probability = readWithin(source, section, "detection_probability", detection_probability, 0, 1 - 1e-9);

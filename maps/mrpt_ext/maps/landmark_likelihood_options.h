@@ -7,11 +7,11 @@
 
 namespace mrpt_ext
 {
-/// Section `..._likelihoodOpts` of a landmarkMap2D: what a log does not say about its sensors.
+/// Section `..._likelihoodOpts` of a landmarkMap2D: properties of the sensors that a log does not declare.
 class LandmarkLikelihoodOptions : public mrpt::config::CLoadableOptions
 {
  public:
-  double clutter_probability = 0.05;   ///< share of detections that show no landmark of the map, in (0, 1]
+  double clutter_probability = 0.05;   ///< share of detections that come from no landmark of the map, in (0, 1]
   double detection_probability = 0;    ///< of a landmark in view, in [0, 1); 0: missed landmarks are not scored
   double default_std_bearing = 0.035;  ///< [rad] where the log declares none (key in degrees, default 2)
   double default_std_range = 0.1;      ///< [m] where the log declares none
@@ -19,7 +19,7 @@ class LandmarkLikelihoodOptions : public mrpt::config::CLoadableOptions
   void loadFromConfigFile(const mrpt::config::CConfigFileBase& source, const std::string& section) override;
   void saveToConfigFile(mrpt::config::CConfigFileBase& target, const std::string& section) const override;
 
-  /// Completes a reading of a log with these values. What the reading declares itself wins.
+  /// Completes a reading of a log with these values. Values that the reading declares itself take precedence.
   void complete(Reading& reading) const;
 };
 }  // namespace mrpt_ext

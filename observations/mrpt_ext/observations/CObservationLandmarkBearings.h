@@ -17,8 +17,8 @@ class CObservationLandmarkBearings : public mrpt::obs::CObservation
   /// One seen landmark.
   struct Detection
   {
-    std::int32_t id = mrpt::obs::INVALID_LANDMARK_ID;  ///< -1: the sensor cannot tell
-    std::string category;                              ///< kind of landmark; empty: the sensor cannot tell
+    std::int32_t id = mrpt::obs::INVALID_LANDMARK_ID;  ///< -1: unknown
+    std::string category;                              ///< of the landmark; empty: unknown
     double bearing = 0;                                ///< [rad] CCW from the sensor's forward axis
     double std_bearing = 0;                            ///< [rad]; 0: not declared
   };
@@ -32,7 +32,8 @@ class CObservationLandmarkBearings : public mrpt::obs::CObservation
   void setSensorPose(const mrpt::poses::CPose3D& pose) override { sensor_pose = pose; }
   void getDescriptionAsText(std::ostream& o) const override;
 
-  /// One row: N, then id, category, bearing [deg] and its deviation [deg] of the first 8 detections ("nan", "-": none).
+  /// One row: N, then id, category, bearing [deg] and its standard deviation [deg] of the first 8 detections ("nan",
+  /// "-": none).
   bool exportTxtSupported() const override { return true; }
   std::string exportTxtHeader() const override;
   std::string exportTxtDataRow() const override;

@@ -10,7 +10,7 @@
 
 namespace mrpt_ext
 {
-/// Two distances to one landmark, measured from two places, and the way between them (paper 004).
+/// Two ranges to one landmark, measured from two poses, and the motion between them (paper 004).
 /// The stamp of the observation is that of the second range.
 class CObservationRunningFix : public mrpt::obs::CObservation
 {
@@ -19,7 +19,7 @@ class CObservationRunningFix : public mrpt::obs::CObservation
  public:
   mrpt::poses::CPose3D sensor_pose;                  ///< on the robot
   bool horizontal = false;                           ///< ranges in the floor plane; otherwise a 3-D slant
-  std::int32_t id = mrpt::obs::INVALID_LANDMARK_ID;  ///< of the landmark; -1: the sensor cannot tell
+  std::int32_t id = mrpt::obs::INVALID_LANDMARK_ID;  ///< of the landmark; -1: unknown
   mrpt::system::TTimeStamp first_timestamp{INVALID_TIMESTAMP};
   double first_range = 0, first_std = 0;                ///< [m] from the sensor origin
   double second_range = 0, second_std = 0;              ///< [m] from the sensor origin

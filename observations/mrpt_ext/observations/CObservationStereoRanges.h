@@ -18,8 +18,8 @@ class CObservationStereoRanges : public mrpt::obs::CObservation
   /// One seen landmark.
   struct Detection
   {
-    std::int32_t id = mrpt::obs::INVALID_LANDMARK_ID;  ///< -1: the sensor cannot tell
-    std::string category;                              ///< kind of landmark; empty: the sensor cannot tell
+    std::int32_t id = mrpt::obs::INVALID_LANDMARK_ID;  ///< -1: unknown
+    std::string category;                              ///< of the landmark; empty: unknown
     std::optional<double> range;                       ///< [m] from the sensor origin; absent: seen, but too far
     double std_range = 0;                              ///< [m]; 0: follows from std_disparity
     double std_disparity = 0;                          ///< [px], used with `baseline_focal`; 0: not declared
@@ -43,7 +43,7 @@ class CObservationStereoRanges : public mrpt::obs::CObservation
   void setSensorPose(const mrpt::poses::CPose3D& pose) override { sensor_pose = pose; }
   void getDescriptionAsText(std::ostream& o) const override;
 
-  /// One row: N, then id, category, range [m], its deviation [m], bearing [deg] and its deviation [deg] of the first
+  /// One row: N, then id, category, range [m] and bearing [deg], each followed by its standard deviation, of the first
   /// 8 detections ("nan", "-": none).
   bool exportTxtSupported() const override { return true; }
   std::string exportTxtHeader() const override;

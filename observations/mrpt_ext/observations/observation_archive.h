@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-/// What the serialization of our observations has in common. The base class writes neither its stamp nor its label.
+/// Shared by the serialization of our observations. The base class writes neither its stamp nor its label.
 namespace mrpt_ext
 {
 /// No sensor sees more features at once; a larger number means a damaged stream, not a larger allocation.
@@ -16,7 +16,7 @@ inline constexpr std::uint32_t kMaxDetections = 100'000;
 
 inline constexpr std::uint32_t kMaxTextLength = 10'000;
 
-/// Like MRPT's own form of a string, but a damaged length is refused before memory is claimed for it.
+/// As MRPT serializes a string, but a damaged length is rejected before memory is allocated for it.
 inline void writeText(mrpt::serialization::CArchive& out, const std::string& text)
 {
   out << static_cast<std::uint32_t>(text.size());

@@ -12,9 +12,9 @@
 #include "mrpt_ext/observations/CObservationRunningFix.h"
 #include "mrpt_ext/observations/CObservationStereoRanges.h"
 
-/// Between the classes of a log and the plain values that solvers, likelihoods and filters work on.
+/// Conversion between the classes of a log and the plain values of solvers, likelihoods and filters.
 /// Sensor poses become planar: x, y, yaw and the height; pitch and roll are not used. A declared value of 0 (field of
-/// view, range limit, standard deviation) means "not declared" in the log and stays so. Nothing is judged here: see
+/// view, range limit, standard deviation) means "not declared" in the log and stays so. Nothing is checked here: see
 /// usable_detections.h.
 namespace mrpt_ext
 {
@@ -30,14 +30,14 @@ namespace mrpt_ext
 
 [[nodiscard]] RunningFixReading toRunningFix(const CObservationRunningFix& observation);
 
-/// What an observation says about landmarks.
+/// The landmark measurements of an observation.
 struct LandmarkMeasurements
 {
   std::vector<Reading> readings;
   std::vector<RunningFixReading> fixes;
 };
 
-/// The measurements of any observation; nothing for a class that says nothing about landmarks.
+/// The measurements of any observation; nothing for a class without landmark measurements.
 [[nodiscard]] std::optional<LandmarkMeasurements> toMeasurements(const mrpt::obs::CObservation& observation);
 
 /// Name of the class without its namespace.
@@ -46,7 +46,7 @@ struct LandmarkMeasurements
 /// The observation's label, or, when it is empty, a stable one derived from its class ("beacons", "bearings", ...).
 [[nodiscard]] std::string labelOf(const mrpt::obs::CObservation& observation);
 
-/// The other way; detections without a bearing cannot be said by the first, see hasRange().
+/// The reverse; the first one cannot represent detections without a bearing, see hasRange().
 [[nodiscard]] CObservationLandmarkBearings::Ptr toLandmarkBearings(const Reading& reading);
 [[nodiscard]] CObservationStereoRanges::Ptr toStereoRanges(const Reading& reading);
 [[nodiscard]] CObservationRunningFix::Ptr toObservation(const RunningFixReading& fix);

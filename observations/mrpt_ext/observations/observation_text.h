@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// What the text forms of our observations have in common.
+/// Shared by the text forms of our observations.
 namespace mrpt_ext
 {
 /// Detections written by exportTxt*: the format allows one row per observation with a fixed number of columns.

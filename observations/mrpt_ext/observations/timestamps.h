@@ -8,7 +8,7 @@
 namespace mrpt_ext
 {
 /// MRPT counts ticks of 100 ns since 1601. Both conversions round to the nearest value, so that times with up to seven
-/// decimals (and below 2^53 ticks) survive the way there and back; mrpt::Clock::fromDouble() truncates instead.
+/// decimals (and below 2^53 ticks) survive both conversions; mrpt::Clock::fromDouble() truncates instead.
 inline constexpr double kTicksPerSecond = 1e7;
 
 inline constexpr std::int64_t kTicksOfUnixEpoch = 116'444'736'000'000'000;

@@ -8,19 +8,19 @@ namespace mrpt_ext
 {
 namespace
 {
-bool isDeviation(double value) { return std::isfinite(value) && value >= 0; }
+bool isStd(double value) { return std::isfinite(value) && value >= 0; }
 
-std::string whyRangeUnusable(double range, double deviation)
+std::string whyRangeUnusable(double range, double std)
 {
   if (!std::isfinite(range)) return "range not finite";
   if (range <= 0) return "range not positive";
-  return isDeviation(deviation) ? "" : "range deviation negative or not finite";
+  return isStd(std) ? "" : "range std negative or not finite";
 }
 
-std::string whyBearingUnusable(double bearing, double deviation)
+std::string whyBearingUnusable(double bearing, double std)
 {
   if (!std::isfinite(bearing)) return "bearing not finite";
-  return isDeviation(deviation) ? "" : "bearing deviation negative or not finite";
+  return isStd(std) ? "" : "bearing std negative or not finite";
 }
 
 std::string whyUnusable(const Detection& d)
