@@ -17,6 +17,9 @@
 #include "mrpt_ext/geometry/random.h"
 #include "mrpt_ext/maps/CLandmarkMap2D.h"
 #include "mrpt_ext/maps/register_all_classes.h"
+#include "mrpt_ext/observations/CObservationLandmarkBearings.h"
+#include "mrpt_ext/observations/CObservationRunningFix.h"
+#include "mrpt_ext/observations/CObservationStereoRanges.h"
 #include "mrpt_ext/observations/observation_conversions.h"
 
 namespace mrpt_ext
@@ -49,12 +52,12 @@ Reading perfectReading(IdentityLevel identity, bool bearings, bool ranges)
   const LandmarkTable landmarks = room();
   for (const Landmark& landmark : landmarks.all())
   {
-    const Vector2d way = landmark.position.head<2>() - sensor.position();
+    const Vector2d offset = landmark.position.head<2>() - sensor.position();
     Detection d{.std_bearing = 0.03, .std_range = 0.1};
     if (identity == IdentityLevel::known) d.id = landmark.id;
     if (identity == IdentityLevel::category) d.category = landmark.category;
-    if (bearings) d.bearing = wrap(std::atan2(way.y(), way.x()) - sensor.phi);
-    if (ranges) d.range = way.norm();
+    if (bearings) d.bearing = wrap(std::atan2(offset.y(), offset.x()) - sensor.phi);
+    if (ranges) d.range = offset.norm();
     reading.detections.push_back(d);
   }
   return reading;
@@ -136,7 +139,7 @@ void expectTruthScoresBest(const mrpt::obs::CObservation& observation)
 }
 }  // namespace
 
-TEST(LandmarkMap, TheTruthBeatsElsewhereForEveryClassAndIdentity)
+TEST(LandmarkMap, TheTruePoseScoresBestForEveryClassAndIdentity)
 {
   for (const IdentityLevel identity : {IdentityLevel::known, IdentityLevel::category, IdentityLevel::anonymous})
   {
@@ -150,7 +153,7 @@ TEST(LandmarkMap, TheTruthBeatsElsewhereForEveryClassAndIdentity)
   expectTruthScoresBest(*perfectFix());
 }
 
-TEST(LandmarkMap, OneClassSaysTheSameAsTheOther)
+TEST(LandmarkMap, BothClassesScoreTheSame)
 {
   const CLandmarkMap2D map(room());
   const Pose2 elsewhere{2.3, 1.2, 0.5};
@@ -184,7 +187,7 @@ TEST(LandmarkMap, AnEmptyMapScoresEveryPoseTheSame)
   EXPECT_EQ(score(map, *observation, kTruth), score(map, *observation, {0, 0, 0}));
 }
 
-TEST(LandmarkMap, KnowsWhatItCannotScore)
+TEST(LandmarkMap, RejectsClassesThatItCannotScore)
 {
   CLandmarkMap2D map(room());
   const mrpt::obs::CObservationComment comment;
@@ -193,7 +196,7 @@ TEST(LandmarkMap, KnowsWhatItCannotScore)
   EXPECT_EQ(map.landmarks().size(), room().size());
 }
 
-TEST(LandmarkMap, DeviationsThatTheLogDoesNotDeclareComeFromTheOptions)
+TEST(LandmarkMap, StdsThatTheLogDoesNotDeclareComeFromTheOptions)
 {
   Reading reading = perfectReading(IdentityLevel::known, true, false);
   for (Detection& d : reading.detections) d.std_bearing = 0;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <mrpt/opengl/CDisk.h>
 #include <mrpt/opengl/CEllipsoid2D.h>
+#include <mrpt/opengl/COpenGLScene.h>
 #include <mrpt/opengl/CSetOfLines.h>
 
 #include "mrpt_ext/geometry/input_error.h"

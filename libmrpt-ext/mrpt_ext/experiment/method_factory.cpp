@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mrpt_ext/correspondence/global_pose_search.h"
 #include "mrpt_ext/experiment/mrpt_filter_localizer.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/localizers/closed_form_methods.h"

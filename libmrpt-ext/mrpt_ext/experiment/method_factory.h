@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "mrpt_ext/configuration/localization_config.h"
-#include "mrpt_ext/correspondence/global_pose_search.h"
 #include "mrpt_ext/localizers/filter_localizer.h"
 #include "mrpt_ext/localizers/localizer.h"
 
 namespace mrpt_ext
 {
+class GlobalPoseSearch;
+
 /// The methods of one trial. The filter, when it runs, is the first; it is owned by `localizers` like all others.
 struct Methods
 {

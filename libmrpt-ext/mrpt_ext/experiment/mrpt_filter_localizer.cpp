@@ -12,6 +12,8 @@
 
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
 #include "mrpt_ext/maps/CLandmarkMap2D.h"
+#include "mrpt_ext/observations/CObservationLandmarkBearings.h"
+#include "mrpt_ext/observations/CObservationStereoRanges.h"
 #include "mrpt_ext/observations/observation_conversions.h"
 
 namespace mrpt_ext

@@ -77,7 +77,7 @@ std::string RawlogReader::where() const
   return path_.string() + ": record " + std::to_string(entries_ == 0 ? 0 : entries_ - 1) + ": ";
 }
 
-mrpt::serialization::CSerializable::Ptr RawlogReader::next()
+std::shared_ptr<mrpt::serialization::CSerializable> RawlogReader::next()
 {
   while (!content_->atEnd())
   {
@@ -94,7 +94,7 @@ mrpt::serialization::CSerializable::Ptr RawlogReader::next()
   return nullptr;
 }
 
-mrpt::serialization::CSerializable::Ptr RawlogReader::nextObject()
+std::shared_ptr<mrpt::serialization::CSerializable> RawlogReader::nextObject()
 {
   const std::string where = path_.string() + ": record " + std::to_string(entries_) + ": ";
   try

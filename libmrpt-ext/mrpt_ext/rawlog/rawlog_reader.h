@@ -1,13 +1,16 @@
 #pragma once
 
-#include <mrpt/serialization/CSerializable.h>
-
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "mrpt_ext/rawlog/rawlog_file_check.h"
+
+namespace mrpt::serialization
+{
+class CSerializable;
+}  // namespace mrpt::serialization
 
 namespace mrpt_ext
 {
@@ -25,7 +28,7 @@ class RawlogReader
   RawlogReader& operator=(const RawlogReader&) = delete;
 
   /// The next record; null at the end. Comments are kept aside.
-  [[nodiscard]] mrpt::serialization::CSerializable::Ptr next();
+  [[nodiscard]] std::shared_ptr<mrpt::serialization::CSerializable> next();
 
   [[nodiscard]] std::size_t entries() const { return entries_; }  ///< read so far
   [[nodiscard]] const std::string& comment() const { return comment_; }
@@ -36,7 +39,7 @@ class RawlogReader
 
  private:
   class Content;
-  mrpt::serialization::CSerializable::Ptr nextObject();
+  std::shared_ptr<mrpt::serialization::CSerializable> nextObject();
   void findDamagedRecord();
   void compareWithStatedEntries() const;
 

@@ -12,6 +12,9 @@
 
 #include "mrpt_ext/files/atomic_file.h"
 #include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/observations/CObservationLandmarkBearings.h"
+#include "mrpt_ext/observations/CObservationRunningFix.h"
+#include "mrpt_ext/observations/CObservationStereoRanges.h"
 #include "mrpt_ext/observations/observation_conversions.h"
 #include "mrpt_ext/observations/timestamps.h"
 #include "mrpt_ext/rawlog/rawlog_file_check.h"

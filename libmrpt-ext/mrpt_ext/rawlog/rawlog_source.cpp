@@ -1,11 +1,28 @@
 #include "mrpt_ext/rawlog/rawlog_source.h"
 
+#include <mrpt/serialization/CSerializable.h>
+
 #include "mrpt_ext/files/number_format.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/observations/observation_conversions.h"
+#include "mrpt_ext/rawlog/rawlog_reader.h"
+#include "mrpt_ext/rawlog/rawlog_translator.h"
 
 namespace mrpt_ext
 {
+RawlogSource::RawlogSource(const std::filesystem::path& path)
+    : reader_(std::make_unique<RawlogReader>(path)),
+      translator_(std::make_unique<RawlogTranslator>()),
+      queue_(kReorderWindow)
+{
+}
+
+RawlogSource::~RawlogSource() = default;
+
+const std::string& RawlogSource::sha256() const { return reader_->file().sha256; }
+const std::string& RawlogSource::comment() const { return reader_->comment(); }
+const std::vector<double>& RawlogSource::stepTimes() const { return translator_->stepTimes(); }
+
 std::optional<Record> RawlogSource::next()
 {
   while (!ended_ && !queue_.canPop()) readEntry();
@@ -19,39 +36,36 @@ std::optional<Record> RawlogSource::next()
 
 void RawlogSource::readEntry()
 {
-  const auto entry = reader_.next();
+  const auto entry = reader_->next();
   if (!entry)
   {
-    push(translator_.finish());
+    for (auto& [record, step] : translator_->finish()) push(std::move(record), step);
     queue_.close();
     ended_ = true;
     return;
   }
-  auto records = translator_.translate(*entry);
+  auto records = translator_->translate(*entry);
   if (!records)
-    throw dataError(reader_.where() + "a " + shortClassName(*entry) +
+    throw dataError(reader_->where() + "a " + shortClassName(*entry) +
                     ", expected an observation, a sensory frame or an action collection");
-  push(std::move(*records));
+  for (auto& [record, step] : *records) push(std::move(record), step);
 }
 
-void RawlogSource::push(std::vector<RawlogTranslator::Output> records)
+void RawlogSource::push(Record record, std::optional<std::size_t> step)
 {
-  for (auto& [record, step] : records)
-  {
-    const double time = timeOf(record);
-    if (queue_.isTooLate(time))
-      throw dataError(reader_.where() + "its time " + fixedText(time, 3) + " s is " +
-                      fixedText(queue_.newestTime() - time, 3) +
-                      " s before that of an earlier record, expected records in the order of time");
-    queue_.push({.record = std::move(record), .step = step});
-  }
+  const double time = timeOf(record);
+  if (queue_.isTooLate(time))
+    throw dataError(reader_->where() + "its time " + fixedText(time, 3) + " s is " +
+                    fixedText(queue_.newestTime() - time, 3) +
+                    " s before that of an earlier record, expected records in the order of time");
+  queue_.push({.record = std::move(record), .step = step});
 }
 
 RawlogStatistics RawlogSource::statistics() const
 {
-  return {.entries = reader_.entries(),
-          .observations = translator_.observations(),
-          .unusable = translator_.unusable(),
+  return {.entries = reader_->entries(),
+          .observations = translator_->observations(),
+          .unusable = translator_->unusable(),
           .first_time = first_time_.value_or(0),
           .last_time = last_time_.value_or(0)};
 }

@@ -2,16 +2,20 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "mrpt_ext/frames/reorder_buffer.h"
-#include "mrpt_ext/rawlog/rawlog_reader.h"
-#include "mrpt_ext/rawlog/rawlog_translator.h"
+#include "mrpt_ext/geometry/observation_count.h"
+#include "mrpt_ext/observations/usable_detections.h"
 
 namespace mrpt_ext
 {
+class RawlogReader;
+class RawlogTranslator;
+
 /// Contents of a log and their use; complete once the source has returned its last record.
 struct RawlogStatistics
 {
@@ -30,26 +34,27 @@ class RawlogSource
  public:
   static constexpr double kReorderWindow = 1;  ///< [s] a record may be this much older than the newest before it
 
-  explicit RawlogSource(const std::filesystem::path& path) : reader_(path), queue_(kReorderWindow) {}
+  explicit RawlogSource(const std::filesystem::path& path);
+  ~RawlogSource();
 
   /// The next record in time order; nothing at the end.
   [[nodiscard]] std::optional<Record> next();
 
   [[nodiscard]] RawlogStatistics statistics() const;
-  [[nodiscard]] const std::string& sha256() const { return reader_.file().sha256; }
-  [[nodiscard]] const std::string& comment() const { return reader_.comment(); }
+  [[nodiscard]] const std::string& sha256() const;
+  [[nodiscard]] const std::string& comment() const;
 
   /// Time [s] of each action/sensory-frame pair read so far, by step; empty for an observation-only log.
-  [[nodiscard]] const std::vector<double>& stepTimes() const { return translator_.stepTimes(); }
+  [[nodiscard]] const std::vector<double>& stepTimes() const;
   /// Step of the last record returned; nothing in an observation-only log.
   [[nodiscard]] std::optional<std::size_t> step() const { return step_; }
 
  private:
   void readEntry();
-  void push(std::vector<RawlogTranslator::Output> records);
+  void push(Record record, std::optional<std::size_t> step);
 
-  RawlogReader reader_;
-  RawlogTranslator translator_;
+  std::unique_ptr<RawlogReader> reader_;
+  std::unique_ptr<RawlogTranslator> translator_;
   ReorderBuffer queue_;
   bool ended_ = false;
   std::optional<std::size_t> step_;

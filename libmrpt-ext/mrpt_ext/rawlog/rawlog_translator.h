@@ -1,8 +1,5 @@
 #pragma once
 
-#include <mrpt/obs/CActionCollection.h>
-#include <mrpt/obs/CSensoryFrame.h>
-
 #include <map>
 #include <optional>
 #include <string>
@@ -11,6 +8,18 @@
 #include "mrpt_ext/geometry/observation_count.h"
 #include "mrpt_ext/geometry/recording.h"
 #include "mrpt_ext/observations/usable_detections.h"
+
+namespace mrpt::obs
+{
+class CAction;
+class CObservation;
+class CSensoryFrame;
+}  // namespace mrpt::obs
+
+namespace mrpt::serialization
+{
+class CSerializable;
+}  // namespace mrpt::serialization
 
 namespace mrpt_ext
 {

@@ -1,5 +1,7 @@
 #include "mrpt_ext/rawlog/sha256.h"
 
+#include <openssl/evp.h>
+
 #include <array>
 #include <fstream>
 #include <vector>

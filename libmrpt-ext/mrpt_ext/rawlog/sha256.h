@@ -1,11 +1,11 @@
 #pragma once
 
-#include <openssl/evp.h>
-
 #include <filesystem>
 #include <memory>
 #include <span>
 #include <string>
+
+struct evp_md_ctx_st;  // of OpenSSL
 
 namespace mrpt_ext
 {
@@ -19,7 +19,7 @@ class Sha256
   [[nodiscard]] std::string hex();
 
  private:
-  std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_;
+  std::unique_ptr<evp_md_ctx_st, void (*)(evp_md_ctx_st*)> context_;
 };
 
 /// Of a whole file; empty when it cannot be read.

@@ -3,6 +3,7 @@
 #include <mrpt/opengl/CDisk.h>
 #include <mrpt/opengl/CEllipsoid2D.h>
 #include <mrpt/opengl/CGridPlaneXY.h>
+#include <mrpt/opengl/COpenGLScene.h>
 #include <mrpt/opengl/CSetOfLines.h>
 #include <mrpt/opengl/CSetOfObjects.h>
 #include <mrpt/opengl/stock_objects.h>
@@ -95,7 +96,7 @@ gl::CSetOfObjects::Ptr measurements(const std::vector<DrawnDetection>& sightings
 }
 }  // namespace
 
-gl::COpenGLScene::Ptr runScene(const LandmarkTable& map, const PlaybackStep& step)
+std::shared_ptr<gl::COpenGLScene> runScene(const LandmarkTable& map, const PlaybackStep& step)
 {
   auto scene = gl::COpenGLScene::Create();
   const Ground ground = groundOf(map);

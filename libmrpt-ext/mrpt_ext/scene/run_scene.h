@@ -1,8 +1,9 @@
 #pragma once
 
-#include <mrpt/opengl/COpenGLScene.h>
+#include <mrpt/opengl/opengl_frwds.h>
 
 #include <filesystem>
+#include <memory>
 
 #include "mrpt_ext/evaluation/run_record.h"
 #include "mrpt_ext/geometry/landmark_table.h"
@@ -12,7 +13,7 @@ namespace mrpt_ext
 /// One moment of a run for MRPT's viewers: landmarks, particles as MRPT's CPosePDFParticles shows them, the 95 %
 /// ellipse of every mode, the best pose, and from there what is measured: a ray for a bearing, a ring for a range
 /// alone.
-[[nodiscard]] mrpt::opengl::COpenGLScene::Ptr runScene(const LandmarkTable& map, const PlaybackStep& step);
+[[nodiscard]] std::shared_ptr<mrpt::opengl::COpenGLScene> runScene(const LandmarkTable& map, const PlaybackStep& step);
 
 /// Writes the scene of `step` as a file of SceneViewer3D, whole or not at all. InputError when it cannot be written.
 void writeScene(const std::filesystem::path& path, const LandmarkTable& map, const PlaybackStep& step);

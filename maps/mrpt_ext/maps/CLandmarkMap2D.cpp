@@ -1,5 +1,6 @@
 #include "mrpt_ext/maps/CLandmarkMap2D.h"
 
+#include <mrpt/opengl/CSetOfObjects.h>
 #include <mrpt/poses/CPose3D.h>
 #include <mrpt/serialization/CArchive.h>
 

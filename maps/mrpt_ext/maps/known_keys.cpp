@@ -1,5 +1,7 @@
 #include "mrpt_ext/maps/known_keys.h"
 
+#include <mrpt/config/CConfigFileBase.h>
+
 #include <algorithm>
 
 #include "mrpt_ext/geometry/input_error.h"

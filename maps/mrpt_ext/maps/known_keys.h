@@ -1,9 +1,12 @@
 #pragma once
 
-#include <mrpt/config/CConfigFileBase.h>
-
 #include <string>
 #include <vector>
+
+namespace mrpt::config
+{
+class CConfigFileBase;
+}  // namespace mrpt::config
 
 namespace mrpt_ext
 {

@@ -1,5 +1,7 @@
 #include "mrpt_ext/maps/landmark_archive.h"
 
+#include <mrpt/serialization/CArchive.h>
+
 #include <vector>
 
 namespace mrpt_ext

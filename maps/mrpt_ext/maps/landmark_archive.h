@@ -1,6 +1,6 @@
 #pragma once
 
-#include <mrpt/serialization/CArchive.h>
+#include <mrpt/serialization/serialization_frwds.h>
 
 #include "mrpt_ext/geometry/landmark_table.h"
 #include "mrpt_ext/maps/landmark_likelihood_options.h"

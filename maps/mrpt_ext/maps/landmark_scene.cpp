@@ -2,6 +2,7 @@
 
 #include <mrpt/math/CMatrixFixed.h>
 #include <mrpt/opengl/CEllipsoid2D.h>
+#include <mrpt/opengl/CSetOfObjects.h>
 #include <mrpt/opengl/CSphere.h>
 #include <mrpt/opengl/CText.h>
 

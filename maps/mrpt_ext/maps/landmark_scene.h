@@ -1,6 +1,6 @@
 #pragma once
 
-#include <mrpt/opengl/CSetOfObjects.h>
+#include <mrpt/opengl/opengl_frwds.h>
 
 #include "mrpt_ext/geometry/landmark_table.h"
 

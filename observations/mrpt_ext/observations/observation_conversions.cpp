@@ -7,6 +7,9 @@
 #include <cmath>
 #include <map>
 
+#include "mrpt_ext/observations/CObservationLandmarkBearings.h"
+#include "mrpt_ext/observations/CObservationRunningFix.h"
+#include "mrpt_ext/observations/CObservationStereoRanges.h"
 #include "mrpt_ext/observations/timestamps.h"
 
 namespace mrpt_ext

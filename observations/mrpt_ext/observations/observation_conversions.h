@@ -1,16 +1,18 @@
 #pragma once
 
-#include <mrpt/obs/CObservation.h>
 #include <mrpt/obs/obs_frwds.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "mrpt_ext/geometry/measurement.h"
-#include "mrpt_ext/observations/CObservationLandmarkBearings.h"
-#include "mrpt_ext/observations/CObservationRunningFix.h"
-#include "mrpt_ext/observations/CObservationStereoRanges.h"
+
+namespace mrpt::rtti
+{
+class CObject;
+}  // namespace mrpt::rtti
 
 /// Conversion between the classes of a log and the plain values of solvers, likelihoods and filters.
 /// Sensor poses become planar: x, y, yaw and the height; pitch and roll are not used. A declared value of 0 (field of
@@ -18,6 +20,10 @@
 /// usable_detections.h.
 namespace mrpt_ext
 {
+class CObservationLandmarkBearings;
+class CObservationRunningFix;
+class CObservationStereoRanges;
+
 [[nodiscard]] Reading toReading(const CObservationLandmarkBearings& observation);
 [[nodiscard]] Reading toReading(const CObservationStereoRanges& observation);
 
@@ -47,9 +53,9 @@ struct LandmarkMeasurements
 [[nodiscard]] std::string labelOf(const mrpt::obs::CObservation& observation);
 
 /// The reverse; the first one cannot represent detections without a bearing, see hasRange().
-[[nodiscard]] CObservationLandmarkBearings::Ptr toLandmarkBearings(const Reading& reading);
-[[nodiscard]] CObservationStereoRanges::Ptr toStereoRanges(const Reading& reading);
-[[nodiscard]] CObservationRunningFix::Ptr toObservation(const RunningFixReading& fix);
+[[nodiscard]] std::shared_ptr<CObservationLandmarkBearings> toLandmarkBearings(const Reading& reading);
+[[nodiscard]] std::shared_ptr<CObservationStereoRanges> toStereoRanges(const Reading& reading);
+[[nodiscard]] std::shared_ptr<CObservationRunningFix> toObservation(const RunningFixReading& fix);
 
 /// True if any detection has a range.
 [[nodiscard]] bool hasRange(const Reading& reading);

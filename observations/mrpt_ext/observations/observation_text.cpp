@@ -1,5 +1,7 @@
 #include "mrpt_ext/observations/observation_text.h"
 
+#include <mrpt/poses/CPose3D.h>
+
 #include <algorithm>
 #include <cstdio>
 

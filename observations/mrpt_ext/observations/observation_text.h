@@ -1,6 +1,6 @@
 #pragma once
 
-#include <mrpt/poses/CPose3D.h>
+#include <mrpt/poses/poses_frwds.h>
 
 #include <functional>
 #include <optional>

@@ -1,6 +1,9 @@
 // The half of observation_conversions.h that makes observations from plain values.
 #include <algorithm>
 
+#include "mrpt_ext/observations/CObservationLandmarkBearings.h"
+#include "mrpt_ext/observations/CObservationRunningFix.h"
+#include "mrpt_ext/observations/CObservationStereoRanges.h"
 #include "mrpt_ext/observations/observation_conversions.h"
 #include "mrpt_ext/observations/timestamps.h"
 
