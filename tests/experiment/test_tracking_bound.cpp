@@ -27,7 +27,7 @@ TrackingBound boundOf(const BoundInput& input)
   return trackingBound(input.context, input.filter, input.odometry, feed);
 }
 
-/// A robot that stands still, knows it, and sees three landmarks once in a second.
+/// A robot at rest, with exact odometry, that sees three landmarks once per second.
 BoundInput standingRobot()
 {
   BoundInput input;
@@ -56,7 +56,7 @@ BoundInput standingRobot()
   return input;
 }
 
-/// What one frame tells.
+/// The information of one frame.
 Matrix3d informationOfAFrame(const BoundInput& input)
 {
   Matrix3d information = Matrix3d::Zero();
@@ -72,7 +72,7 @@ TEST(TrackingBound, InformationAddsUpWhileTheRobotStands)
   const TrackingBound bound = boundOf(input);
   EXPECT_EQ(bound.why_none, "");
   ASSERT_EQ(bound.stamps.size(), static_cast<std::size_t>(kFrames));
-  // The box of possible places, 6 x 6 m, tells next to nothing beside three bearings.
+  // The box of possible positions, 6 x 6 m, adds next to nothing to three bearings.
   const InformationBound all = *informationBound(kFrames * informationOfAFrame(input));
   EXPECT_NEAR(bound.stamps.back().position_variance, square(all.position_rms), 1e-3 * square(all.position_rms));
   EXPECT_NEAR(bound.stamps.back().heading_variance, all.covariance(2, 2), 1e-3 * all.covariance(2, 2));
@@ -89,9 +89,9 @@ TEST(TrackingBound, OutliersHaveNoInformation)
   const double honest = boundOf(input).stamps.back().position_variance;
   for (Frame& frame : input.frames)
   {
-    Detection lie = frame.readings[0].detections[0];
-    lie.bearing = wrap(*lie.bearing + 1);
-    frame.readings[0].detections.push_back(lie);
+    Detection outlier = frame.readings[0].detections[0];
+    outlier.bearing = wrap(*outlier.bearing + 1);
+    frame.readings[0].detections.push_back(outlier);
   }
   EXPECT_EQ(boundOf(input).stamps.back().position_variance, honest);
 }

@@ -51,10 +51,10 @@ TEST(TextTable, ReadsRowsOfOneTypeAndSkipsKnownOnes)
 {
   const ScratchFolder folder;
   const auto path = folder.write("t.txt", "r 1 2\nw 3\nr 4 5\n");
-  const TextTable ranges(path, {Delimiter::white_space, "#", {"kind", "a", "b"}, {"r", {"w"}}});
+  const TextTable ranges(path, {Delimiter::white_space, "#", {"type", "a", "b"}, {"r", {"w"}}});
   ASSERT_EQ(ranges.size(), 2u);
   EXPECT_EQ(ranges.number(1, 2), 5);
-  const auto only = [&] { TextTable(path, {Delimiter::white_space, "#", {"kind", "a"}, {"w", {}}}); };
+  const auto only = [&] { TextTable(path, {Delimiter::white_space, "#", {"type", "a"}, {"w", {}}}); };
   EXPECT_NE(messageOf<InputError>(only).find("t.txt:1: unknown type of row 'r', expected w"), std::string::npos);
 }
 

@@ -187,7 +187,7 @@ TEST(SensorConfig, UnusableDetectionsAreRemovedAndCounted)
   EXPECT_EQ(unusable, (UnusableDetections{{"eye: id not in the map", 2},
                                           {"eye: range not above zero", 2},
                                           {"eye: slant range shorter than the height difference", 1}}));
-  // An id that is not believed cannot be wrong; a horizontal range cannot be too short.
+  // An id that is not used cannot be wrong; a horizontal range cannot be too short.
   EXPECT_EQ(configuredDetection({.id = 9, .bearing = 1.0, .std_bearing = 0.1}, "association = anonymous\n").id, kNoId);
   Reading flat = readingOf({{.id = 1, .range = 1.9, .std_range = 0.1}});
   flat.horizontal_range = true;

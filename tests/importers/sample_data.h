@@ -39,13 +39,13 @@ class DamagedCopy
   ScratchFolder folder_;
 };
 
-/// All records of one kind, in order.
-template <typename Kind>
-std::vector<Kind> recordsOf(const Recording& recording)
+/// All records of one type, in order.
+template <typename RecordType>
+std::vector<RecordType> recordsOf(const Recording& recording)
 {
-  std::vector<Kind> found;
+  std::vector<RecordType> found;
   for (const Record& record : recording.records)
-    if (const auto* match = std::get_if<Kind>(&record)) found.push_back(*match);
+    if (const auto* match = std::get_if<RecordType>(&record)) found.push_back(*match);
   return found;
 }
 

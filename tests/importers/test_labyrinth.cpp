@@ -67,7 +67,7 @@ TEST(Labyrinth, DamagedFilesAreNamedWithTheirLine)
   EXPECT_INPUT_ERROR(import(), "no file <run>_Input.txt in this folder");
 }
 
-// Dead reckoning as documented ends where the truth does: 9.2 m of way, no more than 0.2 m off when laid over it.
+// Dead reckoning as documented ends where the truth does: 9.2 m of distance, no more than 0.2 m off after alignment.
 TEST(LabyrinthRecordings, DeadReckoningFitsTheTruth)
 {
   const auto folder = testing::recordingsFolder("labyrinth_uwb");

@@ -82,7 +82,7 @@ TEST(Plaza, DamagedFilesAreNamedWithTheirLine)
   EXPECT_INPUT_ERROR(import(), "Lawn_TL.txt: no such file");
 }
 
-// The published scatter: 2.79 m mean error, 1.15 m deviation, and that the error grows with the distance.
+// The published scatter: 2.79 m mean error, 1.15 m standard deviation, and that the error grows with the distance.
 TEST(PlazaRecordings, RangesFitTheTruth)
 {
   const auto folder = testing::recordingsFolder("plaza");

@@ -67,9 +67,9 @@ TEST(RohRecordings, BearingsFitTheTruePositions)
     std::vector<double> headings;
     for (const Detection& detection : readings[i].detections)
     {
-      const Vector2d way = recording.map[recording.map.indexOf(detection.id).value()].position.head<2>() -
-                           recording.truth[i].pose.position();
-      headings.push_back(std::atan2(way.y(), way.x()) - *detection.bearing);
+      const Vector2d d = recording.map[recording.map.indexOf(detection.id).value()].position.head<2>() -
+                         recording.truth[i].pose.position();
+      headings.push_back(std::atan2(d.y(), d.x()) - *detection.bearing);
       heading += Vector2d(std::cos(headings.back()), std::sin(headings.back()));
     }
     for (const double one : headings) squares += square(wrap(one - std::atan2(heading.y(), heading.x())));

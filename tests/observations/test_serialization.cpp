@@ -156,7 +156,7 @@ TEST_F(ObservationSerialization, EveryTruncationIsRefused)
   }
 }
 
-TEST(Timestamps, KeepSevenDecimalsBothWays)
+TEST(Timestamps, KeepSevenDecimalsInBothDirections)
 {
   for (const double time : {0.0, 0.1, 0.3, 1e-7, 12345.6789012, 1178275990.97491, -5.25})
     EXPECT_EQ(secondsOf(timestampOf(time)), time);

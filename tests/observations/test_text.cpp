@@ -35,7 +35,7 @@ TEST(ObservationText, EveryRowHasAsManyCellsAsItsHeader)
   }
 }
 
-TEST(ObservationText, CellsStandUnderTheirNames)
+TEST(ObservationText, CellsAreInTheirColumns)
 {
   EXPECT_EQ(cell(*sampleBearings(), "N"), "2");
   EXPECT_EQ(cell(*sampleBearings(), "category_1"), "pole");
@@ -59,7 +59,7 @@ TEST(ObservationText, MoreDetectionsThanColumnsShowInTheCount)
   EXPECT_EQ(words(observation->exportTxtHeader()).size(), words(observation->exportTxtDataRow()).size());
 }
 
-TEST(ObservationText, DescriptionNamesWhatWasSeen)
+TEST(ObservationText, DescriptionListsTheDetections)
 {
   EXPECT_NE(sampleBearings()->asString().find("4 pole 14.3239"), std::string::npos) << sampleBearings()->asString();
   EXPECT_NE(sampleBearings()->asString().find("Field of view: 85.94 deg"), std::string::npos);
@@ -67,7 +67,7 @@ TEST(ObservationText, DescriptionNamesWhatWasSeen)
   EXPECT_NE(sampleFix()->asString().find("First range: 1.2500 +- 0.0300 m"), std::string::npos);
 }
 
-TEST(ObservationText, RangeDeviationFollowsFromTheDisparity)
+TEST(ObservationText, RangeStdFollowsFromTheDisparity)
 {
   const auto observation = sampleRanges();
   EXPECT_EQ(observation->rangeStd(observation->detections[0]), 0.05);  // declared

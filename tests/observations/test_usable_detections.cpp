@@ -43,7 +43,7 @@ TEST(UsableDetections, WrapsBearings)
   EXPECT_TRUE(counts.empty());
 }
 
-TEST(UsableDetections, JudgesRunningFixes)
+TEST(UsableDetections, ChecksRunningFixes)
 {
   RunningFixReading fix;
   fix.first_range = 1;

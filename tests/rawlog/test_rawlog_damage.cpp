@@ -14,7 +14,7 @@ namespace mrpt_ext
 {
 namespace
 {
-/// Damage must be told: no crash, and never fewer records without an error.
+/// Damage must be reported: no crash, and never fewer records without an error.
 class RawlogDamage : public RawlogTest
 {
  protected:
@@ -43,7 +43,7 @@ class RawlogDamage : public RawlogTest
 #endif
   }
 
-  /// Either told, or every record of the good log was still found and accounted for.
+  /// Either reported, or every record of the good log was still found and accounted for.
   void expectNothingLostSilently(const ReadResult& result) const
   {
     if (!result.error.empty()) return;
@@ -98,25 +98,25 @@ TEST_F(RawlogDamage, EveryTruncationOfTheContentIsTold)
 TEST_F(RawlogDamage, AFlippedByteIsTold)
 {
   RandomStream random(1);
-  int told = 0;
+  int reported = 0;
   for (int i = 0; i < 300; ++i)
   {
     std::string bytes = good_;
     const std::size_t at = 10 + random.below(bytes.size() - 10);  // the gzip header before holds free fields
     bytes[at] = static_cast<char>(bytes[at] ^ static_cast<char>(1 + random.below(255)));
-    // A back reference changed to a place with the same text leaves the content as it was.
-    const bool is_told = !readDamaged(bytes).error.empty();
-    EXPECT_TRUE(is_told || decompress(bytes) == content_) << at;
-    told += is_told ? 1 : 0;
+    // A back reference changed to a position with the same text leaves the content as it was.
+    const bool is_reported = !readDamaged(bytes).error.empty();
+    EXPECT_TRUE(is_reported || decompress(bytes) == content_) << at;
+    reported += is_reported ? 1 : 0;
   }
-  EXPECT_GT(told, 290);
+  EXPECT_GT(reported, 290);
 }
 
 // Behind an intact checksum a changed number is a different number, but records must not vanish.
 TEST_F(RawlogDamage, DamagedContentNeverLosesRecordsSilently)
 {
   RandomStream random(2);
-  int told = 0;
+  int reported = 0;
   for (int i = 0; i < 400; ++i)
   {
     std::string content = content_;
@@ -124,16 +124,16 @@ TEST_F(RawlogDamage, DamagedContentNeverLosesRecordsSilently)
     for (std::size_t change = 0; change < changes; ++change)
       content[random.below(content.size())] = static_cast<char>(random.below(256));
     const ReadResult result = readDamaged(content);
-    told += result.error.empty() ? 0 : 1;
+    reported += result.error.empty() ? 0 : 1;
     expectNothingLostSilently(result);
   }
-  EXPECT_GT(told, 100);
+  EXPECT_GT(reported, 100);
 }
 
 TEST_F(RawlogDamage, RemovedAndInsertedBytesAreTold)
 {
   RandomStream random(3);
-  int told = 0;
+  int reported = 0;
   for (int i = 0; i < 300; ++i)
   {
     std::string content = content_;
@@ -143,10 +143,10 @@ TEST_F(RawlogDamage, RemovedAndInsertedBytesAreTold)
     else
       content.insert(at, length, static_cast<char>(random.below(256)));
     const ReadResult result = readDamaged(compress(content));
-    told += result.error.empty() ? 0 : 1;
+    reported += result.error.empty() ? 0 : 1;
     expectNothingLostSilently(result);  // bytes inserted after a flag may be read as the optional fields it announces
   }
-  EXPECT_GT(told, 290);
+  EXPECT_GT(reported, 290);
 }
 
 TEST_F(RawlogDamage, GarbageIsTold)

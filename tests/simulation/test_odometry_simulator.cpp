@@ -68,8 +68,8 @@ TEST(SimulatedOdometry, HeadingErrorIsAsConfigured)
   noise.std_phi_deg_per_deg = 0.1;
   noise.std_phi_deg_per_m = 1;
   const Matrix3d covariance = covarianceOf(finalErrors(noise, 2000));
-  const double turned = radToDeg(2 * 0.6 + 2 * 1.0), way = 6 * 0.5;
-  const double expected = std::sqrt(0.1 * 0.1 * turned + 1.0 * 1.0 * way);
+  const double turned = radToDeg(2 * 0.6 + 2 * 1.0), length = 6 * 0.5;
+  const double expected = std::sqrt(0.1 * 0.1 * turned + 1.0 * 1.0 * length);
   EXPECT_NEAR(radToDeg(std::sqrt(covariance(2, 2))), expected, 0.05 * expected);
 }
 

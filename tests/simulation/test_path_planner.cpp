@@ -44,9 +44,9 @@ TEST(PathPlanner, ClosedPathRepeats)
     EXPECT_GE(path.duration(), 200);
     const double cut = turn_radius * (std::tan(kPi / 4) + std::tan((kPi - std::atan2(4, 3)) / 2) +
                                       std::tan((kPi - std::atan2(3, 4)) / 2));  // at each end of a corner
-    const double way = 12 - 2 * cut + kTwoPi * turn_radius;
-    const double round = way / 0.5 + (turn_radius > 0 ? 0 : kTwoPi / 1.0);
-    EXPECT_NEAR(path.lengthAt(round), way, 1e-9);
+    const double length = 12 - 2 * cut + kTwoPi * turn_radius;
+    const double round = length / 0.5 + (turn_radius > 0 ? 0 : kTwoPi / 1.0);
+    EXPECT_NEAR(path.lengthAt(round), length, 1e-9);
     for (const double t : {0.0, 5.0, 15.0})
     {
       EXPECT_NEAR(path.poseAt(round + t).x, path.poseAt(t).x, 1e-9);

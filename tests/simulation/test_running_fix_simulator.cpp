@@ -27,7 +27,7 @@ std::vector<RunningFixReading> fixesAlong(const RobotPath& path, const Simulated
   RunningFixSimulator simulator(sensor, path, odometry, RandomStream(2));
   std::vector<RunningFixReading> fixes;
   for (double t = 0; t <= path.duration(); t += 0.1)
-    if (const auto fix = simulator.look(t, path.poseAt(t), features)) fixes.push_back(*fix);
+    if (const auto fix = simulator.measure(t, path.poseAt(t), features)) fixes.push_back(*fix);
   return fixes;
 }
 

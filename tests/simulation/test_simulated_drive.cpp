@@ -27,12 +27,12 @@ Scenario smallWorld()
   return scenario;
 }
 
-template <class Kind>
-std::vector<Kind> all(const Recording& recording)
+template <class RecordType>
+std::vector<RecordType> all(const Recording& recording)
 {
-  std::vector<Kind> found;
+  std::vector<RecordType> found;
   for (const Record& record : recording.records)
-    if (const Kind* one = std::get_if<Kind>(&record)) found.push_back(*one);
+    if (const RecordType* one = std::get_if<RecordType>(&record)) found.push_back(*one);
   return found;
 }
 }  // namespace

@@ -23,7 +23,7 @@ struct LineScore
 struct StereoScore
 {
   int visible = 0, found = 0;  ///< goal corners seen by both cameras
-  int false_corners = 0;       ///< told where none is
+  int false_corners = 0;       ///< reported where none is
   double range_errors = 0;     ///< [m] sum of absolute values
   LineScore near, far;         ///< line landmarks within 0.35 m, and from there to 0.6 m
   int false_landmarks = 0;     ///< line landmarks that explain none within sight
@@ -72,7 +72,7 @@ class RangeFromLeft
     const Pose2& camera = cameras_.at(frame);
     return std::hypot(x - camera.x, y - camera.y);
   }
-  /// [px] columns that lie so far apart show different things.
+  /// [px] columns this far apart belong to different features.
   [[nodiscard]] double columnTolerance() const { return 4 * width_ / 320.0; }
 
  private:

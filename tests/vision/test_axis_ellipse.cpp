@@ -59,7 +59,7 @@ TEST(AxisEllipse, RefinementFollowsAPartOfTheRim)
   EXPECT_LT(fit->rms, 1e-4);
 }
 
-TEST(AxisEllipse, RefinementTellsHowSureItIs)
+TEST(AxisEllipse, RefinementHasACovariance)
 {
   auto points = pointsOf(kEllipse, 400);
   for (std::size_t i = 0; i < points.size(); ++i) points[i].x += (static_cast<double>(i * 7919 % 13) - 6) / 20;

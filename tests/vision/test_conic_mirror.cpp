@@ -19,7 +19,7 @@ const RadialEdge* edgeAt(const ConicMirrorView& view, double azimuth_deg)
 }
 
 /// Every sector's beginning is an edge of the right polarity, and there is none else. Returns the squared errors in
-/// units of the stated deviations.
+/// units of the stated standard deviations.
 template <typename Picture>
 std::vector<double> expectTheSectors(const Picture& picture, const ConicMirrorView& view)
 {
@@ -51,7 +51,7 @@ TEST(ConicMirror, SeesEveryEdgeWithItsPolarity)
   expectTheSectors(picture, viewConicMirror(testing::paint(picture), {}));
 }
 
-TEST(ConicMirror, StatesHowSureItIs)
+TEST(ConicMirror, StandardDeviationsAreRight)
 {
   MirrorPicture picture;
   picture.noise = 6;
@@ -65,7 +65,7 @@ TEST(ConicMirror, StatesHowSureItIs)
   double mean = 0;
   for (const double value : squares) mean += value / static_cast<double>(squares.size());
   EXPECT_GT(mean, 0.15);  // not far too careful
-  EXPECT_LT(mean, 2.0);   // nor too sure
+  EXPECT_LT(mean, 2.0);   // nor overconfident
 }
 
 TEST(ConicMirror, SeesTheSameInSmallImages)
@@ -76,7 +76,7 @@ TEST(ConicMirror, SeesTheSameInSmallImages)
   expectTheSectors(picture, viewConicMirror(testing::paint(picture), {}));
 }
 
-TEST(ConicMirror, MayStandBesideTheCamerasAxis)
+TEST(ConicMirror, MayBeBesideTheCamerasAxis)
 {
   testing::ConePicture picture;
   ConicMirrorSettings settings;
@@ -95,7 +95,7 @@ TEST(ConicMirror, MayStandBesideTheCamerasAxis)
   EXPECT_GT(worst, degToRad(0.2));
 }
 
-TEST(ConicMirror, TellsTheDirectionsOfCloseEdges)
+TEST(ConicMirror, MeasuresCloseEdges)
 {
   // A narrow gap: its edges push each other's peaks away, by a quarter of a degree each.
   MirrorPicture picture;
@@ -157,7 +157,7 @@ TEST(ConicMirror, SeesAnEdgeThatEndsHalfWay)
   EXPECT_NEAR(right->inner, 0.6, 0.06);
 }
 
-TEST(ConicMirror, TellsWhyThereIsNoMeasurement)
+TEST(ConicMirror, StatesWhyThereIsNoMeasurement)
 {
   ConicMirrorSettings settings;
   settings.image_size = {640, 480};
@@ -176,7 +176,7 @@ TEST(ConicMirror, TellsWhyThereIsNoMeasurement)
   EXPECT_EQ(problem(cv::Mat::zeros(2, 1, CV_8UC3)), "image is 1x2 pixels, expected at least 64 either way");
 }
 
-TEST(ConicMirror, DrawsWhatItFound)
+TEST(ConicMirror, DrawsFeatures)
 {
   const cv::Mat image = testing::paint({});
   const cv::Mat drawing = drawConicMirror(image, viewConicMirror(image, {}));

@@ -154,7 +154,7 @@ TEST(ConicMirrorRun, SharedImagesKeepTheirEdgesInOtherLight)
   expectDetectionsStay(*scene);
 }
 
-TEST(ConicMirrorRun, APhotographIsUnderstood)
+TEST(ConicMirrorRun, APhotographGivesEdges)
 {
   const auto photograph = testing::sharedScene("real/catadioptric_sample.jpg");
   if (!photograph) GTEST_SKIP() << "the shared scenes are absent";

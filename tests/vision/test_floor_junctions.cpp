@@ -10,7 +10,7 @@ namespace
 using testing::FieldPicture;
 using testing::Marking;
 
-/// Markings from a place in the directions given, turned by `turn` [rad].
+/// Markings from a point in the given directions, turned by `turn` [rad].
 FieldPicture star(const Eigen::Vector2d& position, const std::vector<double>& directions_deg, double turn = 0)
 {
   FieldPicture picture;

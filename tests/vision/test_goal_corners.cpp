@@ -35,16 +35,17 @@ std::vector<GoalCorner> cornersOf(const FieldPicture& picture, int seed = 1)
   return view.corners;
 }
 
-/// The goal has both corners, at these places.
+/// The goal has both corners, at these positions.
 void expectGoal(const std::vector<GoalCorner>& corners, double wall, double middle, int colour)
 {
   ASSERT_EQ(corners.size(), 2u);
   for (const GoalCorner& corner : corners)
   {
-    const Eigen::Vector2d place(wall, middle + 0.2 * corner.side);
+    const Eigen::Vector2d position(wall, middle + 0.2 * corner.side);
     EXPECT_EQ(corner.colour, colour);
-    EXPECT_LT(std::abs(corner.measured.range - place.norm()), 4 * corner.measured.std_range);
-    EXPECT_LT(std::abs(corner.measured.bearing - std::atan2(place.y(), place.x())), 4 * corner.measured.std_bearing);
+    EXPECT_LT(std::abs(corner.measured.range - position.norm()), 4 * corner.measured.std_range);
+    EXPECT_LT(std::abs(corner.measured.bearing - std::atan2(position.y(), position.x())),
+              4 * corner.measured.std_bearing);
     EXPECT_LT(corner.measured.std_range, 0.03);
   }
   EXPECT_NE(corners[0].side, corners[1].side);
@@ -71,7 +72,7 @@ TEST(GoalCorners, AreFoundBesideTheBorderOfTheImage)
   }
 }
 
-TEST(GoalCorners, StateHowSureTheyAre)
+TEST(GoalCorners, HaveStandardDeviations)
 {
   double ranges = 0, bearings = 0;
   int n = 0;
@@ -142,7 +143,7 @@ TEST(GoalCorners, AreFoundByTheCoarseScanAsByTheFullOne)
   ASSERT_EQ(scanForGoals(pair.left, coarse).size(), scanForGoals(pair.left, full).size());
 }
 
-TEST(StereoGoal, TellsWhyThereIsNoMeasurement)
+TEST(StereoGoal, StatesWhyThereIsNoMeasurement)
 {
   StereoGoalSettings settings;
   settings.camera = testing::smallCamera();
@@ -176,7 +177,7 @@ TEST(StereoGoal, MeasuresNothingInNoise)
   EXPECT_TRUE(view.landmarks.empty());
 }
 
-TEST(StereoGoal, DrawsWhatItFound)
+TEST(StereoGoal, DrawsFeatures)
 {
   const FieldPicture picture = withGoal(0.8, 0);
   const auto pair = testing::paint(picture);

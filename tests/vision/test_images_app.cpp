@@ -151,7 +151,7 @@ TEST(ImagesApp, ReadsImagesOfARawlog)
   EXPECT_NEAR(content.bearings[0]->detections.front().bearing, degToRad(-140), degToRad(0.12));
 }
 
-TEST(ImagesApp, SaysWhatIsWrongInOneLine)
+TEST(ImagesApp, ReportsMistakesInOneLine)
 {
   const ScratchFolder folder;
   const fs::path log = folder.path() / "log.rawlog";

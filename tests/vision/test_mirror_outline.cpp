@@ -81,11 +81,11 @@ TEST(MirrorOutline, IsNotInventedWithoutAMirror)
   const cv::Size size(640, 480);
   EXPECT_FALSE(findMirrorOutline(cv::Mat::zeros(size, CV_8U), {}));
   EXPECT_FALSE(findMirrorOutline(cv::Mat(size, CV_8U, cv::Scalar(255)), {}));
-  for (const double deviation : {4.0, 15.0, 60.0})
+  for (const double sigma : {4.0, 15.0, 60.0})
   {
     cv::Mat noise(size, CV_8U);
-    cv::RNG(3).fill(noise, cv::RNG::NORMAL, 128, deviation);
-    EXPECT_FALSE(findMirrorOutline(noise, {})) << deviation;
+    cv::RNG(3).fill(noise, cv::RNG::NORMAL, 128, sigma);
+    EXPECT_FALSE(findMirrorOutline(noise, {})) << sigma;
   }
 }
 

@@ -48,7 +48,7 @@ ObjectColour colourOf(const cv::Vec3b& pixel, const cv::Vec3d& white)
 }
 }  // namespace
 
-TEST(HyperbolicMirror, MapsElevationsThereAndBack)
+TEST(HyperbolicMirror, MapsElevationsInBothDirections)
 {
   const HyperbolicMirror mirror = ownCamera().mirror;
   for (const double slope : {-3.0, -1.0, -0.2, 0.0, 0.1, 0.25})
@@ -56,7 +56,7 @@ TEST(HyperbolicMirror, MapsElevationsThereAndBack)
   // The horizon's radius is b^2 / (2 a c).
   const double c = std::hypot(mirror.a, mirror.b);
   EXPECT_NEAR(mirror.rhoAt(0), mirror.b * mirror.b / (2 * mirror.a * c), 1e-12);
-  // A point of the rim lies on the mirror, where the ray through the focus leaves it.
+  // A point of the rim is on the mirror, where the ray through the focus leaves it.
   const double height = mirror.a * std::hypot(1.0, mirror.rim_radius / mirror.b) - c;
   EXPECT_NEAR(mirror.slopeAt(mirror.rimRho()), height / mirror.rim_radius, 1e-9);
 }
@@ -96,7 +96,7 @@ TEST(ObjectColours, AreHuesAfterWhiteBalance)
     }
 }
 
-TEST(ObjectColours, TakeForWhiteWhatIsBrightInAllChannels)
+TEST(ObjectColours, WhiteIsBrightInAllChannels)
 {
   cv::Mat image(100, 100, CV_8UC3, cv::Scalar(30, 90, 30));
   image.rowRange(0, 40).setTo(cv::Scalar(20, 250, 255));    // bright yellow
@@ -128,7 +128,7 @@ TEST(OmniCamera, SeesPolesAndBall)
   EXPECT_GT(cv::norm(drawing, ownImage("field_00_M1.jpg"), cv::NORM_L1), 0);
 }
 
-TEST(OmniCamera, TurningTheImageTurnsWhatIsSeen)
+TEST(OmniCamera, RotatingTheImageRotatesTheObjects)
 {
   // A quarter turn, which moves pixels without mixing them: u' = 319 - v, v' = u.
   cv::Mat turned;
@@ -169,7 +169,7 @@ TEST(OmniCamera, APoleHalfCoveredIsLeftOut)
   EXPECT_NE(find(view.objects, "q"), nullptr);
 }
 
-TEST(OmniCamera, SaysWhyNothingCanBeMeasured)
+TEST(OmniCamera, StatesWhyThereIsNoMeasurement)
 {
   const OmniCamera camera(ownCamera());
   const auto problem = [&](const cv::Mat& image)

@@ -81,7 +81,7 @@ TEST(MovisImages, SharedImagesKeepTheirDetectionsInOtherLight)
   }
 }
 
-TEST(MovisImages, ImagesThatCannotBeUsedAreToldAndCounted)
+TEST(MovisImages, UnusableImagesAreReportedAndCounted)
 {
   const ScratchFolder folder;
   fs::copy_file(kOwnScene / "camera.json", folder.path() / "camera.json");
@@ -102,7 +102,7 @@ TEST(MovisImages, ImagesThatCannotBeUsedAreToldAndCounted)
       << outcome.out;
 }
 
-TEST(MovisImages, ARawlogNamesTheCamerasByItsLabels)
+TEST(MovisImages, CamerasOfARawlogAreFoundByTheirLabels)
 {
   const ScratchFolder folder;
   const fs::path input = folder.path() / "images.rawlog";
@@ -119,7 +119,7 @@ TEST(MovisImages, ARawlogNamesTheCamerasByItsLabels)
       archive << *image;
     }
   }
-  // A rawlog has no camera.json beside it: what it tells goes into the .ini.
+  // A rawlog has no camera.json beside it: the camera is in the .ini.
   std::vector<std::string> arguments{testing::shipped("images2rawlog", "movis").string(),
                                      "-i",
                                      input.string(),
@@ -142,7 +142,7 @@ TEST(MovisImages, ARawlogNamesTheCamerasByItsLabels)
   EXPECT_EQ(table.text(5, table.column("sensor")), "M2");
 }
 
-TEST(MovisImages, MistakesAreToldInOneLine)
+TEST(MovisImages, ReportsMistakesInOneLine)
 {
   const ScratchFolder folder;
   const auto expect = [&](const testing::Arguments& more, int code, const std::string& text)

@@ -78,7 +78,7 @@ double meanOf(const std::vector<double>& values)
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// Distances of the triangulated ball from its true place, in the robot's frame [m].
+/// Distances of the triangulated ball from its true position, in the robot's frame [m].
 std::vector<double> ballErrors(const MovisScene& scene, const MovisSights& sights)
 {
   std::vector<double> errors;
@@ -103,7 +103,7 @@ std::vector<PoseMeasurement> poleBearings(const MovisScene& scene, const MovisSi
   return measurements;
 }
 
-/// Position errors of the most likely poses when the heading is told [m].
+/// Position errors of the most likely poses with known heading [m].
 std::vector<double> poseErrorsWithHeading(const MovisScene& scene, const MovisSights& sights)
 {
   std::vector<double> errors;
@@ -139,7 +139,7 @@ double boundAt(const MovisScene& scene, const MovisSights& sights, double std)
   return std::sqrt(sum / static_cast<double>(sights.size()));
 }
 
-// The paper's way: poles triangulated, eq 3-7 for the pose, eq 9-10 for the ball, with or without eq 8.
+// The paper's method: poles triangulated, eq 3-7 for the pose, eq 9-10 for the ball, with or without eq 8.
 struct PaperErrors
 {
   double pose = 0, ball = 0;  ///< means [m], ball in the field

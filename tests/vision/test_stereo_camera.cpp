@@ -4,7 +4,7 @@
 
 namespace mrpt_ext
 {
-TEST(StereoCamera, FindsThePlaceAgainThatItProjects)
+TEST(StereoCamera, ProjectsAndBackProjects)
 {
   const StereoCamera camera = testing::smallCamera();
   for (const double forward : {0.2, 0.7, 1.4})
@@ -12,28 +12,28 @@ TEST(StereoCamera, FindsThePlaceAgainThatItProjects)
     {
       const auto pixel = camera.pixelOf({forward, left});
       ASSERT_TRUE(pixel);
-      const auto place = camera.floorAt(*pixel);
-      ASSERT_TRUE(place);
-      EXPECT_NEAR(place->x(), forward, 1e-9);
-      EXPECT_NEAR(place->y(), left, 1e-9);
+      const auto point = camera.floorAt(*pixel);
+      ASSERT_TRUE(point);
+      EXPECT_NEAR(point->x(), forward, 1e-9);
+      EXPECT_NEAR(point->y(), left, 1e-9);
     }
 }
 
-TEST(StereoCamera, MeasuresRangeAndBearingWithThePitchTakenOff)
+TEST(StereoCamera, MeasuresRangeAndBearingWithPitch)
 {
   const StereoCamera camera = testing::smallCamera();
-  const Eigen::Vector2d place(0.9, 0.3);
+  const Eigen::Vector2d point(0.9, 0.3);
   for (const double height : {0.0, 0.03, 0.2})
   {
-    const auto left = camera.pixelOf(place, height),
-               right = camera.pixelOf(place + Eigen::Vector2d(0, camera.baseline), height);
+    const auto left = camera.pixelOf(point, height),
+               right = camera.pixelOf(point + Eigen::Vector2d(0, camera.baseline), height);
     ASSERT_TRUE(left && right);
     EXPECT_NEAR(left->y, right->y, 1e-9);
     const auto seen = measureStereo(camera, *left, left->x - right->x, 0.1, 0.2);
     ASSERT_TRUE(seen);
-    EXPECT_NEAR(seen->range, place.norm(), 1e-9);
-    EXPECT_NEAR(seen->bearing, std::atan2(place.y(), place.x()), 1e-9);
-    // Deviations as a small change of the pixels gives them.
+    EXPECT_NEAR(seen->range, point.norm(), 1e-9);
+    EXPECT_NEAR(seen->bearing, std::atan2(point.y(), point.x()), 1e-9);
+    // Standard deviations against those from small changes of the pixels.
     const double step = 1e-4;
     const auto moved = measureStereo(camera, {left->x + step, left->y}, left->x - right->x, 0.1, 0.2);
     EXPECT_NEAR(seen->std_bearing, std::abs(moved->bearing - seen->bearing) / step * 0.1, 1e-7);
@@ -53,7 +53,7 @@ TEST(StereoCamera, RoundsTheDisparityAsThePaperDoes)
   EXPECT_FALSE(measureStereo(camera, {camera.cx, camera.cy}, 0.4, 0.1, 0.1));
 }
 
-TEST(StereoCamera, KnowsHowUprightEdgesLean)
+TEST(StereoCamera, PredictsTheSlopeOfUprightEdges)
 {
   const StereoCamera camera = testing::smallCamera();
   const auto foot = camera.pixelOf({0.5, 0.2}), top = camera.pixelOf({0.5, 0.2}, 0.05);
@@ -61,7 +61,7 @@ TEST(StereoCamera, KnowsHowUprightEdgesLean)
   EXPECT_NEAR(camera.uprightSlope(*foot), (top->x - foot->x) / (top->y - foot->y), 1e-9);
 }
 
-TEST(StereoCamera, HasNoPlaceAboveTheHorizonAndNoPixelBehind)
+TEST(StereoCamera, HasNoFloorPointAboveTheHorizonAndNoPixelBehind)
 {
   const StereoCamera camera = testing::smallCamera();
   EXPECT_FALSE(camera.floorAt({160, 20}));

@@ -48,7 +48,7 @@ std::vector<CObservationStereoRanges::Ptr> rangesIn(const fs::path& rawlog)
   return found;
 }
 
-/// Both corners by their ids and the crossing by its kind, at the places painted.
+/// Both corners by their ids and the crossing by its category, at the painted positions.
 void expectWhatWasPainted(const fs::path& rawlog)
 {
   const auto seen = rangesIn(rawlog);
@@ -153,7 +153,7 @@ TEST(StereoGoalApp, CountsPairsWithoutMeasurement)
             "torn.png: left image is missing, empty or damaged, no measurement\n");
 }
 
-TEST(StereoGoalApp, SaysWhatIsMissingInOneLine)
+TEST(StereoGoalApp, ReportsMissingValuesInOneLine)
 {
   const ScratchFolder folder;
   const auto expect = [&](const std::string& text)

@@ -24,7 +24,7 @@ using testing::StereoScore;
 
 const fs::path kOwnScene = fs::path(MRPT_EXT_SOURCE_DIR) / "datasets/stereo-goal";
 
-/// images2rawlog over a scene, and what its table says beside the truth.
+/// images2rawlog over a scene, and its table beside the truth.
 StereoScore scoreOf(const fs::path& scene, const testing::Arguments& more = {})
 {
   const testing::ScratchFolder folder;
@@ -111,12 +111,12 @@ Noise noiseOf(const fs::path& scene)
 /// Other light and twice the noise: the channels times 1.15/1.0/0.8, times 0.7, and noise that doubles the total.
 void spoil(const fs::path& image, const fs::path& to, const Noise& noise, int seed)
 {
-  cv::Mat colour = cv::imread(image.string(), cv::IMREAD_COLOR), added(colour.size(), CV_32FC3), deviation;
+  cv::Mat colour = cv::imread(image.string(), cv::IMREAD_COLOR), added(colour.size(), CV_32FC3), sigma;
   colour.convertTo(colour, CV_32FC3);
-  cv::sqrt(colour * (square(noise.shot) / 255) + cv::Scalar::all(square(noise.read)), deviation);
+  cv::sqrt(colour * (square(noise.shot) / 255) + cv::Scalar::all(square(noise.read)), sigma);
   cv::RNG(static_cast<std::uint64_t>(seed)).fill(added, cv::RNG::NORMAL, 0, std::sqrt(3.0));
   cv::multiply(colour, cv::Scalar(0.8 * 0.7, 1.0 * 0.7, 1.15 * 0.7), colour);
-  colour += added.mul(deviation);
+  colour += added.mul(sigma);
   colour.convertTo(colour, CV_8UC3);
   cv::imwrite(to.string(), colour, {cv::IMWRITE_PNG_COMPRESSION, 1});
 }

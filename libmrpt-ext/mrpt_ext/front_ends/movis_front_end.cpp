@@ -2,8 +2,8 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "mrpt_ext/files/number_format.h"
 #include "mrpt_ext/front_ends/movis_settings.h"
 #include "mrpt_ext/solvers/camera_yaw_calibration.h"
 #include "mrpt_ext/solvers/movis_frame.h"
@@ -30,10 +30,8 @@ std::vector<int> wholeNumbers(const Settings& settings, const char* key)
 /// "M1: turned by 0.412 deg, standard deviation 0.020 deg".
 std::string yawText(const std::string& label, const CameraYaw& yaw, double std)
 {
-  char text[120];
-  std::snprintf(text, sizeof text, "%s: turned by %.3f deg, standard deviation %.3f deg", label.c_str(),
-                radToDeg(-yaw.offset), radToDeg(std));
-  return text;
+  return label + ": turned by " + fixedText(radToDeg(-yaw.offset), 3) + " deg, standard deviation " +
+         fixedText(radToDeg(std), 3) + " deg";
 }
 }  // namespace
 
