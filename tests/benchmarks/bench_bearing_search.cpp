@@ -13,37 +13,37 @@ namespace
 /// One map, and robots lost in it.
 struct LostRobots
 {
-  LostMap map;
+  SceneMap map;
   LandmarkIndex index;
-  std::vector<LostView> views;
+  std::vector<SceneScan> views;
 
-  LostRobots(const LostSceneOptions& options, int count) : LostRobots(options, count, RandomStream(2026)) {}
+  LostRobots(const SearchSceneOptions& options, int count) : LostRobots(options, count, RandomStream(2026)) {}
 
  private:
-  LostRobots(const LostSceneOptions& options, int count, RandomStream random)
+  LostRobots(const SearchSceneOptions& options, int count, RandomStream random)
       : map(strewLandmarks(options, random)), index(map.index())
   {
-    for (int i = 0; i < count; ++i) views.push_back(lookAroundSomewhere(map, index, options, random));
+    for (int i = 0; i < count; ++i) views.push_back(observeSomewhere(map, index, options, random));
   }
 };
 
 /// Each iteration is one search; the tables that a first search builds for all later ones are built beforehand and
 /// timed as `first_s`.
-void findLost(benchmark::State& state, const LostSceneOptions& options, int count)
+void findLost(benchmark::State& state, const SearchSceneOptions& options, int count)
 {
   const LostRobots lost(options, count);
   const BearingSearch search(lost.index);
   PoseSearchOptions search_options;
   search_options.area = Box2{{0, 0}, {lost.map.side, lost.map.side}};
   const auto start = std::chrono::steady_clock::now();
-  benchmark::DoNotOptimize(search.search({&lost.views.front().place, 1}, search_options));
+  benchmark::DoNotOptimize(search.search({&lost.views.front().scan, 1}, search_options));
   state.counters["first_s"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   double found = 0, poses = 0;
   std::size_t next = 0;
   for (auto _ : state)
   {
-    const LostView& view = lost.views[next++ % lost.views.size()];
-    const PoseSearchResult result = search.search({&view.place, 1}, search_options);
+    const SceneScan& view = lost.views[next++ % lost.views.size()];
+    const PoseSearchResult result = search.search({&view.scan, 1}, search_options);
     found += std::any_of(result.poses.begin(), result.poses.end(),
                          [&](const ConsistentPose& p) { return isAtTruth(p.pose.mean, view.robot); });
     poses += static_cast<double>(result.poses.size());
@@ -52,31 +52,31 @@ void findLost(benchmark::State& state, const LostSceneOptions& options, int coun
   state.counters["poses"] = poses / static_cast<double>(state.iterations());
 }
 
-LostSceneOptions withLandmarks(int count)
+SearchSceneOptions withLandmarks(int count)
 {
-  LostSceneOptions options;
+  SearchSceneOptions options;
   options.landmarks = count;
   return options;
 }
 
-LostSceneOptions threeFalseOfSixteen()
+SearchSceneOptions threeFalseOfSixteen()
 {
-  LostSceneOptions options;
+  SearchSceneOptions options;
   options.false_readings = 3;
   options.seen = 13;
   return options;
 }
 
-LostSceneOptions fourKinds()
+SearchSceneOptions fourKinds()
 {
-  LostSceneOptions options;
-  options.kinds = 4;
+  SearchSceneOptions options;
+  options.categories = 4;
   return options;
 }
 
-LostSceneOptions unlimited()
+SearchSceneOptions unlimited()
 {
-  LostSceneOptions options = withLandmarks(200);
+  SearchSceneOptions options = withLandmarks(200);
   options.max_range.reset();
   options.seen = 20;
   options.false_readings = 0;
@@ -116,8 +116,8 @@ void findLostPlainly(benchmark::State& state)
   std::size_t next = 0;
   for (auto _ : state)
   {
-    const LostView& view = lost.views[next++ % lost.views.size()];
-    const auto pose = plain::searchBearings(lost.index, view.place);
+    const SceneScan& view = lost.views[next++ % lost.views.size()];
+    const auto pose = plain::searchBearings(lost.index, view.scan);
     found += pose && (pose->position() - view.robot.position()).norm() < 0.5;  // it does not refine
   }
   state.counters["recall"] = found / static_cast<double>(state.iterations());

@@ -13,9 +13,9 @@ namespace
 {
 constexpr int kViews = 100;
 
-LostSceneOptions sceneOf(int landmarks)
+SearchSceneOptions sceneOf(int landmarks)
 {
-  LostSceneOptions options;
+  SearchSceneOptions options;
   options.landmarks = landmarks;
   options.with_range = true;
   return options;
@@ -28,12 +28,12 @@ struct LostRobots
     RandomStream random(2026);
     map = strewLandmarks(options, random);
     index.emplace(map.index());
-    for (int i = 0; i < kViews; ++i) views.push_back(lookAroundSomewhere(map, *index, options, random));
+    for (int i = 0; i < kViews; ++i) views.push_back(observeSomewhere(map, *index, options, random));
   }
-  LostSceneOptions options;
-  LostMap map;
+  SearchSceneOptions options;
+  SceneMap map;
   std::optional<LandmarkIndex> index;
-  std::vector<LostView> views;
+  std::vector<SceneScan> views;
 };
 
 void ours(benchmark::State& state)
@@ -47,8 +47,8 @@ void ours(benchmark::State& state)
   double found = 0;
   for (auto _ : state)
   {
-    const LostView& view = lost.views[next++ % kViews];
-    const PoseSearchResult result = search.search({&view.place, 1});
+    const SceneScan& view = lost.views[next++ % kViews];
+    const PoseSearchResult result = search.search({&view.scan, 1});
     found += std::any_of(result.poses.begin(), result.poses.end(),
                          [&](const ConsistentPose& p) { return isAtTruth(p.pose.mean, view.robot); });
   }
@@ -63,9 +63,9 @@ void plain(benchmark::State& state)
   double found = 0;
   for (auto _ : state)
   {
-    const LostView& view = lost.views[next++ % kViews];
+    const SceneScan& view = lost.views[next++ % kViews];
     std::vector<Vector2d> points;
-    for (const AnonymousDetection& d : view.place.detections)
+    for (const AnonymousDetection& d : view.scan.detections)
       points.emplace_back(*d.range * std::cos(*d.bearing), *d.range * std::sin(*d.bearing));
     const auto pose = search.find(points, 0.15);
     found += pose && isAtTruth(*pose, view.robot);

@@ -27,17 +27,17 @@ struct Tally
   double poses = 0;
 };
 
-Tally run(const LostSceneOptions& options, int trials, std::uint64_t seed)
+Tally run(const SearchSceneOptions& options, int trials, std::uint64_t seed)
 {
   RandomStream random(seed);
-  const LostMap map = strewLandmarks(options, random);
+  const SceneMap map = strewLandmarks(options, random);
   const LandmarkIndex index = map.index();
   const BearingSearch search(index);
   Tally tally;
   for (; tally.trials < trials; ++tally.trials)
   {
-    const LostView view = lookAroundSomewhere(map, index, options, random);
-    const PoseSearchResult found = search.search({&view.place, 1});
+    const SceneScan view = observeSomewhere(map, index, options, random);
+    const PoseSearchResult found = search.search({&view.scan, 1});
     tally.found += findsTruth(found, view.robot);
     tally.poses += static_cast<double>(found.poses.size()) / trials;
     tally.unique += found.unique;
@@ -59,8 +59,8 @@ TEST(BearingSearch, FindsTheRobotAmongAThousandLandmarks)
 
 TEST(BearingSearch, KindsAreUsed)
 {
-  LostSceneOptions options;
-  options.kinds = 4;
+  SearchSceneOptions options;
+  options.categories = 4;
   const Tally tally = run(options, 100, 12);
   EXPECT_GE(tally.found, 99);
   EXPECT_EQ(tally.unique_wrong, 0);
@@ -68,7 +68,7 @@ TEST(BearingSearch, KindsAreUsed)
 
 TEST(BearingSearch, ThreeFalseReadingsOfSixteen)
 {
-  LostSceneOptions options;
+  SearchSceneOptions options;
   options.detection_probability = 0.8;
   options.false_readings = 3;
   const Tally tally = run(options, 30, 13);
@@ -78,7 +78,7 @@ TEST(BearingSearch, ThreeFalseReadingsOfSixteen)
 
 TEST(BearingSearch, WithoutARangeLimit)
 {
-  LostSceneOptions options;
+  SearchSceneOptions options;
   options.landmarks = 40;
   options.max_range.reset();
   options.seen = 12;
@@ -90,16 +90,16 @@ TEST(BearingSearch, WithoutARangeLimit)
 
 TEST(BearingSearch, AFarAwayMapCostsNoDigits)
 {
-  LostSceneOptions options;
+  SearchSceneOptions options;
   options.landmarks = 300;
   RandomStream random(15);
-  const LostMap map = strewLandmarks(options, random);
+  const SceneMap map = strewLandmarks(options, random);
   std::vector<Vector2d> moved;
   const Vector2d offset(4e6, -2e6);
   for (const Landmark& l : map.landmarks.all()) moved.push_back(l.position.head<2>() + offset);
   const LandmarkIndex near(map.landmarks), far(moved);
-  const LostView view = lookAroundSomewhere(map, near, options, random);
-  const PoseSearchResult here = searchOne(near, view.place), there = searchOne(far, view.place);
+  const SceneScan view = observeSomewhere(map, near, options, random);
+  const PoseSearchResult here = searchOne(near, view.scan), there = searchOne(far, view.scan);
   ASSERT_FALSE(here.poses.empty());
   ASSERT_FALSE(there.poses.empty());
   const Pose2 a = here.poses.front().pose.mean, b = there.poses.front().pose.mean;
@@ -109,10 +109,10 @@ TEST(BearingSearch, AFarAwayMapCostsNoDigits)
 
 TEST(BearingSearch, TwoSensorsHelpEachOther)
 {
-  LostSceneOptions options;
+  SearchSceneOptions options;
   options.detection_probability = 0.35;  // each alone sees about seven
   RandomStream random(16);
-  const LostMap map = strewLandmarks(options, random);
+  const SceneMap map = strewLandmarks(options, random);
   const LandmarkIndex index = map.index();
   const BearingSearch search(index);
   int found = 0, unique = 0;
@@ -120,8 +120,8 @@ TEST(BearingSearch, TwoSensorsHelpEachOther)
   for (int t = 0; t < trials; ++t)
   {
     const Pose2 robot{random.uniform(20, 80), random.uniform(20, 80), random.uniform(-kPi, kPi)};
-    const Scan places[] = {landmarkGates(map, index, options, robot, random, {0.3, 0.2, 0.5}).place,
-                           landmarkGates(map, index, options, robot, random, {-0.4, 0.1, -2}).place};
+    const Scan places[] = {observe(map, index, options, robot, random, {0.3, 0.2, 0.5}).scan,
+                           observe(map, index, options, robot, random, {-0.4, 0.1, -2}).scan};
     const PoseSearchResult result = search.search(places);
     found += findsTruth(result, robot);
     unique += result.unique;
@@ -133,11 +133,11 @@ TEST(BearingSearch, TwoSensorsHelpEachOther)
 TEST(BearingSearch, TheSameAnswerTwice)
 {
   RandomStream random(17);
-  const LostSceneOptions options;
-  const LostMap map = strewLandmarks(options, random);
+  const SearchSceneOptions options;
+  const SceneMap map = strewLandmarks(options, random);
   const LandmarkIndex index = map.index();
-  const LostView view = lookAroundSomewhere(map, index, options, random);
-  const PoseSearchResult a = searchOne(index, view.place), b = searchOne(index, view.place);
+  const SceneScan view = observeSomewhere(map, index, options, random);
+  const PoseSearchResult a = searchOne(index, view.scan), b = searchOne(index, view.scan);
   ASSERT_EQ(a.poses.size(), b.poses.size());
   for (std::size_t i = 0; i < a.poses.size(); ++i)
   {
@@ -150,15 +150,15 @@ TEST(BearingSearch, TheSameAnswerTwice)
 TEST(BearingSearch, ProbabilitiesLeaveRoomForTheRest)
 {
   RandomStream random(18);
-  LostSceneOptions options;
+  SearchSceneOptions options;
   options.detection_probability = 0.4;
   options.std_bearing = degToRad(0.3);
   options.landmarks = 300;
-  const LostMap map = strewLandmarks(options, random);
+  const SceneMap map = strewLandmarks(options, random);
   const LandmarkIndex index = map.index();
   for (int t = 0; t < 4; ++t)
   {
-    const PoseSearchResult found = searchOne(index, lookAroundSomewhere(map, index, options, random).place);
+    const PoseSearchResult found = searchOne(index, observeSomewhere(map, index, options, random).scan);
     double sum = found.probability_elsewhere;
     for (const ConsistentPose& p : found.poses) sum += p.probability;
     EXPECT_NEAR(sum, 1, 1e-9);
@@ -169,17 +169,17 @@ TEST(BearingSearch, ProbabilitiesLeaveRoomForTheRest)
 TEST(BearingSearch, SaysWhatIsWrongWithItsInput)
 {
   RandomStream random(19);
-  const LostSceneOptions options;
-  const LostMap map = strewLandmarks(options, random);
+  const SearchSceneOptions options;
+  const SceneMap map = strewLandmarks(options, random);
   const LandmarkIndex index = map.index(), empty{std::vector<Vector2d>{}};
-  Scan place = lookAroundSomewhere(map, index, options, random).place;
+  Scan place = observeSomewhere(map, index, options, random).scan;
   EXPECT_EQ(searchOne(empty, place).status, SolveStatus::none);
   Scan two = place;
   two.detections.resize(2);
   EXPECT_EQ(searchOne(index, two).status, SolveStatus::too_few);
   EXPECT_EQ(BearingSearch(index).search({}).status, SolveStatus::too_few);
   Scan unknown = place;
-  for (AnonymousDetection& d : unknown.detections) d.kind = kUnknownCategory;
+  for (AnonymousDetection& d : unknown.detections) d.category = kUnknownCategory;
   EXPECT_EQ(searchOne(index, unknown).status, SolveStatus::too_few);
   place.detections.front().bearing = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(searchOne(index, place).status, SolveStatus::bad_input);
@@ -213,16 +213,16 @@ TEST(BearingSearch, ALatticeIsAmbiguous)
   for (int i = 0; i < 20; ++i)
     for (int j = 0; j < 20; ++j) lattice.emplace_back(3 * i, 3 * j);
   const LandmarkIndex index(lattice);
-  const LostMap map{57, LandmarkTable{}};
-  LostSceneOptions options;
+  const SceneMap map{57, LandmarkTable{}};
+  SearchSceneOptions options;
   options.detection_probability = 1;
   options.false_readings = 0;
   options.max_range = 6;
   RandomStream random(20);
-  const LostView view = landmarkGates(map, index, options, {28.3, 29.1, 0.7}, random);
+  const SceneScan view = observe(map, index, options, {28.3, 29.1, 0.7}, random);
   PoseSearchOptions few;
   few.max_poses = 50;
-  const PoseSearchResult found = searchOne(index, view.place, few);
+  const PoseSearchResult found = searchOne(index, view.scan, few);
   EXPECT_GT(found.poses.size(), 20u);
   EXPECT_LE(found.poses.size(), 50u);
   EXPECT_FALSE(found.unique);
@@ -232,12 +232,12 @@ TEST(BearingSearch, ALatticeIsAmbiguous)
 TEST(BearingSearch, StopsWhenToldTo)
 {
   RandomStream random(21);
-  const LostSceneOptions options;
-  const LostMap map = strewLandmarks(options, random);
+  const SearchSceneOptions options;
+  const SceneMap map = strewLandmarks(options, random);
   const LandmarkIndex index = map.index();
   PoseSearchOptions hurried;
   hurried.max_tested = 1000;
-  const PoseSearchResult found = searchOne(index, lookAroundSomewhere(map, index, options, random).place, hurried);
+  const PoseSearchResult found = searchOne(index, observeSomewhere(map, index, options, random).scan, hurried);
   EXPECT_FALSE(found.finished);
   EXPECT_FALSE(found.unique);
 }

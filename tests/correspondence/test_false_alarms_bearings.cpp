@@ -30,9 +30,9 @@ struct Account
   }
 };
 
-LostSceneOptions falseReadingsOnly(int landmarks, double readings, double std_bearing_deg)
+SearchSceneOptions falseReadingsOnly(int landmarks, double readings, double std_bearing_deg)
 {
-  LostSceneOptions options;
+  SearchSceneOptions options;
   options.landmarks = landmarks;
   options.max_range = options.border = 6;
   options.detection_probability = 0;
@@ -43,15 +43,15 @@ LostSceneOptions falseReadingsOnly(int landmarks, double readings, double std_be
 
 /// `expected(index, place, found, m)`: number of poses with at least m matches.
 template <typename Search, typename Expected>
-Account countPoses(const LostSceneOptions& options, int scenes, Expected&& expected)
+Account countPoses(const SearchSceneOptions& options, int scenes, Expected&& expected)
 {
   Account account;
   for (int scene = 0; scene < scenes; ++scene)
   {
     RandomStream random(5, static_cast<std::uint64_t>(scene));
-    const LostMap map = strewLandmarks(options, random);
+    const SceneMap map = strewLandmarks(options, random);
     const LandmarkIndex index = map.index();
-    Scan place = lookAroundSomewhere(map, index, options, random).place;
+    Scan place = observeSomewhere(map, index, options, random).scan;
     place.model.detection_probability = 0.6;
     place.model.clutter_probability = 0.1;
     PoseSearchOptions everything;
@@ -75,14 +75,15 @@ double expectedOfBearings(const LandmarkIndex& index, const Scan& place, const P
   for (const ConsistentPose& pose : found.poses) best = std::max(best, pose.matched);
   const double in_view = static_cast<double>(index.size()) *
                          std::min(1.0, kPi * square(*place.model.max_range) / (index.high() - index.low()).prod());
-  const FalseAlarmModel chance{1, static_cast<int>(place.detections.size()),
-                               chanceOfMatch(kGate * place.detections.front().std_bearing, in_view - 3)};
+  const BearingFalseAlarmModel chance{
+      1, static_cast<int>(place.detections.size()),
+      chanceMatchProbability(kGate * place.detections.front().std_bearing, in_view - 3)};
   return best == 0 ? 0 : found.expected_false * expectedFalsePoses(chance, matched) / expectedFalsePoses(chance, best);
 }
 
 double expectedOfPoints(const LandmarkIndex& index, const Scan& place, const PoseSearchResult&, int matched)
 {
-  return expectedFalsePoses(chancePoints(index, gatherPoints({&place, 1}, kGate), kGate), matched);
+  return expectedFalsePoses(pointFalseAlarmModel(index, gatherPoints({&place, 1}, kGate), kGate), matched);
 }
 
 TEST(ExpectedFalsePoses, AreAsManyAsChanceMakesOfBearings)
@@ -95,7 +96,7 @@ TEST(ExpectedFalsePoses, AreAsManyAsChanceMakesOfBearings)
 
 TEST(ExpectedFalsePoses, AreAsManyAsChanceMakesOfPoints)
 {
-  LostSceneOptions options = falseReadingsOnly(300, 6, 0.5);
+  SearchSceneOptions options = falseReadingsOnly(300, 6, 0.5);
   options.with_range = true;
   const Account round = countPoses<PointSearch>(options, 160, expectedOfPoints);
   round.expectAgreement(3);
@@ -111,11 +112,11 @@ TEST(ExpectedFalsePoses, FallWithTheMatchesAndRiseWithTheReadings)
 {
   for (int m = 3; m < 9; ++m)
   {
-    const FalseAlarmModel chance{1000, 9, 0.05}, more{1000, 10, 0.05};
+    const BearingFalseAlarmModel chance{1000, 9, 0.05}, more{1000, 10, 0.05};
     EXPECT_GT(expectedFalsePoses(more, m), expectedFalsePoses(chance, m));
     EXPECT_GT(expectedFalsePoses(chance, m), expectedFalsePoses(chance, m + 1));
   }
-  EXPECT_EQ(expectedFalsePoses(FalseAlarmModel{1000, 4, 0.05}, 5), 0);
+  EXPECT_EQ(expectedFalsePoses(BearingFalseAlarmModel{1000, 4, 0.05}, 5), 0);
 }
 }  // namespace
 }  // namespace mrpt_ext

@@ -14,7 +14,7 @@ namespace
 /// Share of robots found, in a square of 10 m where everything is in view.
 double shareFound(int landmarks, int seen, int false_readings, bool with_range, int trials)
 {
-  LostSceneOptions options;
+  SearchSceneOptions options;
   options.landmarks = landmarks;
   options.area_per_landmark = 100.0 / landmarks;
   options.max_range.reset();
@@ -26,10 +26,10 @@ double shareFound(int landmarks, int seen, int false_readings, bool with_range, 
   int found = 0;
   for (int t = 0; t < trials; ++t)
   {
-    const LostMap map = strewLandmarks(options, random);
+    const SceneMap map = strewLandmarks(options, random);
     const GlobalPoseSearch search(map.landmarks);
-    const LostView view = lookAroundSomewhere(map, search.index(), options, random);
-    const PoseSearchResult result = search.search({&view.place, 1}, {});
+    const SceneScan view = observeSomewhere(map, search.index(), options, random);
+    const PoseSearchResult result = search.search({&view.scan, 1}, {});
     // Few bearings can leave a pose uncertain: what counts then is its own covariance.
     found += std::any_of(result.poses.begin(), result.poses.end(),
                          [&](const ConsistentPose& p)

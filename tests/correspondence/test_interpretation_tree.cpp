@@ -24,7 +24,7 @@ double recall(int seen, int false_count, double sigma, InterpretationGate gate, 
   int hits = 0;
   for (int trial = 0; trial < trials; ++trial)
   {
-    const UnidentifiedScene s = lookWithoutNames(random, 12, seen, false_count, sigma);
+    const AnonymousScene s = observeAnonymously(random, 12, seen, false_count, sigma);
     InterpretationOptions options = optionsFor(sigma, 1);
     options.gate = gate;
     options.max_unmatched = false_count;
@@ -35,9 +35,9 @@ double recall(int seen, int false_count, double sigma, InterpretationGate gate, 
   return static_cast<double>(hits) / trials;
 }
 
-UnidentifiedScene exactScene()
+AnonymousScene exactScene()
 {
-  UnidentifiedScene s;
+  AnonymousScene s;
   s.scene = {{{1, 1}, {9, 2}, {8, 9}, {2, 7}, {5, 9.5}, {0.5, 4}}, {4, 3, 0.5}};
   for (const int l : {3, 0, 4, 1, 2})
   {
@@ -50,7 +50,7 @@ UnidentifiedScene exactScene()
 
 TEST(InterpretationTree, ExactBearingsNameThePoseAndTheLandmarks)
 {
-  const UnidentifiedScene s = exactScene();
+  const AnonymousScene s = exactScene();
   const Interpretations result = interpretBearings(s.scene.landmarks, s.bearings, optionsFor(0.001));
   ASSERT_EQ(result.status, SolveStatus::ok);
   ASSERT_EQ(result.solutions.size(), 1u);
@@ -84,7 +84,7 @@ TEST(InterpretationTree, CategoriesLeaveOneOfTheFour)
 
 TEST(InterpretationTree, AFalseBearingIsLeftOutWhenAllowed)
 {
-  UnidentifiedScene s = exactScene();
+  AnonymousScene s = exactScene();
   s.bearings.insert(s.bearings.begin() + 1, {0.123, {}});
   s.truth.insert(s.truth.begin() + 1, -1);
   InterpretationOptions options = optionsFor(0.001);
@@ -98,7 +98,7 @@ TEST(InterpretationTree, AFalseBearingIsLeftOutWhenAllowed)
 
 TEST(InterpretationTree, PartsOfASolutionAreNotListed)
 {
-  const UnidentifiedScene s = exactScene();
+  const AnonymousScene s = exactScene();
   InterpretationOptions options = optionsFor(0.001);
   options.max_unmatched = 1;
   const Interpretations result = interpretBearings(s.scene.landmarks, s.bearings, options);
@@ -116,7 +116,7 @@ TEST(InterpretationTree, OneUnmatchedIsTheSumOfLeavingEachOut)
   {
     const double sigma = degToRad(trial % 2 ? 0.1 : 0.3);
     const int seen = 6 + trial % 3 / 2;
-    const UnidentifiedScene s = lookWithoutNames(random, 10, seen, trial % 4 ? 1 : 0, sigma);
+    const AnonymousScene s = observeAnonymously(random, 10, seen, trial % 4 ? 1 : 0, sigma);
     InterpretationOptions options = optionsFor(sigma, 1);
     auto expected = assignmentsOf(interpretBearings(s.scene.landmarks, s.bearings, options));
     const auto complete = expected;
@@ -145,7 +145,7 @@ TEST(InterpretationTree, OneUnmatchedIsTheSumOfLeavingEachOut)
 
 TEST(InterpretationTree, RangeLimitRulesOutFarPoses)
 {
-  const UnidentifiedScene s = exactScene();
+  const AnonymousScene s = exactScene();
   InterpretationOptions options = optionsFor(0.001);
   options.max_range = 7.3;  // the farthest seen landmark is at sqrt(4^2 + 6^2) = 7.2 m
   EXPECT_EQ(interpretBearings(s.scene.landmarks, s.bearings, options).solutions.size(), 1u);
@@ -155,7 +155,7 @@ TEST(InterpretationTree, RangeLimitRulesOutFarPoses)
 
 TEST(InterpretationTree, ThreeBearingsOnlyOnRequest)
 {
-  UnidentifiedScene s = exactScene();
+  AnonymousScene s = exactScene();
   s.bearings.resize(3);
   InterpretationOptions options = optionsFor(0.001);
   EXPECT_EQ(interpretBearings(s.scene.landmarks, s.bearings, options).status, SolveStatus::too_few);
@@ -167,7 +167,7 @@ TEST(InterpretationTree, ThreeBearingsOnlyOnRequest)
 
 TEST(InterpretationTree, GivingUpIsReported)
 {
-  const UnidentifiedScene s = exactScene();
+  const AnonymousScene s = exactScene();
   InterpretationOptions options = optionsFor(0.001);
   options.max_tested = 5;
   EXPECT_FALSE(interpretBearings(s.scene.landmarks, s.bearings, options).finished);
@@ -175,7 +175,7 @@ TEST(InterpretationTree, GivingUpIsReported)
 
 TEST(InterpretationTree, BadInputIsRefused)
 {
-  UnidentifiedScene s = exactScene();
+  AnonymousScene s = exactScene();
   s.bearings[2].candidates = {6};
   EXPECT_EQ(interpretBearings(s.scene.landmarks, s.bearings, optionsFor(0.001)).status, SolveStatus::bad_input);
   s = exactScene();
@@ -189,7 +189,7 @@ TEST(InterpretationTree, EqualsTryingEveryAssignment)
   for (int trial = 0; trial < 30; ++trial)
   {
     const double sigma = degToRad(trial % 5 ? 0.05 : 0.3);
-    const UnidentifiedScene s = lookWithoutNames(random, 7, trial % 5 ? 4 : 5, 0, sigma);
+    const AnonymousScene s = observeAnonymously(random, 7, trial % 5 ? 4 : 5, 0, sigma);
     const InterpretationOptions options = optionsFor(sigma);
     const InterpretationEnumeration all(s, options, 3);
     if (all.doubtful) continue;
@@ -221,7 +221,7 @@ TEST(InterpretationTree, TurningAndMovingTheWorldChangesNothing)
   RandomStream random(32);
   for (int trial = 0; trial < 30; ++trial)
   {
-    const UnidentifiedScene s = lookWithoutNames(random, 9, 5, 0, degToRad(0.2));
+    const AnonymousScene s = observeAnonymously(random, 9, 5, 0, degToRad(0.2));
     InterpretationOptions options = optionsFor(degToRad(0.2));
     options.area.reset();
     options.max_range = 15;
@@ -266,7 +266,7 @@ TEST(InterpretationTree, ThePapersRuleLosesTheTruthOften)
   int hits = 0;
   for (int trial = 0; trial < 100; ++trial)
   {
-    const UnidentifiedScene s = lookWithoutNames(random, 12, 7, 0, degToRad(0.2));
+    const AnonymousScene s = observeAnonymously(random, 12, 7, 0, degToRad(0.2));
     InterpretationOptions options = optionsFor(degToRad(0.2));
     options.rule = InterpretationRule::paper;
     hits += static_cast<int>(assignmentsOf(interpretBearings(s.scene.landmarks, s.bearings, options)).count(s.truth));
@@ -282,10 +282,10 @@ TEST(InterpretationTree, CountsOfPaper000)
   std::vector<double> examined(13, 0);
   for (int scene = 0; scene < 5; ++scene)
   {
-    const UnidentifiedScene all = lookWithoutNames(random, 12, 12, 0, 0);
+    const AnonymousScene all = observeAnonymously(random, 12, 12, 0, 0);
     for (const int seen : {4, 5, 6, 8})
     {
-      UnidentifiedScene s = all;
+      AnonymousScene s = all;
       s.bearings.resize(static_cast<std::size_t>(seen));
       s.truth.resize(static_cast<std::size_t>(seen));
       const TreeCounts paper = countTree(s, InterpretationRule::paper);

@@ -66,12 +66,12 @@ TEST(LandmarkIndex, EmptyAndSingleMaps)
 TEST(LandmarkIndex, CategoriesBecomeKinds)
 {
   const LandmarkIndex index(LandmarkTable({{.category = "red"}, {.category = ""}, {.category = "blue"}}));
-  EXPECT_EQ(index.kindOf(""), kAnyCategory);
-  EXPECT_EQ(index.kindOf("unicorn"), kUnknownCategory);
-  EXPECT_EQ(index.kindOf("red"), index.kind(0));
+  EXPECT_EQ(index.categoryOf(""), kAnyCategory);
+  EXPECT_EQ(index.categoryOf("unicorn"), kUnknownCategory);
+  EXPECT_EQ(index.categoryOf("red"), index.category(0));
   EXPECT_TRUE(index.mayShow(kAnyCategory, 2));
-  EXPECT_TRUE(index.mayShow(index.kindOf("blue"), 2));
-  EXPECT_FALSE(index.mayShow(index.kindOf("blue"), 0));
+  EXPECT_TRUE(index.mayShow(index.categoryOf("blue"), 2));
+  EXPECT_FALSE(index.mayShow(index.categoryOf("blue"), 0));
   EXPECT_FALSE(index.mayShow(kUnknownCategory, 1));
 }
 }  // namespace mrpt_ext

@@ -18,18 +18,18 @@ struct Tally
   std::size_t detections = 0, members = 0, rest = 0;
 };
 
-Tally tallyOf(const JoinedSceneOptions& options, int trials, const LocalMapOptions& joining = {})
+Tally tallyOf(const WindowSceneOptions& options, int trials, const LocalMapOptions& joining = {})
 {
   RandomStream random(21);
   Tally tally;
   for (int trial = 0; trial < trials; ++trial)
   {
-    const LostMap map = strewLandmarks(options.scene, random);
+    const SceneMap map = strewLandmarks(options.scene, random);
     const LandmarkIndex index = map.index();
-    const JoinedView view = driveSomewhere(map, index, options, random);
-    const LocalLandmarkMap joined = buildLocalMap(view.places, joining);
+    const WindowScene view = driveSomewhere(map, index, options, random);
+    const LocalLandmarkMap joined = buildLocalMap(view.scans, joining);
     std::set<int> seen;
-    for (const ConstellationPoint& point : joined.points)
+    for (const LocalLandmark& point : joined.points)
     {
       const PointTruth truth = truthOf(point, view, index);
       ++tally.points;
@@ -39,15 +39,15 @@ Tally tallyOf(const JoinedSceneOptions& options, int trials, const LocalMapOptio
       tally.doubled += truth.pure && !seen.insert(truth.landmark).second;
       tally.members += point.members.size();
     }
-    for (const PastScan& p : view.places) tally.detections += p.place.detections.size();
-    for (const PastScan& p : joined.rest) tally.rest += p.place.detections.size();
+    for (const PastScan& p : view.scans) tally.detections += p.scan.detections.size();
+    for (const PastScan& p : joined.rest) tally.rest += p.scan.detections.size();
   }
   return tally;
 }
 
-JoinedSceneOptions bearingOnly()
+WindowSceneOptions bearingOnly()
 {
-  JoinedSceneOptions options;
+  WindowSceneOptions options;
   options.scene.landmarks = 200;
   return options;
 }
@@ -66,7 +66,7 @@ TEST(LocalLandmarkMap, BearingsAlongAWayBecomePoints)
 
 TEST(LocalLandmarkMap, RangesAndBearingsOfManyMomentsBecomeOnePointEach)
 {
-  JoinedSceneOptions options = bearingOnly();
+  WindowSceneOptions options = bearingOnly();
   options.scene.with_range = true;
   options.scene.false_readings = 0;
   const int trials = 30;
@@ -82,7 +82,7 @@ TEST(LocalLandmarkMap, NothingIsLostAndNothingCountedTwice)
 {
   for (const bool ranges : {false, true})
   {
-    JoinedSceneOptions options = bearingOnly();
+    WindowSceneOptions options = bearingOnly();
     options.scene.with_range = ranges;
     const Tally tally = tallyOf(options, 10);
     EXPECT_EQ(tally.members + tally.rest, tally.detections);
@@ -91,7 +91,7 @@ TEST(LocalLandmarkMap, NothingIsLostAndNothingCountedTwice)
 
 TEST(LocalLandmarkMap, FalseReadingsAloneHardlyMakePoints)
 {
-  JoinedSceneOptions options = bearingOnly();
+  WindowSceneOptions options = bearingOnly();
   options.scene.detection_probability = 0;
   options.scene.false_readings = 3;
   const int trials = 60;
@@ -100,7 +100,7 @@ TEST(LocalLandmarkMap, FalseReadingsAloneHardlyMakePoints)
 
 TEST(LocalLandmarkMap, StandingStillGivesNoDistances)
 {
-  JoinedSceneOptions options = bearingOnly();
+  WindowSceneOptions options = bearingOnly();
   options.step = options.turn = 1e-4;
   options.length = 9e-4;
   const Tally tally = tallyOf(options, 20);
@@ -110,40 +110,41 @@ TEST(LocalLandmarkMap, StandingStillGivesNoDistances)
 
 TEST(LocalLandmarkMap, KindsAreNotMixed)
 {
-  JoinedSceneOptions options = bearingOnly();
-  options.scene.kinds = 3;
+  WindowSceneOptions options = bearingOnly();
+  options.scene.categories = 3;
   RandomStream random(22);
-  const LostMap map = strewLandmarks(options.scene, random);
-  const JoinedView view = driveSomewhere(map, map.index(), options, random);
-  const LocalLandmarkMap joined = buildLocalMap(view.places);
+  const SceneMap map = strewLandmarks(options.scene, random);
+  const WindowScene view = driveSomewhere(map, map.index(), options, random);
+  const LocalLandmarkMap joined = buildLocalMap(view.scans);
   EXPECT_GE(joined.points.size(), 5u);
-  for (const ConstellationPoint& point : joined.points)
-    for (const auto& m : point.members) EXPECT_EQ(view.places[m.place].place.detections[m.detection].kind, point.kind);
+  for (const LocalLandmark& point : joined.points)
+    for (const auto& m : point.members)
+      EXPECT_EQ(view.scans[m.scan].scan.detections[m.detection].category, point.category);
 }
 
 TEST(LocalLandmarkMap, OnePlaceStaysAsItIs)
 {
-  JoinedSceneOptions options = bearingOnly();
+  WindowSceneOptions options = bearingOnly();
   options.length = 0;
   options.scene.with_range = true;
   RandomStream random(23);
-  const LostMap map = strewLandmarks(options.scene, random);
-  const JoinedView view = driveSomewhere(map, map.index(), options, random);
-  const std::vector<Scan> places = asScans(buildLocalMap(view.places));
+  const SceneMap map = strewLandmarks(options.scene, random);
+  const WindowScene view = driveSomewhere(map, map.index(), options, random);
+  const std::vector<Scan> places = asScans(buildLocalMap(view.scans));
   ASSERT_EQ(places.size(), 1u);
-  EXPECT_EQ(places[0].detections.size(), view.places[0].place.detections.size());
-  EXPECT_EQ(places[0].model.detection_probability, view.places[0].place.model.detection_probability);
+  EXPECT_EQ(places[0].detections.size(), view.scans[0].scan.detections.size());
+  EXPECT_EQ(places[0].model.detection_probability, view.scans[0].scan.model.detection_probability);
   EXPECT_TRUE(buildLocalMap({}).rest.empty());
 }
 
 TEST(LocalLandmarkMap, ASearchGetsPointsFirstAndTheRestFromItsOwnPlaces)
 {
-  const JoinedSceneOptions options = bearingOnly();
+  const WindowSceneOptions options = bearingOnly();
   RandomStream random(24);
-  const LostMap map = strewLandmarks(options.scene, random);
+  const SceneMap map = strewLandmarks(options.scene, random);
   const LandmarkIndex index = map.index();
-  const JoinedView view = driveSomewhere(map, index, options, random);
-  const LocalLandmarkMap joined = buildLocalMap(view.places);
+  const WindowScene view = driveSomewhere(map, index, options, random);
+  const LocalLandmarkMap joined = buildLocalMap(view.scans);
   const std::vector<Scan> places = asScans(joined);
   ASSERT_EQ(places.size(), joined.rest.size() + 1);
   ASSERT_EQ(places[0].detections.size(), joined.points.size());
@@ -158,7 +159,7 @@ TEST(LocalLandmarkMap, ASearchGetsPointsFirstAndTheRestFromItsOwnPlaces)
   }
   for (std::size_t k = 0; k < joined.rest.size(); ++k)
   {
-    EXPECT_EQ(places[k + 1].T_robot_sensor.vector(), joined.rest[k].place.T_robot_sensor.vector());
+    EXPECT_EQ(places[k + 1].T_robot_sensor.vector(), joined.rest[k].scan.T_robot_sensor.vector());
     if (joined.rest[k].odometry_covariance.isZero(0)) continue;
     EXPECT_GT(places[k + 1].detections[0].std_bearing, options.scene.std_bearing);
     EXPECT_FALSE(places[k + 1].model.detection_probability);

@@ -11,9 +11,9 @@ namespace mrpt_ext
 {
 namespace
 {
-LostSceneOptions pointScene(int landmarks)
+SearchSceneOptions pointScene(int landmarks)
 {
-  LostSceneOptions options;
+  SearchSceneOptions options;
   options.landmarks = landmarks;
   options.with_range = true;
   return options;
@@ -52,9 +52,9 @@ TEST(PointSearch, FindsTheLostRobotInMapsOfEverySize)
 {
   for (const int landmarks : {100, 1000, 10000})
   {
-    const LostSceneOptions options = pointScene(landmarks);
+    const SearchSceneOptions options = pointScene(landmarks);
     RandomStream random(7, static_cast<std::uint64_t>(landmarks));
-    const LostMap map = strewLandmarks(options, random);
+    const SceneMap map = strewLandmarks(options, random);
     const LandmarkIndex index = map.index();
     const PointSearch search(index);
     int found = 0, unique_and_wrong = 0;
@@ -62,8 +62,8 @@ TEST(PointSearch, FindsTheLostRobotInMapsOfEverySize)
     constexpr int kTrials = 200;
     for (int t = 0; t < kTrials; ++t)
     {
-      const LostView view = lookAroundSomewhere(map, index, options, random);
-      const PoseSearchResult result = search.search({&view.place, 1});
+      const SceneScan view = observeSomewhere(map, index, options, random);
+      const PoseSearchResult result = search.search({&view.scan, 1});
       found += holds(result, view.robot);
       returned += static_cast<double>(result.poses.size()) / kTrials;
       unique_and_wrong += result.unique && !isAtTruth(result.poses.front().pose.mean, view.robot);
@@ -77,17 +77,17 @@ TEST(PointSearch, FindsTheLostRobotInMapsOfEverySize)
 
 TEST(PointSearch, FalsePointsDoNotHideThePose)
 {
-  LostSceneOptions options = pointScene(1000);
+  SearchSceneOptions options = pointScene(1000);
   options.false_readings = 4;
   RandomStream random(8);
-  const LostMap map = strewLandmarks(options, random);
+  const SceneMap map = strewLandmarks(options, random);
   const LandmarkIndex index = map.index();
   const PointSearch search(index);
   int found = 0;
   for (int t = 0; t < 100; ++t)
   {
-    const LostView view = lookAroundSomewhere(map, index, options, random);
-    found += holds(search.search({&view.place, 1}), view.robot);
+    const SceneScan view = observeSomewhere(map, index, options, random);
+    found += holds(search.search({&view.scan, 1}), view.robot);
   }
   EXPECT_GE(found, 98);
 }
@@ -150,8 +150,8 @@ TEST(PointSearch, KindsExclude)
   const LandmarkIndex map(table);
   const Pose2 robot{-1, 1, 2};
   Scan place = seeing(fromRobot(robot, {{0, 0}, {3, 0}}));
-  place.detections[0].kind = map.kindOf("red");
-  place.detections[1].kind = map.kindOf("blue");
+  place.detections[0].category = map.categoryOf("red");
+  place.detections[1].category = map.categoryOf("blue");
   const PoseSearchResult result = PointSearch(map).search({&place, 1});
   ASSERT_EQ(result.poses.size(), 1u);
   EXPECT_TRUE(isAtTruth(result.poses.front().pose.mean, robot));
@@ -201,7 +201,7 @@ TEST(PointSearch, ALatticeIsNeverCalledUnique)
 
 TEST(PointSearch, ThreeLandmarksThatAreNoNearNeighboursAreFoundBesideAWrongTriangle)
 {
-  LostSceneOptions options = pointScene(300);
+  SearchSceneOptions options = pointScene(300);
   options.max_range = options.border = 6;
   options.detection_probability = 0.25;
   options.std_bearing = degToRad(0.5);
@@ -209,13 +209,13 @@ TEST(PointSearch, ThreeLandmarksThatAreNoNearNeighboursAreFoundBesideAWrongTrian
   for (std::uint64_t m = 0; m < 4; ++m)
   {
     RandomStream random(77, m);
-    const LostMap map = strewLandmarks(options, random);
+    const SceneMap map = strewLandmarks(options, random);
     const LandmarkIndex index = map.index();
     const PointSearch search(index);
     for (int t = 0; t < 50; ++t)
     {
-      const LostView view = lookAroundSomewhere(map, index, options, random);
-      const PoseSearchResult result = search.search({&view.place, 1}, {});
+      const SceneScan view = observeSomewhere(map, index, options, random);
+      const PoseSearchResult result = search.search({&view.scan, 1}, {});
       const auto seen = std::count_if(view.truth.begin(), view.truth.end(), [](int l) { return l >= 0; });
       if (seen != 3 || result.poses.empty() || result.poses.front().matched != 3) continue;
       ++met;
@@ -230,8 +230,8 @@ TEST(PointSearch, ThreeLandmarksThatAreNoNearNeighboursAreFoundBesideAWrongTrian
 TEST(PointSearch, AnUnfinishedSearchCallsNothingUnique)
 {
   RandomStream random(9);
-  const LostSceneOptions options = pointScene(1000);
-  const LostMap map = strewLandmarks(options, random);
+  const SearchSceneOptions options = pointScene(1000);
+  const SceneMap map = strewLandmarks(options, random);
   const LandmarkIndex index = map.index();
   const PointSearch search(index);
   PoseSearchOptions hurried;
@@ -239,8 +239,8 @@ TEST(PointSearch, AnUnfinishedSearchCallsNothingUnique)
   int unfinished = 0;
   for (int t = 0; t < 20; ++t)
   {
-    const LostView view = lookAroundSomewhere(map, index, options, random);
-    const PoseSearchResult result = search.search({&view.place, 1}, hurried);
+    const SceneScan view = observeSomewhere(map, index, options, random);
+    const PoseSearchResult result = search.search({&view.scan, 1}, hurried);
     unfinished += !result.finished;
     EXPECT_FALSE(result.unique && !result.finished);
   }

@@ -11,7 +11,7 @@ namespace mrpt_ext
 namespace
 {
 /// Where the robot of a lost scene can be: away from the border.
-Box2 inner(const LostMap& map, double border)
+Box2 inner(const SceneMap& map, double border)
 {
   return {Vector2d::Constant(border), Vector2d::Constant(map.side - border)};
 }
@@ -24,20 +24,20 @@ struct Tally
 
 /// Trials on fresh maps, twenty on each.
 template <typename Search>
-void run(const LostSceneOptions& options, int maps, std::uint64_t seed, Tally& tally)
+void run(const SearchSceneOptions& options, int maps, std::uint64_t seed, Tally& tally)
 {
   for (int m = 0; m < maps; ++m)
   {
     RandomStream random(seed, static_cast<std::uint64_t>(m));
-    const LostMap map = strewLandmarks(options, random);
+    const SceneMap map = strewLandmarks(options, random);
     const LandmarkIndex index = map.index();
     const Search search(index);
     PoseSearchOptions how;
     how.area = inner(map, options.border);
     for (int t = 0; t < 20; ++t)
     {
-      const LostView view = lookAroundSomewhere(map, index, options, random);
-      const PoseSearchResult found = search.search({&view.place, 1}, how);
+      const SceneScan view = observeSomewhere(map, index, options, random);
+      const PoseSearchResult found = search.search({&view.scan, 1}, how);
       if (found.poses.empty()) continue;
       const bool hit = isTruthsMode(found.poses.front(), view);
       tally.calibration.add(found.poses.front().probability, hit);
@@ -66,7 +66,7 @@ void expectCalibrated(const Tally& tally)
 TEST(PoseProbability, CalibratedForPoints)
 {
   Tally tally;
-  LostSceneOptions options;
+  SearchSceneOptions options;
   options.landmarks = 150;
   options.max_range = options.border = 6;
   options.random_false = true;
@@ -84,7 +84,7 @@ TEST(PoseProbability, CalibratedForPoints)
 TEST(PoseProbability, CalibratedForBearings)
 {
   Tally tally;
-  LostSceneOptions options;
+  SearchSceneOptions options;
   options.max_range = options.border = 6;
   options.random_false = true;
   options.landmarks = 60;
@@ -94,7 +94,7 @@ TEST(PoseProbability, CalibratedForBearings)
   options.landmarks = 100;
   options.detection_probability = 0.4;
   options.std_bearing = degToRad(0.3);
-  options.kinds = 2;
+  options.categories = 2;
   run<BearingSearch>(options, 20, 26, tally);
   expectCalibrated(tally);
 }
@@ -105,9 +105,9 @@ TEST(PoseProbability, EvidenceOfAllPosesIsTheIntegralOfTheLikelihood)
   RandomStream random(23);
   for (const std::optional<double> range : {std::optional<double>(), std::optional<double>(6)})
   {
-    LostSceneOptions options;
+    SearchSceneOptions options;
     options.landmarks = 150;
-    const LostMap map = strewLandmarks(options, random);
+    const SceneMap map = strewLandmarks(options, random);
     const LandmarkIndex index = map.index();
     Scan place;
     place.model.max_range = range;

@@ -13,7 +13,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kNothing = -std::numeric_limits<double>::infinity();
+constexpr double kLogZero = -std::numeric_limits<double>::infinity();
 
 /// Twelve landmarks, and a sensor that sees those within 8 m.
 class PoseJudge : public testing::Test
@@ -163,7 +163,7 @@ TEST(RankPoses, NormalisesJoinsAndCuts)
 {
   PoseSearchResult search;
   search.poses = {poseAt(1, -20), poseAt(5, -10), poseAt(5.001, -10.5), poseAt(9, -10)};
-  rankPoses(search, {.keep_log_units = 8}, kNothing);
+  rankPoses(search, {.keep_log_units = 8}, kLogZero);
   EXPECT_EQ(search.status, SolveStatus::ok);
   ASSERT_EQ(search.poses.size(), 2u);
   EXPECT_NEAR(search.poses[0].probability, 0.5, 1e-12);
@@ -184,17 +184,17 @@ TEST(RankPoses, UniqueOnlyWhenChanceHardlyMakesSuchPoses)
   PoseSearchResult search;
   search.poses = {poseAt(1, -3)};
   search.expected_false = 0.01;
-  rankPoses(search, {}, kNothing);
+  rankPoses(search, {}, kLogZero);
   EXPECT_TRUE(search.unique);
   search.expected_false = 0.1;
-  rankPoses(search, {}, kNothing);
+  rankPoses(search, {}, kLogZero);
   EXPECT_FALSE(search.unique);
 }
 
 TEST(RankPoses, NothingFound)
 {
   PoseSearchResult search;
-  rankPoses(search, {}, kNothing);
+  rankPoses(search, {}, kLogZero);
   EXPECT_EQ(search.status, SolveStatus::none);
   EXPECT_EQ(search.probability_elsewhere, 1);
 }

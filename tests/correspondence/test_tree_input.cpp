@@ -13,12 +13,12 @@ const LandmarkTable kTable({{.id = 1, .position = {0, 0, 0}, .category = "post"}
                             {.id = 3, .position = {4, 3, 0}, .category = "post"}});
 const LandmarkIndex kMap(kTable);
 
-AnonymousDetection bearingOf(double bearing, int kind = kAnyCategory, double std = 0.01)
+AnonymousDetection bearingOf(double bearing, int category = kAnyCategory, double std = 0.01)
 {
   AnonymousDetection d;
   d.bearing = bearing;
   d.std_bearing = std;
-  d.kind = kind;
+  d.category = category;
   return d;
 }
 }  // namespace
@@ -28,17 +28,17 @@ TEST(TreeInput, AsksThePlaceWithMostBearingsThatMayShowALandmark)
   AnonymousDetection range;
   range.range = 2;
   std::vector<Scan> places(3);
-  places[0].detections = {bearingOf(0.1), bearingOf(0.2, kMap.kindOf("post"), 0.03)};
+  places[0].detections = {bearingOf(0.1), bearingOf(0.2, kMap.categoryOf("post"), 0.03)};
   places[1].detections = {bearingOf(1), bearingOf(2)};
   places[2].detections = {bearingOf(3), bearingOf(4, kUnknownCategory), range};
   const TreeInput newest = scanWithMostBearings(kMap, places);
-  EXPECT_EQ(newest.place, &places[1]) << "of several the last";
+  EXPECT_EQ(newest.scan, &places[1]) << "of several the last";
   const TreeInput first = scanWithMostBearings(kMap, std::span(places).first(1));
   ASSERT_EQ(first.bearings.size(), 2u);
   EXPECT_TRUE(first.bearings[0].candidates.empty()) << "any landmark";
   EXPECT_EQ(first.bearings[1].candidates, (std::vector<int>{0, 2}));
   EXPECT_EQ(first.std_bearing, 0.03);
-  EXPECT_EQ(scanWithMostBearings(kMap, {}).place, nullptr);
+  EXPECT_EQ(scanWithMostBearings(kMap, {}).scan, nullptr);
 }
 
 TEST(TreeInput, TheSensorMayBeAsFarOutsideAsItSitsFromTheMiddleOfTheRobot)

@@ -49,7 +49,7 @@ TEST(JoinedPlaces, TheWayIsKeptApartFromTheSensor)
   for (std::size_t k = 0; k < places.size(); ++k)
   {
     EXPECT_EQ(places[k].odometry_covariance, readings[k].odometry_covariance);
-    EXPECT_NEAR(places[k].place.detections[0].std_bearing, kNameless.std_bearing, 1e-9);
+    EXPECT_NEAR(places[k].scan.detections[0].std_bearing, kNameless.std_bearing, 1e-9);
   }
 }
 }  // namespace mrpt_ext

@@ -12,7 +12,7 @@ namespace mrpt_ext::papers
 namespace
 {
 /// The first `observations` bearings of a scene.
-UnidentifiedScene firstOf(UnidentifiedScene scene, int observations)
+AnonymousScene firstOf(AnonymousScene scene, int observations)
 {
   scene.bearings.resize(static_cast<std::size_t>(observations));
   scene.truth.resize(static_cast<std::size_t>(observations));
@@ -27,7 +27,7 @@ void add(TreeRuleCounts& counts, const TreeCounts& tree, const std::vector<int>&
 }
 
 /// Pose errors with the names given; left out where robot and landmarks are so near one circle that no pose exists.
-void addErrors(TreeResult& result, const UnidentifiedScene& s, double std_bearing, RandomStream& random)
+void addErrors(TreeResult& result, const AnonymousScene& s, double std_bearing, RandomStream& random)
 {
   std::vector<KnownBearing> known;
   std::vector<PoseMeasurement> measurements;
@@ -79,10 +79,10 @@ TreeExperiment runTreeExperiment(const Settings& settings)
   RandomStream random(seedOf(settings)), bound_random(seedOf(settings), 1);
   for (int trial = 0; trial < trials; ++trial)
   {
-    const UnidentifiedScene all = lookWithoutNames(random, landmarks, landmarks, 0, std_bearing);
+    const AnonymousScene all = observeAnonymously(random, landmarks, landmarks, 0, std_bearing);
     for (TreeResult& result : experiment.results)
     {
-      const UnidentifiedScene s = firstOf(all, result.observations);
+      const AnonymousScene s = firstOf(all, result.observations);
       add(result.paper, countTree(s, InterpretationRule::paper, gate), s.truth, trials);
       add(result.ours, countTree(s, InterpretationRule::complete, gate), s.truth, trials);
       addErrors(result, s, std_bearing, bound_random);

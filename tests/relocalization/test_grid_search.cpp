@@ -91,7 +91,7 @@ TEST(PoseGrid, ABearingShowsLandmarksOfItsKindOnly)
   const Pose2 robot{2, 3, 0};
   std::vector<WindowBearing> seen;
   for (const Pose2& place : {Pose2{0, 0, 0}, Pose2{0, -1, 0}, Pose2{0, 1, 0}})
-    seen.push_back({place, predictBearing(robot, {4, 3}, place), kStd, index.kindOf("post")});
+    seen.push_back({place, predictBearing(robot, {4, 3}, place), kStd, index.categoryOf("post")});
   const auto cells = gridMaxima(seen, index, kRoom);
   ASSERT_FALSE(cells.empty());
   for (std::size_t k = 0; k < std::min<std::size_t>(5, cells.size()); ++k)  // two metres from the post, facing it

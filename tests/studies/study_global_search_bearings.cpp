@@ -20,10 +20,10 @@ struct Outcome
 /// Milliseconds of processor time: other programs may run meanwhile.
 double processorTime() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-Outcome searchOnce(const BearingSearch& search, const LostView& view, const PoseSearchOptions& how)
+Outcome searchOnce(const BearingSearch& search, const SceneScan& view, const PoseSearchOptions& how)
 {
   const double start = processorTime();
-  const PoseSearchResult result = search.search({&view.place, 1}, how);
+  const PoseSearchResult result = search.search({&view.scan, 1}, how);
   Outcome o;
   o.milliseconds = processorTime() - start;
   o.found = std::any_of(result.poses.begin(), result.poses.end(),
@@ -37,19 +37,19 @@ Outcome searchOnce(const BearingSearch& search, const LostView& view, const Pose
 }
 
 /// A new map for every hundred trials.
-std::vector<Outcome> searchMany(const LostSceneOptions& options, int trials, std::uint64_t seed)
+std::vector<Outcome> searchMany(const SearchSceneOptions& options, int trials, std::uint64_t seed)
 {
   std::vector<Outcome> outcomes;
   for (std::uint64_t m = 0; static_cast<int>(outcomes.size()) < trials; ++m)
   {
     RandomStream random(seed, m);
-    const LostMap map = strewLandmarks(options, random);
+    const SceneMap map = strewLandmarks(options, random);
     const LandmarkIndex index = map.index();
     const BearingSearch search(index);
     PoseSearchOptions how;
     if (!options.max_range) how.area = Box2{Vector2d::Zero(), Vector2d::Constant(map.side)};
     for (int t = 0; t < 100 && static_cast<int>(outcomes.size()) < trials; ++t)
-      outcomes.push_back(searchOnce(search, lookAroundSomewhere(map, index, options, random), how));
+      outcomes.push_back(searchOnce(search, observeSomewhere(map, index, options, random), how));
   }
   return outcomes;
 }
@@ -59,7 +59,7 @@ void tabulateRecall(std::ostream& out)
   struct Row
   {
     std::string name;
-    LostSceneOptions options;
+    SearchSceneOptions options;
     int trials;
   };
   std::vector<Row> rows;
@@ -68,25 +68,25 @@ void tabulateRecall(std::ostream& out)
     rows.push_back({std::move(name), {}, trials});
     change(rows.back().options);
   };
-  add("1 000 landmarks, 0.1 deg", 1000, [](LostSceneOptions&) {});
-  add("10 000 landmarks, 0.1 deg", 100, [](LostSceneOptions& o) { o.landmarks = 10000; });
+  add("1 000 landmarks, 0.1 deg", 1000, [](SearchSceneOptions&) {});
+  add("10 000 landmarks, 0.1 deg", 100, [](SearchSceneOptions& o) { o.landmarks = 10000; });
   add("1 000, three false of about 16", 200,
-      [](LostSceneOptions& o)
+      [](SearchSceneOptions& o)
       {
         o.false_readings = 3;
         o.seen = 13;
       });
-  add("1 000, four kinds", 1000, [](LostSceneOptions& o) { o.kinds = 4; });
+  add("1 000, four kinds", 1000, [](SearchSceneOptions& o) { o.categories = 4; });
   add("200, no range limit, 20 seen, 0.03 deg", 100,
-      [](LostSceneOptions& o)
+      [](SearchSceneOptions& o)
       {
         o.landmarks = 200;
         o.max_range.reset();
         o.seen = 20;
         o.std_bearing = degToRad(0.03);
       });
-  add("1 000, 0.3 deg", 300, [](LostSceneOptions& o) { o.std_bearing = degToRad(0.3); });
-  add("100 000 landmarks, 0.1 deg", 20, [](LostSceneOptions& o) { o.landmarks = 100000; });
+  add("1 000, 0.3 deg", 300, [](SearchSceneOptions& o) { o.std_bearing = degToRad(0.3); });
+  add("100 000 landmarks, 0.1 deg", 20, [](SearchSceneOptions& o) { o.landmarks = 100000; });
   out << "One landmark per 10 m2, seen within 8 m with probability 0.7, one false detection; right: within 0.1 m and 1 "
          "deg; times of the processor.\n\n"
          "| scene | trials | true pose returned | first | said unique | wrong among these | poses | ms median | ms 90 "

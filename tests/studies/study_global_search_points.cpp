@@ -15,12 +15,12 @@ double processorTime() { return static_cast<double>(std::clock()) / CLOCKS_PER_S
 
 void tabulate(std::ostream& out, int landmarks, double std_bearing_deg, int trials)
 {
-  LostSceneOptions options;
+  SearchSceneOptions options;
   options.landmarks = landmarks;
   options.with_range = true;
   options.std_bearing = degToRad(std_bearing_deg);
   RandomStream random(11, static_cast<std::uint64_t>(landmarks));
-  const LostMap map = strewLandmarks(options, random);
+  const SceneMap map = strewLandmarks(options, random);
   const LandmarkIndex index = map.index();
   const double before = processorTime();
   const PointSearch search(index);
@@ -30,9 +30,9 @@ void tabulate(std::ostream& out, int landmarks, double std_bearing_deg, int tria
   std::vector<double> ms;
   for (int t = 0; t < trials; ++t)
   {
-    const LostView view = lookAroundSomewhere(map, index, options, random);
+    const SceneScan view = observeSomewhere(map, index, options, random);
     const double start = processorTime();
-    const PoseSearchResult result = search.search({&view.place, 1});
+    const PoseSearchResult result = search.search({&view.scan, 1});
     ms.push_back(1000 * (processorTime() - start));
     const auto right = [&](const ConsistentPose& p) { return isAtTruth(p.pose.mean, view.robot); };
     const bool best = !result.poses.empty() && right(result.poses.front());

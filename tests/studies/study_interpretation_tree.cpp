@@ -32,7 +32,7 @@ void equality(std::ostream& out)
     std::size_t solutions = 0;
     while (compared < wanted)
     {
-      const UnidentifiedScene s = lookWithoutNames(random, 8, seen, 0, sigma);
+      const AnonymousScene s = observeAnonymously(random, 8, seen, 0, sigma);
       const InterpretationOptions options = optionsFor(sigma);
       const InterpretationEnumeration all(s, options, 3);
       if (all.doubtful)
@@ -59,7 +59,7 @@ struct Trials
     RandomStream random(3000);
     for (int trial = 0; trial < count; ++trial)
     {
-      const UnidentifiedScene s = lookWithoutNames(random, landmarks, seen, false_count, sigma);
+      const AnonymousScene s = observeAnonymously(random, landmarks, seen, false_count, sigma);
       InterpretationOptions options = optionsFor(sigma, false_count, 1);
       options.gate = gate;
       const std::clock_t begin = std::clock();

@@ -43,12 +43,12 @@ Found searchPairs(const LocalLandmarkMap& joined, const LandmarkIndex& index, co
 {
   struct Pair
   {
-    const ConstellationPoint *a, *b;
+    const LocalLandmark *a, *b;
     double distance, std;
   };
   std::vector<Pair> pairs;
-  for (const ConstellationPoint& a : joined.points)
-    for (const ConstellationPoint& b : joined.points)
+  for (const LocalLandmark& a : joined.points)
+    for (const LocalLandmark& b : joined.points)
     {
       const Vector2d apart = b.in_robot.mean - a.in_robot.mean;
       const Matrix2d C = a.in_robot.covariance + b.in_robot.covariance;
@@ -91,22 +91,22 @@ struct Row
   double joined_first = 0, joined_poses = 0, single_first = 0, single_poses = 0;
 };
 
-Row measure(const JoinedSceneOptions& options)
+Row measure(const WindowSceneOptions& options)
 {
   RandomStream random(7);
-  const LostMap map = strewLandmarks(options.scene, random);
+  const SceneMap map = strewLandmarks(options.scene, random);
   const LandmarkIndex index = map.index();
   const BearingSearch bearings(index);
   Row row;
   int settled = 0;
   for (int trial = 0; trial < kTrials; ++trial)
   {
-    const JoinedView view = driveSomewhere(map, index, options, random);
+    const WindowScene view = driveSomewhere(map, index, options, random);
     const auto begin = std::chrono::steady_clock::now();
-    const LocalLandmarkMap joined = buildLocalMap(view.places);
+    const LocalLandmarkMap joined = buildLocalMap(view.scans);
     row.milliseconds +=
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count() / kTrials;
-    for (const ConstellationPoint& point : joined.points)
+    for (const LocalLandmark& point : joined.points)
     {
       const PointTruth truth = truthOf(point, view, index);
       row.points += 1.0 / kTrials;
@@ -119,7 +119,7 @@ Row measure(const JoinedSceneOptions& options)
     const Found constellation = searchPairs(joined, index, view.robot);
     row.joined_first += 100.0 * constellation.truth_first / kTrials;
     row.joined_poses += static_cast<double>(constellation.poses) / kTrials;
-    const Found single = tally(bearings.search({&view.places.back().place, 1}).poses, view.robot);
+    const Found single = tally(bearings.search({&view.scans.back().scan, 1}).poses, view.robot);
     row.single_first += 100.0 * single.truth_first / kTrials;
     row.single_poses += static_cast<double>(single.poses) / kTrials;
   }
@@ -148,7 +148,7 @@ void run(std::ostream& out)
   for (const auto& [range, sigma] : {Case{4, 0.1}, Case{4, 0.3}, Case{8, 0.1}})
     for (const double length : {1.0, 2.0, 3.0})
     {
-      JoinedSceneOptions options;
+      WindowSceneOptions options;
       options.scene.landmarks = 300;
       options.scene.max_range = range;
       options.scene.std_bearing = degToRad(sigma);

@@ -45,7 +45,7 @@ void printTable(std::ostream& out, double noise)
     Row paper, in_order, ours;
     for (int scene = 0; scene < kScenes; ++scene)
     {
-      UnidentifiedScene s = lookWithoutNames(random, 12, 12, 0, noise);
+      AnonymousScene s = observeAnonymously(random, 12, 12, 0, noise);
       s.bearings.resize(static_cast<std::size_t>(seen));
       s.truth.resize(static_cast<std::size_t>(seen));
       paper.add(countTree(s, InterpretationRule::paper), s.truth);

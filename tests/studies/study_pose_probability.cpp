@@ -17,20 +17,20 @@ struct Tally
 
 /// A new map for every fifty trials.
 template <typename Search>
-void run(const LostSceneOptions& options, int trials, std::uint64_t seed, Tally& tally)
+void run(const SearchSceneOptions& options, int trials, std::uint64_t seed, Tally& tally)
 {
   for (std::uint64_t m = 0; trials > 0; ++m)
   {
     RandomStream random(seed, m);
-    const LostMap map = strewLandmarks(options, random);
+    const SceneMap map = strewLandmarks(options, random);
     const LandmarkIndex index = map.index();
     const Search search(index);
     PoseSearchOptions how;
     how.area = Box2{Vector2d::Constant(options.border), Vector2d::Constant(map.side - options.border)};
     for (int t = 0; t < 50 && trials > 0; ++t, --trials)
     {
-      const LostView view = lookAroundSomewhere(map, index, options, random);
-      const PoseSearchResult found = search.search({&view.place, 1}, how);
+      const SceneScan view = observeSomewhere(map, index, options, random);
+      const PoseSearchResult found = search.search({&view.scan, 1}, how);
       ++tally.trials;
       tally.unanswered += found.poses.empty();
       if (found.poses.empty()) continue;
@@ -69,15 +69,15 @@ void tabulate(std::ostream& out, const char* name, const Tally& tally)
   }
 }
 
-LostSceneOptions scene(int landmarks, double detection, double std_bearing_deg, int kinds = 1)
+SearchSceneOptions scene(int landmarks, double detection, double std_bearing_deg, int kinds = 1)
 {
-  LostSceneOptions options;
+  SearchSceneOptions options;
   options.landmarks = landmarks;
   options.max_range = options.border = 6;
   options.random_false = true;
   options.detection_probability = detection;
   options.std_bearing = degToRad(std_bearing_deg);
-  options.kinds = kinds;
+  options.categories = kinds;
   return options;
 }
 
@@ -100,7 +100,7 @@ void runPoints(std::ostream& out)
     for (const double detection : {0.2, 0.3})
       for (const int kinds : {1, 3})
       {
-        LostSceneOptions options = scene(300, detection, std_bearing_deg, kinds);
+        SearchSceneOptions options = scene(300, detection, std_bearing_deg, kinds);
         options.with_range = true;
         run<PointSearch>(options, 500, seed++, tally);
       }

@@ -12,7 +12,7 @@ namespace mrpt_ext
 /// True when `pose` is the mode of the truth: within 0.1 m and 1 deg, or its error lies within what its covariance says
 /// (three degrees of freedom, 99.99 %), or it matches every detection as the truth does. A right pose from few or
 /// coarse readings may be known to worse than 0.1 m.
-inline bool isTruthsMode(const ConsistentPose& pose, const LostView& view)
+inline bool isTruthsMode(const ConsistentPose& pose, const SceneScan& view)
 {
   constexpr double kQuantile = 21.1;  // chi-square, 3 degrees of freedom
   const Pose2& p = pose.pose.mean;

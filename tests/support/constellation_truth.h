@@ -17,15 +17,15 @@ struct PointTruth
   double squared_error = 0;  ///< over its covariance: 2 on average
 };
 
-inline PointTruth truthOf(const ConstellationPoint& point, const JoinedView& view, const LandmarkIndex& index)
+inline PointTruth truthOf(const LocalLandmark& point, const WindowScene& view, const LandmarkIndex& index)
 {
   PointTruth truth;
   int most = 0;
   for (const auto& m : point.members)
   {
-    const int landmark = view.truth[m.place][m.detection];
+    const int landmark = view.truth[m.scan][m.detection];
     int same = 0;
-    for (const auto& other : point.members) same += view.truth[other.place][other.detection] == landmark ? 1 : 0;
+    for (const auto& other : point.members) same += view.truth[other.scan][other.detection] == landmark ? 1 : 0;
     if (same > most) truth.landmark = landmark;
     most = std::max(most, same);
   }

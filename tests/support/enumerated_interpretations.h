@@ -12,7 +12,7 @@
 namespace mrpt_ext
 {
 /// Unidentified bearings of a random scene.
-struct UnidentifiedScene
+struct AnonymousScene
 {
   Scene scene;
   std::vector<AnonymousBearing> bearings;
@@ -20,10 +20,10 @@ struct UnidentifiedScene
 };
 
 /// `seen` of the landmarks in random order, with Gaussian noise [rad], then false bearings at random places.
-inline UnidentifiedScene lookWithoutNames(RandomStream& random, int landmark_count, int seen, int false_count,
-                                          double noise)
+inline AnonymousScene observeAnonymously(RandomStream& random, int landmark_count, int seen, int false_count,
+                                         double noise)
 {
-  UnidentifiedScene s;
+  AnonymousScene s;
   s.scene = randomScene(random, landmark_count);
   std::vector<int> rest;
   for (int i = 0; i < landmark_count; ++i) rest.push_back(i);
@@ -68,7 +68,7 @@ inline std::set<std::vector<int>> assignmentsOf(const Interpretations& result)
 class InterpretationEnumeration
 {
  public:
-  InterpretationEnumeration(const UnidentifiedScene& scene, const InterpretationOptions& options, int starts_per_side)
+  InterpretationEnumeration(const AnonymousScene& scene, const InterpretationOptions& options, int starts_per_side)
       : scene_(scene), options_(options), starts_per_side_(starts_per_side)
   {
     extend();
@@ -128,7 +128,7 @@ class InterpretationEnumeration
     return best;
   }
 
-  const UnidentifiedScene& scene_;
+  const AnonymousScene& scene_;
   const InterpretationOptions& options_;
   int starts_per_side_;
   std::vector<int> assignment_;

@@ -12,11 +12,11 @@
 namespace mrpt_ext
 {
 /// A lost robot in a square map of uniformly strewn landmarks, seeing some of those around it.
-struct LostSceneOptions
+struct SearchSceneOptions
 {
   int landmarks = 1000;
   double area_per_landmark = 10;        ///< [m^2]
-  int kinds = 1;                        ///< the landmarks fall evenly into kinds, and a detection tells its kind
+  int categories = 1;                   ///< the landmarks fall evenly into categories, which detections report
   std::optional<double> max_range = 8;  ///< [m]; absent: every landmark is in view
   double border = 8;                    ///< the robot stays this far from the border of the map [m]
   double detection_probability = 0.7;
@@ -29,7 +29,7 @@ struct LostSceneOptions
   double std_range = 0.03;             ///< [m]
 };
 
-struct LostMap
+struct SceneMap
 {
   double side = 0;  ///< [m]; the map spans [0, side]^2
   LandmarkTable landmarks;
@@ -37,9 +37,9 @@ struct LostMap
   [[nodiscard]] LandmarkIndex index() const { return LandmarkIndex(landmarks); }
 };
 
-inline LostMap strewLandmarks(const LostSceneOptions& options, RandomStream& random)
+inline SceneMap strewLandmarks(const SearchSceneOptions& options, RandomStream& random)
 {
-  LostMap map;
+  SceneMap map;
   map.side = std::sqrt(options.area_per_landmark * options.landmarks);
   std::vector<Landmark> landmarks(static_cast<std::size_t>(options.landmarks));
   for (int i = 0; i < options.landmarks; ++i)
@@ -47,22 +47,22 @@ inline LostMap strewLandmarks(const LostSceneOptions& options, RandomStream& ran
     Landmark& landmark = landmarks[static_cast<std::size_t>(i)];
     landmark.id = i;
     landmark.position = {random.uniform(0, map.side), random.uniform(0, map.side), 0};
-    if (options.kinds > 1) landmark.category = "kind" + std::to_string(i % options.kinds);
+    if (options.categories > 1) landmark.category = "category" + std::to_string(i % options.categories);
   }
   map.landmarks = LandmarkTable(std::move(landmarks));
   return map;
 }
 
 /// What a lost robot is given, and what it is not: its pose and the landmark behind each detection.
-struct LostView
+struct SceneScan
 {
-  Scan place;
+  Scan scan;
   Pose2 robot;             ///< truth
   std::vector<int> truth;  ///< landmark of each detection; -1: false
 };
 
 /// Measures a point `offset` away from the sensor (sensor axes), with noise.
-inline AnonymousDetection measurePoint(const Vector2d& offset, const LostSceneOptions& options, RandomStream& random)
+inline AnonymousDetection measurePoint(const Vector2d& offset, const SearchSceneOptions& options, RandomStream& random)
 {
   AnonymousDetection d;
   d.std_bearing = options.std_bearing;
@@ -74,7 +74,7 @@ inline AnonymousDetection measurePoint(const Vector2d& offset, const LostSceneOp
 }
 
 /// The sensor as its owner would declare it, from the options alone.
-inline SensorModel declaredModel(const LostSceneOptions& options)
+inline SensorModel declaredModel(const SearchSceneOptions& options)
 {
   SensorModel model;
   model.max_range = options.max_range;
@@ -87,12 +87,12 @@ inline SensorModel declaredModel(const LostSceneOptions& options)
 }
 
 /// What is seen at `robot` by a sensor at `T_robot_sensor`; the detections come in random order.
-inline LostView landmarkGates(const LostMap& map, const LandmarkIndex& index, const LostSceneOptions& options,
-                              const Pose2& robot, RandomStream& random, const Pose2& T_robot_sensor = {})
+inline SceneScan observe(const SceneMap& map, const LandmarkIndex& index, const SearchSceneOptions& options,
+                         const Pose2& robot, RandomStream& random, const Pose2& T_robot_sensor = {})
 {
-  LostView view;
+  SceneScan view;
   view.robot = robot;
-  view.place.T_robot_sensor = T_robot_sensor;
+  view.scan.T_robot_sensor = T_robot_sensor;
   const Pose2 world_in_sensor = inverse(compose(robot, T_robot_sensor));
   const double radius = options.max_range.value_or(2 * map.side);
 
@@ -119,8 +119,8 @@ inline LostView landmarkGates(const LostMap& map, const LandmarkIndex& index, co
     {
       const auto landmark = static_cast<std::size_t>(l);
       AnonymousDetection d = measurePoint(transform(world_in_sensor, index.position(landmark)), options, random);
-      if (options.kinds > 1) d.kind = index.kind(landmark);
-      view.place.detections.push_back(d);
+      if (options.categories > 1) d.category = index.category(landmark);
+      view.scan.detections.push_back(d);
     }
     else
     {
@@ -128,22 +128,22 @@ inline LostView landmarkGates(const LostMap& map, const LandmarkIndex& index, co
       const double direction = random.uniform(-kPi, kPi);
       const Vector2d offset(distance * std::cos(direction), distance * std::sin(direction));
       AnonymousDetection d = measurePoint(offset, options, random);
-      if (options.kinds > 1) d.kind = index.kind(random.below(index.size()));
-      view.place.detections.push_back(d);
+      if (options.categories > 1) d.category = index.category(random.below(index.size()));
+      view.scan.detections.push_back(d);
     }
     view.truth.push_back(l);
   }
-  view.place.model = declaredModel(options);
+  view.scan.model = declaredModel(options);
   return view;
 }
 
 /// The same at a random pose, away from the border.
-inline LostView lookAroundSomewhere(const LostMap& map, const LandmarkIndex& index, const LostSceneOptions& options,
-                                    RandomStream& random)
+inline SceneScan observeSomewhere(const SceneMap& map, const LandmarkIndex& index, const SearchSceneOptions& options,
+                                  RandomStream& random)
 {
   const double border = std::min(options.border, 0.45 * map.side);
   const double x = random.uniform(border, map.side - border), y = random.uniform(border, map.side - border);
-  return landmarkGates(map, index, options, {x, y, random.uniform(-kPi, kPi)}, random);
+  return observe(map, index, options, {x, y, random.uniform(-kPi, kPi)}, random);
 }
 
 /// Within 0.1 m and 1 deg of the truth.

@@ -26,7 +26,7 @@ struct TreeCounts
 inline constexpr double kTreeGate = degToRad(0.5);
 
 /// Counts for exact or noisy bearings at this gate [rad]; our rule may also use that the robot is in the square.
-inline TreeCounts countTree(const UnidentifiedScene& s, InterpretationRule rule, double gate = kTreeGate)
+inline TreeCounts countTree(const AnonymousScene& s, InterpretationRule rule, double gate = kTreeGate)
 {
   InterpretationOptions options;
   options.rule = rule;

@@ -9,9 +9,9 @@
 namespace mrpt_ext
 {
 /// A lost robot that drives a short way and looks around at every step.
-struct JoinedSceneOptions
+struct WindowSceneOptions
 {
-  LostSceneOptions scene;
+  SearchSceneOptions scene;
   double length = 2;                     ///< of the way [m]
   double step = 0.25;                    ///< [m] between two looks
   double turn = degToRad(10);            ///< [rad] per metre of way
@@ -19,35 +19,35 @@ struct JoinedSceneOptions
   double std_phi_per_m = degToRad(1.0);  ///< likewise [rad]
 };
 
-struct JoinedView
+struct WindowScene
 {
-  std::vector<PastScan> places;         ///< oldest first
-  std::vector<std::vector<int>> truth;  ///< landmark of each detection of each place; -1: false
+  std::vector<PastScan> scans;          ///< oldest first
+  std::vector<std::vector<int>> truth;  ///< landmark of each detection of each scan; -1: false
   Pose2 robot;                          ///< at the end
 };
 
 /// The way ends at `end`.
-inline JoinedView driveTo(const LostMap& map, const LandmarkIndex& index, const JoinedSceneOptions& options,
-                          const Pose2& end, RandomStream& random)
+inline WindowScene driveTo(const SceneMap& map, const LandmarkIndex& index, const WindowSceneOptions& options,
+                           const Pose2& end, RandomStream& random)
 {
   const int steps = static_cast<int>(std::lround(options.length / options.step));
   const double grown = std::sqrt(options.step);
   const Vector3d std(options.std_xy_per_m * grown, options.std_xy_per_m * grown, options.std_phi_per_m * grown);
   const Way way = makeWay(end, {options.step, 0, options.turn * options.step}, steps, std, random);
-  JoinedView view;
+  WindowScene view;
   view.robot = end;
   for (std::size_t k = 0; k < way.places.size(); ++k)
   {
-    LostView look = landmarkGates(map, index, options.scene, way.true_places[k], random);
-    look.place.T_robot_sensor = way.places[k];
-    view.places.push_back({std::move(look.place), way.covariances[k]});
+    SceneScan look = observe(map, index, options.scene, way.true_places[k], random);
+    look.scan.T_robot_sensor = way.places[k];
+    view.scans.push_back({std::move(look.scan), way.covariances[k]});
     view.truth.push_back(std::move(look.truth));
   }
   return view;
 }
 
-inline JoinedView driveSomewhere(const LostMap& map, const LandmarkIndex& index, const JoinedSceneOptions& options,
-                                 RandomStream& random)
+inline WindowScene driveSomewhere(const SceneMap& map, const LandmarkIndex& index, const WindowSceneOptions& options,
+                                  RandomStream& random)
 {
   const double border = std::min(options.scene.border, 0.45 * map.side);
   const double x = random.uniform(border, map.side - border), y = random.uniform(border, map.side - border);

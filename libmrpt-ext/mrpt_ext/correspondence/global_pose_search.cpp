@@ -9,42 +9,42 @@ namespace mrpt_ext
 {
 namespace
 {
-std::size_t countPoints(std::span<const Scan> places)
+std::size_t countPoints(std::span<const Scan> scans)
 {
   std::size_t points = 0;
-  for (const Scan& place : places)
-    points += static_cast<std::size_t>(std::count_if(place.detections.begin(), place.detections.end(),
+  for (const Scan& scan : scans)
+    points += static_cast<std::size_t>(std::count_if(scan.detections.begin(), scan.detections.end(),
                                                      [](const auto& d) { return d.bearing && d.range; }));
   return points;
 }
 
-/// Bearings of the place that has most.
-int mostBearings(std::span<const Scan> places)
+/// Bearings of the scan that has most.
+int mostBearings(std::span<const Scan> scans)
 {
   std::ptrdiff_t most = 0;
-  for (const Scan& place : places)
-    most = std::max(most, std::count_if(place.detections.begin(), place.detections.end(),
+  for (const Scan& scan : scans)
+    most = std::max(most, std::count_if(scan.detections.begin(), scan.detections.end(),
                                         [](const AnonymousDetection& d) { return d.bearing.has_value(); }));
   return static_cast<int>(most);
 }
 }  // namespace
 
-PoseSearchResult GlobalPoseSearch::search(std::span<const Scan> places, const PoseSearchOptions& options) const
+PoseSearchResult GlobalPoseSearch::search(std::span<const Scan> scans, const PoseSearchOptions& options) const
 {
-  if (!areUsable(places))
+  if (!areUsable(scans))
   {
     PoseSearchResult nothing;
     nothing.status = SolveStatus::bad_input;
     return nothing;
   }
-  if (countPoints(places) >= 2)
+  if (countPoints(scans) >= 2)
   {
-    PoseSearchResult found = points().search(places, options);
+    PoseSearchResult found = points().search(scans, options);
     if (found.status == SolveStatus::ok) return found;
   }
-  if (index_.size() <= kLargestTreeMap && mostBearings(places) <= kMostTreeBearings)
-    return searchByTree(index_, places, options);
-  return bearings().search(places, options);
+  if (index_.size() <= kLargestTreeMap && mostBearings(scans) <= kMostTreeBearings)
+    return searchByTree(index_, scans, options);
+  return bearings().search(scans, options);
 }
 
 const PointSearch& GlobalPoseSearch::points() const

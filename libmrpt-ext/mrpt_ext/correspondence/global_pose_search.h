@@ -19,7 +19,7 @@ class GlobalPoseSearch
   explicit GlobalPoseSearch(const LandmarkTable& map) : index_(map) {}
 
   [[nodiscard]] const LandmarkIndex& index() const { return index_; }
-  [[nodiscard]] PoseSearchResult search(std::span<const Scan> places, const PoseSearchOptions& options) const;
+  [[nodiscard]] PoseSearchResult search(std::span<const Scan> scans, const PoseSearchOptions& options) const;
 
  private:
   [[nodiscard]] const PointSearch& points() const;

@@ -28,7 +28,7 @@ LandmarkIndex::LandmarkIndex(std::vector<Vector2d> landmarks, double bucket)
   build(bucket);
 }
 
-int LandmarkIndex::kindOf(const std::string& category) const
+int LandmarkIndex::categoryOf(const std::string& category) const
 {
   if (category.empty()) return kAnyCategory;
   const auto known = std::find(categories_.begin(), categories_.end(), category);
@@ -37,7 +37,7 @@ int LandmarkIndex::kindOf(const std::string& category) const
 
 void LandmarkIndex::build(double bucket)
 {
-  has_nameless_ = std::find(kinds_.begin(), kinds_.end(), 0) != kinds_.end();
+  has_uncategorized_ = std::find(kinds_.begin(), kinds_.end(), 0) != kinds_.end();
   if (!positions_.empty()) low_ = high_ = positions_.front();
   for (const Vector2d& p : positions_)
   {

@@ -15,24 +15,24 @@ class LandmarkIndex
  public:
   /// `bucket` [m]: side of a bucket, about the radius that is asked for; 0 chooses two landmarks per bucket.
   explicit LandmarkIndex(const LandmarkTable& map, double bucket = 0);
-  /// Landmarks without kind.
+  /// Landmarks without category.
   explicit LandmarkIndex(std::vector<Vector2d> landmarks, double bucket = 0);
 
   [[nodiscard]] std::size_t size() const { return positions_.size(); }
   [[nodiscard]] bool empty() const { return positions_.empty(); }
   [[nodiscard]] const Vector2d& position(std::size_t landmark) const { return positions_[landmark]; }
   [[nodiscard]] const std::vector<Vector2d>& positions() const { return positions_; }
-  /// Kind of a landmark (0 for no category).
-  [[nodiscard]] int kind(std::size_t landmark) const { return kinds_[landmark]; }
+  /// Category of a landmark (0 for no category).
+  [[nodiscard]] int category(std::size_t landmark) const { return kinds_[landmark]; }
   [[nodiscard]] int categoryCount() const { return static_cast<int>(categories_.size()); }
-  /// Kinds that some landmark is of (the anonymous kind is counted by categoryCount in any case).
-  [[nodiscard]] int categoriesPresent() const { return categoryCount() - (has_nameless_ ? 0 : 1); }
-  /// Kind that a detection of this category has: kAnyCategory for an empty one, kUnknownCategory for one the map has
-  /// not got.
-  [[nodiscard]] int kindOf(const std::string& category) const;
-  [[nodiscard]] bool mayShow(int detection_kind, std::size_t landmark) const
+  /// Categories that some landmark is of (the anonymous category is counted by categoryCount in any case).
+  [[nodiscard]] int categoriesPresent() const { return categoryCount() - (has_uncategorized_ ? 0 : 1); }
+  /// Category that a detection of this category has: kAnyCategory for an empty one, kUnknownCategory for one the map
+  /// has not got.
+  [[nodiscard]] int categoryOf(const std::string& category) const;
+  [[nodiscard]] bool mayShow(int detection_category, std::size_t landmark) const
   {
-    return detection_kind == kAnyCategory || detection_kind == kinds_[landmark];
+    return detection_category == kAnyCategory || detection_category == kinds_[landmark];
   }
   [[nodiscard]] const Vector2d& low() const { return low_; }    ///< corner of the bounding box [m]
   [[nodiscard]] const Vector2d& high() const { return high_; }  ///< opposite corner [m]
@@ -65,7 +65,7 @@ class LandmarkIndex
 
   std::vector<Vector2d> positions_;
   std::vector<int> kinds_;
-  bool has_nameless_ = false;
+  bool has_uncategorized_ = false;
   std::vector<std::string> categories_;
   Vector2d low_{0, 0}, high_{0, 0};
   double bucket_ = 1;

@@ -7,19 +7,19 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kSamePlace = 4;  // standard deviations below which two poses are one
+constexpr double kSamePose = 4;  // standard deviations below which two poses are one
 constexpr double kStandsOut = 0.95;
 constexpr double kMaxExpectedFalse = 0.05;
 
 /// True when `b` lies within the uncertainty of `a`.
-bool samePlace(const ConsistentPose& a, const ConsistentPose& b)
+bool isSamePose(const ConsistentPose& a, const ConsistentPose& b)
 {
   const Vector3d e(b.pose.mean.x - a.pose.mean.x, b.pose.mean.y - a.pose.mean.y,
                    wrap(b.pose.mean.phi - a.pose.mean.phi));
   // Cheap first: most poses are far apart.
-  if (square(e.x()) > square(kSamePlace) * a.pose.covariance(0, 0)) return false;
-  if (square(e.y()) > square(kSamePlace) * a.pose.covariance(1, 1)) return false;
-  return e.dot(a.pose.covariance.ldlt().solve(e)) < square(kSamePlace);
+  if (square(e.x()) > square(kSamePose) * a.pose.covariance(0, 0)) return false;
+  if (square(e.y()) > square(kSamePose) * a.pose.covariance(1, 1)) return false;
+  return e.dot(a.pose.covariance.ldlt().solve(e)) < square(kSamePose);
 }
 
 std::vector<ConsistentPose> withoutRepeats(std::vector<ConsistentPose> sorted)
@@ -27,7 +27,7 @@ std::vector<ConsistentPose> withoutRepeats(std::vector<ConsistentPose> sorted)
   std::vector<ConsistentPose> kept;
   for (ConsistentPose& pose : sorted)
     if (std::none_of(kept.begin(), kept.end(),
-                     [&](const ConsistentPose& k) { return k.assignment == pose.assignment || samePlace(k, pose); }))
+                     [&](const ConsistentPose& k) { return k.assignment == pose.assignment || isSamePose(k, pose); }))
       kept.push_back(std::move(pose));
   return kept;
 }

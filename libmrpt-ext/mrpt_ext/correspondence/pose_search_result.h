@@ -18,15 +18,15 @@ struct PoseSearchOptions
   std::optional<Box2> area;                   ///< where the robot can be; absent: anywhere
   std::uint64_t max_tested = 50'000'000'000;  ///< constellations after which the search gives up (see `finished`)
   /// Nodes after which an interpretation tree is given up, for each number of false readings (see `finished`): few
-  /// bearings in a narrow view fit thousands of poses.
+  /// bearings in a narrow scan fit thousands of poses.
   std::uint64_t max_tree_nodes = 200'000;
 };
 
-/// A place where the robot may be: its pose explains the detections that `assignment` matches.
+/// A scan where the robot may be: its pose explains the detections that `assignment` matches.
 struct ConsistentPose
 {
   GaussianPose pose;            ///< of the robot: maximum likelihood over the matches
-  std::vector<int> assignment;  ///< landmark per detection, all places in order; -1: explained as false
+  std::vector<int> assignment;  ///< landmark per detection, all scans in order; -1: explained as false
   int matched = 0;
   double log_likelihood = 0;  ///< of all detections at the pose; see pose_verification.h
   double log_evidence = 0;    ///< the same integrated over the pose's uncertainty: what poses are ranked by
@@ -45,9 +45,9 @@ struct PoseSearchResult
 
   struct Work
   {
-    std::uint64_t tested = 0;  ///< constellations of landmarks compared with constellations of detections
-    std::uint64_t judged = 0;  ///< poses that came through to be judged
-    int rounds = 0;            ///< constellations of detections tried
+    std::uint64_t tested = 0;    ///< constellations of landmarks compared with constellations of detections
+    std::uint64_t verified = 0;  ///< candidate poses handed to verifyPose()
+    int rounds = 0;              ///< constellations of detections tried
   } work;
 };
 }  // namespace mrpt_ext

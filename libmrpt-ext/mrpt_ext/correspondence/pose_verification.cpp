@@ -15,17 +15,17 @@ constexpr int kMaxRounds = 6;  // of matching and refining; most poses settle in
 /// What matches a pose.
 struct Matching
 {
-  std::vector<int> assignment;  // landmark per detection, all places in order
+  std::vector<int> assignment;  // landmark per detection, all scans in order
   int matched = 0;
 };
 
-Matching match(const LandmarkIndex& map, std::span<const Scan> places, const GaussianPose& pose, double gate)
+Matching match(const LandmarkIndex& map, std::span<const Scan> scans, const GaussianPose& pose, double gate)
 {
   Matching result;
-  for (const Scan& place : places)
+  for (const Scan& scan : scans)
   {
-    const std::vector<ExpectedLandmark> expected = expectedLandmarks(map, place, pose);
-    for (const int h : associate(map, place, expected, gate))
+    const std::vector<ExpectedLandmark> expected = expectedLandmarks(map, scan, pose);
+    for (const int h : associate(map, scan, expected, gate))
     {
       result.assignment.push_back(h < 0 ? -1 : static_cast<int>(expected[static_cast<std::size_t>(h)].landmark));
       result.matched += h >= 0;
@@ -37,22 +37,22 @@ Matching match(const LandmarkIndex& map, std::span<const Scan> places, const Gau
 struct MatchedRows
 {
   std::vector<PoseMeasurement> rows;
-  std::vector<std::size_t> detection;  // of each row, counted over all places
+  std::vector<std::size_t> detection;  // of each row, counted over all scans
 };
 
-MatchedRows measurementsOf(const LandmarkIndex& map, std::span<const Scan> places, const std::vector<int>& assignment)
+MatchedRows measurementsOf(const LandmarkIndex& map, std::span<const Scan> scans, const std::vector<int>& assignment)
 {
   MatchedRows result;
   std::size_t d = 0;
-  for (const Scan& place : places)
-    for (const AnonymousDetection& z : place.detections)
+  for (const Scan& scan : scans)
+    for (const AnonymousDetection& z : scan.detections)
     {
       const std::size_t detection = d++;
       if (assignment[detection] < 0) continue;
       const Vector2d& position = map.position(static_cast<std::size_t>(assignment[detection]));
       const auto add = [&](PoseMeasurement::Kind kind, double value, double std)
       {
-        result.rows.push_back({kind, position, value, std, place.T_robot_sensor});
+        result.rows.push_back({kind, position, value, std, scan.T_robot_sensor});
         result.detection.push_back(detection);
       };
       if (z.bearing) add(PoseMeasurement::Kind::bearing, *z.bearing, z.std_bearing);
@@ -63,17 +63,17 @@ MatchedRows measurementsOf(const LandmarkIndex& map, std::span<const Scan> place
 
 /// Matches and refines in turn until the matches stay. A match counts when it is within the gate of what the pose with
 /// its uncertainty predicts. False when fewer than `least` detections match or the pose is degenerate.
-bool settle(const LandmarkIndex& map, std::span<const Scan> places, double gate, int least, GaussianPose& pose,
+bool settle(const LandmarkIndex& map, std::span<const Scan> scans, double gate, int least, GaussianPose& pose,
             Matching& matching)
 {
-  matching = match(map, places, pose, gate);
+  matching = match(map, scans, pose, gate);
   for (int round = 0; round < kMaxRounds; ++round)
   {
     if (matching.matched < least) return false;
-    const PoseMl fit = refinePose(measurementsOf(map, places, matching.assignment).rows, pose.mean);
+    const PoseMl fit = refinePose(measurementsOf(map, scans, matching.assignment).rows, pose.mean);
     if (fit.status != SolveStatus::ok) return false;
     pose = fit.pose;
-    Matching next = match(map, places, pose, gate);
+    Matching next = match(map, scans, pose, gate);
     const bool settled = next.assignment == matching.assignment;
     matching = std::move(next);
     if (settled) break;
@@ -83,13 +83,13 @@ bool settle(const LandmarkIndex& map, std::span<const Scan> places, double gate,
 
 /// Gives up the worst match as long as it misses by more than the gate allows a single reading. While the pose was
 /// uncertain a wrong landmark could pass; the readings that it has bent the pose away from can then return.
-bool dropMisfits(const LandmarkIndex& map, std::span<const Scan> places, double gate, int least, GaussianPose& pose,
+bool dropMisfits(const LandmarkIndex& map, std::span<const Scan> scans, double gate, int least, GaussianPose& pose,
                  std::vector<int>& assignment)
 {
   for (auto matched = std::count_if(assignment.begin(), assignment.end(), [](int l) { return l >= 0; });
        matched >= least; --matched)
   {
-    const MatchedRows matches = measurementsOf(map, places, assignment);
+    const MatchedRows matches = measurementsOf(map, scans, assignment);
     const PoseMl fit = refinePose(matches.rows, pose.mean);
     if (fit.status != SolveStatus::ok) return false;
     pose = fit.pose;
@@ -104,21 +104,21 @@ bool dropMisfits(const LandmarkIndex& map, std::span<const Scan> places, double 
 }
 
 /// log_likelihood and log_evidence of a pose with its assignment.
-bool score(const LandmarkIndex& map, std::span<const Scan> places, ConsistentPose& pose)
+bool score(const LandmarkIndex& map, std::span<const Scan> scans, ConsistentPose& pose)
 {
   std::size_t d = 0;
-  for (const Scan& place : places)
+  for (const Scan& scan : scans)
   {
-    const std::vector<ExpectedLandmark> expected = expectedLandmarks(map, place, pose.pose);
+    const std::vector<ExpectedLandmark> expected = expectedLandmarks(map, scan, pose.pose);
     std::vector<int> matches;
-    for (std::size_t n = 0; n < place.detections.size(); ++n)
+    for (std::size_t n = 0; n < scan.detections.size(); ++n)
     {
       const int landmark = pose.assignment[d++];
       const auto at = std::find_if(expected.begin(), expected.end(),
                                    [&](const auto& h) { return static_cast<int>(h.landmark) == landmark; });
       matches.push_back(at == expected.end() ? -1 : static_cast<int>(at - expected.begin()));
     }
-    pose.log_likelihood += scanLogLikelihood(map, place, expected, matches);
+    pose.log_likelihood += scanLogLikelihood(map, scan, expected, matches);
   }
   const double determinant = pose.pose.covariance.determinant();
   if (!(determinant > 0)) return false;
@@ -127,21 +127,21 @@ bool score(const LandmarkIndex& map, std::span<const Scan> places, ConsistentPos
 }
 }  // namespace
 
-std::optional<ConsistentPose> verifyPose(const LandmarkIndex& map, std::span<const Scan> places,
+std::optional<ConsistentPose> verifyPose(const LandmarkIndex& map, std::span<const Scan> scans,
                                          const PoseSearchOptions& options, const GaussianPose& candidate, int least)
 {
   ConsistentPose result{.pose = candidate};
   Matching matching;
-  if (!settle(map, places, options.gate, least, result.pose, matching)) return std::nullopt;
+  if (!settle(map, scans, options.gate, least, result.pose, matching)) return std::nullopt;
   // What a dropped misfit had bent away may fit now: settle once more from the better pose.
-  if (!dropMisfits(map, places, options.gate, least, result.pose, matching.assignment)) return std::nullopt;
-  if (!settle(map, places, options.gate, least, result.pose, matching)) return std::nullopt;
-  if (!dropMisfits(map, places, options.gate, least, result.pose, matching.assignment)) return std::nullopt;
+  if (!dropMisfits(map, scans, options.gate, least, result.pose, matching.assignment)) return std::nullopt;
+  if (!settle(map, scans, options.gate, least, result.pose, matching)) return std::nullopt;
+  if (!dropMisfits(map, scans, options.gate, least, result.pose, matching.assignment)) return std::nullopt;
   if (options.area && !options.area->contains(result.pose.mean.position())) return std::nullopt;
   result.assignment = std::move(matching.assignment);
   result.matched = static_cast<int>(
       std::count_if(result.assignment.begin(), result.assignment.end(), [](int landmark) { return landmark >= 0; }));
-  if (!score(map, places, result)) return std::nullopt;
+  if (!score(map, scans, result)) return std::nullopt;
   return result;
 }
 }  // namespace mrpt_ext

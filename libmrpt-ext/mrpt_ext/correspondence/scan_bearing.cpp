@@ -22,29 +22,29 @@ bool isUsable(const SensorModel& model)
 }
 }  // namespace
 
-bool areUsable(std::span<const Scan> places)
+bool areUsable(std::span<const Scan> scans)
 {
-  return std::all_of(places.begin(), places.end(),
-                     [](const Scan& place)
+  return std::all_of(scans.begin(), scans.end(),
+                     [](const Scan& scan)
                      {
-                       return isFinite(place.T_robot_sensor) && isUsable(place.model) &&
-                              std::all_of(place.detections.begin(), place.detections.end(),
+                       return isFinite(scan.T_robot_sensor) && isUsable(scan.model) &&
+                              std::all_of(scan.detections.begin(), scan.detections.end(),
                                           [](const AnonymousDetection& d) { return isUsable(d); });
                      });
 }
 
-std::vector<ScanBearing> gatherBearings(std::span<const Scan> places)
+std::vector<ScanBearing> gatherBearings(std::span<const Scan> scans)
 {
-  std::vector<ScanBearing> readings;
+  std::vector<ScanBearing> bearings;
   int detection = 0;
-  for (std::size_t p = 0; p < places.size(); ++p)
-    for (const AnonymousDetection& d : places[p].detections)
+  for (std::size_t p = 0; p < scans.size(); ++p)
+    for (const AnonymousDetection& d : scans[p].detections)
     {
       const int index = detection++;
-      if (!d.bearing || d.kind == kUnknownCategory) continue;
+      if (!d.bearing || d.category == kUnknownCategory) continue;
       const Vector2d direction(std::cos(*d.bearing), std::sin(*d.bearing));
-      readings.push_back({direction, wrap(*d.bearing), d.std_bearing, d.kind, static_cast<int>(p), index});
+      bearings.push_back({direction, wrap(*d.bearing), d.std_bearing, d.category, static_cast<int>(p), index});
     }
-  return readings;
+  return bearings;
 }
 }  // namespace mrpt_ext

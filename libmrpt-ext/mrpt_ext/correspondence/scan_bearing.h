@@ -14,14 +14,14 @@ struct ScanBearing
   Vector2d direction{1, 0};
   double bearing = 0;  ///< [rad]
   double std = 0;      ///< [rad]
-  int kind = kAnyCategory;
-  int place = 0;      ///< index of its Scan
-  int detection = 0;  ///< index among the detections of all places, in order
+  int category = kAnyCategory;
+  int scan = 0;       ///< index of its Scan
+  int detection = 0;  ///< index among the detections of all scans, in order
 };
 
 /// Finite, with positive standard deviations and usable sensor models.
-[[nodiscard]] bool areUsable(std::span<const Scan> places);
+[[nodiscard]] bool areUsable(std::span<const Scan> scans);
 
-/// The bearings of all places, in order, without those of a kind that the map does not have.
-[[nodiscard]] std::vector<ScanBearing> gatherBearings(std::span<const Scan> places);
+/// The bearings of all scans, in order, without those of a category that the map does not have.
+[[nodiscard]] std::vector<ScanBearing> gatherBearings(std::span<const Scan> scans);
 }  // namespace mrpt_ext

@@ -11,7 +11,7 @@ namespace
 {
 constexpr double kMinClutter = 1e-6;    // a sensor that never errs would make every evidence infinite
 constexpr double kMaxDetection = 0.99;  // nor is any landmark seen for certain
-constexpr double kSlack = 3;            // standard deviations of the pose by which a landmark may be out of view
+constexpr double kSlack = 3;            // standard deviations of the pose by which a landmark may be out of scan
 
 double quadratic(const JacobianRow& J, const Matrix3d& P) { return std::max(0.0, (J * P * J.transpose()).value()); }
 
@@ -61,19 +61,19 @@ double falseDensity(const LandmarkIndex& map, const AnonymousDetection& z, const
   double volume = 1;
   if (z.bearing) volume *= model.has_field_of_view ? model.field_of_view : kTwoPi;
   if (z.range) volume *= model.max_range.value_or(std::max(1.0, 1.5 * (map.high() - map.low()).norm()));
-  if (z.kind != kAnyCategory) volume *= std::max(1, map.categoriesPresent());
+  if (z.category != kAnyCategory) volume *= std::max(1, map.categoriesPresent());
   return 1 / volume;
 }
 }  // namespace
 
-std::vector<ExpectedLandmark> expectedLandmarks(const LandmarkIndex& map, const Scan& place, const GaussianPose& robot)
+std::vector<ExpectedLandmark> expectedLandmarks(const LandmarkIndex& map, const Scan& scan, const GaussianPose& robot)
 {
-  const Pose2 sensor = compose(robot.mean, place.T_robot_sensor);
-  const Vector2d offset = place.T_robot_sensor.position();
+  const Pose2 sensor = compose(robot.mean, scan.T_robot_sensor);
+  const Vector2d offset = scan.T_robot_sensor.position();
   const double position_std = std::sqrt(robot.covariance.topLeftCorner<2, 2>().trace());
-  const double farthest = map.empty()             ? 0
-                          : place.model.max_range ? *place.model.max_range + kSlack * position_std
-                                                  : map.farthestFrom(sensor.position());
+  const double farthest = map.empty()            ? 0
+                          : scan.model.max_range ? *scan.model.max_range + kSlack * position_std
+                                                 : map.farthestFrom(sensor.position());
   std::vector<ExpectedLandmark> expected;
   map.forEachNear(sensor.position(), farthest,
                   [&](std::size_t landmark)
@@ -85,15 +85,15 @@ std::vector<ExpectedLandmark> expectedLandmarks(const LandmarkIndex& map, const 
                     h.bearing = wrap(std::atan2(d.y(), d.x()) - sensor.phi);
                     h.bearing_variance = quadratic(bearingJacobian(robot.mean, position, offset), robot.covariance);
                     h.range_variance = quadratic(rangeJacobian(robot.mean, position, offset), robot.covariance);
-                    const bool near = !place.model.max_range || h.range <= *place.model.max_range;
-                    h.in_view = near && std::abs(h.bearing) <= 0.5 * place.model.field_of_view;
-                    h.in_view_chance = chanceInView(place.model, h);
+                    const bool near = !scan.model.max_range || h.range <= *scan.model.max_range;
+                    h.in_view = near && std::abs(h.bearing) <= 0.5 * scan.model.field_of_view;
+                    h.in_view_chance = chanceInView(scan.model, h);
                     expected.push_back(h);
                   });
   return expected;
 }
 
-std::vector<int> associate(const LandmarkIndex& map, const Scan& place, std::span<const ExpectedLandmark> expected,
+std::vector<int> associate(const LandmarkIndex& map, const Scan& scan, std::span<const ExpectedLandmark> expected,
                            double gate)
 {
   struct Pair
@@ -102,13 +102,13 @@ std::vector<int> associate(const LandmarkIndex& map, const Scan& place, std::spa
     int detection, expected;
   };
   std::vector<Pair> pairs;
-  for (std::size_t d = 0; d < place.detections.size(); ++d)
+  for (std::size_t d = 0; d < scan.detections.size(); ++d)
     for (std::size_t h = 0; h < expected.size(); ++h)
-      if (map.mayShow(place.detections[d].kind, expected[h].landmark))
-        if (const auto e2 = distance2(place.detections[d], expected[h], gate))
+      if (map.mayShow(scan.detections[d].category, expected[h].landmark))
+        if (const auto e2 = distance2(scan.detections[d], expected[h], gate))
           pairs.push_back({*e2, static_cast<int>(d), static_cast<int>(h)});
   std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.distance2 < b.distance2; });
-  std::vector<int> matches(place.detections.size(), -1);
+  std::vector<int> matches(scan.detections.size(), -1);
   std::vector<bool> taken(expected.size(), false);
   for (const Pair& pair : pairs)
   {
@@ -120,18 +120,18 @@ std::vector<int> associate(const LandmarkIndex& map, const Scan& place, std::spa
   return matches;
 }
 
-double scanLogLikelihood(const LandmarkIndex& map, const Scan& place, std::span<const ExpectedLandmark> expected,
+double scanLogLikelihood(const LandmarkIndex& map, const Scan& scan, std::span<const ExpectedLandmark> expected,
                          std::span<const int> matches)
 {
   std::vector<int> claimed_by(expected.size(), -1);
   for (std::size_t d = 0; d < matches.size(); ++d)
     if (matches[d] >= 0) claimed_by[static_cast<std::size_t>(matches[d])] = static_cast<int>(d);
 
-  const SensorModel& model = place.model;
+  const SensorModel& model = scan.model;
   const double clutter = std::clamp(model.clutter_probability, kMinClutter, 1.0);
   const bool counts_gaps = model.detection_probability.has_value();
   const double p = std::clamp(model.detection_probability.value_or(0), 0.0, kMaxDetection);
-  const double false_ones = expectedFalseDetections(map, place);
+  const double false_ones = expectedFalseDetections(map, scan);
   double log_likelihood = 0;
   std::vector<double> weight;  // of a landmark as the source of a detection
   for (const ExpectedLandmark& h : expected)
@@ -139,13 +139,13 @@ double scanLogLikelihood(const LandmarkIndex& map, const Scan& place, std::span<
     weight.push_back(counts_gaps ? p * h.in_view_chance / (1 - p * h.in_view_chance) : h.in_view_chance);
     if (counts_gaps) log_likelihood += std::log1p(-p * h.in_view_chance);
   }
-  for (std::size_t d = 0; d < place.detections.size(); ++d)
+  for (std::size_t d = 0; d < scan.detections.size(); ++d)
   {
-    const AnonymousDetection& z = place.detections[d];
+    const AnonymousDetection& z = scan.detections[d];
     double sum = 0, visible = 0;
     for (std::size_t h = 0; h < expected.size(); ++h)
     {
-      if (!map.mayShow(z.kind, expected[h].landmark)) continue;
+      if (!map.mayShow(z.category, expected[h].landmark)) continue;
       visible += expected[h].in_view_chance;
       if (weight[h] > 0 && (claimed_by[h] < 0 || claimed_by[h] == static_cast<int>(d)))
         sum += weight[h] * density(z, expected[h]);

@@ -8,36 +8,36 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kLeastSine = 0.12;       // of a gap: the cotangent stays small
-constexpr std::size_t kMaxReadings = 36;  // of which triples are formed
+constexpr std::size_t kMaxBearings = 36;  // of which triples are formed
 constexpr double kOverlapCost = 1.5;      // per shared reading
 
-bool contains(const ReadingTriple& triple, int reading)
+bool contains(const DetectionTriple& triple, int reading)
 {
   return std::find(triple.reading.begin(), triple.reading.end(), reading) != triple.reading.end();
 }
 
-bool isHit(const ReadingTriple& triple, const std::vector<int>& hit)
+bool isHit(const DetectionTriple& triple, const std::vector<int>& hit)
 {
   return std::any_of(hit.begin(), hit.end(), [&](int reading) { return contains(triple, reading); });
 }
 
-bool disjoint(const ReadingTriple& a, const ReadingTriple& b)
+bool disjoint(const DetectionTriple& a, const DetectionTriple& b)
 {
   return std::none_of(a.reading.begin(), a.reading.end(), [&](int reading) { return contains(b, reading); });
 }
 
 /// Triples that `hit` misses and that are mutually disjoint: each needs a further reading.
-std::size_t readingsNeeded(const std::vector<ReadingTriple>& triples, const std::vector<int>& hit)
+std::size_t readingsNeeded(const std::vector<DetectionTriple>& triples, const std::vector<int>& hit)
 {
-  std::vector<const ReadingTriple*> packed;
-  for (const ReadingTriple& t : triples)
+  std::vector<const DetectionTriple*> packed;
+  for (const DetectionTriple& t : triples)
     if (!isHit(t, hit) && std::all_of(packed.begin(), packed.end(), [&](const auto* p) { return disjoint(*p, t); }))
       packed.push_back(&t);
   return packed.size();
 }
 
-/// Extends `hit` to at most `size` readings that meet all triples.
-bool extendToHittingSet(const std::vector<ReadingTriple>& triples, std::vector<int>& hit, std::size_t size)
+/// Extends `hit` to at most `size` bearings that meet all triples.
+bool extendToHittingSet(const std::vector<DetectionTriple>& triples, std::vector<int>& hit, std::size_t size)
 {
   const auto open = std::find_if(triples.begin(), triples.end(), [&](const auto& t) { return !isHit(t, hit); });
   if (open == triples.end()) return true;
@@ -60,15 +60,15 @@ void TripleSchedule::updateSmallestHit()
   smallest_hit_ = std::move(hit);
 }
 
-std::optional<ReadingTriple> TripleSchedule::next()
+std::optional<DetectionTriple> TripleSchedule::next()
 {
-  const ReadingTriple* best = nullptr;
+  const DetectionTriple* best = nullptr;
   double least = std::numeric_limits<double>::infinity();
-  for (const ReadingTriple& t : candidates_)
+  for (const DetectionTriple& t : candidates_)
   {
     if (isHit(t, smallest_hit_)) continue;
     double cost = t.cost;
-    for (const ReadingTriple& c : chosen_)
+    for (const DetectionTriple& c : chosen_)
       for (const int reading : t.reading)
         if (contains(c, reading)) cost *= kOverlapCost;
     if (cost < least)
@@ -98,24 +98,24 @@ constexpr double kCostOfPose = 20, kCostOfSurvivor = 700;
 class TripleCost
 {
  public:
-  TripleCost(std::span<const ScanBearing> readings, const SearchDensity& density)
-      : readings_(readings), density_(density), pairs_(readings.size() * readings.size())
+  TripleCost(std::span<const ScanBearing> bearings, const SearchDensity& density)
+      : bearings_(bearings), density_(density), pairs_(bearings.size() * bearings.size())
   {
-    const int count = static_cast<int>(readings.size());
+    const int count = static_cast<int>(bearings.size());
     for (int i = 0; i < count; ++i)
       for (int j = 0; j < count; ++j)
       {
         const double gap = std::abs(wrap(at(i).bearing - at(j).bearing));
-        pairs_[place(i, j)] = {gap, landmarksAround(j, gap)};
+        pairs_[pairIndex(i, j)] = {gap, landmarksAround(j, gap)};
       }
     for (int i = 0; i < count; ++i) in_range_.push_back(landmarksAround(i, 0));
   }
 
   /// The best choice of the middle one.
-  [[nodiscard]] ReadingTriple operator()(int i, int j, int k) const
+  [[nodiscard]] DetectionTriple operator()(int i, int j, int k) const
   {
     const double gap_ij = gap(i, j), gap_jk = gap(j, k), gap_ki = gap(k, i);
-    ReadingTriple best{{i, j, k}, std::numeric_limits<double>::infinity()};
+    DetectionTriple best{{i, j, k}, std::numeric_limits<double>::infinity()};
     const auto consider = [&](int middle, int first, int second)
     {
       const double tried = allowed(middle) * around(middle, first) * around(middle, second);
@@ -132,21 +132,21 @@ class TripleCost
   }
 
  private:
-  /// Two readings: the angle between them, and the landmarks that the other one may show around that of the one.
+  /// Two bearings: the angle between them, and the landmarks that the other one may show around that of the one.
   struct Pair
   {
     double gap, around;
   };
 
-  [[nodiscard]] std::size_t place(int i, int j) const
+  [[nodiscard]] std::size_t pairIndex(int i, int j) const
   {
-    return static_cast<std::size_t>(i) * readings_.size() + static_cast<std::size_t>(j);
+    return static_cast<std::size_t>(i) * bearings_.size() + static_cast<std::size_t>(j);
   }
-  [[nodiscard]] double gap(int i, int j) const { return pairs_[place(i, j)].gap; }
-  [[nodiscard]] double around(int i, int j) const { return pairs_[place(i, j)].around; }
-  [[nodiscard]] const ScanBearing& at(int i) const { return readings_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] double gap(int i, int j) const { return pairs_[pairIndex(i, j)].gap; }
+  [[nodiscard]] double around(int i, int j) const { return pairs_[pairIndex(i, j)].around; }
+  [[nodiscard]] const ScanBearing& at(int i) const { return bearings_[static_cast<std::size_t>(i)]; }
   [[nodiscard]] double allowed(int i) const { return density_.landmarks_allowed[static_cast<std::size_t>(i)]; }
-  [[nodiscard]] double range(int i) const { return density_.max_range[static_cast<std::size_t>(at(i).place)]; }
+  [[nodiscard]] double range(int i) const { return density_.max_range[static_cast<std::size_t>(at(i).scan)]; }
 
   [[nodiscard]] double landmarksAround(int i, double gap) const
   {
@@ -161,32 +161,32 @@ class TripleCost
     return allowed(i) * inRange(j) * inRange(k) * (0.03 + 0.13 * span);
   }
 
-  /// Share of the poses that two of the other readings do not contradict. A narrow triple leaves wide gates.
+  /// Share of the poses that two of the other bearings do not contradict. A narrow triple leaves wide gates.
   [[nodiscard]] double survival(double span) const
   {
-    const double others = static_cast<double>(readings_.size()) - 3;
+    const double others = static_cast<double>(bearings_.size()) - 3;
     const double chance = std::min(1.0, density_.chance * (2 + 1.2 / span));
     return std::min(1.0, 0.5 * others * (others - 1) * std::pow(chance, std::max(0.0, others - 2)));
   }
 
-  std::span<const ScanBearing> readings_;
+  std::span<const ScanBearing> bearings_;
   const SearchDensity& density_;
   std::vector<Pair> pairs_;
   std::vector<double> in_range_;  // landmarks that a reading may show
 };
 }  // namespace
 
-std::vector<ReadingTriple> tripleCandidates(std::span<const ScanBearing> readings, const SearchDensity& density)
+std::vector<DetectionTriple> tripleCandidates(std::span<const ScanBearing> bearings, const SearchDensity& density)
 {
-  const TripleCost cost(readings, density);
-  const int count = static_cast<int>(std::min(readings.size(), kMaxReadings));
+  const TripleCost cost(bearings, density);
+  const int count = static_cast<int>(std::min(bearings.size(), kMaxBearings));
   const auto usable = [&](int i, int j)
   {
-    const ScanBearing &a = readings[static_cast<std::size_t>(i)], &b = readings[static_cast<std::size_t>(j)];
-    return a.place == b.place &&
+    const ScanBearing &a = bearings[static_cast<std::size_t>(i)], &b = bearings[static_cast<std::size_t>(j)];
+    return a.scan == b.scan &&
            std::abs(a.direction.x() * b.direction.y() - a.direction.y() * b.direction.x()) > kLeastSine;
   };
-  std::vector<ReadingTriple> triples;
+  std::vector<DetectionTriple> triples;
   for (int i = 0; i < count; ++i)
     for (int j = i + 1; j < count; ++j)
     {

@@ -11,14 +11,14 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kNothing = -std::numeric_limits<double>::infinity();
+constexpr double kLogZero = -std::numeric_limits<double>::infinity();
 constexpr double kMinClutter = 1e-6, kMaxClutter = 0.999, kMinDetection = 1e-9;
 constexpr double kMaxDetection = 0.99;  // as in scan_matching.cpp
 
 /// Product of two polynomials given by the logarithms of their coefficients.
 std::vector<double> product(const std::vector<double>& a, const std::vector<double>& b)
 {
-  std::vector<double> result(a.size() + b.size() - 1, kNothing);
+  std::vector<double> result(a.size() + b.size() - 1, kLogZero);
   for (std::size_t i = 0; i < a.size(); ++i)
     for (std::size_t j = 0; j < b.size(); ++j) result[i + j] = logSum(result[i + j], a[i] + b[j]);
   return result;
@@ -26,7 +26,7 @@ std::vector<double> product(const std::vector<double>& a, const std::vector<doub
 
 double areaOf(const Box2& area) { return (area.max - area.min).cwiseMax(0.01).prod(); }
 
-/// A landmark in view gives a detection like this one with `of_landmark`, clutter gives it with `of_clutter`.
+/// A landmark in scan gives a detection like this one with `of_landmark`, clutter gives it with `of_clutter`.
 struct Densities
 {
   double of_landmark, of_clutter;
@@ -42,22 +42,22 @@ Densities densities(const LandmarkIndex& map, const SensorModel& model, const An
     result.of_landmark *= 2 * std::max(*z.range, z.std_range) / square(radius);
     result.of_clutter /= model.max_range.value_or(std::max(1.0, 1.5 * (map.high() - map.low()).norm()));
   }
-  const double kinds = std::max(1, map.categoriesPresent());
-  if (z.kind != kAnyCategory) result.of_clutter /= kinds;
-  if (z.kind != kAnyCategory) result.of_landmark *= z.kind == kUnknownCategory ? 0 : 1 / kinds;
+  const double categories = std::max(1, map.categoriesPresent());
+  if (z.category != kAnyCategory) result.of_clutter /= categories;
+  if (z.category != kAnyCategory) result.of_landmark *= z.category == kUnknownCategory ? 0 : 1 / categories;
   return result;
 }
 
-/// Log of the expected likelihood of a place's detections by the number that is matched, at a wrong pose.
-std::vector<double> logLikelihoodByMatches(const LandmarkIndex& map, const Scan& place)
+/// Log of the expected likelihood of a scan's detections by the number that is matched, at a wrong pose.
+std::vector<double> logLikelihoodByMatches(const LandmarkIndex& map, const Scan& scan)
 {
-  const SensorModel& model = place.model;
+  const SensorModel& model = scan.model;
   const double extent = areaOf({map.low(), map.high()});
   const double radius = model.max_range.value_or(std::sqrt(extent / kPi));
   const double clutter = std::clamp(model.clutter_probability, kMinClutter, 1.0);
-  const double false_ones = expectedFalseDetections(map, place);
+  const double false_ones = expectedFalseDetections(map, scan);
   std::vector<double> by_matches{0};
-  for (const AnonymousDetection& z : place.detections)
+  for (const AnonymousDetection& z : scan.detections)
   {
     const Densities d = densities(map, model, z, radius);
     const double right = model.detection_probability ? 1 : 1 - std::min(clutter, 0.999);
@@ -72,7 +72,7 @@ std::vector<double> logLikelihoodByMatches(const LandmarkIndex& map, const Scan&
   for (std::size_t m = 0; m < by_matches.size(); ++m)
   {
     const auto matched = static_cast<double>(m);
-    by_matches[m] += matched > n ? kNothing
+    by_matches[m] += matched > n ? kLogZero
                                  : std::lgamma(n + 1) - std::lgamma(n - matched + 1) + matched * std::log(p * in_view) +
                                        (n - matched) * std::log1p(-p * in_view);
   }
@@ -87,11 +87,11 @@ double shareInView(const LandmarkIndex& map, const SensorModel& model)
   return model.has_field_of_view ? share * std::min(1.0, model.field_of_view / kTwoPi) : share;
 }
 
-double expectedFalseDetections(const LandmarkIndex& map, const Scan& place)
+double expectedFalseDetections(const LandmarkIndex& map, const Scan& scan)
 {
-  const SensorModel& model = place.model;
+  const SensorModel& model = scan.model;
   const double clutter = std::clamp(model.clutter_probability, kMinClutter, kMaxClutter);
-  if (!model.detection_probability) return clutter * static_cast<double>(place.detections.size());
+  if (!model.detection_probability) return clutter * static_cast<double>(scan.detections.size());
   const double p = std::clamp(*model.detection_probability, kMinDetection, kMaxDetection);
   return clutter / (1 - clutter) * p * shareInView(map, model) * static_cast<double>(map.size());
 }
@@ -101,20 +101,20 @@ Box2 areaOrMap(const LandmarkIndex& map, const std::optional<Box2>& area)
   return area ? *area : Box2{map.low(), map.high()};
 }
 
-std::vector<double> logEvidenceOfUnsearched(const LandmarkIndex& map, std::span<const Scan> places, const Box2& area)
+std::vector<double> logEvidenceOfUnsearched(const LandmarkIndex& map, std::span<const Scan> scans, const Box2& area)
 {
   std::vector<double> by_matches{0};
-  for (const Scan& place : places) by_matches = product(by_matches, logLikelihoodByMatches(map, place));
+  for (const Scan& scan : scans) by_matches = product(by_matches, logLikelihoodByMatches(map, scan));
   const double log_volume = std::log(kTwoPi * areaOf(area));
-  std::vector<double> below{kNothing};
+  std::vector<double> below{kLogZero};
   for (const double log_likelihood : by_matches) below.push_back(logSum(below.back(), log_likelihood + log_volume));
-  if (map.empty()) std::fill(below.begin(), below.end(), kNothing);
+  if (map.empty()) std::fill(below.begin(), below.end(), kLogZero);
   return below;
 }
 
-double logEvidenceOfUnsearched(const LandmarkIndex& map, std::span<const Scan> places, const Box2& area, int least)
+double logEvidenceOfUnsearched(const LandmarkIndex& map, std::span<const Scan> scans, const Box2& area, int least)
 {
-  const std::vector<double> below = logEvidenceOfUnsearched(map, places, area);
+  const std::vector<double> below = logEvidenceOfUnsearched(map, scans, area);
   return below[std::min(static_cast<std::size_t>(std::max(least, 0)), below.size() - 1)];
 }
 }  // namespace mrpt_ext

@@ -61,7 +61,7 @@ HypothesisSet interpretThreeBearings(std::span<const Reading> readings, const La
   for (const Interpretation& interpretation :
        interpretBearings(index.positions(), question.bearings, options).solutions)
   {
-    PoseHypothesis h{.pose = robotPose(interpretation.pose, question.place->T_robot_sensor),
+    PoseHypothesis h{.pose = robotPose(interpretation.pose, question.scan->T_robot_sensor),
                      .log_score = interpretation.log_likelihood,
                      .source = kSource};
     if (region.contains(h.pose.mean)) hypotheses.push_back(std::move(h));

@@ -13,7 +13,7 @@ std::vector<Scan> scansOf(std::span<const Reading> readings, const LandmarkTable
     Scan place{reading.T_robot_sensor, reading.model, {}};
     if (!scoresMissedDetections(reading)) place.model.detection_probability.reset();
     for (const LandmarkMeasurement& s : unidentifiedSightings({&reading, 1}, map))
-      place.detections.push_back({s.bearing, s.range, s.std_bearing, s.std_range, index.kindOf(s.category)});
+      place.detections.push_back({s.bearing, s.range, s.std_bearing, s.std_range, index.categoryOf(s.category)});
     if (!place.detections.empty()) places.push_back(std::move(place));
   }
   return places;

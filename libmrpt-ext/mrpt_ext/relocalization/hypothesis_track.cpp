@@ -21,7 +21,7 @@ double logFalse(const LandmarkIndex& map, const AnonymousDetection& z, const Sen
   double volume = 1;
   if (z.bearing) volume *= model.has_field_of_view ? model.field_of_view : kTwoPi;
   if (z.range) volume *= model.max_range.value_or(std::max(1.0, 1.5 * (map.high() - map.low()).norm()));
-  if (z.kind != kAnyCategory) volume *= std::max(1, map.categoryCount());
+  if (z.category != kAnyCategory) volume *= std::max(1, map.categoryCount());
   return std::log(clutterOf(model) / volume);
 }
 

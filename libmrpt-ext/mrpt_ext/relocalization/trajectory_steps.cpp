@@ -18,7 +18,7 @@ double worldAngle(const Scan& place, const AnonymousDetection& d) { return *d.be
 /// True when both may show one landmark.
 bool isRepeated(const Scan& at_a, const AnonymousDetection& a, const Scan& at_b, const AnonymousDetection& b)
 {
-  if (a.kind != b.kind || a.bearing.has_value() != b.bearing.has_value()) return false;
+  if (a.category != b.category || a.bearing.has_value() != b.bearing.has_value()) return false;
   const double std = std::hypot(a.std_bearing, b.std_bearing);
   if (a.bearing && std::abs(wrap(worldAngle(at_a, a) - worldAngle(at_b, b))) > kGate * std + kParallax) return false;
   return !(a.range && b.range) || std::abs(*a.range - *b.range) <= kGate * std::hypot(a.std_range, b.std_range);

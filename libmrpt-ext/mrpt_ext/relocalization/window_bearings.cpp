@@ -53,9 +53,9 @@ class Joiner
         there.covariance(2, 2) + there.covariance.topLeftCorner<2, 2>().trace() / square(kTypicalRange);
     for (const Scan& place : step.seen)
       for (const AnonymousDetection& d : place.detections)
-        if (d.bearing && d.kind != kUnknownCategory)
+        if (d.bearing && d.category != kUnknownCategory)
           joined_.push_back({compose(there.mean, place.T_robot_sensor), *d.bearing,
-                             std::sqrt(square(d.std_bearing) + square(kStdParallax) + of_way), d.kind});
+                             std::sqrt(square(d.std_bearing) + square(kStdParallax) + of_way), d.category});
   }
 
   std::span<const TrajectoryStep> way_;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "mrpt_ext/correspondence/bearings/bearing_search_tables.h"
 #include "mrpt_ext/correspondence/bearings/inlier_refinement.h"
 #include "mrpt_ext/correspondence/bearings/search_strategy.h"
 #include "mrpt_ext/correspondence/bearings/triple_hypotheses.h"
@@ -14,59 +15,57 @@
 
 namespace mrpt_ext
 {
-class BearingSearch;
-
-/// Range limit of a place's sensor [m]; infinity: none.
-[[nodiscard]] inline double rangeLimit(const Scan& place)
+/// Range limit of a scan's sensor [m]; infinity: none.
+[[nodiscard]] inline double rangeLimit(const Scan& scan)
 {
-  return place.model.max_range.value_or(std::numeric_limits<double>::infinity());
+  return scan.model.max_range.value_or(std::numeric_limits<double>::infinity());
 }
 
-/// Finds robot poses that are worth judging, from triples of readings or from panoramas, and refines them on all that
+/// Finds robot poses that are worth judging, from triples of bearings or from grid, and refines them on all that
 /// they explain. What it is given must outlive it.
 class BearingCandidates
 {
  public:
-  BearingCandidates(const LandmarkIndex& map, std::span<const Scan> places, const PoseSearchOptions& options,
-                    std::span<const ScanBearing> readings, const BearingSearch& owner);
+  BearingCandidates(const LandmarkIndex& map, std::span<const Scan> scans, const PoseSearchOptions& options,
+                    std::span<const ScanBearing> bearings, const BearingSearchTables& tables);
 
-  /// Proposes from all landmark triples that explain one triple of readings: poses that may explain at least `floor`
-  /// readings and, refined, explain at least `least`. Returns the floor that was kept: higher than asked for when there
+  /// Proposes from all landmark triples that explain one triple of bearings: poses that may explain at least `floor`
+  /// bearings and, refined, explain at least `least`. Returns the floor that was kept: higher than asked for when there
   /// were too many.
-  int proposeFrom(const ReadingTriple& triple, int floor, int least);
+  int proposeFrom(const DetectionTriple& triple, int floor, int least);
 
-  /// Refines the boxes of a scan of `place` and proposes those that explain at least `least` readings.
-  void proposeFrom(std::span<const PanoramaHit> boxes, const PanoramaIndex& index, int place, int least);
+  /// Refines the boxes of a scan of `scan` and proposes those that explain at least `least` bearings.
+  void proposeFrom(std::span<const PoseBox> boxes, const VisibilityGrid& index, int scan, int least);
 
-  /// Estimates what a round with this triple of readings amounts to, from some landmarks.
-  TripleEffort sampleEffort(const ReadingTriple& triple);
+  /// Estimates what a round with this triple of bearings amounts to, from some landmarks.
+  TripleEffort sampleEffort(const DetectionTriple& triple);
 
-  /// Waiting to be judged, by the number of readings explained.
-  [[nodiscard]] std::vector<std::vector<GaussianPose>>& waiting() { return waiting_; }
-  /// Mean number of landmark triples that explain a triple of readings.
+  /// Waiting to be verified, by the number of bearings inliers.
+  [[nodiscard]] std::vector<std::vector<GaussianPose>>& pending() { return pending_; }
+  /// Mean number of landmark triples that explain a triple of bearings.
   [[nodiscard]] double meanPossible() const { return possible_ / std::max(1, rounds_); }
   [[nodiscard]] const PoseSearchResult::Work& work() const { return work_; }
   [[nodiscard]] bool finished() const { return finished_; }  ///< false: `max_tested` stopped a round
-  /// Where the sensor of a place can be.
-  [[nodiscard]] std::optional<Box2> areaOfSensor(int place) const;
+  /// Where the sensor of a scan can be.
+  [[nodiscard]] std::optional<Box2> areaOfSensor(int scan) const;
 
  private:
-  [[nodiscard]] TripleRound roundOf(const ReadingTriple& triple) const;
-  [[nodiscard]] std::vector<BoundingScan> viewsFrom(int place, std::uint32_t used) const;
-  [[nodiscard]] std::uint32_t bitsOf(int place, const ReadingTriple& triple) const;
-  [[nodiscard]] bool isFixed(const GaussianPose& sensor, int place) const;
-  void refine(const GaussianPose& sensor, int place, std::span<const BoundingScan> views, int least);
-  void refineBox(const GaussianPose& sensor, int place, std::span<const BoundingScan> views, int least, int splits);
-  void wait(const RefinedPose& tight, int place);
+  [[nodiscard]] TripleHypotheses hypothesesOf(const DetectionTriple& triple) const;
+  [[nodiscard]] std::vector<BoundingScan> scansFrom(int scan, std::uint32_t used) const;
+  [[nodiscard]] std::uint32_t bitsOf(int scan, const DetectionTriple& triple) const;
+  [[nodiscard]] bool isFixed(const GaussianPose& sensor, int scan) const;
+  void refine(const GaussianPose& sensor, int scan, std::span<const BoundingScan> scans, int least);
+  void refineBox(const GaussianPose& sensor, int scan, std::span<const BoundingScan> scans, int least, int splits);
+  void addPending(const RefinedPose& tight, int scan);
 
   const LandmarkIndex& map_;
-  std::span<const Scan> places_;
+  std::span<const Scan> scans_;
   const PoseSearchOptions& options_;
-  std::span<const ScanBearing> readings_;
-  std::vector<ReadingTable> tables_;
-  std::vector<std::shared_ptr<const PotentiallyVisibleSets>> lists_;  // none for a place without bearings
-  std::vector<std::shared_ptr<const NeighbourGrid>> neighbours_;      // that a reading may show
-  std::vector<std::vector<GaussianPose>> waiting_;
+  std::span<const ScanBearing> bearings_;
+  std::vector<DirectionTable> tables_;
+  std::vector<std::shared_ptr<const PotentiallyVisibleSets>> visible_sets_;  // none for a scan without bearings
+  std::vector<std::shared_ptr<const NeighbourGrid>> neighbours_;             // that a reading may show
+  std::vector<std::vector<GaussianPose>> pending_;
   GatedLandmarks scratch_;
   PoseSearchResult::Work work_;
   double possible_ = 0;

@@ -19,26 +19,25 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
-constexpr double kListMargin = 0.02;  // of the range limit
-constexpr int kLeastMatches = 4;      // three bearings are explained by every constellation
-constexpr std::size_t kJudgedAtOnce = 64;
+constexpr int kLeastMatches = 4;  // three bearings are inliers by every constellation
+constexpr std::size_t kVerifiedAtOnce = 64;
 constexpr std::size_t kBoxes = 4'000'000;  // of a scan that are kept
-constexpr std::size_t kMaxJudged = 5000;
+constexpr std::size_t kMaxVerified = 5000;
 constexpr double kChanceCompetes = 3e-3;  // expected false poses as good as the best
 constexpr double kNegligible = 1e-3;      // evidence relative to the best pose's
 
 class SearchRun
 {
  public:
-  SearchRun(const LandmarkIndex& map, std::span<const Scan> places, const PoseSearchOptions& options,
-            std::vector<ScanBearing> readings, const BearingSearch& owner)
+  SearchRun(const LandmarkIndex& map, std::span<const Scan> scans, const PoseSearchOptions& options,
+            std::vector<ScanBearing> bearings, const BearingSearchTables& tables)
       : map_(map),
-        places_(places),
+        scans_(scans),
         options_(options),
-        readings_(std::move(readings)),
-        owner_(owner),
-        proposer_(map, places, options, readings_, owner),
-        log_evidence_below_(logEvidenceOfUnsearched(map, places, areaOrMap(map, options.area)))
+        bearings_(std::move(bearings)),
+        tables_(tables),
+        candidates_(map, scans, options, bearings_, tables),
+        log_evidence_below_(logEvidenceOfUnsearched(map, scans, areaOrMap(map, options.area)))
   {
   }
 
@@ -46,15 +45,15 @@ class SearchRun
   {
     const std::vector<double> allowed = landmarksAllowed();
     mean_allowed_ = std::accumulate(allowed.begin(), allowed.end(), 0.0) / static_cast<double>(allowed.size());
-    const std::vector<ReadingTriple> candidates =
-        tripleCandidates(readings_, {allowed, ranges(), mapArea(), chanceMatches().chance});
-    const int usable = static_cast<int>(readings_.size());
-    const std::shared_ptr<const PanoramaIndex> panoramas = choosePanoramasFor(candidates);
+    const std::vector<DetectionTriple> candidates =
+        tripleCandidates(bearings_, {allowed, ranges(), mapArea(), falseAlarmModel().chance});
+    const int usable = static_cast<int>(bearings_.size());
+    const std::shared_ptr<const VisibilityGrid> grid = chooseGridFor(candidates);
     for (int misses = expectedMisses();;)
     {
       floor_ = std::max(leastMatches(), usable - misses);
-      if (panoramas && usable - floor_ <= kMostPanoramaMisses)
-        scanDownTo(*panoramas);
+      if (grid && usable - floor_ <= kMostOutliers)
+        voteDownTo(*grid);
       else
         searchDownTo(candidates);
       if (!result_.finished || floor_ <= leastNeeded()) break;
@@ -78,132 +77,132 @@ class SearchRun
   [[nodiscard]] std::vector<double> ranges() const
   {
     std::vector<double> result;
-    for (const Scan& place : places_) result.push_back(rangeLimit(place));
+    for (const Scan& scan : scans_) result.push_back(rangeLimit(scan));
     return result;
   }
 
   [[nodiscard]] std::vector<double> landmarksAllowed() const
   {
-    std::vector<double> of_kind(static_cast<std::size_t>(map_.categoryCount()), 0);
-    for (std::size_t l = 0; l < map_.size(); ++l) of_kind[static_cast<std::size_t>(map_.kind(l))] += 1;
+    std::vector<double> of_category(static_cast<std::size_t>(map_.categoryCount()), 0);
+    for (std::size_t l = 0; l < map_.size(); ++l) of_category[static_cast<std::size_t>(map_.category(l))] += 1;
     std::vector<double> allowed;
-    for (const ScanBearing& r : readings_)
-      allowed.push_back(r.kind == kAnyCategory ? static_cast<double>(map_.size())
-                                               : of_kind[static_cast<std::size_t>(r.kind)]);
+    for (const ScanBearing& r : bearings_)
+      allowed.push_back(r.category == kAnyCategory ? static_cast<double>(map_.size())
+                                                   : of_category[static_cast<std::size_t>(r.category)]);
     return allowed;
   }
 
   // ---- rounds
 
-  /// So many readings without a landmark are looked for at first, going by what the sensors declare.
+  /// So many bearings without a landmark are looked for at first, going by what the sensors declare.
   [[nodiscard]] int expectedMisses() const
   {
     double mean = 0;
-    for (const ScanBearing& r : readings_) mean += places_[static_cast<std::size_t>(r.place)].model.clutter_probability;
+    for (const ScanBearing& r : bearings_) mean += scans_[static_cast<std::size_t>(r.scan)].model.clutter_probability;
     constexpr double kRounding = 1e-9;  // one false reading of 21 must not count as two
     return static_cast<int>(std::ceil(mean - kRounding)) + 1;
   }
 
-  /// Rounds until every pose that matters and explains `floor_` readings has been proposed.
-  void searchDownTo(const std::vector<ReadingTriple>& candidates)
+  /// Rounds until every pose that matters and explains `floor_` bearings has been proposed.
+  void searchDownTo(const std::vector<DetectionTriple>& candidates)
   {
-    TripleSchedule cover(candidates);
-    proposer_.waiting().clear();
-    const int usable = static_cast<int>(readings_.size());
-    while (result_.finished && cover.tolerated() < usable - std::max(leastNeeded(), floor_) + spareRounds())
+    TripleSchedule schedule(candidates);
+    candidates_.pending().clear();
+    const int usable = static_cast<int>(bearings_.size());
+    while (result_.finished && schedule.tolerated() < usable - std::max(leastNeeded(), floor_) + spareRounds())
     {
-      const std::optional<ReadingTriple> triple = cover.next();
+      const std::optional<DetectionTriple> triple = schedule.next();
       if (!triple) break;
       propose(*triple);
-      if (result_.finished) tolerated_ = std::max(tolerated_, cover.tolerated());
-      judgeBest(kJudgedAtOnce);
+      if (result_.finished) tolerated_ = std::max(tolerated_, schedule.tolerated());
+      verifyBest(kVerifiedAtOnce);
     }
-    judgeBest(std::numeric_limits<std::size_t>::max());
+    verifyBest(std::numeric_limits<std::size_t>::max());
   }
 
-  /// The panoramas to count off, when that is cheaper than triples.
-  [[nodiscard]] std::shared_ptr<const PanoramaIndex> choosePanoramasFor(const std::vector<ReadingTriple>& candidates)
+  /// The grid to count off, when that is cheaper than triples.
+  [[nodiscard]] std::shared_ptr<const VisibilityGrid> chooseGridFor(const std::vector<DetectionTriple>& candidates)
   {
-    const int place = readings_.front().place;
-    const auto area = proposer_.areaOfSensor(place);
+    const int scan = bearings_.front().scan;
+    const auto area = candidates_.areaOfSensor(scan);
     if (!area || candidates.empty()) return nullptr;
     const auto cheapest = std::min_element(candidates.begin(), candidates.end(),
                                            [](const auto& a, const auto& b) { return a.cost < b.cost; });
-    const double max_range = rangeLimit(places_[static_cast<std::size_t>(place)]);
-    const std::shared_ptr<const PanoramaIndex> built = owner_.builtPanoramas(*area, max_range);
-    const TripleEffort triples = proposer_.sampleEffort(*cheapest);
-    const auto plan = choosePanoramas(map_, *area, max_range, readings_, options_.gate, triples, expectedMisses() - 1,
-                                      built ? &built->plan() : nullptr);
-    if (!plan) return nullptr;
-    return built && built->plan().cell == plan->cell ? built : owner_.panoramasFor(*plan);
+    const double max_range = rangeLimit(scans_[static_cast<std::size_t>(scan)]);
+    const std::shared_ptr<const VisibilityGrid> built = tables_.builtVisibilityGrid(*area, max_range);
+    const TripleEffort triples = candidates_.sampleEffort(*cheapest);
+    const auto layout = chooseVisibilityGrid(map_, *area, max_range, bearings_, options_.gate, triples,
+                                             expectedMisses() - 1, built ? &built->layout() : nullptr);
+    if (!layout) return nullptr;
+    return built && built->layout().cell == layout->cell ? built : tables_.visibilityGrid(*layout);
   }
 
-  /// Proposes and judges every pose that matters and explains `floor_` readings, those that explain most first.
-  void scanDownTo(const PanoramaIndex& panoramas)
+  /// Proposes and judges every pose that matters and explains `floor_` bearings, those that explain most first.
+  void voteDownTo(const VisibilityGrid& grid)
   {
-    const int usable = static_cast<int>(readings_.size());
-    const PanoramaHits hits = scanPanoramas(panoramas, readings_, options_.gate, floor_, kBoxes);
+    const int usable = static_cast<int>(bearings_.size());
+    const PoseBoxes hits = voteForPoses(grid, bearings_, options_.gate, floor_, kBoxes);
     ++result_.work.rounds;
-    result_.work.tested += panoramas.plan().cells();
+    result_.work.tested += grid.layout().cells();
     overflowed_ = hits.floor > floor_;
     floor_ = hits.floor;
     tolerated_ = usable - floor_;
-    proposer_.waiting().clear();
+    candidates_.pending().clear();
     for (int level = usable; level >= std::max(floor_, leastNeeded()); --level)
     {
-      proposer_.proposeFrom(hits.by_explained[static_cast<std::size_t>(level)], panoramas, readings_.front().place,
-                            std::max(floor_, leastNeeded()));
-      judgeBest(std::numeric_limits<std::size_t>::max(), level);
+      candidates_.proposeFrom(hits.by_inliers[static_cast<std::size_t>(level)], grid, bearings_.front().scan,
+                              std::max(floor_, leastNeeded()));
+      verifyBest(std::numeric_limits<std::size_t>::max(), level);
     }
   }
 
-  void propose(const ReadingTriple& triple)
+  void propose(const DetectionTriple& triple)
   {
     const int floor = std::max(leastNeeded(), floor_);
-    const int kept = proposer_.proposeFrom(triple, floor, leastNeeded());
-    result_.finished = proposer_.finished();
+    const int kept = candidates_.proposeFrom(triple, floor, leastNeeded());
+    result_.finished = candidates_.finished();
     overflowed_ = overflowed_ || kept > floor;
     if (kept > floor) floor_ = kept;
   }
 
   // ---- judging
 
-  /// Judges the proposals that explain most, as long as they can matter and explain at least `lowest` readings.
-  void judgeBest(std::size_t count, int lowest = 0)
+  /// Judges the proposals that explain most, as long as they can matter and explain at least `lowest` bearings.
+  void verifyBest(std::size_t count, int lowest = 0)
   {
     int least = std::max(lowest, leastNeeded());
-    for (std::size_t level = proposer_.waiting().size(); level-- > 0;)
+    for (std::size_t level = candidates_.pending().size(); level-- > 0;)
     {
-      std::vector<GaussianPose>& waiting = proposer_.waiting()[level];
+      std::vector<GaussianPose>& pending = candidates_.pending()[level];
       std::size_t next = 0;
-      for (; next < waiting.size() && count > 0 && result_.finished && static_cast<int>(level) >= least; ++next)
-        if (!isKnown(waiting[next]))
+      for (; next < pending.size() && count > 0 && result_.finished && static_cast<int>(level) >= least; ++next)
+        if (!isKnown(pending[next]))
         {
-          judge(waiting[next]);
+          verify(pending[next]);
           if (!result_.finished) complete_from_ = std::max(complete_from_, static_cast<int>(level) + 1);
           least = std::max(lowest, leastNeeded());
           --count;
         }
-      waiting.erase(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(next));
+      pending.erase(pending.begin(), pending.begin() + static_cast<std::ptrdiff_t>(next));
     }
   }
 
-  void judge(const GaussianPose& robot)
+  void verify(const GaussianPose& robot)
   {
-    if (result_.work.judged >= kMaxJudged)
+    if (result_.work.verified >= kMaxVerified)
     {
       result_.finished = false;
       return;
     }
-    ++result_.work.judged;
-    const auto pose = verifyPose(map_, places_, options_, robot, leastNeeded());
+    ++result_.work.verified;
+    const auto pose = verifyPose(map_, scans_, options_, robot, leastNeeded());
     if (!pose) return;
     best_matched_ = std::max(best_matched_, pose->matched);
     best_log_evidence_ = std::max(best_log_evidence_, pose->log_evidence);
     result_.poses.push_back(*pose);
   }
 
-  /// True when a pose that was judged already is as good as the same.
+  /// True when a pose that was verified already is as good as the same.
   [[nodiscard]] bool isKnown(const GaussianPose& robot) const
   {
     const auto same = [&](const ConsistentPose& p)
@@ -223,12 +222,12 @@ class SearchRun
   /// truth that calls for one more.
   [[nodiscard]] int spareRounds() const
   {
-    return best_matched_ > 0 && expectedFalsePoses(chanceMatches(), best_matched_) > kChanceCompetes ? 1 : 0;
+    return best_matched_ > 0 && expectedFalsePoses(falseAlarmModel(), best_matched_) > kChanceCompetes ? 1 : 0;
   }
 
-  [[nodiscard]] int leastMatches() const { return std::min(kLeastMatches, static_cast<int>(readings_.size())); }
+  [[nodiscard]] int leastMatches() const { return std::min(kLeastMatches, static_cast<int>(bearings_.size())); }
 
-  /// Poses that explain fewer readings can be left out: their evidence together is negligible.
+  /// Poses that explain fewer bearings can be left out: their evidence together is negligible.
   [[nodiscard]] int leastNeeded() const
   {
     if (best_matched_ == 0) return leastMatches();
@@ -243,101 +242,66 @@ class SearchRun
     return log_evidence_below_[std::min(static_cast<std::size_t>(least), log_evidence_below_.size() - 1)];
   }
 
-  [[nodiscard]] FalseAlarmModel chanceMatches() const
+  [[nodiscard]] BearingFalseAlarmModel falseAlarmModel() const
   {
-    const double triples = proposer_.meanPossible();
-    const Scan& place = places_[static_cast<std::size_t>(readings_.front().place)];
-    return {triples, static_cast<int>(readings_.size()),
-            chanceOfMatch(options_.gate * meanStd(), std::max(0.0, inView(place) - 3))};
+    const double triples = candidates_.meanPossible();
+    const Scan& scan = scans_[static_cast<std::size_t>(bearings_.front().scan)];
+    return {triples, static_cast<int>(bearings_.size()),
+            chanceMatchProbability(options_.gate * meanStd(), std::max(0.0, inView(scan) - 3))};
   }
 
   [[nodiscard]] double meanStd() const
   {
     double sum = 0;
-    for (const ScanBearing& r : readings_) sum += r.std;
-    return sum / static_cast<double>(readings_.size());
+    for (const ScanBearing& r : bearings_) sum += r.std;
+    return sum / static_cast<double>(bearings_.size());
   }
 
-  /// Mean number of landmarks in view that a reading may show.
-  [[nodiscard]] double inView(const Scan& place) const
+  /// Mean number of landmarks in scan that a reading may show.
+  [[nodiscard]] double inView(const Scan& scan) const
   {
-    const double range = rangeLimit(place);
+    const double range = rangeLimit(scan);
     return std::isfinite(range) ? mean_allowed_ * std::min(1.0, kPi * square(range) / mapArea()) : mean_allowed_;
   }
 
   void finish()
   {
-    const int searched = std::max({floor_, complete_from_, static_cast<int>(readings_.size()) - tolerated_});
+    const int searched = std::max({floor_, complete_from_, static_cast<int>(bearings_.size()) - tolerated_});
     const double missed = result_.poses.empty() ? -kUnlimited : logEvidenceOfFewer(searched);
-    if (!result_.poses.empty()) result_.expected_false = expectedFalsePoses(chanceMatches(), best_matched_);
-    result_.work.tested += proposer_.work().tested;
-    result_.work.rounds += proposer_.work().rounds;
+    if (!result_.poses.empty()) result_.expected_false = expectedFalsePoses(falseAlarmModel(), best_matched_);
+    result_.work.tested += candidates_.work().tested;
+    result_.work.rounds += candidates_.work().rounds;
     rankPoses(result_, options_, missed, searched);
     result_.unique = result_.unique && result_.finished;
   }
 
   const LandmarkIndex& map_;
-  std::span<const Scan> places_;
+  std::span<const Scan> scans_;
   const PoseSearchOptions& options_;
-  std::vector<ScanBearing> readings_;
-  const BearingSearch& owner_;
-  BearingCandidates proposer_;
+  std::vector<ScanBearing> bearings_;
+  const BearingSearchTables& tables_;
+  BearingCandidates candidates_;
   PoseSearchResult result_;
   std::vector<double> log_evidence_below_;  // by the number of matches
   double best_log_evidence_ = -kUnlimited;
   int best_matched_ = 0, floor_ = 0, tolerated_ = -1;
-  int complete_from_ = 0;    // with so many matches every pose that was proposed has been judged
+  int complete_from_ = 0;    // with so many matches every pose that was proposed has been verified
   bool overflowed_ = false;  // more proposals than can be kept: the lesser ones are lost
   double mean_allowed_ = 0;
 };
 }  // namespace
 
-PoseSearchResult BearingSearch::search(std::span<const Scan> places, const PoseSearchOptions& options) const
+PoseSearchResult BearingSearch::search(std::span<const Scan> scans, const PoseSearchOptions& options) const
 {
   PoseSearchResult nothing;
-  if (!areUsable(places)) nothing.status = SolveStatus::bad_input;
-  std::vector<ScanBearing> readings = gatherBearings(places);
-  if (nothing.status == SolveStatus::bad_input || readings.size() < 3) return nothing;
+  if (!areUsable(scans)) nothing.status = SolveStatus::bad_input;
+  std::vector<ScanBearing> bearings = gatherBearings(scans);
+  if (nothing.status == SolveStatus::bad_input || bearings.size() < 3) return nothing;
   if (map_.size() < 3)
   {
     nothing.status = SolveStatus::none;
     return nothing;
   }
-  return SearchRun(map_, places, options, std::move(readings), *this).run();
-}
-
-std::shared_ptr<const PotentiallyVisibleSets> BearingSearch::listsFor(double max_range) const
-{
-  const std::scoped_lock lock(mutex_);
-  for (const auto& lists : lists_)
-    if (lists->maxRange() == max_range) return lists;
-  const double margin = std::isfinite(max_range) ? kListMargin * max_range : 0;
-  return lists_.emplace_back(std::make_shared<const PotentiallyVisibleSets>(map_, max_range, margin));
-}
-
-std::shared_ptr<const NeighbourGrid> BearingSearch::neighboursOf(int kind) const
-{
-  const std::scoped_lock lock(mutex_);
-  auto& grid = neighbours_[kind];
-  if (!grid) grid = std::make_shared<const NeighbourGrid>(map_, kind);
-  return grid;
-}
-
-std::shared_ptr<const PanoramaIndex> BearingSearch::panoramasFor(const PanoramaIndex::Plan& plan) const
-{
-  const std::scoped_lock lock(mutex_);
-  for (const auto& panoramas : panoramas_)
-    if (panoramas->isOf(plan.area, plan.max_range) && panoramas->plan().cell == plan.cell) return panoramas;
-  constexpr std::size_t kKept = 2;  // areas that change from search to search must not fill the memory
-  if (panoramas_.size() == kKept) panoramas_.erase(panoramas_.begin());
-  return panoramas_.emplace_back(std::make_shared<const PanoramaIndex>(map_, plan));
-}
-
-std::shared_ptr<const PanoramaIndex> BearingSearch::builtPanoramas(const Box2& area, double max_range) const
-{
-  const std::scoped_lock lock(mutex_);
-  const auto found = std::find_if(panoramas_.begin(), panoramas_.end(),
-                                  [&](const auto& panoramas) { return panoramas->isOf(area, max_range); });
-  return found == panoramas_.end() ? nullptr : *found;
+  return SearchRun(map_, scans, options, std::move(bearings), tables_).run();
 }
 }  // namespace mrpt_ext

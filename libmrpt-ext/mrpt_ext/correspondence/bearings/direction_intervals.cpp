@@ -64,10 +64,10 @@ DirectionIntervals::DirectionIntervals(const std::vector<Vector2d>& landmarks, c
   half_width_.resize(landmarks.size());
 }
 
-void DirectionIntervals::lookFrom(const Vector2d& place, double radius, double farthest)
+void DirectionIntervals::update(const Vector2d& scan, double radius, double farthest)
 {
-  look(x_.data(), y_.data(), x_.size(), static_cast<float>(place.x() - middle_.x()),
-       static_cast<float>(place.y() - middle_.y()), static_cast<float>(radius), static_cast<float>(farthest),
+  look(x_.data(), y_.data(), x_.size(), static_cast<float>(scan.x() - middle_.x()),
+       static_cast<float>(scan.y() - middle_.y()), static_cast<float>(radius), static_cast<float>(farthest),
        direction_.data(), half_width_.data());
 }
 }  // namespace mrpt_ext

@@ -13,9 +13,9 @@ class DirectionIntervals
   /// `middle` [m]: a point of the map, for precision.
   DirectionIntervals(const std::vector<Vector2d>& landmarks, const Vector2d& middle);
 
-  /// From a disc of this radius [m] around `place`: fills the arrays. Landmarks farther than `farthest` [m] are left
+  /// From a disc of this radius [m] around `scan`: fills the arrays. Landmarks farther than `farthest` [m] are left
   /// out.
-  void lookFrom(const Vector2d& place, double radius, double farthest);
+  void update(const Vector2d& scan, double radius, double farthest);
 
   /// [rad], within (-pi, pi], to 2e-6.
   [[nodiscard]] const std::vector<float>& direction() const { return direction_; }

@@ -10,7 +10,7 @@ namespace
 {
 constexpr double kWidestGate = 0.5;  // [rad] beyond this a landmark may explain anything
 constexpr int kMinBins = 512, kMaxBins = 8192;
-constexpr std::size_t kKinds = 256;
+constexpr std::size_t kCategories = 256;
 
 /// Pseudo-angle in [0, 4).
 double pseudoAngle(double angle)
@@ -23,19 +23,19 @@ double pseudoAngle(double angle)
 /// Upper end of the variance ratios of a step.
 double ratioAbove(int step)
 {
-  constexpr int kSteps = 1 << ReadingTable::kStepBits;
-  return std::ldexp(1 + static_cast<double>((step & (kSteps - 1)) + 1) / kSteps, step >> ReadingTable::kStepBits);
+  constexpr int kSteps = 1 << DirectionTable::kStepBits;
+  return std::ldexp(1 + static_cast<double>((step & (kSteps - 1)) + 1) / kSteps, step >> DirectionTable::kStepBits);
 }
 }  // namespace
 
-ReadingTable::ReadingTable(std::span<const ScanBearing> readings, double gate)
-    : size_(static_cast<int>(std::min(readings.size(), kMaxReadings))),
-      of_kind_(kKinds, 0),
-      from_kind_(kKinds, 0),
-      readings_(readings.begin(), readings.end())
+DirectionTable::DirectionTable(std::span<const ScanBearing> bearings, double gate)
+    : size_(static_cast<int>(std::min(bearings.size(), kMaxBearings))),
+      of_category_(kCategories, 0),
+      from_category_(kCategories, 0),
+      bearings_(bearings.begin(), bearings.end())
 {
   double widest = 0;
-  for (const ScanBearing& r : readings) widest = std::max(widest, r.std);
+  for (const ScanBearing& r : bearings) widest = std::max(widest, r.std);
   if (!(widest > 0)) return;
   inverse_variance_ = static_cast<float>(1 / square(widest));
   const double narrow = gate * widest;
@@ -46,25 +46,26 @@ ReadingTable::ReadingTable(std::span<const ScanBearing> readings, double gate)
   sets_.assign(static_cast<std::size_t>(levels_) * static_cast<std::size_t>(bins_), 0);
   for (int i = 0; i < size_; ++i)
   {
-    const ScanBearing& reading = readings[static_cast<std::size_t>(i)];
+    const ScanBearing& reading = bearings[static_cast<std::size_t>(i)];
     const std::uint32_t bit = 1U << i;
-    for (std::size_t kind = 0; kind < kKinds; ++kind)
-      if (reading.kind == kAnyCategory || (static_cast<std::size_t>(reading.kind) % kKinds) == kind)
-        of_kind_[kind] |= bit;
-    has_kinds_ = has_kinds_ || reading.kind != kAnyCategory;
+    for (std::size_t category = 0; category < kCategories; ++category)
+      if (reading.category == kAnyCategory || (static_cast<std::size_t>(reading.category) % kCategories) == category)
+        of_category_[category] |= bit;
+    has_categories_ = has_categories_ || reading.category != kAnyCategory;
     for (int level = 0; level < levels_; ++level)
     {
       const double excess = (ratioAbove(level) - 1) * square(widest);
       const double half_width = level + 1 == levels_ ? kPi : gate * std::sqrt(square(reading.std) + excess);
-      addReading(bit, reading.bearing, half_width,
+      addBearing(bit, reading.bearing, half_width,
                  sets_.data() + static_cast<std::size_t>(level) * static_cast<std::size_t>(bins_));
     }
   }
-  from_kind_ = of_kind_;
-  for (std::size_t kind = kKinds - 1; kind-- > 0;) from_kind_[kind] |= from_kind_[kind + 1];
+  from_category_ = of_category_;
+  for (std::size_t category = kCategories - 1; category-- > 0;)
+    from_category_[category] |= from_category_[category + 1];
 }
 
-void ReadingTable::addReading(std::uint32_t bit, double bearing, double half_width, std::uint32_t* level) const
+void DirectionTable::addBearing(std::uint32_t bit, double bearing, double half_width, std::uint32_t* level) const
 {
   const auto bin_of = [&](double angle) { return static_cast<int>(pseudoAngle(angle) * bins_ / 4); };
   const double rounding = 1e-5;  // of the float arithmetic that looks up

@@ -12,11 +12,11 @@ namespace mrpt_ext
 namespace
 {
 constexpr std::size_t kRoundsOnAll = 2;
-constexpr std::size_t kAny = ReadingTable::kMaxReadings;
+constexpr std::size_t kAny = DirectionTable::kMaxBearings;
 /// Readings that only one landmark can explain, added to those of the triple that made the pose, round by round. While
 /// the pose is uncertain that landmark may be a wrong one, so the pose grows firm where this is least likely.
 constexpr std::array<std::size_t, 2> kAddedToTriple{1, 3};
-constexpr std::array<std::size_t, 1> kAddedToBox{kAny};  // the pose is only bounded, by no readings of its own
+constexpr std::array<std::size_t, 1> kAddedToBox{kAny};  // the pose is only bounded, by no bearings of its own
 
 /// The landmark that explains a reading best, and how many could.
 struct Explanation
@@ -27,7 +27,7 @@ struct Explanation
   std::size_t landmark = 0;
 };
 
-using Explanations = std::array<Explanation, ReadingTable::kMaxReadings>;
+using Explanations = std::array<Explanation, DirectionTable::kMaxBearings>;
 
 /// Angle of (x, y) against a unit vector, to better than 1e-5 of itself where it matters.
 float angleAgainst(const Vector2d& unit, float x, float y)
@@ -46,9 +46,9 @@ bool hasMoreThan(int count, std::uint32_t set)
   return set != 0;
 }
 
-/// Which landmark explains each reading; the number that are explained. A landmark so close that it could be in any
+/// Which landmark explains each reading; the number that are inliers. A landmark so close that it could be in any
 /// direction explains one reading, no matter which.
-int explain(const GatedLandmarks& seen, const ReadingTable& table, float gate2, Explanations& found)
+int explain(const GatedLandmarks& seen, const DirectionTable& table, float gate2, Explanations& found)
 {
   int close = 0;
   for (std::size_t l = 0; l < seen.count; ++l)
@@ -73,21 +73,20 @@ int explain(const GatedLandmarks& seen, const ReadingTable& table, float gate2, 
       e.landmark = l;
     }
   }
-  const auto explained =
-      std::count_if(found.begin(), found.end(), [](const Explanation& e) { return e.candidates > 0; });
-  return std::min(table.size(), static_cast<int>(explained) + close);
+  const auto inliers = std::count_if(found.begin(), found.end(), [](const Explanation& e) { return e.candidates > 0; });
+  return std::min(table.size(), static_cast<int>(inliers) + close);
 }
 
-/// Variance [rad^2] of the predicted bearing up to which readings take part, so that `count` are added.
-float largestVariance(const Explanations& found, const BoundingScan& view, const GatedLandmarks& seen,
+/// Variance [rad^2] of the predicted bearing up to which bearings take part, so that `count` are added.
+float largestVariance(const Explanations& found, const BoundingScan& scan, const GatedLandmarks& seen,
                       std::size_t count)
 {
-  std::array<float, ReadingTable::kMaxReadings> variance{};
+  std::array<float, DirectionTable::kMaxBearings> variance{};
   std::size_t size = 0;
-  for (int bit = 0; bit < view.table->size(); ++bit)
+  for (int bit = 0; bit < scan.table->size(); ++bit)
   {
     const Explanation& e = found[static_cast<std::size_t>(bit)];
-    if (e.candidates == 1 && (view.used >> bit & 1U) == 0) variance[size++] = seen.variance[e.landmark];
+    if (e.candidates == 1 && (scan.used >> bit & 1U) == 0) variance[size++] = seen.variance[e.landmark];
   }
   if (size <= count) return std::numeric_limits<float>::infinity();
   const auto last = variance.begin() + static_cast<std::ptrdiff_t>(count) - 1;
@@ -95,46 +94,46 @@ float largestVariance(const Explanations& found, const BoundingScan& view, const
   return *last;
 }
 
-/// Numbers of readings to add in the first rounds.
-std::span<const std::size_t> addedBy(std::span<const BoundingScan> views)
+/// Numbers of bearings to add in the first rounds.
+std::span<const std::size_t> addedBy(std::span<const BoundingScan> scans)
 {
   const bool of_triple =
-      std::any_of(views.begin(), views.end(), [](const BoundingScan& view) { return view.used != 0; });
+      std::any_of(scans.begin(), scans.end(), [](const BoundingScan& scan) { return scan.used != 0; });
   return of_triple ? std::span<const std::size_t>(kAddedToTriple) : kAddedToBox;
 }
 }  // namespace
 
-RefinedPose refineOnInliers(const GaussianPose& sensor, std::span<const BoundingScan> views, double gate, int least,
+RefinedPose refineOnInliers(const GaussianPose& sensor, std::span<const BoundingScan> scans, double gate, int least,
                             GatedLandmarks& scratch)
 {
   RefinedPose result{sensor};
-  const std::span<const std::size_t> added = addedBy(views);
+  const std::span<const std::size_t> added = addedBy(scans);
   for (std::size_t round = 0;; ++round)
   {
     const bool growing = round < added.size();
     Matrix3d information = Matrix3d::Zero();
     Vector3d gradient = Vector3d::Zero();
-    result.explained = 0;
-    for (const BoundingScan& view : views)
+    result.inliers = 0;
+    for (const BoundingScan& scan : scans)
     {
-      landmarkGates(result.sensor, view, gate, scratch);
+      landmarkGates(result.sensor, scan, gate, scratch);
       Explanations found{};
-      result.explained += explain(scratch, *view.table, static_cast<float>(gate * gate), found);
-      const float largest = growing ? largestVariance(found, view, scratch, added[round]) : 0;
-      for (int bit = 0; bit < view.table->size(); ++bit)
+      result.inliers += explain(scratch, *scan.table, static_cast<float>(gate * gate), found);
+      const float largest = growing ? largestVariance(found, scan, scratch, added[round]) : 0;
+      for (int bit = 0; bit < scan.table->size(); ++bit)
       {
         const Explanation& e = found[static_cast<std::size_t>(bit)];
         if (e.candidates == 0) continue;
-        const bool own = (view.used >> bit & 1U) != 0;
+        const bool own = (scan.used >> bit & 1U) != 0;
         if (growing && !own && (e.candidates > 1 || scratch.variance[e.landmark] > largest)) continue;
         const Vector3d row(scratch.ex[e.landmark], scratch.ey[e.landmark], -scratch.w[e.landmark]);
-        const double weight = 1 / square(view.table->reading(bit).std);
+        const double weight = 1 / square(scan.table->reading(bit).std);
         information += weight * row * row.transpose();
         gradient += weight * e.misfit * row;
       }
     }
-    if (round == 0) result.plausible = result.explained >= least;
-    if (result.explained < least || round == added.size() + kRoundsOnAll) return result;
+    if (round == 0) result.plausible = result.inliers >= least;
+    if (result.inliers < least || round == added.size() + kRoundsOnAll) return result;
     const Eigen::LDLT<Matrix3d> factors(information);
     if (factors.info() != Eigen::Success || !(factors.vectorD().minCoeff() > 0)) return result;
     const Vector3d step = factors.solve(gradient);

@@ -29,11 +29,11 @@ std::size_t appendNear(const double* x, const double* y, std::size_t count, doub
 }
 }  // namespace
 
-NeighbourGrid::NeighbourGrid(const LandmarkIndex& map, int kind) : low_(map.low())
+NeighbourGrid::NeighbourGrid(const LandmarkIndex& map, int category) : low_(map.low())
 {
   std::vector<Vector2d> landmarks;
   for (std::size_t l = 0; l < map.size(); ++l)
-    if (map.mayShow(kind, l)) landmarks.push_back(map.position(l));
+    if (map.mayShow(category, l)) landmarks.push_back(map.position(l));
   const Vector2d extent = (map.high() - map.low()).cwiseMax(1e-3 * (map.high() - map.low()).maxCoeff() + 1e-9);
   const double bucket = std::sqrt(kPerBucket * extent.prod() / std::max(1.0, static_cast<double>(landmarks.size())));
   inverse_bucket_ = 1 / bucket;
@@ -55,9 +55,9 @@ NeighbourGrid::NeighbourGrid(const LandmarkIndex& map, int kind) : low_(map.low(
   y_.resize(landmarks.size());
   for (const Vector2d& p : landmarks)
   {
-    const std::uint32_t place = next[bucket_of(p)]++;
-    x_[place] = p.x();
-    y_[place] = p.y();
+    const std::uint32_t scan = next[bucket_of(p)]++;
+    x_[scan] = p.x();
+    y_[scan] = p.y();
   }
 }
 

@@ -8,13 +8,13 @@
 
 namespace mrpt_ext
 {
-/// The landmarks of one kind in square buckets with their positions side by side, for searches that ask again and again
-/// which of them are around a place. Built in O(N).
+/// The landmarks of one category in square buckets with their positions side by side, for searches that ask again and
+/// again which of them are around a scan. Built in O(N).
 class NeighbourGrid
 {
  public:
-  /// `kind`: kAnyCategory for all landmarks.
-  NeighbourGrid(const LandmarkIndex& map, int kind);
+  /// `category`: kAnyCategory for all landmarks.
+  NeighbourGrid(const LandmarkIndex& map, int category);
 
   /// The landmarks within `radius` [m] of `centre`, relative to it, and padded. One exactly at the centre is left out.
   void collect(const Vector2d& centre, double radius, Neighbours& out) const;

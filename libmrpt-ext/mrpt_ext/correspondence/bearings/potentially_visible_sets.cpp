@@ -14,9 +14,9 @@ constexpr double kBytesPerEntry = 2 * sizeof(float) + sizeof(std::uint8_t);
 constexpr double kMaxCells = 4e6;
 constexpr float kFarAway = 1e9F;
 
-std::uint8_t listedKind(const LandmarkIndex& map, std::size_t landmark)
+std::uint8_t listedCategory(const LandmarkIndex& map, std::size_t landmark)
 {
-  return static_cast<std::uint8_t>(map.kind(landmark));
+  return static_cast<std::uint8_t>(map.category(landmark));
 }
 }  // namespace
 
@@ -70,19 +70,19 @@ void PotentiallyVisibleSets::fill(const LandmarkIndex& map)
       map.forEachNear(centre, radius, [&](std::size_t l) { near.push_back(l); });
       if (map.categoryCount() > 1)
         std::stable_sort(near.begin(), near.end(),
-                         [&](std::size_t a, std::size_t b) { return listedKind(map, a) < listedKind(map, b); });
+                         [&](std::size_t a, std::size_t b) { return listedCategory(map, a) < listedCategory(map, b); });
       for (const std::size_t l : near)
       {
         const Vector2d d = map.position(l) - centre;
         x_.push_back(static_cast<float>(d.x()));
         y_.push_back(static_cast<float>(d.y()));
-        kind_.push_back(listedKind(map, l));
+        category_.push_back(listedCategory(map, l));
       }
       listed += near.size();
       const std::size_t padded = (x_.size() + kBlock - 1) / kBlock * kBlock;
       x_.resize(padded, kFarAway);
       y_.resize(padded, kFarAway);
-      kind_.resize(padded, 0);
+      category_.resize(padded, 0);
       first_.push_back(padded);
     }
   mean_count_ = static_cast<double>(listed) / static_cast<double>(cells);
@@ -114,7 +114,7 @@ PotentiallyVisibleSets::CellAt PotentiallyVisibleSets::cellAt(const Vector2d& po
 
 std::size_t PotentiallyVisibleSets::bytes() const
 {
-  return x_.size() * 2 * sizeof(float) + kind_.size() + first_.size() * sizeof(std::size_t) +
+  return x_.size() * 2 * sizeof(float) + category_.size() + first_.size() * sizeof(std::size_t) +
          order_.size() * sizeof(std::uint32_t);
 }
 }  // namespace mrpt_ext

@@ -10,11 +10,11 @@ namespace mrpt_ext
 /// For every cell of a grid over the map, the landmarks that a sensor with this range limit could see from somewhere in
 /// the cell, as arrays ready for vector instructions. Coordinates are relative to the cell's centre, so that a large
 /// map costs no digits. Without a range limit there is one cell with all landmarks.
-/// Built in O(cells * landmarks in view); the cells grow until the lists take about 100 MB at most.
+/// Built in O(cells * landmarks in scan); the cells grow until the visible_sets take about 100 MB at most.
 class PotentiallyVisibleSets
 {
  public:
-  static constexpr std::size_t kBlock = 16;  ///< lists are padded to multiples of this
+  static constexpr std::size_t kBlock = 16;  ///< visible_sets are padded to multiples of this
 
   /// `max_range` [m], infinity for none; `margin` [m]: how far beyond it landmarks are listed.
   PotentiallyVisibleSets(const LandmarkIndex& map, double max_range, double margin);
@@ -23,8 +23,9 @@ class PotentiallyVisibleSets
   {
     const float* x;  ///< [m] relative to the centre; padding is far away
     const float* y;
-    const std::uint8_t* kind;  ///< ascending; kinds beyond 255 share numbers: a kind never excludes its own landmarks
-    std::size_t count;         ///< with padding
+    const std::uint8_t*
+        category;       ///< ascending; categories beyond 255 share numbers: a category never excludes its own landmarks
+    std::size_t count;  ///< with padding
   };
 
   [[nodiscard]] double maxRange() const { return max_range_; }
@@ -49,7 +50,7 @@ class PotentiallyVisibleSets
   [[nodiscard]] Cell cell(std::size_t index) const
   {
     const std::size_t first = first_[index];
-    return {x_.data() + first, y_.data() + first, kind_.data() + first, first_[index + 1] - first};
+    return {x_.data() + first, y_.data() + first, category_.data() + first, first_[index + 1] - first};
   }
 
  private:
@@ -65,6 +66,6 @@ class PotentiallyVisibleSets
   std::vector<std::size_t> first_;
   std::vector<std::uint32_t> order_;
   std::vector<float> x_, y_;
-  std::vector<std::uint8_t> kind_;
+  std::vector<std::uint8_t> category_;
 };
 }  // namespace mrpt_ext

@@ -12,54 +12,55 @@ namespace
 {
 // Measured, in nanoseconds.
 constexpr double kCostOfTriple = 1.3;   // a constellation tried
-constexpr double kCostOfSieve = 2;      // a landmark in view of a possible pose
+constexpr double kCostOfBound = 2;      // a landmark in scan of a possible pose
 constexpr double kCostOfRotation = 6;   // of a ring, counting included
 constexpr double kCostOfBox = 5000;     // looking closer at what survives, several times more than by chance
 constexpr double kCostOfDirection = 6;  // building: per cell and landmark
 constexpr double kSearchesPerMap = 20;  // that share the building
 constexpr double kWorthThinking = 1e7;  // triples that cost less are not compared
 /// Nanoseconds per search. `shifts`: rotations per reading.
-double costOf(const PanoramaIndex::Plan& plan, std::size_t landmarks, std::span<const std::size_t> shifts, int misses)
+double costOf(const VisibilityGrid::Layout& layout, std::size_t landmarks, std::span<const std::size_t> shifts,
+              int misses)
 {
   const auto count = static_cast<double>(shifts.size());
   double rotations = 0, occupancy = 0;
   for (const std::size_t n : shifts)
   {
     rotations += static_cast<double>(n);
-    occupancy += (1 - std::pow(1 - plan.occupancy, static_cast<double>(n))) / count;
+    occupancy += (1 - std::pow(1 - layout.occupancy, static_cast<double>(n))) / count;
   }
-  const auto cells = static_cast<double>(plan.cells());
-  const int readings = static_cast<int>(shifts.size());
-  const double boxes = cells * PanoramaIndex::kBins * binomialTail(readings, readings - misses, occupancy);
+  const auto cells = static_cast<double>(layout.cells());
+  const int bearings = static_cast<int>(shifts.size());
+  const double boxes = cells * VisibilityGrid::kBins * binomialTail(bearings, bearings - misses, occupancy);
   return cells * rotations * kCostOfRotation + boxes * kCostOfBox +
          cells * static_cast<double>(landmarks) * kCostOfDirection / kSearchesPerMap;
 }
 }  // namespace
 
-std::optional<PanoramaIndex::Plan> choosePanoramas(const LandmarkIndex& map, const Box2& area, double max_range,
-                                                   std::span<const ScanBearing> readings, double gate,
-                                                   const TripleEffort& triples, int misses,
-                                                   const PanoramaIndex::Plan* built)
+std::optional<VisibilityGrid::Layout> chooseVisibilityGrid(const LandmarkIndex& map, const Box2& area, double max_range,
+                                                           std::span<const ScanBearing> bearings, double gate,
+                                                           const TripleEffort& triples, int misses,
+                                                           const VisibilityGrid::Layout* built)
 {
-  const bool has_kinds =
-      std::any_of(readings.begin(), readings.end(), [](const ScanBearing& r) { return r.kind != kAnyCategory; });
-  const bool one_place = std::all_of(readings.begin(), readings.end(),
-                                     [&](const ScanBearing& r) { return r.place == readings.front().place; });
-  double least = (kCostOfTriple * triples.tested + kCostOfSieve * triples.possible * triples.in_view) * (misses + 1);
-  if (has_kinds || !one_place || least < kWorthThinking) return std::nullopt;
+  const bool has_categories =
+      std::any_of(bearings.begin(), bearings.end(), [](const ScanBearing& r) { return r.category != kAnyCategory; });
+  const bool one_place = std::all_of(bearings.begin(), bearings.end(),
+                                     [&](const ScanBearing& r) { return r.scan == bearings.front().scan; });
+  double least = (kCostOfTriple * triples.tested + kCostOfBound * triples.possible * triples.in_view) * (misses + 1);
+  if (has_categories || !one_place || least < kWorthThinking) return std::nullopt;
 
   std::vector<std::size_t> shifts;
-  for (const ScanBearing& r : readings) shifts.push_back(panoramaShifts(r, gate).size());
+  for (const ScanBearing& r : bearings) shifts.push_back(ringRotations(r, gate).size());
   if (built != nullptr && costOf(*built, 0, shifts, misses) < least) return *built;
-  std::optional<PanoramaIndex::Plan> best;
+  std::optional<VisibilityGrid::Layout> best;
   for (const double motion : {1.0, 1.5, 2.0, 3.0, 4.0})
   {
-    const auto plan = PanoramaIndex::plan(map, area, max_range, motion);
-    if (!plan) continue;
-    const double cost = costOf(*plan, map.size(), shifts, misses);
+    const auto layout = VisibilityGrid::chooseLayout(map, area, max_range, motion);
+    if (!layout) continue;
+    const double cost = costOf(*layout, map.size(), shifts, misses);
     if (cost >= least) continue;
     least = cost;
-    best = plan;
+    best = layout;
   }
   return best;
 }

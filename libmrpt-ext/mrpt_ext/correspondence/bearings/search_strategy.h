@@ -12,14 +12,12 @@ namespace mrpt_ext
 struct TripleEffort
 {
   double tested = 0, possible = 0;  ///< constellations of landmarks tried, and those that give a pose
-  double in_view = 0;               ///< landmarks in view of a pose
+  double in_view = 0;               ///< landmarks in scan of a pose
 };
 
-/// The grid to count off when that is expected to cost less than rounds of triples, or nothing. `misses`: readings that
-/// may be without landmark. `built`: a grid whose panoramas exist, preferred to one that would have to be built.
-[[nodiscard]] std::optional<PanoramaIndex::Plan> choosePanoramas(const LandmarkIndex& map, const Box2& area,
-                                                                 double max_range,
-                                                                 std::span<const ScanBearing> readings, double gate,
-                                                                 const TripleEffort& triples, int misses,
-                                                                 const PanoramaIndex::Plan* built);
+/// The grid to count off when that is expected to cost less than rounds of triples, or nothing. `misses`: bearings that
+/// may be without landmark. `built`: a grid whose grid exist, preferred to one that would have to be built.
+[[nodiscard]] std::optional<VisibilityGrid::Layout> chooseVisibilityGrid(
+    const LandmarkIndex& map, const Box2& area, double max_range, std::span<const ScanBearing> bearings, double gate,
+    const TripleEffort& triples, int misses, const VisibilityGrid::Layout* built);
 }  // namespace mrpt_ext

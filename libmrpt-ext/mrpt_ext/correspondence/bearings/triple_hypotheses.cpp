@@ -82,10 +82,10 @@ std::vector<PoseProposal> ProposalStore::takeSorted()
 
 /// Calls visit(i, neighbours of i for the first reading, those for the second, hits) for every batch with hits.
 template <typename Visit>
-TripleRound::Work TripleRound::forEachScan(std::size_t stride, Visit&& visit) const
+TripleHypotheses::Work TripleHypotheses::forEachScan(std::size_t stride, Visit&& visit) const
 {
   const auto reading = [this](int n) -> const ScanBearing&
-  { return readings[static_cast<std::size_t>(triple.reading[static_cast<std::size_t>(n)])]; };
+  { return bearings[static_cast<std::size_t>(triple.reading[static_cast<std::size_t>(n)])]; };
   const ScanBearing &middle = reading(0), &first = reading(1), &second = reading(2);
   const TripleShape shape = shapeOf(middle, first, second, max_range);
   const double all = 2 * (map->high() - map->low()).norm() + 1;
@@ -96,11 +96,11 @@ TripleRound::Work TripleRound::forEachScan(std::size_t stride, Visit&& visit) co
   Work work;
   Neighbours around_first, around_second;
   TripleHits hits;
-  const std::vector<std::uint32_t>& order = views.front().lists->order();
+  const std::vector<std::uint32_t>& order = scans.front().visible_sets->order();
   for (std::size_t o = 0; o < order.size(); o += stride)
   {
     const std::uint32_t i = order[o];
-    if (!map->mayShow(middle.kind, i)) continue;
+    if (!map->mayShow(middle.category, i)) continue;
     neighbours[0]->collect(map->position(i), radius_first, around_first);
     if (around_first.count == 0) continue;
     neighbours[1]->collect(map->position(i), radius_second, around_second);
@@ -127,25 +127,24 @@ TripleRound::Work TripleRound::forEachScan(std::size_t stride, Visit&& visit) co
   return work;
 }
 
-TripleRound::Work TripleRound::run(ProposalStore& store) const
+TripleHypotheses::Work TripleHypotheses::run(ProposalStore& store) const
 {
   const auto reading = [this](std::size_t n) -> const ScanBearing&
-  { return readings[static_cast<std::size_t>(triple.reading[n])]; };
-  const TripleBearings bearings = bearingsOf(reading(0), reading(1), reading(2));
+  { return bearings[static_cast<std::size_t>(triple.reading[n])]; };
+  const TripleBearings seen = bearingsOf(reading(0), reading(1), reading(2));
   TriplePoses poses;
-  std::vector<std::uint16_t> explained;
+  std::vector<std::uint16_t> inliers;
   return forEachScan(1,
                      [&](std::uint32_t i, const Neighbours& first, const Neighbours& second, const TripleHits& hits)
                      {
-                       posesOfHits(bearings, first, second, hits, poses);
-                       boundInliers(poses, map->position(i), views, gate, store.floor(), explained);
+                       posesOfHits(seen, first, second, hits, poses);
+                       boundInliers(poses, map->position(i), scans, gate, store.floor(), inliers);
                        for (std::size_t n = 0; n < poses.count; ++n)
-                         if (explained[n] >= store.floor())
-                           store.add(proposalAt(poses, n, map->position(i), explained[n]));
+                         if (inliers[n] >= store.floor()) store.add(proposalAt(poses, n, map->position(i), inliers[n]));
                      });
 }
 
-TripleRound::Work TripleRound::sample(std::size_t stride) const
+TripleHypotheses::Work TripleHypotheses::sample(std::size_t stride) const
 {
   return forEachScan(stride, [](auto&&...) {});
 }

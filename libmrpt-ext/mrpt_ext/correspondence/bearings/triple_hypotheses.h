@@ -14,7 +14,7 @@
 
 namespace mrpt_ext
 {
-/// A sensor pose that explains a triple of readings and, by the sieve, at most `bound` readings altogether.
+/// A sensor pose that explains a triple of bearings and, by the sieve, at most `bound` bearings altogether.
 struct PoseProposal
 {
   GaussianPose sensor;
@@ -38,15 +38,15 @@ class ProposalStore
   std::vector<std::vector<PoseProposal>> levels_;  // by bound
 };
 
-/// One triple of readings against all landmarks.
-struct TripleRound
+/// One triple of bearings against all landmarks.
+struct TripleHypotheses
 {
   const LandmarkIndex* map = nullptr;
-  std::span<const ScanBearing> readings;
-  ReadingTriple triple;
-  std::array<const NeighbourGrid*, 2> neighbours{};  ///< landmarks that the outer readings may show
-  std::vector<BoundingScan> views;                   ///< of all places, relative to the triple's sensor
-  double max_range = 0;                              ///< of the triple's place; infinity: none
+  std::span<const ScanBearing> bearings;
+  DetectionTriple triple;
+  std::array<const NeighbourGrid*, 2> neighbours{};  ///< landmarks that the outer bearings may show
+  std::vector<BoundingScan> scans;                   ///< of all scans, relative to the triple's sensor
+  double max_range = 0;                              ///< of the triple's scan; infinity: none
   double gate = 3.3;
   std::optional<Box2> area;  ///< of the sensor
   std::uint64_t max_tested = 0;

@@ -32,7 +32,7 @@ struct Row
     const float px = t * ey, py = -t * ex;
     const float dx = jx - px, dy = jy - py, gx = kx[l] - px, gy = ky[l] - py;
     const float p2 = px * px + py * py, d2 = dx * dx + dy * dy, g2 = gx * gx + gy * gy;
-    // Seen from there, the other landmarks must turn from i the way the readings do, not half a turn away.
+    // Seen from there, the other landmarks must turn from i the way the bearings do, not half a turn away.
     const float turn_first = shape.sign_first * (py * dx - px * dy);
     const float turn_second = shape.sign_second * (py * gx - px * gy);
     row.x[l] = px;

@@ -37,12 +37,12 @@ struct TripleHits
   void reserve(std::size_t capacity);
 };
 
-/// Appends a hit for every j in `first` [j_begin, j_end) and k in `second` for which there is a place that sees i, j
+/// Appends a hit for every j in `first` [j_begin, j_end) and k in `second` for which there is a scan that sees i, j
 /// and k under the three bearings, looking the right way, within the range. `hits` must have room for (j_end - j_begin)
 /// * second.padded.
 ///
-/// The places that see i and j under a given angle lie on a circle through both, with centre u = (j + cot * perp(j)) /
-/// 2 in coordinates relative to i; i and k give another with centre v. Both pass through i, so the place is the mirror
+/// The scans that see i and j under a given angle lie on a circle through both, with centre u = (j + cot * perp(j)) /
+/// 2 in coordinates relative to i; i and k give another with centre v. Both pass through i, so the scan is the mirror
 /// image of i in the line u v: a dozen operations per (j, k), no trigonometry.
 void scanTriples(const TripleShape& shape, const Neighbours& first, std::size_t j_begin, std::size_t j_end,
                  const Neighbours& second, TripleHits& hits);

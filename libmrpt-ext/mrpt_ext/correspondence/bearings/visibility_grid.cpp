@@ -13,7 +13,7 @@ constexpr double kMaxCells = 400'000;
 constexpr float kCloseHalfWidth = 0.6F;  // [rad] about two radii from the middle of the cell
 constexpr int kSamples = 16;             // per side, to learn how far landmarks are
 
-/// Mean over places of the sum over landmarks of 1 / distance, and mean number of landmarks in range.
+/// Mean over scans of the sum over landmarks of 1 / distance, and mean number of landmarks in range.
 struct Surroundings
 {
   double in_range = 0, inverse_distance = 0;
@@ -26,10 +26,10 @@ Surroundings landmarkGates(const LandmarkIndex& map, const Box2& area, double ma
   for (int n = 0; n < kSamples * kSamples; ++n)
   {
     const int column = n % kSamples, row = n / kSamples;
-    const Vector2d place(area.min.x() + (column + 0.5) * step.x(), area.min.y() + (row + 0.5) * step.y());
+    const Vector2d scan(area.min.x() + (column + 0.5) * step.x(), area.min.y() + (row + 0.5) * step.y());
     for (const Vector2d& landmark : map.positions())
     {
-      const double distance = (landmark - place).norm();
+      const double distance = (landmark - scan).norm();
       if (distance > max_range) continue;
       mean.in_range += 1.0 / (kSamples * kSamples);
       mean.inverse_distance += 1.0 / (kSamples * kSamples) / std::max(distance, nearest);
@@ -39,47 +39,47 @@ Surroundings landmarkGates(const LandmarkIndex& map, const Box2& area, double ma
 }
 }  // namespace
 
-std::optional<PanoramaIndex::Plan> PanoramaIndex::plan(const LandmarkIndex& map, const Box2& area, double max_range,
-                                                       double motion)
+std::optional<VisibilityGrid::Layout> VisibilityGrid::chooseLayout(const LandmarkIndex& map, const Box2& area,
+                                                                   double max_range, double motion)
 {
   const Vector2d extent = area.max - area.min;
   if (map.empty() || !extent.allFinite() || !(extent.minCoeff() > 0)) return std::nullopt;
-  Plan plan{area, max_range};
+  Layout layout{area, max_range};
   const double largest = extent.maxCoeff();
   const Surroundings around = landmarkGates(map, area, max_range, 1e-3 * largest);
   if (!(around.in_range > 0)) return std::nullopt;
   const double typical_distance = around.in_range / around.inverse_distance;
-  plan.cell = std::sqrt(2.0) * motion * kBinWidth * typical_distance;
-  if ((extent / plan.cell).array().ceil().prod() > kMaxCells) return std::nullopt;
-  plan.columns = static_cast<int>(std::ceil(extent.x() / plan.cell));
-  plan.rows = static_cast<int>(std::ceil(extent.y() / plan.cell));
+  layout.cell = std::sqrt(2.0) * motion * kBinWidth * typical_distance;
+  if ((extent / layout.cell).array().ceil().prod() > kMaxCells) return std::nullopt;
+  layout.columns = static_cast<int>(std::ceil(extent.x() / layout.cell));
+  layout.rows = static_cast<int>(std::ceil(extent.y() / layout.cell));
   const double bins_set =
-      around.in_range * kReach + 2 * plan.cell * std::sqrt(0.5) * around.inverse_distance / kBinWidth;
-  plan.occupancy = 1 - std::exp(-bins_set / kBins);
-  return plan;
+      around.in_range * kReach + 2 * layout.cell * std::sqrt(0.5) * around.inverse_distance / kBinWidth;
+  layout.occupancy = 1 - std::exp(-bins_set / kBins);
+  return layout;
 }
 
-PanoramaIndex::PanoramaIndex(const LandmarkIndex& map, const Plan& plan)
-    : plan_(plan), bits_(plan.cells() * kWords), close_(plan.cells())
+VisibilityGrid::VisibilityGrid(const LandmarkIndex& map, const Layout& layout)
+    : layout_(layout), bits_(layout.cells() * kWords), close_(layout.cells())
 {
-  DirectionIntervals seen(map.positions(), (plan.area.min + plan.area.max) / 2);
-  const double farthest = std::min(plan.max_range, 1e9) + cellRadius();
-  for (std::size_t c = 0; c < plan.cells(); ++c)
+  DirectionIntervals seen(map.positions(), (layout.area.min + layout.area.max) / 2);
+  const double farthest = std::min(layout.max_range, 1e9) + cellRadius();
+  for (std::size_t c = 0; c < layout.cells(); ++c)
   {
-    seen.lookFrom(centre(c), cellRadius(), farthest);
+    seen.update(centre(c), cellRadius(), farthest);
     fillRing(seen.direction(), seen.halfWidth(), c);
   }
 }
 
-Vector2d PanoramaIndex::centre(std::size_t cell) const
+Vector2d VisibilityGrid::centre(std::size_t cell) const
 {
-  const auto columns = static_cast<std::size_t>(plan_.columns);
+  const auto columns = static_cast<std::size_t>(layout_.columns);
   const std::size_t column = cell % columns, row = cell / columns;
-  return plan_.area.min + plan_.cell * Vector2d(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
+  return layout_.area.min + layout_.cell * Vector2d(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
 }
 
-void PanoramaIndex::fillRing(const std::vector<float>& direction, const std::vector<float>& half_width,
-                             std::size_t cell)
+void VisibilityGrid::fillRing(const std::vector<float>& direction, const std::vector<float>& half_width,
+                              std::size_t cell)
 {
   std::uint64_t* ring = bits_.data() + cell * kWords;
   constexpr auto kPerRadian = static_cast<float>(1 / kBinWidth);

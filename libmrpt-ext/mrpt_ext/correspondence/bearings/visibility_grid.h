@@ -17,7 +17,7 @@ namespace mrpt_ext
 ///
 /// Bit q is set when a landmark can appear in a direction within [q, q + kReach) bins, so that a query needs only the
 /// lower end of what it looks for.
-class PanoramaIndex
+class VisibilityGrid
 {
  public:
   static constexpr int kBins = 2048;                   ///< directions in a full turn
@@ -26,7 +26,7 @@ class PanoramaIndex
   static constexpr double kBinWidth = kTwoPi / kBins;  ///< [rad]
 
   /// The grid that suits a map.
-  struct Plan
+  struct Layout
   {
     Box2 area;
     double max_range = 0;  ///< [m], infinity for none
@@ -41,26 +41,26 @@ class PanoramaIndex
   };
   /// Cells from whose middle to whose rim the direction of a typical landmark moves by `motion` [bins]. Nothing for an
   /// area that is not finite, or when it would take more than 100 MB.
-  [[nodiscard]] static std::optional<Plan> plan(const LandmarkIndex& map, const Box2& area, double max_range,
-                                                double motion);
+  [[nodiscard]] static std::optional<Layout> chooseLayout(const LandmarkIndex& map, const Box2& area, double max_range,
+                                                          double motion);
 
-  PanoramaIndex(const LandmarkIndex& map, const Plan& plan);
+  VisibilityGrid(const LandmarkIndex& map, const Layout& layout);
 
-  [[nodiscard]] const Plan& plan() const { return plan_; }
+  [[nodiscard]] const Layout& layout() const { return layout_; }
   [[nodiscard]] bool isOf(const Box2& area, double max_range) const
   {
-    return plan_.area.min == area.min && plan_.area.max == area.max && plan_.max_range == max_range;
+    return layout_.area.min == area.min && layout_.area.max == area.max && layout_.max_range == max_range;
   }
   [[nodiscard]] const std::uint64_t* ring(std::size_t cell) const { return bits_.data() + cell * kWords; }
   [[nodiscard]] int closeLandmarks(std::size_t cell) const { return close_[cell]; }
   [[nodiscard]] Vector2d centre(std::size_t cell) const;
   /// Largest distance of a point of a cell from its centre [m].
-  [[nodiscard]] double cellRadius() const { return plan_.cell * std::sqrt(0.5); }
+  [[nodiscard]] double cellRadius() const { return layout_.cell * std::sqrt(0.5); }
 
  private:
   void fillRing(const std::vector<float>& direction, const std::vector<float>& half_width, std::size_t cell);
 
-  Plan plan_;
+  Layout layout_;
   std::vector<std::uint64_t> bits_;
   std::vector<std::uint8_t> close_;
 };

@@ -12,7 +12,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr int kWords = PanoramaIndex::kWords, kBins = PanoramaIndex::kBins;
+constexpr int kWords = VisibilityGrid::kWords, kBins = VisibilityGrid::kBins;
 
 /// One rotation of the ring, as the kernel wants it.
 struct Rotation
@@ -21,18 +21,18 @@ struct Rotation
   std::int32_t ends_reading = 0;  ///< the last one of its reading
 };
 
-std::vector<Rotation> rotationsOf(std::span<const ScanBearing> readings, double gate)
+std::vector<Rotation> rotationsOf(std::span<const ScanBearing> bearings, double gate)
 {
   std::vector<Rotation> rotations;
-  for (const ScanBearing& reading : readings)
+  for (const ScanBearing& reading : bearings)
   {
-    for (const int shift : panoramaShifts(reading, gate)) rotations.push_back({shift >> 3, shift & 7, 0});
+    for (const int shift : ringRotations(reading, gate)) rotations.push_back({shift >> 3, shift & 7, 0});
     rotations.back().ends_reading = 1;
   }
   return rotations;
 }
 
-/// Number of readings without landmark for every heading, in bit slices: bit b of a counter has its value, where it is
+/// Number of bearings without landmark for every heading, in bit slices: bit b of a counter has its value, where it is
 /// at most seven. `within`: headings with no more of them than allowed.
 struct MissCounters
 {
@@ -101,45 +101,45 @@ int missesOf(const MissCounters& count, std::size_t w, int bit)
 }
 }  // namespace
 
-std::vector<int> panoramaShifts(const ScanBearing& reading, double gate)
+std::vector<int> ringRotations(const ScanBearing& reading, double gate)
 {
-  const double low = (reading.bearing - gate * reading.std) / PanoramaIndex::kBinWidth;
-  const double high = (reading.bearing + gate * reading.std) / PanoramaIndex::kBinWidth + 1;  // headings fill a bin
+  const double low = (reading.bearing - gate * reading.std) / VisibilityGrid::kBinWidth;
+  const double high = (reading.bearing + gate * reading.std) / VisibilityGrid::kBinWidth + 1;  // headings fill a bin
   std::vector<int> shifts;
-  for (double q = std::floor(low); shifts.empty() || q <= high; q += PanoramaIndex::kReach)
+  for (double q = std::floor(low); shifts.empty() || q <= high; q += VisibilityGrid::kReach)
     shifts.push_back(static_cast<int>(q + 4.0 * kBins) & (kBins - 1));
   return shifts;
 }
 
-PanoramaHits scanPanoramas(const PanoramaIndex& index, std::span<const ScanBearing> readings, double gate, int floor,
-                           std::size_t capacity)
+PoseBoxes voteForPoses(const VisibilityGrid& index, std::span<const ScanBearing> bearings, double gate, int floor,
+                       std::size_t capacity)
 {
-  const int usable = static_cast<int>(readings.size());
-  PanoramaHits hits;
-  hits.floor = std::max(floor, usable - kMostPanoramaMisses);
-  hits.by_explained.resize(static_cast<std::size_t>(usable) + 1);
-  const std::vector<Rotation> rotations = rotationsOf(readings, gate);
+  const int usable = static_cast<int>(bearings.size());
+  PoseBoxes hits;
+  hits.floor = std::max(floor, usable - kMostOutliers);
+  hits.by_inliers.resize(static_cast<std::size_t>(usable) + 1);
+  const std::vector<Rotation> rotations = rotationsOf(bearings, gate);
   MissCounters count;
   std::size_t held = 0;
-  for (std::size_t cell = 0; cell < index.plan().cells(); ++cell)
+  for (std::size_t cell = 0; cell < index.layout().cells(); ++cell)
   {
     // Landmarks in or close to the cell are not in its ring: each may explain one reading more.
     const int close = index.closeLandmarks(cell);
-    const int allowed = std::min(usable - hits.floor + close, kMostPanoramaMisses);
+    const int allowed = std::min(usable - hits.floor + close, kMostOutliers);
     if (!countMisses(index.ring(cell), rotations.data(), rotations.size(), allowed, count)) continue;
     for (std::size_t w = 0; w < kWords; ++w)
       for (std::uint64_t left = count.within[w]; left != 0; left &= left - 1)
       {
         const int bit = std::countr_zero(left);
-        const int explained = std::min(usable, usable - missesOf(count, w, bit) + close);
-        hits.by_explained[static_cast<std::size_t>(explained)].push_back(
+        const int inliers = std::min(usable, usable - missesOf(count, w, bit) + close);
+        hits.by_inliers[static_cast<std::size_t>(inliers)].push_back(
             {static_cast<std::uint32_t>(cell), static_cast<std::uint16_t>(64 * w + static_cast<std::size_t>(bit)),
-             static_cast<std::uint16_t>(explained)});
+             static_cast<std::uint16_t>(inliers)});
         ++held;
       }
     for (; held > capacity && hits.floor < usable; ++hits.floor)
     {
-      auto& lowest = hits.by_explained[static_cast<std::size_t>(hits.floor)];
+      auto& lowest = hits.by_inliers[static_cast<std::size_t>(hits.floor)];
       held -= lowest.size();
       lowest = {};
     }
@@ -147,14 +147,14 @@ PanoramaHits scanPanoramas(const PanoramaIndex& index, std::span<const ScanBeari
   return hits;
 }
 
-GaussianPose poseOf(const PanoramaHit& hit, const PanoramaIndex& index, double gate)
+GaussianPose poseOf(const PoseBox& hit, const VisibilityGrid& index, double gate)
 {
   const Vector2d centre = index.centre(hit.cell);
   GaussianPose pose;
-  pose.mean = {centre.x(), centre.y(), wrap((hit.heading + 0.5) * PanoramaIndex::kBinWidth)};
+  pose.mean = {centre.x(), centre.y(), wrap((hit.heading + 0.5) * VisibilityGrid::kBinWidth)};
   // Position and heading may both be at the rim of the box: their shares of a direction add up, not their squares.
   const double side = std::sqrt(2.0) * index.cellRadius() / gate;
-  const double turn = std::sqrt(2.0) * 0.5 * PanoramaIndex::kBinWidth / gate;
+  const double turn = std::sqrt(2.0) * 0.5 * VisibilityGrid::kBinWidth / gate;
   pose.covariance = Vector3d(side * side, side * side, turn * turn).asDiagonal();
   return pose;
 }

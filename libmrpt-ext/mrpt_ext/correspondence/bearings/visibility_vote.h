@@ -10,35 +10,35 @@
 
 namespace mrpt_ext
 {
-constexpr int kMostPanoramaMisses = 7;  ///< readings without landmark that a scan can count
+constexpr int kMostOutliers = 7;  ///< bearings without landmark that a scan can count
 
-/// A small box of sensor poses that may explain readings: a cell and a bin of headings.
-struct PanoramaHit
+/// A small box of sensor poses that may explain bearings: a cell and a bin of headings.
+struct PoseBox
 {
   std::uint32_t cell = 0;
-  std::uint16_t heading = 0;    ///< bin
-  std::uint16_t explained = 0;  ///< no pose in the box explains more readings
+  std::uint16_t heading = 0;  ///< bin
+  std::uint16_t inliers = 0;  ///< no pose in the box explains more bearings
 };
 
-/// The boxes of poses that survive a scan, by the number of readings that they may explain.
-struct PanoramaHits
+/// The boxes of poses that survive a scan, by the number of bearings that they may explain.
+struct PoseBoxes
 {
-  std::vector<std::vector<PanoramaHit>> by_explained;
+  std::vector<std::vector<PoseBox>> by_inliers;
   int floor = 0;  ///< boxes that explain at least so many are all here
 };
 
 /// Rotations [bins] of a ring whose union holds what a reading could point to.
-[[nodiscard]] std::vector<int> panoramaShifts(const ScanBearing& reading, double gate);
+[[nodiscard]] std::vector<int> ringRotations(const ScanBearing& reading, double gate);
 
-/// Compares the readings of one place with every cell under every heading: box by box, the number of readings that have
+/// Compares the bearings of one scan with every cell under every heading: box by box, the number of bearings that have
 /// no landmark anywhere they could point to is counted for all headings at once, in bit slices (one addition of 64
 /// headings per instruction and counter bit, more with vector registers). Nothing is missed by a pose in the area:
-/// every reading within `gate` standard deviations of a landmark counts as explained. At most kMostPanoramaMisses
-/// readings, and no more than all but `floor`, may be without landmark; when more than `capacity` boxes survive, the
+/// every reading within `gate` standard deviations of a landmark counts as inliers. At most kMostOutliers
+/// bearings, and no more than all but `floor`, may be without landmark; when more than `capacity` boxes survive, the
 /// floor rises.
-[[nodiscard]] PanoramaHits scanPanoramas(const PanoramaIndex& index, std::span<const ScanBearing> readings, double gate,
-                                         int floor, std::size_t capacity);
+[[nodiscard]] PoseBoxes voteForPoses(const VisibilityGrid& index, std::span<const ScanBearing> bearings, double gate,
+                                     int floor, std::size_t capacity);
 
-/// The pose in the middle of a box, with a covariance of which `gate` standard deviations cover the box.
-[[nodiscard]] GaussianPose poseOf(const PanoramaHit& hit, const PanoramaIndex& index, double gate);
+/// The pose in the middle of a box, with a covariance of which `gate` standard deviations schedule the box.
+[[nodiscard]] GaussianPose poseOf(const PoseBox& hit, const VisibilityGrid& index, double gate);
 }  // namespace mrpt_ext

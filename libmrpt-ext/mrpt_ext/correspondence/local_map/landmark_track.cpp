@@ -14,18 +14,18 @@ constexpr std::size_t kEnoughToPredict = 8;  // sightings, evenly chosen; all of
 WindowObservation sightingOf(const PastScan& from, const AnonymousDetection& d, const Matrix3d& reference)
 {
   return {
-      from.place.T_robot_sensor, from.odometry_covariance - reference, d.bearing, d.range, d.std_bearing, d.std_range};
+      from.scan.T_robot_sensor, from.odometry_covariance - reference, d.bearing, d.range, d.std_bearing, d.std_range};
 }
 
 TrackPrediction predictFromDirection(const PastScan& from, const PastScan& at, const AnonymousDetection& seen,
                                      double nearest)
 {
   const double inverse_depth = 0.25 / nearest, std_inverse_depth = 0.25 / nearest;
-  const Vector2d ray = direction(from.place.T_robot_sensor.phi + *seen.bearing);
-  const Vector2d origin = from.place.T_robot_sensor.position();
+  const Vector2d ray = direction(from.scan.T_robot_sensor.phi + *seen.bearing);
+  const Vector2d origin = from.scan.T_robot_sensor.position();
   TrackPrediction expected;
   expected.point.mean = origin + ray / inverse_depth;
-  const Vector2d offset = expected.point.mean - at.place.T_robot_sensor.position();
+  const Vector2d offset = expected.point.mean - at.scan.T_robot_sensor.position();
   // d point / d inverse depth = -ray / inverse_depth^2, seen across the line of sight.
   const double slope = cross(offset, ray) / (offset.squaredNorm() * square(inverse_depth));
   expected.bearing_variance = square(seen.std_bearing) + square(slope * std_inverse_depth);
@@ -35,7 +35,7 @@ TrackPrediction predictFromDirection(const PastScan& from, const PastScan& at, c
   return expected;
 }
 
-std::optional<GaussianPoint> predictedPoint(const LandmarkTrack& track, std::span<const PastScan> places,
+std::optional<GaussianPoint> predictedPoint(const LandmarkTrack& track, std::span<const PastScan> scans,
                                             const Matrix3d& reference)
 {
   LandmarkTrack some = track;
@@ -45,42 +45,40 @@ std::optional<GaussianPoint> predictedPoint(const LandmarkTrack& track, std::spa
     for (std::size_t k = 0; k < kEnoughToPredict; ++k)  // the newest among them
       some.members.push_back(track.members[(k + 1) * track.members.size() / kEnoughToPredict - 1]);
   }
-  const WindowLandmark found = locateLandmark(sightingsOf(some, places, reference));
+  const WindowLandmark found = locateLandmark(sightingsOf(some, scans, reference));
   if (found.status != SolveStatus::ok || found.places.size() != 1) return std::nullopt;
   return found.places.front().in_robot;
 }
 }  // namespace
 
-std::vector<WindowObservation> sightingsOf(const LandmarkTrack& track, std::span<const PastScan> places,
+std::vector<WindowObservation> sightingsOf(const LandmarkTrack& track, std::span<const PastScan> scans,
                                            const Matrix3d& reference_covariance)
 {
   std::vector<WindowObservation> sightings;
   for (const LandmarkTrack::Member& m : track.members)
-    sightings.push_back(
-        sightingOf(places[m.place], places[m.place].place.detections[m.detection], reference_covariance));
+    sightings.push_back(sightingOf(scans[m.scan], scans[m.scan].scan.detections[m.detection], reference_covariance));
   return sightings;
 }
 
-TrackPrediction predictTrack(const LandmarkTrack& track, std::span<const PastScan> places, std::size_t at,
+TrackPrediction predictTrack(const LandmarkTrack& track, std::span<const PastScan> scans, std::size_t at,
                              double nearest)
 {
   if (track.located)
-    if (const auto point = predictedPoint(track, places, places[at].odometry_covariance)) return {*point, 0, true};
+    if (const auto point = predictedPoint(track, scans, scans[at].odometry_covariance)) return {*point, 0, true};
   const LandmarkTrack::Member& last = track.members.back();
-  return predictFromDirection(places[last.place], places[at], places[last.place].place.detections[last.detection],
-                              nearest);
+  return predictFromDirection(scans[last.scan], scans[at], scans[last.scan].scan.detections[last.detection], nearest);
 }
 
 TrackFit compare(const TrackPrediction& expected, const PastScan& at, const AnonymousDetection& d)
 {
-  const Vector2d offset = expected.point.mean - at.place.T_robot_sensor.position();
+  const Vector2d offset = expected.point.mean - at.scan.T_robot_sensor.position();
   const double r = std::max(offset.norm(), 1e-6);
   Matrix2d H;  // bearing, range
   H.row(0) = perpendicular(offset).transpose() / (r * r);
   H.row(1) = offset.transpose() / r;
   Matrix2d S = H * expected.point.covariance * H.transpose();
   S(0, 0) += square(d.std_bearing) + expected.bearing_variance;
-  const double turned = wrap(*d.bearing + at.place.T_robot_sensor.phi - angleOf(offset));
+  const double turned = wrap(*d.bearing + at.scan.T_robot_sensor.phi - angleOf(offset));
   if (!d.range || !expected.depth_known) return {square(turned) / S(0, 0), 1};
   S(1, 1) += square(d.std_range);
   const Vector2d e(turned, *d.range - r);

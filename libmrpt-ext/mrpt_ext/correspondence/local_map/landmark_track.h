@@ -9,27 +9,27 @@
 
 namespace mrpt_ext
 {
-/// Sightings that seem to show one landmark, from one place after the other.
+/// Sightings that seem to show one landmark, from one scan after the other.
 struct LandmarkTrack
 {
   struct Member
   {
-    std::size_t place = 0, detection = 0;
+    std::size_t scan = 0, detection = 0;
   };
-  int kind = kAnyCategory;
-  std::vector<Member> members;  ///< by place, at most one of each
+  int category = kAnyCategory;
+  std::vector<Member> members;  ///< by scan, at most one of each
   GaussianPoint point;          ///< robot frame of now [m], of a finished track
   bool located = false;         ///< its sightings hold a point: no longer a mere direction
 };
 
-/// The track's sightings as seen from place `reference`: what odometry adds on the way before it, nothing after.
-[[nodiscard]] std::vector<WindowObservation> sightingsOf(const LandmarkTrack& track, std::span<const PastScan> places,
+/// The track's sightings as seen from scan `reference`: what odometry adds on the way before it, nothing after.
+[[nodiscard]] std::vector<WindowObservation> sightingsOf(const LandmarkTrack& track, std::span<const PastScan> scans,
                                                          const Matrix3d& reference_covariance);
 
-/// Where a later place should see the track's landmark.
+/// Where a later scan should see the track's landmark.
 struct TrackPrediction
 {
-  GaussianPoint point;          ///< robot frame of now; covariance relative to that place
+  GaussianPoint point;          ///< robot frame of now; covariance relative to that scan
   double bearing_variance = 0;  ///< further variance of the bearing [rad^2]
   bool depth_known = false;     ///< false: the range means nothing
 };
@@ -37,7 +37,7 @@ struct TrackPrediction
 /// A located track predicts a point. A direction alone predicts the bearing of a landmark at an inverse depth of
 /// 1/4 +- 1/4 of 1 / `nearest` (inverse depth: Civera, Davison, Montiel 2008; its error is Gaussian where that of a
 /// depth is not).
-[[nodiscard]] TrackPrediction predictTrack(const LandmarkTrack& track, std::span<const PastScan> places, std::size_t at,
+[[nodiscard]] TrackPrediction predictTrack(const LandmarkTrack& track, std::span<const PastScan> scans, std::size_t at,
                                            double nearest);
 
 /// How well a detection agrees with a prediction.

@@ -55,15 +55,15 @@ PointFit fitPoints(std::span<const PointMatch> matches)
   return fit;
 }
 
-GrownFit growFit(const LandmarkIndex& map, std::span<const PointMatch> constellation,
-                 std::span<const ReadingPoint> others, double gate, int least)
+GrownFit growFit(const LandmarkIndex& map, std::span<const PointMatch> constellation, std::span<const ScanPoint> others,
+                 double gate, int least)
 {
   std::array<PointMatch, kMostGrown> matches;
   std::size_t count = std::min(constellation.size(), kMostGrown);
   std::copy_n(constellation.begin(), count, matches.begin());
   GrownFit grown{fitPoints({matches.data(), count}), static_cast<int>(constellation.size())};
   int left = static_cast<int>(others.size());
-  for (const ReadingPoint& point : others)
+  for (const ScanPoint& point : others)
   {
     const Vector2d expected = grown.fit.toWorld(point.in_robot);
     double nearest = gate * std::sqrt(square(point.std) + grown.fit.varianceAt(point.in_robot));
@@ -72,20 +72,20 @@ GrownFit growFit(const LandmarkIndex& map, std::span<const PointMatch> constella
                     [&](std::size_t candidate)
                     {
                       const double distance = (map.position(candidate) - expected).norm();
-                      if (distance > nearest || !map.mayShow(point.kind, candidate)) return;
+                      if (distance > nearest || !map.mayShow(point.category, candidate)) return;
                       nearest = distance;
                       landmark = &map.position(candidate);
                     });
     if (landmark)
     {
-      ++grown.explained;
+      ++grown.inliers;
       if (count < kMostGrown)
       {
         matches[count++] = {&point, *landmark};
         grown.fit = fitPoints({matches.data(), count});
       }
     }
-    if (grown.explained + --left < least) break;
+    if (grown.inliers + --left < least) break;
   }
   return grown;
 }

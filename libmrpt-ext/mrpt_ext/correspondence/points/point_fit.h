@@ -25,7 +25,7 @@ struct PointFit
     const Vector2d d = in_robot - centre_robot;
     return {centre_world.x() + c * d.x() - s * d.y(), centre_world.y() + s * d.x() + c * d.y()};
   }
-  /// Variance of that place, the fit's part, in its worst direction [m^2].
+  /// Variance of that scan, the fit's part, in its worst direction [m^2].
   [[nodiscard]] double varianceAt(const Vector2d& in_robot) const
   {
     return position_variance + heading_variance * (in_robot - centre_robot).squaredNorm();
@@ -36,7 +36,7 @@ struct PointFit
 /// A seen point and where its landmark is.
 struct PointMatch
 {
-  const ReadingPoint* point = nullptr;
+  const ScanPoint* point = nullptr;
   Vector2d landmark{0, 0};  ///< world frame [m]
 };
 
@@ -47,12 +47,12 @@ struct PointMatch
 struct GrownFit
 {
   PointFit fit;
-  int explained = 0;  ///< points matched, the constellation's own included
+  int inliers = 0;  ///< points matched, the constellation's own included
 };
 
-/// Takes the other points one after the other: each that has a landmark of its kind within `gate` standard deviations
-/// of where the fit so far expects it joins the fit, which thereby becomes surer of the next. Stops when `least`
-/// matches cannot be reached any more.
+/// Takes the other points one after the other: each that has a landmark of its category within `gate` standard
+/// deviations of where the fit so far expects it joins the fit, which thereby becomes surer of the next. Stops when
+/// `least` matches cannot be reached any more.
 [[nodiscard]] GrownFit growFit(const LandmarkIndex& map, std::span<const PointMatch> constellation,
-                               std::span<const ReadingPoint> others, double gate, int least);
+                               std::span<const ScanPoint> others, double gate, int least);
 }  // namespace mrpt_ext

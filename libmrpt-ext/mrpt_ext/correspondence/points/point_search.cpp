@@ -14,9 +14,9 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr std::size_t kNearPoints = 4;    // a triangle is made of a point and two of its nearest
-constexpr std::size_t kMaxJudged = 2000;  // poses; each costs some ten microseconds
-constexpr std::size_t kMaxWaiting = 50000;
+constexpr std::size_t kNearPoints = 4;      // a triangle is made of a point and two of its nearest
+constexpr std::size_t kMaxVerified = 2000;  // poses; each costs some ten microseconds
+constexpr std::size_t kMaxPending = 50000;
 constexpr std::size_t kMaxPairs = 15;  // widest first: they fix the heading best
 /// So few landmarks seen need not be near neighbours of one another, as those of the index are.
 constexpr int kFewMatches = 3;
@@ -24,19 +24,19 @@ constexpr double kDoubt =
     0.05;  // probability of unlisted poses, or expected number of false ones, that calls for pairs
 constexpr double kPlaneGate = 1.15;  // a gate in the plane reaches further than one on a line for the same share
 constexpr double kSamePose = 0.5;    // standard deviations
-constexpr double kNothing = -std::numeric_limits<double>::infinity();
+constexpr double kLogZero = -std::numeric_limits<double>::infinity();
 
 class PointSearchRun
 {
  public:
-  PointSearchRun(const LandmarkIndex& map, const TriangleIndex& triangles, std::span<const Scan> places,
-                 const PoseSearchOptions& options, std::vector<ReadingPoint> points)
+  PointSearchRun(const LandmarkIndex& map, const TriangleIndex& triangles, std::span<const Scan> scans,
+                 const PoseSearchOptions& options, std::vector<ScanPoint> points)
       : map_(map),
         triangles_(triangles),
-        places_(places),
+        scans_(scans),
         options_(options),
         points_(std::move(points)),
-        chance_(chancePoints(map, points_, options.gate))
+        false_alarms_(pointFalseAlarmModel(map, points_, options.gate))
   {
   }
 
@@ -76,11 +76,11 @@ class PointSearchRun
     return forms;
   }
 
-  [[nodiscard]] std::optional<Triangle> triangleOf(const std::array<int, 3>& names) const
+  [[nodiscard]] std::optional<Triangle> triangleOf(const std::array<int, 3>& indices) const
   {
     std::array<Vector2d, 3> corners;
-    for (std::size_t k = 0; k < 3; ++k) corners[k] = points_[static_cast<std::size_t>(names[k])].in_robot;
-    return makeTriangle(corners, names);
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = points_[static_cast<std::size_t>(indices[k])].in_robot;
+    return makeTriangle(corners, indices);
   }
 
   [[nodiscard]] std::vector<int> nearestPoints(int to) const
@@ -99,9 +99,9 @@ class PointSearchRun
   }
 
   /// Triangles of near points, with the number of entries that looking them up will cost.
-  [[nodiscard]] std::vector<ReadingTriple> triangleCandidates() const
+  [[nodiscard]] std::vector<DetectionTriple> triangleCandidates() const
   {
-    std::vector<ReadingTriple> candidates;
+    std::vector<DetectionTriple> candidates;
     for (int i = 0; i < static_cast<int>(points_.size()); ++i)
     {
       const std::vector<int> near = nearestPoints(i);
@@ -126,24 +126,24 @@ class PointSearchRun
     TripleSchedule cover(triangleCandidates());
     while (cover.tolerated() < static_cast<int>(points_.size()) - std::max(least_, best_matched_))
     {
-      const std::optional<ReadingTriple> triple = cover.next();
+      const std::optional<DetectionTriple> triple = cover.next();
       if (!triple || !withinWork()) break;
       tryTriangle(*triangleOf(triple->reading));
       ++result_.work.rounds;
-      judgeWaiting();
+      verifyPending();
     }
   }
 
   void tryTriangle(const Triangle& triangle)
   {
-    const std::vector<ReadingPoint> others = pointsBeside({triangle.corner.begin(), triangle.corner.end()});
+    const std::vector<ScanPoint> others = pointsBeside({triangle.corner.begin(), triangle.corner.end()});
     for (const Triangle& form : formsOf(triangle))
     {
-      std::array<const ReadingPoint*, 3> seen{};
+      std::array<const ScanPoint*, 3> seen{};
       for (std::size_t k = 0; k < 3; ++k) seen[k] = &points_[static_cast<std::size_t>(form.corner[k])];
       triangles_.forEachNear(form.side, tolerances(form),
                              [&](const std::array<std::uint32_t, 3>& landmarks) {
-                               weigh<3>(seen, {landmarks[0], landmarks[1], landmarks[2]}, others);
+                               evaluate<3>(seen, {landmarks[0], landmarks[1], landmarks[2]}, others);
                              });
     }
   }
@@ -161,72 +161,72 @@ class PointSearchRun
              {i, j}});
     std::sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     if (pairs.size() > kMaxPairs) pairs.resize(kMaxPairs);
-    for (const auto& [distance, names] : pairs)
+    for (const auto& [distance, indices] : pairs)
     {
       if (!withinWork()) break;
-      tryPair(names, distance);
+      tryPair(indices, distance);
       ++result_.work.rounds;
     }
-    judgeWaiting();
+    verifyPending();
   }
 
-  void tryPair(const std::array<int, 2>& names, double distance)
+  void tryPair(const std::array<int, 2>& indices, double distance)
   {
-    const std::array<const ReadingPoint*, 2> seen{&points_[static_cast<std::size_t>(names[0])],
-                                                  &points_[static_cast<std::size_t>(names[1])]};
+    const std::array<const ScanPoint*, 2> seen{&points_[static_cast<std::size_t>(indices[0])],
+                                               &points_[static_cast<std::size_t>(indices[1])]};
     const double tolerance = options_.gate * std::hypot(seen[0]->std, seen[1]->std);
-    const std::vector<ReadingPoint> others = pointsBeside({names.begin(), names.end()});
+    const std::vector<ScanPoint> others = pointsBeside({indices.begin(), indices.end()});
     for (std::size_t i = 0; i < map_.size() && withinWork(); ++i)
-      if (map_.mayShow(seen[0]->kind, i))
+      if (map_.mayShow(seen[0]->category, i))
         map_.forEachNear(map_.position(i), distance + tolerance,
                          [&](std::size_t j)
                          {
                            const double apart = (map_.position(i) - map_.position(j)).norm();
-                           if (j != i && apart >= distance - tolerance) weigh<2>(seen, {i, j}, others);
+                           if (j != i && apart >= distance - tolerance) evaluate<2>(seen, {i, j}, others);
                          });
   }
 
   // ---- candidates
 
   /// The points that a constellation does not use, nearest first: they confirm or reject it soonest.
-  [[nodiscard]] std::vector<ReadingPoint> pointsBeside(const std::vector<int>& used) const
+  [[nodiscard]] std::vector<ScanPoint> pointsBeside(const std::vector<int>& used) const
   {
     Vector2d centre(0, 0);
     for (const int u : used) centre += points_[static_cast<std::size_t>(u)].in_robot / static_cast<double>(used.size());
-    std::vector<ReadingPoint> others;
+    std::vector<ScanPoint> others;
     for (int i = 0; i < static_cast<int>(points_.size()); ++i)
       if (std::find(used.begin(), used.end(), i) == used.end()) others.push_back(points_[static_cast<std::size_t>(i)]);
     std::sort(others.begin(), others.end(),
-              [&](const ReadingPoint& a, const ReadingPoint& b)
+              [&](const ScanPoint& a, const ScanPoint& b)
               { return (a.in_robot - centre).squaredNorm() < (b.in_robot - centre).squaredNorm(); });
     return others;
   }
 
   template <std::size_t Count>
-  void weigh(const std::array<const ReadingPoint*, Count>& seen, const std::array<std::size_t, Count>& landmarks,
-             std::span<const ReadingPoint> others)
+  void evaluate(const std::array<const ScanPoint*, Count>& seen, const std::array<std::size_t, Count>& landmarks,
+                std::span<const ScanPoint> others)
   {
     ++result_.work.tested;
     std::array<PointMatch, Count> matches;
     for (std::size_t k = 0; k < Count; ++k)
     {
-      if (!map_.mayShow(seen[k]->kind, landmarks[k])) return;
+      if (!map_.mayShow(seen[k]->category, landmarks[k])) return;
       matches[k] = {seen[k], map_.position(landmarks[k])};
     }
-    const int least = leastExplained();
+    const int least = leastInliers();
     const GrownFit grown = growFit(map_, matches, others, kPlaneGate * options_.gate, least);
-    if (grown.explained < least) return;
-    if (waiting_.size() < kMaxWaiting)
-      waiting_.push_back(grown);
+    if (grown.inliers < least) return;
+    if (pending_.size() < kMaxPending)
+      pending_.push_back(grown);
     else
       result_.finished = false;
   }
 
   /// A pose that explains one point less at first may explain as much as the best when refined.
-  [[nodiscard]] int leastExplained() const { return std::max(least_, best_explained_ - 1); }
+  [[nodiscard]] int leastInliers() const { return std::max(least_, most_inliers_ - 1); }
 
-  /// True when a pose that was judged already is as good as the same. The candidate's own, larger, uncertainty does not
-  /// count: a rival that lies within it would be lost.
+  /// True when a pose that was verified already is as good as the same. The candidate's own, larger, uncertainty does
+  /// not count: a rival that lies within it would be lost.
   [[nodiscard]] bool alreadyFound(const GaussianPose& candidate) const
   {
     const auto same = [&](const ConsistentPose& found)
@@ -240,28 +240,28 @@ class PointSearchRun
     return std::any_of(result_.poses.begin(), result_.poses.end(), same);
   }
 
-  void judgeWaiting()
+  void verifyPending()
   {
-    std::stable_sort(waiting_.begin(), waiting_.end(),
-                     [](const GrownFit& a, const GrownFit& b) { return a.explained > b.explained; });
-    for (const GrownFit& candidate : waiting_)
+    std::stable_sort(pending_.begin(), pending_.end(),
+                     [](const GrownFit& a, const GrownFit& b) { return a.inliers > b.inliers; });
+    for (const GrownFit& candidate : pending_)
     {
-      if (candidate.explained < leastExplained()) break;
+      if (candidate.inliers < leastInliers()) break;
       const GaussianPose pose = candidate.fit.pose();
       if (alreadyFound(pose)) continue;
-      if (result_.work.judged >= kMaxJudged)
+      if (result_.work.verified >= kMaxVerified)
       {
         result_.finished = false;
         break;
       }
-      ++result_.work.judged;
-      auto judged = verifyPose(map_, places_, options_, pose, 2);
-      if (!judged) continue;
-      best_explained_ = std::max(best_explained_, candidate.explained);
-      best_matched_ = std::max(best_matched_, std::min(judged->matched, static_cast<int>(points_.size())));
-      result_.poses.push_back(std::move(*judged));
+      ++result_.work.verified;
+      auto verified = verifyPose(map_, scans_, options_, pose, 2);
+      if (!verified) continue;
+      most_inliers_ = std::max(most_inliers_, candidate.inliers);
+      best_matched_ = std::max(best_matched_, std::min(verified->matched, static_cast<int>(points_.size())));
+      result_.poses.push_back(std::move(*verified));
     }
-    waiting_.clear();
+    pending_.clear();
   }
 
   [[nodiscard]] bool withinWork()
@@ -271,26 +271,26 @@ class PointSearchRun
   }
 
   /// Log of the evidence of the poses that explain less than the best.
-  [[nodiscard]] double missedEvidence() const
+  [[nodiscard]] double unsearchedEvidence() const
   {
-    return logEvidenceOfUnsearched(map_, places_, areaOrMap(map_, options_.area), best_matched_);
+    return logEvidenceOfUnsearched(map_, scans_, areaOrMap(map_, options_.area), best_matched_);
   }
 
   /// False when the best pose may be chance: the right one may have been seen by no triangle of the index.
   [[nodiscard]] bool isConvincing() const
   {
-    double best = kNothing;
+    double best = kLogZero;
     for (const ConsistentPose& pose : result_.poses) best = std::max(best, pose.log_evidence);
-    return missedEvidence() < best + std::log(kDoubt) && expectedFalsePoses(chance_, best_matched_) < kDoubt;
+    return unsearchedEvidence() < best + std::log(kDoubt) && expectedFalsePoses(false_alarms_, best_matched_) < kDoubt;
   }
 
   void finish()
   {
-    double missed = kNothing;
+    double missed = kLogZero;
     if (!result_.poses.empty())
     {
-      missed = missedEvidence();
-      result_.expected_false = expectedFalsePoses(chance_, best_matched_);
+      missed = unsearchedEvidence();
+      result_.expected_false = expectedFalsePoses(false_alarms_, best_matched_);
     }
     rankPoses(result_, options_, missed, best_matched_);
     result_.unique = result_.unique && result_.finished;
@@ -298,30 +298,30 @@ class PointSearchRun
 
   const LandmarkIndex& map_;
   const TriangleIndex& triangles_;
-  std::span<const Scan> places_;
+  std::span<const Scan> scans_;
   const PoseSearchOptions& options_;
-  std::vector<ReadingPoint> points_;
-  FalseAlarmPoints chance_;
-  std::vector<GrownFit> waiting_;
+  std::vector<ScanPoint> points_;
+  PointFalseAlarmModel false_alarms_;
+  std::vector<GrownFit> pending_;
   PoseSearchResult result_;
-  int best_matched_ = 0;    // by a judged pose
-  int best_explained_ = 0;  // before it was judged
+  int best_matched_ = 0;  // by a verified pose
+  int most_inliers_ = 0;  // before it was verified
   int least_ = 2;
 };
 }  // namespace
 
-PoseSearchResult PointSearch::search(std::span<const Scan> places, const PoseSearchOptions& options) const
+PoseSearchResult PointSearch::search(std::span<const Scan> scans, const PoseSearchOptions& options) const
 {
   PoseSearchResult nothing;
-  if (!areUsable(places)) nothing.status = SolveStatus::bad_input;
+  if (!areUsable(scans)) nothing.status = SolveStatus::bad_input;
   if (nothing.status == SolveStatus::bad_input) return nothing;
-  std::vector<ReadingPoint> points = gatherPoints(places, options.gate);
+  std::vector<ScanPoint> points = gatherPoints(scans, options.gate);
   if (points.size() < 2) return nothing;
   if (map_.size() < 2)
   {
     nothing.status = SolveStatus::none;
     return nothing;
   }
-  return PointSearchRun(map_, triangles_, places, options, std::move(points)).run();
+  return PointSearchRun(map_, triangles_, scans, options, std::move(points)).run();
 }
 }  // namespace mrpt_ext

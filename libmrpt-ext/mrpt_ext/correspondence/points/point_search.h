@@ -13,9 +13,9 @@ namespace mrpt_ext
 ///
 /// Triangles of seen points are looked up by their sides (triangle_index.h); each hit gives a pose, which the other
 /// points confirm or reject one after the other within the gate of the pose's own error; survivors are refined and
-/// judged (pose_verification.h). Triangles are tried until no set of false points as large as the number that the best
-/// pose leaves unexplained could have spoilt them all (triple_schedule.h). So no pose that explains as many points as
-/// the best is missed, provided the index holds the triangles: their corners are among the nearest neighbours of one
+/// verified (pose_verification.h). Triangles are tried until no set of false points as large as the number that the
+/// best pose leaves unexplained could have spoilt them all (triple_schedule.h). So no pose that explains as many points
+/// as the best is missed, provided the index holds the triangles: their corners are among the nearest neighbours of one
 /// another. Where no triangle finds anything, or only two points were seen, pairs of equal distance give the poses. One
 /// point leaves a ring (solvers/pose_ring.h): status `too_few`.
 class PointSearch
@@ -26,7 +26,7 @@ class PointSearch
 
   /// Detections without range take part in the judgement only. Status `bad_input` for numbers that are not finite or
   /// deviations that are not positive, `none` when no pose explains two points.
-  [[nodiscard]] PoseSearchResult search(std::span<const Scan> places, const PoseSearchOptions& options = {}) const;
+  [[nodiscard]] PoseSearchResult search(std::span<const Scan> scans, const PoseSearchOptions& options = {}) const;
 
   [[nodiscard]] const TriangleIndex& index() const { return triangles_; }
 

@@ -4,27 +4,26 @@
 
 namespace mrpt_ext
 {
-std::vector<ReadingPoint> gatherPoints(std::span<const Scan> places, double gate)
+std::vector<ScanPoint> gatherPoints(std::span<const Scan> scans, double gate)
 {
   struct Gathered
   {
-    ReadingPoint point;
-    std::size_t last_place;
+    ScanPoint point;
+    std::size_t last_scan;
   };
   std::vector<Gathered> gathered;
-  for (std::size_t p = 0; p < places.size(); ++p)
-    for (const AnonymousDetection& d : places[p].detections)
+  for (std::size_t p = 0; p < scans.size(); ++p)
+    for (const AnonymousDetection& d : scans[p].detections)
     {
-      if (!d.bearing || !d.range || d.kind == kUnknownCategory) continue;
+      if (!d.bearing || !d.range || d.category == kUnknownCategory) continue;
       const Vector2d offset = *d.range * Vector2d(std::cos(*d.bearing), std::sin(*d.bearing));
-      const ReadingPoint point{transform(places[p].T_robot_sensor, offset),
-                               std::max(d.std_range, *d.range * d.std_bearing), d.std_range * *d.range * d.std_bearing,
-                               d.kind};
+      const ScanPoint point{transform(scans[p].T_robot_sensor, offset), std::max(d.std_range, *d.range * d.std_bearing),
+                            d.std_range * *d.range * d.std_bearing, d.category};
       const auto twin =
           std::find_if(gathered.begin(), gathered.end(),
                        [&](const Gathered& g)
                        {
-                         return g.last_place != p && g.point.kind == point.kind &&
+                         return g.last_scan != p && g.point.category == point.category &&
                                 (g.point.in_robot - point.in_robot).norm() <= gate * std::hypot(g.point.std, point.std);
                        });
       if (twin == gathered.end())
@@ -36,9 +35,9 @@ std::vector<ReadingPoint> gatherPoints(std::span<const Scan> places, double gate
       twin->point.in_robot = (w * twin->point.in_robot + v * point.in_robot) / (w + v);
       twin->point.std = 1 / std::sqrt(w + v);
       twin->point.spread *= v > 0 ? w / (w + v) : 1;
-      twin->last_place = p;
+      twin->last_scan = p;
     }
-  std::vector<ReadingPoint> points;
+  std::vector<ScanPoint> points;
   points.reserve(gathered.size());
   for (const Gathered& g : gathered) points.push_back(g.point);
   return points;

@@ -39,7 +39,7 @@ std::vector<std::uint32_t> nearest(const LandmarkIndex& map, std::size_t landmar
 }
 }  // namespace
 
-std::optional<Triangle> makeTriangle(const std::array<Vector2d, 3>& points, const std::array<int, 3>& names)
+std::optional<Triangle> makeTriangle(const std::array<Vector2d, 3>& points, const std::array<int, 3>& indices)
 {
   const auto length = [&](std::size_t a, std::size_t b) { return (points[a] - points[b]).norm(); };
   const std::array opposite{length(1, 2), length(2, 0), length(0, 1)};
@@ -48,7 +48,8 @@ std::optional<Triangle> makeTriangle(const std::array<Vector2d, 3>& points, cons
   const double turn = cross(points[second] - points[first], points[third] - points[first]);
   if (!(std::abs(turn) > kFlat * square(opposite[first]))) return std::nullopt;
   if (turn < 0) std::swap(second, third);
-  return Triangle{{names[first], names[second], names[third]}, {opposite[third], opposite[second], opposite[first]}};
+  return Triangle{{indices[first], indices[second], indices[third]},
+                  {opposite[third], opposite[second], opposite[first]}};
 }
 
 Triangle rotated(const Triangle& t)
@@ -91,10 +92,10 @@ void TriangleIndex::collect(const LandmarkIndex& map, std::vector<Entry>& entrie
     for (std::size_t j = 0; j < around[i].size(); ++j)
       for (std::size_t k = 0; k < j; ++k)
       {
-        const std::array names{static_cast<int>(i), static_cast<int>(around[i][j]), static_cast<int>(around[i][k])};
+        const std::array indices{static_cast<int>(i), static_cast<int>(around[i][j]), static_cast<int>(around[i][k])};
         const std::array points{map.position(i), map.position(around[i][j]), map.position(around[i][k])};
-        const auto triangle = makeTriangle(points, names);
-        if (!triangle || triangle->corner[0] != names[0]) continue;
+        const auto triangle = makeTriangle(points, indices);
+        if (!triangle || triangle->corner[0] != indices[0]) continue;
         Entry& entry = entries.emplace_back();
         for (std::size_t s = 0; s < 3; ++s)
         {

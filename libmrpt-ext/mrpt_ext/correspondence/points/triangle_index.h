@@ -16,9 +16,9 @@ struct Triangle
   std::array<double, 3> side{0, 0, 0};  ///< [m] corner 0 to 1, 0 to 2, 1 to 2 (the longest)
 };
 
-/// A triangle in that form; nothing for points on one line or at one place.
+/// A triangle in that form; nothing for points on one line or at one scan.
 [[nodiscard]] std::optional<Triangle> makeTriangle(const std::array<Vector2d, 3>& points,
-                                                   const std::array<int, 3>& names);
+                                                   const std::array<int, 3>& indices);
 
 /// The same triangle, begun at its next corner.
 [[nodiscard]] Triangle rotated(const Triangle& triangle);

@@ -18,7 +18,7 @@ namespace mrpt_ext
 struct InverseRay
 {
   double px = 0, py = 0;  ///< its landmark [1/m]
-  double ux = 0, uy = 0;  ///< unit vector; zero for a landmark in the place of the reference
+  double ux = 0, uy = 0;  ///< unit vector; zero for a landmark in the scan of the reference
 };
 
 /// What is common to all crossings with one reference landmark.
@@ -47,7 +47,7 @@ struct RayCrossing
   double shift = 0;       ///< largest distance of the true f [1/m]
   double bend = 0;        ///< what the direction from a point to f can change beyond first order [rad/m]
   double x = 0, y = 0;    ///< robot relative to the reference landmark [m]
-  double slack = 0;       ///< and its largest distance to the true place [m]
+  double slack = 0;       ///< and its largest distance to the true scan [m]
 };
 
 /// Smallest sine of a crossing, in units of the error: below it the bounds grow too wide to be of use.

@@ -17,7 +17,7 @@ bool withinRange(std::span<const PoseMeasurement> measurements, const Pose2& pos
                      [&](const PoseMeasurement& m) { return (m.landmark - pose.position()).norm() <= max_range; });
 }
 
-/// The pose of a robot on which least squares would place a landmark: as close as a figure still makes sense, in the
+/// The pose of a robot on which least squares would scan a landmark: as close as a figure still makes sense, in the
 /// direction it has. Nothing when no landmark is close (a tenth of the way to the next one).
 std::optional<Pose2> startNearLandmark(std::span<const PoseMeasurement> measurements, const Pose2& pose)
 {
@@ -57,8 +57,8 @@ PoseMl bestPose(std::span<const PoseMeasurement> measurements, const Pose2& star
 }
 }  // namespace
 
-std::optional<Interpretation> judgeInterpretation(const InterpretationProblem& problem,
-                                                  const std::vector<int>& assignment, const Pose2& start)
+std::optional<Interpretation> verifyInterpretation(const InterpretationProblem& problem,
+                                                   const std::vector<int>& assignment, const Pose2& start)
 {
   const InterpretationOptions& options = problem.options;
   const double sigma = problem.stdBearing();

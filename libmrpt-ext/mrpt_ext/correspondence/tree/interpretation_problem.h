@@ -33,6 +33,7 @@ struct InterpretationCandidates
 
 /// Refines the pose of a complete assignment from `start` to its maximum likelihood and fills in the figures; nothing
 /// when it is not consistent (residual above eps, outside the area, out of range, or degenerate).
-[[nodiscard]] std::optional<Interpretation> judgeInterpretation(const InterpretationProblem& problem,
-                                                                const std::vector<int>& assignment, const Pose2& start);
+[[nodiscard]] std::optional<Interpretation> verifyInterpretation(const InterpretationProblem& problem,
+                                                                 const std::vector<int>& assignment,
+                                                                 const Pose2& start);
 }  // namespace mrpt_ext

@@ -31,12 +31,13 @@ std::optional<Interpretation> interpretFrom(const Pose2& start, const Interpreta
 {
   const BearingFit fit = fitBearings(matched, start);
   if (fit.max_residual > problem.options.max_residual * 1.01) return std::nullopt;
-  return judgeInterpretation(problem, assignment, fit.pose);
+  return verifyInterpretation(problem, assignment, fit.pose);
 }
 }  // namespace
 
-std::optional<Interpretation> interpretMatched(const InterpretationProblem& problem, const std::vector<int>& assignment,
-                                               std::span<const MatchedBearing> matched, const RayCrossing& base)
+std::optional<Interpretation> refineInterpretation(const InterpretationProblem& problem,
+                                                   const std::vector<int>& assignment,
+                                                   std::span<const MatchedBearing> matched, const RayCrossing& base)
 {
   const Start start = startFrom(matched, base);
   if (start.ok)

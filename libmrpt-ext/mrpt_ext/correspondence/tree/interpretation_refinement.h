@@ -10,8 +10,8 @@ namespace mrpt_ext
 /// is not consistent. `matched`: its bearings, the reference of `base` first. `base`: a crossing of two of their rays;
 /// an open one says nothing, and the bearings alone give the start. Should the descent from there fail, it starts
 /// beside landmarks that may be close.
-[[nodiscard]] std::optional<Interpretation> interpretMatched(const InterpretationProblem& problem,
-                                                             const std::vector<int>& assignment,
-                                                             std::span<const MatchedBearing> matched,
-                                                             const RayCrossing& base);
+[[nodiscard]] std::optional<Interpretation> refineInterpretation(const InterpretationProblem& problem,
+                                                                 const std::vector<int>& assignment,
+                                                                 std::span<const MatchedBearing> matched,
+                                                                 const RayCrossing& base);
 }  // namespace mrpt_ext

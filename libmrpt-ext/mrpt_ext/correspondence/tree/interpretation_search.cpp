@@ -16,7 +16,7 @@ struct Node
 {
   RayCrossing base;
   std::vector<CrossedLandmark> children;             ///< of an open node: who may be next
-  std::vector<std::vector<std::size_t>> candidates;  ///< of the others: per place of the order
+  std::vector<std::vector<std::size_t>> candidates;  ///< of the others: per step of the order
   [[nodiscard]] bool open() const { return base.outcome == CrossingOutcome::open; }
 };
 
@@ -28,7 +28,7 @@ class Search
         options_(problem.options),
         covariance_(options_.gate == InterpretationGate::covariance),
         reach_(options_.max_range.value_or(std::numeric_limits<double>::infinity())),
-        fan_(problem.landmarks, unitsOf(problem), std::tan(2 * std::min(options_.max_residual, 0.7)) / 2),
+        rays_(problem.landmarks, unitsOf(problem), std::tan(2 * std::min(options_.max_residual, 0.7)) / 2),
         nodes_(problem.bearings.size() + 1)
   {
     const std::size_t count = problem.bearings.size();
@@ -40,13 +40,13 @@ class Search
 
   InterpretationCandidates run()
   {
-    for (MatchingOrder& plan : searchPlans(problem_))
+    for (MatchingOrder& order : matchingOrders(problem_))
     {
-      plan_ = std::move(plan);
+      order_ = std::move(order);
       masks_.clear();
-      for (const int bearing : plan_.order)
+      for (const int bearing : order_.order)
       {
-        masks_.emplace_back(fan_.size(), 0);
+        masks_.emplace_back(rays_.size(), 0);
         for (const int l : allowed(bearing)) masks_.back()[static_cast<std::size_t>(l)] = -1;
       }
       matchFirst();
@@ -57,7 +57,7 @@ class Search
  private:
   struct Match
   {
-    std::size_t place = 0, landmark = 0;
+    std::size_t step = 0, landmark = 0;
     InverseRay ray;
   };
 
@@ -72,51 +72,51 @@ class Search
   {
     return problem_.allowed[static_cast<std::size_t>(bearing)];
   }
-  [[nodiscard]] std::size_t bearingAt(std::size_t place) const { return static_cast<std::size_t>(plan_.order[place]); }
+  [[nodiscard]] std::size_t bearingAt(std::size_t step) const { return static_cast<std::size_t>(order_.order[step]); }
   [[nodiscard]] bool isFree(std::size_t landmark) const
   {
     return std::none_of(matched_.begin(), matched_.end(), [&](const Match& m) { return m.landmark == landmark; });
   }
-  /// True if the next match may come at this place.
-  [[nodiscard]] bool mayStartAt(std::size_t place) const
+  /// True if the next match may come at this step.
+  [[nodiscard]] bool mayStartAt(std::size_t step) const
   {
-    const std::size_t skipped = place - matched_.size();
-    return place < plan_.order.size() && skipped <= (place > plan_.skip_from ? plan_.max_skipped : 0) &&
+    const std::size_t skipped = step - matched_.size();
+    return step < order_.order.size() && skipped <= (step > order_.skip_from ? order_.max_skipped : 0) &&
            result_.finished;
   }
 
-  /// True if the bearing at this place may be one of so many unmatched ones.
-  [[nodiscard]] bool mayMiss(std::size_t place, std::size_t missing) const
+  /// True if the bearing at this step may be one of so many unmatched ones.
+  [[nodiscard]] bool mayMiss(std::size_t step, std::size_t missing) const
   {
-    return place >= plan_.skip_from && missing <= plan_.max_skipped;
+    return step >= order_.skip_from && missing <= order_.max_skipped;
   }
 
-  void push(std::size_t place, std::size_t landmark)
+  void push(std::size_t step, std::size_t landmark)
   {
-    matched_.push_back({place, landmark, fan_.ray(bearingAt(place), landmark)});
+    matched_.push_back({step, landmark, rays_.ray(bearingAt(step), landmark)});
     bearings_.push_back(
-        {problem_.landmarks[landmark], problem_.bearings[bearingAt(place)], fan_.unit(bearingAt(place))});
-    assignment_[bearingAt(place)] = static_cast<int>(landmark);
+        {problem_.landmarks[landmark], problem_.bearings[bearingAt(step)], rays_.unit(bearingAt(step))});
+    assignment_[bearingAt(step)] = static_cast<int>(landmark);
   }
 
   void pop()
   {
-    assignment_[bearingAt(matched_.back().place)] = -1;
+    assignment_[bearingAt(matched_.back().step)] = -1;
     matched_.pop_back();
     bearings_.pop_back();
   }
 
   void matchFirst()
   {
-    for (std::size_t place = 0; mayStartAt(place); ++place)
-      for (const int l : allowed(plan_.order[place]))
+    for (std::size_t step = 0; mayStartAt(step); ++step)
+      for (const int l : allowed(order_.order[step]))
       {
         if (!result_.finished) return;
         const auto landmark = static_cast<std::size_t>(l);
-        fan_.aim(bearingAt(place), landmark);
+        rays_.setReference(bearingAt(step), landmark);
         setBounds(problem_.landmarks[landmark]);
-        push(place, landmark);
-        matchSecond(place + 1);
+        push(step, landmark);
+        matchSecond(step + 1);
         pop();
       }
   }
@@ -124,29 +124,29 @@ class Search
   void setBounds(const Vector2d& reference)
   {
     constexpr double kEverywhere = std::numeric_limits<double>::infinity();
-    const double widest = std::asin(std::min(1.0, kParallel * fan_.error())) + 4 * fan_.error();
+    const double widest = std::asin(std::min(1.0, kParallel * rays_.error())) + 4 * rays_.error();
     const double facing = widest < 1.5 ? std::tan(widest) : -1;
-    bounds_ = {fan_.error(), facing, -kEverywhere, -kEverywhere, kEverywhere, kEverywhere};
+    bounds_ = {rays_.error(), facing, -kEverywhere, -kEverywhere, kEverywhere, kEverywhere};
     if (!options_.area) return;
     const Vector2d low = options_.area->min - reference, high = options_.area->max - reference;
-    bounds_ = {fan_.error(), facing, low.x(), low.y(), high.x(), high.y()};
+    bounds_ = {rays_.error(), facing, low.x(), low.y(), high.x(), high.y()};
   }
 
   void matchSecond(std::size_t from)
   {
-    for (std::size_t place = from; mayStartAt(place); ++place)
-      for (const int l : allowed(plan_.order[place]))
+    for (std::size_t step = from; mayStartAt(step); ++step)
+      for (const int l : allowed(order_.order[step]))
       {
         const auto landmark = static_cast<std::size_t>(l);
         if (!result_.finished) return;
         if (!isFree(landmark) || !withinReach(landmark)) continue;
-        push(place, landmark);
-        extend(place + 1);
+        push(step, landmark);
+        extend(step + 1);
         pop();
       }
   }
 
-  /// Landmarks seen from one place are at most twice the range apart.
+  /// Landmarks seen from one step are at most twice the range apart.
   [[nodiscard]] bool withinReach(std::size_t landmark) const
   {
     if (!std::isfinite(reach_)) return true;
@@ -155,68 +155,68 @@ class Search
                        [&](const MatchedBearing& m) { return (m.landmark - position).norm() <= 2 * reach_; });
   }
 
-  /// The free landmarks of a place become children of the present node.
-  bool countTested(std::size_t place)
+  /// The free landmarks of a step become children of the present node.
+  bool countTested(std::size_t step)
   {
-    std::size_t children = allowed(plan_.order[place]).size();
-    for (const Match& m : matched_) children -= masks_[place][m.landmark] != 0;
+    std::size_t children = allowed(order_.order[step]).size();
+    for (const Match& m : matched_) children -= masks_[step][m.landmark] != 0;
     result_.tested[matched_.size() - 2] += children;
     total_ += children;
     result_.finished = result_.finished && total_ <= options_.max_tested;
     return result_.finished;
   }
 
-  /// Matches one of the bearings from this place on, or none of them.
+  /// Matches one of the bearings from this step on, or none of them.
   void extend(std::size_t from)
   {
     const bool open = nodes_[matched_.size()].open();
-    for (std::size_t place = from; mayStartAt(place); ++place)
+    for (std::size_t step = from; mayStartAt(step); ++step)
     {
-      if (!countTested(place)) return;
-      open ? extendOpen(place) : extendClosed(place);
+      if (!countTested(step)) return;
+      open ? extendOpen(step) : extendClosed(step);
     }
-    const std::size_t skipped = plan_.order.size() - matched_.size();
-    const bool rest_skipped = from == plan_.order.size() || from >= plan_.skip_from;
-    if (rest_skipped && skipped >= plan_.least_skipped && skipped <= plan_.max_skipped) finish();
+    const std::size_t skipped = order_.order.size() - matched_.size();
+    const bool rest_skipped = from == order_.order.size() || from >= order_.skip_from;
+    if (rest_skipped && skipped >= order_.least_skipped && skipped <= order_.max_skipped) record();
   }
 
-  void extendOpen(std::size_t place)
+  void extendOpen(std::size_t step)
   {
     Node& parent = nodes_[matched_.size()];
-    fan_.cross(matched_[1].ray, bearingAt(place), bounds_, masks_[place], parent.children);
-    for (const CrossedLandmark& child : parent.children) tryMatch(parent, place, child.landmark, child.crossing);
+    rays_.cross(matched_[1].ray, bearingAt(step), bounds_, masks_[step], parent.children);
+    for (const CrossedLandmark& child : parent.children) tryMatch(parent, step, child.landmark, child.crossing);
   }
 
-  void extendClosed(std::size_t place)
+  void extendClosed(std::size_t step)
   {
     const Node& parent = nodes_[matched_.size()];
-    for (const std::size_t l : parent.candidates[place])
-      tryMatch(parent, place, l, crossRays(matched_[1].ray, fan_.ray(bearingAt(place), l), bounds_));
+    for (const std::size_t l : parent.candidates[step])
+      tryMatch(parent, step, l, crossRays(matched_[1].ray, rays_.ray(bearingAt(step), l), bounds_));
   }
 
   /// `crossing`: of the second ray with the new one.
-  void tryMatch(const Node& parent, std::size_t place, std::size_t landmark, const RayCrossing& crossing)
+  void tryMatch(const Node& parent, std::size_t step, std::size_t landmark, const RayCrossing& crossing)
   {
     if (!isFree(landmark) || !withinReach(landmark)) return;
-    push(place, landmark);
-    if (settle(parent, crossing, place + 1))
+    push(step, landmark);
+    if (evaluate(parent, crossing, step + 1))
     {
       ++result_.valid[matched_.size() - 3];
-      extend(place + 1);
+      extend(step + 1);
     }
     pop();
   }
 
   /// Computes the node of a prefix from its parent; false when it cannot lead to a solution.
-  bool settle(const Node& parent, const RayCrossing& with_second, std::size_t next_place)
+  bool evaluate(const Node& parent, const RayCrossing& with_second, std::size_t next_step)
   {
     Node& here = nodes_[matched_.size()];
     here.base = with_second;
-    if (matched_.size() == 3) return here.open() || (withinRange(here.base) && lookAhead(here, next_place));
+    if (matched_.size() == 3) return here.open() || (withinRange(here.base) && lookAhead(here, next_step));
     if (!crossWithAll(parent, here, with_second)) return false;
     if (here.open()) return true;
-    if (!parent.open()) return filter(parent, here, next_place);
-    return lookAhead(here, next_place) && (crossings_.size() == 1 || filter(here, here, next_place));
+    if (!parent.open()) return filter(parent, here, next_step);
+    return lookAhead(here, next_step) && (crossings_.size() == 1 || filter(here, here, next_step));
   }
 
   /// Crosses the newest ray with the others, and keeps the most certain pose. Every crossing must explain all.
@@ -238,8 +238,8 @@ class Search
 
   [[nodiscard]] DirectionGate gate(const RayCrossing& base, const InverseRay& ray) const
   {
-    return covariance_ ? gateAt<true>(base, fan_.error(), ray.px, ray.py)
-                       : gateAt<false>(base, fan_.error(), ray.px, ray.py);
+    return covariance_ ? gateAt<true>(base, rays_.error(), ray.px, ray.py)
+                       : gateAt<false>(base, rays_.error(), ray.px, ray.py);
   }
 
   /// All bearings matched so far agree with the pose.
@@ -258,55 +258,55 @@ class Search
   }
 
   /// The joint test: enough of the bearings to come have a landmark within the gate.
-  bool lookAhead(Node& here, std::size_t next_place)
+  bool lookAhead(Node& here, std::size_t next_step)
   {
-    fan_.look(here.base, covariance_, reach_);
-    for (const Match& m : matched_) fan_.exclude(m.landmark);
-    std::size_t missing = next_place - matched_.size();
-    for (std::size_t place = next_place; place < plan_.order.size(); ++place)
+    rays_.openGates(here.base, covariance_, reach_);
+    for (const Match& m : matched_) rays_.closeGate(m.landmark);
+    std::size_t missing = next_step - matched_.size();
+    for (std::size_t step = next_step; step < order_.order.size(); ++step)
     {
-      fan_.admit(bearingAt(place), masks_[place], here.candidates[place]);
-      if (here.candidates[place].empty() && !mayMiss(place, ++missing)) return false;
+      rays_.admit(bearingAt(step), masks_[step], here.candidates[step]);
+      if (here.candidates[step].empty() && !mayMiss(step, ++missing)) return false;
     }
     return true;
   }
 
   /// The same from the candidates of the parent, as far as all new crossings agree with them.
-  bool filter(const Node& parent, Node& here, std::size_t next_place)
+  bool filter(const Node& parent, Node& here, std::size_t next_step)
   {
-    std::size_t missing = next_place - matched_.size();
-    for (std::size_t place = next_place; place < plan_.order.size(); ++place)
+    std::size_t missing = next_step - matched_.size();
+    for (std::size_t step = next_step; step < order_.order.size(); ++step)
     {
       kept_.clear();
-      for (const std::size_t l : parent.candidates[place])
+      for (const std::size_t l : parent.candidates[step])
       {
         if (l == matched_.back().landmark) continue;
-        const InverseRay ray = fan_.ray(bearingAt(place), l);
+        const InverseRay ray = rays_.ray(bearingAt(step), l);
         if (std::all_of(crossings_.begin(), crossings_.end(),
                         [&](const RayCrossing& c) { return gate(c, ray).admits(ray.ux, ray.uy); }))
           kept_.push_back(l);
       }
-      here.candidates[place] = kept_;
-      if (kept_.empty() && !mayMiss(place, ++missing)) return false;
+      here.candidates[step] = kept_;
+      if (kept_.empty() && !mayMiss(step, ++missing)) return false;
     }
     return true;
   }
 
-  void finish()
+  void record()
   {
     const RayCrossing& base = nodes_[matched_.size()].base;
-    if (auto found = interpretMatched(problem_, assignment_, bearings_, base))
+    if (auto found = refineInterpretation(problem_, assignment_, bearings_, base))
       result_.found.push_back(std::move(*found));
   }
 
   const InterpretationProblem& problem_;
   const InterpretationOptions& options_;
-  MatchingOrder plan_;
+  MatchingOrder order_;
   bool covariance_;
   double reach_;
-  RayBundle fan_;
+  RayBundle rays_;
   CrossingBounds bounds_;
-  std::vector<RayBundle::Mask> masks_;  ///< landmarks allowed, per place of the order
+  std::vector<RayBundle::Mask> masks_;  ///< landmarks allowed, per step of the order
   std::vector<Node> nodes_;             ///< by number of matched bearings
   std::vector<RayCrossing> crossings_;  ///< of the newest ray with the others
   std::vector<std::size_t> kept_;

@@ -78,7 +78,7 @@ std::vector<int> spreadOrder(const InterpretationProblem& problem, std::span<con
 }
 }  // namespace
 
-std::vector<MatchingOrder> searchPlans(const InterpretationProblem& problem)
+std::vector<MatchingOrder> matchingOrders(const InterpretationProblem& problem)
 {
   const std::size_t count = problem.bearings.size();
   const std::size_t max_skipped = count - static_cast<std::size_t>(problem.minimumMatched());

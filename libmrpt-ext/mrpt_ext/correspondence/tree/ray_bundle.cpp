@@ -9,9 +9,9 @@ namespace
 constexpr std::size_t kLanes = 8, kCrossingMembers = 11;
 
 /// Points of the inverse plane, p = -1 / d with d from the reference, and -p turned to unit length.
-MRPT_EXT_VECTOR_CLONES void invert(const double* __restrict x, const double* __restrict y, double reference_x,
-                                   double reference_y, std::size_t count, double* __restrict px, double* __restrict py,
-                                   double* __restrict qx, double* __restrict qy)
+MRPT_EXT_VECTOR_CLONES void invertAll(const double* __restrict x, const double* __restrict y, double reference_x,
+                                      double reference_y, std::size_t count, double* __restrict px,
+                                      double* __restrict py, double* __restrict qx, double* __restrict qy)
 {
   for (std::size_t l = 0; l < count; ++l)
   {
@@ -24,8 +24,8 @@ MRPT_EXT_VECTOR_CLONES void invert(const double* __restrict x, const double* __r
   }
 }
 
-MRPT_EXT_VECTOR_CLONES void turn(const double* __restrict qx, const double* __restrict qy, double c, double s,
-                                 std::size_t count, double* __restrict ux, double* __restrict uy)
+MRPT_EXT_VECTOR_CLONES void rotateAll(const double* __restrict qx, const double* __restrict qy, double c, double s,
+                                      std::size_t count, double* __restrict ux, double* __restrict uy)
 {
   for (std::size_t l = 0; l < count; ++l)
   {
@@ -152,16 +152,16 @@ RayBundle::RayBundle(std::span<const Vector2d> landmarks, std::vector<Vector2d> 
   marks_.assign(size, 0);
 }
 
-void RayBundle::aim(std::size_t bearing, std::size_t landmark)
+void RayBundle::setReference(std::size_t bearing, std::size_t landmark)
 {
   reference_x_ = x_[landmark];
   reference_y_ = y_[landmark];
-  invert(x_.data(), y_.data(), reference_x_, reference_y_, size(), px_.data(), py_.data(), qx_.data(), qy_.data());
+  invertAll(x_.data(), y_.data(), reference_x_, reference_y_, size(), px_.data(), py_.data(), qx_.data(), qy_.data());
   const Vector2d& from = units_[bearing];
   for (std::size_t m = 0; m < units_.size(); ++m)
   {
     const double c = units_[m].dot(from), s = units_[m].y() * from.x() - units_[m].x() * from.y();
-    turn(qx_.data(), qy_.data(), c, s, size(), directions_[m].ux.data(), directions_[m].uy.data());
+    rotateAll(qx_.data(), qy_.data(), c, s, size(), directions_[m].ux.data(), directions_[m].uy.data());
   }
 }
 
@@ -176,14 +176,14 @@ void RayBundle::cross(const InverseRay& ray, std::size_t bearing, const Crossing
     if (marks_[l] != 0) result.push_back({l, crossings.at(l)});
 }
 
-void RayBundle::look(const RayCrossing& crossing, bool covariance, double max_range)
+void RayBundle::openGates(const RayCrossing& crossing, bool covariance, double max_range)
 {
   const GateArrays gates{wx_.data(), wy_.data(), narrow_.data(), wide_.data()};
   (covariance ? gatesCovariance : gatesWorstCase)(crossing, error_, px_.data(), py_.data(), size(), gates);
   const double limit = max_range + crossing.slack;
   if (!std::isfinite(limit)) return;
   for (std::size_t l = 0; l < size(); ++l)
-    if (std::hypot(x_[l] - reference_x_ - crossing.x, y_[l] - reference_y_ - crossing.y) > limit) exclude(l);
+    if (std::hypot(x_[l] - reference_x_ - crossing.x, y_[l] - reference_y_ - crossing.y) > limit) closeGate(l);
 }
 
 void RayBundle::admit(std::size_t bearing, const Mask& mask, std::vector<std::size_t>& result)

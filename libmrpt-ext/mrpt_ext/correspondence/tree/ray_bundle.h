@@ -28,7 +28,7 @@ class RayBundle
   RayBundle(std::span<const Vector2d> landmarks, std::vector<Vector2d> units, double error);
 
   /// Chooses the reference: this landmark was seen under this bearing.
-  void aim(std::size_t bearing, std::size_t landmark);
+  void setReference(std::size_t bearing, std::size_t landmark);
 
   [[nodiscard]] std::size_t size() const { return x_.size(); }  ///< landmarks and padding
   [[nodiscard]] const Vector2d& unit(std::size_t bearing) const { return units_[bearing]; }
@@ -45,9 +45,9 @@ class RayBundle
 
   /// Opens the gates of all landmarks of the map from a crossing, but of none that is further than `max_range` [m] from
   /// wherever the robot can be.
-  void look(const RayCrossing& crossing, bool covariance, double max_range);
+  void openGates(const RayCrossing& crossing, bool covariance, double max_range);
   /// Closes the gate of a landmark, whatever the direction: NaN compares false.
-  void exclude(std::size_t landmark) { narrow_[landmark] = std::numeric_limits<double>::quiet_NaN(); }
+  void closeGate(std::size_t landmark) { narrow_[landmark] = std::numeric_limits<double>::quiet_NaN(); }
 
   /// The landmarks of the mask whose gates admit the bearing.
   void admit(std::size_t bearing, const Mask& mask, std::vector<std::size_t>& result);

@@ -8,44 +8,44 @@ namespace
 {
 constexpr double kRangeMargin = 1.3;  // a pose from few bearings may put its landmarks a little too far away
 
-std::vector<int> landmarksOfKind(const LandmarkIndex& map, int kind)
+std::vector<int> landmarksOfCategory(const LandmarkIndex& map, int category)
 {
   std::vector<int> landmarks;
-  if (kind == kAnyCategory) return landmarks;  // empty: any
+  if (category == kAnyCategory) return landmarks;  // empty: any
   for (std::size_t l = 0; l < map.size(); ++l)
-    if (map.kind(l) == kind) landmarks.push_back(static_cast<int>(l));
+    if (map.category(l) == category) landmarks.push_back(static_cast<int>(l));
   return landmarks;
 }
 }  // namespace
 
-TreeInput scanWithMostBearings(const LandmarkIndex& map, std::span<const Scan> places)
+TreeInput scanWithMostBearings(const LandmarkIndex& map, std::span<const Scan> scans)
 {
-  TreeInput fullest;
-  for (const Scan& place : places)
+  TreeInput most;
+  for (const Scan& scan : scans)
   {
-    TreeInput question{&place, {}, 0};
-    for (const AnonymousDetection& d : place.detections)
+    TreeInput input{&scan, {}, 0};
+    for (const AnonymousDetection& d : scan.detections)
     {
-      if (!d.bearing || d.kind == kUnknownCategory) continue;
-      question.bearings.push_back({*d.bearing, landmarksOfKind(map, d.kind)});
-      question.std_bearing = std::max(question.std_bearing, d.std_bearing);
+      if (!d.bearing || d.category == kUnknownCategory) continue;
+      input.bearings.push_back({*d.bearing, landmarksOfCategory(map, d.category)});
+      input.std_bearing = std::max(input.std_bearing, d.std_bearing);
     }
-    if (question.bearings.size() >= fullest.bearings.size()) fullest = std::move(question);
+    if (input.bearings.size() >= most.bearings.size()) most = std::move(input);
   }
-  return fullest;
+  return most;
 }
 
-InterpretationOptions treeOptions(const TreeInput& question, const PoseSearchOptions& options)
+InterpretationOptions treeOptions(const TreeInput& input, const PoseSearchOptions& options)
 {
   InterpretationOptions tree;
   tree.gate = InterpretationGate::covariance;
-  tree.max_residual = options.gate * question.std_bearing;
-  tree.std_bearing = question.std_bearing;
-  if (question.place->model.max_range) tree.max_range = kRangeMargin * *question.place->model.max_range;
+  tree.max_residual = options.gate * input.std_bearing;
+  tree.std_bearing = input.std_bearing;
+  if (input.scan->model.max_range) tree.max_range = kRangeMargin * *input.scan->model.max_range;
   tree.max_tested = std::min(options.max_tree_nodes, options.max_tested);
   if (options.area)
   {
-    const double offset = question.place->T_robot_sensor.position().norm();
+    const double offset = input.scan->T_robot_sensor.position().norm();
     tree.area = Box2{options.area->min.array() - offset, options.area->max.array() + offset};
   }
   return tree;
