@@ -87,16 +87,16 @@ void plainGaussian(benchmark::State& state, std::size_t landmarks)
   for (auto _ : state)
   {
     const ScoringFrame frame(scene.reading, scene.robots.origin);
-    std::vector<PreparedDetection> sightings;
+    std::vector<PreparedDetection> detections;
     for (const Detection& detection : scene.reading.detections)
-      sightings.push_back(sightingOf(detection, scene.map[*scene.map.indexOf(detection.id)], 0, frame));
+      detections.push_back(prepareDetection(detection, scene.map[*scene.map.indexOf(detection.id)], 0, frame));
     const PoseBatch robots = scene.robots.poses();
     for (std::size_t first = 0; first < kRobots; first += SensorTile::kSize)
     {
       const std::size_t count = std::min(SensorTile::kSize, kRobots - first);
       alignas(64) SensorTile::Column log_sum{};
       fillTile(*tile, robots, first, count, scene.reading);
-      addLogGaussians(*tile, sightings, {.bearing = true, .range = false, .sharp = true}, log_sum);
+      addLogGaussians(*tile, detections, {.bearing = true, .range = false, .sharp = true}, log_sum);
       for (std::size_t i = 0; i < count; ++i) scene.robots.log_weight[first + i] += log_sum[i];
     }
     benchmark::DoNotOptimize(scene.robots.log_weight.data());

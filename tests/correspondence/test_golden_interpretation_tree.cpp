@@ -2,6 +2,7 @@
 
 #include "golden_vectors.h"
 #include "mrpt_ext/correspondence/tree/interpretation_tree.h"
+#include "paper_interpretation_tree.h"
 
 namespace mrpt_ext
 {
@@ -49,10 +50,9 @@ void checkSolutions(const Interpretations& result, const Json& c)
     }
 }
 
-void checkPaperRule(Case c, const Json& expected, const Json& truth)
+void checkPaperRule(const Case& c, const Json& expected, const Json& truth)
 {
-  c.options.rule = InterpretationRule::paper;
-  const Interpretations result = interpretBearings(c.landmarks, c.bearings, c.options);
+  const Interpretations result = interpretByPaperRule(c.landmarks, c.bearings, c.options);
   EXPECT_EQ(result.tested_by_depth, expected.at("tested_by_depth").get<std::vector<std::uint64_t>>());
   EXPECT_EQ(result.valid_by_depth, expected.at("valid_by_depth").get<std::vector<std::uint64_t>>());
   EXPECT_EQ(result.solutions.size(), expected.at("solutions").get<std::size_t>());

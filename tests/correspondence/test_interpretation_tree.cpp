@@ -267,9 +267,9 @@ TEST(InterpretationTree, ThePapersRuleLosesTheTruthOften)
   for (int trial = 0; trial < 100; ++trial)
   {
     const AnonymousScene s = observeAnonymously(random, 12, 7, 0, degToRad(0.2));
-    InterpretationOptions options = optionsFor(degToRad(0.2));
-    options.rule = InterpretationRule::paper;
-    hits += static_cast<int>(assignmentsOf(interpretBearings(s.scene.landmarks, s.bearings, options)).count(s.truth));
+    const InterpretationOptions options = optionsFor(degToRad(0.2));
+    hits +=
+        static_cast<int>(assignmentsOf(interpretByPaperRule(s.scene.landmarks, s.bearings, options)).count(s.truth));
   }
   EXPECT_GT(hits, 25);
   EXPECT_LT(hits, 65);  // expected: 0.43 to 0.45
@@ -288,9 +288,9 @@ TEST(InterpretationTree, CountsOfPaper000)
       AnonymousScene s = all;
       s.bearings.resize(static_cast<std::size_t>(seen));
       s.truth.resize(static_cast<std::size_t>(seen));
-      const TreeCounts paper = countTree(s, InterpretationRule::paper);
-      const TreeCounts in_order = countTree(s, InterpretationRule::paper_in_order);
-      const TreeCounts ours = countTree(s, InterpretationRule::complete);
+      const TreeCounts paper = countTree(s, TreeRule::paper);
+      const TreeCounts in_order = countTree(s, TreeRule::paper_in_order);
+      const TreeCounts ours = countTree(s, TreeRule::ours);
       examined[static_cast<std::size_t>(seen)] += paper.examined;
       EXPECT_LE(in_order.solved, paper.solved);
       EXPECT_LE(in_order.examined, paper.examined);

@@ -18,7 +18,7 @@ struct Tally
   std::size_t detections = 0, members = 0, rest = 0;
 };
 
-Tally tallyOf(const WindowSceneOptions& options, int trials, const LocalMapOptions& joining = {})
+Tally tallyOf(const WindowSceneOptions& options, int trials)
 {
   RandomStream random(21);
   Tally tally;
@@ -27,11 +27,11 @@ Tally tallyOf(const WindowSceneOptions& options, int trials, const LocalMapOptio
     const SceneMap map = strewLandmarks(options.scene, random);
     const LandmarkIndex index = map.index();
     const WindowScene view = driveSomewhere(map, index, options, random);
-    const LocalLandmarkMap joined = buildLocalMap(view.scans, joining);
+    const LocalLandmarkMap local_map = buildLocalMap(view.scans);
     std::set<int> seen;
-    for (const LocalLandmark& point : joined.points)
+    for (const LocalLandmark& point : local_map.points)
     {
-      const PointTruth truth = truthOf(point, view, index);
+      const LandmarkTruth truth = truthOf(point, view, index);
       ++tally.points;
       tally.pure += truth.pure;
       tally.right += truth.right;
@@ -40,7 +40,7 @@ Tally tallyOf(const WindowSceneOptions& options, int trials, const LocalMapOptio
       tally.members += point.members.size();
     }
     for (const PastScan& p : view.scans) tally.detections += p.scan.detections.size();
-    for (const PastScan& p : joined.rest) tally.rest += p.scan.detections.size();
+    for (const PastScan& p : local_map.rest) tally.rest += p.scan.detections.size();
   }
   return tally;
 }
@@ -115,9 +115,9 @@ TEST(LocalLandmarkMap, KindsAreNotMixed)
   RandomStream random(22);
   const SceneMap map = strewLandmarks(options.scene, random);
   const WindowScene view = driveSomewhere(map, map.index(), options, random);
-  const LocalLandmarkMap joined = buildLocalMap(view.scans);
-  EXPECT_GE(joined.points.size(), 5u);
-  for (const LocalLandmark& point : joined.points)
+  const LocalLandmarkMap local_map = buildLocalMap(view.scans);
+  EXPECT_GE(local_map.points.size(), 5u);
+  for (const LocalLandmark& point : local_map.points)
     for (const auto& m : point.members)
       EXPECT_EQ(view.scans[m.scan].scan.detections[m.detection].category, point.category);
 }
@@ -130,10 +130,10 @@ TEST(LocalLandmarkMap, OnePlaceStaysAsItIs)
   RandomStream random(23);
   const SceneMap map = strewLandmarks(options.scene, random);
   const WindowScene view = driveSomewhere(map, map.index(), options, random);
-  const std::vector<Scan> places = asScans(buildLocalMap(view.scans));
-  ASSERT_EQ(places.size(), 1u);
-  EXPECT_EQ(places[0].detections.size(), view.scans[0].scan.detections.size());
-  EXPECT_EQ(places[0].model.detection_probability, view.scans[0].scan.model.detection_probability);
+  const std::vector<Scan> scans = asScans(buildLocalMap(view.scans));
+  ASSERT_EQ(scans.size(), 1u);
+  EXPECT_EQ(scans[0].detections.size(), view.scans[0].scan.detections.size());
+  EXPECT_EQ(scans[0].model.detection_probability, view.scans[0].scan.model.detection_probability);
   EXPECT_TRUE(buildLocalMap({}).rest.empty());
 }
 
@@ -144,25 +144,25 @@ TEST(LocalLandmarkMap, ASearchGetsPointsFirstAndTheRestFromItsOwnPlaces)
   const SceneMap map = strewLandmarks(options.scene, random);
   const LandmarkIndex index = map.index();
   const WindowScene view = driveSomewhere(map, index, options, random);
-  const LocalLandmarkMap joined = buildLocalMap(view.scans);
-  const std::vector<Scan> places = asScans(joined);
-  ASSERT_EQ(places.size(), joined.rest.size() + 1);
-  ASSERT_EQ(places[0].detections.size(), joined.points.size());
-  EXPECT_NEAR(*places[0].model.max_range, 8 + options.length, 0.1);
-  for (std::size_t i = 0; i < joined.points.size(); ++i)
+  const LocalLandmarkMap local_map = buildLocalMap(view.scans);
+  const std::vector<Scan> scans = asScans(local_map);
+  ASSERT_EQ(scans.size(), local_map.rest.size() + 1);
+  ASSERT_EQ(scans[0].detections.size(), local_map.points.size());
+  EXPECT_NEAR(*scans[0].model.max_range, 8 + options.length, 0.1);
+  for (std::size_t i = 0; i < local_map.points.size(); ++i)
   {
-    const AnonymousDetection& d = places[0].detections[i];
+    const AnonymousDetection& d = scans[0].detections[i];
     const Vector2d at = *d.range * Vector2d(std::cos(*d.bearing), std::sin(*d.bearing));
-    EXPECT_LT((at - joined.points[i].in_robot.mean).norm(), 1e-9);
+    EXPECT_LT((at - local_map.points[i].in_robot.mean).norm(), 1e-9);
     EXPECT_GE(square(d.std_range) + square(*d.range * d.std_bearing),
-              joined.points[i].in_robot.covariance.trace() * (1 - 1e-9));
+              local_map.points[i].in_robot.covariance.trace() * (1 - 1e-9));
   }
-  for (std::size_t k = 0; k < joined.rest.size(); ++k)
+  for (std::size_t k = 0; k < local_map.rest.size(); ++k)
   {
-    EXPECT_EQ(places[k + 1].T_robot_sensor.vector(), joined.rest[k].scan.T_robot_sensor.vector());
-    if (joined.rest[k].odometry_covariance.isZero(0)) continue;
-    EXPECT_GT(places[k + 1].detections[0].std_bearing, options.scene.std_bearing);
-    EXPECT_FALSE(places[k + 1].model.detection_probability);
+    EXPECT_EQ(scans[k + 1].T_robot_sensor.vector(), local_map.rest[k].scan.T_robot_sensor.vector());
+    if (local_map.rest[k].odometry_covariance.isZero(0)) continue;
+    EXPECT_GT(scans[k + 1].detections[0].std_bearing, options.scene.std_bearing);
+    EXPECT_FALSE(scans[k + 1].model.detection_probability);
   }
 }
 }  // namespace mrpt_ext

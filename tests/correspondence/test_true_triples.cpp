@@ -35,7 +35,7 @@ void follow(const LandmarkIndex& index, const SceneScan& view, Fate& fate)
   std::erase_if(triples,
                 [&](const DetectionTriple& t)
                 {
-                  return std::any_of(t.reading.begin(), t.reading.end(),
+                  return std::any_of(t.detection.begin(), t.detection.end(),
                                      [&](int r) { return view.truth[static_cast<std::size_t>(r)] < 0; });
                 });
   std::sort(triples.begin(), triples.end(),
@@ -45,7 +45,7 @@ void follow(const LandmarkIndex& index, const SceneScan& view, Fate& fate)
   for (const DetectionTriple& triple : triples)
   {
     BoundingScan seen{&table, &lists, Pose2{}, 0};
-    for (const int r : triple.reading) seen.used |= 1U << r;
+    for (const int r : triple.detection) seen.used |= 1U << r;
     TripleHypotheses hypotheses;
     hypotheses.map = &index;
     hypotheses.bearings = bearings;
@@ -70,7 +70,7 @@ void follow(const LandmarkIndex& index, const SceneScan& view, Fate& fate)
   }
 }
 
-/// A cover of f + 1 disjoint triples finds the truth only if true triples lead there.
+/// A schedule of f + 1 disjoint triples finds the truth only if true triples lead there.
 TEST(TrueTriples, LeadToTheTruth)
 {
   SearchSceneOptions options;

@@ -128,7 +128,7 @@ TEST_P(VisibilityVote, TheBoxOfTheTruthSurvivesWhateverIsFalse)
     {
       if (view.truth[r] < 0) continue;
       const Vector2d d = scene.index.position(static_cast<std::size_t>(view.truth[r])) - view.robot.position();
-      const double misfit = wrap(std::atan2(d.y(), d.x()) - view.robot.phi - bearings[r].bearing);
+      const double misfit = wrap(std::atan2(d.y(), d.x()) - view.robot.phi - bearings[r].angle);
       within += std::abs(misfit) <= kGate * bearings[r].std ? 1 : 0;
     }
     const VisibilityGrid grid(scene.index, *VisibilityGrid::chooseLayout(scene.index, scene.area, kNoLimit, 2));

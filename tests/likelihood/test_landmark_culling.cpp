@@ -57,9 +57,9 @@ LandmarkCulling windowOf(const Scene& scene)
   fillTile(tile, scene.batch(), 0, kRobots, scene.reading);
   std::fill_n(tile.range_scale, kRobots, 1.0F);
   std::fill_n(tile.range_shift, kRobots, 0.0F);
-  LandmarkCulling window(scene.map, ScoringFrame(scene.reading, {0, 0}));
-  window.look(boundsOf(std::span(&tile, 1)), ViewLimits(scene.reading.model));
-  return window;
+  LandmarkCulling culling(scene.map, ScoringFrame(scene.reading, {0, 0}));
+  culling.update(boundsOf(std::span(&tile, 1)), VisibilityLimits(scene.reading.model));
+  return culling;
 }
 }  // namespace
 
@@ -68,14 +68,14 @@ TEST(LandmarkCulling, ClassifiesByTheChancesOfAllSensors)
   for (std::uint64_t seed = 1; seed <= 20; ++seed)
   {
     const Scene scene = sceneOf(seed, 0.3, 0.1);
-    const LandmarkCulling window = windowOf(scene);
+    const LandmarkCulling culling = windowOf(scene);
     for (std::size_t j = 0; j < scene.map.size(); ++j)
       for (const Pose2& robot : scene.robots)
       {
-        const double chance = predict(scene.map[j], scene.reading, robot).chance;
-        const InView view = window.inView()[j];
-        EXPECT_LE(chance, view == InView::no ? 1e-3 : 1.0);
-        EXPECT_GE(chance, view == InView::surely ? 1 - 1e-3 : 0.0);
+        const double visibility = predict(scene.map[j], scene.reading, robot).visibility;
+        const InView view = culling.inView()[j];
+        EXPECT_LE(visibility, view == InView::no ? 1e-3 : 1.0);
+        EXPECT_GE(visibility, view == InView::all ? 1 - 1e-3 : 0.0);
       }
   }
 }
@@ -88,12 +88,12 @@ TEST(LandmarkCulling, LeavesOutOnlyWhatNoSensorCanHaveSeen)
   for (std::uint64_t seed = 1; seed <= 40; ++seed)
   {
     const Scene scene = sceneOf(seed, 0.2, 0.05);
-    const LandmarkCulling window = windowOf(scene);
+    const LandmarkCulling culling = windowOf(scene);
     RandomStream random(seed, 1);
     const Detection detection{
         .bearing = random.uniform(-0.7, 0.7), .range = random.uniform(1, 7), .std_bearing = 0.02, .std_range = 0.1};
     std::vector<std::uint32_t> near;
-    window.findNear(detection, kCut, all, near);
+    culling.findNear(detection, kCut, all, near);
     kept += near.size();
     trials += all.size();
     for (const std::uint32_t j : all)
@@ -102,7 +102,8 @@ TEST(LandmarkCulling, LeavesOutOnlyWhatNoSensorCanHaveSeen)
       for (const Pose2& robot : scene.robots)
       {
         const LandmarkPrediction seen = predict(scene.map[j], scene.reading, robot);
-        const bool possible = seen.chance > 1e-3 && std::abs(wrap(*detection.bearing - seen.bearing)) < kCut * 0.02 &&
+        const bool possible = seen.visibility > 1e-3 &&
+                              std::abs(wrap(*detection.bearing - seen.bearing)) < kCut * 0.02 &&
                               std::abs(*detection.range - seen.range) < kCut * 0.1;
         EXPECT_FALSE(possible) << "landmark " << j << ", seed " << seed;
       }
@@ -115,8 +116,8 @@ TEST(LandmarkCulling, RobotsAllOverLeaveNothingOut)
 {
   Scene scene = sceneOf(1, 15, kPi);
   scene.reading.model = {};
-  const LandmarkCulling window = windowOf(scene);
+  const LandmarkCulling culling = windowOf(scene);
   EXPECT_TRUE(
-      std::all_of(window.inView().begin(), window.inView().end(), [](InView view) { return view == InView::surely; }));
+      std::all_of(culling.inView().begin(), culling.inView().end(), [](InView view) { return view == InView::all; }));
 }
 }  // namespace mrpt_ext

@@ -9,7 +9,7 @@ TEST(LandmarkPrediction, LandmarkOnTheLeft)
   const LandmarkPrediction p = predict({.position = {1, 4, 0}}, Reading{}, {1, 1, 0});
   EXPECT_NEAR(p.bearing, kPi / 2, 1e-12);
   EXPECT_NEAR(p.range, 3, 1e-12);
-  EXPECT_EQ(p.chance, 1);
+  EXPECT_EQ(p.visibility, 1);
   EXPECT_EQ(p.bearing_variance, 0);
 }
 
@@ -46,12 +46,14 @@ TEST(LandmarkPrediction, ChanceFallsToZeroOutsideRangeAndField)
 {
   Reading reading;
   reading.model = {.field_of_view = degToRad(90), .max_range = 10.0, .has_field_of_view = true};
-  const auto chance = [&](double x, double y) { return predict({.position = {x, y, 0}}, reading, {0, 0, 0}).chance; };
-  EXPECT_EQ(chance(5, 0), 1);
-  EXPECT_EQ(chance(11, 0), 0);
-  EXPECT_NEAR(chance(10, 0), 0.5, 1e-9);
-  EXPECT_EQ(chance(0, 5), 0);
-  EXPECT_NEAR(chance(5, 5), 0.5, 1e-9);
+  const auto visibility = [&](double x, double y) {
+    return predict({.position = {x, y, 0}}, reading, {0, 0, 0}).visibility;
+  };
+  EXPECT_EQ(visibility(5, 0), 1);
+  EXPECT_EQ(visibility(11, 0), 0);
+  EXPECT_NEAR(visibility(10, 0), 0.5, 1e-9);
+  EXPECT_EQ(visibility(0, 5), 0);
+  EXPECT_NEAR(visibility(5, 5), 0.5, 1e-9);
 }
 
 TEST(LandmarkPrediction, LandmarkAtTheSensorStaysFinite)

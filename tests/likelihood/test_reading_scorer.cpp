@@ -18,8 +18,8 @@ struct Options
 {
   std::string name;
   bool bearing = true, range = false;
-  bool named = true, categories = false, unknown_ids = false;
-  bool offset = false, carried = false, slant = false, uncertain_map = false, own_clutter = false;
+  bool identified = true, categories = false, unknown_ids = false;
+  bool offset = false, sensor_covariance = false, slant = false, uncertain_map = false, own_clutter = false;
   bool field_of_view = false, max_range = false, missed = false;
   bool biased = false;
   double std_bearing = 0.02, std_range = 0.1, clutter = 0.05;
@@ -66,7 +66,7 @@ Reading readingOf(const Options& options)
   reading.sensor = "camera";
   reading.model.clutter_probability = options.clutter;
   if (options.offset) reading.T_robot_sensor = {0.4, -0.2, 2.5};
-  if (options.carried) reading.sensor_position_covariance << 0.04, 0.01, 0.01, 0.02;
+  if (options.sensor_covariance) reading.sensor_position_covariance << 0.04, 0.01, 0.01, 0.02;
   if (options.slant) reading.sensor_height = 1.5;
   if (options.field_of_view) reading.model.has_field_of_view = true;
   if (options.field_of_view) reading.model.field_of_view = degToRad(100);
@@ -84,8 +84,8 @@ Detection detectionOf(const Options& options, const Scene& scene, const Pose2& t
 {
   const LandmarkPrediction prediction = predict(scene.map[j], scene.reading, truth);
   const Landmark& landmark = scene.map[j];
-  Detection detection{.id = options.named ? landmark.id : kNoId, .category = landmark.category};
-  if (options.unknown_ids && random.chance(0.3)) detection.id = 100000;
+  Detection detection{.id = options.identified ? landmark.id : kNoId, .category = landmark.category};
+  if (options.unknown_ids && random.visibility(0.3)) detection.id = 100000;
   if (options.bearing) detection.bearing = wrap(prediction.bearing + options.std_bearing * random.gaussian());
   if (options.range) detection.range = std::max(0.1, prediction.range + options.std_range * random.gaussian());
   detection.std_bearing = options.bearing ? options.std_bearing * random.uniform(0.8, 1.2) : 0;
@@ -131,21 +131,21 @@ class EveryOption : public testing::TestWithParam<Options>
 std::vector<Options> allOptions()
 {
   std::vector<Options> all;
-  for (const bool named : {true, false})
+  for (const bool identified : {true, false})
     for (const int measures : {1, 2, 3})
     {
-      Options plain{.bearing = (measures & 1) != 0, .range = (measures & 2) != 0, .named = named};
+      Options plain{.bearing = (measures & 1) != 0, .range = (measures & 2) != 0, .identified = identified};
       const auto with = [&](const std::string& name, const auto& change)
       {
         Options changed = plain;
         change(changed);
-        changed.name = std::string(named ? "Named" : "Unnamed") + (plain.bearing ? "Bearing" : "") +
+        changed.name = std::string(identified ? "Identified" : "Anonymous") + (plain.bearing ? "Bearing" : "") +
                        (plain.range ? "Range" : "") + name;
         all.push_back(changed);
       };
       with("Plain", [](Options&) {});
       with("Offset", [](Options& o) { o.offset = true; });
-      with("Carried", [](Options& o) { o.carried = o.offset = true; });
+      with("Carried", [](Options& o) { o.sensor_covariance = o.offset = true; });
       with("Slant", [](Options& o) { o.slant = true; });
       with("UncertainMap", [](Options& o) { o.uncertain_map = true; });
       with("OwnClutter", [](Options& o) { o.own_clutter = true; });
@@ -186,8 +186,8 @@ std::vector<Options> allOptions()
       with("Everything",
            [](Options& o)
            {
-             o.offset = o.carried = o.slant = o.uncertain_map = o.own_clutter = o.field_of_view = o.max_range =
-                 o.missed = o.biased = o.categories = o.unknown_ids = true;
+             o.offset = o.sensor_covariance = o.slant = o.uncertain_map = o.own_clutter = o.field_of_view =
+                 o.max_range = o.missed = o.biased = o.categories = o.unknown_ids = true;
            });
     }
   return all;
@@ -210,7 +210,7 @@ TEST_P(EveryOption, ScoresLikeTheDoublePrecisionLikelihood)
       const double rounding = 7 * 6 *
                               std::max(GetParam().bearing ? 3e-7 / GetParam().std_bearing : 0.0,
                                        GetParam().range ? 4e-6 / GetParam().std_range : 0.0);
-      const double tolerance = 1e-4 + rounding + (GetParam().named ? 0 : 7 * 2e-4);
+      const double tolerance = 1e-4 + rounding + (GetParam().identified ? 0 : 7 * 2e-4);
       ASSERT_NEAR(double{found[i]} - 0.5, expected, tolerance) << "seed " << seed << ", robot " << i;
     }
   }
@@ -221,7 +221,7 @@ INSTANTIATE_TEST_SUITE_P(ReadingScorer, EveryOption, testing::ValuesIn(allOption
 
 TEST(ReadingScorer, SharesItsWorkBetweenBatches)
 {
-  const Scene scene = sceneOf({.range = true, .named = false}, 9);
+  const Scene scene = sceneOf({.range = true, .identified = false}, 9);
   const PoseBatch robots = scene.batch();
   const ReadingScorer scorer(scene.reading, scene.map, scene.clutter, kOrigin);
   std::vector<float> whole(kRobots, 0.0F), parts(kRobots, 0.0F);
@@ -238,7 +238,7 @@ TEST(ReadingScorer, NoRobotsNoDetectionsNoMap)
   std::vector<float> out(kRobots, 0.0F);
   addLogLikelihood({}, scene.map, {}, scene.batch(), out);
   EXPECT_EQ(out, std::vector<float>(kRobots, 0.0F));
-  Scene anonymous = sceneOf({.named = false}, 11);
+  Scene anonymous = sceneOf({.identified = false}, 11);
   addLogLikelihood(anonymous.reading, {}, {}, anonymous.batch(), out);
   for (const float value : out) EXPECT_NEAR(value, -7 * std::log(kTwoPi), 1e-5);
 }

@@ -83,8 +83,8 @@ TreeExperiment runTreeExperiment(const Settings& settings)
     for (TreeResult& result : experiment.results)
     {
       const AnonymousScene s = firstOf(all, result.observations);
-      add(result.paper, countTree(s, InterpretationRule::paper, gate), s.truth, trials);
-      add(result.ours, countTree(s, InterpretationRule::complete, gate), s.truth, trials);
+      add(result.paper, countTree(s, TreeRule::paper, gate), s.truth, trials);
+      add(result.ours, countTree(s, TreeRule::ours, gate), s.truth, trials);
       addErrors(result, s, std_bearing, bound_random);
     }
   }

@@ -39,7 +39,7 @@ Found tally(std::vector<ConsistentPose> poses, const Pose2& truth)
 }
 
 /// The widest pairs of points against all pairs of landmarks as far apart, judged on everything.
-Found searchPairs(const LocalLandmarkMap& joined, const LandmarkIndex& index, const Pose2& truth)
+Found searchPairs(const LocalLandmarkMap& local_map, const LandmarkIndex& index, const Pose2& truth)
 {
   struct Pair
   {
@@ -47,8 +47,8 @@ Found searchPairs(const LocalLandmarkMap& joined, const LandmarkIndex& index, co
     double distance, std;
   };
   std::vector<Pair> pairs;
-  for (const LocalLandmark& a : joined.points)
-    for (const LocalLandmark& b : joined.points)
+  for (const LocalLandmark& a : local_map.points)
+    for (const LocalLandmark& b : local_map.points)
     {
       const Vector2d apart = b.in_robot.mean - a.in_robot.mean;
       const Matrix2d C = a.in_robot.covariance + b.in_robot.covariance;
@@ -57,8 +57,8 @@ Found searchPairs(const LocalLandmarkMap& joined, const LandmarkIndex& index, co
     }
   std::sort(pairs.begin(), pairs.end(), [](const Pair& p, const Pair& q) { return p.std < q.std; });
   pairs.resize(std::min<std::size_t>(pairs.size(), 12));
-  const std::vector<Scan> places = asScans(joined);
-  const auto least = std::max(3, static_cast<int>(joined.points.size() / 2));
+  const std::vector<Scan> places = asScans(local_map);
+  const auto least = std::max(3, static_cast<int>(local_map.points.size() / 2));
   std::vector<ConsistentPose> poses;
   for (const Pair& pair : pairs)
     for (std::size_t i = 0; i < index.size(); ++i)
@@ -98,25 +98,25 @@ Row measure(const WindowSceneOptions& options)
   const LandmarkIndex index = map.index();
   const BearingSearch bearings(index);
   Row row;
-  int settled = 0;
+  int adjusted_tracks = 0;
   for (int trial = 0; trial < kTrials; ++trial)
   {
     const WindowScene view = driveSomewhere(map, index, options, random);
     const auto begin = std::chrono::steady_clock::now();
-    const LocalLandmarkMap joined = buildLocalMap(view.scans);
+    const LocalLandmarkMap local_map = buildLocalMap(view.scans);
     row.milliseconds +=
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count() / kTrials;
-    for (const LocalLandmark& point : joined.points)
+    for (const LocalLandmark& point : local_map.points)
     {
-      const PointTruth truth = truthOf(point, view, index);
+      const LandmarkTruth truth = truthOf(point, view, index);
       row.points += 1.0 / kTrials;
       row.right += truth.right ? 1 : 0;
       if (!truth.right) continue;
       row.errors.push_back(truth.error);
       row.squared += truth.squared_error;
-      ++settled;
+      ++adjusted_tracks;
     }
-    const Found constellation = searchPairs(joined, index, view.robot);
+    const Found constellation = searchPairs(local_map, index, view.robot);
     row.joined_first += 100.0 * constellation.truth_first / kTrials;
     row.joined_poses += static_cast<double>(constellation.poses) / kTrials;
     const Found single = tally(bearings.search({&view.scans.back().scan, 1}).poses, view.robot);
@@ -124,7 +124,7 @@ Row measure(const WindowSceneOptions& options)
     row.single_poses += static_cast<double>(single.poses) / kTrials;
   }
   row.right *= 100.0 / std::max(1.0, row.points * kTrials);
-  row.squared /= std::max(1, settled);
+  row.squared /= std::max(1, adjusted_tracks);
   return row;
 }
 
@@ -133,12 +133,13 @@ void run(std::ostream& out)
   out << kTrials << " drives in a map of 300 landmarks, one per 10 m^2, 70 % detected of those in range, one false "
       << "reading at each look, a look every 0.25 m; odometry 2 % and 1 deg after one metre. A point is right when it "
          "is "
-      << "within 4.5 of its standard deviations of the landmark that most of its sightings show. `first`: the pose "
+      << "within 4.5 of its standard deviations of the landmark that most of its observations show. `first`: the pose "
       << "within 0.1 m and 1 deg of the truth is the likeliest; `poses`: within 12 log units of the best; "
-         "the joined constellation, sought by its pairs of points, against the newest look alone.\n\n"
-      << "| range [m] | sigma [deg] | way [m] | points | right [%] | error median [m] | 90 % [m] | squared error / "
+         "the local_map constellation, sought by its pairs of points, against the newest look alone.\n\n"
+      << "| range [m] | sigma [deg] | scan_poses [m] | points | right [%] | error median [m] | 90 % [m] | squared "
+         "error / "
          "covariance | "
-      << "time [ms] | joined: first [%] | poses | single: first [%] | poses |\n"
+      << "time [ms] | local_map: first [%] | poses | single: first [%] | poses |\n"
       << "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n"
       << std::fixed;
   struct Case
@@ -164,6 +165,6 @@ void run(std::ostream& out)
 
 const RegisterStudy kStudy(
     "joined_moments",
-    "Bearings along a short way: how many points they give, how good, and what these tell a lost robot.", run);
+    "Bearings along a short scan_poses: how many points they give, how good, and what these tell a lost robot.", run);
 }  // namespace
 }  // namespace mrpt_ext

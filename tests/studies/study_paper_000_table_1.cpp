@@ -48,9 +48,9 @@ void printTable(std::ostream& out, double noise)
       AnonymousScene s = observeAnonymously(random, 12, 12, 0, noise);
       s.bearings.resize(static_cast<std::size_t>(seen));
       s.truth.resize(static_cast<std::size_t>(seen));
-      paper.add(countTree(s, InterpretationRule::paper), s.truth);
-      in_order.add(countTree(s, InterpretationRule::paper_in_order), s.truth);
-      ours.add(countTree(s, InterpretationRule::complete), s.truth);
+      paper.add(countTree(s, TreeRule::paper), s.truth);
+      in_order.add(countTree(s, TreeRule::paper_in_order), s.truth);
+      ours.add(countTree(s, TreeRule::ours), s.truth);
     }
     printRow(out, seen, "paper", paper);
     printRow(out, seen, "paper, angular order", in_order);

@@ -7,8 +7,8 @@
 
 namespace mrpt_ext
 {
-/// How a point of a joined constellation compares with what is really there.
-struct PointTruth
+/// How a point of a local_map constellation compares with what is really there.
+struct LandmarkTruth
 {
   int landmark = -1;         ///< that most of its detections show; -1: false ones
   bool pure = false;         ///< all its detections show that landmark
@@ -17,9 +17,9 @@ struct PointTruth
   double squared_error = 0;  ///< over its covariance: 2 on average
 };
 
-inline PointTruth truthOf(const LocalLandmark& point, const WindowScene& view, const LandmarkIndex& index)
+inline LandmarkTruth truthOf(const LocalLandmark& point, const WindowScene& view, const LandmarkIndex& index)
 {
-  PointTruth truth;
+  LandmarkTruth truth;
   int most = 0;
   for (const auto& m : point.members)
   {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "enumerated_interpretations.h"
+#include "paper_interpretation_tree.h"
 
 namespace mrpt_ext
 {
@@ -12,7 +13,7 @@ inline std::uint64_t totalPaths(int landmarks, int bearings)
   return paths;
 }
 
-/// What a search of an interpretation tree did. Paper 000 does not say what its "examined" and "valid" paths are; here
+/// Effort of an interpretation tree. Paper 000 does not define what its "examined" and "valid" paths are; here
 /// a path is a child that was compared with its parent's pose.
 struct TreeCounts
 {
@@ -25,14 +26,22 @@ struct TreeCounts
 
 inline constexpr double kTreeGate = degToRad(0.5);
 
+enum class TreeRule
+{
+  ours,
+  paper,
+  paper_in_order  ///< with angular order
+};
+
 /// Counts for exact or noisy bearings at this gate [rad]; our rule may also use that the robot is in the square.
-inline TreeCounts countTree(const AnonymousScene& s, InterpretationRule rule, double gate = kTreeGate)
+inline TreeCounts countTree(const AnonymousScene& s, TreeRule rule, double gate = kTreeGate)
 {
   InterpretationOptions options;
-  options.rule = rule;
   options.max_residual = gate;
-  if (rule == InterpretationRule::complete) options.area = Box2{{0, 0}, {10, 10}};
-  const Interpretations result = interpretBearings(s.scene.landmarks, s.bearings, options);
+  if (rule == TreeRule::ours) options.area = Box2{{0, 0}, {10, 10}};
+  const Interpretations result = rule == TreeRule::ours ? interpretBearings(s.scene.landmarks, s.bearings, options)
+                                                        : interpretByPaperRule(s.scene.landmarks, s.bearings, options,
+                                                                               rule == TreeRule::paper_in_order);
   TreeCounts counts;
   counts.assignments = assignmentsOf(result);
   for (std::size_t d = 0; d < result.tested_by_depth.size(); ++d)

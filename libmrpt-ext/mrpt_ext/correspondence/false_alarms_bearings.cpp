@@ -10,7 +10,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kGateShare = 1.9;  // of what a gate per reading lets through, and of the triples' unequal strengths
+constexpr double kGateShare = 1.9;  // of what a gate per bearing lets through, and of the triples' unequal strengths
 }
 
 double expectedFalsePoses(const BearingFalseAlarmModel& chance, int matched)

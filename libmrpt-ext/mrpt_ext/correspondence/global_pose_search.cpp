@@ -18,7 +18,7 @@ std::size_t countPoints(std::span<const Scan> scans)
   return points;
 }
 
-/// Bearings of the scan that has most.
+/// Number of bearings of the scan with most of them.
 int mostBearings(std::span<const Scan> scans)
 {
   std::ptrdiff_t most = 0;

@@ -8,11 +8,10 @@
 
 namespace mrpt_ext
 {
-/// Finds where a lost robot can be from detections that nobody named, in maps of three to hundreds of thousands of
-/// landmarks. Chooses by what was measured: two or more points (bearing and range) are sought as constellations of
-/// points (point_search.h), otherwise, or when they are found nowhere, bearings as constellations of bearings
-/// (bearing_search.h). What a search needs of the map is built when it is first asked for, once; safe to share between
-/// threads.
+/// Global localization from anonymous detections, in maps of three to hundreds of thousands of landmarks. With two
+/// or more points (bearing and range) the search is one for constellations of points (point_search.h); otherwise,
+/// or when it finds nothing, one for constellations of bearings (tree_search.h for small maps, else
+/// bearing_search.h). Indices of the map are built when they are first needed; safe to share between threads.
 class GlobalPoseSearch
 {
  public:

@@ -8,27 +8,26 @@
 
 namespace mrpt_ext
 {
-/// The landmarks of a map in square buckets, so that those near a point are found without looking at the others.
-/// Built once per map in O(N); 32 bytes per landmark.
+/// The landmarks of a map in square buckets, for queries of those near a point. Built once per map in O(N); 32
+/// bytes per landmark.
 class LandmarkIndex
 {
  public:
-  /// `bucket` [m]: side of a bucket, about the radius that is asked for; 0 chooses two landmarks per bucket.
+  /// `bucket` [m]: side of a bucket, about the radius of the queries; 0 chooses two landmarks per bucket.
   explicit LandmarkIndex(const LandmarkTable& map, double bucket = 0);
-  /// Landmarks without category.
+  /// Landmarks without categories.
   explicit LandmarkIndex(std::vector<Vector2d> landmarks, double bucket = 0);
 
   [[nodiscard]] std::size_t size() const { return positions_.size(); }
   [[nodiscard]] bool empty() const { return positions_.empty(); }
   [[nodiscard]] const Vector2d& position(std::size_t landmark) const { return positions_[landmark]; }
   [[nodiscard]] const std::vector<Vector2d>& positions() const { return positions_; }
-  /// Category of a landmark (0 for no category).
+  /// Number of the category of a landmark; 0: it has none.
   [[nodiscard]] int category(std::size_t landmark) const { return kinds_[landmark]; }
   [[nodiscard]] int categoryCount() const { return static_cast<int>(categories_.size()); }
-  /// Categories that some landmark is of (the anonymous category is counted by categoryCount in any case).
+  /// Categories that landmarks of this map have ("none" is one of them only if some landmark has none).
   [[nodiscard]] int categoriesPresent() const { return categoryCount() - (has_uncategorized_ ? 0 : 1); }
-  /// Category that a detection of this category has: kAnyCategory for an empty one, kUnknownCategory for one the map
-  /// has not got.
+  /// Number of a category: kAnyCategory for an empty one, kUnknownCategory for one that the map does not have.
   [[nodiscard]] int categoryOf(const std::string& category) const;
   [[nodiscard]] bool mayShow(int detection_category, std::size_t landmark) const
   {
@@ -49,7 +48,7 @@ class LandmarkIndex
   {
     const auto [i0, i1] = span(point.x() - low_.x(), radius, columns_);
     const auto [j0, j1] = span(point.y() - low_.y(), radius, rows_);
-    for (int j = j0; j <= j1; ++j)  // the buckets of a row lie one behind the other
+    for (int j = j0; j <= j1; ++j)  // the buckets of a row are contiguous
     {
       const auto row = static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_);
       const std::size_t end = first_[row + static_cast<std::size_t>(i1) + 1];

@@ -33,7 +33,8 @@ std::vector<ConsistentPose> withoutRepeats(std::vector<ConsistentPose> sorted)
 }
 }  // namespace
 
-void rankPoses(PoseSearchResult& search, const PoseSearchOptions& options, double missed_evidence, int complete_from)
+void rankPoses(PoseSearchResult& search, const PoseSearchOptions& options, double unsearched_evidence,
+               int complete_from)
 {
   std::stable_sort(search.poses.begin(), search.poses.end(),
                    [](const ConsistentPose& a, const ConsistentPose& b) { return a.log_evidence > b.log_evidence; });
@@ -52,13 +53,13 @@ void rankPoses(PoseSearchResult& search, const PoseSearchOptions& options, doubl
                          pose.log_likelihood < best_likelihood - options.keep_log_units;
                 });
   search.poses = withoutRepeats(std::move(search.poses));
-  double total = 0, of_missed = 0, kept = 0;
+  double total = 0, of_unsearched = 0, kept = 0;
   for (const ConsistentPose& pose : search.poses)
   {
     total += std::exp(pose.log_evidence - best);
-    if (pose.matched < complete_from) of_missed += std::exp(pose.log_evidence - best);
+    if (pose.matched < complete_from) of_unsearched += std::exp(pose.log_evidence - best);
   }
-  total += std::max(0.0, std::exp(missed_evidence - best) - of_missed);
+  total += std::max(0.0, std::exp(unsearched_evidence - best) - of_unsearched);
   if (search.poses.size() > options.max_poses) search.poses.resize(options.max_poses);
   for (ConsistentPose& pose : search.poses)
   {

@@ -17,31 +17,31 @@ struct PoseSearchOptions
   std::size_t max_poses = 200;                ///< returned at most, the likeliest
   std::optional<Box2> area;                   ///< where the robot can be; absent: anywhere
   std::uint64_t max_tested = 50'000'000'000;  ///< constellations after which the search gives up (see `finished`)
-  /// Nodes after which an interpretation tree is given up, for each number of false readings (see `finished`): few
-  /// bearings in a narrow scan fit thousands of poses.
+  /// Nodes after which an interpretation tree is given up, for each number of false bearings (see `finished`): a
+  /// few bearings in a narrow view are consistent with thousands of poses.
   std::uint64_t max_tree_nodes = 200'000;
 };
 
-/// A scan where the robot may be: its pose explains the detections that `assignment` matches.
+/// A pose that is consistent with the detections that `assignment` matches.
 struct ConsistentPose
 {
   GaussianPose pose;            ///< of the robot: maximum likelihood over the matches
-  std::vector<int> assignment;  ///< landmark per detection, all scans in order; -1: explained as false
+  std::vector<int> assignment;  ///< landmark per detection, over all scans in order; -1: false detection
   int matched = 0;
   double log_likelihood = 0;  ///< of all detections at the pose; see pose_verification.h
-  double log_evidence = 0;    ///< the same integrated over the pose's uncertainty: what poses are ranked by
-  double probability = 0;     ///< that this is the right one
+  double log_evidence = 0;    ///< integrated over the uncertainty of the pose; poses are ranked by it
+  double probability = 0;     ///< that this is the true pose
 };
 
-/// Answer of a search for the pose of a lost robot.
+/// Result of a global pose search.
 struct PoseSearchResult
 {
   SolveStatus status = SolveStatus::too_few;
   std::vector<ConsistentPose> poses;  ///< likeliest first; their probabilities leave room for `probability_elsewhere`
-  double probability_elsewhere = 0;   ///< probability that none of the poses is right
-  double expected_false = 0;          ///< wrong poses that would explain as much as the best, by chance
+  double probability_elsewhere = 0;   ///< that none of the poses is the true one
+  double expected_false = 0;          ///< wrong poses expected to have as many inliers as the best, by chance
   bool unique = false;                ///< one pose stands out (probability > 0.95) and expected_false <= 0.05
-  bool finished = true;               ///< false: the search was given up, poses may be missing
+  bool finished = true;               ///< false: the search stopped at a limit, poses may be missing
 
   struct Work
   {

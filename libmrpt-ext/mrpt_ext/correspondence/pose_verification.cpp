@@ -10,9 +10,9 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr int kMaxRounds = 6;  // of matching and refining; most poses settle in two
+constexpr int kMaxRounds = 6;  // of matching and refining; most poses refine in two
 
-/// What matches a pose.
+/// The detections that a pose matches.
 struct Matching
 {
   std::vector<int> assignment;  // landmark per detection, all scans in order
@@ -61,9 +61,9 @@ MatchedRows measurementsOf(const LandmarkIndex& map, std::span<const Scan> scans
   return result;
 }
 
-/// Matches and refines in turn until the matches stay. A match counts when it is within the gate of what the pose with
-/// its uncertainty predicts. False when fewer than `least` detections match or the pose is degenerate.
-bool settle(const LandmarkIndex& map, std::span<const Scan> scans, double gate, int least, GaussianPose& pose,
+/// Associates and refines in turn until the association stays. False when fewer than `least` detections match or
+/// the pose is degenerate.
+bool refine(const LandmarkIndex& map, std::span<const Scan> scans, double gate, int least, GaussianPose& pose,
             Matching& matching)
 {
   matching = match(map, scans, pose, gate);
@@ -74,15 +74,15 @@ bool settle(const LandmarkIndex& map, std::span<const Scan> scans, double gate, 
     if (fit.status != SolveStatus::ok) return false;
     pose = fit.pose;
     Matching next = match(map, scans, pose, gate);
-    const bool settled = next.assignment == matching.assignment;
+    const bool unchanged = next.assignment == matching.assignment;
     matching = std::move(next);
-    if (settled) break;
+    if (unchanged) break;
   }
   return matching.matched >= least;
 }
 
-/// Gives up the worst match as long as it misses by more than the gate allows a single reading. While the pose was
-/// uncertain a wrong landmark could pass; the readings that it has bent the pose away from can then return.
+/// Drops the worst match while its residual exceeds the gate of a single detection: while the pose was uncertain, a
+/// wrong landmark could pass. Detections that the pose was drawn away from can then match again.
 bool dropMisfits(const LandmarkIndex& map, std::span<const Scan> scans, double gate, int least, GaussianPose& pose,
                  std::vector<int>& assignment)
 {
@@ -132,10 +132,10 @@ std::optional<ConsistentPose> verifyPose(const LandmarkIndex& map, std::span<con
 {
   ConsistentPose result{.pose = candidate};
   Matching matching;
-  if (!settle(map, scans, options.gate, least, result.pose, matching)) return std::nullopt;
-  // What a dropped misfit had bent away may fit now: settle once more from the better pose.
+  if (!refine(map, scans, options.gate, least, result.pose, matching)) return std::nullopt;
+  // What a dropped misfit had bent away may fit now: refine once more from the better pose.
   if (!dropMisfits(map, scans, options.gate, least, result.pose, matching.assignment)) return std::nullopt;
-  if (!settle(map, scans, options.gate, least, result.pose, matching)) return std::nullopt;
+  if (!refine(map, scans, options.gate, least, result.pose, matching)) return std::nullopt;
   if (!dropMisfits(map, scans, options.gate, least, result.pose, matching.assignment)) return std::nullopt;
   if (options.area && !options.area->contains(result.pose.mean.position())) return std::nullopt;
   result.assignment = std::move(matching.assignment);

@@ -8,25 +8,24 @@
 
 namespace mrpt_ext
 {
-inline constexpr int kAnyCategory = -1;      ///< the sensor cannot tell what category of landmark it saw
-inline constexpr int kUnknownCategory = -2;  ///< a category that the map has no landmark of: surely false
+inline constexpr int kAnyCategory = -1;      ///< the sensor does not report a category
+inline constexpr int kUnknownCategory = -2;  ///< a category that no landmark of the map has: a false detection
 
-/// A feature that the sensor saw but could not name: a bearing, a range (horizontal), or both.
+/// A detection without identity: a bearing, a range (horizontal), or both.
 struct AnonymousDetection
 {
   std::optional<double> bearing;  ///< [rad, CCW from the sensor's forward axis]
   std::optional<double> range;    ///< [m, horizontal, from the sensor]
   double std_bearing = 0;         ///< [rad]
   double std_range = 0;           ///< [m]
-  int category = kAnyCategory;    ///< LandmarkIndex::categoryOf its category
+  int category = kAnyCategory;    ///< as numbered by LandmarkIndex::categoryOf()
 };
 
-/// All that one sensor saw from one scan on the robot, or, carried along by odometry, from a scan it has passed.
-/// Every landmark appears at most once among the detections of a scan.
+/// All detections of one sensor at one time. Each landmark appears at most once among them.
 struct Scan
 {
-  Pose2 T_robot_sensor;
-  SensorModel model;  ///< a missing range limit means: sees everything; a missing detection probability: scores no gap
+  Pose2 T_robot_sensor;  ///< for a past scan: in the present robot frame
+  SensorModel model;     ///< no range limit: unlimited; no detection probability: missed detections do not count
   std::vector<AnonymousDetection> detections;
 };
 

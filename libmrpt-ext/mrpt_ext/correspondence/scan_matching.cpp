@@ -10,8 +10,8 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kMinClutter = 1e-6;    // a sensor that never errs would make every evidence infinite
-constexpr double kMaxDetection = 0.99;  // nor is any landmark seen for certain
-constexpr double kSlack = 3;            // standard deviations of the pose by which a landmark may be out of scan
+constexpr double kMaxDetection = 0.99;  // no landmark is detected for certain
+constexpr double kSlack = 3;            // standard deviations of the pose by which a landmark may be out of view
 
 double quadratic(const JacobianRow& J, const Matrix3d& P) { return std::max(0.0, (J * P * J.transpose()).value()); }
 
@@ -42,17 +42,17 @@ double density(const AnonymousDetection& z, const ExpectedLandmark& h)
 }
 
 /// Probability of a value below `limit`.
-double chanceBelow(double limit, double mean, double variance)
+double probabilityBelow(double limit, double mean, double variance)
 {
   return 0.5 * std::erfc((mean - limit) / std::sqrt(2 * std::max(variance, 1e-18)));
 }
 
-double chanceInView(const SensorModel& model, const ExpectedLandmark& h)
+double visibilityOf(const SensorModel& model, const ExpectedLandmark& h)
 {
-  double chance = model.max_range ? chanceBelow(*model.max_range, h.range, h.range_variance) : 1;
+  double probability = model.max_range ? probabilityBelow(*model.max_range, h.range, h.range_variance) : 1;
   if (model.has_field_of_view)
-    chance *= chanceBelow(0.5 * model.field_of_view, std::abs(h.bearing), h.bearing_variance);
-  return chance;
+    probability *= probabilityBelow(0.5 * model.field_of_view, std::abs(h.bearing), h.bearing_variance);
+  return probability;
 }
 
 /// Probability density of a false detection.
@@ -87,7 +87,7 @@ std::vector<ExpectedLandmark> expectedLandmarks(const LandmarkIndex& map, const 
                     h.range_variance = quadratic(rangeJacobian(robot.mean, position, offset), robot.covariance);
                     const bool near = !scan.model.max_range || h.range <= *scan.model.max_range;
                     h.in_view = near && std::abs(h.bearing) <= 0.5 * scan.model.field_of_view;
-                    h.in_view_chance = chanceInView(scan.model, h);
+                    h.visibility = visibilityOf(scan.model, h);
                     expected.push_back(h);
                   });
   return expected;
@@ -129,15 +129,15 @@ double scanLogLikelihood(const LandmarkIndex& map, const Scan& scan, std::span<c
 
   const SensorModel& model = scan.model;
   const double clutter = std::clamp(model.clutter_probability, kMinClutter, 1.0);
-  const bool counts_gaps = model.detection_probability.has_value();
+  const bool counts_missed = model.detection_probability.has_value();
   const double p = std::clamp(model.detection_probability.value_or(0), 0.0, kMaxDetection);
-  const double false_ones = expectedFalseDetections(map, scan);
+  const double expected_false = expectedFalseDetections(map, scan);
   double log_likelihood = 0;
   std::vector<double> weight;  // of a landmark as the source of a detection
   for (const ExpectedLandmark& h : expected)
   {
-    weight.push_back(counts_gaps ? p * h.in_view_chance / (1 - p * h.in_view_chance) : h.in_view_chance);
-    if (counts_gaps) log_likelihood += std::log1p(-p * h.in_view_chance);
+    weight.push_back(counts_missed ? p * h.visibility / (1 - p * h.visibility) : h.visibility);
+    if (counts_missed) log_likelihood += std::log1p(-p * h.visibility);
   }
   for (std::size_t d = 0; d < scan.detections.size(); ++d)
   {
@@ -146,14 +146,15 @@ double scanLogLikelihood(const LandmarkIndex& map, const Scan& scan, std::span<c
     for (std::size_t h = 0; h < expected.size(); ++h)
     {
       if (!map.mayShow(z.category, expected[h].landmark)) continue;
-      visible += expected[h].in_view_chance;
+      visible += expected[h].visibility;
       if (weight[h] > 0 && (claimed_by[h] < 0 || claimed_by[h] == static_cast<int>(d)))
         sum += weight[h] * density(z, expected[h]);
     }
     const double false_density = falseDensity(map, z, model);
     log_likelihood +=
-        counts_gaps ? std::log(false_ones * false_density + sum)
-                    : std::log(clutter * false_density + (1 - std::min(clutter, 0.999)) * sum / std::max(1.0, visible));
+        counts_missed
+            ? std::log(expected_false * false_density + sum)
+            : std::log(clutter * false_density + (1 - std::min(clutter, 0.999)) * sum / std::max(1.0, visible));
   }
   return log_likelihood;
 }

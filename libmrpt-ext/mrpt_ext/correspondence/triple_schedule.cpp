@@ -9,25 +9,25 @@ namespace
 {
 constexpr double kLeastSine = 0.12;       // of a gap: the cotangent stays small
 constexpr std::size_t kMaxBearings = 36;  // of which triples are formed
-constexpr double kOverlapCost = 1.5;      // per shared reading
+constexpr double kOverlapCost = 1.5;      // per shared bearing
 
-bool contains(const DetectionTriple& triple, int reading)
+bool contains(const DetectionTriple& triple, int detection)
 {
-  return std::find(triple.reading.begin(), triple.reading.end(), reading) != triple.reading.end();
+  return std::find(triple.detection.begin(), triple.detection.end(), detection) != triple.detection.end();
 }
 
 bool isHit(const DetectionTriple& triple, const std::vector<int>& hit)
 {
-  return std::any_of(hit.begin(), hit.end(), [&](int reading) { return contains(triple, reading); });
+  return std::any_of(hit.begin(), hit.end(), [&](int detection) { return contains(triple, detection); });
 }
 
 bool disjoint(const DetectionTriple& a, const DetectionTriple& b)
 {
-  return std::none_of(a.reading.begin(), a.reading.end(), [&](int reading) { return contains(b, reading); });
+  return std::none_of(a.detection.begin(), a.detection.end(), [&](int detection) { return contains(b, detection); });
 }
 
-/// Triples that `hit` misses and that are mutually disjoint: each needs a further reading.
-std::size_t readingsNeeded(const std::vector<DetectionTriple>& triples, const std::vector<int>& hit)
+/// Triples that `hit` misses and that are mutually disjoint: each needs a further bearing.
+std::size_t detectionsNeeded(const std::vector<DetectionTriple>& triples, const std::vector<int>& hit)
 {
   std::vector<const DetectionTriple*> packed;
   for (const DetectionTriple& t : triples)
@@ -41,10 +41,10 @@ bool extendToHittingSet(const std::vector<DetectionTriple>& triples, std::vector
 {
   const auto open = std::find_if(triples.begin(), triples.end(), [&](const auto& t) { return !isHit(t, hit); });
   if (open == triples.end()) return true;
-  if (hit.size() + readingsNeeded(triples, hit) > size) return false;
-  for (const int reading : open->reading)
+  if (hit.size() + detectionsNeeded(triples, hit) > size) return false;
+  for (const int detection : open->detection)
   {
-    hit.push_back(reading);
+    hit.push_back(detection);
     if (extendToHittingSet(triples, hit, size)) return true;
     hit.pop_back();
   }
@@ -69,8 +69,8 @@ std::optional<DetectionTriple> TripleSchedule::next()
     if (isHit(t, smallest_hit_)) continue;
     double cost = t.cost;
     for (const DetectionTriple& c : chosen_)
-      for (const int reading : t.reading)
-        if (contains(c, reading)) cost *= kOverlapCost;
+      for (const int detection : t.detection)
+        if (contains(c, detection)) cost *= kOverlapCost;
     if (cost < least)
     {
       least = cost;
@@ -105,7 +105,7 @@ class TripleCost
     for (int i = 0; i < count; ++i)
       for (int j = 0; j < count; ++j)
       {
-        const double gap = std::abs(wrap(at(i).bearing - at(j).bearing));
+        const double gap = std::abs(wrap(at(i).angle - at(j).angle));
         pairs_[pairIndex(i, j)] = {gap, landmarksAround(j, gap)};
       }
     for (int i = 0; i < count; ++i) in_range_.push_back(landmarksAround(i, 0));
@@ -172,7 +172,7 @@ class TripleCost
   std::span<const ScanBearing> bearings_;
   const SearchDensity& density_;
   std::vector<Pair> pairs_;
-  std::vector<double> in_range_;  // landmarks that a reading may show
+  std::vector<double> in_range_;  // landmarks that a bearing may show
 };
 }  // namespace
 

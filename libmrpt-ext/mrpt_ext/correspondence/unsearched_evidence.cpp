@@ -26,7 +26,7 @@ std::vector<double> product(const std::vector<double>& a, const std::vector<doub
 
 double areaOf(const Box2& area) { return (area.max - area.min).cwiseMax(0.01).prod(); }
 
-/// A landmark in scan gives a detection like this one with `of_landmark`, clutter gives it with `of_clutter`.
+/// Density of a detection as one of a landmark in view, and as clutter.
 struct Densities
 {
   double of_landmark, of_clutter;

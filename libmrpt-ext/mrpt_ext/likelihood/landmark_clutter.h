@@ -8,7 +8,7 @@
 namespace mrpt_ext
 {
 /// Clutter probability per landmark of the map, in the order of the table; empty: the sensor's own value for all.
-/// Lets a filter trust a lying beacon less than its neighbours.
+/// With it a filter trusts a faulty beacon less than its neighbours.
 using LandmarkClutter = std::vector<double>;
 
 /// Of one landmark; never 0, which keeps every log-likelihood finite.

@@ -59,8 +59,8 @@ Sector sectorOf(std::span<const SensorTile> tiles, const SensorTile::Column Sens
 
 /// Directions to, and distances of, the landmarks from the middle of the sensors.
 MRPT_EXT_VECTOR_CLONES
-void lookFrom(float x, float y, float radius, std::size_t count, const float* landmark_x, const float* landmark_y,
-              float* direction, float* half_width, float* distance)
+void directionsFrom(float x, float y, float radius, std::size_t count, const float* landmark_x, const float* landmark_y,
+                    float* direction, float* half_width, float* distance)
 {
   MRPT_EXT_INDEPENDENT_ITERATIONS
   for (std::size_t j = 0; j < count; ++j)
@@ -81,15 +81,15 @@ SensorBounds boundsOf(std::span<const SensorTile> tiles)
   const Interval scale = intervalOf(tiles, &SensorTile::range_scale),
                  shift = intervalOf(tiles, &SensorTile::range_shift);
   const Sector heading = sectorOf(tiles, &SensorTile::cosine, &SensorTile::sine);
-  const Sector told = sectorOf(tiles, &SensorTile::bearing_frame_cosine, &SensorTile::bearing_frame_sine);
+  const Sector bearing_frame = sectorOf(tiles, &SensorTile::bearing_frame_cosine, &SensorTile::bearing_frame_sine);
   const double half_x = 0.5 * (double{x.high} - double{x.low}), half_y = 0.5 * (double{y.high} - double{y.low});
   return {.x = double{x.low} + half_x,
           .y = double{y.low} + half_y,
           .radius = std::hypot(half_x, half_y) * (1 + kRounding) + 1e-9,
           .heading = heading.middle,
           .half_turn = heading.half,
-          .bearing_heading = told.middle,
-          .told_half_turn = told.half,
+          .bearing_heading = bearing_frame.middle,
+          .bearing_half_turn = bearing_frame.half,
           .scale_low = scale.low,
           .scale_high = scale.high,
           .shift_low = shift.low,
@@ -98,24 +98,25 @@ SensorBounds boundsOf(std::span<const SensorTile> tiles)
 
 LandmarkCulling::LandmarkCulling(const LandmarkTable& map, const ScoringFrame& frame)
 {
-  const double carried = Eigen::SelfAdjointEigenSolver<Matrix2d>(frame.carried_covariance).eigenvalues().maxCoeff();
+  const double sensor_covariance =
+      Eigen::SelfAdjointEigenSolver<Matrix2d>(frame.sensor_covariance).eigenvalues().maxCoeff();
   for (const Landmark& landmark : map.all())
   {
     const double rise = frame.horizontal_range ? 0.0 : landmark.position.z() - frame.sensor_height;
     x_.push_back(static_cast<float>(landmark.position.x() - frame.origin.x()));
     y_.push_back(static_cast<float>(landmark.position.y() - frame.origin.y()));
     rise2_.push_back(static_cast<float>(square(rise)));
-    spread_.push_back(static_cast<float>(square(landmark.stddev.maxCoeff()) + std::max(0.0, carried)));
+    spread_.push_back(static_cast<float>(square(landmark.stddev.maxCoeff()) + std::max(0.0, sensor_covariance)));
   }
   for (auto* column : {&direction_, &half_width_, &nearest_, &farthest_, &bearing_spread_}) column->resize(x_.size());
 }
 
-void LandmarkCulling::look(const SensorBounds& bounds, const ViewLimits& limits)
+void LandmarkCulling::update(const SensorBounds& bounds, const VisibilityLimits& limits)
 {
   bounds_ = bounds;
   const auto radius = static_cast<float>(bounds.radius);
-  lookFrom(static_cast<float>(bounds.x), static_cast<float>(bounds.y), radius, x_.size(), x_.data(), y_.data(),
-           direction_.data(), half_width_.data(), nearest_.data());
+  directionsFrom(static_cast<float>(bounds.x), static_cast<float>(bounds.y), radius, x_.size(), x_.data(), y_.data(),
+                 direction_.data(), half_width_.data(), nearest_.data());
   for (std::size_t j = 0; j < x_.size(); ++j)
   {
     const float distance = nearest_[j], least = std::max(0.0F, distance - radius), most = distance + radius;
@@ -126,9 +127,9 @@ void LandmarkCulling::look(const SensorBounds& bounds, const ViewLimits& limits)
   classify(limits);
 }
 
-void LandmarkCulling::classify(const ViewLimits& limits)
+void LandmarkCulling::classify(const VisibilityLimits& limits)
 {
-  in_view_.assign(x_.size(), InView::surely);
+  in_view_.assign(x_.size(), InView::all);
   if (!limits.any()) return;
   for (std::size_t j = 0; j < x_.size(); ++j)
   {
@@ -139,7 +140,7 @@ void LandmarkCulling::classify(const ViewLimits& limits)
                                  share(limits.bearing_offset, limits.bearing_slope, std::max(0.0, off_axis - half)));
     const double least = std::min(share(limits.range_offset, limits.range_slope, double{farthest_[j]}),
                                   share(limits.bearing_offset, limits.bearing_slope, std::min(kPi, off_axis + half)));
-    in_view_[j] = most <= 0 ? InView::no : least >= 1 ? InView::surely : InView::some;
+    in_view_[j] = most <= 0 ? InView::no : least >= 1 ? InView::all : InView::some;
   }
 }
 
@@ -147,7 +148,7 @@ void LandmarkCulling::findNear(const Detection& detection, double cut, std::span
                                std::vector<std::uint32_t>& near) const
 {
   const auto bearing = static_cast<float>(wrap(detection.bearing.value_or(0) + bounds_.bearing_heading));
-  const auto turn = static_cast<float>(bounds_.told_half_turn + kRounding), c = static_cast<float>(cut);
+  const auto turn = static_cast<float>(bounds_.bearing_half_turn + kRounding), c = static_cast<float>(cut);
   const auto var_bearing = static_cast<float>(square(detection.std_bearing));
   const auto var_range = static_cast<float>(square(detection.std_range));
   const auto scale_low = static_cast<float>(bounds_.scale_low), scale_high = static_cast<float>(bounds_.scale_high);

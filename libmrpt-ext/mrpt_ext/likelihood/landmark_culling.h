@@ -10,35 +10,35 @@
 
 namespace mrpt_ext
 {
-/// Where the sensors of some tiles are, together: a circle, a sector of headings, and the systematic errors.
+/// Bounds of the sensor poses of some tiles: a circle, a sector of headings, and the systematic errors.
 struct SensorBounds
 {
-  double x = 0, y = 0, radius = 0;                   ///< [m] from the origin
-  double heading = 0, half_turn = kPi;               ///< [rad] of the sensors
-  double bearing_heading = 0, told_half_turn = kPi;  ///< [rad] that bearings are told from
-  double scale_low = 1, scale_high = 1;              ///< of ranges
-  double shift_low = 0, shift_high = 0;              ///< [m] of ranges
+  double x = 0, y = 0, radius = 0;                      ///< [m] from the origin
+  double heading = 0, half_turn = kPi;                  ///< [rad] of the sensors
+  double bearing_heading = 0, bearing_half_turn = kPi;  ///< [rad] that bearings refer to
+  double scale_low = 1, scale_high = 1;                 ///< of ranges
+  double shift_low = 0, shift_high = 0;                 ///< [m] of ranges
 };
 
 [[nodiscard]] SensorBounds boundsOf(std::span<const SensorTile> tiles);
 
-/// Whether a landmark lies within the view limits.
+/// Whether a landmark is within the visibility limits.
 enum class InView : std::uint8_t
 {
-  no,     ///< of no sensor
-  some,   ///< of some perhaps
-  surely  ///< of all, where the chance is 1
+  no,    ///< of no sensor
+  some,  ///< possibly of some
+  all    ///< of all, at visibility 1
 };
 
-/// The landmarks of a map from the point of view of sensors close to each other: which of them can be in view, and
-/// which can have given a detection. Bounds, never estimates: what is left out is left out for every sensor.
+/// Visibility culling for sensors close to each other: which landmarks of the map can be in view, and which can have
+/// given a detection. Conservative: a landmark that is left out is out of view of every sensor.
 class LandmarkCulling
 {
  public:
   LandmarkCulling(const LandmarkTable& map, const ScoringFrame& frame);
 
-  /// Turns to these sensors.
-  void look(const SensorBounds& bounds, const ViewLimits& limits);
+  /// Prepares the queries for these sensors.
+  void update(const SensorBounds& bounds, const VisibilityLimits& limits);
 
   [[nodiscard]] const std::vector<InView>& inView() const { return in_view_; }
 
@@ -48,7 +48,7 @@ class LandmarkCulling
                 std::vector<std::uint32_t>& near) const;
 
  private:
-  void classify(const ViewLimits& limits);
+  void classify(const VisibilityLimits& limits);
 
   // Per landmark: position, squared rise, largest variance of its position and the sensor's [m^2].
   std::vector<float> x_, y_, rise2_, spread_;

@@ -10,7 +10,7 @@ namespace
 {
 constexpr double kMinDistance = 1e-6;  // [m] a bearing to a landmark at the sensor itself has no direction
 
-double reportChance(const ViewLimits& limits, double bearing, double range)
+double visibility(const VisibilityLimits& limits, double bearing, double range)
 {
   return std::clamp(limits.range_offset - limits.range_slope * range, 0.0, 1.0) *
          std::clamp(limits.bearing_offset - limits.bearing_slope * std::abs(bearing), 0.0, 1.0);
@@ -28,7 +28,7 @@ LandmarkPrediction predict(const Landmark& landmark, const Reading& reading, con
   LandmarkPrediction prediction;
   prediction.bearing = wrap(std::atan2(dy, dx) - sensor.phi);
   prediction.range = dz == 0 ? horizontal : std::sqrt(horizontal2 + dz * dz);
-  prediction.chance = reportChance(ViewLimits(reading.model), prediction.bearing, prediction.range);
+  prediction.visibility = visibility(VisibilityLimits(reading.model), prediction.bearing, prediction.range);
 
   const double ux = dx / horizontal, uy = dy / horizontal;  // line of sight in the world
   Matrix2d position_covariance = landmark.stddev.cwiseAbs2().asDiagonal();

@@ -6,7 +6,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kSurprise = 0.01;  // share of the uniform part: visibility is never known better than this
+constexpr double kUniformShare = 0.01;  // share of the uniform part: visibility is never known better than this
 
 bool isReported(const Reading& reading, const Landmark& landmark)
 {
@@ -21,7 +21,7 @@ double logIdentified(const Reading& reading, const LandmarkTable& map, std::span
   for (std::size_t j = 0; j < map.size(); ++j)
     if (map[j].id != kNoId || reading.detections.empty())  // where nothing is seen, anonymous ones are missed too
       log_probability +=
-          std::log(reportProbability(detection_probability * predictions[j].chance, isReported(reading, map[j])));
+          std::log(reportProbability(detection_probability * predictions[j].visibility, isReported(reading, map[j])));
   return log_probability;
 }
 
@@ -32,7 +32,7 @@ double logCount(const Reading& reading, std::span<const LandmarkPrediction> pred
   double mean = model.expected_clutter, variance = model.extra_variance;
   for (const LandmarkPrediction& prediction : predictions)
   {
-    const double p = detection_probability * prediction.chance;
+    const double p = detection_probability * prediction.visibility;
     mean += p;
     variance += p * (1 - p);
   }
@@ -49,7 +49,7 @@ bool areIdentified(const Reading& reading)
 
 double reportProbability(double probability, bool reported)
 {
-  const double p = kSurprise / 2 + (1 - kSurprise) * probability;
+  const double p = kUniformShare / 2 + (1 - kUniformShare) * probability;
   return reported ? p : 1 - p;
 }
 
@@ -60,8 +60,8 @@ CountModel countModel(const Reading& reading, std::size_t landmarks)
   return {.count = count,
           .expected_clutter = clutter,
           .extra_variance = clutter + 0.25,  // the quarter stands for the rounding to whole counts
-          .gaussian_share = 1 - kSurprise,
-          .uniform = kSurprise / (1.0 + static_cast<double>(landmarks))};
+          .gaussian_share = 1 - kUniformShare,
+          .uniform = kUniformShare / (1.0 + static_cast<double>(landmarks))};
 }
 
 bool scoresMissedDetections(const Reading& reading)

@@ -8,26 +8,27 @@
 
 namespace mrpt_ext
 {
-/// True when the reading declares all that is needed to hold unseen landmarks against a pose.
+/// True when the reading declares what a test of missed detections needs: detection probability, range and field of
+/// view.
 [[nodiscard]] bool scoresMissedDetections(const Reading& reading);
 
 /// Log-probability of which landmarks were reported and which were not.
 ///
 /// Identified detections, or none at all: product over the map of P_D c_j for a reported and 1 - P_D c_j for an
-/// unreported landmark, c_j being the chance that it is in view. Unidentified ones: the number of detections is
+/// unreported landmark, c_j being its visibility. Anonymous ones: the number of detections is
 /// compared with its expectation sum_j P_D c_j plus clutter (Gaussian approximation of the Poisson-binomial count).
 /// Both are mixed with a small uniform share, so that one wrong visibility can never outweigh the measurements
 /// themselves. `predictions` holds one entry per landmark of the map.
 [[nodiscard]] double logMissedDetections(const Reading& reading, const LandmarkTable& map,
                                          std::span<const LandmarkPrediction> predictions);
 
-/// True when every detection has an id, also when there is none.
+/// True when every detection has an id (also for no detection at all).
 [[nodiscard]] bool areIdentified(const Reading& reading);
 
-/// Probability of what was reported of a landmark that is in view and detected with this probability.
+/// Probability of the report or of the miss of a landmark that is detected with `probability`.
 [[nodiscard]] double reportProbability(double probability, bool reported);
 
-/// What the likelihood of the number of unidentified detections has in common for all poses.
+/// The part of the likelihood of the number of anonymous detections that all poses share.
 struct CountModel
 {
   double count = 0;             ///< detections

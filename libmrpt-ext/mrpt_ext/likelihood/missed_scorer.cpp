@@ -38,7 +38,7 @@ MissedScorer::MissedScorer(const Reading& reading, const LandmarkTable& map, con
     if (const auto known = map.indexOf(detection.id)) reported_[*known] = 1;
 }
 
-void MissedScorer::prepare(const LandmarkCulling& window, Terms& terms) const
+void MissedScorer::prepare(const LandmarkCulling& culling, Terms& terms) const
 {
   const double detected = *reading_.model.detection_probability;
   terms.rim.clear();
@@ -46,7 +46,7 @@ void MissedScorer::prepare(const LandmarkCulling& window, Terms& terms) const
   for (std::size_t j = 0; j < map_.size(); ++j)
   {
     if (identified_ && map_[j].id == kNoId && !reading_.detections.empty()) continue;
-    const InView in_view = window.inView()[j];
+    const InView in_view = culling.inView()[j];
     const bool reported = reported_[j] != 0;
     if (in_view == InView::some)
     {
@@ -56,7 +56,7 @@ void MissedScorer::prepare(const LandmarkCulling& window, Terms& terms) const
       terms.rim.push_back(landmark);
       continue;
     }
-    const double p = in_view == InView::surely ? detected : 0.0;
+    const double p = in_view == InView::all ? detected : 0.0;
     terms.log_sum += identified_ ? std::log(reportProbability(p, reported)) : 0.0;
     terms.mean += p;
     terms.variance += p * (1 - p);

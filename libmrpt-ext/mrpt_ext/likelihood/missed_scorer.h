@@ -5,8 +5,8 @@
 
 namespace mrpt_ext
 {
-/// logMissedDetections() for all robots of a tile. Landmarks that no robot of a block has in view, or all have, count
-/// once per block; only those at the rim are looked at for each robot.
+/// logMissedDetections() for all robots of a tile. Landmarks in view of none or of all robots of a block
+/// count once per block; those at the rim are evaluated for each robot.
 class MissedScorer
 {
  public:
@@ -20,14 +20,14 @@ class MissedScorer
     double mean = 0, variance = 0;  ///< likewise, of the count
   };
 
-  void prepare(const LandmarkCulling& window, Terms& terms) const;
+  void prepare(const LandmarkCulling& culling, Terms& terms) const;
   void addTo(const SensorTile& tile, const Terms& terms, SensorTile::Column& log_sum) const;
 
  private:
   const Reading& reading_;
   const LandmarkTable& map_;
   const ScoringFrame& frame_;
-  ViewLimits limits_;
+  VisibilityLimits limits_;
   bool identified_;
   std::vector<std::uint8_t> reported_;  // per landmark of the map
 };

@@ -22,8 +22,8 @@ double peakOf(const Detection& detection, double clutter)
   return peak;
 }
 
-PreparedDetection sightingOf(const Detection& detection, const Landmark& landmark, double clutter,
-                             const ScoringFrame& frame)
+PreparedDetection prepareDetection(const Detection& detection, const Landmark& landmark, double clutter,
+                                   const ScoringFrame& frame)
 {
   const double rise = frame.horizontal_range ? 0.0 : landmark.position.z() - frame.sensor_height;
   const double bearing = detection.bearing.value_or(0), range = detection.range.value_or(0);
@@ -40,7 +40,7 @@ PreparedDetection sightingOf(const Detection& detection, const Landmark& landmar
           .var_range = static_cast<float>(var_range),
           .map_xx = static_cast<float>(square(landmark.stddev.x())),
           .map_yy = static_cast<float>(square(landmark.stddev.y())),
-          .trust = static_cast<float>(1 - clutter),
-          .gauss = static_cast<float>(peakOf(detection, clutter))};
+          .inlier_probability = static_cast<float>(1 - clutter),
+          .peak = static_cast<float>(peakOf(detection, clutter))};
 }
 }  // namespace mrpt_ext

@@ -5,23 +5,23 @@
 
 namespace mrpt_ext
 {
-/// What the likelihood of one reading has in common for all its detections and all robots.
+/// The part of a reading that all its detections and all robots share.
 struct ScoringFrame
 {
-  Vector2d origin{0, 0};                           ///< [m] of the batch, in the map frame
-  double sensor_height = 0;                        ///< [m]
-  bool horizontal_range = false;                   ///< no slant
-  Matrix2d carried_covariance = Matrix2d::Zero();  ///< of the sensor position, axes of the sensor
+  Vector2d origin{0, 0};                          ///< [m] of the batch, in the map frame
+  double sensor_height = 0;                       ///< [m]
+  bool horizontal_range = false;                  ///< no slant
+  Matrix2d sensor_covariance = Matrix2d::Zero();  ///< of the sensor position, axes of the sensor
 
   ScoringFrame(const Reading& reading, const Vector2d& batch_origin)
       : origin(batch_origin), sensor_height(reading.sensor_height), horizontal_range(reading.horizontal_range)
   {
     const Matrix2d R = rotation(-reading.T_robot_sensor.phi);
-    carried_covariance = R * reading.sensor_position_covariance * R.transpose();
+    sensor_covariance = R * reading.sensor_position_covariance * R.transpose();
   }
 };
 
-/// One detection taken as one landmark: all that does not depend on the robot, in single precision.
+/// One detection associated with one landmark: all that does not depend on the robot, in single precision.
 /// With e the clutter probability, s the expected share of the detection that is this landmark and V the volume of the
 /// measurement space, the detection's likelihood is s (1 - e) N + s e / V summed over the landmarks it may show.
 struct PreparedDetection
@@ -34,8 +34,8 @@ struct PreparedDetection
   float range_factor;            ///< likewise per m^2
   float var_bearing, var_range;  ///< [rad^2], [m^2] of the sensor
   float map_xx, map_yy;          ///< [m^2] variance of the landmark's position
-  float trust;                   ///< 1 - e
-  float gauss;                   ///< (1 - e) times the greatest density of N,
+  float inlier_probability;      ///< 1 - e
+  float peak;                    ///< (1 - e) times the largest density of N
   float floor = 0;               ///< e / V
 };
 
@@ -50,18 +50,18 @@ struct DetectionKind
 /// exp(-(0.5236 / 0.068)^2 / 2) = 1e-13.
 inline constexpr double kSharpBearing = 0.068;
 
-[[nodiscard]] inline DetectionKind kindOf(const Detection& detection, const Landmark& landmark,
-                                          const ScoringFrame& frame)
+[[nodiscard]] inline DetectionKind detectionKind(const Detection& detection, const Landmark& landmark,
+                                                 const ScoringFrame& frame)
 {
-  const bool constant = landmark.stddev.isZero(0) && frame.carried_covariance.isZero(0);
+  const bool constant = landmark.stddev.isZero(0) && frame.sensor_covariance.isZero(0);
   return {detection.bearing.has_value(), detection.range.has_value(),
           constant && (!detection.bearing || detection.std_bearing <= kSharpBearing)};
 }
 
-/// Likewise unscaled and without a floor, as for a detection that may show several. `clutter`: of the landmark, (0, 1].
-[[nodiscard]] PreparedDetection sightingOf(const Detection& detection, const Landmark& landmark, double clutter,
-                                           const ScoringFrame& frame);
+/// Not scaled and with floor 0, as for a detection that may show several landmarks. `clutter`: of the landmark, (0, 1].
+[[nodiscard]] PreparedDetection prepareDetection(const Detection& detection, const Landmark& landmark, double clutter,
+                                                 const ScoringFrame& frame);
 
-/// (1 - e) times the greatest density of Nfrom the sensor's noise alone.
+/// (1 - e) times the largest density of N, from the sensor's noise alone.
 [[nodiscard]] double peakOf(const Detection& detection, double clutter);
 }  // namespace mrpt_ext

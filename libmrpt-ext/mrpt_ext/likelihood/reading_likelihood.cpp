@@ -26,29 +26,29 @@ struct PreparedReading
       : reading(r), map(m), clutter(c), score_missed(scoresMissedDetections(r))
   {
     const double default_max_range = defaultMaxRange(map);
-    std::vector<std::size_t> place(map.size(), map.size());
-    const auto place_of = [&](std::size_t landmark)
+    std::vector<std::size_t> index(map.size(), map.size());
+    const auto index_of = [&](std::size_t landmark)
     {
-      if (place[landmark] == map.size())
+      if (index[landmark] == map.size())
       {
-        place[landmark] = relevant.size();
+        index[landmark] = relevant.size();
         relevant.push_back(landmark);
       }
-      return place[landmark];
+      return index[landmark];
     };
     if (score_missed)
-      for (std::size_t j = 0; j < map.size(); ++j) place_of(j);
+      for (std::size_t j = 0; j < map.size(); ++j) index_of(j);
     for (const Detection& detection : reading.detections)
     {
       clutter_density.push_back(1 / measurementVolume(detection, reading.model, default_max_range));
       auto& list = candidates.emplace_back();
       if (detection.id != kNoId)
       {
-        if (const auto known = map.indexOf(detection.id)) list.push_back(place_of(*known));
+        if (const auto known = map.indexOf(detection.id)) list.push_back(index_of(*known));
         continue;
       }
       for (std::size_t j = 0; j < map.size(); ++j)
-        if (mayShow(detection, map[j])) list.push_back(place_of(j));
+        if (mayShow(detection, map[j])) list.push_back(index_of(j));
     }
   }
 };
@@ -67,8 +67,8 @@ MixtureTerms mixture(const PreparedReading& prepared, std::size_t d, const std::
   const Detection& detection = prepared.reading.detections[d];
   const auto& candidates = prepared.candidates[d];
   const bool identified = detection.id != kNoId;
-  double chance_sum = 0;
-  for (const std::size_t place : candidates) chance_sum += predictions[place].chance;
+  double visibility_sum = 0;
+  for (const std::size_t index : candidates) visibility_sum += predictions[index].visibility;
 
   MixtureTerms result;
   double clutter_share = candidates.empty() ? 1.0 : 0.0;
@@ -78,9 +78,9 @@ MixtureTerms mixture(const PreparedReading& prepared, std::size_t d, const std::
     const LandmarkPrediction& prediction = predictions[candidates[i]];
     // An identified detection was reported, so it was in view, whatever the declared limits say.
     const double fallback = 1.0 / static_cast<double>(candidates.size());
-    const double share = identified ? 1.0 : chance_sum > 0 ? prediction.chance / chance_sum : 0.0;
+    const double share = identified ? 1.0 : visibility_sum > 0 ? prediction.visibility / visibility_sum : 0.0;
     const double clutter = clutterOf(prepared.clutter, prepared.reading.model, prepared.relevant[candidates[i]]);
-    clutter_share += clutter * (chance_sum > 0 || identified ? share : fallback);
+    clutter_share += clutter * (visibility_sum > 0 || identified ? share : fallback);
     if (share > 0) terms[i] = (1 - clutter) * share * std::exp(logDensity(detection, prediction));
     result.total += terms[i];
   }

@@ -10,17 +10,17 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr std::size_t kBlockTiles = 8;  // share one look at the map
+constexpr std::size_t kBlockTiles = 8;  // share one update at the map
 constexpr std::size_t kTile = SensorTile::kSize;
 
-bool isNamed(const Detection& detection) { return detection.id != kNoId; }
+bool isIdentified(const Detection& detection) { return detection.id != kNoId; }
 }  // namespace
 
 struct ReadingScorer::BlockTerms
 {
   std::vector<SensorTile> tiles = std::vector<SensorTile>(kBlockTiles);
-  std::optional<LandmarkCulling> window;
-  UnidentifiedScorer::Terms unidentified;
+  std::optional<LandmarkCulling> culling;
+  AnonymousScorer::Terms anonymous;
   MissedScorer::Terms missed;
 };
 
@@ -31,7 +31,7 @@ ReadingScorer::ReadingScorer(const Reading& reading, const LandmarkTable& map, c
       clutter_(clutter),
       frame_(reading, origin),
       default_max_range_(defaultMaxRange(map)),
-      unidentified_(reading, map, clutter, frame_, default_max_range_)
+      anonymous_(reading, map, clutter, frame_, default_max_range_)
 {
   for (const Detection& detection : reading.detections)
   {
@@ -39,7 +39,7 @@ ReadingScorer::ReadingScorer(const Reading& reading, const LandmarkTable& map, c
     const auto known = map.indexOf(detection.id);
     if (known)
       addIdentified(detection, *known, volume);
-    else if (isNamed(detection) || !mayShowAny(detection, map))
+    else if (isIdentified(detection) || !mayShowAny(detection, map))
       constant_ -= std::log(volume);  // it can only be clutter
   }
   if (scoresMissedDetections(reading)) missed_.emplace(reading, map, frame_);
@@ -48,20 +48,20 @@ ReadingScorer::ReadingScorer(const Reading& reading, const LandmarkTable& map, c
 void ReadingScorer::addIdentified(const Detection& detection, std::size_t landmark, double volume)
 {
   const double clutter = clutterOf(clutter_, reading_.model, landmark);
-  const DetectionKind kind = kindOf(detection, map_[landmark], frame_);
-  PreparedDetection sighting = sightingOf(detection, map_[landmark], clutter, frame_);
+  const DetectionKind kind = detectionKind(detection, map_[landmark], frame_);
+  PreparedDetection prepared = prepareDetection(detection, map_[landmark], clutter, frame_);
   double scale = 1;
   if (kind.sharp)
   {
     // Both parts of the mixture at most 1, so that products of some stay in single precision.
     scale = std::max(peakOf(detection, clutter), clutter / volume);
     constant_ += std::log(scale);
-    sighting.gauss = static_cast<float>(peakOf(detection, clutter) / scale);
+    prepared.peak = static_cast<float>(peakOf(detection, clutter) / scale);
   }
-  sighting.floor = static_cast<float>(clutter / volume / scale);
+  prepared.floor = static_cast<float>(clutter / volume / scale);
   Group& group = groupOf(kind);
-  group.together = std::min(group.together, mayGoTogether(sighting.floor));
-  group.sightings.push_back(sighting);
+  group.together = std::min(group.together, factorsPerLogarithm(prepared.floor));
+  group.detections.push_back(prepared);
 }
 
 ReadingScorer::Group& ReadingScorer::groupOf(const DetectionKind& kind)
@@ -75,7 +75,7 @@ ReadingScorer::Group& ReadingScorer::groupOf(const DetectionKind& kind)
 void ReadingScorer::addTo(const PoseBatch& robots, std::span<float> log_likelihood) const
 {
   BlockTerms terms;
-  if (!unidentified_.empty() || missed_) terms.window.emplace(map_, frame_);
+  if (!anonymous_.empty() || missed_) terms.culling.emplace(map_, frame_);
   for (std::size_t first = 0; first < robots.size(); first += kBlockTiles * kTile)
     scoreBlock(robots, first, std::min(kBlockTiles * kTile, robots.size() - first), terms, log_likelihood);
 }
@@ -86,11 +86,11 @@ void ReadingScorer::scoreBlock(const PoseBatch& robots, std::size_t first, std::
   const std::size_t tiles = (count + kTile - 1) / kTile;
   for (std::size_t t = 0; t < tiles; ++t)
     fillTile(terms.tiles[t], robots, first + t * kTile, std::min(kTile, count - t * kTile), reading_);
-  if (terms.window)
+  if (terms.culling)
   {
-    terms.window->look(boundsOf(std::span(terms.tiles).first(tiles)), ViewLimits(reading_.model));
-    unidentified_.prepare(*terms.window, terms.unidentified);
-    if (missed_) missed_->prepare(*terms.window, terms.missed);
+    terms.culling->update(boundsOf(std::span(terms.tiles).first(tiles)), VisibilityLimits(reading_.model));
+    anonymous_.prepare(*terms.culling, terms.anonymous);
+    if (missed_) missed_->prepare(*terms.culling, terms.missed);
   }
   for (std::size_t t = 0; t < tiles; ++t)
   {
@@ -109,18 +109,18 @@ void ReadingScorer::scoreTile(const SensorTile& tile, const BlockTerms& terms, S
   {
     if (group.kind.sharp)
     {
-      addLogMixtures(tile, group.sightings, group.kind, group.together, log_sum);
+      addLogMixtures(tile, group.detections, group.kind, group.together, log_sum);
       continue;
     }
-    for (const PreparedDetection& sighting : group.sightings)
+    for (const PreparedDetection& prepared : group.detections)
     {
       std::fill_n(density, kTile, 0.0F);
       // An identified detection was reported, so it was in view, whatever the declared limits say.
-      addBroadDensities(tile, {&sighting, 1}, group.kind, frame_.carried_covariance, ViewLimits(), density);
-      addLogOfSum(density, sighting.floor, log_sum);
+      addBroadDensities(tile, {&prepared, 1}, group.kind, frame_.sensor_covariance, VisibilityLimits(), density);
+      addLogOfSum(density, prepared.floor, log_sum);
     }
   }
-  unidentified_.addTo(tile, terms.unidentified, log_sum);
+  anonymous_.addTo(tile, terms.anonymous, log_sum);
   if (missed_) missed_->addTo(tile, terms.missed, log_sum);
 }
 }  // namespace mrpt_ext

@@ -3,16 +3,16 @@
 #include <optional>
 #include <span>
 
+#include "mrpt_ext/likelihood/anonymous_scorer.h"
 #include "mrpt_ext/likelihood/density_kernels.h"
 #include "mrpt_ext/likelihood/missed_scorer.h"
-#include "mrpt_ext/likelihood/unidentified_scorer.h"
 
 namespace mrpt_ext
 {
 /// logLikelihood() of one reading for many robots, in single precision: what does not depend on the robot is prepared
 /// once, then any number of batches about the same origin are scored, also by several threads at a time.
 ///
-/// Agrees with logLikelihood() to 2e-4 per unidentified detection (see UnidentifiedScorer) and to 1e-5 for each other
+/// Agrees with logLikelihood() to 2e-4 per anonymous detection (see AnonymousScorer) and to 1e-5 for each other
 /// term, as far as single precision can tell the prediction: positions to 1e-7 of their distance from the origin,
 /// headings to 3e-7 rad. A detection out by z standard deviations s feels an error d of its prediction as z d / s.
 class ReadingScorer
@@ -32,8 +32,8 @@ class ReadingScorer
   struct Group
   {
     DetectionKind kind;
-    int together = 8;  ///< see mayGoTogether()
-    std::vector<PreparedDetection> sightings;
+    int together = 8;  ///< see factorsPerLogarithm()
+    std::vector<PreparedDetection> detections;
   };
   /// What is summed for one block of tiles.
   struct BlockTerms;
@@ -51,7 +51,7 @@ class ReadingScorer
   double default_max_range_;
   double constant_ = 0;  // what is the same for every robot
   std::vector<Group> groups_;
-  UnidentifiedScorer unidentified_;
+  AnonymousScorer anonymous_;
   std::optional<MissedScorer> missed_;
 };
 }  // namespace mrpt_ext

@@ -32,7 +32,7 @@ inline void accumulate(SensorBias& bias, BiasKind kind, double value)
   return result;
 }
 
-/// Turns what the true measurement would be into what the sensor says. Chance and variances stay those of the truth.
+/// Turns the true measurement into the reported one. Visibility and variances stay those of the true one.
 inline void applyBias(LandmarkPrediction& prediction, const SensorBias& bias)
 {
   prediction.bearing = wrap(prediction.bearing + bias.bearing_offset);

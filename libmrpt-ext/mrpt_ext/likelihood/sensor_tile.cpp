@@ -53,7 +53,7 @@ void placeSensors(const float* x, const float* y, const float* phi, const Sensor
 }
 
 MRPT_EXT_VECTOR_CLONES
-void turnTold(const SensorTile::Column& bearing_offset, SensorTile& tile)
+void turnBearingFrame(const SensorTile::Column& bearing_offset, SensorTile& tile)
 {
   MRPT_EXT_INDEPENDENT_ITERATIONS
   for (std::size_t i = 0; i < kSize; ++i)
@@ -85,7 +85,7 @@ void applyBiases(SensorTile& tile, const PoseBatch& robots, std::size_t first, s
     if (state.kind == BiasKind::bearing_offset) addColumn(column, bearing_offset);
     turned = turned || state.kind == BiasKind::bearing_offset;
   }
-  if (turned) turnTold(bearing_offset, tile);
+  if (turned) turnBearingFrame(bearing_offset, tile);
 }
 
 bool hasRange(const Reading& reading)

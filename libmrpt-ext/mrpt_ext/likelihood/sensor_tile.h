@@ -7,9 +7,9 @@
 
 namespace mrpt_ext
 {
-/// One sensor on kSize robots: what the likelihood of any of its detections needs of each robot, as columns in single
-/// precision that stay in the first-level cache. All loops run over whole tiles; what is left over of the last one
-/// repeats its last robot.
+/// One sensor on kSize robots: everything about a robot that the likelihood of a detection needs, as columns in single
+/// precision that fit the first-level cache. All loops run over whole tiles; the last one is padded with its last
+/// robot.
 struct alignas(64) SensorTile
 {
   static constexpr std::size_t kSize = 128;
@@ -18,7 +18,7 @@ struct alignas(64) SensorTile
   Column x, y;          ///< [m] sensor position from the origin of the batch
   Column cosine, sine;  ///< of the sensor's heading
   Column bearing_frame_cosine,
-      bearing_frame_sine;               ///< of the heading that bearings are told from: turned by the bearing's offset
+      bearing_frame_sine;               ///< of the heading that bearings refer to (bearing bias applied)
   Column range_scale{}, range_shift{};  ///< measured range = scale * true range + shift
 };
 

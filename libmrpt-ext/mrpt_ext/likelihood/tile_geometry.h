@@ -5,7 +5,7 @@
 #include "mrpt_ext/likelihood/vector_math.h"
 #include "mrpt_ext/likelihood/visibility_limits.h"
 
-/// What one robot of a tile sees of one landmark; to be inlined into vector loops.
+/// Geometry of one landmark seen by one robot of a tile; inlined into vector loops.
 namespace mrpt_ext::tile_geometry
 {
 constexpr float kMinDistance2 = 1e-12F;  // [m^2] a bearing to a landmark at the sensor itself has no direction
@@ -21,7 +21,7 @@ struct Offset
   return {dx, dy, dx * dx + (dy * dy + kMinDistance2)};
 }
 
-/// Squared bearing error [rad^2] of a sharp sighting, for the told heading (c, s).
+/// Squared bearing error [rad^2] of a sharp detection; (c, s): the heading that bearings refer to.
 [[gnu::always_inline]] inline float sharpBearingError2(const Offset& to, float ray_x, float ray_y, float c, float s)
 {
   const float x = c * to.dx + s * to.dy, y = c * to.dy - s * to.dx;  // the landmark in the sensor's axes
@@ -43,12 +43,12 @@ struct Offset
   return low < 1.0F ? low : 1.0F;
 }
 
-/// Single-precision form of ViewLimits.
+/// Single-precision form of VisibilityLimits.
 struct TileLimits
 {
   float range_offset, range_slope, bearing_offset, bearing_slope;
 
-  explicit TileLimits(const ViewLimits& limits)
+  explicit TileLimits(const VisibilityLimits& limits)
       : range_offset(static_cast<float>(limits.range_offset)),
         range_slope(static_cast<float>(limits.range_slope)),
         bearing_offset(static_cast<float>(limits.bearing_offset)),
@@ -57,16 +57,17 @@ struct TileLimits
   }
 };
 
-/// Chance that a sensor of true heading (c, s) reports the landmark.
+/// Visibility of the landmark for a sensor of true heading (c, s).
 template <bool LimitsBearing>
-[[gnu::always_inline]] inline float chanceOf(const Offset& to, float rise2, float c, float s, const TileLimits& limits)
+[[gnu::always_inline]] inline float visibilityOf(const Offset& to, float rise2, float c, float s,
+                                                 const TileLimits& limits)
 {
-  float chance = clampedShare(limits.range_offset - limits.range_slope * std::sqrt(to.distance2 + rise2));
+  float visibility = clampedShare(limits.range_offset - limits.range_slope * std::sqrt(to.distance2 + rise2));
   if constexpr (LimitsBearing)
   {
     const float bearing = std::abs(bearingError(to, 1.0F, 0.0F, c, s));
-    chance *= clampedShare(limits.bearing_offset - limits.bearing_slope * bearing);
+    visibility *= clampedShare(limits.bearing_offset - limits.bearing_slope * bearing);
   }
-  return chance;
+  return visibility;
 }
 }  // namespace mrpt_ext::tile_geometry

@@ -11,22 +11,22 @@ using namespace tile_geometry;
 constexpr std::size_t kSize = SensorTile::kSize;
 
 template <bool LimitsBearing>
-[[gnu::always_inline]] inline float chanceAt(const SensorTile& tile, std::size_t i, const ViewedLandmark& landmark,
-                                             const TileLimits& limits)
+[[gnu::always_inline]] inline float visibilityAt(const SensorTile& tile, std::size_t i, const ViewedLandmark& landmark,
+                                                 const TileLimits& limits)
 {
   const Offset to = offsetTo(landmark.x, landmark.y, tile.x[i], tile.y[i]);
-  return chanceOf<LimitsBearing>(to, landmark.rise2, tile.cosine[i], tile.sine[i], limits);
+  return visibilityOf<LimitsBearing>(to, landmark.rise2, tile.cosine[i], tile.sine[i], limits);
 }
 
 template <bool LimitsBearing>
-[[gnu::always_inline]] inline void chances(const SensorTile& tile, std::span<const ViewedLandmark> landmarks,
-                                           const TileLimits& limits, float* chance, float* clutter)
+[[gnu::always_inline]] inline void sumVisibility(const SensorTile& tile, std::span<const ViewedLandmark> landmarks,
+                                                   const TileLimits& limits, float* visibility, float* clutter)
 {
   for (const ViewedLandmark& landmark : landmarks) MRPT_EXT_INDEPENDENT_ITERATIONS
   for (std::size_t i = 0; i < kSize; ++i)
   {
-    const float c = chanceAt<LimitsBearing>(tile, i, landmark, limits);
-    chance[i] += c;
+    const float c = visibilityAt<LimitsBearing>(tile, i, landmark, limits);
+    visibility[i] += c;
     clutter[i] += c * landmark.clutter;
   }
 }
@@ -39,7 +39,7 @@ template <bool LimitsBearing>
   for (const ViewedLandmark& landmark : landmarks) MRPT_EXT_INDEPENDENT_ITERATIONS
   for (std::size_t i = 0; i < kSize; ++i)
   {
-    const float p = detection_probability * chanceAt<LimitsBearing>(tile, i, landmark, limits);
+    const float p = detection_probability * visibilityAt<LimitsBearing>(tile, i, landmark, limits);
     mean[i] += p;
     variance[i] += p * (1.0F - p);
   }
@@ -54,7 +54,7 @@ template <bool LimitsBearing, int Count>
   {
     float product = 1;
     for (int k = 0; k < Count; ++k)
-      product *= landmarks[k].base + landmarks[k].gain * chanceAt<LimitsBearing>(tile, i, landmarks[k], limits);
+      product *= landmarks[k].base + landmarks[k].gain * visibilityAt<LimitsBearing>(tile, i, landmarks[k], limits);
     log_sum[i] += vector_math::logOf(product);
   }
 }
@@ -80,17 +80,17 @@ ViewedLandmark viewedLandmark(const Landmark& landmark, const ScoringFrame& fram
 }
 
 MRPT_EXT_VECTOR_CLONES
-void addChances(const SensorTile& tile, std::span<const ViewedLandmark> landmarks, const ViewLimits& limits,
-                SensorTile::Column& chance, SensorTile::Column& clutter)
+void addVisibility(const SensorTile& tile, std::span<const ViewedLandmark> landmarks, const VisibilityLimits& limits,
+                   SensorTile::Column& visibility, SensorTile::Column& clutter)
 {
   if (limits.limitsBearing())
-    chances<true>(tile, landmarks, TileLimits(limits), chance, clutter);
+    sumVisibility<true>(tile, landmarks, TileLimits(limits), visibility, clutter);
   else
-    chances<false>(tile, landmarks, TileLimits(limits), chance, clutter);
+    sumVisibility<false>(tile, landmarks, TileLimits(limits), visibility, clutter);
 }
 
 MRPT_EXT_VECTOR_CLONES
-void addCountMoments(const SensorTile& tile, std::span<const ViewedLandmark> landmarks, const ViewLimits& limits,
+void addCountMoments(const SensorTile& tile, std::span<const ViewedLandmark> landmarks, const VisibilityLimits& limits,
                      float detection_probability, SensorTile::Column& mean, SensorTile::Column& variance)
 {
   if (limits.limitsBearing())
@@ -100,7 +100,7 @@ void addCountMoments(const SensorTile& tile, std::span<const ViewedLandmark> lan
 }
 
 MRPT_EXT_VECTOR_CLONES
-void addLogReports(const SensorTile& tile, std::span<const ViewedLandmark> landmarks, const ViewLimits& limits,
+void addLogReports(const SensorTile& tile, std::span<const ViewedLandmark> landmarks, const VisibilityLimits& limits,
                    SensorTile::Column& log_sum)
 {
   if (limits.limitsBearing())

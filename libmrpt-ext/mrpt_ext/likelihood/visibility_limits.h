@@ -4,10 +4,10 @@
 
 namespace mrpt_ext
 {
-/// The chance that a sensor reports a landmark, before the detection probability is applied: 1 inside the declared
-/// field of view and range, 0 outside, with a ramp of 5 % of the range and 2 degrees at each rim so that weights do not
-/// jump. Each factor is clamp(offset - slope * value, 0, 1); what is not declared has slope 0.
-struct ViewLimits
+/// Visibility: the probability that a landmark is in view, before the detection probability is applied. 1 inside the
+/// declared field of view and range, 0 outside, with a ramp of 5 % of the range and 2 degrees at each rim so that
+/// weights do not jump. Each factor is clamp(offset - slope * value, 0, 1); what is not declared has slope 0.
+struct VisibilityLimits
 {
   static constexpr double kRangeRamp = 0.05;             ///< share of the range limit
   static constexpr double kBearingRamp = degToRad(2.0);  ///< beyond each rim of the field of view
@@ -15,8 +15,8 @@ struct ViewLimits
   double range_offset = 2, range_slope = 0;      ///< of the slant range [m]
   double bearing_offset = 2, bearing_slope = 0;  ///< of the absolute bearing [rad] from the sensor's forward axis
 
-  ViewLimits() = default;
-  explicit ViewLimits(const SensorModel& model)
+  VisibilityLimits() = default;
+  explicit VisibilityLimits(const SensorModel& model)
   {
     if (model.max_range)
     {

@@ -7,11 +7,11 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr std::size_t kCapacity = 500000;  // proposals of one round that are kept
-constexpr double kLargestFreedom = 0.5;    // of the range: how far a pose to be verified may be off
-constexpr double kAreaMargin = 0.5;        // [m] a triple's pose may lie outside though the refined one does not
+constexpr std::size_t kCapacity = 500000;  // poses of one round that are kept
+constexpr double kLargestFreedom = 0.5;    // of the range: largest position uncertainty of a candidate
+constexpr double kAreaMargin = 0.5;        // [m] a triple's pose may be outside though the refined one is not
 constexpr std::size_t kSampledLandmarks = 16;
-constexpr int kSplits = 3;  // of a box of poses in which every reading may be inliers in several ways
+constexpr int kSplits = 3;  // of a box of poses whose associations are ambiguous
 }  // namespace
 
 BearingCandidates::BearingCandidates(const LandmarkIndex& map, std::span<const Scan> scans,
@@ -32,13 +32,13 @@ BearingCandidates::BearingCandidates(const LandmarkIndex& map, std::span<const S
 
 TripleHypotheses BearingCandidates::hypothesesOf(const DetectionTriple& triple) const
 {
-  const int scan = bearings_[static_cast<std::size_t>(triple.reading[0])].scan;
+  const int scan = bearings_[static_cast<std::size_t>(triple.detection[0])].scan;
   TripleHypotheses hypotheses;
   hypotheses.map = &map_;
   hypotheses.bearings = bearings_;
   hypotheses.triple = triple;
   for (std::size_t n = 0; n < 2; ++n)
-    hypotheses.neighbours[n] = neighbours_[static_cast<std::size_t>(triple.reading[n + 1])].get();
+    hypotheses.neighbours[n] = neighbours_[static_cast<std::size_t>(triple.detection[n + 1])].get();
   hypotheses.scans = scansFrom(scan, bitsOf(scan, triple));
   hypotheses.max_range = rangeLimit(scans_[static_cast<std::size_t>(scan)]);
   hypotheses.gate = options_.gate;
@@ -47,9 +47,9 @@ TripleHypotheses BearingCandidates::hypothesesOf(const DetectionTriple& triple) 
   return hypotheses;
 }
 
-int BearingCandidates::proposeFrom(const DetectionTriple& triple, int floor, int least)
+int BearingCandidates::propose(const DetectionTriple& triple, int floor, int least)
 {
-  const int scan = bearings_[static_cast<std::size_t>(triple.reading[0])].scan;
+  const int scan = bearings_[static_cast<std::size_t>(triple.detection[0])].scan;
   const TripleHypotheses hypotheses = hypothesesOf(triple);
   ProposalStore store(floor, kCapacity);
   const TripleHypotheses::Work work = hypotheses.run(store);
@@ -62,7 +62,7 @@ int BearingCandidates::proposeFrom(const DetectionTriple& triple, int floor, int
   return store.floor();
 }
 
-void BearingCandidates::proposeFrom(std::span<const PoseBox> boxes, const VisibilityGrid& index, int scan, int least)
+void BearingCandidates::propose(std::span<const PoseBox> boxes, const VisibilityGrid& index, int scan, int least)
 {
   const std::vector<BoundingScan> scans = scansFrom(scan, 0);
   for (const PoseBox& box : boxes) refineBox(poseOf(box, index, options_.gate), scan, scans, least, kSplits);
@@ -70,7 +70,7 @@ void BearingCandidates::proposeFrom(std::span<const PoseBox> boxes, const Visibi
 
 TripleEffort BearingCandidates::sampleEffort(const DetectionTriple& triple)
 {
-  const auto scan = static_cast<std::size_t>(bearings_[static_cast<std::size_t>(triple.reading[0])].scan);
+  const auto scan = static_cast<std::size_t>(bearings_[static_cast<std::size_t>(triple.detection[0])].scan);
   const std::size_t stride = std::max<std::size_t>(1, map_.size() / kSampledLandmarks);
   const TripleHypotheses::Work sample = hypothesesOf(triple).sample(stride);
   const auto scale = static_cast<double>(stride);
@@ -96,7 +96,7 @@ std::vector<BoundingScan> BearingCandidates::scansFrom(int scan, std::uint32_t u
   return bounding;
 }
 
-/// Bits of a triple's bearings in the table of their scan.
+/// Bits of a triple's bearings in the direction table of their scan.
 std::uint32_t BearingCandidates::bitsOf(int scan, const DetectionTriple& triple) const
 {
   std::uint32_t bits = 0;
@@ -105,7 +105,7 @@ std::uint32_t BearingCandidates::bitsOf(int scan, const DetectionTriple& triple)
   {
     if (bearings_[r].scan != scan) continue;
     const bool used =
-        std::find(triple.reading.begin(), triple.reading.end(), static_cast<int>(r)) != triple.reading.end();
+        std::find(triple.detection.begin(), triple.detection.end(), static_cast<int>(r)) != triple.detection.end();
     if (used && position < DirectionTable::kMaxBearings) bits |= 1U << position;
     ++position;
   }
@@ -121,20 +121,19 @@ std::optional<Box2> BearingCandidates::areaOfSensor(int scan) const
 
 void BearingCandidates::refine(const GaussianPose& sensor, int scan, std::span<const BoundingScan> scans, int least)
 {
-  const RefinedPose tight = refineOnInliers(sensor, scans, options_.gate, least, scratch_);
-  if (tight.inliers >= least) addPending(tight, scan);
+  const RefinedPose refined_pose = refineOnInliers(sensor, scans, options_.gate, least, scratch_);
+  if (refined_pose.inliers >= least) addPending(refined_pose, scan);
 }
 
-/// A box in which too many bearings can be inliers in several ways, or in which some were inliers in a wrong way,
-/// is split into eight until they cannot.
+/// Splits a box into eight while too many of its bearings have several possible landmarks, or some a wrong one.
 void BearingCandidates::refineBox(const GaussianPose& sensor, int scan, std::span<const BoundingScan> scans, int least,
                                   int splits)
 {
   if (boundOfBox(sensor, scans.front(), options_.gate) < least) return;
-  const RefinedPose tight = refineOnInliers(sensor, scans, options_.gate, least, scratch_);
-  if (!tight.plausible) return;
-  const bool inliers = tight.inliers >= least;
-  if (inliers && (tight.refined || splits == 0)) return addPending(tight, scan);
+  const RefinedPose refined_pose = refineOnInliers(sensor, scans, options_.gate, least, scratch_);
+  if (!refined_pose.enough_at_start) return;
+  const bool inliers = refined_pose.inliers >= least;
+  if (inliers && (refined_pose.refined || splits == 0)) return addPending(refined_pose, scan);
   if (splits == 0) return;
   // A quarter of the box's extent, as poseOf made the deviations of it.
   const Vector3d reach = options_.gate * sensor.covariance.diagonal().cwiseSqrt();
@@ -150,16 +149,16 @@ void BearingCandidates::refineBox(const GaussianPose& sensor, int scan, std::spa
   }
 }
 
-void BearingCandidates::addPending(const RefinedPose& tight, int scan)
+void BearingCandidates::addPending(const RefinedPose& refined_pose, int scan)
 {
-  if (!isFixed(tight.sensor, scan)) return;
+  if (!isFixed(refined_pose.sensor, scan)) return;
   const Pose2 T_sensor_robot = inverse(scans_[static_cast<std::size_t>(scan)].T_robot_sensor);
-  const auto level = static_cast<std::size_t>(tight.inliers);
+  const auto level = static_cast<std::size_t>(refined_pose.inliers);
   if (pending_.size() <= level) pending_.resize(level + 1);
-  pending_[level].push_back(compound(tight.sensor, T_sensor_robot));
+  pending_[level].push_back(compound(refined_pose.sensor, T_sensor_robot));
 }
 
-/// False for a pose that is so much free to move that everything in sight would explain its bearings.
+/// False for a pose so uncertain that any landmark in view would match its bearings.
 bool BearingCandidates::isFixed(const GaussianPose& sensor, int scan) const
 {
   const double reach = std::min(rangeLimit(scans_[static_cast<std::size_t>(scan)]), (map_.high() - map_.low()).norm());

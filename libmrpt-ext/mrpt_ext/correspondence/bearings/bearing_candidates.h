@@ -21,28 +21,28 @@ namespace mrpt_ext
   return scan.model.max_range.value_or(std::numeric_limits<double>::infinity());
 }
 
-/// Finds robot poses that are worth judging, from triples of bearings or from grid, and refines them on all that
-/// they explain. What it is given must outlive it.
+/// Generates candidate robot poses for verification, from triples of bearings or from a vote on a grid, refined on
+/// their inliers. The arguments of the constructor must outlive it.
 class BearingCandidates
 {
  public:
   BearingCandidates(const LandmarkIndex& map, std::span<const Scan> scans, const PoseSearchOptions& options,
                     std::span<const ScanBearing> bearings, const BearingSearchTables& tables);
 
-  /// Proposes from all landmark triples that explain one triple of bearings: poses that may explain at least `floor`
-  /// bearings and, refined, explain at least `least`. Returns the floor that was kept: higher than asked for when there
-  /// were too many.
-  int proposeFrom(const DetectionTriple& triple, int floor, int least);
+  /// Proposes the poses of all landmark triples that match one triple of bearings: those that may have at least
+  /// `floor` inliers and, refined, have at least `least`. Returns the floor that was kept: above `floor` when
+  /// there were too many.
+  int propose(const DetectionTriple& triple, int floor, int least);
 
-  /// Refines the boxes of a scan of `scan` and proposes those that explain at least `least` bearings.
-  void proposeFrom(std::span<const PoseBox> boxes, const VisibilityGrid& index, int scan, int least);
+  /// Refines the boxes voted for by the bearings of `scan` and proposes those with at least `least` inliers.
+  void propose(std::span<const PoseBox> boxes, const VisibilityGrid& index, int scan, int least);
 
-  /// Estimates what a round with this triple of bearings amounts to, from some landmarks.
+  /// Estimates the effort of a round with this triple of bearings from a sample of the landmarks.
   TripleEffort sampleEffort(const DetectionTriple& triple);
 
-  /// Waiting to be verified, by the number of bearings inliers.
+  /// Candidates not verified yet, by number of inliers.
   [[nodiscard]] std::vector<std::vector<GaussianPose>>& pending() { return pending_; }
-  /// Mean number of landmark triples that explain a triple of bearings.
+  /// Mean number of landmark triples that match a triple of bearings.
   [[nodiscard]] double meanPossible() const { return possible_ / std::max(1, rounds_); }
   [[nodiscard]] const PoseSearchResult::Work& work() const { return work_; }
   [[nodiscard]] bool finished() const { return finished_; }  ///< false: `max_tested` stopped a round
@@ -56,7 +56,7 @@ class BearingCandidates
   [[nodiscard]] bool isFixed(const GaussianPose& sensor, int scan) const;
   void refine(const GaussianPose& sensor, int scan, std::span<const BoundingScan> scans, int least);
   void refineBox(const GaussianPose& sensor, int scan, std::span<const BoundingScan> scans, int least, int splits);
-  void addPending(const RefinedPose& tight, int scan);
+  void addPending(const RefinedPose& refined_pose, int scan);
 
   const LandmarkIndex& map_;
   std::span<const Scan> scans_;
@@ -64,7 +64,7 @@ class BearingCandidates
   std::span<const ScanBearing> bearings_;
   std::vector<DirectionTable> tables_;
   std::vector<std::shared_ptr<const PotentiallyVisibleSets>> visible_sets_;  // none for a scan without bearings
-  std::vector<std::shared_ptr<const NeighbourGrid>> neighbours_;             // that a reading may show
+  std::vector<std::shared_ptr<const NeighbourGrid>> neighbours_;             // that a bearing may show
   std::vector<std::vector<GaussianPose>> pending_;
   GatedLandmarks scratch_;
   PoseSearchResult::Work work_;

@@ -19,9 +19,9 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
-constexpr int kLeastMatches = 4;  // three bearings are inliers by every constellation
+constexpr int kLeastMatches = 4;  // every constellation matches three bearings
 constexpr std::size_t kVerifiedAtOnce = 64;
-constexpr std::size_t kBoxes = 4'000'000;  // of a scan that are kept
+constexpr std::size_t kBoxes = 4'000'000;  // of a vote that are kept
 constexpr std::size_t kMaxVerified = 5000;
 constexpr double kChanceCompetes = 3e-3;  // expected false poses as good as the best
 constexpr double kNegligible = 1e-3;      // evidence relative to the best pose's
@@ -66,7 +66,7 @@ class SearchRun
   }
 
  private:
-  // ---- what is known beforehand
+  // ---- properties of the input
 
   [[nodiscard]] double mapArea() const
   {
@@ -94,16 +94,16 @@ class SearchRun
 
   // ---- rounds
 
-  /// So many bearings without a landmark are looked for at first, going by what the sensors declare.
+  /// Number of outliers allowed in the first round, from the declared clutter probabilities.
   [[nodiscard]] int expectedMisses() const
   {
     double mean = 0;
     for (const ScanBearing& r : bearings_) mean += scans_[static_cast<std::size_t>(r.scan)].model.clutter_probability;
-    constexpr double kRounding = 1e-9;  // one false reading of 21 must not count as two
+    constexpr double kRounding = 1e-9;  // one false bearing of 21 must not count as two
     return static_cast<int>(std::ceil(mean - kRounding)) + 1;
   }
 
-  /// Rounds until every pose that matters and explains `floor_` bearings has been proposed.
+  /// Rounds until every pose that matters and has `floor_` inliers has been proposed.
   void searchDownTo(const std::vector<DetectionTriple>& candidates)
   {
     TripleSchedule schedule(candidates);
@@ -120,7 +120,7 @@ class SearchRun
     verifyBest(std::numeric_limits<std::size_t>::max());
   }
 
-  /// The grid to count off, when that is cheaper than triples.
+  /// The grid to vote on, if that is cheaper than triples.
   [[nodiscard]] std::shared_ptr<const VisibilityGrid> chooseGridFor(const std::vector<DetectionTriple>& candidates)
   {
     const int scan = bearings_.front().scan;
@@ -137,7 +137,7 @@ class SearchRun
     return built && built->layout().cell == layout->cell ? built : tables_.visibilityGrid(*layout);
   }
 
-  /// Proposes and judges every pose that matters and explains `floor_` bearings, those that explain most first.
+  /// Proposes and verifies every pose that matters and has `floor_` inliers, those with most inliers first.
   void voteDownTo(const VisibilityGrid& grid)
   {
     const int usable = static_cast<int>(bearings_.size());
@@ -150,8 +150,8 @@ class SearchRun
     candidates_.pending().clear();
     for (int level = usable; level >= std::max(floor_, leastNeeded()); --level)
     {
-      candidates_.proposeFrom(hits.by_inliers[static_cast<std::size_t>(level)], grid, bearings_.front().scan,
-                              std::max(floor_, leastNeeded()));
+      candidates_.propose(hits.by_inliers[static_cast<std::size_t>(level)], grid, bearings_.front().scan,
+                          std::max(floor_, leastNeeded()));
       verifyBest(std::numeric_limits<std::size_t>::max(), level);
     }
   }
@@ -159,15 +159,15 @@ class SearchRun
   void propose(const DetectionTriple& triple)
   {
     const int floor = std::max(leastNeeded(), floor_);
-    const int kept = candidates_.proposeFrom(triple, floor, leastNeeded());
+    const int kept = candidates_.propose(triple, floor, leastNeeded());
     result_.finished = candidates_.finished();
     overflowed_ = overflowed_ || kept > floor;
     if (kept > floor) floor_ = kept;
   }
 
-  // ---- judging
+  // ---- verification
 
-  /// Judges the proposals that explain most, as long as they can matter and explain at least `lowest` bearings.
+  /// Verifies the candidates with most inliers, as long as they matter and have at least `lowest` inliers.
   void verifyBest(std::size_t count, int lowest = 0)
   {
     int least = std::max(lowest, leastNeeded());
@@ -202,7 +202,7 @@ class SearchRun
     result_.poses.push_back(*pose);
   }
 
-  /// True when a pose that was verified already is as good as the same.
+  /// True when a verified pose is nearly the same.
   [[nodiscard]] bool isKnown(const GaussianPose& robot) const
   {
     const auto same = [&](const ConsistentPose& p)
@@ -216,10 +216,10 @@ class SearchRun
     return std::any_of(result_.poses.begin(), result_.poses.end(), same);
   }
 
-  // ---- what may be left out
+  // ---- what need not be searched
 
-  /// About one true triple in fifteen fixes its pose too weakly to come through. Where chance can compete with the
-  /// truth that calls for one more.
+  /// About one true triple in fifteen determines its pose too poorly to be found. Where false alarms can compete
+  /// with the true pose this calls for one more.
   [[nodiscard]] int spareRounds() const
   {
     return best_matched_ > 0 && expectedFalsePoses(falseAlarmModel(), best_matched_) > kChanceCompetes ? 1 : 0;
@@ -227,7 +227,7 @@ class SearchRun
 
   [[nodiscard]] int leastMatches() const { return std::min(kLeastMatches, static_cast<int>(bearings_.size())); }
 
-  /// Poses that explain fewer bearings can be left out: their evidence together is negligible.
+  /// Poses with fewer inliers need not be searched: their evidence together is negligible.
   [[nodiscard]] int leastNeeded() const
   {
     if (best_matched_ == 0) return leastMatches();
@@ -236,7 +236,7 @@ class SearchRun
     return least;
   }
 
-  /// Than `least` matches.
+  /// Evidence of the poses with fewer than `least` inliers.
   [[nodiscard]] double logEvidenceOfFewer(int least) const
   {
     return log_evidence_below_[std::min(static_cast<std::size_t>(least), log_evidence_below_.size() - 1)];
@@ -257,7 +257,7 @@ class SearchRun
     return sum / static_cast<double>(bearings_.size());
   }
 
-  /// Mean number of landmarks in scan that a reading may show.
+  /// Mean number of landmarks in view that a bearing may show.
   [[nodiscard]] double inView(const Scan& scan) const
   {
     const double range = rangeLimit(scan);

@@ -39,8 +39,8 @@ constexpr auto kPiF = static_cast<float>(kPi);
 }
 
 MRPT_EXT_VECTOR_CLONES
-void look(const float* x, const float* y, std::size_t count, float px, float py, float radius, float farthest,
-          float* directions, float* half_width)
+void intervals(const float* x, const float* y, std::size_t count, float px, float py, float radius, float farthest,
+               float* directions, float* half_width)
 {
   for (std::size_t l = 0; l < count; ++l)
   {
@@ -64,10 +64,10 @@ DirectionIntervals::DirectionIntervals(const std::vector<Vector2d>& landmarks, c
   half_width_.resize(landmarks.size());
 }
 
-void DirectionIntervals::update(const Vector2d& scan, double radius, double farthest)
+void DirectionIntervals::update(const Vector2d& centre, double radius, double farthest)
 {
-  look(x_.data(), y_.data(), x_.size(), static_cast<float>(scan.x() - middle_.x()),
-       static_cast<float>(scan.y() - middle_.y()), static_cast<float>(radius), static_cast<float>(farthest),
-       direction_.data(), half_width_.data());
+  intervals(x_.data(), y_.data(), x_.size(), static_cast<float>(centre.x() - middle_.x()),
+            static_cast<float>(centre.y() - middle_.y()), static_cast<float>(radius), static_cast<float>(farthest),
+            direction_.data(), half_width_.data());
 }
 }  // namespace mrpt_ext

@@ -6,21 +6,21 @@
 
 namespace mrpt_ext
 {
-/// Directions in which landmarks appear from within a small disc, for all landmarks at once.
+/// Interval of directions in which each landmark appears from anywhere in a small disc, for all landmarks at once.
 class DirectionIntervals
 {
  public:
   /// `middle` [m]: a point of the map, for precision.
   DirectionIntervals(const std::vector<Vector2d>& landmarks, const Vector2d& middle);
 
-  /// From a disc of this radius [m] around `scan`: fills the arrays. Landmarks farther than `farthest` [m] are left
-  /// out.
-  void update(const Vector2d& scan, double radius, double farthest);
+  /// Fills the arrays for the disc of this radius [m] around `centre`, without landmarks farther than `farthest`
+  /// [m].
+  void update(const Vector2d& centre, double radius, double farthest);
 
   /// [rad], within (-pi, pi], to 2e-6.
   [[nodiscard]] const std::vector<float>& direction() const { return direction_; }
-  /// [rad] by which the direction can differ within the disc, rather too large; pi from a disc that contains the
-  /// landmark; negative for a landmark that is left out.
+  /// [rad] half the interval, rather too large; pi if the disc contains the landmark; negative for one that is
+  /// left out.
   [[nodiscard]] const std::vector<float>& halfWidth() const { return half_width_; }
 
  private:

@@ -8,7 +8,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kWidestGate = 0.5;  // [rad] beyond this a landmark may explain anything
+constexpr double kWidestGate = 0.5;  // [rad] beyond this a landmark may match any bearing
 constexpr int kMinBins = 512, kMaxBins = 8192;
 constexpr std::size_t kCategories = 256;
 
@@ -46,17 +46,17 @@ DirectionTable::DirectionTable(std::span<const ScanBearing> bearings, double gat
   sets_.assign(static_cast<std::size_t>(levels_) * static_cast<std::size_t>(bins_), 0);
   for (int i = 0; i < size_; ++i)
   {
-    const ScanBearing& reading = bearings[static_cast<std::size_t>(i)];
+    const ScanBearing& bearing = bearings[static_cast<std::size_t>(i)];
     const std::uint32_t bit = 1U << i;
     for (std::size_t category = 0; category < kCategories; ++category)
-      if (reading.category == kAnyCategory || (static_cast<std::size_t>(reading.category) % kCategories) == category)
+      if (bearing.category == kAnyCategory || (static_cast<std::size_t>(bearing.category) % kCategories) == category)
         of_category_[category] |= bit;
-    has_categories_ = has_categories_ || reading.category != kAnyCategory;
+    has_categories_ = has_categories_ || bearing.category != kAnyCategory;
     for (int level = 0; level < levels_; ++level)
     {
       const double excess = (ratioAbove(level) - 1) * square(widest);
-      const double half_width = level + 1 == levels_ ? kPi : gate * std::sqrt(square(reading.std) + excess);
-      addBearing(bit, reading.bearing, half_width,
+      const double half_width = level + 1 == levels_ ? kPi : gate * std::sqrt(square(bearing.std) + excess);
+      addBearing(bit, bearing.angle, half_width,
                  sets_.data() + static_cast<std::size_t>(level) * static_cast<std::size_t>(bins_));
     }
   }

@@ -8,12 +8,12 @@
 
 namespace mrpt_ext
 {
-/// The bearings of one scan as a table to look landmarks up in: for a direction and a width of the gate, the set of
-/// bearings (one bit each) that a landmark seen there would explain.
+/// The bearings of one scan as a lookup table: for a direction and a width of the gate, the set of bearings (one
+/// bit each) that a landmark in that direction may match.
 ///
-/// Directions are binned by the pseudo-angle y / (|x| + |y|), which costs a division and no trigonometry. Widths come
-/// in steps of a factor 2 or 1.5 of the variance; each step's sets hold for its upper end, and for the whole bin, so
-/// that no reading within its gate is ever missed.
+/// Directions are binned by the pseudo-angle y / (|x| + |y|), which costs a division and no trigonometry. Widths
+/// come in steps of a factor 2 or 1.5 of the variance; the sets of a step hold for its upper end, and for the whole
+/// bin, so that no bearing within its gate is missed.
 class DirectionTable
 {
  public:
@@ -31,10 +31,10 @@ class DirectionTable
   [[nodiscard]] int levels() const { return levels_; }
   [[nodiscard]] const std::uint32_t* sets() const { return sets_.data(); }               ///< [level * bins + bin]
   [[nodiscard]] const std::uint32_t* ofCategory() const { return of_category_.data(); }  ///< [category, modulo 256]
-  /// Readings that some category from this one on explains [category, modulo 256].
+  /// Bearings that landmarks of this or a later category may match [category, modulo 256].
   [[nodiscard]] const std::uint32_t* fromCategory() const { return from_category_.data(); }
   [[nodiscard]] bool hasCategories() const { return has_categories_; }
-  [[nodiscard]] const ScanBearing& reading(int bit) const { return bearings_[static_cast<std::size_t>(bit)]; }
+  [[nodiscard]] const ScanBearing& bearing(int bit) const { return bearings_[static_cast<std::size_t>(bit)]; }
 
  private:
   void addBearing(std::uint32_t bit, double bearing, double half_width, std::uint32_t* level) const;

@@ -22,14 +22,14 @@ struct TestedPose
   float range2;
 };
 
-/// What one landmark is to a pose.
+/// One landmark as seen from a tested pose.
 struct LandmarkGate
 {
-  std::uint32_t explains;
+  std::uint32_t inliers;
   float x, y, ex, ey, w, variance;
 };
 
-/// A reading table as the inner loop needs it.
+/// A direction table in the form of the inner loop.
 struct TableInFloat
 {
   const std::uint32_t *sets, *of_category, *from_category;
@@ -49,8 +49,8 @@ struct TableInFloat
 };
 
 template <bool HasCategories>
-[[gnu::always_inline]] inline LandmarkGate look(const TestedPose& p, const TableInFloat& table, float landmark_x,
-                                                float landmark_y, std::uint8_t category)
+[[gnu::always_inline]] inline LandmarkGate gateOf(const TestedPose& p, const TableInFloat& table, float landmark_x,
+                                                  float landmark_y, std::uint8_t category)
 {
   const float dx = landmark_x - p.x, dy = landmark_y - p.y;
   const float d2 = dx * dx + dy * dy;
@@ -73,7 +73,7 @@ template <bool HasCategories>
   return {set & (r2 <= p.range2 ? ~0U : 0U), bx, by, ex, ey, w, variance};
 }
 
-/// What the inner loop needs of a scan.
+/// A scan in the form of the inner loop.
 struct ScanInFloat
 {
   double origin_x, origin_y, cell, inverse_cell;
@@ -99,8 +99,8 @@ ScanInFloat inFloat(const BoundingScan& scan, const Vector2d& around)
           std::min(static_cast<float>(visible_sets.maxRange()), kUnlimited)};
 }
 
-/// Lists are sorted by category. So with categories a pose is given up as soon as the categories that are left cannot
-/// bring it to `needed`.
+/// Landmarks are sorted by category: with categories a pose is given up as soon as the remaining ones cannot bring it
+/// to `needed`.
 template <bool HasCategories>
 [[gnu::always_inline]] inline void addInliers(const TriplePoses& poses, const BoundingScan& scan, const ScanInFloat& v,
                                               float gate, int needed, std::uint16_t* inliers)
@@ -141,7 +141,7 @@ template <bool HasCategories>
     {
       if (HasCategories && inliers[n] + std::popcount(set | table.from_category[cell.category[begin]]) < needed) break;
       for (std::size_t l = begin; l < begin + block; ++l)
-        set |= look<HasCategories>(pose, table, cell.x[l], cell.y[l], cell.category[l]).explains;
+        set |= gateOf<HasCategories>(pose, table, cell.x[l], cell.y[l], cell.category[l]).inliers;
     }
     inliers[n] = static_cast<std::uint16_t>(inliers[n] + std::popcount(set));
   }
@@ -170,7 +170,7 @@ void boundInliers(const TriplePoses& poses, const Vector2d& around, std::span<co
   for (const BoundingScan& scan : scans) needed -= scan.table->size();
   for (const BoundingScan& scan : scans)
   {
-    needed += scan.table->size();  // the scans to come may explain all theirs
+    needed += scan.table->size();  // the scans to come may associate all theirs
     const ScanInFloat v = inFloat(scan, around);
     const auto add = scan.table->hasCategories() ? addInliersOfCategory : addInliersAnyCategory;
     add(poses, scan, v, static_cast<float>(gate), needed, inliers.data());
@@ -183,13 +183,13 @@ MRPT_EXT_VECTOR_CLONES
 void gateAll(const TestedPose& pose, const TableInFloat& table, const PotentiallyVisibleSets::Cell& cell,
              GatedLandmarks& seen)
 {
-  std::uint32_t* __restrict explains = seen.explains.data();
+  std::uint32_t* __restrict inliers = seen.inliers.data();
   float* __restrict x = seen.x.data(), * __restrict y = seen.y.data(), * __restrict variance = seen.variance.data();
   float* __restrict ex = seen.ex.data(), * __restrict ey = seen.ey.data(), * __restrict w = seen.w.data();
   for (std::size_t l = 0; l < cell.count; ++l)
   {
-    const LandmarkGate gate_of = look<true>(pose, table, cell.x[l], cell.y[l], cell.category[l]);
-    explains[l] = gate_of.explains;
+    const LandmarkGate gate_of = gateOf<true>(pose, table, cell.x[l], cell.y[l], cell.category[l]);
+    inliers[l] = gate_of.inliers;
     x[l] = gate_of.x;
     y[l] = gate_of.y;
     ex[l] = gate_of.ex;
@@ -209,15 +209,15 @@ struct TestedBox
 
 struct BoxCount
 {
-  std::uint32_t explains = 0;
+  std::uint32_t inliers = 0;
   int close = 0;
 };
 
-/// As look, for a box.
+/// As gateOf, for a box.
 MRPT_EXT_VECTOR_CLONES
 BoxCount boundFromBox(const TestedBox& box, const TableInFloat& table, const PotentiallyVisibleSets::Cell& cell)
 {
-  std::uint32_t explains = 0;
+  std::uint32_t inliers = 0;
   int close = 0;
   for (std::size_t l = 0; l < cell.count; ++l)
   {
@@ -236,10 +236,10 @@ BoxCount boundFromBox(const TestedBox& box, const TableInFloat& table, const Pot
     const std::uint32_t set = table.sets[level * table.bins + bin] & table.of_category[cell.category[l]] & in_range;
     std::uint32_t rest = set;
     for (int n = 0; n < kMostOfOneLandmark; ++n) rest &= rest - 1;
-    explains |= rest == 0 ? set : 0U;
+    inliers |= rest == 0 ? set : 0U;
     close += rest == 0 ? 0 : 1;
   }
-  return {explains, close};
+  return {inliers, close};
 }
 
 /// A matrix F with F F^T = C; where rounding has made C indefinite, one with F F^T >= C.
@@ -280,7 +280,7 @@ void landmarkGates(const GaussianPose& tested, const BoundingScan& scan, double 
   seen.count = at.cell.count;
   if (seen.x.size() < seen.count)
   {
-    seen.explains.resize(seen.count);
+    seen.inliers.resize(seen.count);
     for (auto* v : {&seen.x, &seen.y, &seen.ex, &seen.ey, &seen.w, &seen.variance}) v->resize(seen.count);
   }
   gateAll(pose, TableInFloat(*scan.table), at.cell, seen);
@@ -301,6 +301,6 @@ int boundOfBox(const GaussianPose& box, const BoundingScan& scan, double gate)
                          static_cast<float>(box.covariance(2, 2)),
                          range * range};
   const BoxCount count = boundFromBox(tested, TableInFloat(*scan.table), at.cell);
-  return std::min(scan.table->size(), std::popcount(count.explains | scan.used) + count.close);
+  return std::min(scan.table->size(), std::popcount(count.inliers | scan.used) + count.close);
 }
 }  // namespace mrpt_ext

@@ -13,21 +13,21 @@ namespace
 {
 constexpr std::size_t kRoundsOnAll = 2;
 constexpr std::size_t kAny = DirectionTable::kMaxBearings;
-/// Readings that only one landmark can explain, added to those of the triple that made the pose, round by round. While
-/// the pose is uncertain that landmark may be a wrong one, so the pose grows firm where this is least likely.
+/// Number of bearings with a single possible landmark that are added to those of the triple, round by round. While
+/// the pose is uncertain that landmark may be a wrong one, so the best predicted bearings come first.
 constexpr std::array<std::size_t, 2> kAddedToTriple{1, 3};
 constexpr std::array<std::size_t, 1> kAddedToBox{kAny};  // the pose is only bounded, by no bearings of its own
 
-/// The landmark that explains a reading best, and how many could.
-struct Explanation
+/// The landmark with the smallest residual for a bearing, and the number of possible ones.
+struct Association
 {
   int candidates = 0;
   float distance2 = 0;  // in standard deviations of the innovation
-  float misfit = 0;     // predicted minus measured [rad]
+  float residual = 0;   // predicted minus measured [rad]
   std::size_t landmark = 0;
 };
 
-using Explanations = std::array<Explanation, DirectionTable::kMaxBearings>;
+using Associations = std::array<Association, DirectionTable::kMaxBearings>;
 
 /// Angle of (x, y) against a unit vector, to better than 1e-5 of itself where it matters.
 float angleAgainst(const Vector2d& unit, float x, float y)
@@ -46,46 +46,46 @@ bool hasMoreThan(int count, std::uint32_t set)
   return set != 0;
 }
 
-/// Which landmark explains each reading; the number that are inliers. A landmark so close that it could be in any
-/// direction explains one reading, no matter which.
-int explain(const GatedLandmarks& seen, const DirectionTable& table, float gate2, Explanations& found)
+/// Best landmark of each bearing; returns the number of inliers. A landmark so close that it may be in any
+/// direction matches one bearing, any one.
+int associate(const GatedLandmarks& seen, const DirectionTable& table, float gate2, Associations& found)
 {
   int close = 0;
   for (std::size_t l = 0; l < seen.count; ++l)
   {
-    if (seen.explains[l] == 0) continue;
-    if (hasMoreThan(kMostOfOneLandmark, seen.explains[l]))
+    if (seen.inliers[l] == 0) continue;
+    if (hasMoreThan(kMostOfOneLandmark, seen.inliers[l]))
     {
       ++close;
       continue;
     }
-    for (std::uint32_t set = seen.explains[l]; set != 0; set &= set - 1)
+    for (std::uint32_t set = seen.inliers[l]; set != 0; set &= set - 1)
     {
       const int bit = std::countr_zero(set);
-      const ScanBearing& reading = table.reading(bit);
-      const float misfit = angleAgainst(reading.direction, seen.x[l], seen.y[l]);
-      const float distance2 = misfit * misfit / (static_cast<float>(square(reading.std)) + seen.variance[l]);
+      const ScanBearing& bearing = table.bearing(bit);
+      const float residual = angleAgainst(bearing.direction, seen.x[l], seen.y[l]);
+      const float distance2 = residual * residual / (static_cast<float>(square(bearing.std)) + seen.variance[l]);
       if (distance2 > gate2) continue;
-      Explanation& e = found[static_cast<std::size_t>(bit)];
+      Association& e = found[static_cast<std::size_t>(bit)];
       if (e.candidates++ > 0 && e.distance2 <= distance2) continue;
       e.distance2 = distance2;
-      e.misfit = misfit;
+      e.residual = residual;
       e.landmark = l;
     }
   }
-  const auto inliers = std::count_if(found.begin(), found.end(), [](const Explanation& e) { return e.candidates > 0; });
+  const auto inliers = std::count_if(found.begin(), found.end(), [](const Association& e) { return e.candidates > 0; });
   return std::min(table.size(), static_cast<int>(inliers) + close);
 }
 
 /// Variance [rad^2] of the predicted bearing up to which bearings take part, so that `count` are added.
-float largestVariance(const Explanations& found, const BoundingScan& scan, const GatedLandmarks& seen,
+float largestVariance(const Associations& found, const BoundingScan& scan, const GatedLandmarks& seen,
                       std::size_t count)
 {
   std::array<float, DirectionTable::kMaxBearings> variance{};
   std::size_t size = 0;
   for (int bit = 0; bit < scan.table->size(); ++bit)
   {
-    const Explanation& e = found[static_cast<std::size_t>(bit)];
+    const Association& e = found[static_cast<std::size_t>(bit)];
     if (e.candidates == 1 && (scan.used >> bit & 1U) == 0) variance[size++] = seen.variance[e.landmark];
   }
   if (size <= count) return std::numeric_limits<float>::infinity();
@@ -117,22 +117,22 @@ RefinedPose refineOnInliers(const GaussianPose& sensor, std::span<const Bounding
     for (const BoundingScan& scan : scans)
     {
       landmarkGates(result.sensor, scan, gate, scratch);
-      Explanations found{};
-      result.inliers += explain(scratch, *scan.table, static_cast<float>(gate * gate), found);
+      Associations found{};
+      result.inliers += associate(scratch, *scan.table, static_cast<float>(gate * gate), found);
       const float largest = growing ? largestVariance(found, scan, scratch, added[round]) : 0;
       for (int bit = 0; bit < scan.table->size(); ++bit)
       {
-        const Explanation& e = found[static_cast<std::size_t>(bit)];
+        const Association& e = found[static_cast<std::size_t>(bit)];
         if (e.candidates == 0) continue;
         const bool own = (scan.used >> bit & 1U) != 0;
         if (growing && !own && (e.candidates > 1 || scratch.variance[e.landmark] > largest)) continue;
         const Vector3d row(scratch.ex[e.landmark], scratch.ey[e.landmark], -scratch.w[e.landmark]);
-        const double weight = 1 / square(scan.table->reading(bit).std);
+        const double weight = 1 / square(scan.table->bearing(bit).std);
         information += weight * row * row.transpose();
-        gradient += weight * e.misfit * row;
+        gradient += weight * e.residual * row;
       }
     }
-    if (round == 0) result.plausible = result.inliers >= least;
+    if (round == 0) result.enough_at_start = result.inliers >= least;
     if (result.inliers < least || round == added.size() + kRoundsOnAll) return result;
     const Eigen::LDLT<Matrix3d> factors(information);
     if (factors.info() != Eigen::Success || !(factors.vectorD().minCoeff() > 0)) return result;

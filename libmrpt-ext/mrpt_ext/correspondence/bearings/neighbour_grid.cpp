@@ -55,9 +55,9 @@ NeighbourGrid::NeighbourGrid(const LandmarkIndex& map, int category) : low_(map.
   y_.resize(landmarks.size());
   for (const Vector2d& p : landmarks)
   {
-    const std::uint32_t scan = next[bucket_of(p)]++;
-    x_[scan] = p.x();
-    y_[scan] = p.y();
+    const std::uint32_t slot = next[bucket_of(p)]++;
+    x_[slot] = p.x();
+    y_[slot] = p.y();
   }
 }
 
@@ -69,7 +69,7 @@ void NeighbourGrid::collect(const Vector2d& centre, double radius, Neighbours& o
   const int column0 = bucket(from.x() - radius, columns_), column1 = bucket(from.x() + radius, columns_);
   const int row0 = bucket(from.y() - radius, rows_), row1 = bucket(from.y() + radius, rows_);
   out.count = 0;
-  for (int row = row0; row <= row1; ++row)  // the buckets of a row lie one behind the other
+  for (int row = row0; row <= row1; ++row)  // the buckets of a row are contiguous
   {
     const auto start = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
     const std::size_t begin = first_[start + static_cast<std::size_t>(column0)];

@@ -8,8 +8,8 @@
 
 namespace mrpt_ext
 {
-/// The landmarks of one category in square buckets with their positions side by side, for searches that ask again and
-/// again which of them are around a scan. Built in O(N).
+/// The landmarks of one category in square buckets, their positions side by side: a LandmarkIndex for the inner
+/// loop of the triples, which needs the neighbours of a point as vectors of relative positions. Built in O(N).
 class NeighbourGrid
 {
  public:

@@ -7,10 +7,10 @@
 
 namespace mrpt_ext
 {
-/// For every cell of a grid over the map, the landmarks that a sensor with this range limit could see from somewhere in
-/// the cell, as arrays ready for vector instructions. Coordinates are relative to the cell's centre, so that a large
-/// map costs no digits. Without a range limit there is one cell with all landmarks.
-/// Built in O(cells * landmarks in scan); the cells grow until the visible_sets take about 100 MB at most.
+/// For every cell of a grid over the map, the landmarks that a sensor with this range limit can see from somewhere
+/// in the cell, as arrays ready for vector instructions. Coordinates are relative to the centre of the cell, so
+/// that a large map costs no digits. Without a range limit there is one cell with all landmarks. Built in O(cells *
+/// landmarks in view); cells grow until the sets take about 100 MB at most.
 class PotentiallyVisibleSets
 {
  public:

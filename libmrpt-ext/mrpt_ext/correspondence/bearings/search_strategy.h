@@ -8,15 +8,15 @@
 
 namespace mrpt_ext
 {
-/// What one round of triples amounts to.
+/// Effort of one round of triples.
 struct TripleEffort
 {
-  double tested = 0, possible = 0;  ///< constellations of landmarks tried, and those that give a pose
-  double in_view = 0;               ///< landmarks in scan of a pose
+  double tested = 0, possible = 0;  ///< landmark triples tried, and those that give a pose
+  double in_view = 0;               ///< landmarks in view of a pose
 };
 
-/// The grid to count off when that is expected to cost less than rounds of triples, or nothing. `misses`: bearings that
-/// may be without landmark. `built`: a grid whose grid exist, preferred to one that would have to be built.
+/// The grid to vote on if that is expected to cost less than rounds of triples, or nothing. `misses`: bearings that
+/// may be outliers. `built`: layout of an existing grid, preferred to one that has to be built.
 [[nodiscard]] std::optional<VisibilityGrid::Layout> chooseVisibilityGrid(
     const LandmarkIndex& map, const Box2& area, double max_range, std::span<const ScanBearing> bearings, double gate,
     const TripleEffort& triples, int misses, const VisibilityGrid::Layout* built);

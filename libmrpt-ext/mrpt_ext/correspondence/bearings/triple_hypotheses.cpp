@@ -8,13 +8,13 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr std::size_t kBatch = 65536;  // (j, k) tried before the hits are looked at
-constexpr double kRangeSlack = 1.02;   // a landmark at the limit is seen though the pose is a little off
+constexpr std::size_t kBatch = 65536;  // (j, k) tried before the hits are evaluated
+constexpr double kRangeSlack = 1.02;   // a landmark at the limit is in view though the pose is a little off
 
 TripleShape shapeOf(const ScanBearing& middle, const ScanBearing& first, const ScanBearing& second, double max_range)
 {
-  const auto cot = [&](const ScanBearing& r) { return static_cast<float>(1 / std::tan(r.bearing - middle.bearing)); };
-  const auto sign = [&](const ScanBearing& r) { return std::sin(r.bearing - middle.bearing) > 0 ? 1.0F : -1.0F; };
+  const auto cot = [&](const ScanBearing& r) { return static_cast<float>(1 / std::tan(r.angle - middle.angle)); };
+  const auto sign = [&](const ScanBearing& r) { return std::sin(r.angle - middle.angle) > 0 ? 1.0F : -1.0F; };
   const double farthest = std::min(kRangeSlack * max_range, 1e9);
   return {cot(first), cot(second), sign(first), sign(second), static_cast<float>(square(farthest))};
 }
@@ -80,17 +80,17 @@ std::vector<PoseProposal> ProposalStore::takeSorted()
   return sorted;
 }
 
-/// Calls visit(i, neighbours of i for the first reading, those for the second, hits) for every batch with hits.
+/// Calls visit(i, neighbours of i for the first bearing, those for the second, hits) for every batch with hits.
 template <typename Visit>
 TripleHypotheses::Work TripleHypotheses::forEachScan(std::size_t stride, Visit&& visit) const
 {
-  const auto reading = [this](int n) -> const ScanBearing&
-  { return bearings[static_cast<std::size_t>(triple.reading[static_cast<std::size_t>(n)])]; };
-  const ScanBearing &middle = reading(0), &first = reading(1), &second = reading(2);
+  const auto bearing = [this](int n) -> const ScanBearing&
+  { return bearings[static_cast<std::size_t>(triple.detection[static_cast<std::size_t>(n)])]; };
+  const ScanBearing &middle = bearing(0), &first = bearing(1), &second = bearing(2);
   const TripleShape shape = shapeOf(middle, first, second, max_range);
   const double all = 2 * (map->high() - map->low()).norm() + 1;
   const auto radius = [&](const ScanBearing& r)
-  { return std::min(kRangeSlack * largestSeparation(wrap(r.bearing - middle.bearing), max_range), all); };
+  { return std::min(kRangeSlack * largestSeparation(wrap(r.angle - middle.angle), max_range), all); };
   const double radius_first = radius(first), radius_second = radius(second);
 
   Work work;
@@ -129,9 +129,9 @@ TripleHypotheses::Work TripleHypotheses::forEachScan(std::size_t stride, Visit&&
 
 TripleHypotheses::Work TripleHypotheses::run(ProposalStore& store) const
 {
-  const auto reading = [this](std::size_t n) -> const ScanBearing&
-  { return bearings[static_cast<std::size_t>(triple.reading[n])]; };
-  const TripleBearings seen = bearingsOf(reading(0), reading(1), reading(2));
+  const auto bearing = [this](std::size_t n) -> const ScanBearing&
+  { return bearings[static_cast<std::size_t>(triple.detection[n])]; };
+  const TripleBearings seen = bearingsOf(bearing(0), bearing(1), bearing(2));
   TriplePoses poses;
   std::vector<std::uint16_t> inliers;
   return forEachScan(1,

@@ -14,22 +14,22 @@
 
 namespace mrpt_ext
 {
-/// A sensor pose that explains a triple of bearings and, by the sieve, at most `bound` bearings altogether.
+/// A sensor pose that matches a triple of bearings, with an upper bound on the number of its inliers.
 struct PoseProposal
 {
   GaussianPose sensor;
   int bound = 0;
 };
 
-/// Proposals with the highest bounds. When it holds more than its capacity it gives up the lowest bounds.
+/// Proposals with the highest bounds. Beyond its capacity it drops those with the lowest bounds.
 class ProposalStore
 {
  public:
   ProposalStore(int floor, std::size_t capacity) : floor_(floor), capacity_(capacity) {}
 
-  [[nodiscard]] int floor() const { return floor_; }  ///< nothing with at least this bound was given up
+  [[nodiscard]] int floor() const { return floor_; }  ///< nothing with at least this bound was dropped
   void add(PoseProposal proposal);
-  /// Highest bound first, otherwise in the order of arrival.
+  /// Highest bound first, otherwise in order of arrival.
   [[nodiscard]] std::vector<PoseProposal> takeSorted();
 
  private:
@@ -38,14 +38,14 @@ class ProposalStore
   std::vector<std::vector<PoseProposal>> levels_;  // by bound
 };
 
-/// One triple of bearings against all landmarks.
+/// Matches one triple of bearings to all triples of landmarks that can be seen together.
 struct TripleHypotheses
 {
   const LandmarkIndex* map = nullptr;
   std::span<const ScanBearing> bearings;
   DetectionTriple triple;
   std::array<const NeighbourGrid*, 2> neighbours{};  ///< landmarks that the outer bearings may show
-  std::vector<BoundingScan> scans;                   ///< of all scans, relative to the triple's sensor
+  std::vector<BoundingScan> scans;                   ///< relative to the sensor of the triple
   double max_range = 0;                              ///< of the triple's scan; infinity: none
   double gate = 3.3;
   std::optional<Box2> area;  ///< of the sensor
@@ -57,9 +57,9 @@ struct TripleHypotheses
     bool finished = true;
   };
 
-  /// Adds a proposal for every constellation of three landmarks that gives a possible pose.
+  /// Adds a proposal for every landmark triple that gives a possible pose.
   Work run(ProposalStore& store) const;
-  /// Tries only every `stride`-th landmark for the middle reading, and only counts.
+  /// Tries only every `stride`-th landmark for the middle bearing, and only counts.
   [[nodiscard]] Work sample(std::size_t stride) const;
 
  private:

@@ -51,7 +51,7 @@ void posesOfHits(const TripleBearings& bearings, const Neighbours& first, const 
     const float gx = dky * k2 - eix, gy = -dkx * k2 - eiy;
     const float determinant = fx * gy - fy * gx;
     const float inverse_det = determinant / (determinant * determinant + 1e-30F);
-    // d position / d reading, then d heading / d reading
+    // d position / d bearing, then d heading / d bearing
     const float ajx = gy * inverse_det, ajy = -gx * inverse_det;
     const float akx = -fy * inverse_det, aky = fx * inverse_det;
     const float aix = -ajx - akx, aiy = -ajy - aky;

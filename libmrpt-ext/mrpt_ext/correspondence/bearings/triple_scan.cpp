@@ -12,7 +12,7 @@ namespace
 constexpr std::size_t kBlock = 16, kTile = 256;
 constexpr float kNearest2 = 1e-6F;  // [m^2] a landmark nearer to the sensor than this is not seen
 
-/// One j with a tile of k: where the sensor would be, and whether it can be there.
+/// One j with a tile of k: the position of the sensor, and whether it is possible.
 struct Row
 {
   alignas(64) std::array<float, kTile> x, y;

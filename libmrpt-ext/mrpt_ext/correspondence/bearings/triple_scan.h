@@ -6,7 +6,7 @@
 
 namespace mrpt_ext
 {
-/// Three bearings as the scan needs them. Landmark i explains the middle one, j the first, k the second.
+/// Three bearings in the form of the inner loop. Landmark i matches the middle one, j the first, k the second.
 struct TripleShape
 {
   float cot_first = 0;    ///< cot(first - middle)
@@ -27,7 +27,7 @@ struct Neighbours
   void pad();
 };
 
-/// Places from which the sensor would see landmarks under the bearings of a triple; all relative to landmark i [m].
+/// Sensor positions from which landmarks i, j and k have the bearings of a triple; all relative to landmark i [m].
 struct TripleHits
 {
   std::vector<float> x, y;          ///< sensor
@@ -37,13 +37,13 @@ struct TripleHits
   void reserve(std::size_t capacity);
 };
 
-/// Appends a hit for every j in `first` [j_begin, j_end) and k in `second` for which there is a scan that sees i, j
-/// and k under the three bearings, looking the right way, within the range. `hits` must have room for (j_end - j_begin)
-/// * second.padded.
+/// Appends a hit for every j in `first` [j_begin, j_end) and k in `second` for which a position exists that sees i,
+/// j and k under the three bearings, in the right directions, within the range. `hits` must have room for (j_end -
+/// j_begin) * second.padded.
 ///
-/// The scans that see i and j under a given angle lie on a circle through both, with centre u = (j + cot * perp(j)) /
-/// 2 in coordinates relative to i; i and k give another with centre v. Both pass through i, so the scan is the mirror
-/// image of i in the line u v: a dozen operations per (j, k), no trigonometry.
+/// The positions that see i and j under a given angle form a circle through both, with centre u = (j + cot *
+/// perp(j)) / 2 in coordinates relative to i; i and k give another with centre v. Both pass through i, so the
+/// position is the mirror image of i in the line u v: a dozen operations per (j, k), no trigonometry.
 void scanTriples(const TripleShape& shape, const Neighbours& first, std::size_t j_begin, std::size_t j_end,
                  const Neighbours& second, TripleHits& hits);
 }  // namespace mrpt_ext

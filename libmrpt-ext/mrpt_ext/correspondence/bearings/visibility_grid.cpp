@@ -13,23 +13,23 @@ constexpr double kMaxCells = 400'000;
 constexpr float kCloseHalfWidth = 0.6F;  // [rad] about two radii from the middle of the cell
 constexpr int kSamples = 16;             // per side, to learn how far landmarks are
 
-/// Mean over scans of the sum over landmarks of 1 / distance, and mean number of landmarks in range.
+/// Mean over positions of the sum over landmarks of 1 / distance, and mean number of landmarks in range.
 struct Surroundings
 {
   double in_range = 0, inverse_distance = 0;
 };
 
-Surroundings landmarkGates(const LandmarkIndex& map, const Box2& area, double max_range, double nearest)
+Surroundings surroundingsOf(const LandmarkIndex& map, const Box2& area, double max_range, double nearest)
 {
   Surroundings mean;
   const Vector2d step = (area.max - area.min) / kSamples;
   for (int n = 0; n < kSamples * kSamples; ++n)
   {
     const int column = n % kSamples, row = n / kSamples;
-    const Vector2d scan(area.min.x() + (column + 0.5) * step.x(), area.min.y() + (row + 0.5) * step.y());
+    const Vector2d point(area.min.x() + (column + 0.5) * step.x(), area.min.y() + (row + 0.5) * step.y());
     for (const Vector2d& landmark : map.positions())
     {
-      const double distance = (landmark - scan).norm();
+      const double distance = (landmark - point).norm();
       if (distance > max_range) continue;
       mean.in_range += 1.0 / (kSamples * kSamples);
       mean.inverse_distance += 1.0 / (kSamples * kSamples) / std::max(distance, nearest);
@@ -46,7 +46,7 @@ std::optional<VisibilityGrid::Layout> VisibilityGrid::chooseLayout(const Landmar
   if (map.empty() || !extent.allFinite() || !(extent.minCoeff() > 0)) return std::nullopt;
   Layout layout{area, max_range};
   const double largest = extent.maxCoeff();
-  const Surroundings around = landmarkGates(map, area, max_range, 1e-3 * largest);
+  const Surroundings around = surroundingsOf(map, area, max_range, 1e-3 * largest);
   if (!(around.in_range > 0)) return std::nullopt;
   const double typical_distance = around.in_range / around.inverse_distance;
   layout.cell = std::sqrt(2.0) * motion * kBinWidth * typical_distance;

@@ -9,14 +9,15 @@
 
 namespace mrpt_ext
 {
-/// What a sensor could see from everywhere in an area: for each cell of a grid a ring of bits, one per direction of the
-/// world, set where a landmark may be seen from some point of the cell. Built once per map, area and range limit in
-/// O(cells * landmarks); 256 bytes per cell.
+/// Directions of visible landmarks from everywhere in an area: for each cell of a grid a ring of bits, one per
+/// world direction, set where a landmark may be seen from some point of the cell. Built once per map, area and
+/// range limit in O(cells * landmarks); 256 bytes per cell.
 ///
-/// A landmark in a cell or close to it could be seen in any direction. It is left out of the ring and counted instead.
+/// A landmark in a cell or close to it may be seen in any direction. It is left out of the ring and counted
+/// instead.
 ///
-/// Bit q is set when a landmark can appear in a direction within [q, q + kReach) bins, so that a query needs only the
-/// lower end of what it looks for.
+/// Bit q is set when a landmark may appear in a direction within [q, q + kReach) bins, so that a query needs only
+/// the lower end of its interval.
 class VisibilityGrid
 {
  public:
@@ -25,7 +26,7 @@ class VisibilityGrid
   static constexpr int kReach = 3;                     ///< [bins] see above
   static constexpr double kBinWidth = kTwoPi / kBins;  ///< [rad]
 
-  /// The grid that suits a map.
+  /// Cells of a grid.
   struct Layout
   {
     Box2 area;
@@ -39,8 +40,8 @@ class VisibilityGrid
       return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
     }
   };
-  /// Cells from whose middle to whose rim the direction of a typical landmark moves by `motion` [bins]. Nothing for an
-  /// area that is not finite, or when it would take more than 100 MB.
+  /// Cells of such a size that the direction of a typical landmark changes by `motion` [bins] from the middle of
+  /// a cell to its rim. Nothing for an area that is not finite, or when it would take more than 100 MB.
   [[nodiscard]] static std::optional<Layout> chooseLayout(const LandmarkIndex& map, const Box2& area, double max_range,
                                                           double motion);
 

@@ -14,26 +14,26 @@ namespace
 {
 constexpr int kWords = VisibilityGrid::kWords, kBins = VisibilityGrid::kBins;
 
-/// One rotation of the ring, as the kernel wants it.
+/// One rotation of the ring, in the form of the kernel.
 struct Rotation
 {
   std::int32_t byte = 0, bit = 0;
-  std::int32_t ends_reading = 0;  ///< the last one of its reading
+  std::int32_t ends_bearing = 0;  ///< the last one of its bearing
 };
 
 std::vector<Rotation> rotationsOf(std::span<const ScanBearing> bearings, double gate)
 {
   std::vector<Rotation> rotations;
-  for (const ScanBearing& reading : bearings)
+  for (const ScanBearing& bearing : bearings)
   {
-    for (const int shift : ringRotations(reading, gate)) rotations.push_back({shift >> 3, shift & 7, 0});
-    rotations.back().ends_reading = 1;
+    for (const int shift : ringRotations(bearing, gate)) rotations.push_back({shift >> 3, shift & 7, 0});
+    rotations.back().ends_bearing = 1;
   }
   return rotations;
 }
 
-/// Number of bearings without landmark for every heading, in bit slices: bit b of a counter has its value, where it is
-/// at most seven. `within`: headings with no more of them than allowed.
+/// Number of outliers for every heading, in bit slices: bit b of a counter has its value, where it is at most
+/// seven. `within`: headings with no more of them than allowed.
 struct MissCounters
 {
   alignas(64) std::array<std::uint64_t, kWords> ones, twos, fours, within;
@@ -64,7 +64,7 @@ bool countMisses(const std::uint64_t* ring, const Rotation* rotations, std::size
       std::memcpy(&here, from + rotations[r].byte, sizeof(Lanes));
       std::memcpy(&beyond, from + rotations[r].byte + 1, sizeof(Lanes));
       seen |= (here >> rotations[r].bit) | (beyond << (8 - rotations[r].bit));
-      if (rotations[r].ends_reading == 0) continue;
+      if (rotations[r].ends_bearing == 0) continue;
       const Lanes missed = ~seen;
       const Lanes carry_two = ones & missed, carry_four = twos & carry_two;
       over |= fours & carry_four;
@@ -101,10 +101,10 @@ int missesOf(const MissCounters& count, std::size_t w, int bit)
 }
 }  // namespace
 
-std::vector<int> ringRotations(const ScanBearing& reading, double gate)
+std::vector<int> ringRotations(const ScanBearing& bearing, double gate)
 {
-  const double low = (reading.bearing - gate * reading.std) / VisibilityGrid::kBinWidth;
-  const double high = (reading.bearing + gate * reading.std) / VisibilityGrid::kBinWidth + 1;  // headings fill a bin
+  const double low = (bearing.angle - gate * bearing.std) / VisibilityGrid::kBinWidth;
+  const double high = (bearing.angle + gate * bearing.std) / VisibilityGrid::kBinWidth + 1;  // headings fill a bin
   std::vector<int> shifts;
   for (double q = std::floor(low); shifts.empty() || q <= high; q += VisibilityGrid::kReach)
     shifts.push_back(static_cast<int>(q + 4.0 * kBins) & (kBins - 1));
@@ -123,7 +123,7 @@ PoseBoxes voteForPoses(const VisibilityGrid& index, std::span<const ScanBearing>
   std::size_t held = 0;
   for (std::size_t cell = 0; cell < index.layout().cells(); ++cell)
   {
-    // Landmarks in or close to the cell are not in its ring: each may explain one reading more.
+    // Landmarks in or close to the cell are not in its ring: each may match one bearing more.
     const int close = index.closeLandmarks(cell);
     const int allowed = std::min(usable - hits.floor + close, kMostOutliers);
     if (!countMisses(index.ring(cell), rotations.data(), rotations.size(), allowed, count)) continue;

@@ -10,32 +10,31 @@
 
 namespace mrpt_ext
 {
-constexpr int kMostOutliers = 7;  ///< bearings without landmark that a scan can count
+constexpr int kMostOutliers = 7;  ///< bearings without a landmark that a vote can count
 
-/// A small box of sensor poses that may explain bearings: a cell and a bin of headings.
+/// A small box of sensor poses that may have inliers: a cell and a bin of headings.
 struct PoseBox
 {
   std::uint32_t cell = 0;
   std::uint16_t heading = 0;  ///< bin
-  std::uint16_t inliers = 0;  ///< no pose in the box explains more bearings
+  std::uint16_t inliers = 0;  ///< upper bound over the poses of the box
 };
 
-/// The boxes of poses that survive a scan, by the number of bearings that they may explain.
+/// The boxes of poses that survive a vote, by the number of inliers that they may have.
 struct PoseBoxes
 {
   std::vector<std::vector<PoseBox>> by_inliers;
-  int floor = 0;  ///< boxes that explain at least so many are all here
+  int floor = 0;  ///< boxes that may have at least so many inliers are all here
 };
 
-/// Rotations [bins] of a ring whose union holds what a reading could point to.
-[[nodiscard]] std::vector<int> ringRotations(const ScanBearing& reading, double gate);
+/// Rotations [bins] of a ring whose union covers the gate of a bearing.
+[[nodiscard]] std::vector<int> ringRotations(const ScanBearing& bearing, double gate);
 
-/// Compares the bearings of one scan with every cell under every heading: box by box, the number of bearings that have
-/// no landmark anywhere they could point to is counted for all headings at once, in bit slices (one addition of 64
-/// headings per instruction and counter bit, more with vector registers). Nothing is missed by a pose in the area:
-/// every reading within `gate` standard deviations of a landmark counts as inliers. At most kMostOutliers
-/// bearings, and no more than all but `floor`, may be without landmark; when more than `capacity` boxes survive, the
-/// floor rises.
+/// Votes of the bearings of one scan for every cell and heading (Hough transform over a grid of poses): per box the
+/// number of bearings without a landmark in their gate, for all headings at once, in bit slices (one addition of 64
+/// headings per instruction and counter bit, more with vector registers). No pose in the area is missed: every
+/// bearing within `gate` standard deviations of a landmark counts as inlier. At most kMostOutliers bearings, and no
+/// more than all but `floor`, may be outliers; when more than `capacity` boxes survive, the floor rises.
 [[nodiscard]] PoseBoxes voteForPoses(const VisibilityGrid& index, std::span<const ScanBearing> bearings, double gate,
                                      int floor, std::size_t capacity);
 

@@ -9,18 +9,18 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr std::size_t kEnoughToPredict = 8;  // sightings, evenly chosen; all of them count in the end
+constexpr double kNearest = 1;               // [m] landmarks closer than this to the trajectory are rare
+constexpr std::size_t kEnoughToPredict = 8;  // detections, evenly chosen; all of them count in the end
 
-WindowObservation sightingOf(const PastScan& from, const AnonymousDetection& d, const Matrix3d& reference)
+WindowObservation observationOf(const PastScan& from, const AnonymousDetection& d, const Matrix3d& reference)
 {
   return {
       from.scan.T_robot_sensor, from.odometry_covariance - reference, d.bearing, d.range, d.std_bearing, d.std_range};
 }
 
-TrackPrediction predictFromDirection(const PastScan& from, const PastScan& at, const AnonymousDetection& seen,
-                                     double nearest)
+TrackPrediction predictFromDirection(const PastScan& from, const PastScan& at, const AnonymousDetection& seen)
 {
-  const double inverse_depth = 0.25 / nearest, std_inverse_depth = 0.25 / nearest;
+  const double inverse_depth = 0.25 / kNearest, std_inverse_depth = 0.25 / kNearest;
   const Vector2d ray = direction(from.scan.T_robot_sensor.phi + *seen.bearing);
   const Vector2d origin = from.scan.T_robot_sensor.position();
   TrackPrediction expected;
@@ -45,23 +45,23 @@ std::optional<GaussianPoint> predictedPoint(const LandmarkTrack& track, std::spa
     for (std::size_t k = 0; k < kEnoughToPredict; ++k)  // the newest among them
       some.members.push_back(track.members[(k + 1) * track.members.size() / kEnoughToPredict - 1]);
   }
-  const WindowLandmark found = locateLandmark(sightingsOf(some, scans, reference));
+  const WindowLandmark found = locateLandmark(observationsOf(some, scans, reference));
   if (found.status != SolveStatus::ok || found.places.size() != 1) return std::nullopt;
   return found.places.front().in_robot;
 }
 }  // namespace
 
-std::vector<WindowObservation> sightingsOf(const LandmarkTrack& track, std::span<const PastScan> scans,
-                                           const Matrix3d& reference_covariance)
+std::vector<WindowObservation> observationsOf(const LandmarkTrack& track, std::span<const PastScan> scans,
+                                              const Matrix3d& reference_covariance)
 {
-  std::vector<WindowObservation> sightings;
+  std::vector<WindowObservation> observations;
   for (const LandmarkTrack::Member& m : track.members)
-    sightings.push_back(sightingOf(scans[m.scan], scans[m.scan].scan.detections[m.detection], reference_covariance));
-  return sightings;
+    observations.push_back(
+        observationOf(scans[m.scan], scans[m.scan].scan.detections[m.detection], reference_covariance));
+  return observations;
 }
 
-TrackPrediction predictTrack(const LandmarkTrack& track, std::span<const PastScan> scans, std::size_t at,
-                             double nearest)
+TrackPrediction predictTrack(const LandmarkTrack& track, std::span<const PastScan> scans, std::size_t at)
 {
   if (track.located)
     if (const auto point = predictedPoint(track, scans, scans[at].odometry_covariance)) return {*point, 0, true};

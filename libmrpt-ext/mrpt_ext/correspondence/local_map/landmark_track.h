@@ -9,7 +9,7 @@
 
 namespace mrpt_ext
 {
-/// Sightings that seem to show one landmark, from one scan after the other.
+/// Detections of one supposed landmark in successive scans.
 struct LandmarkTrack
 {
   struct Member
@@ -17,30 +17,29 @@ struct LandmarkTrack
     std::size_t scan = 0, detection = 0;
   };
   int category = kAnyCategory;
-  std::vector<Member> members;  ///< by scan, at most one of each
-  GaussianPoint point;          ///< robot frame of now [m], of a finished track
-  bool located = false;         ///< its sightings hold a point: no longer a mere direction
+  std::vector<Member> members;  ///< in order of scans, at most one of each
+  GaussianPoint point;          ///< present robot frame [m], of a finished track
+  bool located = false;         ///< its detections determine a point, not only a direction
 };
 
-/// The track's sightings as seen from scan `reference`: what odometry adds on the way before it, nothing after.
-[[nodiscard]] std::vector<WindowObservation> sightingsOf(const LandmarkTrack& track, std::span<const PastScan> scans,
-                                                         const Matrix3d& reference_covariance);
+/// The detections of the track, with the odometry covariance relative to a reference scan's.
+[[nodiscard]] std::vector<WindowObservation> observationsOf(const LandmarkTrack& track, std::span<const PastScan> scans,
+                                                            const Matrix3d& reference_covariance);
 
-/// Where a later scan should see the track's landmark.
+/// Predicted measurement of the track's landmark in a later scan.
 struct TrackPrediction
 {
-  GaussianPoint point;          ///< robot frame of now; covariance relative to that scan
+  GaussianPoint point;          ///< present robot frame; covariance relative to that scan
   double bearing_variance = 0;  ///< further variance of the bearing [rad^2]
-  bool depth_known = false;     ///< false: the range means nothing
+  bool depth_known = false;     ///< false: the range is not predicted
 };
 
 /// A located track predicts a point. A direction alone predicts the bearing of a landmark at an inverse depth of
-/// 1/4 +- 1/4 of 1 / `nearest` (inverse depth: Civera, Davison, Montiel 2008; its error is Gaussian where that of a
+/// (1/4 +- 1/4) / 1 m (inverse depth: Civera, Davison, Montiel 2008; its error is Gaussian where that of a
 /// depth is not).
-[[nodiscard]] TrackPrediction predictTrack(const LandmarkTrack& track, std::span<const PastScan> scans, std::size_t at,
-                                           double nearest);
+[[nodiscard]] TrackPrediction predictTrack(const LandmarkTrack& track, std::span<const PastScan> scans, std::size_t at);
 
-/// How well a detection agrees with a prediction.
+/// Residual of a detection against a prediction.
 struct TrackFit
 {
   double chi2 = 0;

@@ -12,20 +12,21 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr int kPasses = 2;  // of finding tracks anew along the corrected way
+constexpr int kPasses = 2;       // of associating again along the corrected trajectory
+constexpr double kMaxStd = 0.3;  // [m] a point less certain than this in any direction is left as bearings
 
-/// The tracks' sightings, and where they put the landmarks and the way.
-struct Settled
+/// The observations of all tracks, and the adjusted landmarks and trajectory.
+struct AdjustedTracks
 {
   BundleAdjustment adjusted;
-  std::vector<LandmarkTrack::Member> members;  // of each sighting
+  std::vector<LandmarkTrack::Member> members;  // of each detection
   std::vector<std::size_t> tracks;             // likewise
 };
 
-Settled adjust(const std::vector<LandmarkTrack>& tracks, std::span<const PastScan> scans, bool robust)
+AdjustedTracks adjust(const std::vector<LandmarkTrack>& tracks, std::span<const PastScan> scans, bool robust)
 {
-  Settled result;
-  std::vector<LandmarkObservation> sightings;
+  AdjustedTracks result;
+  std::vector<LandmarkObservation> observations;
   std::vector<Vector2d> start;
   for (std::size_t j = 0; j < tracks.size(); ++j)
   {
@@ -33,64 +34,64 @@ Settled adjust(const std::vector<LandmarkTrack>& tracks, std::span<const PastSca
     for (const LandmarkTrack::Member& m : tracks[j].members)
     {
       const AnonymousDetection& d = scans[m.scan].scan.detections[m.detection];
-      sightings.push_back({m.scan, j, d.bearing, d.range, d.std_bearing, d.std_range});
+      observations.push_back({m.scan, j, d.bearing, d.range, d.std_bearing, d.std_range});
       result.members.push_back(m);
       result.tracks.push_back(j);
     }
   }
-  std::vector<ScanPose> way;
-  for (const PastScan& p : scans) way.push_back({p.scan.T_robot_sensor, p.odometry_covariance});
-  result.adjusted = adjustBundle(way, sightings, std::move(start), robust);
-  if (result.adjusted.status != SolveStatus::ok) result.adjusted.places = std::move(way);
+  std::vector<ScanPose> scan_poses;
+  for (const PastScan& p : scans) scan_poses.push_back({p.scan.T_robot_sensor, p.odometry_covariance});
+  result.adjusted = adjustBundle(scan_poses, observations, std::move(start), robust);
+  if (result.adjusted.status != SolveStatus::ok) result.adjusted.places = std::move(scan_poses);
   return result;
 }
 
-/// Takes the worst sighting from every track that has one beyond the gate; true if there was any. Tracks that have too
-/// little left, or no point any more, go.
-bool dropWorst(std::vector<LandmarkTrack>& tracks, const Settled& settled, std::span<const PastScan> scans,
-               const LocalMapOptions& options)
+/// Removes the worst detection from every track that has one beyond the gate; true if there was any. Tracks with
+/// too few detections left, or no point any more, are dropped.
+bool dropWorst(std::vector<LandmarkTrack>& tracks, const AdjustedTracks& adjusted_tracks,
+               std::span<const PastScan> scans)
 {
   std::vector<double> worst(tracks.size(), 0);
   std::vector<LandmarkTrack::Member> member(tracks.size());
-  for (std::size_t i = 0; i < settled.members.size(); ++i)
+  for (std::size_t i = 0; i < adjusted_tracks.members.size(); ++i)
   {
-    const std::size_t j = settled.tracks[i];
-    if (settled.adjusted.misfits[i] <= worst[j]) continue;
-    worst[j] = settled.adjusted.misfits[i];
-    member[j] = settled.members[i];
+    const std::size_t j = adjusted_tracks.tracks[i];
+    if (adjusted_tracks.adjusted.misfits[i] <= worst[j]) continue;
+    worst[j] = adjusted_tracks.adjusted.misfits[i];
+    member[j] = adjusted_tracks.members[i];
   }
   bool any = false;
   for (std::size_t j = tracks.size(); j-- > 0;)
   {
     const auto& d = scans[member[j].scan].scan.detections[member[j].detection];
-    if (worst[j] <= square(options.tracks.gate) * (d.range ? 2 : 1)) continue;
+    if (worst[j] <= square(kTrackGate) * (d.range ? 2 : 1)) continue;
     any = true;
     std::erase_if(tracks[j].members, [&](const auto& m) { return m.scan == member[j].scan; });
-    const bool enough = tracks[j].members.size() >= (d.range ? 1 : leastBearings(options.tracks, scans.size()));
-    const auto found = enough ? locateLandmark(sightingsOf(tracks[j], scans, Matrix3d::Zero())) : WindowLandmark{};
+    const bool enough = tracks[j].members.size() >= (d.range ? 1 : leastBearings(scans.size()));
+    const auto found = enough ? locateLandmark(observationsOf(tracks[j], scans, Matrix3d::Zero())) : WindowLandmark{};
     if (found.places.empty()) tracks.erase(tracks.begin() + static_cast<std::ptrdiff_t>(j));
   }
   return any;
 }
 
-/// Adjusts until every sighting agrees with the others, first robustly, so that the wrong ones are told from the right.
-Settled settle(std::vector<LandmarkTrack>& tracks, std::span<const PastScan> scans, const LocalMapOptions& options)
+/// Adjusts until every detection is within the gate, first robustly, so that wrong associations stand out.
+AdjustedTracks adjustUntilConsistent(std::vector<LandmarkTrack>& tracks, std::span<const PastScan> scans)
 {
-  Settled settled;
+  AdjustedTracks adjusted_tracks;
   for (const bool robust : {true, false}) do
     {
-      settled = adjust(tracks, scans, robust);
-      while (settled.adjusted.status != SolveStatus::ok && !tracks.empty())
+      adjusted_tracks = adjust(tracks, scans, robust);
+      while (adjusted_tracks.adjusted.status != SolveStatus::ok && !tracks.empty())
       {
-        tracks.pop_back();  // found last: that with the least evidence
-        settled = adjust(tracks, scans, robust);
+        tracks.pop_back();  // found last: the one with the least evidence
+        adjusted_tracks = adjust(tracks, scans, robust);
       }
-    } while (dropWorst(tracks, settled, scans, options));
-  return settled;
+    } while (dropWorst(tracks, adjusted_tracks, scans));
+  return adjusted_tracks;
 }
 
-/// The scans as the tracks themselves correct them; what remains unsure counts as each sighting's own deviation.
-std::vector<PastScan> correctedBy(const std::vector<LandmarkTrack>& tracks, std::span<const PastScan> scans)
+/// The scans at the poses that the tracks imply; the remaining uncertainty is added to the standard deviations.
+std::vector<PastScan> correctedScans(const std::vector<LandmarkTrack>& tracks, std::span<const PastScan> scans)
 {
   std::vector<PastScan> corrected(scans.begin(), scans.end());
   const BundleAdjustment adjusted = adjust(tracks, scans, true).adjusted;
@@ -115,7 +116,7 @@ bool isPrecise(const GaussianPoint& point, double max_std)
   return eigen.eigenvalues().y() <= square(max_std);
 }
 
-/// One sensor in the robot's centre that could have seen what any of them saw from anywhere on the way.
+/// Model of one sensor at the robot's centre with everything in view that was in view along the trajectory.
 SensorModel commonModel(std::span<const PastScan> scans)
 {
   SensorModel model;
@@ -131,9 +132,9 @@ SensorModel commonModel(std::span<const PastScan> scans)
   return model;
 }
 
-/// What no point stands for, at the corrected scans.
-std::vector<PastScan> leftOver(std::span<const PastScan> scans, const std::vector<ScanPose>& corrected,
-                               const std::vector<LocalLandmark>& points)
+/// The detections outside every point, at the corrected poses.
+std::vector<PastScan> unmatchedDetections(std::span<const PastScan> scans, const std::vector<ScanPose>& corrected,
+                                          const std::vector<LocalLandmark>& points)
 {
   std::vector<std::vector<bool>> used;
   for (const PastScan& p : scans) used.emplace_back(p.scan.detections.size(), false);
@@ -153,12 +154,12 @@ std::vector<PastScan> leftOver(std::span<const PastScan> scans, const std::vecto
   return rest;
 }
 
-/// The detections of a scan that was left, with what odometry adds to each by itself.
-Scan grown(const PastScan& carried)
+/// A past scan whose standard deviations include the error of odometry, as if independent.
+Scan withOdometryNoise(const PastScan& past)
 {
-  constexpr double kTypicalDistance = 3;  // [m] turns a shift into a turn where no range is measured
-  Scan scan = carried.scan;
-  const Matrix3d& E = carried.odometry_covariance;
+  constexpr double kTypicalDistance = 3;  // [m] converts a shift into an angle where no range is measured
+  Scan scan = past.scan;
+  const Matrix3d& E = past.odometry_covariance;
   if (E.isZero(0)) return scan;
   scan.model.detection_probability.reset();
   Eigen::Matrix<double, 2, 3> swing;
@@ -174,7 +175,7 @@ Scan grown(const PastScan& carried)
 }
 }  // namespace
 
-LocalLandmarkMap buildLocalMap(std::span<const PastScan> oldest_first, const LocalMapOptions& options)
+LocalLandmarkMap buildLocalMap(std::span<const PastScan> oldest_first)
 {
   LocalLandmarkMap result;
   if (oldest_first.size() < 2)
@@ -182,23 +183,23 @@ LocalLandmarkMap buildLocalMap(std::span<const PastScan> oldest_first, const Loc
     result.rest.assign(oldest_first.begin(), oldest_first.end());
     return result;
   }
-  std::vector<LandmarkTrack> tracks = associateTracks(oldest_first, options.tracks);
-  for (int pass = 0; pass < kPasses; ++pass)
-    tracks = associateTracks(correctedBy(tracks, oldest_first), options.tracks);
-  const Settled settled = settle(tracks, oldest_first, options);
+  std::vector<LandmarkTrack> tracks = associateTracks(oldest_first);
+  for (int pass = 0; pass < kPasses; ++pass) tracks = associateTracks(correctedScans(tracks, oldest_first));
+  const AdjustedTracks adjusted_tracks = adjustUntilConsistent(tracks, oldest_first);
   for (std::size_t j = 0; j < tracks.size(); ++j)
-    if (isPrecise(settled.adjusted.landmarks[j], options.max_std))
-      result.points.push_back({settled.adjusted.landmarks[j], tracks[j].category, std::move(tracks[j].members)});
-  result.seen_by = commonModel(oldest_first);
-  result.rest = leftOver(oldest_first, settled.adjusted.places, result.points);
+    if (isPrecise(adjusted_tracks.adjusted.landmarks[j], kMaxStd))
+      result.points.push_back(
+          {adjusted_tracks.adjusted.landmarks[j], tracks[j].category, std::move(tracks[j].members)});
+  result.sensor = commonModel(oldest_first);
+  result.rest = unmatchedDetections(oldest_first, adjusted_tracks.adjusted.places, result.points);
   return result;
 }
 
-std::vector<Scan> asScans(const LocalLandmarkMap& joined)
+std::vector<Scan> asScans(const LocalLandmarkMap& local_map)
 {
   std::vector<Scan> scans;
-  Scan points{{}, joined.seen_by, {}};
-  for (const LocalLandmark& point : joined.points)
+  Scan points{{}, local_map.sensor, {}};
+  for (const LocalLandmark& point : local_map.points)
   {
     const Vector2d& v = point.in_robot.mean;
     const double distance = std::max(v.norm(), 1e-6);
@@ -211,7 +212,7 @@ std::vector<Scan> asScans(const LocalLandmarkMap& joined)
                                  .category = point.category});
   }
   if (!points.detections.empty()) scans.push_back(std::move(points));
-  for (const PastScan& carried : joined.rest) scans.push_back(grown(carried));
+  for (const PastScan& past : local_map.rest) scans.push_back(withOdometryNoise(past));
   return scans;
 }
 }  // namespace mrpt_ext

@@ -7,39 +7,32 @@
 
 namespace mrpt_ext
 {
-struct LocalMapOptions
-{
-  TrackOptions tracks;
-  double max_std = 0.3;  ///< [m] a point less certain than this in any direction is left as bearings
-};
-
-/// A landmark seen from one or more scans, as a point without a name.
+/// A landmark detected in one or more scans, as an anonymous point.
 struct LocalLandmark
 {
-  GaussianPoint in_robot;  ///< robot frame of now [m]
+  GaussianPoint in_robot;  ///< present robot frame [m]
   int category = kAnyCategory;
-  std::vector<LandmarkTrack::Member> members;  ///< the detections it stands for
+  std::vector<LandmarkTrack::Member> members;  ///< its detections
 };
 
-/// What was seen along a short way, brought together without names.
+/// Map of the landmarks detected in a window of scans.
 struct LocalLandmarkMap
 {
   std::vector<LocalLandmark> points;
-  SensorModel seen_by;         ///< of the points: one sensor in the robot's centre that reaches as far as the way
-  std::vector<PastScan> rest;  ///< detections that gave no point, at their scans; scans without any left out
+  SensorModel sensor;  ///< of the points: one sensor at the robot's centre whose range covers the trajectory too
+  std::vector<PastScan> rest;  ///< detections outside every point, at the corrected poses; empty scans left out
 };
 
-/// Joins unidentified detections of several moments into one constellation, scans oldest first: finds the tracks
-/// (track_association.h), then adjusts their points and the way together (local_bundle_adjustment.h), which corrects
-/// odometry to where the sensor's own precision tells that a sighting does not belong; those, and points that stay
-/// unsharp, are left out. So bearings along a short way gain distances, the invariant that a single shot does not have.
-/// The rest is given at the corrected scans. One scan alone has nothing to join and stays as it is.
-[[nodiscard]] LocalLandmarkMap buildLocalMap(std::span<const PastScan> oldest_first,
-                                             const LocalMapOptions& options = {});
+/// Builds a local map from the anonymous detections of several scans, oldest first: associates tracks
+/// (track_association.h), then adjusts their points and the trajectory together (local_bundle_adjustment.h). That
+/// corrects the odometry so far that the precision of the sensor shows which detections do not belong to their track;
+/// those, and points with a large covariance, are left out. Bearings along a short trajectory thus gain distances, the
+/// invariant that a single scan does not have. A single scan is returned as it is.
+[[nodiscard]] LocalLandmarkMap buildLocalMap(std::span<const PastScan> oldest_first);
 
-/// The constellation as a search takes it: the points as detections with bearing and range of one sensor in the robot's
-/// centre, then the rest from its own scans, its deviations grown by odometry. Every landmark appears at most once
-/// among the points. What was not seen counts for nothing any more.
-/// A point's covariance is given as deviations along and across the line of sight, which is where it is long.
-[[nodiscard]] std::vector<Scan> asScans(const LocalLandmarkMap& joined);
+/// The local map as scans for a search: the points as detections with bearing and range of one sensor at the robot's
+/// centre, then the rest, with standard deviations increased by odometry. Each landmark appears at most once among the
+/// points. Missed detections do not count. The covariance of a point is given as standard deviations along and across
+/// the line of sight, which are its principal axes in good approximation.
+[[nodiscard]] std::vector<Scan> asScans(const LocalLandmarkMap& local_map);
 }  // namespace mrpt_ext

@@ -5,12 +5,12 @@
 
 namespace mrpt_ext
 {
-/// What one sensor saw from a scan that the robot has since left. Deviations are those of the sensor alone; what
-/// odometry adds is shared by all that was seen from there.
+/// A scan of the recent past. Its standard deviations are those of the sensor alone; the error of odometry since
+/// then is common to all its detections.
 struct PastScan
 {
-  Scan scan;  ///< T_robot_sensor: the sensor's scan then, in the robot frame of now
-  Matrix3d odometry_covariance =
-      Matrix3d::Zero();  ///< of the way since, as an error of the robot's pose now (robot axes)
+  Scan scan;  ///< T_robot_sensor: pose of the sensor then, in the present robot frame
+  /// Of the motion since then, as an error of the present robot pose (robot axes).
+  Matrix3d odometry_covariance = Matrix3d::Zero();
 };
 }  // namespace mrpt_ext

@@ -7,6 +7,8 @@ namespace mrpt_ext
 {
 namespace
 {
+constexpr std::size_t kMaxGap = 4;  // scans between the first two detections
+
 struct Candidate
 {
   LandmarkTrack track;
@@ -21,7 +23,7 @@ struct Candidate
 class TrackSearch
 {
  public:
-  TrackSearch(std::span<const PastScan> scans, const TrackOptions& options) : scans_(scans), options_(options)
+  explicit TrackSearch(std::span<const PastScan> scans) : scans_(scans)
   {
     for (const PastScan& p : scans) taken_.emplace_back(p.scan.detections.size(), false);
   }
@@ -60,10 +62,10 @@ class TrackSearch
     if (!d.bearing) return;
     const LandmarkTrack single{.category = d.category, .members = {first}};
     if (d.range) return grow({d.category, {first}, {}, true});
-    const std::size_t end = std::min(scans_.size(), first.scan + 1 + options_.max_gap);
+    const std::size_t end = std::min(scans_.size(), first.scan + 1 + kMaxGap);
     for (std::size_t at = first.scan + 1; at < end; ++at)
     {
-      const TrackPrediction expected = predictTrack(single, scans_, at, options_.nearest);
+      const TrackPrediction expected = predictTrack(single, scans_, at);
       for (std::size_t k = 0; k < detectionsOf(at).size(); ++k)
         if (fitsWell(expected, d.category, at, k)) grow({d.category, {first, {at, k}}, {}, true});
     }
@@ -75,7 +77,7 @@ class TrackSearch
     const AnonymousDetection& d = detectionsOf(at)[detection];
     if (!d.bearing || d.category != category) return std::nullopt;
     const TrackFit fit = compare(expected, scans_[at], d);
-    if (fit.chi2 > square(options_.gate) * fit.values) return std::nullopt;
+    if (fit.chi2 > square(kTrackGate) * fit.values) return std::nullopt;
     return fit.chi2 / fit.values;
   }
 
@@ -83,7 +85,7 @@ class TrackSearch
   {
     for (std::size_t at = track.members.back().scan + 1; at < scans_.size(); ++at)
     {
-      const TrackPrediction expected = predictTrack(track, scans_, at, options_.nearest);
+      const TrackPrediction expected = predictTrack(track, scans_, at);
       if (!expected.depth_known) return;  // parallel, or parting
       std::optional<std::size_t> closest;
       double least = std::numeric_limits<double>::infinity();
@@ -100,12 +102,12 @@ class TrackSearch
 
   void offer(LandmarkTrack track)
   {
-    constexpr double kWorth = 9;  // of a sighting, in units of chi2: what it saves against an unexplained one
+    constexpr double kWorth = 9;  // of a detection, in units of chi2, against a false one
     const bool has_range =
         std::any_of(track.members.begin(), track.members.end(),
                     [&](const auto& m) { return detectionsOf(m.scan)[m.detection].range.has_value(); });
-    if (track.members.empty() || (!has_range && track.members.size() < leastBearings(options_, scans_.size()))) return;
-    const WindowLandmark found = locateLandmark(sightingsOf(track, scans_, Matrix3d::Zero()));
+    if (track.members.empty() || (!has_range && track.members.size() < leastBearings(scans_.size()))) return;
+    const WindowLandmark found = locateLandmark(observationsOf(track, scans_, Matrix3d::Zero()));
     if (found.status != SolveStatus::ok || found.places.size() != 1) return;
     track.point = found.places.front().in_robot;
     const double evidence = kWorth * static_cast<double>(track.members.size()) - found.places.front().chi2;
@@ -113,15 +115,14 @@ class TrackSearch
   }
 
   std::span<const PastScan> scans_;
-  const TrackOptions& options_;
   std::vector<std::vector<bool>> taken_;
   std::priority_queue<Candidate> candidates_;
   std::size_t born_ = 0;
 };
 }  // namespace
 
-std::vector<LandmarkTrack> associateTracks(std::span<const PastScan> oldest_first, const TrackOptions& options)
+std::vector<LandmarkTrack> associateTracks(std::span<const PastScan> oldest_first)
 {
-  return TrackSearch(oldest_first, options).run();
+  return TrackSearch(oldest_first).run();
 }
 }  // namespace mrpt_ext

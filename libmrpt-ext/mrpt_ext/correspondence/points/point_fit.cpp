@@ -8,7 +8,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr std::size_t kMostGrown = 12;  // more points hardly make the fit surer
+constexpr std::size_t kMostGrown = 12;  // more points hardly improve the fit
 }
 
 GaussianPose PointFit::pose() const

@@ -18,10 +18,10 @@ constexpr std::size_t kNearPoints = 4;      // a triangle is made of a point and
 constexpr std::size_t kMaxVerified = 2000;  // poses; each costs some ten microseconds
 constexpr std::size_t kMaxPending = 50000;
 constexpr std::size_t kMaxPairs = 15;  // widest first: they fix the heading best
-/// So few landmarks seen need not be near neighbours of one another, as those of the index are.
+/// So few inliers need not be near neighbours of one another, as the triangles of the index are.
 constexpr int kFewMatches = 3;
-constexpr double kDoubt =
-    0.05;  // probability of unlisted poses, or expected number of false ones, that calls for pairs
+constexpr double kDoubtful =
+    0.05;  // probability elsewhere, or expected number of false poses, from which on pairs are tried
 constexpr double kPlaneGate = 1.15;  // a gate in the plane reaches further than one on a line for the same share
 constexpr double kSamePose = 0.5;    // standard deviations
 constexpr double kLogZero = -std::numeric_limits<double>::infinity();
@@ -98,7 +98,7 @@ class PointSearchRun
     return others;
   }
 
-  /// Triangles of near points, with the number of entries that looking them up will cost.
+  /// Triangles of near points, with the number of index entries to look up.
   [[nodiscard]] std::vector<DetectionTriple> triangleCandidates() const
   {
     std::vector<DetectionTriple> candidates;
@@ -119,16 +119,16 @@ class PointSearchRun
     return candidates;
   }
 
-  /// Tries triangles until no pose that explains as many points as the best, and at least `least`, can be missing.
+  /// Tries triangles until no pose with as many inliers as the best, and at least `least`, can be missing.
   void searchTriangles(int least)
   {
     least_ = least;
-    TripleSchedule cover(triangleCandidates());
-    while (cover.tolerated() < static_cast<int>(points_.size()) - std::max(least_, best_matched_))
+    TripleSchedule schedule(triangleCandidates());
+    while (schedule.tolerated() < static_cast<int>(points_.size()) - std::max(least_, best_matched_))
     {
-      const std::optional<DetectionTriple> triple = cover.next();
+      const std::optional<DetectionTriple> triple = schedule.next();
       if (!triple || !withinWork()) break;
-      tryTriangle(*triangleOf(triple->reading));
+      tryTriangle(*triangleOf(triple->detection));
       ++result_.work.rounds;
       verifyPending();
     }
@@ -136,7 +136,7 @@ class PointSearchRun
 
   void tryTriangle(const Triangle& triangle)
   {
-    const std::vector<ScanPoint> others = pointsBeside({triangle.corner.begin(), triangle.corner.end()});
+    const std::vector<ScanPoint> others = otherPoints({triangle.corner.begin(), triangle.corner.end()});
     for (const Triangle& form : formsOf(triangle))
     {
       std::array<const ScanPoint*, 3> seen{};
@@ -175,7 +175,7 @@ class PointSearchRun
     const std::array<const ScanPoint*, 2> seen{&points_[static_cast<std::size_t>(indices[0])],
                                                &points_[static_cast<std::size_t>(indices[1])]};
     const double tolerance = options_.gate * std::hypot(seen[0]->std, seen[1]->std);
-    const std::vector<ScanPoint> others = pointsBeside({indices.begin(), indices.end()});
+    const std::vector<ScanPoint> others = otherPoints({indices.begin(), indices.end()});
     for (std::size_t i = 0; i < map_.size() && withinWork(); ++i)
       if (map_.mayShow(seen[0]->category, i))
         map_.forEachNear(map_.position(i), distance + tolerance,
@@ -188,8 +188,8 @@ class PointSearchRun
 
   // ---- candidates
 
-  /// The points that a constellation does not use, nearest first: they confirm or reject it soonest.
-  [[nodiscard]] std::vector<ScanPoint> pointsBeside(const std::vector<int>& used) const
+  /// The points outside a constellation, nearest first: they confirm or reject it soonest.
+  [[nodiscard]] std::vector<ScanPoint> otherPoints(const std::vector<int>& used) const
   {
     Vector2d centre(0, 0);
     for (const int u : used) centre += points_[static_cast<std::size_t>(u)].in_robot / static_cast<double>(used.size());
@@ -222,11 +222,11 @@ class PointSearchRun
       result_.finished = false;
   }
 
-  /// A pose that explains one point less at first may explain as much as the best when refined.
+  /// A pose with one inlier less may reach the best after its refinement.
   [[nodiscard]] int leastInliers() const { return std::max(least_, most_inliers_ - 1); }
 
-  /// True when a pose that was verified already is as good as the same. The candidate's own, larger, uncertainty does
-  /// not count: a rival that lies within it would be lost.
+  /// True when a verified pose is nearly the same. The candidate's own, larger, uncertainty does not count: a
+  /// different pose within it would be lost.
   [[nodiscard]] bool alreadyFound(const GaussianPose& candidate) const
   {
     const auto same = [&](const ConsistentPose& found)
@@ -270,18 +270,19 @@ class PointSearchRun
     return result_.finished;
   }
 
-  /// Log of the evidence of the poses that explain less than the best.
+  /// Log of the evidence of the poses with fewer inliers than the best.
   [[nodiscard]] double unsearchedEvidence() const
   {
     return logEvidenceOfUnsearched(map_, scans_, areaOrMap(map_, options_.area), best_matched_);
   }
 
-  /// False when the best pose may be chance: the right one may have been seen by no triangle of the index.
+  /// False when the best pose may be a false alarm: the true one may have no triangle in the index.
   [[nodiscard]] bool isConvincing() const
   {
     double best = kLogZero;
     for (const ConsistentPose& pose : result_.poses) best = std::max(best, pose.log_evidence);
-    return unsearchedEvidence() < best + std::log(kDoubt) && expectedFalsePoses(false_alarms_, best_matched_) < kDoubt;
+    return unsearchedEvidence() < best + std::log(kDoubtful) &&
+           expectedFalsePoses(false_alarms_, best_matched_) < kDoubtful;
   }
 
   void finish()
@@ -304,8 +305,8 @@ class PointSearchRun
   PointFalseAlarmModel false_alarms_;
   std::vector<GrownFit> pending_;
   PoseSearchResult result_;
-  int best_matched_ = 0;  // by a verified pose
-  int most_inliers_ = 0;  // before it was verified
+  int best_matched_ = 0;  // of a verified pose
+  int most_inliers_ = 0;  // before the verification
   int least_ = 2;
 };
 }  // namespace

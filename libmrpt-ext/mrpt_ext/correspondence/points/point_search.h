@@ -9,14 +9,14 @@
 
 namespace mrpt_ext
 {
-/// Finds a lost robot from landmarks that it sees with range and bearing but cannot tell apart.
+/// Global localization from anonymous landmarks with range and bearing.
 ///
-/// Triangles of seen points are looked up by their sides (triangle_index.h); each hit gives a pose, which the other
-/// points confirm or reject one after the other within the gate of the pose's own error; survivors are refined and
-/// verified (pose_verification.h). Triangles are tried until no set of false points as large as the number that the
-/// best pose leaves unexplained could have spoilt them all (triple_schedule.h). So no pose that explains as many points
-/// as the best is missed, provided the index holds the triangles: their corners are among the nearest neighbours of one
-/// another. Where no triangle finds anything, or only two points were seen, pairs of equal distance give the poses. One
+/// Triangles of detected points are looked up by their sides (triangle_index.h). Each hit gives a pose, which the
+/// other points confirm or reject one after the other within the gate of its own uncertainty; survivors are refined
+/// and verified (pose_verification.h). Triangles are tried until no set of false points as large as the number of
+/// outliers of the best pose can be part of them all (triple_schedule.h). So no pose with as many inliers as the
+/// best is missed, provided the index holds the triangles: their corners are among the nearest neighbours of one
+/// another. Where no triangle matches, or only two points are seen, pairs of equal distance give the poses. One
 /// point leaves a ring (solvers/pose_ring.h): status `too_few`.
 class PointSearch
 {
@@ -24,8 +24,8 @@ class PointSearch
   /// Builds the index. The map must outlive the search.
   explicit PointSearch(const LandmarkIndex& map) : map_(map), triangles_(map) {}
 
-  /// Detections without range take part in the judgement only. Status `bad_input` for numbers that are not finite or
-  /// deviations that are not positive, `none` when no pose explains two points.
+  /// Detections without range only take part in the verification. Status `bad_input` for numbers that are not
+  /// finite or standard deviations that are not positive, `none` when no pose has two inliers.
   [[nodiscard]] PoseSearchResult search(std::span<const Scan> scans, const PoseSearchOptions& options = {}) const;
 
   [[nodiscard]] const TriangleIndex& index() const { return triangles_; }

@@ -7,17 +7,17 @@
 
 namespace mrpt_ext
 {
-/// A landmark seen with bearing and range, as a point of the robot frame.
+/// A landmark detected with bearing and range, as a point of the robot frame.
 struct ScanPoint
 {
   Vector2d in_robot{0, 0};  ///< [m]
   double std = 0;           ///< [m] in its worst direction
-  double spread = 0;        ///< [m^2] product of the deviations along and across the line of sight
+  double spread = 0;        ///< [m^2] product of the standard deviations along and across the line of sight
   int category = kAnyCategory;
 };
 
-/// The points of all scans. One landmark seen from several scans gives points that are closer than their errors
-/// explain (`gate` standard deviations): they become one, their weighted mean. Detections of a category that the map
-/// does not have, or without a range or a bearing, give none.
+/// The points of all scans. Points of different scans within `gate` standard deviations of one another are one
+/// landmark: they become one point, their weighted mean. Detections of a category that the map does not have, or
+/// without range or bearing, give none.
 [[nodiscard]] std::vector<ScanPoint> gatherPoints(std::span<const Scan> scans, double gate);
 }  // namespace mrpt_ext

@@ -11,7 +11,7 @@ namespace
 constexpr std::size_t kNeighbours = 12;
 constexpr int kMaxBins = 160;  // per side: 4 million buckets
 constexpr double kEntriesPerBucket = 4;
-constexpr double kFlat = 1e-3;  // sine of the smallest angle: flatter triangles have no sure orientation
+constexpr double kFlat = 1e-3;  // sine of the smallest angle: the orientation of flatter triangles is not certain
 
 /// The nearest landmarks of one landmark, nearest first.
 std::vector<std::uint32_t> nearest(const LandmarkIndex& map, std::size_t landmark, std::size_t count, double& radius)
@@ -30,7 +30,7 @@ std::vector<std::uint32_t> nearest(const LandmarkIndex& map, std::size_t landmar
     if (near.size() >= wanted || radius > map.farthestFrom(map.position(landmark))) break;
     radius *= 1.4;
   }
-  if (near.size() > 3 * wanted) radius *= 0.8;  // the next landmark starts with what this one has learned
+  if (near.size() > 3 * wanted) radius *= 0.8;  // a better first guess for the next landmark
   std::sort(near.begin(), near.end());
   near.resize(std::min(near.size(), wanted));
   std::vector<std::uint32_t> result;

@@ -16,17 +16,17 @@ struct Triangle
   std::array<double, 3> side{0, 0, 0};  ///< [m] corner 0 to 1, 0 to 2, 1 to 2 (the longest)
 };
 
-/// A triangle in that form; nothing for points on one line or at one scan.
+/// A triangle in that form; nothing for points on one line or at one point.
 [[nodiscard]] std::optional<Triangle> makeTriangle(const std::array<Vector2d, 3>& points,
                                                    const std::array<int, 3>& indices);
 
 /// The same triangle, begun at its next corner.
 [[nodiscard]] Triangle rotated(const Triangle& triangle);
 
-/// The triangles of near landmarks, to be found again by the lengths of their sides, which no motion changes (as star
-/// trackers know the sky). Every landmark makes one with each two of its `neighbours()` nearest landmarks, listed once,
-/// under the corner that faces the longest side. A triangle is in the index if its other corners are among the nearest
-/// neighbours of that corner. Maps of up to kAllTriangles landmarks are listed whole.
+/// Triangles of near landmarks, found by the lengths of their sides, which no motion changes (as star trackers do).
+/// Every landmark forms one with each two of its `neighbours()` nearest landmarks, listed once, under the corner
+/// that faces the longest side. A triangle is in the index if its other corners are among the nearest neighbours of
+/// that corner. Of maps of up to kAllTriangles landmarks all triangles are listed.
 /// Built in O(N log N); about 20 bytes per triangle, 40 triangles per landmark.
 class TriangleIndex
 {
@@ -39,7 +39,7 @@ class TriangleIndex
   [[nodiscard]] std::size_t size() const { return entries_.size(); }
   [[nodiscard]] std::size_t bytes() const;
 
-  /// Number of entries that a search would have to look at, at most.
+  /// Largest number of entries that a query visits.
   [[nodiscard]] std::size_t countNear(const std::array<double, 3>& side, const std::array<double, 3>& tolerance) const;
 
   /// Calls visit(landmarks of corner 0, 1, 2) for every triangle whose sides differ by no more than the tolerances.
@@ -82,7 +82,7 @@ class TriangleIndex
     const std::array<int, 3> high = binOf({side[0] + tolerance[0], side[1] + tolerance[1], side[2] + tolerance[2]});
     for (int a = low[0]; a <= high[0]; ++a)
       for (int b = low[1]; b <= high[1]; ++b)
-        // buckets that differ in the last side only lie one behind the other
+        // buckets that differ in the last side only are contiguous
         visit(first_[bucketOf({a, b, low[2]})], first_[bucketOf({a, b, high[2]}) + 1]);
   }
 

@@ -12,11 +12,11 @@ namespace
 {
 constexpr int kIterations = 30;
 constexpr double kRelativeStep = 1e-4;
-constexpr double kClosest = 1e-4;  // to a landmark, in units of the way to the next
-constexpr double kBeside = 0.1;    // and what still is beside it: other bearings change so much [rad]
+constexpr double kClosest = 1e-4;  // to a landmark, relative to the distance of the next one
+constexpr double kNear = 0.1;      // [rad] near it other bearings change by so much
 
 /// Predicted minus measured [rad]; `heading` is the unit vector of the pose's.
-double misfit(const MatchedBearing& m, const Vector2d& heading, const Vector2d& to_landmark)
+double bearingResidual(const MatchedBearing& m, const Vector2d& heading, const Vector2d& to_landmark)
 {
   const Vector2d seen = PoseResiduals::turned(m.unit, heading);
   return smallAngle(cross(seen, to_landmark), seen.dot(to_landmark));
@@ -30,7 +30,7 @@ NormalEquations<3> normalEquations(std::span<const MatchedBearing> matched, cons
   for (const MatchedBearing& m : matched)
   {
     const Vector2d d = m.landmark - position;
-    const double e = misfit(m, heading, d), inverse = 1 / d.squaredNorm();
+    const double e = bearingResidual(m, heading, d), inverse = 1 / d.squaredNorm();
     const JacobianRow row(d.y() * inverse, -d.x() * inverse, -1);
     result.hessian.noalias() += row.transpose() * row;
     result.gradient += e * row.transpose();
@@ -59,7 +59,8 @@ BearingFit fitBearings(std::span<const MatchedBearing> matched, const Pose2& sta
   descendFrom<3>(fit.pose, now, improved, moved, options);
   const Vector2d heading = direction(fit.pose.phi);
   for (const MatchedBearing& m : matched)
-    fit.max_residual = std::max(fit.max_residual, std::abs(misfit(m, heading, m.landmark - fit.pose.position())));
+    fit.max_residual =
+        std::max(fit.max_residual, std::abs(bearingResidual(m, heading, m.landmark - fit.pose.position())));
   return fit;
 }
 
@@ -70,7 +71,7 @@ std::optional<Pose2> startNearLandmark(std::span<const MatchedBearing> matched, 
   double next = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < matched.size(); ++i)
     if (i != close) next = std::min(next, (matched[i].landmark - at.landmark).norm());
-  if ((at.landmark - about).norm() > reach + kBeside * next) return std::nullopt;
+  if ((at.landmark - about).norm() > reach + kNear * next) return std::nullopt;
 
   std::vector<MatchedBearing> others(matched.begin(), matched.end());
   others.erase(others.begin() + static_cast<std::ptrdiff_t>(close));
@@ -83,7 +84,7 @@ std::optional<Pose2> startNearLandmark(std::span<const MatchedBearing> matched, 
     const double turn = wrap(heading_of(m) - first);
     least = std::min(least, turn);
     most = std::max(most, turn);
-    if (most - least > 2 * (error + kBeside)) return std::nullopt;
+    if (most - least > 2 * (error + kNear)) return std::nullopt;
   }
   Pose2 pose = fitBearings(others, {at.landmark.x(), at.landmark.y(), first + (least + most) / 2}).pose;
   const Vector2d ray = direction(pose.phi + at.bearing);

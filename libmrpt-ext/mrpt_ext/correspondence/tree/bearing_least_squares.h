@@ -21,13 +21,14 @@ struct BearingFit
   double max_residual = 0;  ///< [rad]
 };
 
-/// Least-squares pose of three or more bearings of equal weight (Levenberg-Marquardt from `start`), as refinePose but
-/// without figures and without memory from the heap: most of what a search asks about is not consistent.
+/// Least-squares pose of three or more bearings of equal weight (Levenberg-Marquardt from `start`), as refinePose
+/// but without covariance and without heap memory: most assignments of a search are not consistent.
 [[nodiscard]] BearingFit fitBearings(std::span<const MatchedBearing> matched, const Pose2& start);
 
-/// A start next to one of the landmarks, where its bearing says little about the position: the pose that the others
-/// have there, moved to where the bearing is right. Nothing when the landmark is further than `reach` from `about` and
-/// than a tenth of the way to the next landmark, or when the others contradict each other there by more than `error`.
+/// A start next to one of the landmarks, where its bearing hardly constrains the position: the pose that the other
+/// bearings have there, moved to where the bearing of the landmark is right. Nothing when the landmark is farther
+/// than `reach` from `about` and than a tenth of the distance to the next landmark, or when the others contradict
+/// each other there by more than `error`.
 [[nodiscard]] std::optional<Pose2> startNearLandmark(std::span<const MatchedBearing> matched, std::size_t close,
                                                      const Vector2d& about, double reach, double error);
 }  // namespace mrpt_ext

@@ -14,19 +14,19 @@ namespace mrpt_ext
 ///
 /// All bounds here hold for every pose at which each bearing is within `error` of its measured value, not only to first
 /// order: turning ray i by d_i moves the crossing by D = sum_i tan(d_i) (t_i + u_i . D) / t_i G_i exactly, with t_i the
-/// way along the unit vector u_i and G_i the derivative; |d_1|, |d_2| and |d_1 - d_2| are at most 2 `error`.
+/// distance along the unit vector u_i and G_i the derivative; |d_1|, |d_2| and |d_1 - d_2| are at most 2 `error`.
 struct InverseRay
 {
   double px = 0, py = 0;  ///< its landmark [1/m]
-  double ux = 0, uy = 0;  ///< unit vector; zero for a landmark in the scan of the reference
+  double ux = 0, uy = 0;  ///< unit vector; zero for a landmark at the position of the reference
 };
 
-/// What is common to all crossings with one reference landmark.
+/// Bounds common to all crossings with one reference landmark.
 struct CrossingBounds
 {
   double error = 0;  ///< tan(2 eps) / 2
-  /// Tangent of the largest angle between a ray and the way to the landmark of another that is nearly opposite to it;
-  /// negative: not bounded.
+  /// Tangent of the largest angle between a ray and the direction of the landmark of another that is nearly opposite to
+  /// it; negative: not bounded.
   double facing = 0;
   double west = 0, south = 0, east = 0, north = 0;  ///< area of the robot, relative to the reference landmark [m]
 };
@@ -34,7 +34,7 @@ struct CrossingBounds
 enum class CrossingOutcome
 {
   none,  ///< the rays do not meet, or outside the area, by more than the bearings' error
-  open,  ///< nearly parallel rays: robot and landmarks nearly on one circle, nothing can be said
+  open,  ///< nearly parallel rays: robot and landmarks nearly on one circle, no information
   pose
 };
 
@@ -45,9 +45,9 @@ struct RayCrossing
   double ax = 0, ay = 0;  ///< d f / d angle of the first ray [1/m]
   double bx = 0, by = 0;  ///< and of the second
   double shift = 0;       ///< largest distance of the true f [1/m]
-  double bend = 0;        ///< what the direction from a point to f can change beyond first order [rad/m]
+  double bend = 0;        ///< largest change beyond first order of the direction from a point to f [rad/m]
   double x = 0, y = 0;    ///< robot relative to the reference landmark [m]
-  double slack = 0;       ///< and its largest distance to the true scan [m]
+  double slack = 0;       ///< and its largest distance to the true position [m]
 };
 
 /// Smallest sine of a crossing, in units of the error: below it the bounds grow too wide to be of use.
@@ -94,7 +94,7 @@ inline constexpr double kParallel = 6;
   return c;
 }
 
-/// Where the bearing of one landmark may lie, seen from a crossing: a direction passes when
+/// Gate of the bearing of one landmark, seen from a crossing: a direction passes when
 /// |cross(direction, w)| narrow <= wide dot(direction, w), which needs no trigonometry. narrow = wide = 0: any passes.
 struct DirectionGate
 {

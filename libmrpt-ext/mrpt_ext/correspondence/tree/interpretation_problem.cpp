@@ -9,7 +9,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kClosest = 1e-4;  // to a landmark, in units of the way to the next
+constexpr double kClosest = 1e-4;  // to a landmark, relative to the distance of the next one
 
 bool withinRange(std::span<const PoseMeasurement> measurements, const Pose2& pose, double max_range)
 {
@@ -17,8 +17,8 @@ bool withinRange(std::span<const PoseMeasurement> measurements, const Pose2& pos
                      [&](const PoseMeasurement& m) { return (m.landmark - pose.position()).norm() <= max_range; });
 }
 
-/// The pose of a robot on which least squares would scan a landmark: as close as a figure still makes sense, in the
-/// direction it has. Nothing when no landmark is close (a tenth of the way to the next one).
+/// A pose near the landmark onto which least squares converges: at the smallest meaningful distance, in the
+/// direction of `pose`. Nothing when no landmark is close (a tenth of the distance to the next one).
 std::optional<Pose2> startNearLandmark(std::span<const PoseMeasurement> measurements, const Pose2& pose)
 {
   double nearest = std::numeric_limits<double>::infinity(), next = nearest;
@@ -35,22 +35,22 @@ std::optional<Pose2> startNearLandmark(std::span<const PoseMeasurement> measurem
   return Pose2{position.x(), position.y(), pose.phi};
 }
 
-/// Maximum-likelihood pose with its residuals, or, where least squares creeps onto a landmark for ever (its bearing is
-/// then whatever was measured), a pose beside it.
+/// Maximum-likelihood pose with its residuals. Where least squares converges onto a landmark (from there its
+/// bearing is arbitrary), a pose near it.
 PoseMl bestPose(std::span<const PoseMeasurement> measurements, const Pose2& start)
 {
   PoseMl fit = refinePose(measurements, start);
   if (fit.status != SolveStatus::degenerate) return fit;
-  const std::optional<Pose2> beside = startNearLandmark(measurements, start);
-  if (!beside) return fit;
-  const std::optional<Matrix3d> covariance = covarianceFromInformation(poseInformation(measurements, *beside));
+  const std::optional<Pose2> near = startNearLandmark(measurements, start);
+  if (!near) return fit;
+  const std::optional<Matrix3d> covariance = covarianceFromInformation(poseInformation(measurements, *near));
   if (!covariance) return fit;
   fit.status = SolveStatus::ok;
-  fit.pose = {*beside, *covariance};
+  fit.pose = {*near, *covariance};
   fit.chi2 = 0;
   for (std::size_t i = 0; i < measurements.size(); ++i)
   {
-    fit.residuals[i] = residual(measurements[i], *beside);
+    fit.residuals[i] = residual(measurements[i], *near);
     fit.chi2 += square(fit.residuals[i] / measurements[i].std);
   }
   return fit;

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "mrpt_ext/correspondence/tree/interpretation_tree.h"
+#include "mrpt_ext/correspondence/tree/interpretation_types.h"
 
 namespace mrpt_ext
 {
@@ -23,7 +23,7 @@ struct InterpretationProblem
   }
 };
 
-/// What a search hands back before its interpretations are judged.
+/// Result of a search, before the interpretations are ranked.
 struct InterpretationCandidates
 {
   std::vector<Interpretation> found;

@@ -6,7 +6,7 @@ namespace mrpt_ext
 {
 namespace
 {
-/// Where the descent starts; `ok` is false when the bearings say nothing.
+/// Start of the descent; `ok` is false when the bearings do not determine one.
 struct Start
 {
   Pose2 pose;
@@ -43,15 +43,15 @@ std::optional<Interpretation> refineInterpretation(const InterpretationProblem& 
   if (start.ok)
     if (auto found = interpretFrom(start.pose, problem, assignment, matched)) return found;
   if (matched.size() < 4) return std::nullopt;
-  // A landmark close by has a valley of its own in the sum of squares, which no start elsewhere leads to.
+  // A close landmark has a minimum of its own, which no start elsewhere leads to.
   const bool anywhere = base.outcome == CrossingOutcome::open;
   const double reach = anywhere ? std::numeric_limits<double>::infinity() : base.slack;
   for (std::size_t i = 0; i < matched.size(); ++i)
   {
-    const std::optional<Pose2> beside =
+    const std::optional<Pose2> near =
         startNearLandmark(matched, i, start.pose.position(), reach, problem.options.max_residual);
-    if (!beside) continue;
-    if (auto found = interpretFrom(*beside, problem, assignment, matched)) return found;
+    if (!near) continue;
+    if (auto found = interpretFrom(*near, problem, assignment, matched)) return found;
   }
   return std::nullopt;
 }

@@ -6,10 +6,9 @@
 
 namespace mrpt_ext
 {
-/// A leaf of the search: the interpretation that an assignment is, refined to its least-squares pose; nothing when it
-/// is not consistent. `matched`: its bearings, the reference of `base` first. `base`: a crossing of two of their rays;
-/// an open one says nothing, and the bearings alone give the start. Should the descent from there fail, it starts
-/// beside landmarks that may be close.
+/// Refines an assignment to its least-squares pose; nothing when it is not consistent. `matched`: its bearings, the
+/// reference of `base` first. `base`: a crossing of two of their rays; if it is open, the bearings alone give the
+/// start. Should the descent from there fail, it starts near landmarks that may be close.
 [[nodiscard]] std::optional<Interpretation> refineInterpretation(const InterpretationProblem& problem,
                                                                  const std::vector<int>& assignment,
                                                                  std::span<const MatchedBearing> matched,

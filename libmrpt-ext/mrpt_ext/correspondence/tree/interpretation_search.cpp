@@ -11,12 +11,12 @@ namespace mrpt_ext
 {
 namespace
 {
-/// The pose of a prefix of matched bearings, and what it leaves for those to come.
+/// The pose of a prefix of matched bearings, and the candidates it leaves for the remaining ones.
 struct Node
 {
   RayCrossing base;
-  std::vector<CrossedLandmark> children;             ///< of an open node: who may be next
-  std::vector<std::vector<std::size_t>> candidates;  ///< of the others: per step of the order
+  std::vector<CrossedLandmark> children;             ///< of an open node: the next matches
+  std::vector<std::vector<std::size_t>> candidates;  ///< of other nodes: per step of the order
   [[nodiscard]] bool open() const { return base.outcome == CrossingOutcome::open; }
 };
 
@@ -44,7 +44,7 @@ class Search
     {
       order_ = std::move(order);
       masks_.clear();
-      for (const int bearing : order_.order)
+      for (const int bearing : order_.bearings)
       {
         masks_.emplace_back(rays_.size(), 0);
         for (const int l : allowed(bearing)) masks_.back()[static_cast<std::size_t>(l)] = -1;
@@ -72,7 +72,10 @@ class Search
   {
     return problem_.allowed[static_cast<std::size_t>(bearing)];
   }
-  [[nodiscard]] std::size_t bearingAt(std::size_t step) const { return static_cast<std::size_t>(order_.order[step]); }
+  [[nodiscard]] std::size_t bearingAt(std::size_t step) const
+  {
+    return static_cast<std::size_t>(order_.bearings[step]);
+  }
   [[nodiscard]] bool isFree(std::size_t landmark) const
   {
     return std::none_of(matched_.begin(), matched_.end(), [&](const Match& m) { return m.landmark == landmark; });
@@ -81,11 +84,11 @@ class Search
   [[nodiscard]] bool mayStartAt(std::size_t step) const
   {
     const std::size_t skipped = step - matched_.size();
-    return step < order_.order.size() && skipped <= (step > order_.skip_from ? order_.max_skipped : 0) &&
+    return step < order_.bearings.size() && skipped <= (step > order_.skip_from ? order_.max_skipped : 0) &&
            result_.finished;
   }
 
-  /// True if the bearing at this step may be one of so many unmatched ones.
+  /// True if the bearing of this step may be one of `missing` unmatched ones.
   [[nodiscard]] bool mayMiss(std::size_t step, std::size_t missing) const
   {
     return step >= order_.skip_from && missing <= order_.max_skipped;
@@ -109,7 +112,7 @@ class Search
   void matchFirst()
   {
     for (std::size_t step = 0; mayStartAt(step); ++step)
-      for (const int l : allowed(order_.order[step]))
+      for (const int l : allowed(order_.bearings[step]))
       {
         if (!result_.finished) return;
         const auto landmark = static_cast<std::size_t>(l);
@@ -135,7 +138,7 @@ class Search
   void matchSecond(std::size_t from)
   {
     for (std::size_t step = from; mayStartAt(step); ++step)
-      for (const int l : allowed(order_.order[step]))
+      for (const int l : allowed(order_.bearings[step]))
       {
         const auto landmark = static_cast<std::size_t>(l);
         if (!result_.finished) return;
@@ -146,7 +149,7 @@ class Search
       }
   }
 
-  /// Landmarks seen from one step are at most twice the range apart.
+  /// Landmarks seen from one position are at most twice the range apart.
   [[nodiscard]] bool withinReach(std::size_t landmark) const
   {
     if (!std::isfinite(reach_)) return true;
@@ -155,10 +158,10 @@ class Search
                        [&](const MatchedBearing& m) { return (m.landmark - position).norm() <= 2 * reach_; });
   }
 
-  /// The free landmarks of a step become children of the present node.
+  /// Counts the free landmarks of a step as children of the present node; false when the budget is used up.
   bool countTested(std::size_t step)
   {
-    std::size_t children = allowed(order_.order[step]).size();
+    std::size_t children = allowed(order_.bearings[step]).size();
     for (const Match& m : matched_) children -= masks_[step][m.landmark] != 0;
     result_.tested[matched_.size() - 2] += children;
     total_ += children;
@@ -175,8 +178,8 @@ class Search
       if (!countTested(step)) return;
       open ? extendOpen(step) : extendClosed(step);
     }
-    const std::size_t skipped = order_.order.size() - matched_.size();
-    const bool rest_skipped = from == order_.order.size() || from >= order_.skip_from;
+    const std::size_t skipped = order_.bearings.size() - matched_.size();
+    const bool rest_skipped = from == order_.bearings.size() || from >= order_.skip_from;
     if (rest_skipped && skipped >= order_.least_skipped && skipped <= order_.max_skipped) record();
   }
 
@@ -212,14 +215,15 @@ class Search
   {
     Node& here = nodes_[matched_.size()];
     here.base = with_second;
-    if (matched_.size() == 3) return here.open() || (withinRange(here.base) && lookAhead(here, next_step));
+    if (matched_.size() == 3) return here.open() || (withinRange(here.base) && findCandidates(here, next_step));
     if (!crossWithAll(parent, here, with_second)) return false;
     if (here.open()) return true;
-    if (!parent.open()) return filter(parent, here, next_step);
-    return lookAhead(here, next_step) && (crossings_.size() == 1 || filter(here, here, next_step));
+    if (!parent.open()) return filterCandidates(parent, here, next_step);
+    return findCandidates(here, next_step) && (crossings_.size() == 1 || filterCandidates(here, here, next_step));
   }
 
-  /// Crosses the newest ray with the others, and keeps the most certain pose. Every crossing must explain all.
+  /// Crosses the newest ray with the others, and keeps the pose with the smallest bound. Every crossing must be
+  /// consistent with all matches.
   bool crossWithAll(const Node& parent, Node& here, const RayCrossing& with_second)
   {
     here.base = parent.base;
@@ -229,7 +233,7 @@ class Search
       const RayCrossing c = i == 1 ? with_second : crossRays(matched_[i].ray, matched_.back().ray, bounds_);
       if (c.outcome == CrossingOutcome::none) return false;
       if (c.outcome == CrossingOutcome::open) continue;
-      if (!explainsMatched(c) || !withinRange(c)) return false;
+      if (!agreesWithMatched(c) || !withinRange(c)) return false;
       crossings_.push_back(c);
       if (here.open() || c.shift < here.base.shift) here.base = c;
     }
@@ -243,7 +247,7 @@ class Search
   }
 
   /// All bearings matched so far agree with the pose.
-  [[nodiscard]] bool explainsMatched(const RayCrossing& base) const
+  [[nodiscard]] bool agreesWithMatched(const RayCrossing& base) const
   {
     return std::all_of(matched_.begin() + 1, matched_.end(),
                        [&](const Match& m) { return gate(base, m.ray).admits(m.ray.ux, m.ray.uy); });
@@ -257,13 +261,13 @@ class Search
                        [&](const MatchedBearing& m) { return (m.landmark - robot).norm() <= reach_ + base.slack; });
   }
 
-  /// The joint test: enough of the bearings to come have a landmark within the gate.
-  bool lookAhead(Node& here, std::size_t next_step)
+  /// The joint test: enough of the remaining bearings have a landmark within the gate.
+  bool findCandidates(Node& here, std::size_t next_step)
   {
     rays_.openGates(here.base, covariance_, reach_);
     for (const Match& m : matched_) rays_.closeGate(m.landmark);
     std::size_t missing = next_step - matched_.size();
-    for (std::size_t step = next_step; step < order_.order.size(); ++step)
+    for (std::size_t step = next_step; step < order_.bearings.size(); ++step)
     {
       rays_.admit(bearingAt(step), masks_[step], here.candidates[step]);
       if (here.candidates[step].empty() && !mayMiss(step, ++missing)) return false;
@@ -271,11 +275,11 @@ class Search
     return true;
   }
 
-  /// The same from the candidates of the parent, as far as all new crossings agree with them.
-  bool filter(const Node& parent, Node& here, std::size_t next_step)
+  /// The same from the candidates of the parent that are consistent with all new crossings.
+  bool filterCandidates(const Node& parent, Node& here, std::size_t next_step)
   {
     std::size_t missing = next_step - matched_.size();
-    for (std::size_t step = next_step; step < order_.order.size(); ++step)
+    for (std::size_t step = next_step; step < order_.bearings.size(); ++step)
     {
       kept_.clear();
       for (const std::size_t l : parent.candidates[step])

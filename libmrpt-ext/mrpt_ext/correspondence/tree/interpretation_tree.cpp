@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "mrpt_ext/correspondence/tree/interpretation_paper.h"
 #include "mrpt_ext/correspondence/tree/interpretation_problem.h"
 #include "mrpt_ext/correspondence/tree/interpretation_search.h"
 
@@ -49,7 +48,7 @@ InterpretationProblem makeProblem(std::span<const Vector2d> landmarks, std::span
   return problem;
 }
 
-/// True if `a` says nothing that `b` does not say too.
+/// True if `b` has all matches of `a` and more.
 bool isPartOf(const Interpretation& a, const Interpretation& b)
 {
   if (a.matched >= b.matched) return false;
@@ -83,13 +82,12 @@ Interpretations interpretBearings(std::span<const Vector2d> landmarks, std::span
   result.status = SolveStatus::none;
   if (static_cast<int>(landmarks.size()) < least) return result;
 
-  const bool literal = options.rule != InterpretationRule::complete;
-  InterpretationCandidates search = literal ? searchByPaperRule(problem) : searchConsistent(problem);
+  InterpretationCandidates search = searchConsistent(problem);
   result.tested_by_depth = std::move(search.tested);
   result.valid_by_depth = std::move(search.valid);
   result.finished = search.finished;
   result.solutions =
-      options.max_unmatched > 0 && !literal ? withoutParts(std::move(search.found)) : std::move(search.found);
+      options.max_unmatched > 0 ? withoutParts(std::move(search.found)) : std::move(search.found);
   std::stable_sort(result.solutions.begin(), result.solutions.end(),
                    [](const Interpretation& a, const Interpretation& b)
                    { return a.log_likelihood > b.log_likelihood; });

@@ -49,7 +49,7 @@ Triple firstTriple(const InterpretationProblem& problem, const std::vector<int>&
   return best;
 }
 
-/// The bearings named in `last` come after all others, in their order.
+/// The bearings in `last` come after all others, in their order.
 std::vector<int> spreadOrder(const InterpretationProblem& problem, std::span<const int> last = {})
 {
   std::vector<int> rest;
@@ -82,9 +82,9 @@ std::vector<MatchingOrder> matchingOrders(const InterpretationProblem& problem)
 {
   const std::size_t count = problem.bearings.size();
   const std::size_t max_skipped = count - static_cast<std::size_t>(problem.minimumMatched());
-  MatchingOrder plan{spreadOrder(problem), 0, 0, max_skipped};
-  if (max_skipped != 1 || count < 6) return {plan};
-  plan.skip_from = 3;
-  return {plan, {spreadOrder(problem, std::span(plan.order).first(3)), count - 3, 1, 1}};
+  MatchingOrder order{spreadOrder(problem), 0, 0, max_skipped};
+  if (max_skipped != 1 || count < 6) return {order};
+  order.skip_from = 3;
+  return {order, {spreadOrder(problem, std::span(order.bearings).first(3)), count - 3, 1, 1}};
 }
 }  // namespace mrpt_ext

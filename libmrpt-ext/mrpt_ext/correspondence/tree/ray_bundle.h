@@ -16,7 +16,7 @@ struct CrossedLandmark
   RayCrossing crossing;
 };
 
-/// The rays of every bearing to every landmark, seen from one reference landmark, and the loops over all of them.
+/// The rays of every bearing to every landmark, seen from one reference landmark, and the vector loops over them.
 /// Arrays are padded to whole vectors with landmarks that are in no mask.
 class RayBundle
 {
@@ -27,7 +27,7 @@ class RayBundle
   /// `units`: (cos b, sin b) of every bearing. `error`: see CrossingBounds.
   RayBundle(std::span<const Vector2d> landmarks, std::vector<Vector2d> units, double error);
 
-  /// Chooses the reference: this landmark was seen under this bearing.
+  /// Chooses the reference: the landmark that is matched to this bearing.
   void setReference(std::size_t bearing, std::size_t landmark);
 
   [[nodiscard]] std::size_t size() const { return x_.size(); }  ///< landmarks and padding
@@ -43,8 +43,8 @@ class RayBundle
   void cross(const InverseRay& ray, std::size_t bearing, const CrossingBounds& bounds, const Mask& mask,
              std::vector<CrossedLandmark>& result);
 
-  /// Opens the gates of all landmarks of the map from a crossing, but of none that is further than `max_range` [m] from
-  /// wherever the robot can be.
+  /// Computes the gates of all landmarks from a crossing. Those farther than `max_range` [m] from every position
+  /// that the crossing allows get none.
   void openGates(const RayCrossing& crossing, bool covariance, double max_range);
   /// Closes the gate of a landmark, whatever the direction: NaN compares false.
   void closeGate(std::size_t landmark) { narrow_[landmark] = std::numeric_limits<double>::quiet_NaN(); }

@@ -10,7 +10,7 @@
 
 namespace mrpt_ext
 {
-/// What an interpretation tree is asked: the bearings that were taken from one scan.
+/// Input of an interpretation tree: the bearings of one scan.
 struct TreeInput
 {
   const Scan* scan = nullptr;
@@ -18,12 +18,12 @@ struct TreeInput
   double std_bearing = 0;  ///< of the worst [rad]
 };
 
-/// The scan with most bearings that may show a landmark, of several the last. It points to one of `scans`.
+/// The scan with most bearings that may show a landmark, of several the last. The result points into `scans`.
 [[nodiscard]] TreeInput scanWithMostBearings(const LandmarkIndex& map, std::span<const Scan> scans);
 
-/// Gate, area, range and budget as the search has them.
+/// Gate, area, range and budget for a pose search.
 [[nodiscard]] InterpretationOptions treeOptions(const TreeInput& input, const PoseSearchOptions& options);
 
-/// The pose of a sensor as the pose of its robot.
+/// Pose of the robot from the pose of its sensor.
 [[nodiscard]] GaussianPose robotPose(const GaussianPose& sensor, const Pose2& T_robot_sensor);
 }  // namespace mrpt_ext

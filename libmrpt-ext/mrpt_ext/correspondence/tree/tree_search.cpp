@@ -13,7 +13,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr int kLeastMatches = 4;          // three bearings are explained by every constellation
+constexpr int kLeastMatches = 4;          // every constellation matches three bearings
 constexpr double kPosesPerTriple = 0.25;  // share of landmark triples that can be seen so from within the map
 
 void verifyAll(const Interpretations& found, const LandmarkIndex& map, std::span<const Scan> scans,

@@ -36,7 +36,7 @@ DetectionRows linearise(const Detection& detection, const Reading& reading, cons
   applyBias(told, bias);
 
   DetectionRows result;
-  result.chance = unbiased.chance;
+  result.chance = unbiased.visibility;
   const auto add_derivative = [&](KalmanRow& row, BiasKind kind, double value)
   {
     for (std::size_t k = 0; k < biases.size(); ++k)

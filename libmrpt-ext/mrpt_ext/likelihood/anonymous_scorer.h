@@ -9,27 +9,28 @@
 
 namespace mrpt_ext
 {
-/// Likelihood of the detections of a reading that name a category or nothing: a sum over all landmarks they may show.
+/// Likelihood of the anonymous detections of a reading (category or nothing known): a sum over all landmarks that they
+/// may show.
 ///
-/// Robots close together see the same landmarks near a detection. Per block of tiles only those are summed that can be
-/// within k standard deviations of it for any robot of the block, k such that all others together change no detection's
-/// likelihood by more than kNeglected of itself (the clutter term alone bounds it from below). A block spread over the
-/// map leaves nothing out.
-class UnidentifiedScorer
+/// Robots close together see the same landmarks near a detection. Per block of tiles only those landmarks are summed
+/// that may be within k standard deviations of the detection for any robot of the block, with k such that all others
+/// together change no likelihood by more than kNeglected of itself (the clutter term bounds it from below). For a block
+/// that is spread over the map nothing is left out.
+class AnonymousScorer
 {
  public:
   static constexpr double kNeglected = 1e-4;
 
-  UnidentifiedScorer(const Reading& reading, const LandmarkTable& map, const LandmarkClutter& clutter,
-                     const ScoringFrame& frame, double default_max_range);
+  AnonymousScorer(const Reading& reading, const LandmarkTable& map, const LandmarkClutter& clutter,
+                  const ScoringFrame& frame, double default_max_range);
 
   /// What is summed for one block.
   struct Terms
   {
     struct Set  ///< of candidates
     {
-      float sure_chance = 0, sure_clutter = 0;  ///< sums over those surely in view
-      std::vector<ViewedLandmark> rim;          ///< those perhaps in view
+      float certain_visibility = 0, certain_clutter = 0;  ///< sums over those in view of all
+      std::vector<ViewedLandmark> rim;                    ///< in view of some
     };
     struct Sum  ///< of one detection
     {
@@ -41,7 +42,7 @@ class UnidentifiedScorer
   };
 
   [[nodiscard]] bool empty() const { return detections_.empty(); }
-  void prepare(const LandmarkCulling& window, Terms& terms) const;
+  void prepare(const LandmarkCulling& culling, Terms& terms) const;
   void addTo(const SensorTile& tile, const Terms& terms, SensorTile::Column& log_sum) const;
 
  private:
@@ -52,7 +53,7 @@ class UnidentifiedScorer
     std::vector<std::uint32_t> landmarks;
     double mean_clutter = 0, least_clutter = 1;
   };
-  struct Unidentified
+  struct AnonymousTerm
   {
     const Detection* detection;
     std::size_t set;
@@ -66,8 +67,8 @@ class UnidentifiedScorer
   const LandmarkTable& map_;
   const LandmarkClutter& clutter_;
   const ScoringFrame& frame_;
-  ViewLimits limits_;
+  VisibilityLimits limits_;
   std::vector<CandidateSet> sets_;
-  std::vector<Unidentified> detections_;
+  std::vector<AnonymousTerm> detections_;
 };
 }  // namespace mrpt_ext

@@ -1,4 +1,4 @@
-#include "mrpt_ext/likelihood/unidentified_scorer.h"
+#include "mrpt_ext/likelihood/anonymous_scorer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,18 +12,18 @@ namespace mrpt_ext
 {
 namespace
 {
-/// log_sum += ln of the mixture: each landmark's part weighted by its chance, together 1. Where none can be in view,
-/// the detection is clutter.
+/// log_sum += ln of the mixture: each landmark's part weighted by its visibility, together 1. Where none can be in
+/// view, the detection is clutter.
 MRPT_EXT_VECTOR_CLONES
-void addLogOfShares(const SensorTile::Column& density, const SensorTile::Column& chance,
+void addLogOfShares(const SensorTile::Column& density, const SensorTile::Column& visibility,
                     const SensorTile::Column& clutter, float clutter_density, float clutter_out_of_view,
                     SensorTile::Column& log_sum)
 {
   MRPT_EXT_INDEPENDENT_ITERATIONS
   for (std::size_t i = 0; i < SensorTile::kSize; ++i)
   {
-    const bool seen = chance[i] > 0.0F;
-    const float inverse = 1.0F / (seen ? chance[i] : 1.0F);
+    const bool seen = visibility[i] > 0.0F;
+    const float inverse = 1.0F / (seen ? visibility[i] : 1.0F);
     const float mixture = (density[i] + clutter[i] * clutter_density) * inverse;
     log_sum[i] += vector_math::logOf(seen ? mixture : clutter_out_of_view * clutter_density);
   }
@@ -31,8 +31,8 @@ void addLogOfShares(const SensorTile::Column& density, const SensorTile::Column&
 
 }  // namespace
 
-UnidentifiedScorer::UnidentifiedScorer(const Reading& reading, const LandmarkTable& map, const LandmarkClutter& clutter,
-                                       const ScoringFrame& frame, double default_max_range)
+AnonymousScorer::AnonymousScorer(const Reading& reading, const LandmarkTable& map, const LandmarkClutter& clutter,
+                                 const ScoringFrame& frame, double default_max_range)
     : reading_(reading), map_(map), clutter_(clutter), frame_(frame), limits_(reading.model)
 {
   for (const Detection& detection : reading.detections)
@@ -47,7 +47,7 @@ UnidentifiedScorer::UnidentifiedScorer(const Reading& reading, const LandmarkTab
   }
 }
 
-std::size_t UnidentifiedScorer::setOf(const Detection& detection)
+std::size_t AnonymousScorer::setOf(const Detection& detection)
 {
   for (std::size_t k = 0; k < sets_.size(); ++k)
     if (sets_[k].category == detection.category) return k;
@@ -65,65 +65,65 @@ std::size_t UnidentifiedScorer::setOf(const Detection& detection)
   return sets_.size() - 1;
 }
 
-void UnidentifiedScorer::prepare(const LandmarkCulling& window, Terms& terms) const
+void AnonymousScorer::prepare(const LandmarkCulling& culling, Terms& terms) const
 {
   terms.sets.resize(sets_.size());
   for (std::size_t k = 0; k < sets_.size(); ++k)
   {
     terms.sets[k].rim.clear();
-    double chance = 0, clutter = 0;
+    double visibility = 0, clutter = 0;
     for (const std::uint32_t j : sets_[k].landmarks)
     {
-      const InView in_view = window.inView()[j];
+      const InView in_view = culling.inView()[j];
       if (in_view == InView::no) continue;
       const double own = clutterOf(clutter_, reading_.model, j);
       if (in_view == InView::some) terms.sets[k].rim.push_back(viewedLandmark(map_[j], frame_, own));
-      if (in_view != InView::surely) continue;
-      chance += 1;
+      if (in_view != InView::all) continue;
+      visibility += 1;
       clutter += own;
     }
-    terms.sets[k].sure_chance = static_cast<float>(chance);
-    terms.sets[k].sure_clutter = static_cast<float>(clutter);
+    terms.sets[k].certain_visibility = static_cast<float>(visibility);
+    terms.sets[k].certain_clutter = static_cast<float>(clutter);
   }
   terms.sums.resize(detections_.size());
   for (std::size_t d = 0; d < detections_.size(); ++d)
   {
-    const Unidentified& unidentified = detections_[d];
+    const AnonymousTerm& anonymous = detections_[d];
     auto& [sharp, broad] = terms.sums[d];
     sharp.clear();
     broad.clear();
     terms.near.clear();
-    window.findNear(*unidentified.detection, unidentified.cut, sets_[unidentified.set].landmarks, terms.near);
+    culling.findNear(*anonymous.detection, anonymous.cut, sets_[anonymous.set].landmarks, terms.near);
     for (const std::uint32_t j : terms.near)
     {
-      const PreparedDetection sighting =
-          sightingOf(*unidentified.detection, map_[j], clutterOf(clutter_, reading_.model, j), frame_);
+      const PreparedDetection prepared =
+          prepareDetection(*anonymous.detection, map_[j], clutterOf(clutter_, reading_.model, j), frame_);
       const bool simple =
-          window.inView()[j] == InView::surely && kindOf(*unidentified.detection, map_[j], frame_).sharp;
-      (simple ? sharp : broad).push_back(sighting);
+          culling.inView()[j] == InView::all && detectionKind(*anonymous.detection, map_[j], frame_).sharp;
+      (simple ? sharp : broad).push_back(prepared);
     }
   }
 }
 
-void UnidentifiedScorer::addTo(const SensorTile& tile, const Terms& terms, SensorTile::Column& log_sum) const
+void AnonymousScorer::addTo(const SensorTile& tile, const Terms& terms, SensorTile::Column& log_sum) const
 {
-  alignas(64) SensorTile::Column chance, clutter, density;
+  alignas(64) SensorTile::Column visibility, clutter, density;
   std::size_t summed_set = sets_.size();
   for (std::size_t d = 0; d < detections_.size(); ++d)
   {
-    const Unidentified& unidentified = detections_[d];
-    if (unidentified.set != summed_set)
+    const AnonymousTerm& anonymous = detections_[d];
+    if (anonymous.set != summed_set)
     {
-      summed_set = unidentified.set;
-      std::fill_n(chance, SensorTile::kSize, terms.sets[summed_set].sure_chance);
-      std::fill_n(clutter, SensorTile::kSize, terms.sets[summed_set].sure_clutter);
-      addChances(tile, terms.sets[summed_set].rim, limits_, chance, clutter);
+      summed_set = anonymous.set;
+      std::fill_n(visibility, SensorTile::kSize, terms.sets[summed_set].certain_visibility);
+      std::fill_n(clutter, SensorTile::kSize, terms.sets[summed_set].certain_clutter);
+      addVisibility(tile, terms.sets[summed_set].rim, limits_, visibility, clutter);
     }
-    const DetectionKind kind{unidentified.detection->bearing.has_value(), unidentified.detection->range.has_value()};
+    const DetectionKind kind{anonymous.detection->bearing.has_value(), anonymous.detection->range.has_value()};
     std::fill_n(density, SensorTile::kSize, 0.0F);
     addDensities(tile, terms.sums[d].sharp, kind, density);
-    addBroadDensities(tile, terms.sums[d].broad, kind, frame_.carried_covariance, limits_, density);
-    addLogOfShares(density, chance, clutter, unidentified.clutter_density,
+    addBroadDensities(tile, terms.sums[d].broad, kind, frame_.sensor_covariance, limits_, density);
+    addLogOfShares(density, visibility, clutter, anonymous.clutter_density,
                    static_cast<float>(sets_[summed_set].mean_clutter), log_sum);
   }
 }
