@@ -51,7 +51,10 @@ class Drive
 
 TrajectoryRelocalizer memoryOf(const Drive& drive)
 {
-  return {drive.map(), std::make_shared<const GlobalPoseSearch>(drive.map()), kRegion, MotionModel{}};
+  return {drive.map(),
+          std::make_shared<const GlobalPoseSearch>(drive.map()),
+          kRegion,
+          {.std_phi_per_deg = 0.1, .std_phi_per_m = 0.02, .std_phi_per_s = 0.005}};
 }
 
 ModeSet modesAt(const Pose2& pose) { return {{{{pose, Vector3d(0.01, 0.01, 0.001).asDiagonal()}, 1}}, {}}; }

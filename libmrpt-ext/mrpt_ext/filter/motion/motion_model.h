@@ -13,16 +13,16 @@ enum class MotionType
   random_walk  ///< no odometry: the robot may go anywhere, slowly
 };
 
-/// How far odometry can be trusted. Every figure is a standard deviation *after one unit of way, turn or time*; the
-/// variances add up along the way, so the result does not depend on how often odometry is read.
+/// Noise of the odometry. Each value is a standard deviation after one unit of distance, rotation or time; variances
+/// add up, so the result does not depend on how often odometry is read.
 struct MotionModel
 {
   MotionType type = MotionType::odometry;
-  double std_xy_per_m = 0.05;    ///< [m] after one metre
-  double std_phi_per_deg = 0.1;  ///< [deg] after turning one degree (grows with the square root of the turn)
-  double std_phi_per_m = 0.02;   ///< [rad] after one metre
-  double std_xy_per_s = 0.005;   ///< [m] after one second, also at standstill
-  double std_phi_per_s = 0.005;  ///< [rad] after one second, also at standstill
+  double std_xy_per_m = 0.05;            ///< [m] after one metre
+  double std_phi_per_deg = 0.3;          ///< [deg] after a rotation of one degree; grows with the root of the rotation
+  double std_phi_per_m = degToRad(1.0);  ///< [rad] after one metre
+  double std_xy_per_s = 0.005;           ///< [m] after one second, also at standstill
+  double std_phi_per_s = degToRad(0.3);  ///< [rad] after one second, also at standstill
 };
 
 /// The motion that the model believes in: the measured one, or, for a random walk, none (its noise covers the way).
