@@ -15,6 +15,17 @@ void expectPose(const Pose2& actual, const Pose2& expected)
 
 /// Ahead, a turn on the spot across the seam of the heading, ahead again.
 const std::vector<OdometryRecord> kRecords{{10, {0, 0, 3}}, {12, {2, 0, 3}}, {13, {2, 0, -3}}, {15, {2, 4, -3}}};
+
+// In its own frame the robot drives up the y axis, heading pi/2, 2 m in 2 s.
+const Trajectory kUpwards{{0, {5, 5, kPi / 2}, true}, {2, {5, 7, kPi / 2}, true}};
+
+PoseEstimate estimateAt(double time, const Pose2& pose)
+{
+  PoseEstimate point;
+  point.time = time;
+  point.pose.mean = pose;
+  return point;
+}
 }  // namespace
 
 TEST(OdometryPath, InterpolatesBetweenRecordsAndAcrossTheSeam)
@@ -99,5 +110,44 @@ TEST(OdometryPath, WithoutRecordsNothingMoves)
   EXPECT_TRUE(path.empty());
   expectPose(path.between(1, 4).increment, {});
   EXPECT_EQ(path.between(1, 4).duration, 3);
+}
+
+TEST(MotionBetween, IsInTheFrameOfTheEarlierPose)
+{
+  const Pose2 motion = motionBetween(kUpwards, 0.5, 1.5);
+  EXPECT_NEAR(motion.x, 1, 1e-12);
+  EXPECT_NEAR(motion.y, 0, 1e-12);
+  EXPECT_NEAR(motion.phi, 0, 1e-12);
+}
+
+TEST(MotionBetween, HoldsItsEndsAndIsIdentityWithoutOdometry)
+{
+  EXPECT_NEAR(motionBetween(kUpwards, 1.0, 9.0).x, 1, 1e-12);
+  EXPECT_NEAR(motionBetween(kUpwards, -9.0, 1.0).x, 1, 1e-12);
+  EXPECT_EQ(motionBetween({}, 0, 1).x, 0);
+}
+
+TEST(Propagate, MovesTheEstimateInItsOwnHeading)
+{
+  const PoseEstimate propagated = propagate(estimateAt(0, {1, 1, 0}), kUpwards, 2);
+  EXPECT_DOUBLE_EQ(propagated.time, 2);
+  EXPECT_NEAR(propagated.pose.mean.x, 3, 1e-12);
+  EXPECT_NEAR(propagated.pose.mean.y, 1, 1e-12);
+}
+
+TEST(Propagate, HeadingVarianceBecomesCrossTrackVariance)
+{
+  PoseEstimate estimate = estimateAt(0, {1, 1, 0});
+  estimate.pose.covariance(2, 2) = 0.04;
+  const Matrix3d P = propagate(estimate, kUpwards, 2).pose.covariance;
+  EXPECT_NEAR(P(0, 0), 0, 1e-12);
+  EXPECT_NEAR(P(1, 1), 4 * 0.04, 1e-12);
+}
+
+TEST(Propagate, WithoutHeadingTheEstimateStays)
+{
+  PoseEstimate estimate = estimateAt(0, {1, 1, 0});
+  estimate.heading_known = false;
+  EXPECT_DOUBLE_EQ(propagate(estimate, kUpwards, 2).pose.mean.x, 1);
 }
 }  // namespace mrpt_ext

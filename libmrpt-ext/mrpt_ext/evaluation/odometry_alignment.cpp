@@ -1,6 +1,6 @@
 #include "mrpt_ext/evaluation/odometry_alignment.h"
 
-#include "mrpt_ext/evaluation/dead_reckoning.h"
+#include "mrpt_ext/geometry/odometry_path.h"
 
 namespace mrpt_ext
 {

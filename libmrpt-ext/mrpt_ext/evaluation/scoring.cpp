@@ -4,7 +4,7 @@
 #include <cmath>
 #include <deque>
 
-#include "mrpt_ext/evaluation/dead_reckoning.h"
+#include "mrpt_ext/geometry/odometry_path.h"
 
 namespace mrpt_ext
 {
@@ -58,7 +58,7 @@ std::optional<JudgedEstimate> judgeNearSparseStamp(EstimateWindow& estimates, co
   const PoseEstimate* nearest = nearestEstimate(estimates, stamp);
   const auto truth = truthAt(context, stamp);
   if (!nearest || !truth) return std::nullopt;
-  return JudgedEstimate{stamp, carry(*nearest, context.odometry, stamp), *truth};
+  return JudgedEstimate{stamp, propagate(*nearest, context.odometry, stamp), *truth};
 }
 
 std::optional<JudgedEstimate> judgeLastOfSecond(EstimateWindow& estimates, const RunContext& context, double stamp)
@@ -93,7 +93,7 @@ std::vector<JudgedEstimate> judge(const MethodTrajectory& track, const RunContex
   EstimateWindow estimates(track);
   for (const double stamp : scoringStamps(context))
     if (const auto& window = estimates.moveTo(stamp, stamp); !window.empty())
-      judged.push_back({stamp, carry(window.back(), context.odometry, stamp), *truthAt(context, stamp)});
+      judged.push_back({stamp, propagate(window.back(), context.odometry, stamp), *truthAt(context, stamp)});
   return judged;
 }
 

@@ -1,10 +1,20 @@
 #include "mrpt_ext/geometry/odometry_path.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace mrpt_ext
 {
+namespace
+{
+Pose2 poseAt(const Trajectory& odometry, double time)
+{
+  const double inside = std::clamp(time, odometry.front().time, odometry.back().time);
+  return interpolate(odometry, inside, std::numeric_limits<double>::infinity())->pose;
+}
+}  // namespace
+
 OdometryPath::OdometryPath(std::vector<OdometryRecord> records, const OdometryCorrection& correction)
     : correction_(correction)
 {
@@ -52,5 +62,20 @@ OdometryMotion OdometryPath::between(double from, double to) const
 {
   const PathPoint a = pointAt(from), b = pointAt(to);
   return {mrpt_ext::between(a.pose, b.pose), b.length - a.length, b.turned - a.turned, to - from};
+}
+
+Pose2 motionBetween(const Trajectory& odometry, double from, double to)
+{
+  if (odometry.empty()) return {};
+  return between(poseAt(odometry, from), poseAt(odometry, to));
+}
+
+PoseEstimate propagate(const PoseEstimate& estimate, const Trajectory& odometry, double time)
+{
+  PoseEstimate propagated = estimate;
+  propagated.time = time;
+  if (!estimate.heading_known) return propagated;
+  propagated.pose = compound(estimate.pose, motionBetween(odometry, estimate.time, time));
+  return propagated;
 }
 }  // namespace mrpt_ext

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "mrpt_ext/geometry/frame.h"
+#include "mrpt_ext/geometry/pose_estimate.h"
 #include "mrpt_ext/geometry/trajectory.h"
 
 namespace mrpt_ext
@@ -47,4 +48,12 @@ class OdometryPath
   Trajectory path_;
   std::vector<double> length_, turned_;  // accumulated, one per pose of path_
 };
+
+/// Motion between two times by dead reckoning: the later pose in the frame of the earlier one. Odometry is interpolated
+/// over gaps of any length and holds its first and last pose outside; without odometry: identity.
+[[nodiscard]] Pose2 motionBetween(const Trajectory& odometry, double from, double to);
+
+/// The estimate propagated to `time` by dead reckoning, covariance included; odometry's own noise is not added. An
+/// estimate without a heading stays where it is: the direction of the motion is unknown.
+[[nodiscard]] PoseEstimate propagate(const PoseEstimate& estimate, const Trajectory& odometry, double time);
 }  // namespace mrpt_ext
