@@ -13,24 +13,24 @@ namespace mrpt_ext
 /// What a sensor without noise measures.
 struct ExactSensor
 {
-  bool bearing = true, range = false, named = true, category = false;
+  bool bearing = true, range = false, identified = true, category = false;
   Pose2 T_robot_sensor;
   double height = 0;
   double std_bearing = degToRad(0.5), std_range = 0.02;
 };
 
-/// The landmarks of the map with these places, seen from `robot` without noise.
-inline Reading seenFrom(const Pose2& robot, const LandmarkTable& map, const std::vector<std::size_t>& places,
+/// A reading without noise of these landmarks (indices in the map) from `robot`.
+inline Reading seenFrom(const Pose2& robot, const LandmarkTable& map, const std::vector<std::size_t>& landmarks,
                         const ExactSensor& sensor, double time = 0)
 {
   Reading reading{
       .time = time, .sensor = "eye", .T_robot_sensor = sensor.T_robot_sensor, .sensor_height = sensor.height};
   reading.model.clutter_probability = 0.01;
-  for (const std::size_t place : places)
+  for (const std::size_t index : landmarks)
   {
-    const Landmark& landmark = map[place];
+    const Landmark& landmark = map[index];
     Detection d;
-    if (sensor.named) d.id = landmark.id;
+    if (sensor.identified) d.id = landmark.id;
     if (sensor.category) d.category = landmark.category;
     const Vector2d at = landmark.position.head<2>();
     if (sensor.bearing)

@@ -16,14 +16,14 @@ std::vector<Reading> oneReading()
 }
 }  // namespace
 
-TEST(ExpectedErrors, WithoutAModelNothingChanges)
+TEST(BiasInflation, WithoutAModelNothingChanges)
 {
   const auto readings = withBiasUncertainty(oneReading(), {});
   EXPECT_EQ(readings[0].detections[0].range, 52.5);
   EXPECT_EQ(readings[0].detections[0].std_range, 0.5);
 }
 
-TEST(ExpectedErrors, MeansAreTakenOffAndDeviationsGrow)
+TEST(BiasInflation, MeansAreSubtractedAndStandardDeviationsInflated)
 {
   const BiasModel biases = {{.kind = BiasKind::range_scale, .mean = 0.05, .std = 0.02},
                             {.kind = BiasKind::range_offset, .sensor = "radio", .mean = 0, .std = 0.3},
@@ -37,7 +37,7 @@ TEST(ExpectedErrors, MeansAreTakenOffAndDeviationsGrow)
   EXPECT_NEAR(bearing.std_bearing, 0.05, 1e-12);
 }
 
-TEST(ExpectedErrors, ARangeThatTheMeanWouldMakeNegativeIsLeftAsItIs)
+TEST(BiasInflation, ARangeThatTheMeanWouldMakeNegativeIsLeftAsItIs)
 {
   const auto readings = withBiasUncertainty(oneReading(), {{.kind = BiasKind::range_offset, .mean = 60, .std = 1}});
   EXPECT_EQ(readings[0].detections[0].range, 52.5);

@@ -22,12 +22,12 @@ Reading readingOf(Detection detection)
 
 TEST(LandmarkMeasurement, SlantRangesAreReducedToThePlane)
 {
-  const auto seen = identifiedSightings({{readingOf({.id = 1, .range = 2.5, .std_range = 0.12})}}, kHigh);
+  const auto seen = identifiedMeasurements({{readingOf({.id = 1, .range = 2.5, .std_range = 0.12})}}, kHigh);
   ASSERT_EQ(seen.size(), 1u);
   EXPECT_EQ(seen[0].landmark, 0u);
   EXPECT_EQ(seen[0].position, Vector2d(2, 0));
   EXPECT_NEAR(*seen[0].range, 2.0, 1e-12);  // 2.5^2 = 2.0^2 + 1.5^2
-  // d horizontal / d slant = 2.5 / 2.0; the landmark's own deviation adds.
+  // d horizontal / d slant = 2.5 / 2.0; the landmark's own standard deviation adds.
   EXPECT_NEAR(seen[0].std_range, std::hypot(0.15, 0.04), 1e-12);
 }
 
@@ -35,7 +35,7 @@ TEST(LandmarkMeasurement, HorizontalRangesStay)
 {
   Reading reading = readingOf({.id = 1, .range = 2.5, .std_range = 0.12});
   reading.horizontal_range = true;
-  const auto seen = identifiedSightings({{reading}}, kHigh);
+  const auto seen = identifiedMeasurements({{reading}}, kHigh);
   EXPECT_EQ(*seen[0].range, 2.5);
   EXPECT_NEAR(seen[0].std_range, std::hypot(0.12, 0.04), 1e-12);
 }
@@ -43,53 +43,53 @@ TEST(LandmarkMeasurement, HorizontalRangesStay)
 TEST(LandmarkMeasurement, ARangeShorterThanTheHeightIsLeftOutItsBearingKept)
 {
   const Reading alone = readingOf({.id = 1, .range = 1.4, .std_range = 0.1});
-  EXPECT_TRUE(identifiedSightings({{alone}}, kHigh).empty());
+  EXPECT_TRUE(identifiedMeasurements({{alone}}, kHigh).empty());
   const auto seen =
-      identifiedSightings({{readingOf({.id = 1, .bearing = 0.3, .range = 1.4, .std_bearing = 0.02})}}, kHigh);
+      identifiedMeasurements({{readingOf({.id = 1, .bearing = 0.3, .range = 1.4, .std_bearing = 0.02})}}, kHigh);
   ASSERT_EQ(seen.size(), 1u);
   EXPECT_EQ(seen[0].bearing, 0.3);
   EXPECT_FALSE(seen[0].range);
   EXPECT_FALSE(seen[0].hasPoint());
 }
 
-TEST(LandmarkMeasurement, AnUncertainSensorPlaceWidensRangeAndBearing)
+TEST(LandmarkMeasurement, AnUncertainSensorPositionInflatesRangeAndBearing)
 {
   Reading reading = readingOf({.id = 2, .bearing = 0.0, .range = 4, .std_bearing = 0.03, .std_range = 0.05});
   reading.horizontal_range = true;
   reading.sensor_position_covariance = Vector2d(0.01, 0.04).asDiagonal();
-  const auto seen = identifiedSightings({{reading}}, kHigh);
+  const auto seen = identifiedMeasurements({{reading}}, kHigh);
   EXPECT_NEAR(seen[0].std_range, std::hypot(0.05, 0.2), 1e-12);
   EXPECT_NEAR(seen[0].std_bearing, std::hypot(0.03, 0.2 / 4), 1e-12);
 }
 
-TEST(LandmarkMeasurement, UnknownIdsAreNeitherIdentifiedNorUnidentified)
+TEST(LandmarkMeasurement, UnknownIdsAreNeitherIdentifiedNorAnonymous)
 {
   const Reading reading = readingOf({.id = 99, .bearing = 1.0, .std_bearing = 0.1});
-  EXPECT_TRUE(identifiedSightings({{reading}}, kHigh).empty());
-  EXPECT_TRUE(unidentifiedSightings({{reading}}, kHigh).empty());
+  EXPECT_TRUE(identifiedMeasurements({{reading}}, kHigh).empty());
+  EXPECT_TRUE(anonymousMeasurements({{reading}}, kHigh).empty());
 }
 
-TEST(LandmarkMeasurement, UnidentifiedOnesKeepTheirCategoryAndUseTheMeanHeight)
+TEST(LandmarkMeasurement, AnonymousOnesKeepTheirCategoryAndUseTheMeanHeight)
 {
   const double dz = 1.5 - 0.5;
   const auto seen =
-      unidentifiedSightings({{readingOf({.category = "red", .range = std::hypot(3.0, dz), .std_range = 0.1})}}, kHigh);
+      anonymousMeasurements({{readingOf({.category = "red", .range = std::hypot(3.0, dz), .std_range = 0.1})}}, kHigh);
   ASSERT_EQ(seen.size(), 1u);
   EXPECT_FALSE(seen[0].landmark);
   EXPECT_EQ(seen[0].category, "red");
   EXPECT_NEAR(*seen[0].range, 3, 1e-12);
-  EXPECT_EQ(unidentifiedSightings({{readingOf({.range = 2})}}, LandmarkTable{}).size(), 1u);
+  EXPECT_EQ(anonymousMeasurements({{readingOf({.range = 2})}}, LandmarkTable{}).size(), 1u);
 }
 
-TEST(LandmarkMeasurement, ThePointIsWhereTheLandmarkIs)
+TEST(LandmarkMeasurement, ThePointIsTheLandmark)
 {
   const ExactSensor sensor{.range = true, .T_robot_sensor = {0.3, -0.2, 1.1}, .height = 0.5};
   const Pose2 robot{1, 2, 0.4};
-  for (const LandmarkMeasurement& s : identifiedSightings({{seenFrom(robot, kHigh, {0, 1}, sensor)}}, kHigh))
+  for (const LandmarkMeasurement& s : identifiedMeasurements({{seenFrom(robot, kHigh, {0, 1}, sensor)}}, kHigh))
     EXPECT_LT((transform(robot, s.pointInRobot()) - s.position).norm(), 1e-9);
 }
 
-TEST(LandmarkMeasurement, ThePointsCovarianceIsThatOfNoisySightings)
+TEST(LandmarkMeasurement, TheCovarianceOfThePointIsThatOfNoisyMeasurements)
 {
   LandmarkMeasurement s{.T_robot_sensor = {0.3, -0.2, 1.1}, .bearing = 0.5, .range = 3, .std_bearing = 0.02};
   s.std_range = 0.15;
@@ -107,18 +107,18 @@ TEST(LandmarkMeasurement, ThePointsCovarianceIsThatOfNoisySightings)
   EXPECT_LT((sampled - s.pointCovariance()).norm(), 0.03 * sampled.norm());
 }
 
-TEST(LandmarkMeasurement, MeasurementRowsLeaveNoResidualAtTheTruth)
+TEST(LandmarkMeasurement, PoseMeasurementsHaveNoResidualAtTheTruth)
 {
   const ExactSensor sensor{.range = true, .T_robot_sensor = {0.3, -0.2, 1.1}, .height = 0.5};
   const Pose2 robot{1, 2, 0.4};
-  const auto rows = poseMeasurements(identifiedSightings({{seenFrom(robot, kHigh, {0, 1}, sensor)}}, kHigh));
+  const auto rows = poseMeasurements(identifiedMeasurements({{seenFrom(robot, kHigh, {0, 1}, sensor)}}, kHigh));
   ASSERT_EQ(rows.size(), 4u);
   for (const PoseMeasurement& row : rows) EXPECT_NEAR(residual(row, robot), 0, 1e-9);
 }
 
 TEST(LandmarkMeasurement, CountsDifferentLandmarks)
 {
-  const auto seen = identifiedSightings({{seenFrom({}, kHigh, {0, 0, 1, 0}, {})}}, kHigh);
+  const auto seen = identifiedMeasurements({{seenFrom({}, kHigh, {0, 0, 1, 0}, {})}}, kHigh);
   EXPECT_EQ(distinctLandmarks(seen, [](const LandmarkMeasurement&) { return true; }), 2u);
   EXPECT_EQ(distinctLandmarks(seen, [](const LandmarkMeasurement& s) { return s.landmark == 1u; }), 1u);
   EXPECT_EQ(distinctLandmarks(seen, [](const LandmarkMeasurement& s) { return s.range.has_value(); }), 0u);

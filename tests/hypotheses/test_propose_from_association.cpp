@@ -16,16 +16,16 @@ const LandmarkTable kMap = fiveLandmarks();
 const GlobalPoseSearch kSearch(kMap);
 const PoseRegion kRegion{{-3, -3}, {9, 9}};
 const Pose2 kRobot{2.5, 2, 0.7};
-const ExactSensor kEye{.named = false, .T_robot_sensor = {0.4, 0.3, -1.2}};
+const ExactSensor kEye{.identified = false, .T_robot_sensor = {0.4, 0.3, -1.2}};
 
-ReadingInterpretation interpret(const std::vector<Reading>& readings)
+AssociationProposals propose(const std::vector<Reading>& readings)
 {
-  return interpretReadings(readings, kMap, kSearch, kRegion);
+  return proposeFromAssociation(readings, kMap, kSearch, kRegion);
 }
 
-HypothesisSet interpretThree(const std::vector<Reading>& readings)
+HypothesisSet threeBearings(const std::vector<Reading>& readings)
 {
-  return interpretThreeBearings(readings, kMap, kSearch, kRegion);
+  return proposeFromThreeBearings(readings, kMap, kSearch, kRegion);
 }
 
 bool holdsTruth(const HypothesisSet& found, const Pose2& robot = kRobot)
@@ -36,24 +36,24 @@ bool holdsTruth(const HypothesisSet& found, const Pose2& robot = kRobot)
 }
 }  // namespace
 
-TEST(InterpretReadings, PosesAreTheRobotsNotTheSensors)
+TEST(ProposeFromAssociation, PosesAreThoseOfTheRobotNotOfTheSensor)
 {
-  const auto found = interpret({seenFrom(kRobot, kMap, {3, 1, 0, 2, 4}, kEye)});
+  const auto found = propose({seenFrom(kRobot, kMap, {3, 1, 0, 2, 4}, kEye)});
   EXPECT_EQ(found.status, SolveStatus::ok);
   ASSERT_FALSE(found.hypotheses.empty());
   EXPECT_LT(distance(found.hypotheses[0].pose.mean, kRobot), 1e-4);
 }
 
-TEST(InterpretReadings, TheCovarianceIsTheRobotsToo)
+TEST(ProposeFromAssociation, TheCovarianceIsThatOfTheRobotToo)
 {
   RandomStream random(2);
-  Matrix3d sampled = Matrix3d::Zero(), said = Matrix3d::Zero();
+  Matrix3d sampled = Matrix3d::Zero(), stated = Matrix3d::Zero();
   constexpr int kCount = 2000;
   for (int k = 0; k < kCount; ++k)
   {
     Reading reading = seenFrom(kRobot, kMap, {0, 1, 2, 3, 4}, kEye);
     for (Detection& d : reading.detections) d.bearing = wrap(*d.bearing + d.std_bearing * random.gaussian());
-    const auto found = interpret({reading});
+    const auto found = propose({reading});
     const auto truth = std::min_element(found.hypotheses.begin(), found.hypotheses.end(),
                                         [](const auto& a, const auto& b)
                                         { return distance(a.pose.mean, kRobot) < distance(b.pose.mean, kRobot); });
@@ -61,120 +61,120 @@ TEST(InterpretReadings, TheCovarianceIsTheRobotsToo)
     const Pose2& m = truth->pose.mean;
     const Vector3d d(m.x - kRobot.x, m.y - kRobot.y, wrap(m.phi - kRobot.phi));
     sampled += d * d.transpose() / kCount;
-    said += truth->pose.covariance / kCount;
+    stated += truth->pose.covariance / kCount;
   }
-  EXPECT_LT((sampled - said).norm(), 0.15 * said.norm()) << sampled << "\n\n" << said;
+  EXPECT_LT((sampled - stated).norm(), 0.15 * stated.norm()) << sampled << "\n\n" << stated;
 }
 
-TEST(InterpretReadings, NothingToInterpretIsTooFew)
+TEST(ProposeFromAssociation, NothingToAssociateIsTooFew)
 {
-  EXPECT_EQ(interpret({}).status, SolveStatus::too_few);
+  EXPECT_EQ(propose({}).status, SolveStatus::too_few);
   ExactSensor named = kEye;
-  named.named = true;
-  EXPECT_EQ(interpret({seenFrom(kRobot, kMap, {0, 1, 2, 3, 4}, named)}).status, SolveStatus::too_few);
+  named.identified = true;
+  EXPECT_EQ(propose({seenFrom(kRobot, kMap, {0, 1, 2, 3, 4}, named)}).status, SolveStatus::too_few);
 }
 
-TEST(InterpretReadings, OneOfFiveMayShowNothing)
+TEST(ProposeFromAssociation, OneOfFiveMayBeClutter)
 {
   const Reading reading = seenFrom(kRobot, kMap, {0, 1, 2, 3, 4}, kEye);
   for (std::size_t wrong = 0; wrong < 5; ++wrong)
   {
     Reading spoilt = reading;
     spoilt.detections[wrong].bearing = wrap(*spoilt.detections[wrong].bearing + 0.5);
-    EXPECT_TRUE(holdsTruth(interpret({spoilt}).hypotheses)) << wrong;
+    EXPECT_TRUE(holdsTruth(propose({spoilt}).hypotheses)) << wrong;
   }
 }
 
-TEST(InterpretReadings, ACategoryThatNoLandmarkHasIsClutter)
+TEST(ProposeFromAssociation, ACategoryThatNoLandmarkHasIsClutter)
 {
   Reading reading = seenFrom(kRobot, kMap, {0, 1, 2, 3, 4}, kEye);
   reading.detections.insert(reading.detections.begin(),
                             {.category = "unicorn", .bearing = 0.4, .std_bearing = kEye.std_bearing});
-  EXPECT_TRUE(holdsTruth(interpret({reading}).hypotheses));
+  EXPECT_TRUE(holdsTruth(propose({reading}).hypotheses));
 }
 
-TEST(InterpretReadings, ReadingsOfAllPlacesAreExplainedTogether)
+TEST(ProposeFromAssociation, ReadingsOfAllSensorsAreSearchedJointly)
 {
   ExactSensor other = kEye;
   other.T_robot_sensor = {-0.5, 0, 2};
   const Reading front = seenFrom(kRobot, kMap, {0, 1, 2, 3}, kEye), back = seenFrom(kRobot, kMap, {4, 1}, other);
-  const auto alone = interpret({front}), together = interpret({front, back});
+  const auto alone = propose({front}), together = propose({front, back});
   ASSERT_FALSE(together.hypotheses.empty());
   EXPECT_LT(distance(together.hypotheses[0].pose.mean, kRobot), 1e-4);
   ASSERT_FALSE(alone.hypotheses.empty());
   EXPECT_LT(together.hypotheses[0].pose.covariance.determinant(), alone.hypotheses[0].pose.covariance.determinant());
 }
 
-TEST(InterpretReadings, PointsAreSoughtAsConstellations)
+TEST(ProposeFromAssociation, PointsAreMatchedAsAConstellation)
 {
   ExactSensor ranger = kEye;
   ranger.range = true;
-  const auto two = interpret({seenFrom(kRobot, kMap, {0, 2}, ranger)});
+  const auto two = propose({seenFrom(kRobot, kMap, {0, 2}, ranger)});
   EXPECT_TRUE(holdsTruth(two.hypotheses));
-  const auto four = interpret({seenFrom(kRobot, kMap, {0, 2, 3, 4}, ranger)});
+  const auto four = propose({seenFrom(kRobot, kMap, {0, 2, 3, 4}, ranger)});
   ASSERT_FALSE(four.hypotheses.empty());
   EXPECT_LT(distance(four.hypotheses[0].pose.mean, kRobot), 1e-4);
 }
 
-TEST(InterpretReadings, ManyBearings)
+TEST(ProposeFromAssociation, ManyBearings)
 {
   std::vector<Landmark> landmarks;
   RandomStream random(9);
-  std::vector<std::size_t> places;
+  std::vector<std::size_t> all;
   for (std::size_t i = 0; i < 25; ++i)
   {
     landmarks.push_back({.position = {random.uniform(-3, 9), random.uniform(-3, 9), 0}});
-    places.push_back(i);
+    all.push_back(i);
   }
   const LandmarkTable map(landmarks);
-  const std::vector readings{seenFrom(kRobot, map, places, kEye)};
-  const auto found = interpretReadings(readings, map, GlobalPoseSearch(map), kRegion);
+  const std::vector readings{seenFrom(kRobot, map, all, kEye)};
+  const auto found = proposeFromAssociation(readings, map, GlobalPoseSearch(map), kRegion);
   ASSERT_FALSE(found.hypotheses.empty());
   EXPECT_LT(distance(found.hypotheses[0].pose.mean, kRobot), 0.01);
   EXPECT_TRUE(found.unique);
 }
 
-TEST(InterpretReadings, OutsideTheRegionIsNoSolution)
+TEST(ProposeFromAssociation, OutsideTheRegionIsNoSolution)
 {
   const std::vector readings{seenFrom(kRobot, kMap, {0, 1, 2, 3, 4}, kEye)};
-  const auto found = interpretReadings(readings, kMap, kSearch, {{-3, -3}, {-2, -2}});
+  const auto found = proposeFromAssociation(readings, kMap, kSearch, {{-3, -3}, {-2, -2}});
   EXPECT_EQ(found.status, SolveStatus::none);
   EXPECT_TRUE(found.hypotheses.empty());
 }
 
-TEST(InterpretThreeBearings, ManyPosesThatNothingVerifies)
+TEST(ProposeFromThreeBearings, ManyPosesNoneVerified)
 {
-  const HypothesisSet found = interpretThree({seenFrom(kRobot, kMap, {0, 1, 2}, kEye)});
+  const HypothesisSet found = threeBearings({seenFrom(kRobot, kMap, {0, 1, 2}, kEye)});
   EXPECT_TRUE(holdsTruth(found));
   EXPECT_GT(found.size(), 1u);
-  EXPECT_TRUE(interpretThree({seenFrom(kRobot, kMap, {0, 1}, kEye)}).empty());
-  EXPECT_TRUE(interpretThree({}).empty());
-  EXPECT_TRUE(interpretThree({seenFrom(kRobot, kMap, {0, 1, 2, 3, 4}, kEye)}).empty());
+  EXPECT_TRUE(threeBearings({seenFrom(kRobot, kMap, {0, 1}, kEye)}).empty());
+  EXPECT_TRUE(threeBearings({}).empty());
+  EXPECT_TRUE(threeBearings({seenFrom(kRobot, kMap, {0, 1, 2, 3, 4}, kEye)}).empty());
 }
 
-TEST(InterpretThreeBearings, OneOfFourMayShowNothing)
+TEST(ProposeFromThreeBearings, OneOfFourMayBeClutter)
 {
   Reading reading = seenFrom(kRobot, kMap, {0, 1, 2, 3}, kEye);
   reading.detections[1].bearing = wrap(*reading.detections[1].bearing + 0.5);
-  EXPECT_TRUE(holdsTruth(interpretThree({reading})));
+  EXPECT_TRUE(holdsTruth(threeBearings({reading})));
 }
 
-TEST(InterpretThreeBearings, CategoriesNarrowTheChoice)
+TEST(ProposeFromThreeBearings, CategoriesReduceTheProposals)
 {
   ExactSensor coloured = kEye;
   coloured.category = true;
-  const auto plain = interpretThree({seenFrom(kRobot, kMap, {0, 1, 2}, kEye)});
-  const auto narrowed = interpretThree({seenFrom(kRobot, kMap, {0, 1, 2}, coloured)});
+  const auto plain = threeBearings({seenFrom(kRobot, kMap, {0, 1, 2}, kEye)});
+  const auto narrowed = threeBearings({seenFrom(kRobot, kMap, {0, 1, 2}, coloured)});
   EXPECT_TRUE(holdsTruth(narrowed));
   EXPECT_LT(narrowed.size(), plain.size());
 }
 
-TEST(InterpretThreeBearings, TakesThePlaceWithMostBearings)
+TEST(ProposeFromThreeBearings, UsesTheScanWithMostBearings)
 {
   ExactSensor other = kEye;
   other.T_robot_sensor = {-0.5, 0, 2};
   const Reading few = seenFrom({8, 8, 3}, kMap, {0, 1}, other), many = seenFrom(kRobot, kMap, {0, 1, 2}, kEye);
-  EXPECT_TRUE(holdsTruth(interpretThree({few, many})));
-  EXPECT_TRUE(holdsTruth(interpretThree({many, few})));
+  EXPECT_TRUE(holdsTruth(threeBearings({few, many})));
+  EXPECT_TRUE(holdsTruth(threeBearings({many, few})));
 }
 }  // namespace mrpt_ext

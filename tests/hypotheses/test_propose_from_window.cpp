@@ -34,7 +34,7 @@ double nearest(const HypothesisSet& hypotheses)
 CompassRecord north() { return {.heading = kRobot.phi, .std_heading = 0.02}; }
 }  // namespace
 
-TEST(ProposeCarried, OneLandmarkByBearingsAloneIsARing)
+TEST(ProposeFromWindow, OneLandmarkByBearingsAloneIsARing)
 {
   const HypothesisSet ring = proposed(seenAlong(kRobot, kStraight, 6, kMap, {3}, kBearings));
   ASSERT_EQ(ring.size(), kRing);
@@ -43,19 +43,19 @@ TEST(ProposeCarried, OneLandmarkByBearingsAloneIsARing)
   for (const PoseHypothesis& h : ring)
   {
     EXPECT_NEAR((h.pose.mean.position() - landmark).norm(), radius, 0.01);
-    EXPECT_EQ(h.source, "joined_ring");
+    EXPECT_EQ(h.source, "window_ring");
   }
   EXPECT_LT(nearest(ring), radius * kPi / kRing + kPi / kRing + 0.02) << "the truth lies between two of its poses";
 }
 
-TEST(ProposeCarried, ACompassClosesTheRing)
+TEST(ProposeFromWindow, ACompassClosesTheRing)
 {
   const HypothesisSet found = proposed(seenAlong(kRobot, kStraight, 6, kMap, {3}, kBearings), north());
   ASSERT_EQ(found.size(), 1u);
   EXPECT_LT(nearest(found), 1e-4);
 }
 
-TEST(ProposeCarried, OneLandmarkByRangesAloneIsTwoRingsAlongAStraightWayAndOneAlongABend)
+TEST(ProposeFromWindow, OneLandmarkByRangesAloneIsTwoRingsOnAStraightLineAndOneOnABend)
 {
   const auto straight = seenAlong(kRobot, kStraight, 6, kMap, {3}, kRanges);
   EXPECT_EQ(proposed(straight).size(), 2 * kRing);
@@ -63,32 +63,32 @@ TEST(ProposeCarried, OneLandmarkByRangesAloneIsTwoRingsAlongAStraightWayAndOneAl
   ASSERT_EQ(two.size(), 2u);
   EXPECT_LT(nearest(two), 1e-4);
   const HypothesisSet one = proposed(seenAlong(kRobot, kBend, 6, kMap, {3}, kRanges), north());
-  ASSERT_EQ(one.size(), 1u) << "a single-landmark ranger gets its fix";
+  ASSERT_EQ(one.size(), 1u) << "ranges to a single landmark suffice";
   EXPECT_LT(nearest(one), 1e-4);
 }
 
-TEST(ProposeCarried, TwoLandmarksNeedNoCompass)
+TEST(ProposeFromWindow, TwoLandmarksNeedNoCompass)
 {
   const HypothesisSet bearings = proposed(seenAlong(kRobot, kStraight, 6, kMap, {1, 3}, kBearings));
   ASSERT_EQ(bearings.size(), 1u);
   EXPECT_LT(nearest(bearings), 1e-4);
-  EXPECT_EQ(bearings.front().source, "joined_landmarks");
+  EXPECT_EQ(bearings.front().source, "window_landmarks");
   const HypothesisSet ranges = proposed(seenAlong(kRobot, kStraight, 6, kMap, {1, 3}, kRanges));
-  EXPECT_GE(ranges.size(), 2u) << "a straight way: everything may be mirrored";
+  EXPECT_GE(ranges.size(), 2u) << "on a straight line the mirror image fits as well";
   EXPECT_LE(ranges.size(), 4u);
   EXPECT_LT(nearest(ranges), 1e-4);
 }
 
-TEST(ProposeCarried, NothingWhereNoLandmarkIsHeld)
+TEST(ProposeFromWindow, NothingIfNoLandmarkCanBeLocalized)
 {
   EXPECT_TRUE(proposed({}).empty());
   EXPECT_TRUE(proposed({seenFrom(kRobot, kMap, {3}, kBearings)}).empty());
   ExactSensor anonymous = kBearings;
-  anonymous.named = false;
+  anonymous.identified = false;
   EXPECT_TRUE(proposed(seenAlong(kRobot, kStraight, 6, kMap, {1, 3}, anonymous)).empty());
 }
 
-TEST(ProposeCarried, RefinementLeavesFalseReadingsAside)
+TEST(ProposeFromWindow, RefinementRejectsOutliers)
 {
   std::vector<Reading> readings = seenAlong(kRobot, kBend, 6, kMap, {0, 1, 2, 3}, kBearings);
   *readings[3].detections[1].bearing += 0.6;

@@ -17,8 +17,8 @@ const Pose2 kMount{0.2, -0.1, 0.9};
 const ExactSensor kBearings{.T_robot_sensor = kMount};
 const ExactSensor kRanges{.bearing = false, .range = true};
 const ExactSensor kPoints{.range = true, .T_robot_sensor = kMount};
-const ExactSensor kNameless{.named = false, .T_robot_sensor = kMount};
-const ExactSensor kNamelessPoints{.range = true, .named = false, .T_robot_sensor = kMount};
+const ExactSensor kAnonymous{.identified = false, .T_robot_sensor = kMount};
+const ExactSensor kAnonymousPoints{.range = true, .identified = false, .T_robot_sensor = kMount};
 
 HypothesisSet proposalsFor(std::vector<Reading> readings, const ProposalOptions& options = kOptions)
 {
@@ -40,10 +40,10 @@ int rankOfTruth(const HypothesisSet& hypotheses, double metres = 0.02, double ra
   return rankOf(kRobot, hypotheses, metres, radians);
 }
 
-/// A reading taken at `then`, as seen from the robot at kRobot.
-Reading carried(const Pose2& then, const std::vector<std::size_t>& places, const ExactSensor& sensor)
+/// A reading taken at `then`, propagated to the robot at kRobot.
+Reading propagated(const Pose2& then, const std::vector<std::size_t>& landmarks, const ExactSensor& sensor)
 {
-  Reading reading = seenFrom(then, kMap, places, sensor);
+  Reading reading = seenFrom(then, kMap, landmarks, sensor);
   reading.T_robot_sensor = compose(between(kRobot, then), sensor.T_robot_sensor);
   return reading;
 }
@@ -73,7 +73,7 @@ TEST(ProposePoses, IdentifiedPoints)
   EXPECT_EQ(rankOfTruth(proposalsFor({seenFrom(kRobot, kMap, {0, 1, 2, 3, 4}, kPoints)})), 0);
 }
 
-TEST(ProposePoses, RangesLeaveTheHeadingOpen)
+TEST(ProposePoses, RangesLeaveTheHeadingUnknown)
 {
   const HypothesisSet three = proposalsFor({seenFrom(kRobot, kMap, {0, 2, 3}, kRanges)});
   ASSERT_FALSE(three.empty());
@@ -90,12 +90,12 @@ TEST(ProposePoses, RangesAndOneBearingGiveTheHeading)
   EXPECT_GE(rankOfTruth(proposalsFor({seenFrom(kRobot, kMap, {0, 2, 3}, kRanges), bearing})), 0);
 }
 
-TEST(ProposePoses, RangesJoinedByOdometryGiveTheHeading)
+TEST(ProposePoses, RangesOfAWindowGiveTheHeading)
 {
   const Pose2 second = compose(kRobot, inverse({0.6, 0, 0.3})), first = compose(second, inverse({0.6, 0.1, 0.2}));
   const HypothesisSet found =
-      proposalsFor({carried(first, {0, 1, 2, 3}, kRanges), carried(second, {0, 1, 2, 3}, kRanges),
-                    carried(kRobot, {0, 1, 2, 3}, kRanges)});
+      proposalsFor({propagated(first, {0, 1, 2, 3}, kRanges), propagated(second, {0, 1, 2, 3}, kRanges),
+                    propagated(kRobot, {0, 1, 2, 3}, kRanges)});
   const int rank = rankOfTruth(found, 0.05, 0.05);
   ASSERT_EQ(rank, 0);
   EXPECT_TRUE(found[0].heading_known);
@@ -127,20 +127,20 @@ TEST(ProposePoses, ARunningFixWithoutACompass)
   const HypothesisSet found = proposePoses(frame, kMap, GlobalPoseSearch(kMap), {.region = {{-20, -20}, {20, 20}}});
   const double spacing = kTwoPi / 36;
   EXPECT_GE(rankOfTruth(found, spacing * distance(kRobot, {6, 0.5, 0}), 0.51 * spacing), 0);
-  EXPECT_GT(found.size(), 36u);  // two sides of the way
+  EXPECT_GT(found.size(), 36u);  // mirror images
 }
 
-TEST(ProposePoses, BearingsWithoutNames)
+TEST(ProposePoses, AnonymousBearings)
 {
-  EXPECT_EQ(rankOfTruth(proposalsFor({seenFrom(kRobot, kMap, {0, 1, 2, 3, 4}, kNameless)})), 0);
-  EXPECT_GE(rankOfTruth(proposalsFor({seenFrom(kRobot, kMap, {0, 1, 2, 3}, kNameless)})), 0);
-  EXPECT_GE(rankOfTruth(proposalsFor({seenFrom(kRobot, kMap, {0, 1, 2}, kNameless)})), 0);
+  EXPECT_EQ(rankOfTruth(proposalsFor({seenFrom(kRobot, kMap, {0, 1, 2, 3, 4}, kAnonymous)})), 0);
+  EXPECT_GE(rankOfTruth(proposalsFor({seenFrom(kRobot, kMap, {0, 1, 2, 3}, kAnonymous)})), 0);
+  EXPECT_GE(rankOfTruth(proposalsFor({seenFrom(kRobot, kMap, {0, 1, 2}, kAnonymous)})), 0);
 }
 
-TEST(ProposePoses, PointsWithoutNames)
+TEST(ProposePoses, AnonymousPoints)
 {
-  EXPECT_EQ(rankOfTruth(proposalsFor({seenFrom(kRobot, kMap, {0, 1, 2, 3}, kNamelessPoints)})), 0);
-  EXPECT_GE(rankOfTruth(proposalsFor({seenFrom(kRobot, kMap, {1, 3}, kNamelessPoints)})), 0);
+  EXPECT_EQ(rankOfTruth(proposalsFor({seenFrom(kRobot, kMap, {0, 1, 2, 3}, kAnonymousPoints)})), 0);
+  EXPECT_GE(rankOfTruth(proposalsFor({seenFrom(kRobot, kMap, {1, 3}, kAnonymousPoints)})), 0);
 }
 
 TEST(ProposePoses, TheTruthIsAmongThemFromEverywhere)
@@ -150,16 +150,16 @@ TEST(ProposePoses, TheTruthIsAmongThemFromEverywhere)
   for (int k = 0; k < 60; ++k)
   {
     const Pose2 robot = inner.sample(random);
-    for (const ExactSensor& sensor : {kBearings, kPoints, kNameless, kNamelessPoints})
+    for (const ExactSensor& sensor : {kBearings, kPoints, kAnonymous, kAnonymousPoints})
     {
       const HypothesisSet found = proposalsFor({seenFrom(robot, kMap, {0, 1, 2, 3, 4}, sensor)});
       EXPECT_GE(rankOf(robot, found, 0.05, 0.05), 0)
-          << robot.vector().transpose() << " named " << sensor.named << " range " << sensor.range;
+          << robot.vector().transpose() << " identified " << sensor.identified << " range " << sensor.range;
     }
   }
 }
 
-TEST(ProposePoses, WrongReadingsAreTolerated)
+TEST(ProposePoses, OutliersAreTolerated)
 {
   Reading bearings = seenFrom(kRobot, kMap, {0, 1, 2, 3, 4}, kBearings);
   bearings.detections[1].bearing = wrap(*bearings.detections[1].bearing + 1);
@@ -173,18 +173,18 @@ TEST(ProposePoses, WrongReadingsAreTolerated)
   *ranges.detections[3].range += 1.5;
   EXPECT_LT(distance(proposalsFor({ranges})[0].pose.mean, kRobot), 0.05);
 
-  Reading anonymous = seenFrom(kRobot, kMap, {0, 1, 2, 3, 4}, kNameless);
+  Reading anonymous = seenFrom(kRobot, kMap, {0, 1, 2, 3, 4}, kAnonymous);
   anonymous.detections[2].bearing = wrap(*anonymous.detections[2].bearing + 0.8);
   EXPECT_GE(rankOfTruth(proposalsFor({anonymous}), 0.05, 0.02), 0);
 
-  Reading nameless_points = seenFrom(kRobot, kMap, {0, 1, 2, 3}, kNamelessPoints);
-  *nameless_points.detections[2].range += 2;
-  EXPECT_EQ(rankOfTruth(proposalsFor({nameless_points}), 0.05, 0.02), 0);
+  Reading anonymous_points = seenFrom(kRobot, kMap, {0, 1, 2, 3}, kAnonymousPoints);
+  *anonymous_points.detections[2].range += 2;
+  EXPECT_EQ(rankOfTruth(proposalsFor({anonymous_points}), 0.05, 0.02), 0);
 }
 
 TEST(ProposePoses, AreRankedNormalisedAndInTheRegion)
 {
-  const HypothesisSet found = proposalsFor({seenFrom(kRobot, kMap, {0, 1, 2}, kNameless)});
+  const HypothesisSet found = proposalsFor({seenFrom(kRobot, kMap, {0, 1, 2}, kAnonymous)});
   ASSERT_GT(found.size(), 3u);
   double sum = 0;
   for (const PoseHypothesis& h : found)
@@ -197,13 +197,13 @@ TEST(ProposePoses, AreRankedNormalisedAndInTheRegion)
   EXPECT_NEAR(sum, 1, 1e-9);
   ProposalOptions few = kOptions;
   few.max_hypotheses = 3;
-  const HypothesisSet best = proposalsFor({seenFrom(kRobot, kMap, {0, 1, 2}, kNameless)}, few);
+  const HypothesisSet best = proposalsFor({seenFrom(kRobot, kMap, {0, 1, 2}, kAnonymous)}, few);
   ASSERT_EQ(best.size(), 3u);
   EXPECT_EQ(best[0].pose.mean.vector(), found[0].pose.mean.vector());
   EXPECT_NEAR(best[0].weight + best[1].weight + best[2].weight, 1, 1e-9);
 }
 
-TEST(ProposePoses, AFastSensorJoinedOverSecondsIsNoBurden)
+TEST(ProposePoses, ManyReadingsInTheWindowAreAffordable)
 {
   // 1500 bearings and their 400 million triples, which would not fit into memory.
   const std::vector<Reading> readings(300, seenFrom(kRobot, kMap, {0, 1, 2, 3, 4}, kBearings));
@@ -215,7 +215,7 @@ TEST(ProposePoses, NothingToProposeFrom)
   EXPECT_TRUE(proposalsFor({}).empty());
   EXPECT_TRUE(proposalsFor({seenFrom(kRobot, kMap, {0}, kRanges)}).empty());
   EXPECT_TRUE(
-      proposePoses({.readings = {seenFrom(kRobot, kMap, {0, 1, 2, 3}, kNameless)}}, {}, GlobalPoseSearch({}), kOptions)
+      proposePoses({.readings = {seenFrom(kRobot, kMap, {0, 1, 2, 3}, kAnonymous)}}, {}, GlobalPoseSearch({}), kOptions)
           .empty());
 }
 }  // namespace mrpt_ext

@@ -81,7 +81,7 @@ TEST(ClosedFormLocalizer, AppliesTheMethodToEveryFrameByItself)
 {
   ClosedFormLocalizer localizer("mine",
                                 [](const Frame& frame) {
-                                  return ClosedFormAnswer{SolveStatus::ok, {at(frame.time, 0)}};
+                                  return ClosedFormResult{SolveStatus::ok, {at(frame.time, 0)}};
                                 });
   EXPECT_EQ(localizer.name(), "mine");
   EXPECT_FALSE(localizer.continuous());

@@ -19,7 +19,7 @@ const ExactSensor kPoints{.range = true, .T_robot_sensor = {0.4, 0.1, -0.9}};
 
 Frame frameOf(std::vector<Reading> readings) { return {.time = 1, .readings = std::move(readings)}; }
 
-void expectPose(const ClosedFormAnswer& answer, const Pose2& expected, double tolerance = 1e-6)
+void expectPose(const ClosedFormResult& answer, const Pose2& expected, double tolerance = 1e-6)
 {
   ASSERT_EQ(answer.status, SolveStatus::ok);
   ASSERT_EQ(answer.candidates.size(), 1u);
@@ -42,7 +42,7 @@ TEST(BearingMethods, MaximumLikelihoodPutsSeveralSensorsInTheirPlaces)
   const Frame frame = frameOf({seenFrom(kRobot, kMap, {0, 1, 2}, kBearings), seenFrom(kRobot, kMap, {2, 3, 4}, other)});
   expectPose(bearingMaximumLikelihood(frame, kMap), kRobot);
   // The linear form takes them all from the centre: near, not exact.
-  const ClosedFormAnswer linear = bearingLeastSquares(frame, kMap);
+  const ClosedFormResult linear = bearingLeastSquares(frame, kMap);
   ASSERT_EQ(linear.status, SolveStatus::ok);
   EXPECT_LT(distance(linear.candidates[0].pose.mean, kRobot), 0.6);
 }
@@ -57,8 +57,8 @@ TEST(BearingMethods, RepeatedSightingsCountAsTheirMean)
       four_times.detections.push_back(d);
       four_times.detections.back().bearing = wrap(*d.bearing + off);
     }
-  const ClosedFormAnswer single = bearingLeastSquares(frameOf({once}), kMap);
-  const ClosedFormAnswer averaged = bearingLeastSquares(frameOf({four_times}), kMap);
+  const ClosedFormResult single = bearingLeastSquares(frameOf({once}), kMap);
+  const ClosedFormResult averaged = bearingLeastSquares(frameOf({four_times}), kMap);
   expectPose(averaged, kRobot);
   expectPose(bearingMaximumLikelihood(frameOf({four_times}), kMap), kRobot);
   EXPECT_TRUE(averaged.candidates[0].pose.covariance.isApprox(single.candidates[0].pose.covariance / 4, 1e-6));
@@ -96,7 +96,7 @@ TEST(RangeLeastSquares, TwoRangesLeaveTwoPlacesUnlessTheRegionRemovesOne)
   const LandmarkTable map({{.id = 1, .position = {0, 0, 0}}, {.id = 2, .position = {6, 0, 0}}});
   // 3-4-5 triangles: (3, 4) and (3, -4) are 5 m from both.
   const Frame frame = frameOf({seenFrom({3, 4, 1}, map, {0, 1}, kRanges)});
-  const ClosedFormAnswer both = rangeLeastSquares(frame, map, {{-9, -9}, {9, 9}});
+  const ClosedFormResult both = rangeLeastSquares(frame, map, {{-9, -9}, {9, 9}});
   ASSERT_EQ(both.candidates.size(), 2u);
   double y_sum = 0;
   for (const PoseHypothesis& h : both.candidates)
@@ -118,14 +118,14 @@ TEST(RangeLeastSquares, TwoRangesLeaveTwoPlacesUnlessTheRegionRemovesOne)
 TEST(RangeLeastSquares, NothingInTheRegionIsNoSolution)
 {
   const Frame frame = frameOf({seenFrom(kRobot, kMap, {0, 1, 2}, kRanges)});
-  const ClosedFormAnswer answer = rangeLeastSquares(frame, kMap, {{50, 50}, {60, 60}});
+  const ClosedFormResult answer = rangeLeastSquares(frame, kMap, {{50, 50}, {60, 60}});
   EXPECT_TRUE(answer.candidates.empty());
   EXPECT_EQ(answer.status, SolveStatus::none);
 }
 
 TEST(RangeLeastSquares, ThreeRangesNameThePlace)
 {
-  const ClosedFormAnswer answer =
+  const ClosedFormResult answer =
       rangeLeastSquares(frameOf({seenFrom(kRobot, kMap, {0, 2, 3}, kRanges)}), kMap, kRegion);
   ASSERT_EQ(answer.candidates.size(), 1u);
   EXPECT_LT(distance(answer.candidates[0].pose.mean, kRobot), 1e-6);
@@ -134,7 +134,7 @@ TEST(RangeLeastSquares, ThreeRangesNameThePlace)
 TEST(RangeLeastSquares, AnOffsetWidensTheCovarianceByAtLeastItself)
 {
   const ExactSensor mast{.bearing = false, .range = true, .T_robot_sensor = {0.3, 0.4, 0}};
-  const ClosedFormAnswer answer = rangeLeastSquares(frameOf({seenFrom(kRobot, kMap, {0, 2, 3}, mast)}), kMap, kRegion);
+  const ClosedFormResult answer = rangeLeastSquares(frameOf({seenFrom(kRobot, kMap, {0, 2, 3}, mast)}), kMap, kRegion);
   ASSERT_EQ(answer.candidates.size(), 1u);
   EXPECT_NEAR(distance(answer.candidates[0].pose.mean, kRobot), 0.5, 1e-6);
   EXPECT_GE(answer.candidates[0].pose.covariance(0, 0), 0.25);
@@ -174,7 +174,7 @@ TEST(TwoLandmarkPose, OnePointIsTooFewAndBearingsAloneAreNoPoints)
 TEST(InterpretationTree, FindsThePoseFromBearingsWithoutNames)
 {
   ExactSensor anonymous = kBearings;
-  anonymous.named = false;
+  anonymous.identified = false;
   const Estimate estimate =
       estimateFrom(interpretationTree(frameOf({seenFrom(kRobot, kMap, {4, 1, 0, 3, 2}, anonymous)}), kMap,
                                       GlobalPoseSearch(kMap), kRegion),
@@ -188,7 +188,7 @@ TEST(InterpretationTree, FindsThePoseFromBearingsWithoutNames)
 TEST(InterpretationTree, ThreeBearingsAndNamedOnesAreTooFew)
 {
   ExactSensor anonymous = kBearings;
-  anonymous.named = false;
+  anonymous.identified = false;
   EXPECT_EQ(
       interpretationTree(frameOf({seenFrom(kRobot, kMap, {0, 1, 2}, anonymous)}), kMap, GlobalPoseSearch(kMap), kRegion)
           .status,
@@ -204,9 +204,9 @@ TEST(InterpretationTree, ASymmetricMapLeavesSeveralPosesThatNothingRanks)
   const LandmarkTable square(
       {{.position = {0, 0, 0}}, {.position = {4, 0, 0}}, {.position = {4, 4, 0}}, {.position = {0, 4, 0}}});
   ExactSensor anonymous;
-  anonymous.named = false;
+  anonymous.identified = false;
   const Pose2 robot{1, 1.5, 0.3};
-  const ClosedFormAnswer answer = interpretationTree(frameOf({seenFrom(robot, square, {0, 1, 2, 3}, anonymous)}),
+  const ClosedFormResult answer = interpretationTree(frameOf({seenFrom(robot, square, {0, 1, 2, 3}, anonymous)}),
                                                      square, GlobalPoseSearch(square), {{0, 0}, {4, 4}});
   // The square looks the same after every quarter turn.
   ASSERT_GE(answer.candidates.size(), 4u);

@@ -67,12 +67,12 @@ TEST(FilterLocalizer, NoModesNoEstimate) { EXPECT_FALSE(estimateFrom(FilterStep{
 
 TEST(FilterLocalizer, ItsHeadingIsSureOnlyWhileTheVerdictIsOk)
 {
-  const auto heading = sureHeading(FixedFilter(stepWith({mode(0, 2, 0.95), mode(1, 0, 0.05)}, Verdict::ok)));
+  const auto heading = confidentHeading(FixedFilter(stepWith({mode(0, 2, 0.95), mode(1, 0, 0.05)}, Verdict::ok)));
   ASSERT_TRUE(heading);
   EXPECT_EQ(heading->heading, 2);
   EXPECT_NEAR(heading->std_heading, 0.05, 1e-12);
-  EXPECT_FALSE(sureHeading(FixedFilter(stepWith({mode(0, 2, 1)}, Verdict::ambiguous))));
-  EXPECT_FALSE(sureHeading(FixedFilter(stepWith({mode(0, 2, 1)}, Verdict::lost))));
-  EXPECT_FALSE(sureHeading(FixedFilter(stepWith({}, Verdict::ok))));
+  EXPECT_FALSE(confidentHeading(FixedFilter(stepWith({mode(0, 2, 1)}, Verdict::ambiguous))));
+  EXPECT_FALSE(confidentHeading(FixedFilter(stepWith({mode(0, 2, 1)}, Verdict::lost))));
+  EXPECT_FALSE(confidentHeading(FixedFilter(stepWith({}, Verdict::ok))));
 }
 }  // namespace mrpt_ext

@@ -32,7 +32,7 @@ KalmanLocalizer localizer(const std::string& name, std::size_t hypotheses, const
 TEST(KalmanLocalizer, FindsALostRobotFromAnonymousBearings)
 {
   const LandmarkTable map = fiveLandmarks();
-  const ExactSensor anonymous{.named = false, .std_bearing = degToRad(1)};
+  const ExactSensor anonymous{.identified = false, .std_bearing = degToRad(1)};
   for (const auto& [name, hypotheses] :
        {std::pair("extended_kalman_filter", std::size_t{1}), std::pair("kalman_filter_bank", std::size_t{50})})
     for (const std::uint64_t seed : {1U, 2U, 3U})

@@ -10,7 +10,7 @@ namespace mrpt_ext
 {
 namespace
 {
-const ExactSensor kNameless{.named = false, .std_bearing = degToRad(1)};
+const ExactSensor kNameless{.identified = false, .std_bearing = degToRad(1)};
 
 ParticleFilterOptions optionsFor(const Vector2d& low, const Vector2d& high)
 {
@@ -51,7 +51,7 @@ TEST(ParticleFilterLocalizer, FindsALostRobotFromAnonymousBearings)
     EXPECT_LT(distance(estimate.point->pose.mean, robot), 0.2) << seed;
     EXPECT_LT(turned(estimate.point->pose.mean, robot), degToRad(4)) << seed;
     EXPECT_EQ(estimate.point->verdict, Verdict::ok) << filter.lastStep().reason;
-    EXPECT_TRUE(sureHeading(filter));
+    EXPECT_TRUE(confidentHeading(filter));
     EXPECT_EQ(filter.landmarkHistories().size(), map.size());
     for (const LandmarkHistory& history : filter.landmarkHistories()) EXPECT_GT(history.associated, 0.8 * history.seen);
   }
@@ -84,7 +84,7 @@ TEST(ParticleFilterLocalizer, ListsAllPlacesWhileSeveralExplainWhatIsSeen)
       ASSERT_NE(found, estimate.candidates.end()) << "frame " << k << " quarter " << quarter;
       EXPECT_NEAR(found->weight, 0.25, 0.1);
     }
-    EXPECT_FALSE(sureHeading(filter));
+    EXPECT_FALSE(confidentHeading(filter));
   }
 }
 

@@ -34,7 +34,7 @@ TEST(RangeOnlyStart, EndsWithAReadingThatTellsMore)
   RangeOnlyStart bearing(MotionModel{}), anonymous(MotionModel{}), compass(MotionModel{});
   for (RangeOnlyStart* history : {&bearing, &anonymous, &compass}) history->add(heard(0, 0));
   bearing.add(heard(1, 0.1, {.range = true}));
-  anonymous.add(heard(1, 0.1, {.bearing = false, .range = true, .named = false}));
+  anonymous.add(heard(1, 0.1, {.bearing = false, .range = true, .identified = false}));
   Frame north = heard(1, 0.1);
   north.compass = CompassRecord{};
   compass.add(north);

@@ -25,13 +25,14 @@ LandmarkTable room()
 class Drive
 {
  public:
-  explicit Drive(bool named = false) : named_(named) {}
+  explicit Drive(bool identified = false) : identified_(identified) {}
 
   Frame next()
   {
     const Pose2 step = k_ > 0 ? Pose2{0.2, 0, 0.12} : Pose2{};
     robot_ = compose(robot_, step);
-    Reading reading = seenFrom(robot_, map_, {k_ % 10, (k_ + 3) % 10}, {.named = named_, .std_bearing = kStd});
+    Reading reading =
+        seenFrom(robot_, map_, {k_ % 10, (k_ + 3) % 10}, {.identified = identified_, .std_bearing = kStd});
     for (Detection& d : reading.detections) d.bearing = wrap(*d.bearing + kStd * random_.gaussian());
     Frame frame{
         .time = static_cast<double>(k_), .motion = {step, 0.2, 0.12, k_ > 0 ? 1.0 : 0.0}, .readings = {reading}};
@@ -46,10 +47,10 @@ class Drive
   RandomStream random_{5};
   Pose2 robot_{5, 1.5, 0.2};
   std::size_t k_ = 0;
-  bool named_;
+  bool identified_;
 };
 
-TrajectoryRelocalizer memoryOf(const Drive& drive)
+TrajectoryRelocalizer relocalizerOf(const Drive& drive)
 {
   return {drive.map(),
           std::make_shared<const GlobalPoseSearch>(drive.map()),
@@ -60,56 +61,56 @@ TrajectoryRelocalizer memoryOf(const Drive& drive)
 ModeSet modesAt(const Pose2& pose) { return {{{{pose, Vector3d(0.01, 0.01, 0.001).asDiagonal()}, 1}}, {}}; }
 }  // namespace
 
-TEST(TrajectoryRelocalizer, FindsTheRobotByAllThatItSaw)
+TEST(TrajectoryRelocalizer, FindsThePoseByTheWholeTrajectory)
 {
   Drive drive;
-  TrajectoryRelocalizer memory = memoryOf(drive);
-  for (int k = 0; k < 30; ++k) memory.add(drive.next());
-  EXPECT_TRUE(memory.isApplicable());
-  const HypothesisSet found = memory.search({});
+  TrajectoryRelocalizer relocalizer = relocalizerOf(drive);
+  for (int k = 0; k < 30; ++k) relocalizer.add(drive.next());
+  EXPECT_TRUE(relocalizer.isApplicable());
+  const HypothesisSet found = relocalizer.search({});
   ASSERT_FALSE(found.empty());
   EXPECT_GT(found.front().weight, 0.8);
   EXPECT_LT(distance(found.front().pose.mean, drive.robot()), 0.3);
   EXPECT_LT(turned(found.front().pose.mean, drive.robot()), degToRad(8));
 }
 
-TEST(TrajectoryRelocalizer, JudgesThePlacesThatAreHeldWithTheOthers)
+TEST(TrajectoryRelocalizer, CurrentModesCompete)
 {
   Drive drive;
-  TrajectoryRelocalizer memory = memoryOf(drive);
-  for (int k = 0; k < 29; ++k) memory.add(drive.next());
+  TrajectoryRelocalizer relocalizer = relocalizerOf(drive);
+  for (int k = 0; k < 29; ++k) relocalizer.add(drive.next());
   const Pose2 before = drive.robot();
-  memory.add(drive.next());
-  const HypothesisSet found = memory.search(modesAt(compose({0.1, 0, 0}, before)));
+  relocalizer.add(drive.next());
+  const HypothesisSet found = relocalizer.search(modesAt(compose({0.1, 0, 0}, before)));
   ASSERT_FALSE(found.empty());
   EXPECT_LT(distance(found.front().pose.mean, drive.robot()), 0.3);
 }
 
-TEST(TrajectoryRelocalizer, PausesLongerAfterEverySearchUntilThePauseIsEnded)
+TEST(TrajectoryRelocalizer, TheIntervalDoublesWithEverySearchUntilItIsReset)
 {
   Drive drive;
-  TrajectoryRelocalizer memory = memoryOf(drive);
+  TrajectoryRelocalizer relocalizer = relocalizerOf(drive);
   std::vector<int> searched;
   for (int k = 0; k < 60; ++k)
   {
-    memory.add(drive.next());
-    if (k >= 9 && !memory.search({}).empty()) searched.push_back(k);
+    relocalizer.add(drive.next());
+    if (k >= 9 && !relocalizer.search({}).empty()) searched.push_back(k);
   }
-  EXPECT_EQ(searched, (std::vector<int>{9, 19, 39}));  // at first at once, then after 10, 20, 40 s
-  memory.resetInterval();
-  memory.add(drive.next());
-  EXPECT_FALSE(memory.search({}).empty());
+  EXPECT_EQ(searched, (std::vector<int>{9, 19, 39}));  // at once, then after 10, 20, 40 s
+  relocalizer.resetInterval();
+  relocalizer.add(drive.next());
+  EXPECT_FALSE(relocalizer.search({}).empty());
 }
 
-TEST(TrajectoryRelocalizer, WhereNamesAreSeenItDoesNotTellAll)
+TEST(TrajectoryRelocalizer, IsNotApplicableToIdentifiedDetections)
 {
-  Drive anonymous, named(true);
-  TrajectoryRelocalizer memory = memoryOf(anonymous);
-  EXPECT_FALSE(memory.isApplicable());
-  EXPECT_TRUE(memory.search({}).empty());
-  memory.add(anonymous.next());
-  EXPECT_TRUE(memory.isApplicable());
-  memory.add(named.next());
-  EXPECT_FALSE(memory.isApplicable());
+  Drive anonymous, identified(true);
+  TrajectoryRelocalizer relocalizer = relocalizerOf(anonymous);
+  EXPECT_FALSE(relocalizer.isApplicable());
+  EXPECT_TRUE(relocalizer.search({}).empty());
+  relocalizer.add(anonymous.next());
+  EXPECT_TRUE(relocalizer.isApplicable());
+  relocalizer.add(identified.next());
+  EXPECT_FALSE(relocalizer.isApplicable());
 }
 }  // namespace mrpt_ext

@@ -14,7 +14,7 @@ namespace
 constexpr double kStdBearing = degToRad(0.7), kStdRange = 0.1;
 const PoseRegion kRegion{{-2, -2}, {14, 10}};
 
-/// Fifteen alike landmarks in a room of 12 m x 8 m, without symmetry.
+/// Fifteen landmarks of one category in a room of 12 m x 8 m, without symmetry.
 LandmarkTable room()
 {
   RandomStream random(21);
@@ -30,20 +30,20 @@ LandmarkTable room()
 const LandmarkTable kRoom = room();
 const GlobalPoseSearch kSearch(kRoom);
 
-struct Travel
+struct SimulatedTrajectory
 {
   std::vector<TrajectoryStep> steps;
   Pose2 end;  ///< truth
 };
 
-/// Round the middle of the room, 0.25 m a step; a camera that looks 66 deg wide and 6 m far sees four of five
-/// landmarks, and now and then one that is not there.
-Travel travel(int count, bool with_range, RandomStream& random)
+/// A curve around the middle of the room, 0.25 m per step. A camera (field of view 66 deg, range 6 m) detects landmarks
+/// with probability 0.8; every tenth scan has a false detection.
+SimulatedTrajectory simulate(int count, bool with_range, RandomStream& random)
 {
   SensorModel camera{.field_of_view = degToRad(66.0), .max_range = 6.0, .clutter_probability = 0.05};
   const Vector3d std(0.02, 0.02, degToRad(1.5));
   Pose2 robot{random.uniform(4, 8), random.uniform(3, 5), random.uniform(-kPi, kPi)};
-  Travel travel;
+  SimulatedTrajectory trajectory;
   for (int k = 0; k < count; ++k)
   {
     TrajectoryStep step;
@@ -54,25 +54,25 @@ Travel travel(int count, bool with_range, RandomStream& random)
       robot = compose(robot, {0.25 + noise.x(), noise.y(), 0.2 + noise.z()});
       step.noise = std.cwiseAbs2().asDiagonal();
     }
-    Scan place{{}, camera, {}};
-    const auto see = [&](const Vector2d& v)
+    Scan scan{{}, camera, {}};
+    const auto detect = [&](const Vector2d& v)
     {
       AnonymousDetection d{.std_bearing = kStdBearing, .std_range = kStdRange};
       d.bearing = wrap(std::atan2(v.y(), v.x()) + kStdBearing * random.gaussian());
       if (with_range) d.range = std::abs(v.norm() + kStdRange * random.gaussian());
-      place.detections.push_back(d);
+      scan.detections.push_back(d);
     };
     for (const Landmark& landmark : kRoom.all())
     {
       const Vector2d v = transform(inverse(robot), landmark.position.head<2>());
-      if (v.norm() < 6 && std::abs(std::atan2(v.y(), v.x())) < degToRad(33.0) && random.chance(0.8)) see(v);
+      if (v.norm() < 6 && std::abs(std::atan2(v.y(), v.x())) < degToRad(33.0) && random.chance(0.8)) detect(v);
     }
-    if (random.chance(0.1)) see({random.uniform(1, 5), random.uniform(-0.5, 0.5)});
-    if (!place.detections.empty()) step.seen.push_back(std::move(place));
-    travel.steps.push_back(std::move(step));
+    if (random.chance(0.1)) detect({random.uniform(1, 5), random.uniform(-0.5, 0.5)});
+    if (!scan.detections.empty()) step.scans.push_back(std::move(scan));
+    trajectory.steps.push_back(std::move(step));
   }
-  travel.end = robot;
-  return travel;
+  trajectory.end = robot;
+  return trajectory;
 }
 
 bool isAt(const Pose2& pose, const Pose2& truth)
@@ -82,7 +82,7 @@ bool isAt(const Pose2& pose, const Pose2& truth)
 
 struct Tally
 {
-  int sure = 0, right = 0;
+  int confident = 0, right = 0;
   double squared_error = 0;
 };
 
@@ -92,84 +92,74 @@ Tally tallyOf(int trials, int steps, bool with_range)
   Tally tally;
   for (int t = 0; t < trials; ++t)
   {
-    const Travel way = travel(steps, with_range, random);
-    const TrajectorySearchResult found = localizeOverTrajectory(way.steps, kSearch, kRegion);
+    const SimulatedTrajectory trajectory = simulate(steps, with_range, random);
+    const TrajectorySearchResult found = localizeOverTrajectory(trajectory.steps, kSearch, kRegion);
     if (found.hypotheses.empty() || found.hypotheses.front().weight < 0.95) continue;
-    ++tally.sure;
+    ++tally.confident;
     const GaussianPose& best = found.hypotheses.front().pose;
-    if (!isAt(best.mean, way.end)) continue;
+    if (!isAt(best.mean, trajectory.end)) continue;
     ++tally.right;
-    const Vector3d e(best.mean.x - way.end.x, best.mean.y - way.end.y, wrap(best.mean.phi - way.end.phi));
+    const Vector3d e(best.mean.x - trajectory.end.x, best.mean.y - trajectory.end.y,
+                     wrap(best.mean.phi - trajectory.end.phi));
     tally.squared_error += e.dot(best.covariance.inverse() * e);
   }
   return tally;
 }
 }  // namespace
 
-TEST(TrajectorySearchResult, RangesAndBearingsAlongAWayFindTheRobot)
+TEST(LocalizeOverTrajectory, RangesAndBearingsFindThePose)
 {
   const Tally tally = tallyOf(60, 25, true);
-  EXPECT_GE(tally.sure, 45);
-  EXPECT_GE(tally.right, 0.95 * tally.sure);
+  EXPECT_GE(tally.confident, 45);
+  EXPECT_GE(tally.right, 0.95 * tally.confident);
   const double nees = tally.squared_error / tally.right;  // 3 expected
   EXPECT_GT(nees, 1.8);
   EXPECT_LT(nees, 4.5);
 }
 
-TEST(TrajectorySearchResult, BearingsAlongAWayFindTheRobot)
+TEST(LocalizeOverTrajectory, BearingsFindThePose)
 {
   const Tally tally = tallyOf(12, 25, false);
-  EXPECT_GE(tally.sure, 5);
-  EXPECT_GE(tally.right, 0.9 * tally.sure);
+  EXPECT_GE(tally.confident, 5);
+  EXPECT_GE(tally.right, 0.9 * tally.confident);
 }
 
-TEST(TrajectorySearchResult, SupposedPosesAreJudgedByTheSameEvidence)
+TEST(LocalizeOverTrajectory, CurrentPosesCompeteByTheSameEvidence)
 {
   RandomStream random(9);
   int right_first = 0;
   for (int t = 0; t < 10; ++t)
   {
-    const Travel way = travel(25, false, random);
+    const SimulatedTrajectory trajectory = simulate(25, false, random);
     const Matrix3d covariance = Vector3d(0.01, 0.01, 0.002).asDiagonal();
-    const std::vector<GaussianPose> supposed{{{6, 4, wrap(way.end.phi + 2)}, covariance}, {way.end, covariance}};
-    const TrajectorySearchResult found = localizeOverTrajectory(way.steps, kSearch, kRegion, supposed);
+    const std::vector<GaussianPose> current{{{6, 4, wrap(trajectory.end.phi + 2)}, covariance},
+                                            {trajectory.end, covariance}};
+    const TrajectorySearchResult found = localizeOverTrajectory(trajectory.steps, kSearch, kRegion, current);
     ASSERT_FALSE(found.hypotheses.empty());
     const bool among = std::any_of(found.hypotheses.begin(), found.hypotheses.end(),
-                                   [&](const PoseHypothesis& h) { return isAt(h.pose.mean, way.end); });
+                                   [&](const PoseHypothesis& h) { return isAt(h.pose.mean, trajectory.end); });
     EXPECT_TRUE(among) << t;
-    right_first += isAt(found.hypotheses.front().pose.mean, way.end);
+    right_first += isAt(found.hypotheses.front().pose.mean, trajectory.end);
   }
   EXPECT_GE(right_first, 9);
 }
 
-TEST(TrajectorySearchResult, WeightsLeaveRoomForElsewhere)
+TEST(LocalizeOverTrajectory, WeightsAndElsewhereAddUpToOne)
 {
   RandomStream random(7);
-  const TrajectorySearchResult found = localizeOverTrajectory(travel(8, true, random).steps, kSearch, kRegion);
+  const TrajectorySearchResult found = localizeOverTrajectory(simulate(8, true, random).steps, kSearch, kRegion);
   double sum = found.probability_elsewhere;
   for (const PoseHypothesis& h : found.hypotheses) sum += h.weight;
   EXPECT_NEAR(sum, 1, 1e-9);
 }
 
-TEST(TrajectorySearchResult, NothingSeenIsTooFew)
+TEST(LocalizeOverTrajectory, WithoutDetectionsTooFew)
 {
   EXPECT_EQ(localizeOverTrajectory({}, kSearch, kRegion).status, SolveStatus::too_few);
-  const GaussianPose supposed{{4, 4, 0}, Matrix3d::Identity()};
-  EXPECT_EQ(localizeOverTrajectory({}, kSearch, kRegion, {&supposed, 1}).status, SolveStatus::too_few);
-  const std::vector<TrajectoryStep> blind(5);
-  EXPECT_EQ(localizeOverTrajectory(blind, kSearch, kRegion).status, SolveStatus::too_few);
-  EXPECT_EQ(localizeOverTrajectory(blind, kSearch, kRegion).probability_elsewhere, 1);
-}
-
-TEST(HypothesisTrack, ThereAndBackIsWhereItWas)
-{
-  HypothesisTrack track{{{1, 2, 0.5}, Matrix3d::Identity() * 0.01}, 0};
-  const TrajectoryStep step{{0.3, 0.1, 0.4}, Vector3d(1e-4, 2e-4, 3e-4).asDiagonal(), {}};
-  const Matrix3d before = track.pose.covariance;
-  predict(track, step);
-  retrodict(track, step);
-  EXPECT_NEAR(track.pose.mean.x, 1, 1e-12);
-  EXPECT_NEAR(track.pose.mean.phi, 0.5, 1e-12);
-  EXPECT_GT((track.pose.covariance - before).trace(), 2 * 5.9e-4);  // noise both ways
+  const GaussianPose current{{4, 4, 0}, Matrix3d::Identity()};
+  EXPECT_EQ(localizeOverTrajectory({}, kSearch, kRegion, {&current, 1}).status, SolveStatus::too_few);
+  const std::vector<TrajectoryStep> empty(5);
+  EXPECT_EQ(localizeOverTrajectory(empty, kSearch, kRegion).status, SolveStatus::too_few);
+  EXPECT_EQ(localizeOverTrajectory(empty, kSearch, kRegion).probability_elsewhere, 1);
 }
 }  // namespace mrpt_ext

@@ -18,7 +18,7 @@ std::optional<FrameBound> boundOfFrames(const FrameStream& frames, const Landmar
   {
     const auto pose = interpolate(truth, frame->time, kMaxTruthGap);
     if (!pose) continue;
-    std::vector<LandmarkMeasurement> seen = identifiedSightings(frame->readings, map);
+    std::vector<LandmarkMeasurement> seen = identifiedMeasurements(frame->readings, map);
     if (what == BoundOf::bearings)
       for (LandmarkMeasurement& s : seen) s.range.reset();
     const auto bound = informationBound(poseInformation(poseMeasurements(seen), pose->pose));

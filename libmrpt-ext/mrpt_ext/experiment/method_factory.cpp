@@ -126,7 +126,7 @@ std::vector<MethodFactory::Entry> MethodFactory::entries(std::uint64_t seed, int
                  {
                    RunningFixLocalizer::FilterHeading heading;
                    if (const FilterLocalizer* filter = methods.filter)
-                     heading = [filter] { return sureHeading(*filter); };
+                     heading = [filter] { return confidentHeading(*filter); };
                    return std::make_unique<RunningFixLocalizer>(config_.running_fix, map_, heading);
                  }});
   return all;

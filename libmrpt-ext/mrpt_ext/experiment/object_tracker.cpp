@@ -53,7 +53,7 @@ void ObjectTracker::locate(const PoseEstimate& robot, DiskBackedSequence<ObjectR
     GaussianPose then = robot.pose;
     then.mean = compose(robot.pose.mean, odometry_.between(robot.time, frame.time).increment);
     std::map<std::string, std::vector<LandmarkMeasurement>> by_category;
-    for (LandmarkMeasurement& s : unidentifiedSightings(frame.readings, LandmarkTable{}))
+    for (LandmarkMeasurement& s : anonymousMeasurements(frame.readings, LandmarkTable{}))
       by_category[s.category].push_back(std::move(s));
     for (const auto& [category, detections] : by_category)
       for (const GaussianPoint& seen : pointsInRobot(detections))

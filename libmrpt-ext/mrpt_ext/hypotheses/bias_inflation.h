@@ -7,9 +7,9 @@
 
 namespace mrpt_ext
 {
-/// The readings as they tell places before anything is known about the systematic errors of their sensors beyond the
-/// model: the means are taken off, and the deviations grow by how far the errors may lie from them. A range that may be
-/// 5 % too long places a robot 60 m away no better than to 3 m, however little it scatters; a proposal that is sharper
-/// misses the right place.
+/// Readings corrected by the prior means of their sensors' systematic errors, with standard deviations inflated by the
+/// prior standard deviations of these errors. Needed for proposals while the errors are not estimated yet: a range that
+/// may be 5 % too long locates a robot 60 m away to no better than 3 m, however low its noise; a narrower proposal
+/// would miss the right pose.
 [[nodiscard]] std::vector<Reading> withBiasUncertainty(std::vector<Reading> readings, const BiasModel& biases);
 }  // namespace mrpt_ext

@@ -4,9 +4,9 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kTypicalDistance = 3.0;  // [m] turns a position error into a bearing error where no range is measured
+constexpr double kTypicalDistance = 3.0;  // [m] converts a position error into a bearing error if no range is measured
 
-/// Horizontal range, or nothing for a slant that is shorter than the difference in height.
+/// Horizontal range; nothing if the slant range is shorter than the difference in height.
 std::optional<double> horizontalRange(const Reading& reading, double slant, double landmark_height)
 {
   if (reading.horizontal_range) return slant;
@@ -19,22 +19,22 @@ std::optional<double> horizontalRange(const Reading& reading, double slant, doub
 LandmarkMeasurement reduce(const Reading& reading, const Detection& detection, double landmark_height,
                            const Vector2d& landmark_std)
 {
-  LandmarkMeasurement seen;
-  seen.category = detection.category;
-  seen.T_robot_sensor = reading.T_robot_sensor;
-  seen.bearing = detection.bearing;
-  // The line of sight is not known yet, so the larger of the two axes stands for either direction.
+  LandmarkMeasurement m;
+  m.category = detection.category;
+  m.T_robot_sensor = reading.T_robot_sensor;
+  m.bearing = detection.bearing;
+  // The line of sight is not known yet: the larger of the two axes is used for every direction.
   const double extra = std::max(reading.sensor_position_covariance(0, 0), reading.sensor_position_covariance(1, 1)) +
                        square(landmark_std.maxCoeff());
   if (detection.range)
   {
-    seen.range = horizontalRange(reading, *detection.range, landmark_height);
+    m.range = horizontalRange(reading, *detection.range, landmark_height);
     // d horizontal / d slant = slant / horizontal
-    if (seen.range) seen.std_range = std::sqrt(square(detection.std_range * *detection.range / *seen.range) + extra);
+    if (m.range) m.std_range = std::sqrt(square(detection.std_range * *detection.range / *m.range) + extra);
   }
-  const double distance = seen.range.value_or(kTypicalDistance);
-  seen.std_bearing = std::sqrt(square(detection.std_bearing) + extra / square(distance));
-  return seen;
+  const double distance = m.range.value_or(kTypicalDistance);
+  m.std_bearing = std::sqrt(square(detection.std_bearing) + extra / square(distance));
+  return m;
 }
 }  // namespace
 
@@ -50,7 +50,7 @@ Matrix2d LandmarkMeasurement::pointCovariance() const
   return R * along_across * R.transpose();
 }
 
-std::vector<LandmarkMeasurement> identifiedSightings(std::span<const Reading> readings, const LandmarkTable& map)
+std::vector<LandmarkMeasurement> identifiedMeasurements(std::span<const Reading> readings, const LandmarkTable& map)
 {
   std::vector<LandmarkMeasurement> result;
   for (const Reading& reading : readings)
@@ -58,23 +58,23 @@ std::vector<LandmarkMeasurement> identifiedSightings(std::span<const Reading> re
     {
       const auto known = map.indexOf(detection.id);
       if (!known) continue;
-      LandmarkMeasurement seen = reduce(reading, detection, map[*known].position.z(), map[*known].stddev);
-      seen.landmark = known;
-      seen.position = map[*known].position.head<2>();
-      if (seen.bearing || seen.range) result.push_back(std::move(seen));
+      LandmarkMeasurement m = reduce(reading, detection, map[*known].position.z(), map[*known].stddev);
+      m.landmark = known;
+      m.position = map[*known].position.head<2>();
+      if (m.bearing || m.range) result.push_back(std::move(m));
     }
   return result;
 }
 
-std::vector<LandmarkMeasurement> unidentifiedSightings(std::span<const Reading> readings, const LandmarkTable& map)
+std::vector<LandmarkMeasurement> anonymousMeasurements(std::span<const Reading> readings, const LandmarkTable& map)
 {
   std::vector<LandmarkMeasurement> result;
   for (const Reading& reading : readings)
     for (const Detection& detection : reading.detections)
     {
       if (detection.id != kNoId) continue;
-      LandmarkMeasurement seen = reduce(reading, detection, map.meanHeight(), Vector2d::Zero());
-      if (seen.bearing || seen.range) result.push_back(std::move(seen));
+      LandmarkMeasurement m = reduce(reading, detection, map.meanHeight(), Vector2d::Zero());
+      if (m.bearing || m.range) result.push_back(std::move(m));
     }
   return result;
 }
@@ -94,14 +94,14 @@ bool reduceToHorizontal(RunningFixReading& fix, double landmark_height)
   return true;
 }
 
-std::vector<PoseMeasurement> poseMeasurements(std::span<const LandmarkMeasurement> seen)
+std::vector<PoseMeasurement> poseMeasurements(std::span<const LandmarkMeasurement> measurements)
 {
   std::vector<PoseMeasurement> result;
-  for (const LandmarkMeasurement& s : seen)
+  for (const LandmarkMeasurement& m : measurements)
   {
-    if (s.bearing)
-      result.push_back({PoseMeasurement::Kind::bearing, s.position, *s.bearing, s.std_bearing, s.T_robot_sensor});
-    if (s.range) result.push_back({PoseMeasurement::Kind::range, s.position, *s.range, s.std_range, s.T_robot_sensor});
+    if (m.bearing)
+      result.push_back({PoseMeasurement::Kind::bearing, m.position, *m.bearing, m.std_bearing, m.T_robot_sensor});
+    if (m.range) result.push_back({PoseMeasurement::Kind::range, m.position, *m.range, m.std_range, m.T_robot_sensor});
   }
   return result;
 }

@@ -1,14 +1,19 @@
 #include "mrpt_ext/hypotheses/pose_hypothesis.h"
 
-#include <algorithm>
+#include "mrpt_ext/geometry/pose_distance.h"
+#include "mrpt_ext/hypotheses/pruning.h"
 
 namespace mrpt_ext
 {
+namespace
+{
+double logScore(const PoseHypothesis& hypothesis) { return hypothesis.log_score; }
+}  // namespace
+
 void rankByScore(HypothesisSet& hypotheses)
 {
   if (hypotheses.empty()) return;
-  std::stable_sort(hypotheses.begin(), hypotheses.end(),
-                   [](const PoseHypothesis& a, const PoseHypothesis& b) { return a.log_score > b.log_score; });
+  sortByLogWeight(hypotheses, logScore);
   const double best = hypotheses.front().log_score;
   double sum = 0;
   for (PoseHypothesis& h : hypotheses) sum += h.weight = std::exp(h.log_score - best);
@@ -17,24 +22,13 @@ void rankByScore(HypothesisSet& hypotheses)
 
 void mergeDuplicates(HypothesisSet& hypotheses, double distance, double angle)
 {
-  HypothesisSet kept;
-  for (PoseHypothesis& candidate : hypotheses)
-  {
-    const auto twin = std::find_if(
-        kept.begin(), kept.end(),
-        [&](const PoseHypothesis& other)
-        {
-          const bool same_place = (other.pose.mean.position() - candidate.pose.mean.position()).norm() < distance;
-          const bool headings = other.heading_known && candidate.heading_known;
-          const bool same_heading = headings ? std::abs(wrap(other.pose.mean.phi - candidate.pose.mean.phi)) < angle
-                                             : other.heading_known == candidate.heading_known;
-          return same_place && same_heading;
-        });
-    if (twin == kept.end())
-      kept.push_back(std::move(candidate));
-    else if (candidate.log_score > twin->log_score)
-      *twin = std::move(candidate);
-  }
-  hypotheses = std::move(kept);
+  sortByLogWeight(hypotheses, logScore);
+  mergeSame(hypotheses,
+            [=](const PoseHypothesis& a, const PoseHypothesis& b)
+            {
+              const Vector3d apart = difference(a.pose.mean, b.pose.mean);
+              if (!(apart.head<2>().norm() < distance) || a.heading_known != b.heading_known) return false;
+              return !a.heading_known || std::abs(apart.z()) < angle;
+            });
 }
 }  // namespace mrpt_ext

@@ -7,21 +7,22 @@
 
 namespace mrpt_ext
 {
-/// One place where the robot may be, and who proposed it.
+/// A pose that the robot may have, with its likelihood and the solver that proposed it.
 struct PoseHypothesis
 {
   GaussianPose pose;
   double log_score = 0;       ///< log-likelihood of the measurements that support it
-  double weight = 0;          ///< share of the total, in [0, 1]
-  std::string source;         ///< solver or "particles"
-  bool heading_known = true;  ///< false: any heading fits (ranges alone), the heading of `pose` means nothing
+  double weight = 0;          ///< normalised likelihood, in [0, 1]
+  std::string source;         ///< name of the solver, or "particles"
+  bool heading_known = true;  ///< false: uniform heading (ranges only); the heading of `pose` is meaningless
 };
 
 using HypothesisSet = std::vector<PoseHypothesis>;  ///< best first
 
-/// Sorts best first by log_score and sets the weights to the normalised likelihoods.
+/// Sorts by log_score, best first, and sets the weights to the normalised likelihoods.
 void rankByScore(HypothesisSet& hypotheses);
 
-/// Joins hypotheses closer than `distance` [m] and `angle` [rad] (heading ignored where unknown), keeping the better.
+/// Merges hypotheses closer than `distance` [m] and `angle` [rad], keeping the better one. Hypotheses of unknown
+/// heading merge among themselves only.
 void mergeDuplicates(HypothesisSet& hypotheses, double distance, double angle);
 }  // namespace mrpt_ext

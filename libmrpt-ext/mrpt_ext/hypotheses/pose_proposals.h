@@ -9,21 +9,22 @@
 
 namespace mrpt_ext
 {
-// Each function proposes poses from one kind of evidence, unranked and possibly wrong; propose_poses.h scores them.
+// Proposals from minimal subsets of one type of measurement, not scored and possibly wrong; propose_poses.h ranks them.
 
-/// Pairs of landmarks seen with range and bearing: rigid fit of every pair.
-[[nodiscard]] HypothesisSet proposeFromPointPairs(std::span<const LandmarkMeasurement> sightings);
+/// Pairs of landmarks with range and bearing: rigid fit of every pair.
+[[nodiscard]] HypothesisSet proposeFromPointPairs(std::span<const LandmarkMeasurement> measurements);
 
-/// Three bearings at a time to different landmarks: closed form of paper 000, refined.
-[[nodiscard]] HypothesisSet proposeFromBearings(std::span<const LandmarkMeasurement> sightings);
+/// Triples of bearings to different landmarks: closed form of paper 000, refined.
+[[nodiscard]] HypothesisSet proposeFromBearings(std::span<const LandmarkMeasurement> measurements);
 
-/// Ranges to two or more landmarks: position; the heading from a bearing, or from the way between joined readings, or
-/// unknown.
-[[nodiscard]] HypothesisSet proposeFromRanges(std::span<const LandmarkMeasurement> sightings);
+/// Ranges to two or more landmarks: position by trilateration. The heading follows from a bearing, from the motion
+/// within the window, or is unknown.
+[[nodiscard]] HypothesisSet proposeFromRanges(std::span<const LandmarkMeasurement> measurements);
 
-/// One landmark with range and bearing: `points` poses around its ring.
-[[nodiscard]] HypothesisSet proposeFromRing(std::span<const LandmarkMeasurement> sightings, std::size_t points);
+/// One landmark with range and bearing: `points` poses on the ring around it.
+[[nodiscard]] HypothesisSet proposeFromRing(std::span<const LandmarkMeasurement> measurements, std::size_t points);
 
-/// Running fixes with the heading of the compass: two candidates each; without a compass, each for `points` headings.
+/// Running fixes: two candidates each with the heading of the compass; without a compass, for each of `points`
+/// headings.
 [[nodiscard]] HypothesisSet proposeFromRunningFixes(const Frame& frame, const LandmarkTable& map, std::size_t points);
 }  // namespace mrpt_ext

@@ -9,9 +9,9 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kReach2 = 64;      // squared Mahalanobis distance beyond which a component's density counts as zero
-constexpr double kMinShare = 0.02;  // even the least likely seed gets particles: the solvers' scores are not the judge
-constexpr double kVagueHeading = 2.0;  // [rad] a standard deviation above this is as good as no heading
+constexpr double kSupport2 = 64;       // squared Mahalanobis distance beyond which a component's density counts as zero
+constexpr double kMinShare = 0.02;     // of each component at least: the solvers' scores may be wrong
+constexpr double kVagueHeading = 2.0;  // [rad] from this standard deviation on the heading counts as unknown
 }  // namespace
 
 ProposalDistribution::ProposalDistribution(const HypothesisSet& hypotheses, const PoseRegion& region,
@@ -43,8 +43,8 @@ ProposalDistribution::ProposalDistribution(const HypothesisSet& hypotheses, cons
     sum += component.share;
     component.cumulative = sum;
     components_.push_back(component);
-    const Vector2d half = (kReach2 * covariance.diagonal().head<2>()).cwiseSqrt();
-    reach_.push_back({component.mean.x, component.mean.y, half.x(), half.y()});
+    const Vector2d half = (kSupport2 * covariance.diagonal().head<2>()).cwiseSqrt();
+    support_.push_back({component.mean.x, component.mean.y, half.x(), half.y()});
   }
   for (Component& component : components_)
   {
@@ -71,22 +71,22 @@ double ProposalDistribution::density(const Pose2& pose) const
   double sum = 0;
   for (std::size_t k = 0; k < components_.size(); ++k)
   {
-    const Reach& reach = reach_[k];
-    if (std::abs(pose.x - reach.x) > reach.half_x || std::abs(pose.y - reach.y) > reach.half_y) continue;
+    const SupportBox& box = support_[k];
+    if (std::abs(pose.x - box.x) > box.half_x || std::abs(pose.y - box.y) > box.half_y) continue;
     const Component& component = components_[k];
     Vector3d d(pose.x - component.mean.x, pose.y - component.mean.y, 0.0);
     const auto add = [&](double turned)
     {
       d.z() = turned;
       const double distance2 = d.dot(component.information * d);
-      if (distance2 < kReach2) sum += component.share * std::exp(component.log_norm - 0.5 * distance2);
+      if (distance2 < kSupport2) sum += component.share * std::exp(component.log_norm - 0.5 * distance2);
     };
     if (!component.heading_known)
     {
       add(0);
       continue;
     }
-    // Samples are wrapped, so every full turn away counts at the same heading.
+    // Wrapped normal distribution: samples a full turn away have the same heading.
     const double turned = wrap(pose.phi - component.mean.phi);
     for (const double full_turn : {-kTwoPi, 0.0, kTwoPi}) add(turned + full_turn);
   }

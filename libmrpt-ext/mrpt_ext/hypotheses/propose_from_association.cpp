@@ -12,28 +12,28 @@ namespace mrpt_ext
 namespace
 {
 constexpr const char* kSource = "interpretation_tree";
-constexpr std::size_t kConstellation = 3;  // joined points that speak for themselves
-constexpr double kGate = 3.3;              // standard deviations
+constexpr std::size_t kEnoughPoints = 3;  // of a local map, to be searched without the bearings left over
+constexpr double kGate = 3.3;             // standard deviations
 }  // namespace
 
-ReadingInterpretation interpretReadings(std::span<const Reading> readings, const LandmarkTable& map,
-                                        const GlobalPoseSearch& search, const PoseRegion& region,
-                                        std::uint64_t max_tree_nodes)
+AssociationProposals proposeFromAssociation(std::span<const Reading> readings, const LandmarkTable& map,
+                                            const GlobalPoseSearch& search, const PoseRegion& region,
+                                            std::uint64_t max_tree_nodes)
 {
-  std::vector<Scan> places = windowScans(readings, map, search.index());
-  if (places.empty()) return {};
-  // Where joining gave a constellation, what did not join it is mostly false, and would be counted again and again.
+  std::vector<Scan> scans = windowScans(readings, map, search.index());
+  if (scans.empty()) return {};
+  // With a local map of enough points, the detections left over are mostly clutter, repeated in many scans.
   const auto is_point = [](const AnonymousDetection& d) { return d.bearing && d.range; };
-  const auto& joined = places.front().detections;
-  if (isWindow(readings) && joined.size() >= kConstellation && std::all_of(joined.begin(), joined.end(), is_point))
-    places.resize(1);
+  const auto& points = scans.front().detections;
+  if (isWindow(readings) && points.size() >= kEnoughPoints && std::all_of(points.begin(), points.end(), is_point))
+    scans.resize(1);
   PoseSearchOptions options;
   options.gate = kGate;
   options.area = Box2{region.low, region.low + region.extent()};
   options.max_tree_nodes = max_tree_nodes;
-  const PoseSearchResult found = search.search(places, options);
+  const PoseSearchResult found = search.search(scans, options);
 
-  ReadingInterpretation result{.status = found.status, .unique = found.unique, .finished = found.finished};
+  AssociationProposals result{.status = found.status, .unique = found.unique, .finished = found.finished};
   for (const ConsistentPose& pose : found.poses)
     if (region.contains(pose.pose.mean))
       result.hypotheses.push_back(
@@ -42,26 +42,25 @@ ReadingInterpretation interpretReadings(std::span<const Reading> readings, const
   return result;
 }
 
-HypothesisSet interpretThreeBearings(std::span<const Reading> readings, const LandmarkTable& map,
-                                     const GlobalPoseSearch& search, const PoseRegion& region)
+HypothesisSet proposeFromThreeBearings(std::span<const Reading> readings, const LandmarkTable& map,
+                                       const GlobalPoseSearch& search, const PoseRegion& region)
 {
   const LandmarkIndex& index = search.index();
   if (index.size() > kLargestTreeMap) return {};
-  const std::vector<Scan> places = scansOf(readings, map, index);
-  const TreeInput question = scanWithMostBearings(index, places);
-  const std::size_t count = question.bearings.size();
+  const std::vector<Scan> scans = scansOf(readings, map, index);
+  const TreeInput input = scanWithMostBearings(index, scans);
+  const std::size_t count = input.bearings.size();
   if (count < 3 || count > 4) return {};
 
   InterpretationOptions options =
-      treeOptions(question, {.gate = kGate, .area = Box2{region.low, region.low + region.extent()}});
+      treeOptions(input, {.gate = kGate, .area = Box2{region.low, region.low + region.extent()}});
   options.allow_three = true;
   options.max_unmatched = static_cast<int>(count) - 3;
   options.max_tested = InterpretationOptions{}.max_tested;
   HypothesisSet hypotheses;
-  for (const Interpretation& interpretation :
-       interpretBearings(index.positions(), question.bearings, options).solutions)
+  for (const Interpretation& interpretation : interpretBearings(index.positions(), input.bearings, options).solutions)
   {
-    PoseHypothesis h{.pose = robotPose(interpretation.pose, question.scan->T_robot_sensor),
+    PoseHypothesis h{.pose = robotPose(interpretation.pose, input.scan->T_robot_sensor),
                      .log_score = interpretation.log_likelihood,
                      .source = kSource};
     if (region.contains(h.pose.mean)) hypotheses.push_back(std::move(h));

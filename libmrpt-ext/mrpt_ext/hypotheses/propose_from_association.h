@@ -10,26 +10,26 @@
 
 namespace mrpt_ext
 {
-/// What the unidentified detections of some readings say about the robot's pose.
-struct ReadingInterpretation
+/// Result of proposeFromAssociation().
+struct AssociationProposals
 {
   SolveStatus status = SolveStatus::too_few;
-  HypothesisSet hypotheses;  ///< robot poses in the region, likeliest first; log_score: log-evidence
-  bool unique = false;       ///< one pose stands out, and chance hardly makes such poses
-  bool finished = true;      ///< false: the search gave up, poses may be missing
+  HypothesisSet hypotheses;  ///< robot poses in the region, most likely first; log_score: log-evidence
+  bool unique = false;       ///< one pose dominates, and a false one as good is unlikely
+  bool finished = true;      ///< false: the search was cut short, poses may be missing
 };
 
-/// All robot poses in the region from which the unidentified detections can be explained (paper 000, section 3, at any
-/// scale: global_pose_search.h). Readings of several places are explained together; those of
-/// several moments, oldest first, are joined through odometry into one constellation first (local_map.h).
+/// All robot poses in the region for which the anonymous detections can be associated with landmarks (paper 000,
+/// section 3, for maps of any size: global_pose_search.h). Readings of several sensors are searched jointly; those of a
+/// window, oldest first, are merged into one local map first (local_map.h).
 /// `map` must be the table of `search`. `max_tree_nodes`: see PoseSearchOptions.
-[[nodiscard]] ReadingInterpretation interpretReadings(
+[[nodiscard]] AssociationProposals proposeFromAssociation(
     std::span<const Reading> readings, const LandmarkTable& map, const GlobalPoseSearch& search,
     const PoseRegion& region, std::uint64_t max_tree_nodes = PoseSearchOptions{}.max_tree_nodes);
 
-/// Poses of three bearings, or of three out of four, by the interpretation tree: many, and nothing verifies them. For
-/// seeding only, where interpretReadings has too few detections; empty with more than four bearings or more than
-/// kLargestTreeMap landmarks.
-[[nodiscard]] HypothesisSet interpretThreeBearings(std::span<const Reading> readings, const LandmarkTable& map,
-                                                   const GlobalPoseSearch& search, const PoseRegion& region);
+/// Poses from three bearings, or from three out of four, by the interpretation tree: many, and none verified. For
+/// initialization only, where proposeFromAssociation() has too few detections; empty with more than four bearings or
+/// more than kLargestTreeMap landmarks.
+[[nodiscard]] HypothesisSet proposeFromThreeBearings(std::span<const Reading> readings, const LandmarkTable& map,
+                                                     const GlobalPoseSearch& search, const PoseRegion& region);
 }  // namespace mrpt_ext

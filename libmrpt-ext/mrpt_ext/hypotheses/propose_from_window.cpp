@@ -12,33 +12,33 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kGate = 4;             // standard deviations
-constexpr std::size_t kMaxPairs = 200;  // of landmarks, evenly chosen
+constexpr std::size_t kMaxPairs = 200;  // of landmarks, evenly sampled
 
-/// A landmark of the map and the places in the robot frame that it may have.
+/// A landmark of the map and its candidate positions in the robot frame.
 struct Located
 {
   Vector2d landmark{0, 0};
-  std::vector<LocalizedLandmark> places;
+  std::vector<LocalizedLandmark> candidates;
 };
 
 std::vector<Located> locateAll(std::span<const Reading> oldest_first, const LandmarkTable& map)
 {
   std::vector<Located> result;
-  for (const auto& [landmark, sightings] : windowObservations(oldest_first, map))
-    if (WindowLandmark found = locateLandmark(sightings); found.status == SolveStatus::ok)
+  for (const auto& [landmark, observations] : windowObservations(oldest_first, map))
+    if (WindowLandmark found = locateLandmark(observations); found.status == SolveStatus::ok)
       result.push_back({map[landmark].position.head<2>(), std::move(found.places)});
   return result;
 }
 
 void addPair(const Located& a, const Located& b, HypothesisSet& result)
 {
-  for (const LocalizedLandmark& at_a : a.places)
-    for (const LocalizedLandmark& at_b : b.places)
+  for (const LocalizedLandmark& at_a : a.candidates)
+    for (const LocalizedLandmark& at_b : b.candidates)
     {
       const std::array seen{SeenLandmark{a.landmark, at_a.in_robot}, SeenLandmark{b.landmark, at_b.in_robot}};
       const PointPose fit = solvePointPose(seen);
       if (fit.status == SolveStatus::ok && fit.chi2 <= square(kGate))
-        result.push_back({.pose = fit.pose, .source = "joined_landmarks"});
+        result.push_back({.pose = fit.pose, .source = "window_landmarks"});
     }
 }
 
@@ -47,17 +47,17 @@ void addRing(const PoseRing& ring, const std::optional<CompassRecord>& compass, 
 {
   if (compass)
   {
-    result.push_back({.pose = gaussianOnRing(ring, compass->heading, compass->std_heading), .source = "joined_ring"});
+    result.push_back({.pose = gaussianOnRing(ring, compass->heading, compass->std_heading), .source = "window_ring"});
     return;
   }
   const double spacing = kTwoPi / static_cast<double>(points);
   for (std::size_t k = 0; k < points; ++k)
     result.push_back(
-        {.pose = gaussianOnRing(ring, wrap(spacing * static_cast<double>(k)), spacing / 2), .source = "joined_ring"});
+        {.pose = gaussianOnRing(ring, wrap(spacing * static_cast<double>(k)), spacing / 2), .source = "window_ring"});
 }
 
-/// The readings as they are, without those that `pose` does not explain.
-std::vector<WindowMeasurements> explained(std::vector<WindowMeasurements> readings, const Pose2& pose)
+/// The measurements within the gate at `pose`.
+std::vector<WindowMeasurements> inliers(std::vector<WindowMeasurements> readings, const Pose2& pose)
 {
   for (WindowMeasurements& reading : readings)
     std::erase_if(reading.measurements,
@@ -86,11 +86,11 @@ HypothesisSet proposeFromWindowLandmarks(std::span<const Reading> oldest_first, 
     addPair(located[i], located[j], result);
   }
   if (!result.empty() || located.empty()) return result;
-  const auto area = [](const Located& l) { return l.places.front().in_robot.covariance.trace(); };
-  const Located& sharpest = *std::min_element(located.begin(), located.end(),
-                                              [&](const Located& a, const Located& b) { return area(a) < area(b); });
-  for (const LocalizedLandmark& place : sharpest.places)
-    addRing({sharpest.landmark, place.in_robot}, compass, points, result);
+  const auto area = [](const Located& l) { return l.candidates.front().in_robot.covariance.trace(); };
+  const Located& most_precise = *std::min_element(
+      located.begin(), located.end(), [&](const Located& a, const Located& b) { return area(a) < area(b); });
+  for (const LocalizedLandmark& candidate : most_precise.candidates)
+    addRing({most_precise.landmark, candidate.in_robot}, compass, points, result);
   return result;
 }
 
@@ -98,10 +98,10 @@ std::optional<GaussianPose> refineOnWindow(std::span<const Reading> oldest_first
                                            const Pose2& start)
 {
   const std::vector<WindowMeasurements> all = windowMeasurements(oldest_first, map);
-  const PoseMl first = refineCarriedPose(explained(all, start), start);
+  const PoseMl first = refineCarriedPose(inliers(all, start), start);
   if (first.status != SolveStatus::ok || !first.converged) return std::nullopt;
-  // Once more with those that the better pose explains.
-  const PoseMl fit = refineCarriedPose(explained(all, first.pose.mean), first.pose.mean);
+  // Once more with the inliers of the better pose.
+  const PoseMl fit = refineCarriedPose(inliers(all, first.pose.mean), first.pose.mean);
   if (fit.status != SolveStatus::ok || !fit.converged) return std::nullopt;
   return fit.pose;
 }

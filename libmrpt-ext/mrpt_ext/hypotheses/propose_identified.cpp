@@ -13,20 +13,20 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr std::size_t kMaxSubsets = 80;     // minimal subsets tried per kind of evidence
-constexpr std::size_t kMaxSightings = 200;  // of which triples are formed; the newest carry least odometry error
-constexpr double kTravelForHeading = 0.3;   // [m] way between joined ranges that tells the heading
+constexpr std::size_t kMaxSubsets = 80;         // minimal subsets per type of measurement
+constexpr std::size_t kMaxMeasurements = 200;   // used for triples: the newest, with least odometry error
+constexpr double kMinDistanceForHeading = 0.3;  // [m] between the ranges of a window that determine a heading
 constexpr int kHeadingStarts = 12;
 
-std::vector<LandmarkMeasurement> only(std::span<const LandmarkMeasurement> sightings, bool bearing, bool range)
+std::vector<LandmarkMeasurement> only(std::span<const LandmarkMeasurement> measurements, bool bearing, bool range)
 {
   std::vector<LandmarkMeasurement> result;
-  for (const LandmarkMeasurement& s : sightings)
-    if ((!bearing || s.bearing) && (!range || s.range)) result.push_back(s);
+  for (const LandmarkMeasurement& m : measurements)
+    if ((!bearing || m.bearing) && (!range || m.range)) result.push_back(m);
   return result;
 }
 
-/// Keeps at most kMaxSubsets entries, evenly spaced, so that all parts of the frame stay represented.
+/// Keeps at most kMaxSubsets entries, evenly spaced, so that all parts of the frame are represented.
 template <typename Subset>
 void thin(std::vector<Subset>& subsets)
 {
@@ -36,26 +36,26 @@ void thin(std::vector<Subset>& subsets)
   subsets = std::move(kept);
 }
 
-/// The last kMaxSightings of a list that is ordered by time.
+/// The last kMaxMeasurements of a list that is ordered by time.
 template <typename Measured>
-std::span<const Measured> newest(const std::vector<Measured>& sightings)
+std::span<const Measured> newest(const std::vector<Measured>& measurements)
 {
-  return std::span(sightings).last(std::min(sightings.size(), kMaxSightings));
+  return std::span(measurements).last(std::min(measurements.size(), kMaxMeasurements));
 }
 
-/// Largest distance between the places that the sightings were made from.
-double travel(std::span<const LandmarkMeasurement> sightings)
+/// Largest distance [m] of a sensor position from the first one.
+double distanceCovered(std::span<const LandmarkMeasurement> measurements)
 {
   double longest = 0;
-  for (const LandmarkMeasurement& s : sightings)
-    longest = std::max(longest, (s.T_robot_sensor.position() - sightings.front().T_robot_sensor.position()).norm());
+  for (const LandmarkMeasurement& m : measurements)
+    longest = std::max(longest, (m.T_robot_sensor.position() - measurements.front().T_robot_sensor.position()).norm());
   return longest;
 }
 }  // namespace
 
-HypothesisSet proposeFromPointPairs(std::span<const LandmarkMeasurement> sightings)
+HypothesisSet proposeFromPointPairs(std::span<const LandmarkMeasurement> measurements)
 {
-  const std::vector<LandmarkMeasurement> points = only(sightings, true, true);
+  const std::vector<LandmarkMeasurement> points = only(measurements, true, true);
   std::vector<std::array<std::size_t, 2>> pairs;
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t j = i + 1; j < points.size(); ++j)
@@ -73,9 +73,9 @@ HypothesisSet proposeFromPointPairs(std::span<const LandmarkMeasurement> sightin
   return result;
 }
 
-HypothesisSet proposeFromBearings(std::span<const LandmarkMeasurement> sightings)
+HypothesisSet proposeFromBearings(std::span<const LandmarkMeasurement> measurements)
 {
-  const std::vector<LandmarkMeasurement> with_bearing = only(sightings, true, false);
+  const std::vector<LandmarkMeasurement> with_bearing = only(measurements, true, false);
   const std::span<const LandmarkMeasurement> bearings = newest(with_bearing);
   std::vector<std::array<std::size_t, 3>> triples;
   for (std::size_t i = 0; i < bearings.size(); ++i)
@@ -88,14 +88,14 @@ HypothesisSet proposeFromBearings(std::span<const LandmarkMeasurement> sightings
   HypothesisSet result;
   for (const auto& triple : triples)
   {
-    // The closed form takes all bearings from the robot's centre; the refinement puts each sensor in its place.
+    // The closed form assumes all sensors at the robot's centre; the refinement uses the sensor poses.
     std::vector<KnownBearing> known;
     std::vector<LandmarkMeasurement> members;
     for (const std::size_t i : triple)
     {
-      const LandmarkMeasurement& s = bearings[i];
-      known.push_back({s.position, wrap(*s.bearing + s.T_robot_sensor.phi), s.std_bearing});
-      members.push_back(s);
+      const LandmarkMeasurement& m = bearings[i];
+      known.push_back({m.position, wrap(*m.bearing + m.T_robot_sensor.phi), m.std_bearing});
+      members.push_back(m);
       members.back().range.reset();
     }
     const PoseMl start = solveBearingPoseMl(known);
@@ -108,59 +108,59 @@ HypothesisSet proposeFromBearings(std::span<const LandmarkMeasurement> sightings
 
 namespace
 {
-/// A position without heading, as a hypothesis: heading from the first bearing, from the way, or left open.
-void addWithHeading(const RangePosition& place, std::span<const LandmarkMeasurement> sightings, HypothesisSet& result)
+/// Adds hypotheses at a position: heading from bearings, from the motion within the window, or unknown.
+void addWithHeading(const RangePosition& fit, std::span<const LandmarkMeasurement> measurements, HypothesisSet& result)
 {
-  const Pose2 at{place.position.mean.x(), place.position.mean.y(), 0};
+  const Pose2 at{fit.position.mean.x(), fit.position.mean.y(), 0};
   std::vector<double> starts;
-  for (const LandmarkMeasurement& s : sightings)
-    if (s.bearing)
-      if (const auto heading = headingFromBearing(s.position, place.position.mean, *s.bearing))
-        starts.push_back(wrap(*heading - s.T_robot_sensor.phi));
+  for (const LandmarkMeasurement& m : measurements)
+    if (m.bearing)
+      if (const auto heading = headingFromBearing(m.position, fit.position.mean, *m.bearing))
+        starts.push_back(wrap(*heading - m.T_robot_sensor.phi));
   thin(starts);
-  if (starts.empty() && travel(sightings) > kTravelForHeading)
+  if (starts.empty() && distanceCovered(measurements) > kMinDistanceForHeading)
     for (int k = 0; k < kHeadingStarts; ++k) starts.push_back(wrap(kTwoPi * k / kHeadingStarts));
-  const std::vector<PoseMeasurement> rows = poseMeasurements(sightings);
+  const std::vector<PoseMeasurement> rows = poseMeasurements(measurements);
   bool found = false;
   for (const double heading : starts)
   {
-    const PoseMl fit = refinePose(rows, {at.x, at.y, heading}, {.loss = Loss::cauchy});
-    if (fit.status != SolveStatus::ok) continue;
+    const PoseMl refined = refinePose(rows, {at.x, at.y, heading}, {.loss = Loss::cauchy});
+    if (refined.status != SolveStatus::ok) continue;
     found = true;
-    result.push_back({.pose = fit.pose, .source = "range_least_squares"});
+    result.push_back({.pose = refined.pose, .source = "range_least_squares"});
   }
   if (found) return;
-  PoseHypothesis open{.pose = {at, Matrix3d::Zero()}, .source = "range_least_squares", .heading_known = false};
-  const double offset = sightings.front().T_robot_sensor.position().norm();
-  open.pose.covariance.topLeftCorner<2, 2>() = place.position.covariance + square(offset) * Matrix2d::Identity();
-  result.push_back(open);
+  PoseHypothesis any_heading{.pose = {at, Matrix3d::Zero()}, .source = "range_least_squares", .heading_known = false};
+  const double offset = measurements.front().T_robot_sensor.position().norm();
+  any_heading.pose.covariance.topLeftCorner<2, 2>() = fit.position.covariance + square(offset) * Matrix2d::Identity();
+  result.push_back(any_heading);
 }
 }  // namespace
 
-HypothesisSet proposeFromRanges(std::span<const LandmarkMeasurement> sightings)
+HypothesisSet proposeFromRanges(std::span<const LandmarkMeasurement> measurements)
 {
   HypothesisSet result;
   std::vector<KnownRange> ranges;
-  for (const LandmarkMeasurement& s : sightings)
-    if (s.range)
+  for (const LandmarkMeasurement& m : measurements)
+    if (m.range)
     {
-      // From another place of the way, or off the centre, the range holds for the robot to within that distance.
-      const double offset = s.T_robot_sensor.position().norm();
-      ranges.push_back({s.position, *s.range, std::sqrt(square(s.std_range) + square(offset))});
+      // The range of a sensor off the robot's centre, or of an earlier pose, is known to within that offset.
+      const double offset = m.T_robot_sensor.position().norm();
+      ranges.push_back({m.position, *m.range, std::sqrt(square(m.std_range) + square(offset))});
     }
   if (ranges.size() < 2) return result;
   for (const RobustRangePosition& candidate : solveRangePositionRobust(newest(ranges)).candidates)
-    addWithHeading(candidate.fit, sightings, result);
+    addWithHeading(candidate.fit, measurements, result);
   return result;
 }
 
-HypothesisSet proposeFromRing(std::span<const LandmarkMeasurement> sightings, std::size_t points)
+HypothesisSet proposeFromRing(std::span<const LandmarkMeasurement> measurements, std::size_t points)
 {
   HypothesisSet result;
-  const std::vector<LandmarkMeasurement> seen = only(sightings, true, true);
+  const std::vector<LandmarkMeasurement> seen = only(measurements, true, true);
   if (seen.empty()) return result;
-  const LandmarkMeasurement& s = seen.back();  // the newest
-  const PoseRing ring = makePoseRing(s.position, *s.range, s.std_range, *s.bearing, s.std_bearing, s.T_robot_sensor);
+  const LandmarkMeasurement& m = seen.back();  // the newest
+  const PoseRing ring = makePoseRing(m.position, *m.range, m.std_range, *m.bearing, m.std_bearing, m.T_robot_sensor);
   const double spacing = kTwoPi / static_cast<double>(points);
   for (std::size_t k = 0; k < points; ++k)
     result.push_back(

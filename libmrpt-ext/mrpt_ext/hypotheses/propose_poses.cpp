@@ -23,7 +23,7 @@ void append(HypothesisSet& all, HypothesisSet more)
   all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
-/// The reading with most unidentified detections, of several the newest.
+/// The reading with most anonymous detections; of several, the newest.
 std::span<const Reading> fullestReading(std::span<const Reading> readings)
 {
   const auto count = [](const Reading& reading)
@@ -37,7 +37,7 @@ std::span<const Reading> fullestReading(std::span<const Reading> readings)
   return readings.subspan(fullest, readings.empty() ? 0 : 1);
 }
 
-/// Refines a pose from a minimal subset on everything that is identified, tolerating false readings.
+/// Refines a pose from a minimal subset on all identified detections, with a loss that is robust against outliers.
 void refine(PoseHypothesis& hypothesis, std::span<const PoseMeasurement> rows)
 {
   if (!hypothesis.heading_known || rows.size() < 3) return;
@@ -45,7 +45,7 @@ void refine(PoseHypothesis& hypothesis, std::span<const PoseMeasurement> rows)
   if (fit.status == SolveStatus::ok && fit.converged) hypothesis.pose = fit.pose;
 }
 
-/// Log-likelihood of all evidence of the frame, for all hypotheses at once.
+/// Log-likelihood of all measurements of the frame, for all hypotheses at once.
 void score(HypothesisSet& hypotheses, const Frame& frame, const LandmarkTable& map)
 {
   if (hypotheses.empty()) return;
@@ -64,7 +64,7 @@ HypothesisSet proposePoses(const Frame& frame, const LandmarkTable& map, const G
                            const ProposalOptions& options)
 {
   const std::uint64_t nodes = options.max_tree_nodes;
-  const std::vector<LandmarkMeasurement> identified = identifiedSightings(frame.readings, map);
+  const std::vector<LandmarkMeasurement> identified = identifiedMeasurements(frame.readings, map);
   HypothesisSet all = proposeFromPointPairs(identified);
   append(all, proposeFromBearings(identified));
   if (all.empty()) append(all, proposeFromRanges(identified));
@@ -76,11 +76,11 @@ HypothesisSet proposePoses(const Frame& frame, const LandmarkTable& map, const G
   if (isWindow(frame.readings))
   {
     append(all, proposeFromWindowLandmarks(frame.readings, map, frame.compass, options.ring_points));
-    // Joining may fail where one look is enough.
-    append(all, interpretReadings(fullestReading(frame.readings), map, search, options.region, nodes).hypotheses);
+    // The local map of a window may fail where a single scan suffices.
+    append(all, proposeFromAssociation(fullestReading(frame.readings), map, search, options.region, nodes).hypotheses);
   }
-  append(all, interpretReadings(frame.readings, map, search, options.region, nodes).hypotheses);
-  append(all, interpretThreeBearings(frame.readings, map, search, options.region));
+  append(all, proposeFromAssociation(frame.readings, map, search, options.region, nodes).hypotheses);
+  append(all, proposeFromThreeBearings(frame.readings, map, search, options.region));
 
   std::erase_if(all, [&](const PoseHypothesis& h) { return !options.region.contains(h.pose.mean); });
   score(all, frame, map);

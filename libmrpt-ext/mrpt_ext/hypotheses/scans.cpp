@@ -7,15 +7,15 @@ namespace mrpt_ext
 {
 std::vector<Scan> scansOf(std::span<const Reading> readings, const LandmarkTable& map, const LandmarkIndex& index)
 {
-  std::vector<Scan> places;
+  std::vector<Scan> scans;
   for (const Reading& reading : readings)
   {
-    Scan place{reading.T_robot_sensor, reading.model, {}};
-    if (!scoresMissedDetections(reading)) place.model.detection_probability.reset();
-    for (const LandmarkMeasurement& s : unidentifiedSightings({&reading, 1}, map))
-      place.detections.push_back({s.bearing, s.range, s.std_bearing, s.std_range, index.categoryOf(s.category)});
-    if (!place.detections.empty()) places.push_back(std::move(place));
+    Scan scan{reading.T_robot_sensor, reading.model, {}};
+    if (!scoresMissedDetections(reading)) scan.model.detection_probability.reset();
+    for (const LandmarkMeasurement& m : anonymousMeasurements({&reading, 1}, map))
+      scan.detections.push_back({m.bearing, m.range, m.std_bearing, m.std_range, index.categoryOf(m.category)});
+    if (!scan.detections.empty()) scans.push_back(std::move(scan));
   }
-  return places;
+  return scans;
 }
 }  // namespace mrpt_ext

@@ -10,9 +10,9 @@
 
 namespace mrpt_ext
 {
-/// What each reading saw without being able to name it, ready for a search: one place per reading, in their order;
-/// readings without such detections are left out. Slant ranges are reduced to the plane, deviations grown, as in
-/// landmark_measurement.h. Landmarks that were not reported count only where the reading declares range limit, field of
+/// The anonymous detections of every reading as input of a pose search: one scan per reading, in the same order;
+/// readings without such detections are left out. Slant ranges are reduced to the plane and standard deviations
+/// inflated as in landmark_measurement.h. Missed detections count only if the reading declares range limit, field of
 /// view and detection probability. `index` must be of `map`.
 [[nodiscard]] std::vector<Scan> scansOf(std::span<const Reading> readings, const LandmarkTable& map,
                                         const LandmarkIndex& index);

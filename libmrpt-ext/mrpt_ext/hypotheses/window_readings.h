@@ -11,21 +11,21 @@
 
 namespace mrpt_ext
 {
-// Joined readings (relocalization/measurement_window.h) as the solvers want them that know what odometry errors have in
-// common. All take the readings oldest first.
+// The readings of a window (relocalization/measurement_window.h), oldest first, as input of the solvers that model the
+// odometry errors shared by the readings (solvers/window_pose.h, solvers/window_landmark.h).
 
-/// True when some of the readings were carried along by odometry.
+/// True if some of the readings were propagated by odometry.
 [[nodiscard]] bool isWindow(std::span<const Reading> readings);
 
-/// The reading with the deviations it was taken with: what the way has added to bearings and sensor place is left to
-/// `odometry_covariance`.
-[[nodiscard]] Reading withoutOdometryNoise(Reading carried);
+/// The reading with the standard deviations of the sensor alone: what odometry has added to the bearings and to the
+/// sensor position is taken off, `odometry_covariance` stays.
+[[nodiscard]] Reading withoutOdometryNoise(Reading propagated);
 
-/// The identified detections of every reading that has some.
+/// The identified detections, one entry per reading that has any.
 [[nodiscard]] std::vector<WindowMeasurements> windowMeasurements(std::span<const Reading> oldest_first,
                                                                  const LandmarkTable& map);
 
-/// The identified detections by landmark (place in the map).
+/// The identified detections by landmark (index in the map).
 [[nodiscard]] std::map<std::size_t, std::vector<WindowObservation>> windowObservations(
     std::span<const Reading> oldest_first, const LandmarkTable& map);
 }  // namespace mrpt_ext

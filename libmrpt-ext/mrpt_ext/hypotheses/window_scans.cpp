@@ -8,23 +8,23 @@
 
 namespace mrpt_ext
 {
-std::vector<PastScan> carriedPlaces(std::span<const Reading> oldest_first, const LandmarkTable& map,
-                                    const LandmarkIndex& index)
+std::vector<PastScan> pastScans(std::span<const Reading> oldest_first, const LandmarkTable& map,
+                                const LandmarkIndex& index)
 {
-  std::vector<PastScan> places;
-  for (const Reading& carried : oldest_first)
+  std::vector<PastScan> scans;
+  for (const Reading& propagated : oldest_first)
   {
-    const Reading reading = withoutOdometryNoise(carried);
-    for (Scan& place : scansOf({&reading, 1}, map, index))
-      places.push_back({std::move(place), reading.odometry_covariance});
+    const Reading reading = withoutOdometryNoise(propagated);
+    for (Scan& scan : scansOf({&reading, 1}, map, index))
+      scans.push_back({std::move(scan), reading.odometry_covariance});
   }
-  return places;
+  return scans;
 }
 
 std::vector<Scan> windowScans(std::span<const Reading> oldest_first, const LandmarkTable& map,
                               const LandmarkIndex& index)
 {
   if (!isWindow(oldest_first)) return scansOf(oldest_first, map, index);
-  return asScans(buildLocalMap(carriedPlaces(oldest_first, map, index)));
+  return asScans(buildLocalMap(pastScans(oldest_first, map, index)));
 }
 }  // namespace mrpt_ext

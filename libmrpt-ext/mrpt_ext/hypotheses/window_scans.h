@@ -10,13 +10,12 @@
 
 namespace mrpt_ext
 {
-/// What each reading saw without being able to name it, with what the way since has added kept apart; oldest first.
-[[nodiscard]] std::vector<PastScan> carriedPlaces(std::span<const Reading> oldest_first, const LandmarkTable& map,
-                                                  const LandmarkIndex& index);
+/// The anonymous detections of a window, oldest first, with the covariance of the odometry since each scan.
+[[nodiscard]] std::vector<PastScan> pastScans(std::span<const Reading> oldest_first, const LandmarkTable& map,
+                                              const LandmarkIndex& index);
 
-/// The unidentified detections of joined readings as one constellation for a search (local_map.h): in place
-/// of scansOf wherever the readings are of several moments. Readings of one moment come out as scansOf has
-/// them.
+/// The anonymous detections of a window, merged into a local map (local_map.h): the first scan holds its points, the
+/// others the detections left over. Readings of a single frame give the same as scansOf().
 [[nodiscard]] std::vector<Scan> windowScans(std::span<const Reading> oldest_first, const LandmarkTable& map,
                                             const LandmarkIndex& index);
 }  // namespace mrpt_ext

@@ -6,16 +6,16 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kSameScore = 1e-6;                    // log-scores closer than this rank nothing
+constexpr double kSameScore = 1e-6;                    // log-scores closer than this are equal
 constexpr double kAnyHeadingVariance = kPi * kPi / 3;  // of a uniform heading
 }  // namespace
 
-Estimate estimateFrom(ClosedFormAnswer answer, double time)
+Estimate estimateFrom(ClosedFormResult result, double time)
 {
   Estimate estimate;
-  estimate.status = answer.status;
-  rankByScore(answer.candidates);
-  estimate.candidates = std::move(answer.candidates);
+  estimate.status = result.status;
+  rankByScore(result.candidates);
+  estimate.candidates = std::move(result.candidates);
   if (estimate.candidates.empty()) return estimate;
   const PoseHypothesis& best = estimate.candidates.front();
   estimate.ambiguous = estimate.candidates.size() > 1 && best.log_score - estimate.candidates[1].log_score < kSameScore;
@@ -24,8 +24,8 @@ Estimate estimateFrom(ClosedFormAnswer answer, double time)
   if (!best.heading_known) point.pose.covariance(2, 2) = kAnyHeadingVariance;
   point.modes = static_cast<int>(estimate.candidates.size());
   point.best_weight = best.weight;
-  const bool sure = estimate.candidates.size() == 1 && estimate.status == SolveStatus::ok && answer.unique;
-  point.verdict = sure ? Verdict::ok : Verdict::ambiguous;
+  const bool only_one = estimate.candidates.size() == 1 && estimate.status == SolveStatus::ok && result.unique;
+  point.verdict = only_one ? Verdict::ok : Verdict::ambiguous;
   estimate.point = point;
   return estimate;
 }

@@ -8,21 +8,21 @@
 
 namespace mrpt_ext
 {
-/// What a closed form finds in one frame: all candidates, with a log-score where it can tell them apart. Candidates
-/// with another status than `ok` are answers in doubt: they are reported, with the verdict `ambiguous`.
-struct ClosedFormAnswer
+/// Result of a closed form for one frame: all candidates, with a log-score if it can rank them. Candidates with a
+/// status other than `ok` are reported with the verdict `ambiguous`.
+struct ClosedFormResult
 {
   SolveStatus status = SolveStatus::too_few;
   HypothesisSet candidates;
-  bool unique = true;  ///< false: even a single candidate is not sure to be the right one
+  bool unique = true;  ///< false: even a single candidate may be wrong
 };
 
-/// A stateless closed form behind the common interface. It reports its best-scoring candidate; candidates with equal
-/// scores cannot be ranked and count as ambiguous, without an estimate.
+/// A closed form, without memory, behind the interface of localizers. It reports the candidate with the best score;
+/// equal scores are ambiguous and give no estimate.
 class ClosedFormLocalizer : public Localizer
 {
  public:
-  using Method = std::function<ClosedFormAnswer(const Frame&)>;
+  using Method = std::function<ClosedFormResult(const Frame&)>;
   ClosedFormLocalizer(std::string name, Method method) : name_(std::move(name)), method_(std::move(method)) {}
 
   [[nodiscard]] std::string name() const override { return name_; }
@@ -34,6 +34,6 @@ class ClosedFormLocalizer : public Localizer
   Method method_;
 };
 
-/// Ranks the candidates and turns the answer into an estimate at `time`.
-[[nodiscard]] Estimate estimateFrom(ClosedFormAnswer answer, double time);
+/// Ranks the candidates and turns the result into an estimate at `time`.
+[[nodiscard]] Estimate estimateFrom(ClosedFormResult result, double time);
 }  // namespace mrpt_ext

@@ -17,23 +17,23 @@ namespace mrpt_ext
 {
 namespace
 {
-/// Means of repeated sightings of one landmark by one sensor place, in the order of first appearance.
-std::vector<LandmarkMeasurement> averaged(const std::vector<LandmarkMeasurement>& sightings)
+/// Averages repeated measurements of one landmark from one sensor pose, in the order of first appearance.
+std::vector<LandmarkMeasurement> averaged(const std::vector<LandmarkMeasurement>& measurements)
 {
   std::vector<std::vector<LandmarkMeasurement>> groups;
-  for (const LandmarkMeasurement& s : sightings)
+  for (const LandmarkMeasurement& m : measurements)
   {
     const auto same = [&](const std::vector<LandmarkMeasurement>& group)
     {
       const LandmarkMeasurement& other = group.front();
-      return other.landmark == s.landmark && other.T_robot_sensor.vector() == s.T_robot_sensor.vector() &&
-             other.bearing.has_value() == s.bearing.has_value() && other.range.has_value() == s.range.has_value();
+      return other.landmark == m.landmark && other.T_robot_sensor.vector() == m.T_robot_sensor.vector() &&
+             other.bearing.has_value() == m.bearing.has_value() && other.range.has_value() == m.range.has_value();
     };
     const auto group = std::find_if(groups.begin(), groups.end(), same);
     if (group == groups.end())
-      groups.push_back({s});
+      groups.push_back({m});
     else
-      group->push_back(s);
+      group->push_back(m);
   }
   std::vector<LandmarkMeasurement> result;
   for (const auto& group : groups)
@@ -41,10 +41,10 @@ std::vector<LandmarkMeasurement> averaged(const std::vector<LandmarkMeasurement>
     LandmarkMeasurement mean = group.front();
     const auto n = static_cast<double>(group.size());
     double turned = 0, range = 0;
-    for (const LandmarkMeasurement& s : group)
+    for (const LandmarkMeasurement& m : group)
     {
-      if (mean.bearing) turned += wrap(*s.bearing - *group.front().bearing) / n;
-      if (mean.range) range += *s.range / n;
+      if (mean.bearing) turned += wrap(*m.bearing - *group.front().bearing) / n;
+      if (mean.range) range += *m.range / n;
     }
     if (mean.bearing) mean.bearing = wrap(*mean.bearing + turned);
     if (mean.range) mean.range = range;
@@ -57,42 +57,42 @@ std::vector<LandmarkMeasurement> averaged(const std::vector<LandmarkMeasurement>
 
 std::vector<LandmarkMeasurement> bearingsOf(const Frame& frame, const LandmarkTable& map)
 {
-  std::vector<LandmarkMeasurement> bearings = identifiedSightings(frame.readings, map);
-  std::erase_if(bearings, [](const LandmarkMeasurement& s) { return !s.bearing; });
-  for (LandmarkMeasurement& s : bearings) s.range.reset();
+  std::vector<LandmarkMeasurement> bearings = identifiedMeasurements(frame.readings, map);
+  std::erase_if(bearings, [](const LandmarkMeasurement& m) { return !m.bearing; });
+  for (LandmarkMeasurement& m : bearings) m.range.reset();
   return averaged(bearings);
 }
 
-/// The frame the closed form works in: the sensor's, when all sightings come from one, else the robot's.
+/// The frame in which a closed form works: that of the sensor if there is only one, else that of the robot.
 struct WorkingFrame
 {
   Pose2 T_robot_frame;
   std::vector<KnownBearing> bearings;
 };
 
-WorkingFrame workingFrame(const std::vector<LandmarkMeasurement>& sightings)
+WorkingFrame workingFrame(const std::vector<LandmarkMeasurement>& measurements)
 {
   WorkingFrame frame;
-  const Pose2& first = sightings.front().T_robot_sensor;
+  const Pose2& first = measurements.front().T_robot_sensor;
   const bool single =
-      std::all_of(sightings.begin(), sightings.end(),
-                  [&](const LandmarkMeasurement& s) { return s.T_robot_sensor.vector() == first.vector(); });
+      std::all_of(measurements.begin(), measurements.end(),
+                  [&](const LandmarkMeasurement& m) { return m.T_robot_sensor.vector() == first.vector(); });
   if (single) frame.T_robot_frame = first;
-  for (const LandmarkMeasurement& s : sightings)
+  for (const LandmarkMeasurement& m : measurements)
     frame.bearings.push_back(
-        {s.position, single ? *s.bearing : wrap(*s.bearing + s.T_robot_sensor.phi), s.std_bearing});
+        {m.position, single ? *m.bearing : wrap(*m.bearing + m.T_robot_sensor.phi), m.std_bearing});
   return frame;
 }
 
-ClosedFormAnswer single(SolveStatus status, const GaussianPose& pose, const char* source)
+ClosedFormResult single(SolveStatus status, const GaussianPose& pose, const char* source)
 {
-  ClosedFormAnswer answer{.status = status};
-  if (status == SolveStatus::ok) answer.candidates.push_back({.pose = pose, .source = source});
-  return answer;
+  ClosedFormResult result{.status = status};
+  if (status == SolveStatus::ok) result.candidates.push_back({.pose = pose, .source = source});
+  return result;
 }
 
-/// In a frame joined through odometry the errors of the way are shared: poses are refined with them.
-void refineJoined(HypothesisSet& candidates, std::vector<Reading> readings, const LandmarkTable& map)
+/// In a window, readings share odometry errors: refines the poses with these modelled.
+void refineInWindow(HypothesisSet& candidates, std::vector<Reading> readings, const LandmarkTable& map)
 {
   for (Reading& reading : readings)
     for (Detection& detection : reading.detections) detection.range.reset();
@@ -100,92 +100,92 @@ void refineJoined(HypothesisSet& candidates, std::vector<Reading> readings, cons
     if (const auto refined = refineOnWindow(readings, map, h.pose.mean)) h.pose = *refined;
 }
 
-const auto kAnySighting = [](const LandmarkMeasurement&) { return true; };
+const auto kAny = [](const LandmarkMeasurement&) { return true; };
 
-/// True when bearings give a pose: of three landmarks, or of two when they are seen from several places on the robot
-/// (paper 001's cameras).
-bool giveAPose(const std::vector<LandmarkMeasurement>& bearings)
+/// True if the bearings determine a pose: to three landmarks, or to two from several positions on the robot (the
+/// cameras of paper 001).
+bool determinePose(const std::vector<LandmarkMeasurement>& bearings)
 {
-  const std::size_t landmarks = distinctLandmarks(bearings, kAnySighting);
+  const std::size_t landmarks = distinctLandmarks(bearings, kAny);
   if (landmarks != 2) return landmarks > 2;
   return bearings.size() > 2 &&
          std::any_of(bearings.begin(), bearings.end(),
-                     [&](const LandmarkMeasurement& s)
-                     { return s.T_robot_sensor.position() != bearings.front().T_robot_sensor.position(); });
+                     [&](const LandmarkMeasurement& m)
+                     { return m.T_robot_sensor.position() != bearings.front().T_robot_sensor.position(); });
 }
 }  // namespace
 
-ClosedFormAnswer bearingLeastSquares(const Frame& frame, const LandmarkTable& map)
+ClosedFormResult bearingLeastSquares(const Frame& frame, const LandmarkTable& map)
 {
-  const std::vector<LandmarkMeasurement> sightings = bearingsOf(frame, map);
-  if (distinctLandmarks(sightings, kAnySighting) < 3) return {};
-  const WorkingFrame work = workingFrame(sightings);
+  const std::vector<LandmarkMeasurement> measurements = bearingsOf(frame, map);
+  if (distinctLandmarks(measurements, kAny) < 3) return {};
+  const WorkingFrame work = workingFrame(measurements);
   const BearingPoseLinear fit = solveBearingPoseLinear(work.bearings);
   if (fit.status != SolveStatus::ok) return {.status = fit.status};
   const Pose2 robot = compose(fit.pose, inverse(work.T_robot_frame));
-  const auto covariance = covarianceFromInformation(poseInformation(poseMeasurements(sightings), robot));
+  const auto covariance = covarianceFromInformation(poseInformation(poseMeasurements(measurements), robot));
   if (!covariance) return {.status = SolveStatus::degenerate};
   return single(SolveStatus::ok, {robot, *covariance}, "bearing_least_squares");
 }
 
-ClosedFormAnswer bearingMaximumLikelihood(const Frame& frame, const LandmarkTable& map)
+ClosedFormResult bearingMaximumLikelihood(const Frame& frame, const LandmarkTable& map)
 {
-  const std::vector<LandmarkMeasurement> sightings = bearingsOf(frame, map);
-  if (!giveAPose(sightings)) return {};
-  // A frame in doubt is answered too, and says so by its status.
-  const IdentifiedPose solved = solvePoseFromLandmarks(poseMeasurements(sightings));
-  ClosedFormAnswer answer{.status = solved.status};
+  const std::vector<LandmarkMeasurement> measurements = bearingsOf(frame, map);
+  if (!determinePose(measurements)) return {};
+  const IdentifiedPose solved = solvePoseFromLandmarks(poseMeasurements(measurements));
+  ClosedFormResult result{.status = solved.status};
   for (const PoseCandidate& candidate : solved.candidates)
-    answer.candidates.push_back(
+    result.candidates.push_back(
         {.pose = candidate.pose, .log_score = -0.5 * candidate.chi2, .source = "bearing_maximum_likelihood"});
-  if (isWindow(frame.readings)) refineJoined(answer.candidates, frame.readings, map);
-  return answer;
+  if (isWindow(frame.readings)) refineInWindow(result.candidates, frame.readings, map);
+  return result;
 }
 
-ClosedFormAnswer rangeLeastSquares(const Frame& frame, const LandmarkTable& map, const PoseRegion& region)
+ClosedFormResult rangeLeastSquares(const Frame& frame, const LandmarkTable& map, const PoseRegion& region)
 {
-  std::vector<LandmarkMeasurement> sightings = identifiedSightings(frame.readings, map);
-  std::erase_if(sightings, [](const LandmarkMeasurement& s) { return !s.range; });
-  for (LandmarkMeasurement& s : sightings) s.bearing.reset();
-  sightings = averaged(sightings);
-  if (distinctLandmarks(sightings, kAnySighting) < 2) return {};
-  // Without a heading the sensor's offset on the robot points anywhere: it widens the covariance instead.
+  std::vector<LandmarkMeasurement> measurements = identifiedMeasurements(frame.readings, map);
+  std::erase_if(measurements, [](const LandmarkMeasurement& m) { return !m.range; });
+  for (LandmarkMeasurement& m : measurements) m.bearing.reset();
+  measurements = averaged(measurements);
+  if (distinctLandmarks(measurements, kAny) < 2) return {};
+  // Without a heading, the direction of the sensor's offset on the robot is unknown: it inflates the covariance.
   std::vector<KnownRange> ranges;
   double offset = 0;
-  for (const LandmarkMeasurement& s : sightings)
+  for (const LandmarkMeasurement& m : measurements)
   {
-    ranges.push_back({s.position, *s.range, s.std_range});
-    offset = std::max(offset, s.T_robot_sensor.position().norm());
+    ranges.push_back({m.position, *m.range, m.std_range});
+    offset = std::max(offset, m.T_robot_sensor.position().norm());
   }
-  const RangePositions places = solveRangePosition(ranges);
-  ClosedFormAnswer answer{.status = places.status};
-  for (const RangePosition& place : places.candidates)
+  const RangePositions positions = solveRangePosition(ranges);
+  ClosedFormResult result{.status = positions.status};
+  for (const RangePosition& candidate : positions.candidates)
   {
-    PoseHypothesis h{.log_score = -0.5 * place.chi2, .source = "range_least_squares", .heading_known = false};
-    h.pose.mean = {place.position.mean.x(), place.position.mean.y(), 0};
-    h.pose.covariance.topLeftCorner<2, 2>() = place.position.covariance + square(offset) * Matrix2d::Identity();
-    if (region.contains({h.pose.mean.x, h.pose.mean.y, region.phi_low})) answer.candidates.push_back(h);
+    PoseHypothesis h{.log_score = -0.5 * candidate.chi2, .source = "range_least_squares", .heading_known = false};
+    h.pose.mean = {candidate.position.mean.x(), candidate.position.mean.y(), 0};
+    h.pose.covariance.topLeftCorner<2, 2>() = candidate.position.covariance + square(offset) * Matrix2d::Identity();
+    if (region.contains({h.pose.mean.x, h.pose.mean.y, region.phi_low})) result.candidates.push_back(h);
   }
-  if (answer.candidates.empty() && answer.status == SolveStatus::ok) answer.status = SolveStatus::none;
-  return answer;
+  if (result.candidates.empty() && result.status == SolveStatus::ok) result.status = SolveStatus::none;
+  return result;
 }
 
-ClosedFormAnswer twoLandmarkPose(const Frame& frame, const LandmarkTable& map)
+ClosedFormResult twoLandmarkPose(const Frame& frame, const LandmarkTable& map)
 {
-  std::vector<LandmarkMeasurement> sightings = identifiedSightings(frame.readings, map);
-  std::erase_if(sightings, [](const LandmarkMeasurement& s) { return !s.hasPoint(); });
-  sightings = averaged(sightings);
-  if (distinctLandmarks(sightings, kAnySighting) < 2) return {};
-  std::vector<SeenLandmark> seen;
-  for (const LandmarkMeasurement& s : sightings) seen.push_back({s.position, {s.pointInRobot(), s.pointCovariance()}});
-  const PointPose fit = solvePointPose(seen);
+  std::vector<LandmarkMeasurement> measurements = identifiedMeasurements(frame.readings, map);
+  std::erase_if(measurements, [](const LandmarkMeasurement& m) { return !m.hasPoint(); });
+  measurements = averaged(measurements);
+  if (distinctLandmarks(measurements, kAny) < 2) return {};
+  std::vector<SeenLandmark> points;
+  for (const LandmarkMeasurement& m : measurements)
+    points.push_back({m.position, {m.pointInRobot(), m.pointCovariance()}});
+  const PointPose fit = solvePointPose(points);
   return single(fit.status, fit.pose, "two_landmark_pose");
 }
 
-ClosedFormAnswer interpretationTree(const Frame& frame, const LandmarkTable& map, const GlobalPoseSearch& search,
+ClosedFormResult interpretationTree(const Frame& frame, const LandmarkTable& map, const GlobalPoseSearch& search,
                                     const PoseRegion& region)
 {
-  ReadingInterpretation found = interpretReadings(frame.readings, map, search, region);
+  AssociationProposals found = proposeFromAssociation(frame.readings, map, search, region);
   return {found.status, std::move(found.hypotheses), found.unique};
 }
 }  // namespace mrpt_ext

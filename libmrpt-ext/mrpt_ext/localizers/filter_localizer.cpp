@@ -31,7 +31,7 @@ Estimate estimateFrom(const FilterStep& step, double time)
   return estimate;
 }
 
-std::optional<HeadingPrior> sureHeading(const FilterLocalizer& filter)
+std::optional<HeadingPrior> confidentHeading(const FilterLocalizer& filter)
 {
   const FilterStep& step = filter.lastStep();
   if (step.verdict != Verdict::ok || step.modes.modes.empty()) return std::nullopt;

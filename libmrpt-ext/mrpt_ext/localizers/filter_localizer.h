@@ -6,7 +6,7 @@
 
 namespace mrpt_ext
 {
-/// What every engine of the particle filter lets the report see.
+/// A particle filter of either engine, with what the report shows of it.
 class FilterLocalizer : public Localizer
 {
  public:
@@ -18,9 +18,9 @@ class FilterLocalizer : public Localizer
   [[nodiscard]] virtual std::vector<LandmarkHistory> landmarkHistories() const = 0;
 };
 
-/// A filter step as an estimate: the best mode, never the mean across modes; the others are its candidates.
+/// The best mode of a filter step as estimate, never the mean of several; all modes as candidates.
 [[nodiscard]] Estimate estimateFrom(const FilterStep& step, double time);
 
-/// Heading of the best mode, while the filter's verdict is ok.
-[[nodiscard]] std::optional<HeadingPrior> sureHeading(const FilterLocalizer& filter);
+/// Heading of the best mode if the verdict is `ok`.
+[[nodiscard]] std::optional<HeadingPrior> confidentHeading(const FilterLocalizer& filter);
 }  // namespace mrpt_ext

@@ -10,10 +10,10 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kMinReportedWeight = 0.002;
-constexpr double kEqual = 0.99;  // of the weight of the best: as good as the best
+constexpr double kEqual = 0.99;  // share of the best weight, from which on two hypotheses cannot be ranked
 }  // namespace
 
-void KalmanLocalizer::remember(const Frame& frame)
+void KalmanLocalizer::buffer(const Frame& frame)
 {
   if (recent_.empty()) first_time_ = frame.time;
   recent_.push_back(frame);
@@ -22,18 +22,18 @@ void KalmanLocalizer::remember(const Frame& frame)
 
 Proposal KalmanLocalizer::propose() const
 {
-  MeasurementWindow joiner(seed_window_, motion_);
-  for (const Frame& frame : recent_) joiner.add(frame);
-  Frame joined = joiner.joined();
-  joined.readings = withBiasUncertainty(std::move(joined.readings), biases_);
-  Proposal proposal(proposePoses(joined, map_, *search_, {.region = region_}));
+  MeasurementWindow window(seed_window_, motion_);
+  for (const Frame& frame : recent_) window.add(frame);
+  Frame evidence = window.frame();
+  evidence.readings = withBiasUncertainty(std::move(evidence.readings), biases_);
+  Proposal proposal(proposePoses(evidence, map_, *search_, {.region = region_}));
   proposal.complete = recent_.back().time - first_time_ >= seed_window_;
   return proposal;
 }
 
 Estimate KalmanLocalizer::process(const Frame& frame)
 {
-  remember(frame);
+  buffer(frame);
   step_ = bank_.process(frame, [this] { return propose(); });
 
   Estimate estimate;
@@ -45,7 +45,7 @@ Estimate KalmanLocalizer::process(const Frame& frame)
   estimate.status = SolveStatus::ok;
   estimate.ambiguous = step_.verdict == Verdict::ambiguous;
   if (estimate.candidates.size() > 1 && estimate.candidates[1].weight > kEqual * estimate.candidates[0].weight)
-    return estimate;  // it cannot rank them
+    return estimate;
   estimate.point = PoseEstimate{.time = frame.time,
                                 .pose = estimate.candidates.front().pose,
                                 .modes = static_cast<int>(estimate.candidates.size()),

@@ -9,14 +9,14 @@
 
 namespace mrpt_ext
 {
-/// Kalman filters behind the common interface: extended_kalman_filter, iterated_kalman_filter and kalman_filter_bank
-/// differ by their options only. The estimate is the heaviest hypothesis; none while the second is as heavy to within
-/// one per cent, since they cannot be ranked then.
+/// Kalman filters behind the interface of localizers: extended_kalman_filter, iterated_kalman_filter and
+/// kalman_filter_bank differ in their options only. The estimate is the hypothesis of largest weight; none while the
+/// second weighs the same to within one per cent.
 class KalmanLocalizer : public Localizer
 {
  public:
-  /// `region`: where the robot can be found; `seed_window` [s]: how far back readings are joined by odometry when
-  /// hypotheses are needed; `search`: of this map.
+  /// `region`: of possible poses; `seed_window` [s]: window of readings for initialization and recovery; `search`: of
+  /// this map.
   KalmanLocalizer(std::string name, const KalmanBankOptions& options, const LandmarkTable& map,
                   const PoseRegion& region, double seed_window, std::shared_ptr<const GlobalPoseSearch> search)
       : name_(std::move(name)),
@@ -37,7 +37,7 @@ class KalmanLocalizer : public Localizer
   [[nodiscard]] const KalmanStep& lastStep() const { return step_; }
 
  private:
-  void remember(const Frame& frame);
+  void buffer(const Frame& frame);
   [[nodiscard]] Proposal propose() const;
 
   std::string name_;
@@ -48,7 +48,7 @@ class KalmanLocalizer : public Localizer
   MotionModel motion_;
   BiasModel biases_;
   double seed_window_;
-  std::deque<Frame> recent_;  // those of the window, joined only when hypotheses are asked for
+  std::deque<Frame> recent_;  // of the seed window, evaluated only when hypotheses are needed
   double first_time_ = 0;
   KalmanStep step_;
 };

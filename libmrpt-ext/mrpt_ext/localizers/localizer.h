@@ -10,22 +10,22 @@
 
 namespace mrpt_ext
 {
-/// What a method says after one frame.
+/// Output of a method after one frame.
 struct Estimate
 {
   SolveStatus status = SolveStatus::too_few;
-  std::optional<PoseEstimate> point;  ///< absent: no estimate, or candidates that it cannot rank
+  std::optional<PoseEstimate> point;  ///< absent: no solution, or candidates that cannot be ranked
   HypothesisSet candidates;           ///< all poses consistent with the frame, best first
   bool ambiguous = false;             ///< several candidates, none preferred
 };
 
-/// One way to localize: frame in, estimate out. Never sees ground truth.
+/// Interface of all localization methods: frame in, estimate out. They never see the ground truth.
 class Localizer
 {
  public:
   virtual ~Localizer() = default;
   [[nodiscard]] virtual std::string name() const = 0;
-  /// True for methods that carry their pose from frame to frame (odometry, EKF, filter).
+  /// True for methods that track the pose from frame to frame (odometry, Kalman and particle filters).
   [[nodiscard]] virtual bool continuous() const = 0;
   virtual Estimate process(const Frame& frame) = 0;
 };

@@ -5,8 +5,7 @@
 
 namespace mrpt_ext
 {
-/// Dead reckoning alone: what the robot would know without landmarks. Starts at the given pose; the covariance grows by
-/// the motion model.
+/// Dead reckoning from a given pose, without landmarks; the covariance follows from the motion model.
 class OdometryLocalizer : public Localizer
 {
  public:

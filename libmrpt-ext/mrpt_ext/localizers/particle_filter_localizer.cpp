@@ -6,8 +6,8 @@ namespace mrpt_ext
 {
 namespace
 {
-// Of an interpretation tree where another proposal follows: before the start and, every half second, of a robot that is
-// lost, whom the search along the way finds as well. It does not stand still for the search meanwhile.
+// Of an interpretation tree if other proposals follow: before the start, and every half second during recovery, where
+// the trajectory is searched too.
 constexpr std::uint64_t kFewNodes = 20'000;
 }  // namespace
 
@@ -19,40 +19,47 @@ ParticleFilterLocalizer::ParticleFilterLocalizer(const ParticleFilterOptions& op
       region_(options.region),
       biases_(options.biases),
       filter_(options, map, seed, stream),
-      joiner_(seed_window, options.motion),
-      history_(options.motion),
-      way_(map, search_, options.region, options.motion)
+      window_(seed_window, options.motion),
+      range_only_start_(options.motion),
+      relocalizer_(map, search_, options.region, options.motion)
 {
+}
+
+Proposal ParticleFilterLocalizer::proposeFromWindow() const
+{
+  Frame evidence = window_.frame();
+  std::vector<Reading> readings = evidence.readings;
+  evidence.readings = withBiasUncertainty(std::move(evidence.readings), biases_);
+  ProposalOptions options{.region = region_};
+  if (!filter_.particles().empty() || !window_.full()) options.max_tree_nodes = kFewNodes;
+  Proposal proposal(proposePoses(evidence, map_, *search_, options));
+  proposal.joined_readings = std::move(readings);
+  proposal.complete = window_.full();
+  return proposal;
+}
+
+Proposal ParticleFilterLocalizer::propose()
+{
+  Proposal proposal = proposeFromWindow();
+  // During recovery the filter asks for hypotheses of the trajectory by itself.
+  if (!filter_.particles().empty() || !proposal.complete) return proposal;
+  const HypothesisSet along = relocalizer_.search({});
+  proposal.hypotheses.insert(proposal.hypotheses.end(), along.begin(), along.end());
+  return proposal;
 }
 
 Estimate ParticleFilterLocalizer::process(const Frame& frame)
 {
-  joiner_.add(frame);
-  history_.add(frame);
-  way_.add(frame);
-  const auto propose = [&]
-  {
-    Frame joined = joiner_.joined();
-    std::vector<Reading> readings = joined.readings;
-    joined.readings = withBiasUncertainty(std::move(joined.readings), biases_);
-    ProposalOptions options{.region = region_};
-    if (!filter_.particles().empty() || !joiner_.full()) options.max_tree_nodes = kFewNodes;
-    Proposal proposal(proposePoses(joined, map_, *search_, options));
-    if (filter_.particles().empty() && joiner_.full())
-    {
-      const HypothesisSet along = way_.search({});
-      proposal.hypotheses.insert(proposal.hypotheses.end(), along.begin(), along.end());
-    }
-    proposal.joined_readings = std::move(readings);
-    proposal.complete = joiner_.full();
-    return proposal;
-  };
+  window_.add(frame);
+  range_only_start_.add(frame);
+  relocalizer_.add(frame);
+  ParticleFilter::TrajectoryHypotheses from_trajectory;
+  if (relocalizer_.isApplicable()) from_trajectory = [this] { return relocalizer_.search(step_.modes); };
   const bool was_ok = step_.verdict == Verdict::ok;
-  ParticleFilter::TrajectoryHypotheses along_way;
-  if (way_.isApplicable()) along_way = [&] { return way_.search(step_.modes); };
-  step_ = filter_.process(frame, propose, history_.readings(), along_way);
-  if (step_.verdict != Verdict::ambiguous) history_.end();
-  if (was_ok && step_.verdict != Verdict::ok) way_.resetInterval();
+  step_ = filter_.process(
+      frame, [this] { return propose(); }, range_only_start_.readings(), from_trajectory);
+  if (step_.verdict != Verdict::ambiguous) range_only_start_.end();
+  if (was_ok && step_.verdict != Verdict::ok) relocalizer_.resetInterval();
   return estimateFrom(step_, frame.time);
 }
 

@@ -8,13 +8,14 @@
 
 namespace mrpt_ext
 {
-/// The batch particle filter, seeded by the closed forms over the readings of the last seconds, and by what was seen
-/// without names along the way (localizeOverTrajectory).
+/// The batch particle filter with its three sources of hypotheses: closed forms over a window of the last seconds; all
+/// readings since the start, if they are ranges alone; and the trajectory of the last minutes, if all detections are
+/// anonymous.
 class ParticleFilterLocalizer : public FilterLocalizer
 {
  public:
-  /// `seed_window` [s]: how far back readings are joined by odometry when hypotheses are needed. `search`: of this map,
-  /// to share its index between filters; absent: one of its own.
+  /// `seed_window` [s]: window of readings for initialization and recovery. `search`: of this map, to share its index
+  /// between filters; absent: one of its own.
   ParticleFilterLocalizer(const ParticleFilterOptions& options, const LandmarkTable& map, double seed_window,
                           std::uint64_t seed, std::uint64_t stream = 0,
                           std::shared_ptr<const GlobalPoseSearch> search = nullptr);
@@ -25,14 +26,17 @@ class ParticleFilterLocalizer : public FilterLocalizer
   [[nodiscard]] std::vector<LandmarkHistory> landmarkHistories() const override;
 
  private:
+  [[nodiscard]] Proposal proposeFromWindow() const;
+  [[nodiscard]] Proposal propose();
+
   LandmarkTable map_;
   std::shared_ptr<const GlobalPoseSearch> search_;
   PoseRegion region_;
   BiasModel biases_;
   ParticleFilter filter_;
-  MeasurementWindow joiner_;
-  RangeOnlyStart history_;
-  TrajectoryRelocalizer way_;
+  MeasurementWindow window_;
+  RangeOnlyStart range_only_start_;
+  TrajectoryRelocalizer relocalizer_;
   FilterStep step_;
 };
 }  // namespace mrpt_ext

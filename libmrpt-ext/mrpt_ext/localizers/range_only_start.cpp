@@ -6,38 +6,42 @@ namespace mrpt_ext
 {
 namespace
 {
-bool isRange(const Detection& detection) { return detection.id != kNoId && detection.range && !detection.bearing; }
+bool isIdentifiedRange(const Detection& detection)
+{
+  return detection.id != kNoId && detection.range && !detection.bearing;
+}
 
-bool tellsRangesAlone(const Frame& frame)
+bool hasOnlyRanges(const Frame& frame)
 {
   return !frame.compass && frame.fixes.empty() &&
          std::all_of(frame.readings.begin(), frame.readings.end(),
                      [](const Reading& reading)
-                     { return std::all_of(reading.detections.begin(), reading.detections.end(), isRange); });
+                     { return std::all_of(reading.detections.begin(), reading.detections.end(), isIdentifiedRange); });
 }
 
-/// True while odometry has carried the reading no farther off than its ranges are uncertain.
-bool isWellCarried(const Reading& reading)
+/// True while the odometry since the reading is at least as accurate as its ranges.
+bool isAccurate(const Reading& reading)
 {
-  const double off = reading.sensor_position_covariance.trace();
+  const double odometry_variance = reading.sensor_position_covariance.trace();
   return std::all_of(reading.detections.begin(), reading.detections.end(),
-                     [off](const Detection& detection) { return off <= square(detection.std_range); });
+                     [odometry_variance](const Detection& detection)
+                     { return odometry_variance <= square(detection.std_range); });
 }
 }  // namespace
 
 void RangeOnlyStart::add(const Frame& frame)
 {
   if (ended_) return;
-  joiner_.add(frame);
-  ranges_ += frame.readings.size();
-  ended_ = joiner_.full() || ranges_ > kMostRanges || !tellsRangesAlone(frame);
+  window_.add(frame);
+  reading_count_ += frame.readings.size();
+  ended_ = window_.full() || reading_count_ > kMostReadings || !hasOnlyRanges(frame);
 }
 
 std::vector<Reading> RangeOnlyStart::readings() const
 {
   if (ended_) return {};
-  std::vector<Reading> all = joiner_.readings();
+  std::vector<Reading> all = window_.readings();
   std::erase_if(all, [](const Reading& reading) { return reading.detections.empty(); });
-  return std::all_of(all.begin(), all.end(), isWellCarried) ? all : std::vector<Reading>{};
+  return std::all_of(all.begin(), all.end(), isAccurate) ? all : std::vector<Reading>{};
 }
 }  // namespace mrpt_ext

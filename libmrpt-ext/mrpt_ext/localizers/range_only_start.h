@@ -5,25 +5,26 @@
 
 namespace mrpt_ext
 {
-/// All readings of a robot that is not found yet and knows nothing but distances to landmarks it can tell apart: at
-/// standstill they say nothing about its heading, and only all of them together place it. Ends for good when a reading
-/// tells more than that, when odometry on the way has become less sure than the ranges, or when there are too many.
+/// All readings since the start, for initialization from identified ranges alone: at standstill they do not determine
+/// the heading, and only together they determine the pose. Ends for good with any other type of measurement, after 120
+/// s, or with too many readings.
 class RangeOnlyStart
 {
  public:
-  explicit RangeOnlyStart(const MotionModel& motion) : joiner_(kLongest, motion) {}
+  explicit RangeOnlyStart(const MotionModel& motion) : window_(kLongest, motion) {}
 
   void add(const Frame& frame);
+  /// Called when the pose is determined.
   void end() { ended_ = true; }
-  /// Seen from the newest frame; empty once it has ended or odometry is less sure.
+  /// Propagated to the newest frame; empty after the end, and while the odometry is less accurate than the ranges.
   [[nodiscard]] std::vector<Reading> readings() const;
 
  private:
-  static constexpr double kLongest = 120;          // [s]
-  static constexpr std::size_t kMostRanges = 400;  // readings: each of them is scored for every particle
+  static constexpr double kLongest = 120;            // [s]
+  static constexpr std::size_t kMostReadings = 400;  // each of them is scored for every particle
 
-  MeasurementWindow joiner_;
-  std::size_t ranges_ = 0;
+  MeasurementWindow window_;
+  std::size_t reading_count_ = 0;
   bool ended_ = false;
 };
 }  // namespace mrpt_ext

@@ -9,7 +9,7 @@ namespace mrpt_ext
 {
 namespace
 {
-OdometryMotion joined(const OdometryMotion& first, const OdometryMotion& second)
+OdometryMotion concatenated(const OdometryMotion& first, const OdometryMotion& second)
 {
   return {compose(first.increment, second.increment), first.path_length + second.path_length,
           first.turned + second.turned, first.duration + second.duration};
@@ -18,27 +18,27 @@ OdometryMotion joined(const OdometryMotion& first, const OdometryMotion& second)
 
 Estimate RunningFixLocalizer::process(const Frame& frame)
 {
-  carryForward(frame.motion);
+  predict(frame.motion);
   updateHeading(frame);
   std::vector<RunningFixReading> fixes = frame.fixes;
   for (RunningFixReading& fix : fixesFromRanges(frame)) fixes.push_back(std::move(fix));
   if (fixes.empty()) return {};
   if (!heading_) return {.status = SolveStatus::degenerate};  // a ring
 
-  ClosedFormAnswer answer{.candidates = candidatesOf(fixes, frame)};
-  answer.status = answer.candidates.empty() ? SolveStatus::none : SolveStatus::ok;
-  Estimate estimate = estimateFrom(std::move(answer), frame.time);
+  ClosedFormResult result{.candidates = candidatesOf(fixes, frame)};
+  result.status = result.candidates.empty() ? SolveStatus::none : SolveStatus::ok;
+  Estimate estimate = estimateFrom(std::move(result), frame.time);
   if (estimate.point && options_.heading_source == HeadingSource::bearing)
     heading_ = HeadingPrior{estimate.point->pose.mean.phi, std::sqrt(estimate.point->pose.covariance(2, 2))};
   return estimate;
 }
 
-void RunningFixLocalizer::carryForward(const OdometryMotion& measured)
+void RunningFixLocalizer::predict(const OdometryMotion& measured)
 {
   const OdometryMotion motion = believedMotion(options_.motion, measured);
   for (auto& [id, ranges] : pending_)
   {
-    for (PendingRange& range : ranges) range.since = joined(range.since, motion);
+    for (PendingRange& range : ranges) range.since = concatenated(range.since, motion);
     while (!ranges.empty() && ranges.front().since.duration > options_.max_age) ranges.pop_front();
   }
   if (!heading_) return;
@@ -60,7 +60,7 @@ void RunningFixLocalizer::updateHeading(const Frame& frame)
       if (frame.compass) heading_ = HeadingPrior{frame.compass->heading, frame.compass->std_heading};
       break;
     case HeadingSource::bearing:
-      if (const ClosedFormAnswer fit = twoLandmarkPose(frame, map_); fit.status == SolveStatus::ok)
+      if (const ClosedFormResult fit = twoLandmarkPose(frame, map_); fit.status == SolveStatus::ok)
       {
         const GaussianPose& pose = fit.candidates.front().pose;
         heading_ = HeadingPrior{pose.mean.phi, std::sqrt(pose.covariance(2, 2))};
@@ -72,37 +72,37 @@ void RunningFixLocalizer::updateHeading(const Frame& frame)
 std::vector<RunningFixReading> RunningFixLocalizer::fixesFromRanges(const Frame& frame)
 {
   std::vector<RunningFixReading> fixes;
-  for (const LandmarkMeasurement& s : identifiedSightings(frame.readings, map_))
+  for (const LandmarkMeasurement& m : identifiedMeasurements(frame.readings, map_))
   {
-    if (!s.range) continue;
-    const int id = map_[*s.landmark].id;
+    if (!m.range) continue;
+    const int id = map_[*m.landmark].id;
     std::deque<PendingRange>& earlier = pending_[id];
-    // The newest partner far enough away: the shorter the way, the less odometry error enters.
+    // The newest range far enough away: a short distance keeps the odometry error small.
     for (std::size_t left = earlier.size(); left > 0; --left)
     {
       const PendingRange& partner = earlier[left - 1];
       const double displacement = partner.since.increment.position().norm();
-      if (displacement < options_.min_displacement_stds * std::max(s.std_range, partner.std)) continue;
-      // As if the first range had been taken by the second sensor, from a robot standing where that puts it.
-      const Pose2 swap = compose(s.T_robot_sensor, inverse(partner.T_robot_sensor));
+      if (displacement < options_.min_displacement_stds * std::max(m.std_range, partner.std)) continue;
+      // The robot pose from which the second sensor would have measured the first range.
+      const Pose2 swap = compose(m.T_robot_sensor, inverse(partner.T_robot_sensor));
       const Matrix3d J = composeJacobianSecond(swap);
       fixes.push_back(
           {.time = frame.time,
            .first_time = partner.time,
-           .T_robot_sensor = s.T_robot_sensor,
+           .T_robot_sensor = m.T_robot_sensor,
            .horizontal_range = true,
            .id = id,
            .first_range = partner.range,
            .first_std = partner.std,
-           .second_range = *s.range,
-           .second_std = s.std_range,
+           .second_range = *m.range,
+           .second_std = m.std_range,
            .displacement = compose(swap, partner.since.increment),
            .displacement_covariance = J * incrementCovariance(options_.motion, partner.since) * J.transpose(),
-           .second_bearing = s.bearing,
-           .second_bearing_std = s.std_bearing});
+           .second_bearing = m.bearing,
+           .second_bearing_std = m.std_bearing});
       break;
     }
-    earlier.push_back({frame.time, *s.range, s.std_range, s.T_robot_sensor, {}});
+    earlier.push_back({frame.time, *m.range, m.std_range, m.T_robot_sensor, {}});
   }
   return fixes;
 }

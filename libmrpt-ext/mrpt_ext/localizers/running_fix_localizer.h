@@ -12,12 +12,12 @@
 
 namespace mrpt_ext
 {
-/// Where the running fix takes the heading from that its two circles need.
+/// Source of the heading, without which the two range circles cannot be intersected.
 enum class HeadingSource
 {
-  bearing,  ///< two landmarks seen at once, then eq 7 after every fix, carried by odometry in between
-  compass,  ///< readings of a compass, carried by odometry in between
-  filter,   ///< the particle filter's estimate: the row depends on the filter and is marked so
+  bearing,  ///< two landmarks in one frame, then eq 7 after every fix; odometry in between
+  compass,  ///< compass readings; odometry in between
+  filter,   ///< estimate of the particle filter, on which the method then depends
   none      ///< no heading: a ring, no estimate
 };
 
@@ -27,16 +27,17 @@ struct RunningFixOptions
   std::optional<HeadingPrior> start_heading;  ///< known start, for HeadingSource::bearing
   PoseRegion region;                          ///< candidates outside are dropped
   MotionModel motion;
-  double min_displacement_stds = 10;  ///< two ranges are a fix when the way between them is this many range stds
-  double max_age = 60;                ///< [s] ranges older than this are forgotten
+  double min_displacement_stds =
+      10;               ///< least displacement between the two ranges of a fix, in standard deviations of a range
+  double max_age = 60;  ///< [s] of the first range
 };
 
-/// The running fix of paper 004 over time: logged fixes, or two ranges to one landmark with odometry in between. All
-/// candidates of a frame are scored by the frame's own readings, so a bearing or a second landmark breaks the tie.
+/// The running fix of paper 004: logged fixes, or two ranges to one landmark with odometry in between. The candidates
+/// of a frame are scored by all its readings, so a bearing or a second landmark resolves the ambiguity.
 class RunningFixLocalizer : public Localizer
 {
  public:
-  /// Heading at the frame's time for HeadingSource::filter; nothing while the filter is not sure.
+  /// Heading at the time of the frame for HeadingSource::filter; nothing unless the verdict is `ok`.
   using FilterHeading = std::function<std::optional<HeadingPrior>()>;
 
   RunningFixLocalizer(const RunningFixOptions& options, const LandmarkTable& map, FilterHeading filter_heading = {})
@@ -49,7 +50,7 @@ class RunningFixLocalizer : public Localizer
   Estimate process(const Frame& frame) override;
 
  private:
-  /// A range that waits for its partner.
+  /// A range waiting for a second one.
   struct PendingRange
   {
     double time = 0;
@@ -58,7 +59,7 @@ class RunningFixLocalizer : public Localizer
     OdometryMotion since;       // motion from then to now
   };
 
-  void carryForward(const OdometryMotion& measured);
+  void predict(const OdometryMotion& measured);
   void updateHeading(const Frame& frame);
   [[nodiscard]] std::vector<RunningFixReading> fixesFromRanges(const Frame& frame);
   [[nodiscard]] HypothesisSet candidatesOf(const std::vector<RunningFixReading>& fixes, const Frame& frame) const;

@@ -7,12 +7,12 @@
 
 namespace mrpt_ext
 {
-/// A closed form that sees the readings of the last seconds as one constellation: `<name>_joined`.
+/// A method without memory, applied to the readings of a sliding window: `<name>_joined`.
 class WindowedLocalizer : public Localizer
 {
  public:
   WindowedLocalizer(std::unique_ptr<Localizer> inner, double window, const MotionModel& motion)
-      : inner_(std::move(inner)), joiner_(window, motion)
+      : inner_(std::move(inner)), window_(window, motion)
   {
   }
 
@@ -20,12 +20,12 @@ class WindowedLocalizer : public Localizer
   [[nodiscard]] bool continuous() const override { return false; }
   Estimate process(const Frame& frame) override
   {
-    joiner_.add(frame);
-    return inner_->process(joiner_.joined());
+    window_.add(frame);
+    return inner_->process(window_.frame());
   }
 
  private:
   std::unique_ptr<Localizer> inner_;
-  MeasurementWindow joiner_;
+  MeasurementWindow window_;
 };
 }  // namespace mrpt_ext

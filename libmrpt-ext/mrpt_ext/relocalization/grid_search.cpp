@@ -9,22 +9,24 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kTypicalRange = 3;    // [m] at which the side of a cell is felt as an angle
-constexpr float kBehind = 1e12F;       // squared tangent of what lies behind
-constexpr double kSpreadOfCell = 0.5;  // of its side, as a standard deviation: more than an even spread, for curvature
+constexpr double kGate = 3;            // standard deviations at which the misfit of a bearing is truncated
+constexpr double kMaxWork = 4e8;       // bearings x landmarks x cells
+constexpr double kTypicalRange = 3;    // [m] converts the side of a cell into an angle
+constexpr float kBehind = 1e12F;       // squared tangent for landmarks behind the ray
+constexpr double kSpreadOfCell = 0.5;  // of its side, as a standard deviation: above the uniform 0.29, for curvature
 
-/// A bearing as the grid needs it, for one heading: where from and which way, in the axes of the map.
+/// A bearing for one heading of the robot: origin relative to the robot and direction, in the axes of the map.
 struct Ray
 {
   float x, y, cosine, sine;
   float information;  // 1 / variance
 };
 
-/// Adds to `score`, per cell of a row that begins at x0, what a ray says: half its squared distance from the nearest
-/// landmark, at most `most`. (dx, dy) from each landmark to where the ray starts for the robot at the origin.
+/// Subtracts from `score`, for every cell of a row that begins at (x0, y), the misfit of a ray: half its squared
+/// normalised distance from the nearest landmark, at most `max_misfit`.
 MRPT_EXT_VECTOR_CLONES
 void addRay(const Ray& ray, const float* landmark_x, const float* landmark_y, std::size_t landmarks, float x0, float y,
-            float cell, float most, float* nearest, float* score, std::size_t count)
+            float cell, float max_misfit, float* nearest, float* score, std::size_t count)
 {
   for (std::size_t i = 0; i < count; ++i) nearest[i] = kBehind;
   for (std::size_t l = 0; l < landmarks; ++l)
@@ -46,23 +48,22 @@ void addRay(const Ray& ray, const float* landmark_x, const float* landmark_y, st
   for (std::size_t i = 0; i < count; ++i)
   {
     const float misfit = 0.5F * ray.information * nearest[i];
-    score[i] -= misfit < most ? misfit : most;
+    score[i] -= misfit < max_misfit ? misfit : max_misfit;
   }
 }
 
 class Grid
 {
  public:
-  Grid(const PoseRegion& region, const GridSearchOptions& options)
+  explicit Grid(const PoseRegion& region)
       : region_(region),
-        columns_(cells(region.extent().x(), options.cell)),
-        rows_(cells(region.extent().y(), options.cell)),
-        turns_(cells(region.turn(), options.turn)),
+        columns_(cells(region.extent().x(), kGridCell)),
+        rows_(cells(region.extent().y(), kGridCell)),
+        turns_(cells(region.headingExtent(), kGridTurn)),
         scores_(columns_ * rows_ * turns_, 0.0F)
   {
   }
 
-  [[nodiscard]] std::size_t size() const { return columns_ * rows_ * turns_; }
   [[nodiscard]] Pose2 pose(std::size_t i, std::size_t j, std::size_t t) const
   {
     const Vector2d side = cell();
@@ -74,23 +75,24 @@ class Grid
   {
     return {region_.extent().x() / static_cast<double>(columns_), region_.extent().y() / static_cast<double>(rows_)};
   }
-  [[nodiscard]] double turn() const { return region_.turn() / static_cast<double>(turns_); }
+  [[nodiscard]] double turn() const { return region_.headingExtent() / static_cast<double>(turns_); }
 
-  void score(std::span<const WindowBearing> bearings, const LandmarkIndex& map, double gate)
+  void score(std::span<const WindowBearing> bearings, const LandmarkIndex& map)
   {
     std::vector<float> nearest(columns_);
     const auto side = cell();
-    const double of_cell = square(kSpreadOfCell * turn()) + square(kSpreadOfCell * side.maxCoeff() / kTypicalRange);
+    const double cell_variance =
+        square(kSpreadOfCell * turn()) + square(kSpreadOfCell * side.maxCoeff() / kTypicalRange);
     for (const WindowBearing& bearing : bearings)
     {
       std::vector<float> x, y;
       for (std::size_t l = 0; l < map.size(); ++l)
-        if (map.mayShow(bearing.kind, l))
+        if (map.mayShow(bearing.category, l))
         {
           x.push_back(static_cast<float>(map.position(l).x() - region_.low.x()));
           y.push_back(static_cast<float>(map.position(l).y() - region_.low.y()));
         }
-      const double information = 1 / (square(bearing.std_bearing) + of_cell);
+      const double information = 1 / (square(bearing.std_bearing) + cell_variance);
       for (std::size_t t = 0; t < turns_; ++t)
       {
         const Pose2 sensor = compose({0, 0, pose(0, 0, t).phi}, bearing.T_robot_sensor);
@@ -101,22 +103,22 @@ class Grid
         for (std::size_t j = 0; j < rows_; ++j)
           addRay(ray, x.data(), y.data(), x.size(), static_cast<float>(0.5 * side.x()),
                  static_cast<float>((static_cast<double>(j) + 0.5) * side.y()), static_cast<float>(side.x()),
-                 static_cast<float>(0.5 * gate * gate), nearest.data(), scores_.data() + at(0, j, t), columns_);
+                 static_cast<float>(0.5 * kGate * kGate), nearest.data(), scores_.data() + at(0, j, t), columns_);
       }
     }
   }
 
-  /// Cells that no neighbour outdoes, best first.
-  [[nodiscard]] std::vector<GaussianPose> peaks(std::size_t most) const
+  /// Cells with no better neighbour, best first.
+  [[nodiscard]] std::vector<GaussianPose> maxima() const
   {
     std::vector<std::pair<float, Pose2>> found;
     for (std::size_t t = 0; t < turns_; ++t)
       for (std::size_t j = 0; j < rows_; ++j)
         for (std::size_t i = 0; i < columns_; ++i)
-          if (isPeak(i, j, t)) found.emplace_back(scores_[at(i, j, t)], pose(i, j, t));
+          if (isMaximum(i, j, t)) found.emplace_back(scores_[at(i, j, t)], pose(i, j, t));
     const auto better = [](const auto& a, const auto& b) { return a.first > b.first; };
     std::stable_sort(found.begin(), found.end(), better);
-    if (found.size() > most) found.resize(most);
+    if (found.size() > kMostGridMaxima) found.resize(kMostGridMaxima);
     const Vector2d side = kSpreadOfCell * cell();
     const Matrix3d covariance = Vector3d(side.x(), side.y(), kSpreadOfCell * turn()).cwiseAbs2().asDiagonal();
     std::vector<GaussianPose> poses;
@@ -133,13 +135,13 @@ class Grid
   {
     return (t * rows_ + j) * columns_ + i;
   }
-  [[nodiscard]] bool isPeak(std::size_t i, std::size_t j, std::size_t t) const
+  [[nodiscard]] bool isMaximum(std::size_t i, std::size_t j, std::size_t t) const
   {
     const std::size_t here = at(i, j, t);
-    const bool round = region_.turn() >= kTwoPi;
+    const bool full_circle = region_.headingExtent() >= kTwoPi;
     for (int a = -1; a <= 1; ++a)
     {
-      if (!round && ((a < 0 && t == 0) || (a > 0 && t + 1 == turns_))) continue;
+      if (!full_circle && ((a < 0 && t == 0) || (a > 0 && t + 1 == turns_))) continue;
       const std::size_t tt = (t + turns_ + static_cast<std::size_t>(a + 1) - 1) % turns_;
       for (std::size_t jj = j > 0 ? j - 1 : 0; jj <= std::min(j + 1, rows_ - 1); ++jj)
         for (std::size_t ii = i > 0 ? i - 1 : 0; ii <= std::min(i + 1, columns_ - 1); ++ii)
@@ -158,13 +160,13 @@ class Grid
 }  // namespace
 
 std::vector<GaussianPose> gridMaxima(std::span<const WindowBearing> bearings, const LandmarkIndex& map,
-                                     const PoseRegion& region, const GridSearchOptions& options)
+                                     const PoseRegion& region)
 {
   const Vector2d extent = region.extent();
-  const double cells = extent.prod() / square(options.cell) * region.turn() / options.turn;
-  if (bearings.empty() || cells * static_cast<double>(map.size() * bearings.size()) > options.max_work) return {};
-  Grid grid(region, options);
-  grid.score(bearings, map, options.gate);
-  return grid.peaks(options.max_poses);
+  const double cells = extent.prod() / square(kGridCell) * region.headingExtent() / kGridTurn;
+  if (bearings.empty() || cells * static_cast<double>(map.size() * bearings.size()) > kMaxWork) return {};
+  Grid grid(region);
+  grid.score(bearings, map);
+  return grid.maxima();
 }
 }  // namespace mrpt_ext

@@ -10,29 +10,24 @@
 
 namespace mrpt_ext
 {
-/// A bearing without a name, taken from a place that is rigidly joined to the pose asked for.
+/// An anonymous bearing of a window, with the sensor pose relative to the robot pose that is searched for.
 struct WindowBearing
 {
-  Pose2 T_robot_sensor;     ///< where it was taken from, in the axes of that pose
-  double bearing = 0;       ///< [rad, CCW from the sensor's forward axis]
-  double std_bearing = 0;   ///< with what joins the places [rad]
-  int kind = kAnyCategory;  ///< of landmark (scan.h)
+  Pose2 T_robot_sensor;         ///< in the robot frame at that pose
+  double bearing = 0;           ///< [rad, CCW from the sensor's forward axis]
+  double std_bearing = 0;       ///< odometry within the window included [rad]
+  int category = kAnyCategory;  ///< of landmark (scan.h)
 };
 
-struct GridSearchOptions
-{
-  double cell = 0.3;            ///< side of a cell [m]
-  double turn = degToRad(3.0);  ///< its heading [rad]
-  double gate = 3;              ///< standard deviations at which a bearing counts as false
-  std::size_t max_poses = 400;  ///< returned
-  double max_work = 4e8;        ///< bearings x landmarks x cells: above, the map is too large for a grid
-};
+inline constexpr double kGridCell = 0.3;             ///< side of a cell [m]
+inline constexpr double kGridTurn = degToRad(3.0);   ///< its heading interval [rad]
+inline constexpr std::size_t kMostGridMaxima = 400;  ///< returned by gridMaxima()
 
-/// Every pose of a region tried: the cells whose poses explain bearings better than all their neighbours do, best
-/// first, each with the spread of its cell. A bearing counts by its distance to the nearest landmark that it may show,
-/// in standard deviations of bearing and cell together. Any number of bearings, in any directions, however the
-/// landmarks stand: what closed forms over minimal sets of bearings need is not needed here. Empty without bearings and
-/// where the work would exceed `max_work`.
+/// Exhaustive search of a region: the robust likelihood of the bearings at the centre of every cell; returns the local
+/// maxima, best first, each with the spread of its cell as covariance. A bearing contributes its squared distance, in
+/// standard deviations of bearing and cell together, to the nearest landmark of its category, truncated at the gate.
+/// Unlike closed forms over minimal subsets, it works for any number of bearings in any geometry. Empty without
+/// bearings, and if the region is too large (bearings x landmarks x cells beyond 4e8).
 [[nodiscard]] std::vector<GaussianPose> gridMaxima(std::span<const WindowBearing> bearings, const LandmarkIndex& map,
-                                                   const PoseRegion& region, const GridSearchOptions& options = {});
+                                                   const PoseRegion& region);
 }  // namespace mrpt_ext

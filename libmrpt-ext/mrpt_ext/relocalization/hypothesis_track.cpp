@@ -15,8 +15,8 @@ constexpr double kMinClutter = 1e-6;
 
 double clutterOf(const SensorModel& model) { return std::clamp(model.clutter_probability, kMinClutter, 0.999); }
 
-/// Log-density of a false detection, times the chance of one.
-double logFalse(const LandmarkIndex& map, const AnonymousDetection& z, const SensorModel& model)
+/// Log-density of clutter: its probability times the density of a false detection.
+double logClutter(const LandmarkIndex& map, const AnonymousDetection& z, const SensorModel& model)
 {
   double volume = 1;
   if (z.bearing) volume *= model.has_field_of_view ? model.field_of_view : kTwoPi;
@@ -25,32 +25,32 @@ double logFalse(const LandmarkIndex& map, const AnonymousDetection& z, const Sen
   return std::log(clutterOf(model) / volume);
 }
 
-/// Log of the share of the detections that a landmark in view may expect.
-double logShare(const SensorModel& model, double in_view) { return std::log((1 - clutterOf(model)) / in_view); }
+/// Log-probability that a detection shows one given landmark of those in view.
+double logPrior(const SensorModel& model, double in_view) { return std::log((1 - clutterOf(model)) / in_view); }
 
-/// A detection against a landmark as the pose sees it: the Kalman filter's innovation.
+/// The innovation of a detection for one landmark.
 struct Innovation
 {
-  Eigen::Vector2d residual = Eigen::Vector2d::Zero();  // an absent value has residual 0, row 0 and variance 1
+  Eigen::Vector2d residual = Eigen::Vector2d::Zero();  // an absent component has residual 0, row 0, variance 1
   Eigen::Matrix<double, 2, 3> rows = Eigen::Matrix<double, 2, 3>::Zero();
   Matrix2d variance = Matrix2d::Identity();
   double log_density = 0;
 };
 
-Innovation innovationOf(const GaussianPose& pose, const Scan& place, const AnonymousDetection& z,
+Innovation innovationOf(const GaussianPose& pose, const Scan& scan, const AnonymousDetection& z,
                         const Vector2d& landmark)
 {
   Innovation innovation;
-  const Vector2d offset = place.T_robot_sensor.position();
+  const Vector2d offset = scan.T_robot_sensor.position();
   if (z.bearing)
   {
-    innovation.residual(0) = wrap(*z.bearing - predictBearing(pose.mean, landmark, place.T_robot_sensor));
+    innovation.residual(0) = wrap(*z.bearing - predictBearing(pose.mean, landmark, scan.T_robot_sensor));
     innovation.rows.row(0) = bearingJacobian(pose.mean, landmark, offset);
     innovation.variance(0, 0) = square(z.std_bearing);
   }
   if (z.range)
   {
-    innovation.residual(1) = *z.range - predictRange(pose.mean, landmark, place.T_robot_sensor);
+    innovation.residual(1) = *z.range - predictRange(pose.mean, landmark, scan.T_robot_sensor);
     innovation.rows.row(1) = rangeJacobian(pose.mean, landmark, offset);
     innovation.variance(1, 1) = square(z.std_range);
   }
@@ -86,30 +86,30 @@ void retrodict(HypothesisTrack& track, const TrajectoryStep& step)
   pose.covariance = back * (pose.covariance + G * step.noise * G.transpose()) * back.transpose();
 }
 
-std::vector<int> update(HypothesisTrack& track, const LandmarkIndex& map, std::span<const Scan> seen, double gate)
+std::vector<int> update(HypothesisTrack& track, const LandmarkIndex& map, std::span<const Scan> scans, double gate)
 {
   std::vector<int> landmarks;
-  for (const Scan& place : seen)
+  for (const Scan& scan : scans)
   {
-    const std::vector<ExpectedLandmark> expected = expectedLandmarks(map, place, track.pose);
+    const std::vector<ExpectedLandmark> expected = expectedLandmarks(map, scan, track.pose);
     const auto in_view = std::count_if(expected.begin(), expected.end(), [](const auto& h) { return h.in_view; });
-    const double log_share = logShare(place.model, std::max(1.0, static_cast<double>(in_view)));
-    const std::vector<int> matches = associate(map, place, expected, gate);
+    const double log_prior = logPrior(scan.model, std::max(1.0, static_cast<double>(in_view)));
+    const std::vector<int> matches = associate(map, scan, expected, gate);
     for (std::size_t d = 0; d < matches.size(); ++d)
     {
-      const AnonymousDetection& z = place.detections[d];
-      const double log_false = logFalse(map, z, place.model);
+      const AnonymousDetection& z = scan.detections[d];
+      const double log_clutter = logClutter(map, z, scan.model);
       landmarks.push_back(-1);
       if (matches[d] < 0)
       {
-        track.log_evidence += log_false;
+        track.log_evidence += log_clutter;
         continue;
       }
       const std::size_t landmark = expected[static_cast<std::size_t>(matches[d])].landmark;
-      const Innovation innovation = innovationOf(track.pose, place, z, map.position(landmark));
-      const double log_true = log_share + innovation.log_density;
-      track.log_evidence += logSum(log_false, log_true);
-      if (log_true < log_false) continue;
+      const Innovation innovation = innovationOf(track.pose, scan, z, map.position(landmark));
+      const double log_landmark = log_prior + innovation.log_density;
+      track.log_evidence += logSum(log_clutter, log_landmark);
+      if (log_landmark < log_clutter) continue;
       kalmanUpdate(track.pose, innovation);
       landmarks.back() = static_cast<int>(landmark);
     }
@@ -117,42 +117,41 @@ std::vector<int> update(HypothesisTrack& track, const LandmarkIndex& map, std::s
   return landmarks;
 }
 
-void updateAssociated(HypothesisTrack& track, const LandmarkIndex& map, std::span<const Scan> seen,
+void updateAssociated(HypothesisTrack& track, const LandmarkIndex& map, std::span<const Scan> scans,
                       std::span<const int> landmarks)
 {
   std::size_t d = 0;
-  for (const Scan& place : seen)
+  for (const Scan& scan : scans)
   {
-    const std::vector<ExpectedLandmark> expected = expectedLandmarks(map, place, {track.pose.mean, Matrix3d::Zero()});
+    const std::vector<ExpectedLandmark> expected = expectedLandmarks(map, scan, {track.pose.mean, Matrix3d::Zero()});
     const auto in_view = std::count_if(expected.begin(), expected.end(), [](const auto& h) { return h.in_view; });
-    const double log_share = logShare(place.model, std::max(1.0, static_cast<double>(in_view)));
-    for (const AnonymousDetection& z : place.detections)
+    const double log_prior = logPrior(scan.model, std::max(1.0, static_cast<double>(in_view)));
+    for (const AnonymousDetection& z : scan.detections)
     {
       const int landmark = landmarks[d++];
       if (landmark < 0)
       {
-        track.log_evidence += logFalse(map, z, place.model);
+        track.log_evidence += logClutter(map, z, scan.model);
         continue;
       }
-      const Innovation innovation =
-          innovationOf(track.pose, place, z, map.position(static_cast<std::size_t>(landmark)));
-      track.log_evidence += log_share + innovation.log_density;
+      const Innovation innovation = innovationOf(track.pose, scan, z, map.position(static_cast<std::size_t>(landmark)));
+      track.log_evidence += log_prior + innovation.log_density;
       kalmanUpdate(track.pose, innovation);
     }
   }
 }
 
-double expectedEvidence(const LandmarkIndex& map, std::span<const Scan> seen)
+double expectedEvidence(const LandmarkIndex& map, std::span<const Scan> scans)
 {
   double sum = 0;
-  for (const Scan& place : seen)
-    for (const AnonymousDetection& z : place.detections)
+  for (const Scan& scan : scans)
+    for (const AnonymousDetection& z : scan.detections)
     {
-      const double clutter = clutterOf(place.model);
-      double log_true = logShare(place.model, static_cast<double>(map.size()));
-      if (z.bearing) log_true -= 0.5 + std::log(z.std_bearing * std::sqrt(kTwoPi));
-      if (z.range) log_true -= 0.5 + std::log(z.std_range * std::sqrt(kTwoPi));
-      sum += (1 - clutter) * log_true + clutter * logFalse(map, z, place.model);
+      const double clutter = clutterOf(scan.model);
+      double log_landmark = logPrior(scan.model, static_cast<double>(map.size()));
+      if (z.bearing) log_landmark -= 0.5 + std::log(z.std_bearing * std::sqrt(kTwoPi));
+      if (z.range) log_landmark -= 0.5 + std::log(z.std_range * std::sqrt(kTwoPi));
+      sum += (1 - clutter) * log_landmark + clutter * logClutter(map, z, scan.model);
     }
   return sum;
 }

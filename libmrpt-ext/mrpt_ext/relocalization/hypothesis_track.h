@@ -9,39 +9,39 @@
 
 namespace mrpt_ext
 {
-/// A piece of a way and what was seen at its end.
+/// One step of a trajectory: the odometry since the previous step, and the anonymous scans at the pose it leads to.
 struct TrajectoryStep
 {
-  Pose2 increment;                    ///< by odometry since the step before
-  Matrix3d noise = Matrix3d::Zero();  ///< covariance added to the increment: (x, y, phi), axes of the robot before
-  std::vector<Scan> seen;             ///< T_robot_sensor: in the robot frame at the end of the step
+  Pose2 increment;                    ///< odometry, in the robot frame of the previous step
+  Matrix3d noise = Matrix3d::Zero();  ///< covariance of the increment, order (x, y, phi), in the same axes
+  std::vector<Scan> scans;            ///< T_robot_sensor: in the robot frame of this step
 };
 
-/// A supposed pose that is carried along a way and confronted with all that is seen: one hypothesis of multi-hypothesis
-/// localization (Jensfelt, Kristensen 2001; Arras et al. 2003). Detections without names are given to landmarks by the
-/// pose itself; a Kalman filter takes in what fits.
+/// One hypothesis of multi-hypothesis localization (Jensfelt and Kristensen, "Active global localization for a mobile
+/// robot using multiple hypothesis tracking", 2001): a Gaussian pose with a Kalman filter of its own, which associates
+/// anonymous detections by itself, and the evidence that ranks it among the others.
 struct HypothesisTrack
 {
   GaussianPose pose;
-  double log_evidence = 0;  ///< of all it was confronted with, given its first pose
+  double log_evidence = 0;  ///< log p(all updates | initial pose)
 };
 
-/// Over the step, and back again. Noise grows both ways.
+/// Propagates the pose over a step, forward from the previous step or backward from its own. Noise is added either way.
 void predict(HypothesisTrack& track, const TrajectoryStep& step);
 void retrodict(HypothesisTrack& track, const TrajectoryStep& step);
 
-/// Confronts the track with a look. Per detection the evidence grows by the log of
-///   c / V + (1 - c) / n N(z; h, S),
-/// n landmarks in view, S with the pose's uncertainty, c / V the density of false ones; the landmark is the closest
-/// within `gate` standard deviations, one for each detection of a place, and the pose takes it in where it is likelier
-/// than a false one. Returns the landmark taken in for every detection, -1 for none.
-std::vector<int> update(HypothesisTrack& track, const LandmarkIndex& map, std::span<const Scan> seen, double gate);
+/// Kalman update with the detections of a step, each associated with the nearest landmark within `gate` standard
+/// deviations, one landmark per detection of a scan. The evidence of a detection is
+///   c / V + (1 - c) / n N(z; h, S)
+/// with n landmarks in view, the innovation covariance S and the clutter density c / V; a detection more likely to be
+/// clutter does not change the pose. Returns the index of the landmark used for every detection, -1 for none.
+std::vector<int> update(HypothesisTrack& track, const LandmarkIndex& map, std::span<const Scan> scans, double gate);
 
-/// The same with the landmarks given, for a track whose pose is hardly known yet.
-void updateAssociated(HypothesisTrack& track, const LandmarkIndex& map, std::span<const Scan> seen,
+/// The same with given associations, as returned by update(): for a track whose pose is still too uncertain for them.
+void updateAssociated(HypothesisTrack& track, const LandmarkIndex& map, std::span<const Scan> scans,
                       std::span<const int> landmarks);
 
-/// The evidence that the right track may expect of a look: every detection fits as well as its deviations say, as many
-/// are false as the sensor declares.
-[[nodiscard]] double expectedEvidence(const LandmarkIndex& map, std::span<const Scan> seen);
+/// Expected log-evidence of scans for the true pose: detections distributed as their standard deviations state, clutter
+/// as the sensor declares.
+[[nodiscard]] double expectedEvidence(const LandmarkIndex& map, std::span<const Scan> scans);
 }  // namespace mrpt_ext

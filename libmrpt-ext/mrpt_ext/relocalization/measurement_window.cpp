@@ -2,33 +2,36 @@
 
 #include <cmath>
 
+#include "mrpt_ext/geometry/gaussian_pose.h"
+
 namespace mrpt_ext
 {
 namespace
 {
-/// `covariance` of the way so far, seen from the end of one more piece with its own covariance `S`.
-Matrix3d continued(const Matrix3d& covariance, const Pose2& increment, const Matrix3d& S)
+/// `covariance` of the odometry since a reading, propagated over one more increment with covariance `S`; in the axes of
+/// the robot before and after it.
+Matrix3d propagated(const Matrix3d& covariance, const Pose2& increment, const Matrix3d& S)
 {
-  const Matrix3d J = composeJacobianFirst({}, increment);
+  const Matrix3d P = compound({{}, covariance}, increment, S).covariance;
   const Matrix3d to_end_axes = composeJacobianSecond({0, 0, -increment.phi});
-  return to_end_axes * (J * covariance * J.transpose() + S) * to_end_axes.transpose();
+  return to_end_axes * P * to_end_axes.transpose();
 }
 
-/// The reading as seen from a robot that has since moved by `motion`, with covariance `S`.
-void carry(Reading& reading, const OdometryMotion& motion, const Matrix3d& S)
+/// Propagates a reading to a robot that has moved by `motion`, with covariance `S`.
+void propagate(Reading& reading, const OdometryMotion& motion, const Matrix3d& S)
 {
   const Vector2d lever = reading.T_robot_sensor.position() - motion.increment.position();
-  const Vector2d swing(-lever.y(), lever.x());  // a heading error of the way turns the old place about the new one
+  const Vector2d swing(-lever.y(), lever.x());  // a heading error rotates the old position about the new one
   const Matrix2d R = rotation(-motion.increment.phi);
   const Matrix2d cross = S.topRightCorner<2, 1>() * swing.transpose();
-  const Matrix2d grown = reading.sensor_position_covariance + S.topLeftCorner<2, 2>() +
-                         S(2, 2) * swing * swing.transpose() + cross + cross.transpose();
-  reading.sensor_position_covariance = R * grown * R.transpose();
-  reading.odometry_covariance = continued(reading.odometry_covariance, motion.increment, S);
+  const Matrix2d inflated = reading.sensor_position_covariance + S.topLeftCorner<2, 2>() +
+                            S(2, 2) * swing * swing.transpose() + cross + cross.transpose();
+  reading.sensor_position_covariance = R * inflated * R.transpose();
+  reading.odometry_covariance = propagated(reading.odometry_covariance, motion.increment, S);
   for (Detection& detection : reading.detections)
     if (detection.bearing) detection.std_bearing = std::hypot(detection.std_bearing, std::sqrt(S(2, 2)));
   reading.T_robot_sensor = compose(inverse(motion.increment), reading.T_robot_sensor);
-  reading.model.detection_probability.reset();  // what it did not report was not reported then, not now
+  reading.model.detection_probability.reset();  // missed detections do not apply to the new pose
 }
 }  // namespace
 
@@ -40,7 +43,7 @@ void MeasurementWindow::add(const Frame& frame)
   while (!older_.empty() && older_.front().time < frame.time - window_) older_.pop_front();
   const OdometryMotion motion = believedMotion(motion_, frame.motion);
   const Matrix3d S = incrementCovariance(motion_, frame.motion);
-  for (Reading& reading : older_) carry(reading, motion, S);
+  for (Reading& reading : older_) propagate(reading, motion, S);
   newest_ = frame;
 }
 
@@ -51,7 +54,7 @@ std::vector<Reading> MeasurementWindow::readings() const
   return all;
 }
 
-Frame MeasurementWindow::joined() const
+Frame MeasurementWindow::frame() const
 {
   Frame frame = newest_;
   frame.readings = readings();

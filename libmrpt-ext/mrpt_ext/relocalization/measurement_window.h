@@ -7,28 +7,28 @@
 
 namespace mrpt_ext
 {
-/// Carries the readings of the last seconds along by odometry, so that a method sees one constellation measured at
-/// several places. Sensor poses are expressed in the robot frame of the newest frame; the odometry noise on the way
-/// grows their offset covariance and, by its heading error, the deviations of their bearings: each detection by itself
-/// is then as uncertain as it is, which gates and scores need. But the readings of one moment share that error, and all
-/// older ones share the error of the way that is common to them; treated as independent, a hundred of them would seem
-/// to average it away. `Reading::odometry_covariance` keeps what is shared; solvers/window_pose.h uses it and is
-/// neither over- nor under-confident. A random walk believes no odometry: readings stay where they were and grow
-/// uncertain.
+/// Sliding window: the readings of the last seconds, propagated by odometry to the newest frame, so that a method sees
+/// them as measured by many sensors at once. Sensor poses are given in the robot frame of the newest frame. The
+/// odometry noise inflates the covariance of their positions and, by its heading error, the standard deviations of
+/// their bearings: the marginal uncertainty of each detection is right, as gates and likelihoods need it. However, the
+/// readings of one frame share that error, and older ones share the error of their common trajectory; treated as
+/// independent, a hundred of them would seem to average it away. `Reading::odometry_covariance` keeps the shared part,
+/// and solvers/window_pose.h uses it for a consistent covariance. For a random walk, odometry is ignored: readings stay
+/// at their pose and become uncertain with time.
 class MeasurementWindow
 {
  public:
-  /// `window` [s]; 0 keeps nothing.
+  /// `window` [s]; 0: the newest frame alone.
   MeasurementWindow(double window, const MotionModel& motion) : window_(window), motion_(motion) {}
 
-  /// Takes in the next frame.
+  /// Propagates the readings to the next frame and adds its own.
   void add(const Frame& frame);
-  /// The readings of the window, oldest first, seen from the newest frame.
+  /// The readings of the window, oldest first.
   [[nodiscard]] std::vector<Reading> readings() const;
-  /// True once the frames span the window: from then on the oldest readings are dropped.
+  /// True once the frames span the window; from then on the oldest readings are dropped.
   [[nodiscard]] bool full() const { return full_; }
-  /// The newest frame with the older readings of the window added.
-  [[nodiscard]] Frame joined() const;
+  /// The newest frame with all readings of the window.
+  [[nodiscard]] Frame frame() const;
 
  private:
   double window_;

@@ -7,8 +7,17 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kRemembered = 240, kLook = 1;  // [s] of the way that is searched, and of what makes one look
-constexpr std::size_t kMostHeld = 10;           // modes that are judged with what the search proposes
+constexpr double kBuffered = 240;              // [s]
+constexpr double kStepDuration = 1;            // [s]
+constexpr std::size_t kMostCurrentModes = 10;  // that compete with the poses found
+
+bool hasIdentified(const Frame& frame)
+{
+  const auto is_identified = [](const Detection& d) { return d.id != kNoId; };
+  return std::any_of(frame.readings.begin(), frame.readings.end(),
+                     [&](const Reading& reading)
+                     { return std::any_of(reading.detections.begin(), reading.detections.end(), is_identified); });
+}
 }  // namespace
 
 TrajectoryRelocalizer::TrajectoryRelocalizer(const LandmarkTable& map, std::shared_ptr<const GlobalPoseSearch> search,
@@ -19,31 +28,25 @@ TrajectoryRelocalizer::TrajectoryRelocalizer(const LandmarkTable& map, std::shar
 
 void TrajectoryRelocalizer::add(const Frame& frame)
 {
-  for (const Reading& reading : frame.readings)
-    names_ = names_ || std::any_of(reading.detections.begin(), reading.detections.end(),
-                                   [](const Detection& d) { return d.id != kNoId; });
+  has_identified_ = has_identified_ || hasIdentified(frame);
   if (frames_.empty() && !hasAnonymous(frame)) return;
   frames_.push_back(frame);
-  while (frame.time - frames_.front().time > kRemembered) frames_.pop_front();
+  while (frame.time - frames_.front().time > kBuffered) frames_.pop_front();
 }
 
-HypothesisSet TrajectoryRelocalizer::search(const ModeSet& held)
+HypothesisSet TrajectoryRelocalizer::search(const ModeSet& current)
 {
-  if (frames_.empty() || frames_.back().time - searched_at_ < pause_) return {};
-  pause_ = std::min(2 * pause_, kLongestPause);
-  searched_at_ = frames_.back().time;
+  if (frames_.empty() || frames_.back().time - last_search_ < interval_) return {};
+  interval_ = std::min(2 * interval_, kLongestInterval);
+  last_search_ = frames_.back().time;
   const OdometryMotion& last = frames_.back().motion;
-  std::vector<GaussianPose> supposed;
-  for (std::size_t m = 0; m < std::min(kMostHeld, held.modes.size()); ++m)
-  {
-    HypothesisTrack place{held.modes[m].pose, 0};
-    predict(place, {believedMotion(motion_, last).increment, incrementCovariance(motion_, last), {}});
-    supposed.push_back(place.pose);
-  }
-  std::vector<Frame> way(frames_.begin(), frames_.end());
-  way.front().motion = {};
-  return localizeOverTrajectory(trajectorySteps(way, motion_, map_, search_->index(), kLook), *search_, region_,
-                                supposed)
-      .hypotheses;
+  std::vector<GaussianPose> predicted;
+  for (std::size_t m = 0; m < std::min(kMostCurrentModes, current.modes.size()); ++m)
+    predicted.push_back(
+        compound(current.modes[m].pose, believedMotion(motion_, last).increment, incrementCovariance(motion_, last)));
+  std::vector<Frame> frames(frames_.begin(), frames_.end());
+  frames.front().motion = {};
+  const auto steps = trajectorySteps(frames, motion_, map_, search_->index(), kStepDuration);
+  return localizeOverTrajectory(steps, *search_, region_, predicted).hypotheses;
 }
 }  // namespace mrpt_ext

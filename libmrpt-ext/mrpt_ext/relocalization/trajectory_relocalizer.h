@@ -10,9 +10,9 @@
 
 namespace mrpt_ext
 {
-/// What a robot saw along the last minutes of its way where detections have no names, to be searched for all of it at
-/// once (relocalization/trajectory_search.h). A search takes a quarter of a second where a frame takes a millisecond,
-/// so each one doubles the pause before the next.
+/// Buffers the frames of the last four minutes and searches them for robot poses (trajectory_search.h), if all
+/// detections are anonymous. A search takes a quarter of a second where a frame takes a millisecond, so the interval
+/// between searches doubles with each, from 5 s up to 40 s.
 class TrajectoryRelocalizer
 {
  public:
@@ -20,24 +20,24 @@ class TrajectoryRelocalizer
                         const PoseRegion& region, const MotionModel& motion);
 
   void add(const Frame& frame);
-  /// True when all that was seen has no name: where some has, the way alone does not tell all that is known.
-  [[nodiscard]] bool isApplicable() const { return !frames_.empty() && !names_; }
-  /// Where the robot may be at the newest frame. `held`: the modes before that frame's motion, the likeliest of which
-  /// are judged too. Empty while it pauses.
-  [[nodiscard]] HypothesisSet search(const ModeSet& held);
-  /// The place is not sure any more: it may be searched soon again.
-  void resetInterval() { pause_ = kShortestPause; }
+  /// False once a detection was identified: the search would ignore it.
+  [[nodiscard]] bool isApplicable() const { return !frames_.empty() && !has_identified_; }
+  /// Poses at the newest frame, with weights; empty before the interval since the last search is over. `current`: modes
+  /// before the motion of the newest frame; the likeliest of them compete with the poses found.
+  [[nodiscard]] HypothesisSet search(const ModeSet& current);
+  /// Back to the shortest interval: the pose is in doubt again.
+  void resetInterval() { interval_ = kShortestInterval; }
 
  private:
-  static constexpr double kShortestPause = 5, kLongestPause = 40;  // [s]
+  static constexpr double kShortestInterval = 5, kLongestInterval = 40;  // [s]
 
   LandmarkTable map_;
   std::shared_ptr<const GlobalPoseSearch> search_;
   PoseRegion region_;
   MotionModel motion_;
   std::deque<Frame> frames_;
-  bool names_ = false;
-  double searched_at_ = -std::numeric_limits<double>::infinity();  // [s] along the way
-  double pause_ = kShortestPause;
+  bool has_identified_ = false;
+  double last_search_ = -std::numeric_limits<double>::infinity();  // [s] time of the frame
+  double interval_ = kShortestInterval;
 };
 }  // namespace mrpt_ext

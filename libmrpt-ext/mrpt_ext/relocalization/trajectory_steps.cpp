@@ -11,43 +11,45 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kGate = 3.3;                // standard deviations
-constexpr double kParallax = degToRad(2.0);  // that a landmark shifts within a look
+constexpr double kParallax = degToRad(2.0);  // of a landmark within a step
 
-double worldAngle(const Scan& place, const AnonymousDetection& d) { return *d.bearing + place.T_robot_sensor.phi; }
+double bearingInRobot(const Scan& scan, const AnonymousDetection& d) { return *d.bearing + scan.T_robot_sensor.phi; }
 
-/// True when both may show one landmark.
-bool isRepeated(const Scan& at_a, const AnonymousDetection& a, const Scan& at_b, const AnonymousDetection& b)
+/// True if both may show the same landmark.
+bool isRepeated(const Scan& scan_a, const AnonymousDetection& a, const Scan& scan_b, const AnonymousDetection& b)
 {
   if (a.category != b.category || a.bearing.has_value() != b.bearing.has_value()) return false;
   const double std = std::hypot(a.std_bearing, b.std_bearing);
-  if (a.bearing && std::abs(wrap(worldAngle(at_a, a) - worldAngle(at_b, b))) > kGate * std + kParallax) return false;
+  if (a.bearing && std::abs(wrap(bearingInRobot(scan_a, a) - bearingInRobot(scan_b, b))) > kGate * std + kParallax)
+    return false;
   return !(a.range && b.range) || std::abs(*a.range - *b.range) <= kGate * std::hypot(a.std_range, b.std_range);
 }
 
-/// Each landmark once, where it was seen last; `places` oldest first.
-std::vector<Scan> withoutRepeats(std::vector<Scan> places)
+bool isRepeatedIn(const std::vector<Scan>& later, const Scan& scan, const AnonymousDetection& detection)
 {
-  std::reverse(places.begin(), places.end());
-  std::vector<Scan> kept;
-  for (Scan& rest : places)
+  const auto repeats = [&](const Scan& other)
   {
-    std::erase_if(rest.detections,
-                  [&](const AnonymousDetection& d)
-                  {
-                    return std::any_of(kept.begin(), kept.end(),
-                                       [&](const Scan& k)
-                                       {
-                                         return std::any_of(k.detections.begin(), k.detections.end(),
-                                                            [&](const auto& e) { return isRepeated(k, e, rest, d); });
-                                       });
-                  });
-    if (!rest.detections.empty()) kept.push_back(std::move(rest));
+    return std::any_of(other.detections.begin(), other.detections.end(),
+                       [&](const AnonymousDetection& d) { return isRepeated(other, d, scan, detection); });
+  };
+  return std::any_of(later.begin(), later.end(), repeats);
+}
+
+/// Keeps the last detection of each landmark; `scans` oldest first.
+std::vector<Scan> withoutRepeats(std::vector<Scan> scans)
+{
+  std::reverse(scans.begin(), scans.end());
+  std::vector<Scan> kept;
+  for (Scan& scan : scans)
+  {
+    std::erase_if(scan.detections, [&](const AnonymousDetection& d) { return isRepeatedIn(kept, scan, d); });
+    if (!scan.detections.empty()) kept.push_back(std::move(scan));
   }
   std::reverse(kept.begin(), kept.end());
   return kept;
 }
 
-/// The way so far and one more piece.
+/// Appends one more increment of odometry.
 void extend(TrajectoryStep& step, const Pose2& increment, const Matrix3d& noise)
 {
   const GaussianPose extended = compound({step.increment, step.noise}, increment, noise);
@@ -57,24 +59,24 @@ void extend(TrajectoryStep& step, const Pose2& increment, const Matrix3d& noise)
 }  // namespace
 
 std::vector<TrajectoryStep> trajectorySteps(std::span<const Frame> frames, const MotionModel& motion,
-                                            const LandmarkTable& map, const LandmarkIndex& index, double look_duration)
+                                            const LandmarkTable& map, const LandmarkIndex& index, double step_duration)
 {
   std::vector<TrajectoryStep> steps;
-  DetectionDecorrelator fresh({}, motion, map);
+  DetectionDecorrelator decorrelator({}, motion, map);
   for (std::size_t begin = 0, end = 0; begin < frames.size(); begin = end)
   {
     TrajectoryStep step;
-    MeasurementWindow look(2 * look_duration + 1, motion);
-    for (end = begin; end < frames.size() && frames[end].time - frames[begin].time < look_duration; ++end)
+    MeasurementWindow window(2 * step_duration + 1, motion);
+    for (end = begin; end < frames.size() && frames[end].time - frames[begin].time < step_duration; ++end)
     {
-      const OdometryMotion believed = believedMotion(motion, frames[end].motion);
-      extend(step, believed.increment, incrementCovariance(motion, frames[end].motion));
-      fresh.move(frames[end].motion);
-      Frame seen = frames[end];
-      for (Reading& reading : seen.readings) reading = fresh.take(reading);
-      look.add(seen);
+      extend(step, believedMotion(motion, frames[end].motion).increment,
+             incrementCovariance(motion, frames[end].motion));
+      decorrelator.move(frames[end].motion);
+      Frame frame = frames[end];
+      for (Reading& reading : frame.readings) reading = decorrelator.take(reading);
+      window.add(frame);
     }
-    step.seen = withoutRepeats(scansOf(look.readings(), map, index));
+    step.scans = withoutRepeats(scansOf(window.readings(), map, index));
     steps.push_back(std::move(step));
   }
   return steps;

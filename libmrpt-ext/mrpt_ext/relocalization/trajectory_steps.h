@@ -11,11 +11,11 @@
 
 namespace mrpt_ext
 {
-/// Frames as steps of a way for localizeOverTrajectory (relocalization/trajectory_search.h). The unidentified
-/// detections of `look_duration` [s] make one look, at the robot's place of its last frame. What an earlier frame of
-/// the look has seen already is left out: it shares the errors that matter (calibration, map, wheels) and tells nothing
-/// new.
+/// Frames as a trajectory for localizeOverTrajectory() (trajectory_search.h). The anonymous detections of
+/// `step_duration` [s] are merged into the scans of one step, relative to the robot pose at its last frame. A landmark
+/// counts once per step, and bearings correlated with earlier ones are dropped (DetectionDecorrelator): they share
+/// their errors (calibration, map, wheels) and add no information.
 [[nodiscard]] std::vector<TrajectoryStep> trajectorySteps(std::span<const Frame> frames, const MotionModel& motion,
                                                           const LandmarkTable& map, const LandmarkIndex& index,
-                                                          double look_duration);
+                                                          double step_duration);
 }  // namespace mrpt_ext

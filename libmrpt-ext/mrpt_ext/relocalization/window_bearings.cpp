@@ -6,68 +6,68 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kStdParallax = degToRad(0.7);  // of bearings taken within a look, from one place to the other
-constexpr double kRigid = degToRad(3.0);        // standard deviation of heading up to which looks are joined
-constexpr double kTypicalRange = 3;             // [m] at which an error of the way is felt as one of bearing
-constexpr std::size_t kMostJoined = 10;         // bearings on either side, from which on no further look is joined
+constexpr double kStdParallax = degToRad(0.7);    // of bearings taken at different positions within one step
+constexpr double kMaxStdHeading = degToRad(3.0);  // of the odometry from the central step, up to which steps are used
+constexpr double kTypicalRange = 3;               // [m] converts a position error of odometry into a bearing error
+constexpr std::size_t kMostPerSide = 10;          // bearings, from which on no further step is used
 
-class Joiner
+class WindowBuilder
 {
  public:
-  explicit Joiner(std::span<const TrajectoryStep> way) : way_(way) {}
+  explicit WindowBuilder(std::span<const TrajectoryStep> trajectory) : trajectory_(trajectory) {}
 
-  /// The look's own bearings and those of the looks after it.
-  void joinForward(std::size_t at)
+  /// The bearings of the central step and of those after it.
+  void addForward(std::size_t centre)
   {
-    HypothesisTrack there{{{}, Matrix3d::Zero()}, 0};
-    const std::size_t before = joined_.size();
-    for (std::size_t k = at;;)
+    HypothesisTrack relative{{{}, Matrix3d::Zero()}, 0};  // pose of step k in the frame of the central one
+    const std::size_t before = bearings_.size();
+    for (std::size_t k = centre;;)
     {
-      add(way_[k], there.pose);
-      if (++k == way_.size() || joined_.size() >= before + kMostJoined) return;
-      predict(there, way_[k]);
-      if (!isRigid(there.pose)) return;
+      add(trajectory_[k], relative.pose);
+      if (++k == trajectory_.size() || bearings_.size() >= before + kMostPerSide) return;
+      predict(relative, trajectory_[k]);
+      if (!isAccurate(relative.pose)) return;
     }
   }
 
-  void joinBackward(std::size_t at)
+  void addBackward(std::size_t centre)
   {
-    HypothesisTrack there{{{}, Matrix3d::Zero()}, 0};
-    const std::size_t before = joined_.size();
-    for (std::size_t k = at; k > 0 && joined_.size() < before + kMostJoined; --k)
+    HypothesisTrack relative{{{}, Matrix3d::Zero()}, 0};
+    const std::size_t before = bearings_.size();
+    for (std::size_t k = centre; k > 0 && bearings_.size() < before + kMostPerSide; --k)
     {
-      retrodict(there, way_[k]);
-      if (!isRigid(there.pose)) return;
-      add(way_[k - 1], there.pose);
+      retrodict(relative, trajectory_[k]);
+      if (!isAccurate(relative.pose)) return;
+      add(trajectory_[k - 1], relative.pose);
     }
   }
 
-  [[nodiscard]] std::vector<WindowBearing> take() { return std::move(joined_); }
+  [[nodiscard]] std::vector<WindowBearing> take() { return std::move(bearings_); }
 
  private:
-  static bool isRigid(const GaussianPose& there) { return there.covariance(2, 2) < square(kRigid); }
+  static bool isAccurate(const GaussianPose& relative) { return relative.covariance(2, 2) < square(kMaxStdHeading); }
 
-  void add(const TrajectoryStep& step, const GaussianPose& there)
+  void add(const TrajectoryStep& step, const GaussianPose& relative)
   {
-    const double of_way =
-        there.covariance(2, 2) + there.covariance.topLeftCorner<2, 2>().trace() / square(kTypicalRange);
-    for (const Scan& place : step.seen)
-      for (const AnonymousDetection& d : place.detections)
+    const double odometry_variance =
+        relative.covariance(2, 2) + relative.covariance.topLeftCorner<2, 2>().trace() / square(kTypicalRange);
+    for (const Scan& scan : step.scans)
+      for (const AnonymousDetection& d : scan.detections)
         if (d.bearing && d.category != kUnknownCategory)
-          joined_.push_back({compose(there.mean, place.T_robot_sensor), *d.bearing,
-                             std::sqrt(square(d.std_bearing) + square(kStdParallax) + of_way), d.category});
+          bearings_.push_back({compose(relative.mean, scan.T_robot_sensor), *d.bearing,
+                               std::sqrt(square(d.std_bearing) + square(kStdParallax) + odometry_variance), d.category});
   }
 
-  std::span<const TrajectoryStep> way_;
-  std::vector<WindowBearing> joined_;
+  std::span<const TrajectoryStep> trajectory_;
+  std::vector<WindowBearing> bearings_;
 };
 }  // namespace
 
-std::vector<WindowBearing> windowBearings(std::span<const TrajectoryStep> way, std::size_t at)
+std::vector<WindowBearing> windowBearings(std::span<const TrajectoryStep> trajectory, std::size_t step)
 {
-  Joiner joiner(way);
-  joiner.joinForward(at);
-  joiner.joinBackward(at);
-  return joiner.take();
+  WindowBuilder window(trajectory);
+  window.addForward(step);
+  window.addBackward(step);
+  return window.take();
 }
 }  // namespace mrpt_ext

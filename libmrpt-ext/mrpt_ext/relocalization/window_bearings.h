@@ -9,7 +9,8 @@
 
 namespace mrpt_ext
 {
-/// The bearings of the looks before and after one of a way, as seen from its pose: as far as odometry joins them better
-/// than to a few degrees, and at most twenty or so. What odometry may be wrong by is part of their deviations.
-[[nodiscard]] std::vector<WindowBearing> windowBearings(std::span<const TrajectoryStep> way, std::size_t at);
+/// The bearings around one step of a trajectory, relative to the robot pose at that step: of the step itself and of
+/// those before and after it, as long as the odometry in between is accurate to a few degrees, about twenty at most.
+/// The odometry covariance is part of their standard deviations.
+[[nodiscard]] std::vector<WindowBearing> windowBearings(std::span<const TrajectoryStep> trajectory, std::size_t step);
 }  // namespace mrpt_ext
