@@ -61,7 +61,7 @@ TEST(WindowBearings, EmptyStepsAndUnknownCategoriesGiveNothing)
   std::vector<TrajectoryStep> blind(3);
   EXPECT_TRUE(windowBearings(blind, 1).empty());
   std::vector<TrajectoryStep> unknown = trajectory(3, 0);
-  for (TrajectoryStep& step : unknown) step.scans.front().detections.front().kind = kUnknownCategory;
+  for (TrajectoryStep& step : unknown) step.scans.front().detections.front().category = kUnknownCategory;
   EXPECT_TRUE(windowBearings(unknown, 1).empty());
 }
 }  // namespace mrpt_ext

@@ -8,7 +8,7 @@
 
 namespace mrpt_ext
 {
-// Ranking, pruning and merging for every kind of weighted hypothesis: `log_weight(h)` is the logarithm of its weight or
+// Ranking, pruning and merging for weighted hypotheses of any type: `log_weight(h)` is the logarithm of its weight or
 // likelihood up to a common constant, `same(better, other)` tells duplicates.
 
 /// Sorts best first; equal hypotheses keep their order.
