@@ -21,7 +21,7 @@ struct LostRobots
 
  private:
   LostRobots(const SearchSceneOptions& options, int count, RandomStream random)
-      : map(strewLandmarks(options, random)), index(map.index())
+      : map(randomMap(options, random)), index(map.index())
   {
     for (int i = 0; i < count; ++i) views.push_back(observeSomewhere(map, index, options, random));
   }

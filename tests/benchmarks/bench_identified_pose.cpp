@@ -16,7 +16,7 @@ struct Sample
   std::vector<PoseMeasurement> measurements;
 };
 
-std::vector<Sample> samples(MeasuringKind::What what)
+std::vector<Sample> samples(MeasurementSetup::What what)
 {
   RandomStream random(31);
   std::vector<Sample> result;
@@ -47,14 +47,14 @@ Pose2 gaussNewton(const std::vector<PoseMeasurement>& measurements, Pose2 pose)
   return pose;
 }
 
-void ours(benchmark::State& state, MeasuringKind::What what)
+void ours(benchmark::State& state, MeasurementSetup::What what)
 {
   const std::vector<Sample> all = samples(what);
   std::size_t k = 0;
   for (auto _ : state) benchmark::DoNotOptimize(solvePoseFromLandmarks(all[k++ % kScenes].measurements));
 }
 
-void plain(benchmark::State& state, MeasuringKind::What what)
+void plain(benchmark::State& state, MeasurementSetup::What what)
 {
   const std::vector<Sample> all = samples(what);
   std::size_t k = 0;
@@ -65,10 +65,10 @@ void plain(benchmark::State& state, MeasuringKind::What what)
   }
 }
 
-BENCHMARK_CAPTURE(ours, bearings, MeasuringKind::What::bearings)->Name("refine/ten_bearings/ours");
-BENCHMARK_CAPTURE(plain, bearings, MeasuringKind::What::bearings)->Name("refine/ten_bearings/plain");
-BENCHMARK_CAPTURE(ours, ranges, MeasuringKind::What::ranges)->Name("refine/ten_ranges/ours");
-BENCHMARK_CAPTURE(ours, mixed, MeasuringKind::What::mixed)->Name("refine/ten_mixed/ours");
-BENCHMARK_CAPTURE(plain, mixed, MeasuringKind::What::mixed)->Name("refine/ten_mixed/plain");
+BENCHMARK_CAPTURE(ours, bearings, MeasurementSetup::What::bearings)->Name("refine/ten_bearings/ours");
+BENCHMARK_CAPTURE(plain, bearings, MeasurementSetup::What::bearings)->Name("refine/ten_bearings/plain");
+BENCHMARK_CAPTURE(ours, ranges, MeasurementSetup::What::ranges)->Name("refine/ten_ranges/ours");
+BENCHMARK_CAPTURE(ours, mixed, MeasurementSetup::What::mixed)->Name("refine/ten_mixed/ours");
+BENCHMARK_CAPTURE(plain, mixed, MeasurementSetup::What::mixed)->Name("refine/ten_mixed/plain");
 }  // namespace
 }  // namespace mrpt_ext

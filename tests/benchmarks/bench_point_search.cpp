@@ -26,7 +26,7 @@ struct LostRobots
   explicit LostRobots(int landmarks) : options(sceneOf(landmarks))
   {
     RandomStream random(2026);
-    map = strewLandmarks(options, random);
+    map = randomMap(options, random);
     index.emplace(map.index());
     for (int i = 0; i < kViews; ++i) views.push_back(observeSomewhere(map, *index, options, random));
   }

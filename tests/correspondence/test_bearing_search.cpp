@@ -30,7 +30,7 @@ struct Tally
 Tally run(const SearchSceneOptions& options, int trials, std::uint64_t seed)
 {
   RandomStream random(seed);
-  const SceneMap map = strewLandmarks(options, random);
+  const SceneMap map = randomMap(options, random);
   const LandmarkIndex index = map.index();
   const BearingSearch search(index);
   Tally tally;
@@ -93,7 +93,7 @@ TEST(BearingSearch, AFarAwayMapCostsNoDigits)
   SearchSceneOptions options;
   options.landmarks = 300;
   RandomStream random(15);
-  const SceneMap map = strewLandmarks(options, random);
+  const SceneMap map = randomMap(options, random);
   std::vector<Vector2d> moved;
   const Vector2d offset(4e6, -2e6);
   for (const Landmark& l : map.landmarks.all()) moved.push_back(l.position.head<2>() + offset);
@@ -112,7 +112,7 @@ TEST(BearingSearch, TwoSensorsHelpEachOther)
   SearchSceneOptions options;
   options.detection_probability = 0.35;  // each alone sees about seven
   RandomStream random(16);
-  const SceneMap map = strewLandmarks(options, random);
+  const SceneMap map = randomMap(options, random);
   const LandmarkIndex index = map.index();
   const BearingSearch search(index);
   int found = 0, unique = 0;
@@ -134,7 +134,7 @@ TEST(BearingSearch, TheSameAnswerTwice)
 {
   RandomStream random(17);
   const SearchSceneOptions options;
-  const SceneMap map = strewLandmarks(options, random);
+  const SceneMap map = randomMap(options, random);
   const LandmarkIndex index = map.index();
   const SceneScan view = observeSomewhere(map, index, options, random);
   const PoseSearchResult a = searchOne(index, view.scan), b = searchOne(index, view.scan);
@@ -154,7 +154,7 @@ TEST(BearingSearch, ProbabilitiesLeaveRoomForTheRest)
   options.detection_probability = 0.4;
   options.std_bearing = degToRad(0.3);
   options.landmarks = 300;
-  const SceneMap map = strewLandmarks(options, random);
+  const SceneMap map = randomMap(options, random);
   const LandmarkIndex index = map.index();
   for (int t = 0; t < 4; ++t)
   {
@@ -170,7 +170,7 @@ TEST(BearingSearch, SaysWhatIsWrongWithItsInput)
 {
   RandomStream random(19);
   const SearchSceneOptions options;
-  const SceneMap map = strewLandmarks(options, random);
+  const SceneMap map = randomMap(options, random);
   const LandmarkIndex index = map.index(), empty{std::vector<Vector2d>{}};
   Scan place = observeSomewhere(map, index, options, random).scan;
   EXPECT_EQ(searchOne(empty, place).status, SolveStatus::none);
@@ -233,7 +233,7 @@ TEST(BearingSearch, StopsWhenToldTo)
 {
   RandomStream random(21);
   const SearchSceneOptions options;
-  const SceneMap map = strewLandmarks(options, random);
+  const SceneMap map = randomMap(options, random);
   const LandmarkIndex index = map.index();
   PoseSearchOptions hurried;
   hurried.max_tested = 1000;

@@ -49,7 +49,7 @@ Account countPoses(const SearchSceneOptions& options, int scenes, Expected&& exp
   for (int scene = 0; scene < scenes; ++scene)
   {
     RandomStream random(5, static_cast<std::uint64_t>(scene));
-    const SceneMap map = strewLandmarks(options, random);
+    const SceneMap map = randomMap(options, random);
     const LandmarkIndex index = map.index();
     Scan place = observeSomewhere(map, index, options, random).scan;
     place.model.detection_probability = 0.6;

@@ -26,7 +26,7 @@ double shareFound(int landmarks, int seen, int false_readings, bool with_range, 
   int found = 0;
   for (int t = 0; t < trials; ++t)
   {
-    const SceneMap map = strewLandmarks(options, random);
+    const SceneMap map = randomMap(options, random);
     const GlobalPoseSearch search(map.landmarks);
     const SceneScan view = observeSomewhere(map, search.index(), options, random);
     const PoseSearchResult result = search.search({&view.scan, 1}, {});

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "constellation_truth.h"
+#include "local_map_truth.h"
 
 namespace mrpt_ext
 {
@@ -24,7 +24,7 @@ Tally tallyOf(const WindowSceneOptions& options, int trials)
   Tally tally;
   for (int trial = 0; trial < trials; ++trial)
   {
-    const SceneMap map = strewLandmarks(options.scene, random);
+    const SceneMap map = randomMap(options.scene, random);
     const LandmarkIndex index = map.index();
     const WindowScene view = driveSomewhere(map, index, options, random);
     const LocalLandmarkMap local_map = buildLocalMap(view.scans);
@@ -113,7 +113,7 @@ TEST(LocalLandmarkMap, KindsAreNotMixed)
   WindowSceneOptions options = bearingOnly();
   options.scene.categories = 3;
   RandomStream random(22);
-  const SceneMap map = strewLandmarks(options.scene, random);
+  const SceneMap map = randomMap(options.scene, random);
   const WindowScene view = driveSomewhere(map, map.index(), options, random);
   const LocalLandmarkMap local_map = buildLocalMap(view.scans);
   EXPECT_GE(local_map.points.size(), 5u);
@@ -128,7 +128,7 @@ TEST(LocalLandmarkMap, OnePlaceStaysAsItIs)
   options.length = 0;
   options.scene.with_range = true;
   RandomStream random(23);
-  const SceneMap map = strewLandmarks(options.scene, random);
+  const SceneMap map = randomMap(options.scene, random);
   const WindowScene view = driveSomewhere(map, map.index(), options, random);
   const std::vector<Scan> scans = asScans(buildLocalMap(view.scans));
   ASSERT_EQ(scans.size(), 1u);
@@ -141,7 +141,7 @@ TEST(LocalLandmarkMap, ASearchGetsPointsFirstAndTheRestFromItsOwnPlaces)
 {
   const WindowSceneOptions options = bearingOnly();
   RandomStream random(24);
-  const SceneMap map = strewLandmarks(options.scene, random);
+  const SceneMap map = randomMap(options.scene, random);
   const LandmarkIndex index = map.index();
   const WindowScene view = driveSomewhere(map, index, options, random);
   const LocalLandmarkMap local_map = buildLocalMap(view.scans);

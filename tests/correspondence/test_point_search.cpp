@@ -4,8 +4,8 @@
 
 #include <limits>
 
-#include "calibration.h"
 #include "global_search_scene.h"
+#include "probability_calibration.h"
 
 namespace mrpt_ext
 {
@@ -54,7 +54,7 @@ TEST(PointSearch, FindsTheLostRobotInMapsOfEverySize)
   {
     const SearchSceneOptions options = pointScene(landmarks);
     RandomStream random(7, static_cast<std::uint64_t>(landmarks));
-    const SceneMap map = strewLandmarks(options, random);
+    const SceneMap map = randomMap(options, random);
     const LandmarkIndex index = map.index();
     const PointSearch search(index);
     int found = 0, unique_and_wrong = 0;
@@ -80,7 +80,7 @@ TEST(PointSearch, FalsePointsDoNotHideThePose)
   SearchSceneOptions options = pointScene(1000);
   options.false_readings = 4;
   RandomStream random(8);
-  const SceneMap map = strewLandmarks(options, random);
+  const SceneMap map = randomMap(options, random);
   const LandmarkIndex index = map.index();
   const PointSearch search(index);
   int found = 0;
@@ -209,7 +209,7 @@ TEST(PointSearch, ThreeLandmarksThatAreNoNearNeighboursAreFoundBesideAWrongTrian
   for (std::uint64_t m = 0; m < 4; ++m)
   {
     RandomStream random(77, m);
-    const SceneMap map = strewLandmarks(options, random);
+    const SceneMap map = randomMap(options, random);
     const LandmarkIndex index = map.index();
     const PointSearch search(index);
     for (int t = 0; t < 50; ++t)
@@ -231,7 +231,7 @@ TEST(PointSearch, AnUnfinishedSearchCallsNothingUnique)
 {
   RandomStream random(9);
   const SearchSceneOptions options = pointScene(1000);
-  const SceneMap map = strewLandmarks(options, random);
+  const SceneMap map = randomMap(options, random);
   const LandmarkIndex index = map.index();
   const PointSearch search(index);
   PoseSearchOptions hurried;

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
-#include "calibration.h"
 #include "mrpt_ext/correspondence/bearings/bearing_search.h"
 #include "mrpt_ext/correspondence/points/point_search.h"
 #include "mrpt_ext/correspondence/scan_matching.h"
 #include "mrpt_ext/correspondence/unsearched_evidence.h"
+#include "probability_calibration.h"
 
 namespace mrpt_ext
 {
@@ -18,7 +18,7 @@ Box2 inner(const SceneMap& map, double border)
 
 struct Tally
 {
-  Calibration calibration;
+  ProbabilityCalibration calibration;
   int unique = 0, unique_wrong = 0, unique_by_chance = 0;
 };
 
@@ -29,7 +29,7 @@ void run(const SearchSceneOptions& options, int maps, std::uint64_t seed, Tally&
   for (int m = 0; m < maps; ++m)
   {
     RandomStream random(seed, static_cast<std::uint64_t>(m));
-    const SceneMap map = strewLandmarks(options, random);
+    const SceneMap map = randomMap(options, random);
     const LandmarkIndex index = map.index();
     const Search search(index);
     PoseSearchOptions how;
@@ -51,7 +51,7 @@ void run(const SearchSceneOptions& options, int maps, std::uint64_t seed, Tally&
 void expectCalibrated(const Tally& tally)
 {
   int judged = 0;
-  for (const Calibration::Bin& bin : tally.calibration.bins)
+  for (const ProbabilityCalibration::Bin& bin : tally.calibration.bins)
     if (bin.isEnough())
     {
       ++judged;
@@ -107,7 +107,7 @@ TEST(PoseProbability, EvidenceOfAllPosesIsTheIntegralOfTheLikelihood)
   {
     SearchSceneOptions options;
     options.landmarks = 150;
-    const SceneMap map = strewLandmarks(options, random);
+    const SceneMap map = randomMap(options, random);
     const LandmarkIndex index = map.index();
     Scan place;
     place.model.max_range = range;

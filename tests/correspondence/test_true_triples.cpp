@@ -79,7 +79,7 @@ TEST(TrueTriples, LeadToTheTruth)
   for (std::uint64_t scene = 0; scene < 60; ++scene)
   {
     RandomStream random(77, scene);
-    const SceneMap map = strewLandmarks(options, random);
+    const SceneMap map = randomMap(options, random);
     const LandmarkIndex index = map.index();
     follow(index, observeSomewhere(map, index, options, random), fate);
   }

@@ -32,7 +32,7 @@ struct Scene
   Box2 area;
 
   Scene(const SearchSceneOptions& options, RandomStream& random)
-      : map(strewLandmarks(options, random)), index(map.index()), area{{0, 0}, {map.side, map.side}}
+      : map(randomMap(options, random)), index(map.index()), area{{0, 0}, {map.side, map.side}}
   {
   }
 };

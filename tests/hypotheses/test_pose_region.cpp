@@ -55,17 +55,17 @@ TEST(PoseRegion, SamplesFillTheRegionAndStayInside)
 
 TEST(PoseRegion, ARegionWithoutExtentStillHasAFiniteDensityWhereItIs)
 {
-  const PoseRegion place{{2, 3}, {2, 3}, 1.0, 0.0};
+  const PoseRegion point{{2, 3}, {2, 3}, 1.0, 0.0};
   RandomStream random(1);
   for (int i = 0; i < 100; ++i)
   {
-    const Pose2 pose = place.sample(random);
+    const Pose2 pose = point.sample(random);
     EXPECT_NEAR(pose.x, 2, 0.01);
     EXPECT_NEAR(pose.y, 3, 0.01);
     EXPECT_NEAR(pose.phi, 1, 0.01);
-    EXPECT_TRUE(std::isfinite(place.density(pose)));
-    EXPECT_GT(place.density(pose), 0);
+    EXPECT_TRUE(std::isfinite(point.density(pose)));
+    EXPECT_GT(point.density(pose), 0);
   }
-  EXPECT_EQ(place.density({2.5, 3, 1}), 0);
+  EXPECT_EQ(point.density({2.5, 3, 1}), 0);
 }
 }  // namespace mrpt_ext

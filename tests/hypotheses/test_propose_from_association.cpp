@@ -69,9 +69,9 @@ TEST(ProposeFromAssociation, TheCovarianceIsThatOfTheRobotToo)
 TEST(ProposeFromAssociation, NothingToAssociateIsTooFew)
 {
   EXPECT_EQ(propose({}).status, SolveStatus::too_few);
-  ExactSensor named = kEye;
-  named.identified = true;
-  EXPECT_EQ(propose({seenFrom(kRobot, kMap, {0, 1, 2, 3, 4}, named)}).status, SolveStatus::too_few);
+  ExactSensor identified = kEye;
+  identified.identified = true;
+  EXPECT_EQ(propose({seenFrom(kRobot, kMap, {0, 1, 2, 3, 4}, identified)}).status, SolveStatus::too_few);
 }
 
 TEST(ProposeFromAssociation, OneOfFiveMayBeClutter)

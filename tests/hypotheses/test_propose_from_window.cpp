@@ -36,7 +36,7 @@ CompassRecord north() { return {.heading = kRobot.phi, .std_heading = 0.02}; }
 
 TEST(ProposeFromWindow, OneLandmarkByBearingsAloneIsARing)
 {
-  const HypothesisSet ring = proposed(seenAlong(kRobot, kStraight, 6, kMap, {3}, kBearings));
+  const HypothesisSet ring = proposed(windowOfReadings(kRobot, kStraight, 6, kMap, {3}, kBearings));
   ASSERT_EQ(ring.size(), kRing);
   const Vector2d landmark = kMap[3].position.head<2>();
   const double radius = (landmark - kRobot.position()).norm();
@@ -50,30 +50,30 @@ TEST(ProposeFromWindow, OneLandmarkByBearingsAloneIsARing)
 
 TEST(ProposeFromWindow, ACompassClosesTheRing)
 {
-  const HypothesisSet found = proposed(seenAlong(kRobot, kStraight, 6, kMap, {3}, kBearings), north());
+  const HypothesisSet found = proposed(windowOfReadings(kRobot, kStraight, 6, kMap, {3}, kBearings), north());
   ASSERT_EQ(found.size(), 1u);
   EXPECT_LT(nearest(found), 1e-4);
 }
 
 TEST(ProposeFromWindow, OneLandmarkByRangesAloneIsTwoRingsOnAStraightLineAndOneOnABend)
 {
-  const auto straight = seenAlong(kRobot, kStraight, 6, kMap, {3}, kRanges);
+  const auto straight = windowOfReadings(kRobot, kStraight, 6, kMap, {3}, kRanges);
   EXPECT_EQ(proposed(straight).size(), 2 * kRing);
   const HypothesisSet two = proposed(straight, north());
   ASSERT_EQ(two.size(), 2u);
   EXPECT_LT(nearest(two), 1e-4);
-  const HypothesisSet one = proposed(seenAlong(kRobot, kBend, 6, kMap, {3}, kRanges), north());
+  const HypothesisSet one = proposed(windowOfReadings(kRobot, kBend, 6, kMap, {3}, kRanges), north());
   ASSERT_EQ(one.size(), 1u) << "ranges to a single landmark suffice";
   EXPECT_LT(nearest(one), 1e-4);
 }
 
 TEST(ProposeFromWindow, TwoLandmarksNeedNoCompass)
 {
-  const HypothesisSet bearings = proposed(seenAlong(kRobot, kStraight, 6, kMap, {1, 3}, kBearings));
+  const HypothesisSet bearings = proposed(windowOfReadings(kRobot, kStraight, 6, kMap, {1, 3}, kBearings));
   ASSERT_EQ(bearings.size(), 1u);
   EXPECT_LT(nearest(bearings), 1e-4);
   EXPECT_EQ(bearings.front().source, "window_landmarks");
-  const HypothesisSet ranges = proposed(seenAlong(kRobot, kStraight, 6, kMap, {1, 3}, kRanges));
+  const HypothesisSet ranges = proposed(windowOfReadings(kRobot, kStraight, 6, kMap, {1, 3}, kRanges));
   EXPECT_GE(ranges.size(), 2u) << "on a straight line the mirror image fits as well";
   EXPECT_LE(ranges.size(), 4u);
   EXPECT_LT(nearest(ranges), 1e-4);
@@ -85,16 +85,16 @@ TEST(ProposeFromWindow, NothingIfNoLandmarkCanBeLocalized)
   EXPECT_TRUE(proposed({seenFrom(kRobot, kMap, {3}, kBearings)}).empty());
   ExactSensor anonymous = kBearings;
   anonymous.identified = false;
-  EXPECT_TRUE(proposed(seenAlong(kRobot, kStraight, 6, kMap, {1, 3}, anonymous)).empty());
+  EXPECT_TRUE(proposed(windowOfReadings(kRobot, kStraight, 6, kMap, {1, 3}, anonymous)).empty());
 }
 
 TEST(ProposeFromWindow, RefinementRejectsOutliers)
 {
-  std::vector<Reading> readings = seenAlong(kRobot, kBend, 6, kMap, {0, 1, 2, 3}, kBearings);
+  std::vector<Reading> readings = windowOfReadings(kRobot, kBend, 6, kMap, {0, 1, 2, 3}, kBearings);
   *readings[3].detections[1].bearing += 0.6;
   const auto pose = refineOnWindow(readings, kMap, {kRobot.x + 0.05, kRobot.y - 0.05, kRobot.phi + 0.02});
   ASSERT_TRUE(pose);
   EXPECT_LT(distance(pose->mean, kRobot) + turned(pose->mean, kRobot), 1e-4);
-  EXPECT_FALSE(refineOnWindow(seenAlong(kRobot, kBend, 6, kMap, {0}, kBearings), kMap, kRobot)) << "a ring";
+  EXPECT_FALSE(refineOnWindow(windowOfReadings(kRobot, kBend, 6, kMap, {0}, kBearings), kMap, kRobot)) << "a ring";
 }
 }  // namespace mrpt_ext

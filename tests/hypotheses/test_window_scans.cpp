@@ -18,7 +18,7 @@ const std::vector<std::size_t> kAll{0, 1, 2, 3, 4};
 
 TEST(WindowScans, BearingsOfAWindowBecomePointsWithRanges)
 {
-  const auto readings = seenAlong(kRobot, {0.3, 0, 0.1}, 6, kMap, kAll, kAnonymous);
+  const auto readings = windowOfReadings(kRobot, {0.3, 0, 0.1}, 6, kMap, kAll, kAnonymous);
   const std::vector<Scan> scans = windowScans(readings, kMap, kIndex);
   ASSERT_FALSE(scans.empty());
   ASSERT_GE(scans.front().detections.size(), kAll.size() - 1) << "all but one nearly in line with the motion";
@@ -44,7 +44,7 @@ TEST(WindowScans, ReadingsOfOneFrameStayAsTheyAre)
 
 TEST(WindowScans, OdometryNoiseIsKeptApartFromSensorNoise)
 {
-  const auto readings = seenAlong(kRobot, {0.3, 0, 0.1}, 4, kMap, kAll, kAnonymous);
+  const auto readings = windowOfReadings(kRobot, {0.3, 0, 0.1}, 4, kMap, kAll, kAnonymous);
   const std::vector<PastScan> scans = pastScans(readings, kMap, kIndex);
   ASSERT_EQ(scans.size(), readings.size());
   for (std::size_t k = 0; k < scans.size(); ++k)

@@ -1,13 +1,13 @@
 #include <gtest/gtest.h>
 
-#include "mrclam_windows.h"
+#include "mrclam_trajectories.h"
 #include "shared_data.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-using namespace mrclam_windows;
+using namespace mrclam_trajectories;
 
 TEST(RealWindows, FromRangesAndBearingsTheTruePoseIsFirstOnceTheWindowTellsEnough)
 {
@@ -15,7 +15,7 @@ TEST(RealWindows, FromRangesAndBearingsTheTruePoseIsFirstOnceTheWindowTellsEnoug
   if (!folder) GTEST_SKIP() << "MRCLAM data set 6 is not there (LANDMARK_DATA_DIR)";
   Recording recording = importMrclam(*folder, 3);
   hideIdentities(recording);
-  const Tally tally = tallyWindows(recording, 90);
+  const Tally tally = tallyTrajectories(recording, 90);
   EXPECT_GE(tally.starts, 7);
   EXPECT_GE(tally.enough, tally.starts - 2);
   EXPECT_EQ(tally.first, tally.enough);

@@ -26,7 +26,7 @@ TEST(ClosedFormLocalizer, ReportsTheBestOfTheRankedCandidates)
   for (const std::size_t i : {0u, 1u, 2u}) EXPECT_EQ(estimate.candidates[i].pose.mean.x, (std::array{2, 3, 1})[i]);
 }
 
-TEST(ClosedFormLocalizer, ASingleCandidateIsSure)
+TEST(ClosedFormLocalizer, ASingleCandidateIsOk)
 {
   const Estimate estimate = estimateFrom({SolveStatus::ok, {at(1, -3)}}, 0);
   ASSERT_TRUE(estimate.point);
@@ -35,7 +35,7 @@ TEST(ClosedFormLocalizer, ASingleCandidateIsSure)
   EXPECT_EQ(estimate.point->best_weight, 1);
 }
 
-TEST(ClosedFormLocalizer, ASingleCandidateInDoubtIsAnsweredButNotSure)
+TEST(ClosedFormLocalizer, ASingleDoubtfulCandidateIsAmbiguous)
 {
   for (const SolveStatus status : {SolveStatus::degenerate, SolveStatus::none})
   {
@@ -46,7 +46,7 @@ TEST(ClosedFormLocalizer, ASingleCandidateInDoubtIsAnsweredButNotSure)
   }
 }
 
-TEST(ClosedFormLocalizer, CandidatesWithEqualScoresAreAmbiguousAndGiveNoRow)
+TEST(ClosedFormLocalizer, EqualScoresAreAmbiguousAndGiveNoEstimate)
 {
   const Estimate estimate = estimateFrom({SolveStatus::ok, {at(1, -3), at(2, -3), at(3, -9)}}, 0);
   EXPECT_FALSE(estimate.point);
@@ -61,7 +61,7 @@ TEST(ClosedFormLocalizer, EqualScoresBehindTheBestDoNotMatter)
   EXPECT_EQ(estimate.point->pose.mean.x, 2);
 }
 
-TEST(ClosedFormLocalizer, AnUnknownHeadingIsMarkedAndAsWideAsTheCircle)
+TEST(ClosedFormLocalizer, AnUnknownHeadingIsMarkedAndHasTheVarianceOfTheCircle)
 {
   const Estimate estimate = estimateFrom({SolveStatus::ok, {at(1, 0, false)}}, 0);
   ASSERT_TRUE(estimate.point);
@@ -69,7 +69,7 @@ TEST(ClosedFormLocalizer, AnUnknownHeadingIsMarkedAndAsWideAsTheCircle)
   EXPECT_NEAR(estimate.point->pose.covariance(2, 2), kPi * kPi / 3, 1e-12);
 }
 
-TEST(ClosedFormLocalizer, NoCandidateNoRow)
+TEST(ClosedFormLocalizer, NoCandidateNoEstimate)
 {
   const Estimate estimate = estimateFrom({SolveStatus::degenerate, {}}, 0);
   EXPECT_EQ(estimate.status, SolveStatus::degenerate);
@@ -77,7 +77,7 @@ TEST(ClosedFormLocalizer, NoCandidateNoRow)
   EXPECT_FALSE(estimate.ambiguous);
 }
 
-TEST(ClosedFormLocalizer, AppliesTheMethodToEveryFrameByItself)
+TEST(ClosedFormLocalizer, AppliesTheMethodToEveryFrameSeparately)
 {
   ClosedFormLocalizer localizer("mine",
                                 [](const Frame& frame) {

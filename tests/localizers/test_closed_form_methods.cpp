@@ -36,7 +36,7 @@ TEST(BearingMethods, ASensorOffTheCentreIsExact)
   expectPose(bearingMaximumLikelihood(frame, kMap), kRobot);
 }
 
-TEST(BearingMethods, MaximumLikelihoodPutsSeveralSensorsInTheirPlaces)
+TEST(BearingMethods, MaximumLikelihoodUsesAllSensorPoses)
 {
   const ExactSensor other{.T_robot_sensor = {-0.3, 0.2, 2}};
   const Frame frame = frameOf({seenFrom(kRobot, kMap, {0, 1, 2}, kBearings), seenFrom(kRobot, kMap, {2, 3, 4}, other)});
@@ -47,7 +47,7 @@ TEST(BearingMethods, MaximumLikelihoodPutsSeveralSensorsInTheirPlaces)
   EXPECT_LT(distance(linear.candidates[0].pose.mean, kRobot), 0.6);
 }
 
-TEST(BearingMethods, RepeatedSightingsCountAsTheirMean)
+TEST(BearingMethods, RepeatedMeasurementsCountAsTheirMean)
 {
   Reading once = seenFrom(kRobot, kMap, {0, 1, 2}, kBearings), twice = once, four_times = once;
   four_times.detections.clear();
@@ -64,7 +64,7 @@ TEST(BearingMethods, RepeatedSightingsCountAsTheirMean)
   EXPECT_TRUE(averaged.candidates[0].pose.covariance.isApprox(single.candidates[0].pose.covariance / 4, 1e-6));
 }
 
-TEST(BearingMethods, RepeatedSightingsAcrossTheSeamOfTheAngle)
+TEST(BearingMethods, RepeatedMeasurementsAreAveragedOnTheCircle)
 {
   const Pose2 robot{2, 2, 0};
   const LandmarkTable map({{.id = 1, .position = {-3, 2, 0}},
@@ -91,7 +91,7 @@ TEST(BearingMethods, NeedThreeDifferentLandmarksOfTheMap)
   EXPECT_EQ(bearingLeastSquares({}, kMap).status, SolveStatus::too_few);
 }
 
-TEST(RangeLeastSquares, TwoRangesLeaveTwoPlacesUnlessTheRegionRemovesOne)
+TEST(RangeLeastSquares, TwoRangesGiveTwoPositionsUnlessTheRegionRemovesOne)
 {
   const LandmarkTable map({{.id = 1, .position = {0, 0, 0}}, {.id = 2, .position = {6, 0, 0}}});
   // 3-4-5 triangles: (3, 4) and (3, -4) are 5 m from both.
@@ -123,7 +123,7 @@ TEST(RangeLeastSquares, NothingInTheRegionIsNoSolution)
   EXPECT_EQ(answer.status, SolveStatus::none);
 }
 
-TEST(RangeLeastSquares, ThreeRangesNameThePlace)
+TEST(RangeLeastSquares, ThreeRangesDetermineThePosition)
 {
   const ClosedFormResult answer =
       rangeLeastSquares(frameOf({seenFrom(kRobot, kMap, {0, 2, 3}, kRanges)}), kMap, kRegion);
@@ -131,7 +131,7 @@ TEST(RangeLeastSquares, ThreeRangesNameThePlace)
   EXPECT_LT(distance(answer.candidates[0].pose.mean, kRobot), 1e-6);
 }
 
-TEST(RangeLeastSquares, AnOffsetWidensTheCovarianceByAtLeastItself)
+TEST(RangeLeastSquares, AnOffsetInflatesTheCovarianceByAtLeastItself)
 {
   const ExactSensor mast{.bearing = false, .range = true, .T_robot_sensor = {0.3, 0.4, 0}};
   const ClosedFormResult answer = rangeLeastSquares(frameOf({seenFrom(kRobot, kMap, {0, 2, 3}, mast)}), kMap, kRegion);
@@ -171,7 +171,7 @@ TEST(TwoLandmarkPose, OnePointIsTooFewAndBearingsAloneAreNoPoints)
             SolveStatus::too_few);
 }
 
-TEST(InterpretationTree, FindsThePoseFromBearingsWithoutNames)
+TEST(InterpretationTree, FindsThePoseFromAnonymousBearings)
 {
   ExactSensor anonymous = kBearings;
   anonymous.identified = false;
@@ -185,7 +185,7 @@ TEST(InterpretationTree, FindsThePoseFromBearingsWithoutNames)
   for (const PoseHypothesis& h : estimate.candidates) EXPECT_TRUE(kRegion.contains(h.pose.mean));
 }
 
-TEST(InterpretationTree, ThreeBearingsAndNamedOnesAreTooFew)
+TEST(InterpretationTree, ThreeBearingsAndIdentifiedOnesAreTooFew)
 {
   ExactSensor anonymous = kBearings;
   anonymous.identified = false;
@@ -199,7 +199,7 @@ TEST(InterpretationTree, ThreeBearingsAndNamedOnesAreTooFew)
             SolveStatus::too_few);
 }
 
-TEST(InterpretationTree, ASymmetricMapLeavesSeveralPosesThatNothingRanks)
+TEST(InterpretationTree, ASymmetricMapGivesSeveralPosesOfEqualScore)
 {
   const LandmarkTable square(
       {{.position = {0, 0, 0}}, {.position = {4, 0, 0}}, {.position = {4, 4, 0}}, {.position = {0, 4, 0}}});
@@ -208,7 +208,7 @@ TEST(InterpretationTree, ASymmetricMapLeavesSeveralPosesThatNothingRanks)
   const Pose2 robot{1, 1.5, 0.3};
   const ClosedFormResult answer = interpretationTree(frameOf({seenFrom(robot, square, {0, 1, 2, 3}, anonymous)}),
                                                      square, GlobalPoseSearch(square), {{0, 0}, {4, 4}});
-  // The square looks the same after every quarter turn.
+  // The square has a symmetry of a quarter turn.
   ASSERT_GE(answer.candidates.size(), 4u);
   for (int quarter = 0; quarter < 4; ++quarter)
   {

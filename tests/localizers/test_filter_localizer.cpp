@@ -65,7 +65,7 @@ TEST(FilterLocalizer, NegligibleModesAreNotListed)
 
 TEST(FilterLocalizer, NoModesNoEstimate) { EXPECT_FALSE(estimateFrom(FilterStep{}, 0).point); }
 
-TEST(FilterLocalizer, ItsHeadingIsSureOnlyWhileTheVerdictIsOk)
+TEST(FilterLocalizer, TheHeadingIsGivenOnlyWhileTheVerdictIsOk)
 {
   const auto heading = confidentHeading(FixedFilter(stepWith({mode(0, 2, 0.95), mode(1, 0, 0.05)}, Verdict::ok)));
   ASSERT_TRUE(heading);

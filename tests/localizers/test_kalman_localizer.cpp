@@ -13,9 +13,9 @@ namespace
 const PoseRegion kRegion{{-3, -3}, {9, 9}};
 
 Frame frameAt(double time, const Pose2& robot, const Pose2& increment, const LandmarkTable& map,
-              const std::vector<std::size_t>& places, const ExactSensor& sensor, RandomStream& random)
+              const std::vector<std::size_t>& landmarks, const ExactSensor& sensor, RandomStream& random)
 {
-  Reading reading = seenFrom(robot, map, places, sensor, time);
+  Reading reading = seenFrom(robot, map, landmarks, sensor, time);
   for (Detection& d : reading.detections)
     if (d.bearing) d.bearing = wrap(*d.bearing + d.std_bearing * random.gaussian());
   return {.time = time,
@@ -29,7 +29,7 @@ KalmanLocalizer localizer(const std::string& name, std::size_t hypotheses, const
 }
 }  // namespace
 
-TEST(KalmanLocalizer, FindsALostRobotFromAnonymousBearings)
+TEST(KalmanLocalizer, LocalizesGloballyFromAnonymousBearings)
 {
   const LandmarkTable map = fiveLandmarks();
   const ExactSensor anonymous{.identified = false, .std_bearing = degToRad(1)};
@@ -56,7 +56,7 @@ TEST(KalmanLocalizer, FindsALostRobotFromAnonymousBearings)
     }
 }
 
-TEST(KalmanLocalizer, ARingOfPlacesThatAreAllAsGoodHasNoEstimate)
+TEST(KalmanLocalizer, ARingOfEqualPosesHasNoEstimate)
 {
   const LandmarkTable map({{.id = 1, .position = {2, 2, 0}}});
   const ExactSensor sensor{.range = true, .std_bearing = degToRad(1)};

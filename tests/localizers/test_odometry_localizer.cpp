@@ -14,7 +14,7 @@ Frame moved(double time, const Pose2& increment)
 }
 }  // namespace
 
-TEST(OdometryLocalizer, StartsWhereItIsTold)
+TEST(OdometryLocalizer, StartsAtTheGivenPose)
 {
   OdometryLocalizer odometry({}, kStart);
   EXPECT_EQ(odometry.name(), "odometry");
@@ -37,7 +37,7 @@ TEST(OdometryLocalizer, AddsUpTheIncrements)
   EXPECT_NEAR(std::abs(wrap(back.point->pose.mean.phi)), 0, 1e-12);
 }
 
-TEST(OdometryLocalizer, CovarianceIsThatOfParticlesMovedAlong)
+TEST(OdometryLocalizer, CovarianceIsThatOfPropagatedParticles)
 {
   const MotionModel model;
   OdometryLocalizer odometry(model, kStart);

@@ -10,7 +10,7 @@ namespace mrpt_ext
 {
 namespace
 {
-const ExactSensor kNameless{.identified = false, .std_bearing = degToRad(1)};
+const ExactSensor kAnonymous{.identified = false, .std_bearing = degToRad(1)};
 
 ParticleFilterOptions optionsFor(const Vector2d& low, const Vector2d& high)
 {
@@ -22,9 +22,9 @@ ParticleFilterOptions optionsFor(const Vector2d& low, const Vector2d& high)
 }
 
 Frame noisyFrame(double time, const Pose2& robot, const Pose2& increment, const LandmarkTable& map,
-                 const std::vector<std::size_t>& places, RandomStream& random)
+                 const std::vector<std::size_t>& landmarks, RandomStream& random)
 {
-  Reading reading = seenFrom(robot, map, places, kNameless, time);
+  Reading reading = seenFrom(robot, map, landmarks, kAnonymous, time);
   for (Detection& d : reading.detections) d.bearing = wrap(*d.bearing + d.std_bearing * random.gaussian());
   return {.time = time,
           .motion = {increment, increment.position().norm(), std::abs(increment.phi), time > 0 ? 0.5 : 0.0},
@@ -32,7 +32,7 @@ Frame noisyFrame(double time, const Pose2& robot, const Pose2& increment, const 
 }
 }  // namespace
 
-TEST(ParticleFilterLocalizer, FindsALostRobotFromAnonymousBearings)
+TEST(ParticleFilterLocalizer, LocalizesGloballyFromAnonymousBearings)
 {
   const LandmarkTable map = fiveLandmarks();
   for (const std::uint64_t seed : {1u, 2u, 3u})
@@ -57,9 +57,9 @@ TEST(ParticleFilterLocalizer, FindsALostRobotFromAnonymousBearings)
   }
 }
 
-TEST(ParticleFilterLocalizer, ListsAllPlacesWhileSeveralExplainWhatIsSeen)
+TEST(ParticleFilterLocalizer, ReportsAllModesWhileAmbiguous)
 {
-  // A square of landmarks looks the same after every quarter turn.
+  // A square of landmarks has a symmetry of a quarter turn.
   const LandmarkTable square(
       {{.position = {0, 0, 0}}, {.position = {4, 0, 0}}, {.position = {4, 4, 0}}, {.position = {0, 4, 0}}});
   ParticleFilterLocalizer filter(optionsFor({0, 0}, {4, 4}), square, 3, 5);
@@ -88,9 +88,9 @@ TEST(ParticleFilterLocalizer, ListsAllPlacesWhileSeveralExplainWhatIsSeen)
   }
 }
 
-// Ranges say nothing about the heading of a robot that stands: whichever it is, it must still be there when the robot
-// starts to drive.
-TEST(ParticleFilterLocalizer, AStandingRobotThatHearsRangesKeepsAllHeadings)
+// Ranges do not determine the heading at standstill: the true one must still have particles when the robot starts to
+// move.
+TEST(ParticleFilterLocalizer, RangesAtStandstillKeepAllHeadings)
 {
   const LandmarkTable map = fiveLandmarks();
   ParticleFilterOptions options = optionsFor({-3, -3}, {9, 9});

@@ -30,10 +30,10 @@ OdometryMotion motionOf(const Pose2& increment)
 }
 
 /// A frame with the ranges of these landmarks, taken at `robot` by `sensor`.
-Frame frameAt(double time, const Pose2& robot, const Pose2& increment, const std::vector<std::size_t>& places,
+Frame frameAt(double time, const Pose2& robot, const Pose2& increment, const std::vector<std::size_t>& landmarks,
               const ExactSensor& sensor = kRange)
 {
-  return {.time = time, .motion = motionOf(increment), .readings = {seenFrom(robot, kMap, places, sensor, time)}};
+  return {.time = time, .motion = motionOf(increment), .readings = {seenFrom(robot, kMap, landmarks, sensor, time)}};
 }
 
 Frame withCompass(Frame frame, double heading)
@@ -62,7 +62,7 @@ bool contains(const HypothesisSet& candidates, const Pose2& pose, double toleran
 }
 }  // namespace
 
-TEST(RunningFixLocalizer, ALoggedFixAndACompassLeaveTwoPlaces)
+TEST(RunningFixLocalizer, ALoggedFixAndACompassGiveTwoPoses)
 {
   RunningFixLocalizer localizer(optionsFor(HeadingSource::compass), kMap);
   EXPECT_EQ(localizer.name(), "running_fix");
@@ -77,7 +77,7 @@ TEST(RunningFixLocalizer, ALoggedFixAndACompassLeaveTwoPlaces)
   EXPECT_FALSE(estimate.point);
 }
 
-TEST(RunningFixLocalizer, TheRegionOrABearingBreaksTheTie)
+TEST(RunningFixLocalizer, TheRegionOrABearingResolvesTheAmbiguity)
 {
   Frame frame = withCompass({.time = 1}, kSecond.phi);
   frame.fixes = {loggedFix()};
@@ -109,7 +109,7 @@ TEST(RunningFixLocalizer, TwoRangesWithOdometryInBetweenAreAFix)
   EXPECT_TRUE(estimate.ambiguous);
 }
 
-TEST(RunningFixLocalizer, FramesInBetweenAddToTheWay)
+TEST(RunningFixLocalizer, MotionOfFramesInBetweenAddsUp)
 {
   RunningFixLocalizer localizer(optionsFor(HeadingSource::compass), kMap);
   Pose2 robot = kFirst;
@@ -125,14 +125,14 @@ TEST(RunningFixLocalizer, FramesInBetweenAddToTheWay)
       contains(localizer.process(withCompass(frameAt(5, robot, {0.5, 0, 0.2}, {0}), robot.phi)).candidates, robot));
 }
 
-TEST(RunningFixLocalizer, TheCompassIsCarriedByOdometry)
+TEST(RunningFixLocalizer, TheCompassHeadingIsPropagatedByOdometry)
 {
   RunningFixLocalizer localizer(optionsFor(HeadingSource::compass), kMap);
   (void)localizer.process(withCompass(frameAt(0, kFirst, {}, {0}), kFirst.phi));
   EXPECT_TRUE(contains(localizer.process(frameAt(1, kSecond, kStep, {0})).candidates, kSecond));
 }
 
-TEST(RunningFixLocalizer, ASecondLandmarkBreaksTheTie)
+TEST(RunningFixLocalizer, ASecondLandmarkResolvesTheAmbiguity)
 {
   RunningFixLocalizer localizer(optionsFor(HeadingSource::compass), kMap);
   (void)localizer.process(withCompass(frameAt(0, kFirst, {}, {0}), kFirst.phi));
@@ -141,7 +141,7 @@ TEST(RunningFixLocalizer, ASecondLandmarkBreaksTheTie)
   EXPECT_LT(distance(estimate.point->pose.mean, kSecond), 1e-6);
 }
 
-TEST(RunningFixLocalizer, SensorsInDifferentPlacesMakeAFixTogether)
+TEST(RunningFixLocalizer, TwoSensorsMakeAFixTogether)
 {
   const ExactSensor left{.bearing = false, .range = true, .T_robot_sensor = {0.2, 0.5, 0.3}};
   const ExactSensor right{.bearing = false, .range = true, .T_robot_sensor = {-0.1, -0.5, 2}};
@@ -151,7 +151,7 @@ TEST(RunningFixLocalizer, SensorsInDifferentPlacesMakeAFixTogether)
                        kSecond));
 }
 
-TEST(RunningFixLocalizer, TooShortAWayOrTooOldARangeIsNoFix)
+TEST(RunningFixLocalizer, TooShortADistanceOrTooOldARangeIsNoFix)
 {
   RunningFixLocalizer near(optionsFor(HeadingSource::compass), kMap);
   (void)near.process(withCompass(frameAt(0, kFirst, {}, {0}), kFirst.phi));
@@ -167,7 +167,7 @@ TEST(RunningFixLocalizer, TooShortAWayOrTooOldARangeIsNoFix)
   EXPECT_EQ(forgetful.process(withCompass(frameAt(1, kSecond, kStep, {0}), kSecond.phi)).status, SolveStatus::too_few);
 }
 
-TEST(RunningFixLocalizer, WithoutAHeadingThereIsARingAndNoRow)
+TEST(RunningFixLocalizer, WithoutAHeadingThereIsARingAndNoEstimate)
 {
   for (const HeadingSource source : {HeadingSource::none, HeadingSource::bearing, HeadingSource::filter})
   {
@@ -182,31 +182,31 @@ TEST(RunningFixLocalizer, WithoutAHeadingThereIsARingAndNoRow)
   }
 }
 
-TEST(RunningFixLocalizer, TheFilterIsAskedForItsHeadingEveryTime)
+TEST(RunningFixLocalizer, TheHeadingOfTheFilterIsReadForEveryFrame)
 {
-  std::optional<HeadingPrior> said;
-  RunningFixLocalizer localizer(optionsFor(HeadingSource::filter), kMap, [&] { return said; });
+  std::optional<HeadingPrior> reported;
+  RunningFixLocalizer localizer(optionsFor(HeadingSource::filter), kMap, [&] { return reported; });
   (void)localizer.process(frameAt(0, kFirst, {}, {0}));
   EXPECT_EQ(localizer.process(frameAt(1, kSecond, kStep, {0})).status, SolveStatus::degenerate);
-  said = HeadingPrior{kSecond.phi, 0.01};
+  reported = HeadingPrior{kSecond.phi, 0.01};
   EXPECT_TRUE(contains(localizer.process(frameAt(2, kSecond, {}, {0})).candidates, kSecond));
-  said.reset();
+  reported.reset();
   EXPECT_EQ(localizer.process(frameAt(3, kSecond, {}, {0})).status, SolveStatus::degenerate);
 }
 
-TEST(RunningFixLocalizer, TwoLandmarksSeenAtOnceGiveTheHeadingThatOdometryCarriesOn)
+TEST(RunningFixLocalizer, TwoLandmarksInOneFrameGiveTheHeadingThatOdometryPropagates)
 {
   const ExactSensor eye{.range = true};
   RunningFixLocalizer localizer(optionsFor(HeadingSource::bearing), kMap);
   const Estimate start = localizer.process(frameAt(0, kFirst, {}, {0, 1}, eye));
-  EXPECT_FALSE(start.point);  // no way yet between two ranges
+  EXPECT_FALSE(start.point);  // no displacement yet between two ranges
   const Estimate estimate = localizer.process(frameAt(1, kSecond, kStep, {0}, eye));
   ASSERT_TRUE(estimate.point);
   EXPECT_LT(distance(estimate.point->pose.mean, kSecond), 1e-3);
   EXPECT_LT(turned(estimate.point->pose.mean, kSecond), 1e-3);
 }
 
-TEST(RunningFixLocalizer, AKnownStartIsAHeadingToo)
+TEST(RunningFixLocalizer, AKnownInitialHeadingSuffices)
 {
   RunningFixOptions options = optionsFor(HeadingSource::bearing);
   options.start_heading = HeadingPrior{kFirst.phi, 0.01};
@@ -215,7 +215,7 @@ TEST(RunningFixLocalizer, AKnownStartIsAHeadingToo)
   EXPECT_TRUE(contains(localizer.process(frameAt(1, kSecond, kStep, {0})).candidates, kSecond));
 }
 
-TEST(RunningFixLocalizer, FixesOfUnknownLandmarksAndContradictoryOnesAreNoSolution)
+TEST(RunningFixLocalizer, FixesOfUnknownLandmarksAndInconsistentOnesAreNoSolution)
 {
   Frame frame = withCompass({.time = 1}, kSecond.phi);
   frame.fixes = {loggedFix()};

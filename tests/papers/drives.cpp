@@ -20,7 +20,7 @@ Seconds addDrive(DriveErrors& errors, const FilterScenario& scenario, std::uint6
 {
   Seconds judged;
   Sample dx, dy, distance, heading;
-  for (const FilterMoment& moment : runFilter(scenario, seed))
+  for (const FilterSample& moment : runFilter(scenario, seed))
   {
     if (moment.time < from || std::abs(moment.time - std::round(moment.time)) > kNearStamp) continue;
     judged.insert(std::lround(moment.time));

@@ -16,7 +16,7 @@ const std::vector<Vector2d> kLandmarks{{4, 1}, {1, 5}, {-3, -2}, {6, -3}, {-2, 4
 
 struct Seen
 {
-  Way way;
+  DrivenTrajectory way;
   std::vector<ScanPose> places;
   std::vector<LandmarkObservation> sightings;
   std::vector<Vector2d> truth;  // robot frame of now
@@ -25,16 +25,16 @@ struct Seen
 Seen seeAlong(std::size_t landmarks, bool ranges, RandomStream& random)
 {
   Seen seen;
-  seen.way = makeWay({0.5, 0.3, 0.4}, {0.25, 0, 0.1}, 8, kStepNoise, random);
+  seen.way = driveSteps({0.5, 0.3, 0.4}, {0.25, 0, 0.1}, 8, kStepNoise, random);
   for (std::size_t j = 0; j < landmarks; ++j) seen.truth.push_back(transform(inverse(seen.way.now()), kLandmarks[j]));
-  for (std::size_t k = 0; k < seen.way.places.size(); ++k)
+  for (std::size_t k = 0; k < seen.way.poses.size(); ++k)
   {
-    seen.places.push_back({seen.way.places[k], seen.way.covariances[k]});
+    seen.places.push_back({seen.way.poses[k], seen.way.covariances[k]});
     for (std::size_t j = 0; j < landmarks; ++j)
     {
       LandmarkObservation s{.place = k, .landmark = j, .std_bearing = kStdBearing, .std_range = kStdRange};
-      s.bearing = predictBearing(seen.way.true_places[k], kLandmarks[j]) + kStdBearing * random.gaussian();
-      if (ranges) s.range = predictRange(seen.way.true_places[k], kLandmarks[j]) + kStdRange * random.gaussian();
+      s.bearing = predictBearing(seen.way.true_poses[k], kLandmarks[j]) + kStdBearing * random.gaussian();
+      if (ranges) s.range = predictRange(seen.way.true_poses[k], kLandmarks[j]) + kStdRange * random.gaussian();
       seen.sightings.push_back(s);
     }
   }
@@ -98,7 +98,7 @@ TEST(BundleAdjustment, TogetherTheLandmarksTellHowOdometryErred)
   const BundleAdjustment adjusted = adjustBundle(seen.places, seen.sightings, seen.truth);
   const ScanPose &before = seen.places.front(), &after = adjusted.places.front();
   EXPECT_LT(after.odometry_covariance(2, 2), 0.05 * before.odometry_covariance(2, 2));
-  const Pose2 truth = between(seen.way.now(), seen.way.true_places.front());
+  const Pose2 truth = between(seen.way.now(), seen.way.true_poses.front());
   EXPECT_LT(std::abs(wrap(after.T_robot_sensor.phi - truth.phi)), 4 * std::sqrt(after.odometry_covariance(2, 2)));
   EXPECT_LT((after.T_robot_sensor.position() - truth.position()).norm(), 0.05);
 }

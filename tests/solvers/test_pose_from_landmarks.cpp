@@ -11,7 +11,7 @@ namespace mrpt_ext
 namespace
 {
 using Kind = PoseMeasurement::Kind;
-using What = MeasuringKind::What;
+using What = MeasurementSetup::What;
 
 const Pose2 kRobot{2, 3, 0.8};
 const Pose2 kFront{0.4, 0.1, 0.3}, kRear{-0.3, -0.2, 2.9};
@@ -232,7 +232,7 @@ TEST(IdentifiedPose, NeverConfidentAndWrong)
     {
       const Scene scene = randomScene(random, 4 + trial % 9);
       const double scale = trial % 2 ? 1 : 0.1;
-      const MeasuringKind kind{what, degToRad(scale), 0.3 * scale};
+      const MeasurementSetup kind{what, degToRad(scale), 0.3 * scale};
       tallyTrust(tally, scene, solvePoseFromLandmarks(measureScene(scene, kind, random)));
     }
     EXPECT_EQ(tally.confident_wrong, 0);

@@ -19,37 +19,39 @@ struct Senses
   bool bearing = false, range = false;
 };
 
-WindowObservation sighting(const Way& way, std::size_t place, const Senses& senses, RandomStream* random = nullptr)
+WindowObservation sighting(const DrivenTrajectory& way, std::size_t place, const Senses& senses,
+                           RandomStream* random = nullptr)
 {
-  WindowObservation s{way.places[place], way.covariances[place], {}, {}, kStdBearing, kStdRange};
+  WindowObservation s{way.poses[place], way.covariances[place], {}, {}, kStdBearing, kStdRange};
   const auto noise = [&](double std) { return random ? std * random->gaussian() : 0.0; };
-  if (senses.bearing) s.bearing = predictBearing(way.true_places[place], kLandmark) + noise(kStdBearing);
-  if (senses.range) s.range = predictRange(way.true_places[place], kLandmark) + noise(kStdRange);
+  if (senses.bearing) s.bearing = predictBearing(way.true_poses[place], kLandmark) + noise(kStdBearing);
+  if (senses.range) s.range = predictRange(way.true_poses[place], kLandmark) + noise(kStdRange);
   return s;
 }
 
-std::vector<WindowObservation> seenAlong(const Way& way, const Senses& senses, RandomStream* random = nullptr)
+std::vector<WindowObservation> seenAlong(const DrivenTrajectory& way, const Senses& senses,
+                                         RandomStream* random = nullptr)
 {
   std::vector<WindowObservation> sightings;
-  for (std::size_t k = 0; k < way.places.size(); ++k) sightings.push_back(sighting(way, k, senses, random));
+  for (std::size_t k = 0; k < way.poses.size(); ++k) sightings.push_back(sighting(way, k, senses, random));
   return sightings;
 }
 
-Vector2d truthInRobot(const Way& way) { return transform(inverse(way.now()), kLandmark); }
+Vector2d truthInRobot(const DrivenTrajectory& way) { return transform(inverse(way.now()), kLandmark); }
 
 const Pose2 kEnd{0.5, 0.2, 0.1};
 const Pose2 kStraight{0.25, 0, 0}, kBend{0.25, 0, 0.25};
-Way exactWay(const Pose2& step, int steps)
+DrivenTrajectory exactWay(const Pose2& step, int steps)
 {
   RandomStream unused(0);
-  Way way = makeWay(kEnd, step, steps, Vector3d::Zero(), unused);
+  DrivenTrajectory way = driveSteps(kEnd, step, steps, Vector3d::Zero(), unused);
   return way;
 }
 }  // namespace
 
 TEST(WindowLandmark, RangesAlongAStraightWayLeaveTwoMirrorImages)
 {
-  const Way way = exactWay(kStraight, 6);
+  const DrivenTrajectory way = exactWay(kStraight, 6);
   const WindowLandmark found = locateLandmark(seenAlong(way, {.range = true}));
   ASSERT_EQ(found.status, SolveStatus::ok);
   ASSERT_EQ(found.places.size(), 2u);
@@ -62,7 +64,7 @@ TEST(WindowLandmark, RangesAlongAStraightWayLeaveTwoMirrorImages)
 
 TEST(WindowLandmark, ABentWayLeavesOne)
 {
-  const Way way = exactWay(kBend, 6);
+  const DrivenTrajectory way = exactWay(kBend, 6);
   const WindowLandmark found = locateLandmark(seenAlong(way, {.range = true}));
   ASSERT_EQ(found.places.size(), 1u);
   EXPECT_LT((found.places[0].in_robot.mean - truthInRobot(way)).norm(), 1e-6);
@@ -72,7 +74,7 @@ TEST(WindowLandmark, BearingsFromTwoPlacesOrMore)
 {
   for (const int steps : {2, 6})
   {
-    const Way way = exactWay(kStraight, steps);
+    const DrivenTrajectory way = exactWay(kStraight, steps);
     const WindowLandmark found = locateLandmark(seenAlong(way, {.bearing = true}));
     ASSERT_EQ(found.places.size(), 1u);
     EXPECT_LT((found.places[0].in_robot.mean - truthInRobot(way)).norm(), 1e-6);
@@ -81,7 +83,7 @@ TEST(WindowLandmark, BearingsFromTwoPlacesOrMore)
 
 TEST(WindowLandmark, ABearingThenARange)
 {
-  const Way way = exactWay(kBend, 6);
+  const DrivenTrajectory way = exactWay(kBend, 6);
   const WindowLandmark found =
       locateLandmark(std::vector{sighting(way, 0, {.bearing = true}), sighting(way, 6, {.range = true})});
   ASSERT_EQ(found.status, SolveStatus::ok);
@@ -93,7 +95,7 @@ TEST(WindowLandmark, ABearingThenARange)
 
 TEST(WindowLandmark, ABearingTellsTheMirrorImagesApart)
 {
-  const Way way = exactWay(kStraight, 6);
+  const DrivenTrajectory way = exactWay(kStraight, 6);
   std::vector<WindowObservation> sightings = seenAlong(way, {.range = true});
   sightings[3] = sighting(way, 3, {.bearing = true, .range = true});
   const WindowLandmark found = locateLandmark(sightings);
@@ -111,7 +113,7 @@ TEST(WindowLandmark, ItsErrorIsWhatItsCovarianceSays)
     int found_it = 0, readings = 0;
     for (int trial = 0; trial < trials; ++trial)
     {
-      const Way way = makeWay(kEnd, kBend, 8, kStepNoise, random);
+      const DrivenTrajectory way = driveSteps(kEnd, kBend, 8, kStepNoise, random);
       const WindowLandmark found = locateLandmark(seenAlong(way, senses, &random));
       if (found.status != SolveStatus::ok) continue;
       ++found_it;
@@ -131,7 +133,8 @@ TEST(WindowLandmark, ItsErrorIsWhatItsCovarianceSays)
 TEST(WindowLandmark, OnTheLineOfMotionTheDirectionStaysOpenToSecondOrder)
 {
   RandomStream random(7);
-  const Way way = makeWay({0, 0, std::atan2(3, 2.5)}, {0.3, 0, 0}, 4, Vector3d(0.001, 0.001, 0.001), random);
+  const DrivenTrajectory way =
+      driveSteps({0, 0, std::atan2(3, 2.5)}, {0.3, 0, 0}, 4, Vector3d(0.001, 0.001, 0.001), random);
   const WindowLandmark found = locateLandmark(seenAlong(way, {.range = true}));
   ASSERT_EQ(found.status, SolveStatus::ok);
   const GaussianPoint& p = found.places.front().in_robot;
@@ -143,7 +146,7 @@ TEST(WindowLandmark, OnTheLineOfMotionTheDirectionStaysOpenToSecondOrder)
 TEST(WindowLandmark, WhatCannotBeSolvedSaysWhy)
 {
   const auto status = [](const std::vector<WindowObservation>& s) { return locateLandmark(s).status; };
-  const Way way = exactWay(kStraight, 6);
+  const DrivenTrajectory way = exactWay(kStraight, 6);
   EXPECT_EQ(status({}), SolveStatus::too_few);
   EXPECT_EQ(status({sighting(way, 0, {.range = true})}), SolveStatus::too_few);
   const WindowObservation bearing = sighting(way, 0, {.bearing = true});

@@ -24,17 +24,17 @@ PoseMeasurement measured(PoseMeasurement::Kind kind, const Vector2d& landmark, c
 }
 
 /// Bearings (and one range) to the landmarks from every place of the way, as carried by odometry.
-std::vector<WindowMeasurements> measuredAlong(const Way& way, RandomStream& random)
+std::vector<WindowMeasurements> measuredAlong(const DrivenTrajectory& way, RandomStream& random)
 {
   std::vector<WindowMeasurements> readings;
-  for (std::size_t k = 0; k < way.places.size(); ++k)
+  for (std::size_t k = 0; k < way.poses.size(); ++k)
   {
     WindowMeasurements reading{way.covariances[k], {}};
     for (const Vector2d& l : kLandmarks)
       reading.measurements.push_back(
-          measured(PoseMeasurement::Kind::bearing, l, way.true_places[k], way.places[k], random));
+          measured(PoseMeasurement::Kind::bearing, l, way.true_poses[k], way.poses[k], random));
     reading.measurements.push_back(
-        measured(PoseMeasurement::Kind::range, kLandmarks[0], way.true_places[k], way.places[k], random));
+        measured(PoseMeasurement::Kind::range, kLandmarks[0], way.true_poses[k], way.poses[k], random));
     readings.push_back(std::move(reading));
   }
   return readings;
@@ -65,7 +65,7 @@ std::vector<PoseMeasurement> asIndependent(const std::vector<WindowMeasurements>
 TEST(WindowPose, WithoutOdometryErrorItIsThePlainRefinement)
 {
   RandomStream random(1);
-  const Way way = makeWay({0.5, 0.8, 0.6}, {0.3, 0, 0.2}, 5, Vector3d::Zero(), random);
+  const DrivenTrajectory way = driveSteps({0.5, 0.8, 0.6}, {0.3, 0, 0.2}, 5, Vector3d::Zero(), random);
   const std::vector<WindowMeasurements> readings = measuredAlong(way, random);
   const PoseMl carried = refineCarriedPose(readings, way.now());
   const PoseMl plain = refinePose(asIndependent(readings, way.now()), way.now());
@@ -79,7 +79,7 @@ TEST(WindowPose, WithoutOdometryErrorItIsThePlainRefinement)
 TEST(WindowPose, IsGeneralisedLeastSquaresWithTheJointCovariance)
 {
   RandomStream random(2);
-  const Way way = makeWay({0.5, 0.8, 0.6}, {0.3, 0, 0.2}, 4, kStepNoise, random);
+  const DrivenTrajectory way = driveSteps({0.5, 0.8, 0.6}, {0.3, 0, 0.2}, 4, kStepNoise, random);
   const std::vector<WindowMeasurements> readings = measuredAlong(way, random);
   const PoseMl fit = refineCarriedPose(readings, way.now());
   ASSERT_EQ(fit.status, SolveStatus::ok);
@@ -125,8 +125,8 @@ TEST(WindowPose, ItsErrorIsWhatItsCovarianceSaysWhileIndependenceIsOverConfident
   double shared = 0, independent = 0, chi2 = 0;
   for (int trial = 0; trial < trials; ++trial)
   {
-    const Way way = makeWay({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-kPi, kPi)},
-                            {0.2, 0, random.uniform(-0.2, 0.2)}, 10, kStepNoise, random);
+    const DrivenTrajectory way = driveSteps({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-kPi, kPi)},
+                                            {0.2, 0, random.uniform(-0.2, 0.2)}, 10, kStepNoise, random);
     const std::vector<WindowMeasurements> readings = measuredAlong(way, random);
     const PoseMl fit = refineCarriedPose(readings, way.now());
     ASSERT_EQ(fit.status, SolveStatus::ok);
@@ -144,7 +144,7 @@ TEST(WindowPose, ItsErrorIsWhatItsCovarianceSaysWhileIndependenceIsOverConfident
 TEST(WindowPose, OlderReadingsNeverTellMoreThanTheWayLetsThem)
 {
   RandomStream random(4);
-  const Way way = makeWay({0.5, 0.8, 0.6}, {0.3, 0, 0.2}, 6, kStepNoise, random);
+  const DrivenTrajectory way = driveSteps({0.5, 0.8, 0.6}, {0.3, 0, 0.2}, 6, kStepNoise, random);
   std::vector<WindowMeasurements> readings = measuredAlong(way, random);
   for (std::size_t k = 1; k < readings.size(); ++k) readings[k].measurements.clear();
   // Everything was measured at the first place, a hundred times over.
@@ -163,7 +163,7 @@ TEST(WindowPose, OlderReadingsNeverTellMoreThanTheWayLetsThem)
 TEST(WindowPose, WhatCannotBeSolvedSaysWhy)
 {
   RandomStream random(5);
-  const Way way = makeWay({}, {0.3, 0, 0}, 1, kStepNoise, random);
+  const DrivenTrajectory way = driveSteps({}, {0.3, 0, 0}, 1, kStepNoise, random);
   std::vector<WindowMeasurements> readings = measuredAlong(way, random);
   EXPECT_EQ(refineCarriedPose({}, {}).status, SolveStatus::too_few);
   EXPECT_EQ(refineCarriedPose(readings, {std::nan(""), 0, 0}).status, SolveStatus::bad_input);
@@ -173,7 +173,7 @@ TEST(WindowPose, WhatCannotBeSolvedSaysWhy)
   std::vector<WindowMeasurements> ring;
   for (std::size_t k = 0; k < 2; ++k)
     for (const auto kind : {PoseMeasurement::Kind::bearing, PoseMeasurement::Kind::range})
-      ring.push_back({way.covariances[k], {measured(kind, {3, 2}, way.true_places[k], way.places[k], random)}});
+      ring.push_back({way.covariances[k], {measured(kind, {3, 2}, way.true_poses[k], way.poses[k], random)}});
   EXPECT_EQ(refineCarriedPose(ring, way.now()).status, SolveStatus::degenerate);
 }
 }  // namespace mrpt_ext

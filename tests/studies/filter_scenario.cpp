@@ -35,29 +35,29 @@ FilterScenario playScenario(const std::string& name, std::uint64_t seed,
   return scenario;
 }
 
-double FilterMoment::nees() const { return error.dot(best().pose.covariance.inverse() * error); }
+double FilterSample::nees() const { return error.dot(best().pose.covariance.inverse() * error); }
 
-double FilterMoment::positionNees() const
+double FilterSample::positionNees() const
 {
   const Matrix2d C = best().pose.covariance.topLeftCorner<2, 2>();
   return error.head<2>().dot(C.inverse() * error.head<2>());
 }
 
-std::vector<FilterMoment> runFilter(const FilterScenario& scenario, std::uint64_t seed)
+std::vector<FilterSample> runFilter(const FilterScenario& scenario, std::uint64_t seed)
 {
   ParticleFilterLocalizer filter(scenario.config.filter, scenario.map, scenario.config.seed_window, seed);
-  std::vector<FilterMoment> moments;
+  std::vector<FilterSample> samples;
   for (const Frame& frame : scenario.sequence.frames)
   {
     (void)filter.process(frame);
     const auto truth = interpolate(scenario.truth, frame.time, kMaxGap);
     if (!truth || filter.lastStep().modes.modes.empty()) continue;
-    FilterMoment moment{frame.time - scenario.truth.front().time, &frame, truth->pose, filter.lastStep()};
-    moment.error = moment.best().pose.mean.vector() - moment.truth.vector();
-    moment.error.z() = wrap(moment.error.z());
-    moments.push_back(std::move(moment));
+    FilterSample sample{frame.time - scenario.truth.front().time, &frame, truth->pose, filter.lastStep()};
+    sample.error = sample.best().pose.mean.vector() - sample.truth.vector();
+    sample.error.z() = wrap(sample.error.z());
+    samples.push_back(std::move(sample));
   }
-  return moments;
+  return samples;
 }
 
 int studyRuns(int full)

@@ -9,8 +9,8 @@
 
 namespace mrpt_ext
 {
-/// A shipped scenario, ini/landmark-simulator/<name>.ini played and cut into frames as ini/landmark-localization/
-/// <name>.ini wants it, without files in between.
+/// A shipped scenario: ini/landmark-simulator/<name>.ini simulated and synchronized into frames as configured in
+/// ini/landmark-localization/<name>.ini, without files in between.
 struct FilterScenario
 {
   LandmarkTable map;
@@ -24,8 +24,8 @@ struct FilterScenario
                                           const std::vector<std::string>& simulator_changes = {},
                                           const std::vector<std::string>& localization_changes = {});
 
-/// The filter beside the truth after one frame.
-struct FilterMoment
+/// The filter and the truth after one frame.
+struct FilterSample
 {
   double time = 0;  ///< [s] since the start
   const Frame* frame = nullptr;
@@ -41,8 +41,8 @@ struct FilterMoment
 };
 
 /// The filter over all frames that have a true pose. The frames belong to the scenario.
-[[nodiscard]] std::vector<FilterMoment> runFilter(const FilterScenario& scenario, std::uint64_t seed);
+[[nodiscard]] std::vector<FilterSample> runFilter(const FilterScenario& scenario, std::uint64_t seed);
 
-/// Number of runs of a study: `full`, or what the environment variable STUDY_RUNS says.
+/// Number of runs of a study: `full`, or the value of the environment variable STUDY_RUNS.
 [[nodiscard]] int studyRuns(int full);
 }  // namespace mrpt_ext

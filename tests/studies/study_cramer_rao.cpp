@@ -7,7 +7,7 @@ namespace mrpt_ext
 {
 namespace
 {
-using What = MeasuringKind::What;
+using What = MeasurementSetup::What;
 
 void againstBound(std::ostream& out, What what, const char* noise_title, double std_bearing_deg, double std_range,
                   const std::vector<double>& scales, int scenes, int trials, double extent)
@@ -22,8 +22,8 @@ void againstBound(std::ostream& out, What what, const char* noise_title, double 
     for (const double scale : scales)
     {
       RandomStream random(1, static_cast<std::uint64_t>(landmarks * 100) + static_cast<std::uint64_t>(10 * scale));
-      const MeasuringKind kind{what, degToRad(scale * std_bearing_deg), scale * std_range};
-      const CramerRaoTally t = tallyAgainstBound(kind, landmarks, scenes, trials, options, random);
+      const MeasurementSetup setup{what, degToRad(scale * std_bearing_deg), scale * std_range};
+      const CramerRaoTally t = tallyAgainstBound(setup, landmarks, scenes, trials, options, random);
       const int good = t.scenes - t.other_scenes;
       out << std::fixed << "| " << landmarks << " | " << std::setprecision(2);
       if (std_bearing_deg > 0) out << scale * std_bearing_deg << " deg ";
@@ -46,8 +46,8 @@ void trust(std::ostream& out, const char* name, What what, double std_bearing_de
   {
     const Scene scene = randomScene(random, landmarks[static_cast<std::size_t>(s) % 4]);
     const double scale = scales[static_cast<std::size_t>(s) / 4 % 3];
-    const MeasuringKind kind{what, degToRad(scale * std_bearing_deg), scale * std_range};
-    tallyTrust(tally, scene, solvePoseFromLandmarks(measureScene(scene, kind, random)));
+    const MeasurementSetup setup{what, degToRad(scale * std_bearing_deg), scale * std_range};
+    tallyTrust(tally, scene, solvePoseFromLandmarks(measureScene(scene, setup, random)));
   }
   const auto count = [&](SolveStatus status) { return tally.status[static_cast<std::size_t>(status)]; };
   out << "| " << name << " | " << scenes << " | " << count(SolveStatus::ok) << " | "
@@ -80,8 +80,8 @@ void run(std::ostream& out)
 }
 
 const RegisterStudy kStudy("cramer_rao",
-                           "Does the pose from identified measurements reach the Cramer-Rao bound, and does it say so "
-                           "when it cannot be trusted?",
+                           "Does the pose from identified measurements reach the Cramer-Rao bound, and does its "
+                           "status tell when it does not?",
                            run);
 }  // namespace
 }  // namespace mrpt_ext

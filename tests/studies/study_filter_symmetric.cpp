@@ -10,7 +10,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kStart = 5, kEnd = 56;  // [s] before: the first look around; after: the border comes into view
+constexpr double kStart = 5, kEnd = 56;  // [s] before: initialization; after: the border comes into view
 constexpr double kNear = 0.5;            // [m]
 const std::string kLandmarks =           // those of the scenario but for the odd one
     "0.5 0.5 0 13.5 5.5 0 2.8 0.4 0 11.2 5.6 0 0.4 3.2 0 13.6 2.8 0 2.6 3.0 0 11.4 3.0 0 4.8 5.4 0 9.2 0.6 0 "
@@ -36,14 +36,14 @@ void runWith(std::ostream& out, std::size_t particles, std::size_t while_uncerta
     scenario.config.filter.particles = particles;
     scenario.config.filter.initial_particles = while_uncertain;
     double furthest = 0;
-    for (const FilterMoment& moment : runFilter(scenario, static_cast<std::uint64_t>(k)))
+    for (const FilterSample& sample : runFilter(scenario, static_cast<std::uint64_t>(k)))
     {
-      if (moment.time < kStart || moment.time > kEnd) continue;
-      const double here = weightNear(moment.step.modes, moment.truth.x, moment.truth.y);
-      const double there = weightNear(moment.step.modes, 14 - moment.truth.x, 6 - moment.truth.y);
+      if (sample.time < kStart || sample.time > kEnd) continue;
+      const double here = weightNear(sample.step.modes, sample.truth.x, sample.truth.y);
+      const double there = weightNear(sample.step.modes, 14 - sample.truth.x, 6 - sample.truth.y);
       furthest = std::max({furthest, std::abs(here - 0.5), std::abs(there - 0.5)});
       ++steps;
-      ambiguous += moment.step.verdict == Verdict::ambiguous ? 1 : 0;
+      ambiguous += sample.step.verdict == Verdict::ambiguous ? 1 : 0;
     }
     drift.push_back(furthest);
     kept += furthest <= 0.1 ? 1 : 0;
@@ -58,7 +58,7 @@ void runWith(std::ostream& out, std::size_t particles, std::size_t while_uncerta
 void run(std::ostream& out)
 {
   out << "ini/landmark-simulator/symmetric.ini without its odd landmark, from " << kStart << " s to " << kEnd
-      << " s. Drift: furthest that the weight of either place goes from 0.5.\n\n| particles | while uncertain | both "
+      << " s. Drift: largest deviation of the weight of either mode from 0.5.\n\n| particles | while uncertain | both "
          "kept within 0.4 - 0.6 | drift median | 95 % | worst | steps judged ambiguous |\n|---|---|---|---|---|---|---|"
          "\n";
   const int runs = studyRuns(50);
@@ -68,8 +68,9 @@ void run(std::ostream& out)
 }
 
 const RegisterStudy kStudy("filter_symmetric",
-                           "Does the filter keep both places of a field that is the same after half a turn, at equal "
-                           "weights?",
+                           "Does the filter keep both modes of a field with point symmetry, at equal weights?"
+                           ""
+                           ",
                            run);
 }  // namespace
 }  // namespace mrpt_ext

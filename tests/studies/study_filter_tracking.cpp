@@ -15,23 +15,23 @@ namespace
 {
 constexpr double kTransient = 2;  // [s]
 
-/// The bound along the true way, with the noise that the configuration states (which is the simulated one).
-std::vector<Matrix3d> boundOf(const FilterScenario& scenario, const std::vector<FilterMoment>& moments)
+/// The bound along the true trajectory, with the noise that the configuration states (which is the simulated one).
+std::vector<Matrix3d> boundOf(const FilterScenario& scenario, const std::vector<FilterSample>& samples)
 {
   std::vector<BoundStep> steps;
-  for (std::size_t k = 0; k < moments.size(); ++k)
+  for (std::size_t k = 0; k < samples.size(); ++k)
   {
     BoundStep step;
-    step.increment = k > 0 ? between(moments[k - 1].truth, moments[k].truth) : Pose2{};
-    step.odometry_std = incrementStd(scenario.config.filter.motion, moments[k].frame->motion);
-    for (const Reading& reading : moments[k].frame->readings)
+    step.increment = k > 0 ? between(samples[k - 1].truth, samples[k].truth) : Pose2{};
+    step.odometry_std = incrementStd(scenario.config.filter.motion, samples[k].frame->motion);
+    for (const Reading& reading : samples[k].frame->readings)
       for (const Detection& d : reading.detections)
         addInformation(step.measurement_information,
-                       bearingJacobian(moments[k].truth, scenario.map[*scenario.map.indexOf(d.id)].position.head<2>()),
+                       bearingJacobian(samples[k].truth, scenario.map[*scenario.map.indexOf(d.id)].position.head<2>()),
                        d.std_bearing);
     steps.push_back(step);
   }
-  return posteriorBound(moments.front().truth, scenario.config.filter.initial_pose.covariance, steps);
+  return posteriorBound(samples.front().truth, scenario.config.filter.initial_pose.covariance, steps);
 }
 
 struct Sum
@@ -43,24 +43,24 @@ struct Sum
 
 void addRun(const FilterScenario& scenario, std::uint64_t seed, Sum& sum)
 {
-  const std::vector<FilterMoment> moments = runFilter(scenario, seed);
-  const std::vector<Matrix3d> bounds = boundOf(scenario, moments);
+  const std::vector<FilterSample> samples = runFilter(scenario, seed);
+  const std::vector<Matrix3d> bounds = boundOf(scenario, samples);
   double nees = 0;
   std::size_t count = 0;
-  for (std::size_t k = 0; k < moments.size(); ++k)
+  for (std::size_t k = 0; k < samples.size(); ++k)
   {
-    const FilterMoment& moment = moments[k];
-    if (moment.time < kTransient) continue;
-    sum.squared += square(moment.distance());
+    const FilterSample& sample = samples[k];
+    if (sample.time < kTransient) continue;
+    sum.squared += square(sample.distance());
     sum.bound += bounds[k](0, 0) + bounds[k](1, 1);
-    sum.errors.push_back(moment.distance());
-    nees += moment.nees();
+    sum.errors.push_back(sample.distance());
+    nees += sample.nees();
     ++count;
-    const bool ok = moment.step.verdict == Verdict::ok;
+    const bool ok = sample.step.verdict == Verdict::ok;
     sum.ok += ok ? 1 : 0;
-    sum.inside += ok && moment.positionNees() < chiSquareQuantile(2, 0.95) ? 1 : 0;
+    sum.inside += ok && sample.positionNees() < chiSquareQuantile(2, 0.95) ? 1 : 0;
     sum.not_ok += ok ? 0 : 1;
-    sum.reseeds += moment.step.reseeded ? 1 : 0;
+    sum.reseeds += sample.step.reseeded ? 1 : 0;
   }
   sum.steps += count;
   sum.nees.push_back(nees / static_cast<double>(count));
@@ -69,7 +69,8 @@ void addRun(const FilterScenario& scenario, std::uint64_t seed, Sum& sum)
 void run(std::ostream& out)
 {
   const int runs = studyRuns(50);
-  out << runs << " scenes of ini/landmark-simulator/tracking.ini, start drawn from its stated deviations, from "
+  out << runs
+      << " scenes of ini/landmark-simulator/tracking.ini, initial pose drawn from its stated distribution, from "
       << kTransient << " s on. NEES: mean over the runs, with the 95 % band of that mean (from the scatter of the "
       << "runs).\n\n| particles | RMSE [mm] | bound [mm] | RMSE / bound | median | 95 % | worst | NEES | its 95 % band "
       << "around 3 | not ok | reseeds | in 95 % region when ok |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n";
@@ -102,7 +103,7 @@ void run(std::ostream& out)
 
 const RegisterStudy kStudy("filter_tracking",
                            "How close does the particle filter come to the posterior Cramer-Rao bound with few "
-                           "particles, and is its covariance honest?",
+                           "particles, and is its covariance consistent?",
                            run);
 }  // namespace
 }  // namespace mrpt_ext

@@ -43,7 +43,7 @@ std::vector<Outcome> searchMany(const SearchSceneOptions& options, int trials, s
   for (std::uint64_t m = 0; static_cast<int>(outcomes.size()) < trials; ++m)
   {
     RandomStream random(seed, m);
-    const SceneMap map = strewLandmarks(options, random);
+    const SceneMap map = randomMap(options, random);
     const LandmarkIndex index = map.index();
     const BearingSearch search(index);
     PoseSearchOptions how;
@@ -87,9 +87,11 @@ void tabulateRecall(std::ostream& out)
       });
   add("1 000, 0.3 deg", 300, [](SearchSceneOptions& o) { o.std_bearing = degToRad(0.3); });
   add("100 000 landmarks, 0.1 deg", 20, [](SearchSceneOptions& o) { o.landmarks = 100000; });
-  out << "One landmark per 10 m2, seen within 8 m with probability 0.7, one false detection; right: within 0.1 m and 1 "
+  out << "One landmark per 10 m2, detected within 8 m with probability 0.7, one false detection; right: within 0.1 m "
+         "and 1 "
          "deg; times of the processor.\n\n"
-         "| scene | trials | true pose returned | first | said unique | wrong among these | poses | ms median | ms 90 "
+         "| scene | trials | true pose returned | first | called unique | wrong among these | poses | ms median | ms "
+         "90 "
          "% | "
          "unfinished |\n|---|---|---|---|---|---|---|---|---|---|\n";
   for (const Row& row : rows)
@@ -113,7 +115,8 @@ void tabulateRecall(std::ostream& out)
   }
 }
 
-const RegisterStudy kRecall("lost_bearings", "How often, how fast and how surely is a lost robot found from bearings?",
+const RegisterStudy kRecall("global_search_bearings",
+                            "Global localization from anonymous bearings: how often right, how often unique, how fast?",
                             tabulateRecall);
 }  // namespace
 }  // namespace mrpt_ext

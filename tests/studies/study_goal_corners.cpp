@@ -19,17 +19,17 @@ struct DriveError
   int wrong_place = 0;  ///< frames more than 0.3 m off
 };
 
-DriveError errorOf(const std::vector<FilterMoment>& moments)
+DriveError errorOf(const std::vector<FilterSample>& samples)
 {
   DriveError error;
   double count = 0;
-  for (const FilterMoment& moment : moments)
+  for (const FilterSample& sample : samples)
   {
-    if (moment.time < kJudgedFrom) continue;
-    error.x += std::abs(moment.error.x());
-    error.y += std::abs(moment.error.y());
-    error.distance += moment.distance();
-    error.wrong_place += moment.distance() > 0.3;
+    if (sample.time < kJudgedFrom) continue;
+    error.x += std::abs(sample.error.x());
+    error.y += std::abs(sample.error.y());
+    error.distance += sample.distance();
+    error.wrong_place += sample.distance() > 0.3;
     ++count;
   }
   count = std::max(count, 1.0);
@@ -76,11 +76,10 @@ void run(std::ostream& out)
          "|---|---|---|---|---|---|---|---|\n";
   row(out, "320 x 240, range scale estimated", 1, "0.05");
   row(out, "640 x 480, range scale estimated", 2, "0.05");
-  row(out, "320 x 240, ranges believed", 1, "0");
+  row(out, "320 x 240, range scale not estimated", 1, "0");
 }
 
-const RegisterStudy kStudy("goal_corners",
-                           "Paper 004's field and noise: how well does a filter do that sees one corner at a time?",
-                           run);
+const RegisterStudy kStudy(
+    "goal_corners", "Field and noise of paper 004: how accurate is the filter when it sees one corner at a time?", run);
 }  // namespace
 }  // namespace mrpt_ext

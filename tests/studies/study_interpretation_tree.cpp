@@ -115,7 +115,7 @@ void run(std::ostream& out)
 }
 
 const RegisterStudy kStudy("interpretation_tree",
-                           "Tens of landmarks, all in view, none named: is every consistent interpretation found, how "
+                           "Tens of anonymous landmarks, all in view: is every consistent interpretation found, how "
                            "often the true one, how fast?",
                            run);
 }  // namespace

@@ -1,8 +1,8 @@
 #include <iomanip>
 
-#include "calibration.h"
 #include "mrpt_ext/correspondence/bearings/bearing_search.h"
 #include "mrpt_ext/correspondence/points/point_search.h"
+#include "probability_calibration.h"
 #include "study.h"
 
 namespace mrpt_ext
@@ -11,7 +11,7 @@ namespace
 {
 struct Tally
 {
-  Calibration mode, near;  ///< a hit: the truth's mode; within 0.1 m and 1 deg
+  ProbabilityCalibration mode, near;  ///< a hit: the truth's mode; within 0.1 m and 1 deg
   int trials = 0, unanswered = 0, unique = 0, unique_wrong = 0, unique_by_chance = 0;
 };
 
@@ -22,7 +22,7 @@ void run(const SearchSceneOptions& options, int trials, std::uint64_t seed, Tall
   for (std::uint64_t m = 0; trials > 0; ++m)
   {
     RandomStream random(seed, m);
-    const SceneMap map = strewLandmarks(options, random);
+    const SceneMap map = randomMap(options, random);
     const LandmarkIndex index = map.index();
     const Search search(index);
     PoseSearchOptions how;
@@ -45,7 +45,7 @@ void run(const SearchSceneOptions& options, int trials, std::uint64_t seed, Tall
   }
 }
 
-const char* verdict(const Calibration::Bin& bin)
+const char* verdict(const ProbabilityCalibration::Bin& bin)
 {
   if (!bin.isEnough()) return "too few";
   return bin.isInside() ? "yes" : "no";
@@ -55,14 +55,14 @@ void tabulate(std::ostream& out, const char* name, const Tally& tally)
 {
   out << "\n"
       << name << ": " << tally.trials << " trials, " << tally.unanswered << " without a pose, " << tally.unique
-      << " said to be unique, of these " << tally.unique_wrong << " wrong and " << tally.unique_by_chance
+      << " called unique, of these " << tally.unique_wrong << " wrong and " << tally.unique_by_chance
       << " with more than 0.05 false poses expected.\n\n"
          "| stated | trials | mean stated | truth's mode | in the 99 % interval | within 0.1 m, 1 deg | in the "
          "interval |\n"
          "|---|---|---|---|---|---|---|\n";
   for (std::size_t b = 0; b < tally.mode.bins.size(); ++b)
   {
-    const Calibration::Bin &mode = tally.mode.bins[b], &near = tally.near.bins[b];
+    const ProbabilityCalibration::Bin &mode = tally.mode.bins[b], &near = tally.near.bins[b];
     out << "| " << 0.1 * static_cast<double>(b) << " .. " << 0.1 * static_cast<double>(b + 1) << " | " << mode.trials
         << " | " << std::setprecision(3) << mode.meanStated() << " | " << mode.hitRate() << " | " << verdict(mode)
         << " | " << near.hitRate() << " | " << verdict(near) << " |\n";
@@ -107,10 +107,10 @@ void runPoints(std::ostream& out)
   tabulate(out, "Bearings with ranges", tally);
 }
 
-const RegisterStudy kBearings("lost_bearings_calibration",
+const RegisterStudy kBearings("pose_probability_bearings",
                               "Is the stated probability of the best pose right? (Bearings; random scenes.)",
                               runBearings);
-const RegisterStudy kPoints("lost_points_calibration",
+const RegisterStudy kPoints("pose_probability_points",
                             "Is the stated probability of the best pose right? (Bearings with ranges.)", runPoints);
 }  // namespace
 }  // namespace mrpt_ext

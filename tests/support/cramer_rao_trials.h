@@ -11,46 +11,47 @@
 
 namespace mrpt_ext
 {
-/// What a robot measures in a scene.
-struct MeasuringKind
+/// The measurements of a robot in a scene.
+struct MeasurementSetup
 {
   enum class What
   {
     bearings,
     ranges,
     ranges_and_bearings,  ///< both of every landmark
-    mixed                 ///< one or both of each landmark in turn, by three sensors in different places on the robot
+    mixed                 ///< one or both of each landmark in turn, by three sensors on the robot
   };
   What what = What::bearings;
   double std_bearing = 0;  ///< [rad]
   double std_range = 0;    ///< [m]
 };
 
-inline std::vector<PoseMeasurement> measureScene(const Scene& scene, const MeasuringKind& kind, RandomStream& random)
+inline std::vector<PoseMeasurement> measureScene(const Scene& scene, const MeasurementSetup& setup,
+                                                 RandomStream& random)
 {
   using Kind = PoseMeasurement::Kind;
-  using What = MeasuringKind::What;
-  const std::array<Pose2, 3> places{Pose2{0.3, 0.2, 0.5}, Pose2{-0.4, 0, kPi}, Pose2{0.1, -0.3, -1.5}};
+  using What = MeasurementSetup::What;
+  const std::array<Pose2, 3> sensors{Pose2{0.3, 0.2, 0.5}, Pose2{-0.4, 0, kPi}, Pose2{0.1, -0.3, -1.5}};
   std::vector<PoseMeasurement> measurements;
   for (std::size_t i = 0; i < scene.landmarks.size(); ++i)
   {
-    const Pose2 place = kind.what == What::mixed ? places[i % 3] : Pose2{};
+    const Pose2 sensor = setup.what == What::mixed ? sensors[i % 3] : Pose2{};
     const auto add = [&](Kind what, double std)
     {
-      PoseMeasurement m{what, scene.landmarks[i], 0, std, place};
+      PoseMeasurement m{what, scene.landmarks[i], 0, std, sensor};
       m.value = predict(m, scene.robot) + std * random.gaussian();
       m.value = what == Kind::range ? std::max(0.0, m.value) : wrap(m.value);
       measurements.push_back(m);
     };
-    const bool bearing = kind.what != What::ranges && (kind.what != What::mixed || i % 4 != 1);
-    const bool range = kind.what != What::bearings && (kind.what != What::mixed || i % 4 < 2);
-    if (bearing) add(Kind::bearing, kind.std_bearing);
-    if (range) add(Kind::range, kind.std_range);
+    const bool bearing = setup.what != What::ranges && (setup.what != What::mixed || i % 4 != 1);
+    const bool range = setup.what != What::bearings && (setup.what != What::mixed || i % 4 < 2);
+    if (bearing) add(Kind::bearing, setup.std_bearing);
+    if (range) add(Kind::range, setup.std_range);
   }
   return measurements;
 }
 
-/// Cramer-Rao bound of the position's standard deviation [m]; without a heading when nothing tells it.
+/// Cramer-Rao bound of the position's standard deviation [m]; without a heading if it is not observable.
 inline double positionBound(const std::vector<PoseMeasurement>& measurements, const Pose2& truth)
 {
   const Matrix3d information = poseInformation(measurements, truth);
@@ -61,7 +62,7 @@ inline double positionBound(const std::vector<PoseMeasurement>& measurements, co
                                          : square_of(covarianceFromInformation(corner)));
 }
 
-/// The solver's answers against the bound, over many scenes with many trials each.
+/// Errors of the solver relative to the bound, over many scenes with many trials each.
 struct CramerRaoTally
 {
   static constexpr double kGood = 0.5;  ///< [m], 5 % of the side of the square
@@ -78,7 +79,7 @@ struct CramerRaoTally
   }
 };
 
-inline CramerRaoTally tallyAgainstBound(const MeasuringKind& kind, int landmarks, int scenes, int trials,
+inline CramerRaoTally tallyAgainstBound(const MeasurementSetup& setup, int landmarks, int scenes, int trials,
                                         const IdentifiedPoseOptions& options, RandomStream& random)
 {
   CramerRaoTally tally;
@@ -89,7 +90,7 @@ inline CramerRaoTally tallyAgainstBound(const MeasuringKind& kind, int landmarks
     int answers = 0, flagged = 0;
     for (int t = 0; t < trials; ++t)
     {
-      const std::vector<PoseMeasurement> measurements = measureScene(scene, kind, random);
+      const std::vector<PoseMeasurement> measurements = measureScene(scene, setup, random);
       if (t == 0) bound = positionBound(measurements, scene.robot);
       const IdentifiedPose solved = solvePoseFromLandmarks(measurements, options);
       ++tally.trials;
@@ -116,7 +117,7 @@ inline CramerRaoTally tallyAgainstBound(const MeasuringKind& kind, int landmarks
   return tally;
 }
 
-/// How far single answers can be trusted, over many scenes with one trial each.
+/// Reliability of single solutions, over many scenes with one trial each.
 struct TrustTally
 {
   std::array<long, 6> status{};  ///< by SolveStatus

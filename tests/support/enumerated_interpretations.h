@@ -11,7 +11,7 @@
 
 namespace mrpt_ext
 {
-/// Unidentified bearings of a random scene.
+/// Anonymous bearings of a random scene.
 struct AnonymousScene
 {
   Scene scene;
@@ -19,7 +19,7 @@ struct AnonymousScene
   std::vector<int> truth;  ///< landmark per bearing; -1: false bearing
 };
 
-/// `seen` of the landmarks in random order, with Gaussian noise [rad], then false bearings at random places.
+/// `seen` of the landmarks in random order, with Gaussian noise [rad], then false bearings in random directions.
 inline AnonymousScene observeAnonymously(RandomStream& random, int landmark_count, int seen, int false_count,
                                          double noise)
 {
@@ -44,7 +44,7 @@ inline AnonymousScene observeAnonymously(RandomStream& random, int landmark_coun
   return s;
 }
 
-/// True if the search found an interpretation that names every landmark that was seen.
+/// True if the search found an interpretation that associates every detected landmark.
 inline bool findsTruth(const Interpretations& result, const std::vector<int>& truth)
 {
   return std::any_of(result.solutions.begin(), result.solutions.end(),
@@ -64,7 +64,7 @@ inline std::set<std::vector<int>> assignmentsOf(const Interpretations& result)
 }
 
 /// The definition of a consistent interpretation, by trying every ordered assignment of all bearings. Each is refined
-/// from the closed form and from a grid of starts, and its best pose judged.
+/// from the closed form and from a grid of starts, and its best pose verified.
 class InterpretationEnumeration
 {
  public:
@@ -75,7 +75,7 @@ class InterpretationEnumeration
   }
 
   std::set<std::vector<int>> found;
-  bool doubtful = false;  ///< some assignment lies between 0.9 and 1.25 gates, or at the border of the area
+  bool doubtful = false;  ///< some assignment is between 0.9 and 1.25 gates, or at the border of the area
 
  private:
   void extend()

@@ -11,7 +11,7 @@
 
 namespace mrpt_ext
 {
-/// A lost robot in a square map of uniformly strewn landmarks, seeing some of those around it.
+/// A scan of anonymous detections in a square map of uniformly distributed landmarks.
 struct SearchSceneOptions
 {
   int landmarks = 1000;
@@ -20,7 +20,7 @@ struct SearchSceneOptions
   std::optional<double> max_range = 8;  ///< [m]; absent: every landmark is in view
   double border = 8;                    ///< the robot stays this far from the border of the map [m]
   double detection_probability = 0.7;
-  std::optional<int> seen;    ///< instead: so many of the landmarks in view, no matter which
+  std::optional<int> seen;    ///< instead: exactly so many, randomly chosen of those in view
   double false_readings = 1;  ///< mean number
   bool random_false = false;  ///< their number varies (Poisson); otherwise it is the mean, rounded
   bool with_bearing = true;
@@ -37,7 +37,7 @@ struct SceneMap
   [[nodiscard]] LandmarkIndex index() const { return LandmarkIndex(landmarks); }
 };
 
-inline SceneMap strewLandmarks(const SearchSceneOptions& options, RandomStream& random)
+inline SceneMap randomMap(const SearchSceneOptions& options, RandomStream& random)
 {
   SceneMap map;
   map.side = std::sqrt(options.area_per_landmark * options.landmarks);
@@ -53,7 +53,7 @@ inline SceneMap strewLandmarks(const SearchSceneOptions& options, RandomStream& 
   return map;
 }
 
-/// What a lost robot is given, and what it is not: its pose and the landmark behind each detection.
+/// A scan and its ground truth.
 struct SceneScan
 {
   Scan scan;
@@ -73,7 +73,7 @@ inline AnonymousDetection measurePoint(const Vector2d& offset, const SearchScene
   return d;
 }
 
-/// The sensor as its owner would declare it, from the options alone.
+/// The sensor model that a configuration would declare.
 inline SensorModel declaredModel(const SearchSceneOptions& options)
 {
   SensorModel model;
@@ -86,7 +86,7 @@ inline SensorModel declaredModel(const SearchSceneOptions& options)
   return model;
 }
 
-/// What is seen at `robot` by a sensor at `T_robot_sensor`; the detections come in random order.
+/// A simulated scan from `robot` by a sensor at `T_robot_sensor`; its detections are in random order.
 inline SceneScan observe(const SceneMap& map, const LandmarkIndex& index, const SearchSceneOptions& options,
                          const Pose2& robot, RandomStream& random, const Pose2& T_robot_sensor = {})
 {
@@ -124,7 +124,7 @@ inline SceneScan observe(const SceneMap& map, const LandmarkIndex& index, const 
     }
     else
     {
-      const double distance = std::min(radius, map.side) * random.uniform();  // even in range, as models take it
+      const double distance = std::min(radius, map.side) * random.uniform();  // uniform in range, as models assume
       const double direction = random.uniform(-kPi, kPi);
       const Vector2d offset(distance * std::cos(direction), distance * std::sin(direction));
       AnonymousDetection d = measurePoint(offset, options, random);

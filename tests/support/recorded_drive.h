@@ -8,7 +8,7 @@
 
 namespace mrpt_ext::testing
 {
-/// A drive with known systematic errors, as a recording would hold it.
+/// A simulated recording with known systematic errors.
 struct DrivePlan
 {
   double duration = 120, rate = 5;  // [s], poses per second
@@ -18,12 +18,12 @@ struct DrivePlan
   std::vector<Vector2d> landmarks{{-4, -3}, {4, -3.5}, {5, 3}, {-3, 4}, {0.5, 5}};
   double std_bearing = degToRad(0.7), std_range = 0.05;
   double outliers = 0.03;  // share
-  double std_way_per_root_s = 0.01, std_turn_per_root_s = 0.01;
+  double std_distance_per_root_s = 0.01, std_turn_per_root_s = 0.01;
   double delay = 0, bearing_offset = 0, range_offset = 0, range_scale = 0;
   double distance_scale = 0, rotation_scale = 0, veer = 0;
 };
 
-/// Forward and turn rate of the drive: it weaves and comes back.
+/// True pose at `time`.
 inline Pose2 driveAt(const DrivePlan& plan, double time)
 {
   // A figure of eight, driven at changing speed; the heading is that of the motion.
@@ -33,25 +33,25 @@ inline Pose2 driveAt(const DrivePlan& plan, double time)
   return {x, y, std::atan2(std::cos(2 * s), std::cos(s))};
 }
 
-/// Readings at the stamps of the poses were made `delay` before; odometry tells less than is true.
+/// Readings are stamped `delay` late; odometry underestimates motion by its scale errors.
 inline CalibrationProblem recordedDrive(const DrivePlan& plan, RandomStream& random)
 {
-  CalibrationProblem way;
-  way.sensors = 1;
+  CalibrationProblem problem;
+  problem.sensors = 1;
   constexpr double kOdometryRate = 20, kBefore = 2;  // [Hz], [s]
   Pose2 reckoned, before = driveAt(plan, -kBefore);
-  way.odometry.push_back({-kBefore, reckoned});
+  problem.odometry.push_back({-kBefore, reckoned});
   for (int k = 1; k <= (plan.duration + 2 * kBefore) * kOdometryRate; ++k)
   {
     const double time = k / kOdometryRate - kBefore, root = std::sqrt(1 / kOdometryRate);
     const Pose2 now = driveAt(plan, time), step = between(before, now);
-    const double way_noise = plan.std_way_per_root_s * root, turn_noise = plan.std_turn_per_root_s * root;
+    const double distance_noise = plan.std_distance_per_root_s * root, turn_noise = plan.std_turn_per_root_s * root;
     const double length = step.position().norm();
     reckoned = compose(reckoned,
-                       {(step.x + way_noise * random.gaussian()) / (1 + plan.distance_scale),
-                        (step.y + way_noise * random.gaussian()) / (1 + plan.distance_scale),
+                       {(step.x + distance_noise * random.gaussian()) / (1 + plan.distance_scale),
+                        (step.y + distance_noise * random.gaussian()) / (1 + plan.distance_scale),
                         (step.phi - plan.veer * length + turn_noise * random.gaussian()) / (1 + plan.rotation_scale)});
-    way.odometry.push_back({time, reckoned});
+    problem.odometry.push_back({time, reckoned});
     before = now;
   }
   std::size_t next_landmark = 0;
@@ -65,14 +65,14 @@ inline CalibrationProblem recordedDrive(const DrivePlan& plan, RandomStream& ran
                         {}};
     if (k > 0)
     {
-      const Vector3d variances{square(plan.std_way_per_root_s), square(plan.std_way_per_root_s),
+      const Vector3d variances{square(plan.std_distance_per_root_s), square(plan.std_distance_per_root_s),
                                square(plan.std_turn_per_root_s)};
       pose.since_previous = Matrix3d((variances / plan.rate).asDiagonal());
     }
-    way.poses.push_back(pose);
+    problem.poses.push_back(pose);
     for (int i = 0; i < plan.landmarks_seen; ++i)
     {
-      CalibrationReading r{.pose = way.poses.size() - 1,
+      CalibrationReading r{.pose = problem.poses.size() - 1,
                            .place = plan.landmarks[next_landmark++ % plan.landmarks.size()]};
       const bool wrong = random.chance(plan.outliers);
       if (plan.bearings)
@@ -80,16 +80,16 @@ inline CalibrationProblem recordedDrive(const DrivePlan& plan, RandomStream& ran
         r.std = plan.std_bearing;
         r.value = wrap(predictBearing(seen_from, r.place) + plan.bearing_offset + r.std * random.gaussian() +
                        (wrong ? random.uniform(0.2, 2) : 0));
-        way.readings.push_back(r);
+        problem.readings.push_back(r);
       }
       if (!plan.ranges) continue;
       r.is_range = true;
       r.std = plan.std_range;
       r.value = (1 + plan.range_scale) * predictRange(seen_from, r.place) + plan.range_offset +
                 r.std * random.gaussian() + (wrong ? random.uniform(0.5, 3) : 0);
-      way.readings.push_back(r);
+      problem.readings.push_back(r);
     }
   }
-  return way;
+  return problem;
 }
 }  // namespace mrpt_ext::testing

@@ -17,7 +17,7 @@ struct ConePicture
   Eigen::Vector2d offset{0, 0};  ///< [m] of the mirror's axis
   std::vector<Sector> sectors{{-170, 200}, {-120, 90}, {-60, 180}, {-20, 120}, {35, 210}, {80, 60}, {140, 150}};
 
-  /// By exact reflection of the ray through a place of the image.
+  /// By exact reflection of the ray through an image point.
   [[nodiscard]] double brightnessAt(double u, double v) const
   {
     const Eigen::Vector3d ray((u - mirror.principal_point.x) / focal, (v - mirror.principal_point.y) / focal, 1);

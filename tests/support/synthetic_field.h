@@ -10,8 +10,8 @@
 #include "mrpt_ext/vision/stereo_camera.h"
 
 // A football field painted by casting rays, for tests of the narrow stereo pair: a white wall with a goal across the
-// view, upright coloured boards for robots, and markings on a dark floor. Places are (forward, left) of the left camera
-// [m].
+// view, upright coloured boards for robots, and markings on a dark floor. Positions are (forward, left) of the left
+// camera [m].
 namespace mrpt_ext::testing
 {
 /// The camera of a small robot, 320 x 240 pixels.
@@ -62,12 +62,12 @@ inline cv::Vec3d colourSeen(const FieldPicture& picture, const Eigen::Vector3d& 
   const Eigen::Vector3d on_wall = origin + picture.wall / ray.x() * ray;
   if (on_wall.z() > 0.05) return kBackground;
   if (on_wall.z() >= 0) return kWhite;
-  const Eigen::Vector2d place = (origin + to_floor * ray).head<2>();
+  const Eigen::Vector2d position = (origin + to_floor * ray).head<2>();
   for (const Marking& m : picture.markings)
   {
-    const Eigen::Vector2d way = m.to - m.from, d = place - m.from;
-    const double along = d.dot(way) / way.squaredNorm();
-    if (along >= 0 && along <= 1 && (d - along * way).norm() < 0.5 * picture.line_width) return kWhite;
+    const Eigen::Vector2d line = m.to - m.from, d = position - m.from;
+    const double along = d.dot(line) / line.squaredNorm();
+    if (along >= 0 && along <= 1 && (d - along * line).norm() < 0.5 * picture.line_width) return kWhite;
   }
   return kFloor;
 }

@@ -8,42 +8,43 @@
 
 namespace mrpt_ext
 {
-/// A way of equal steps as it was, as odometry tells it, and how far odometry is to be trusted.
-struct Way
+/// A trajectory of equal steps: the truth, the odometry, and its covariance.
+struct DrivenTrajectory
 {
-  std::vector<Pose2> true_places;     ///< robot poses in the world, oldest first
-  std::vector<Pose2> places;          ///< by odometry, in the robot frame of now
-  std::vector<Matrix3d> covariances;  ///< of the way from each place to now, as errors of the robot's pose now
+  std::vector<Pose2> true_poses;      ///< robot poses in the world, oldest first
+  std::vector<Pose2> poses;           ///< by odometry, in the last robot frame
+  std::vector<Matrix3d> covariances;  ///< of the odometry since each pose, in the last robot frame
 
-  [[nodiscard]] const Pose2& now() const { return true_places.back(); }
+  [[nodiscard]] const Pose2& now() const { return true_poses.back(); }
 };
 
 /// `steps` moves of `step` that end at `end`; every move has independent noise `std` (x, y, phi) in odometry.
-inline Way makeWay(const Pose2& end, const Pose2& step, int steps, const Vector3d& std, RandomStream& random)
+inline DrivenTrajectory driveSteps(const Pose2& end, const Pose2& step, int steps, const Vector3d& std,
+                                   RandomStream& random)
 {
-  Way way;
-  way.true_places = {end};
-  way.places = {Pose2{}};
-  way.covariances = {Matrix3d::Zero()};
+  DrivenTrajectory trajectory;
+  trajectory.true_poses = {end};
+  trajectory.poses = {Pose2{}};
+  trajectory.covariances = {Matrix3d::Zero()};
   for (int k = 0; k < steps; ++k)
   {
     const Pose2 measured{step.x + std.x() * random.gaussian(), step.y + std.y() * random.gaussian(),
                          step.phi + std.z() * random.gaussian()};
-    way.true_places.insert(way.true_places.begin(), compose(way.true_places.front(), inverse(step)));
-    way.places.insert(way.places.begin(), compose(way.places.front(), inverse(measured)));
+    trajectory.true_poses.insert(trajectory.true_poses.begin(), compose(trajectory.true_poses.front(), inverse(step)));
+    trajectory.poses.insert(trajectory.poses.begin(), compose(trajectory.poses.front(), inverse(measured)));
   }
   const Matrix3d S = std.cwiseAbs2().asDiagonal();
   for (int k = 1; k <= steps; ++k)
   {
-    // The newest step last: what was known of the older ones is seen from the end of it.
+    // Propagates the covariance over one step more, into the axes at its end.
     Matrix3d E = Matrix3d::Zero();
     for (int j = 0; j < k; ++j)
     {
       const Matrix3d turn = composeJacobianSecond({0, 0, -step.phi}), J = composeJacobianFirst({}, step);
       E = turn * (J * E * J.transpose() + S) * turn.transpose();
     }
-    way.covariances.insert(way.covariances.begin(), E);
+    trajectory.covariances.insert(trajectory.covariances.begin(), E);
   }
-  return way;
+  return trajectory;
 }
 }  // namespace mrpt_ext

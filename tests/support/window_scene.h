@@ -8,14 +8,14 @@
 
 namespace mrpt_ext
 {
-/// A lost robot that drives a short way and looks around at every step.
+/// A window of scans along a short trajectory.
 struct WindowSceneOptions
 {
   SearchSceneOptions scene;
-  double length = 2;                     ///< of the way [m]
-  double step = 0.25;                    ///< [m] between two looks
-  double turn = degToRad(10);            ///< [rad] per metre of way
-  double std_xy_per_m = 0.02;            ///< odometry, after one metre [m]; variances add up along the way
+  double length = 2;                     ///< of the trajectory [m]
+  double step = 0.25;                    ///< [m] between two scans
+  double turn = degToRad(10);            ///< [rad/m]
+  double std_xy_per_m = 0.02;            ///< odometry, after one metre [m]; variances are proportional to the distance
   double std_phi_per_m = degToRad(1.0);  ///< likewise [rad]
 };
 
@@ -26,22 +26,23 @@ struct WindowScene
   Pose2 robot;                          ///< at the end
 };
 
-/// The way ends at `end`.
+/// A trajectory that ends at `end`.
 inline WindowScene driveTo(const SceneMap& map, const LandmarkIndex& index, const WindowSceneOptions& options,
                            const Pose2& end, RandomStream& random)
 {
   const int steps = static_cast<int>(std::lround(options.length / options.step));
   const double grown = std::sqrt(options.step);
   const Vector3d std(options.std_xy_per_m * grown, options.std_xy_per_m * grown, options.std_phi_per_m * grown);
-  const Way way = makeWay(end, {options.step, 0, options.turn * options.step}, steps, std, random);
+  const DrivenTrajectory trajectory =
+      driveSteps(end, {options.step, 0, options.turn * options.step}, steps, std, random);
   WindowScene view;
   view.robot = end;
-  for (std::size_t k = 0; k < way.places.size(); ++k)
+  for (std::size_t k = 0; k < trajectory.poses.size(); ++k)
   {
-    SceneScan look = observe(map, index, options.scene, way.true_places[k], random);
-    look.scan.T_robot_sensor = way.places[k];
-    view.scans.push_back({std::move(look.scan), way.covariances[k]});
-    view.truth.push_back(std::move(look.truth));
+    SceneScan observed = observe(map, index, options.scene, trajectory.true_poses[k], random);
+    observed.scan.T_robot_sensor = trajectory.poses[k];
+    view.scans.push_back({std::move(observed.scan), trajectory.covariances[k]});
+    view.truth.push_back(std::move(observed.truth));
   }
   return view;
 }

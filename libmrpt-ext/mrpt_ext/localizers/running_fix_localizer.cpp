@@ -85,21 +85,21 @@ std::vector<RunningFixReading> RunningFixLocalizer::fixesFromRanges(const Frame&
       if (displacement < options_.min_displacement_stds * std::max(m.std_range, partner.std)) continue;
       // The robot pose from which the second sensor would have measured the first range.
       const Pose2 swap = compose(m.T_robot_sensor, inverse(partner.T_robot_sensor));
-      const Matrix3d J = composeJacobianSecond(swap);
-      fixes.push_back(
-          {.time = frame.time,
-           .first_time = partner.time,
-           .T_robot_sensor = m.T_robot_sensor,
-           .horizontal_range = true,
-           .id = id,
-           .first_range = partner.range,
-           .first_std = partner.std,
-           .second_range = *m.range,
-           .second_std = m.std_range,
-           .displacement = compose(swap, partner.since.increment),
-           .displacement_covariance = J * incrementCovariance(options_.motion, partner.since) * J.transpose(),
-           .second_bearing = m.bearing,
-           .second_bearing_std = m.std_bearing});
+      const GaussianPose moved = compound({swap, Matrix3d::Zero()}, partner.since.increment,
+                                          incrementCovariance(options_.motion, partner.since));
+      fixes.push_back({.time = frame.time,
+                       .first_time = partner.time,
+                       .T_robot_sensor = m.T_robot_sensor,
+                       .horizontal_range = true,
+                       .id = id,
+                       .first_range = partner.range,
+                       .first_std = partner.std,
+                       .second_range = *m.range,
+                       .second_std = m.std_range,
+                       .displacement = moved.mean,
+                       .displacement_covariance = moved.covariance,
+                       .second_bearing = m.bearing,
+                       .second_bearing_std = m.std_bearing});
       break;
     }
     earlier.push_back({frame.time, *m.range, m.std_range, m.T_robot_sensor, {}});

@@ -9,7 +9,7 @@
 
 namespace mrpt_ext
 {
-/// True when `pose` is the mode of the truth: within 0.1 m and 1 deg, or its error lies within what its covariance says
+/// True when `pose` is the mode of the truth: within 0.1 m and 1 deg, or its error is consistent with its covariance
 /// (three degrees of freedom, 99.99 %), or it matches every detection as the truth does. A right pose from few or
 /// coarse readings may be known to worse than 0.1 m.
 inline bool isTruthsMode(const ConsistentPose& pose, const SceneScan& view)
@@ -21,8 +21,8 @@ inline bool isTruthsMode(const ConsistentPose& pose, const SceneScan& view)
          e.dot(pose.pose.covariance.ldlt().solve(e)) < kQuantile;
 }
 
-/// Stated probabilities against what came true, in ten bins.
-struct Calibration
+/// Stated probabilities and observed frequencies, in ten bins.
+struct ProbabilityCalibration
 {
   struct Bin
   {

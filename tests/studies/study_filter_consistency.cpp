@@ -19,18 +19,18 @@ void runScenario(std::ostream& out, const std::string& name, const std::vector<s
   for (int k = 0; k < runs; ++k)
   {
     const FilterScenario scenario = playScenario(name, static_cast<std::uint64_t>(k) + 1, changes);
-    for (const FilterMoment& moment : runFilter(scenario, static_cast<std::uint64_t>(k)))
+    for (const FilterSample& sample : runFilter(scenario, static_cast<std::uint64_t>(k)))
     {
       ++steps;
-      lost += moment.step.verdict == Verdict::lost ? 1 : 0;
-      if (moment.step.verdict != Verdict::ok) continue;
+      lost += sample.step.verdict == Verdict::lost ? 1 : 0;
+      if (sample.step.verdict != Verdict::ok) continue;
       ++ok;
-      inside += moment.positionNees() < chiSquareQuantile(2, 0.95) ? 1 : 0;
-      inside_pose += moment.nees() < chiSquareQuantile(3, 0.95) ? 1 : 0;
-      wrong += moment.distance() > kWrong ? 1 : 0;
-      if (moment.distance() > kWrong) continue;
-      squared += square(moment.distance());
-      nees += moment.nees();
+      inside += sample.positionNees() < chiSquareQuantile(2, 0.95) ? 1 : 0;
+      inside_pose += sample.nees() < chiSquareQuantile(3, 0.95) ? 1 : 0;
+      wrong += sample.distance() > kWrong ? 1 : 0;
+      if (sample.distance() > kWrong) continue;
+      squared += square(sample.distance());
+      nees += sample.nees();
     }
   }
   const auto share = [](std::size_t part, std::size_t whole)
@@ -55,7 +55,7 @@ void run(std::ostream& out)
   runScenario(out, "symmetric", {}, std::max(1, runs / 5));
 }
 
-const RegisterStudy kStudy("filter_honesty",
-                           "When the filter says ok: how often is the truth inside the region that it states?", run);
+const RegisterStudy kStudy("filter_consistency",
+                           "While the verdict is ok: how often is the true pose inside the stated 95 % region?", run);
 }  // namespace
 }  // namespace mrpt_ext

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <iomanip>
 
-#include "constellation_truth.h"
+#include "local_map_truth.h"
 #include "mrpt_ext/correspondence/bearings/bearing_search.h"
 #include "mrpt_ext/correspondence/pose_verification.h"
 #include "mrpt_ext/solvers/two_landmark_pose.h"
@@ -38,7 +38,7 @@ Found tally(std::vector<ConsistentPose> poses, const Pose2& truth)
   return {distinct.size(), !distinct.empty() && isAtTruth(distinct.front().pose.mean, truth)};
 }
 
-/// The widest pairs of points against all pairs of landmarks as far apart, judged on everything.
+/// The best pairs of points against all pairs of landmarks at the same distance, verified on all detections.
 Found searchPairs(const LocalLandmarkMap& local_map, const LandmarkIndex& index, const Pose2& truth)
 {
   struct Pair
@@ -57,7 +57,7 @@ Found searchPairs(const LocalLandmarkMap& local_map, const LandmarkIndex& index,
     }
   std::sort(pairs.begin(), pairs.end(), [](const Pair& p, const Pair& q) { return p.std < q.std; });
   pairs.resize(std::min<std::size_t>(pairs.size(), 12));
-  const std::vector<Scan> places = asScans(local_map);
+  const std::vector<Scan> scans = asScans(local_map);
   const auto least = std::max(3, static_cast<int>(local_map.points.size() / 2));
   std::vector<ConsistentPose> poses;
   for (const Pair& pair : pairs)
@@ -71,7 +71,7 @@ Found searchPairs(const LocalLandmarkMap& local_map, const LandmarkIndex& index,
                                                 SeenLandmark{index.position(j), pair.b->in_robot}};
                           const PointPose fit = solvePointPose(seen);
                           if (fit.status != SolveStatus::ok) return;
-                          if (const auto pose = verifyPose(index, places, {.gate = kGate}, fit.pose, least))
+                          if (const auto pose = verifyPose(index, scans, {.gate = kGate}, fit.pose, least))
                             poses.push_back(*pose);
                         });
   return tally(std::move(poses), truth);
@@ -88,17 +88,17 @@ struct Row
 {
   std::vector<double> errors;
   double points = 0, right = 0, squared = 0, milliseconds = 0;
-  double joined_first = 0, joined_poses = 0, single_first = 0, single_poses = 0;
+  double map_first = 0, map_poses = 0, scan_first = 0, scan_poses = 0;
 };
 
 Row measure(const WindowSceneOptions& options)
 {
   RandomStream random(7);
-  const SceneMap map = strewLandmarks(options.scene, random);
+  const SceneMap map = randomMap(options.scene, random);
   const LandmarkIndex index = map.index();
   const BearingSearch bearings(index);
   Row row;
-  int adjusted_tracks = 0;
+  int settled = 0;
   for (int trial = 0; trial < kTrials; ++trial)
   {
     const WindowScene view = driveSomewhere(map, index, options, random);
@@ -108,38 +108,36 @@ Row measure(const WindowSceneOptions& options)
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count() / kTrials;
     for (const LocalLandmark& point : local_map.points)
     {
-      const LandmarkTruth truth = truthOf(point, view, index);
+      const PointTruth truth = truthOf(point, view, index);
       row.points += 1.0 / kTrials;
       row.right += truth.right ? 1 : 0;
       if (!truth.right) continue;
       row.errors.push_back(truth.error);
       row.squared += truth.squared_error;
-      ++adjusted_tracks;
+      ++settled;
     }
     const Found constellation = searchPairs(local_map, index, view.robot);
-    row.joined_first += 100.0 * constellation.truth_first / kTrials;
-    row.joined_poses += static_cast<double>(constellation.poses) / kTrials;
+    row.map_first += 100.0 * constellation.truth_first / kTrials;
+    row.map_poses += static_cast<double>(constellation.poses) / kTrials;
     const Found single = tally(bearings.search({&view.scans.back().scan, 1}).poses, view.robot);
-    row.single_first += 100.0 * single.truth_first / kTrials;
-    row.single_poses += static_cast<double>(single.poses) / kTrials;
+    row.scan_first += 100.0 * single.truth_first / kTrials;
+    row.scan_poses += static_cast<double>(single.poses) / kTrials;
   }
   row.right *= 100.0 / std::max(1.0, row.points * kTrials);
-  row.squared /= std::max(1, adjusted_tracks);
+  row.squared /= std::max(1, settled);
   return row;
 }
 
 void run(std::ostream& out)
 {
   out << kTrials << " drives in a map of 300 landmarks, one per 10 m^2, 70 % detected of those in range, one false "
-      << "reading at each look, a look every 0.25 m; odometry 2 % and 1 deg after one metre. A point is right when it "
-         "is "
-      << "within 4.5 of its standard deviations of the landmark that most of its observations show. `first`: the pose "
-      << "within 0.1 m and 1 deg of the truth is the likeliest; `poses`: within 12 log units of the best; "
-         "the local_map constellation, sought by its pairs of points, against the newest look alone.\n\n"
-      << "| range [m] | sigma [deg] | scan_poses [m] | points | right [%] | error median [m] | 90 % [m] | squared "
-         "error / "
+      << "detection per scan, a scan every 0.25 m; odometry 2 % and 1 deg after one metre. A point is right if within "
+      << "4.5 standard deviations of the landmark that most of its detections show. `first`: the most likely pose is "
+      << "within 0.1 m and 1 deg of the truth; `poses`: within 12 log units of the best. `map`: the local map, matched "
+      << "by pairs of its points; `scan`: the newest scan alone.\n\n"
+      << "| range [m] | sigma [deg] | length [m] | points | right [%] | error median [m] | 90 % [m] | squared error / "
          "covariance | "
-      << "time [ms] | local_map: first [%] | poses | single: first [%] | poses |\n"
+      << "time [ms] | map: first [%] | poses | scan: first [%] | poses |\n"
       << "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n"
       << std::fixed;
   struct Case
@@ -158,13 +156,14 @@ void run(std::ostream& out)
       out << "| " << std::setprecision(1) << range << " | " << sigma << " | " << length << " | " << row.points << " | "
           << row.right << " | " << std::setprecision(3) << quantile(row.errors, 0.5) << " | "
           << quantile(row.errors, 0.9) << " | " << std::setprecision(2) << row.squared << " | " << std::setprecision(1)
-          << row.milliseconds << " | " << row.joined_first << " | " << row.joined_poses << " | " << row.single_first
-          << " | " << row.single_poses << " |" << std::endl;
+          << row.milliseconds << " | " << row.map_first << " | " << row.map_poses << " | " << row.scan_first << " | "
+          << row.scan_poses << " |" << std::endl;
     }
 }
 
-const RegisterStudy kStudy(
-    "joined_moments",
-    "Bearings along a short scan_poses: how many points they give, how good, and what these tell a lost robot.", run);
+const RegisterStudy kStudy("local_map",
+                           "Local map from the bearings of a short trajectory: how many points, how accurate, and is "
+                           "the pose found from them?",
+                           run);
 }  // namespace
 }  // namespace mrpt_ext

@@ -1,7 +1,7 @@
 #include <filesystem>
 #include <iomanip>
 
-#include "mrclam_windows.h"
+#include "mrclam_trajectories.h"
 #include "shared_data.h"
 #include "study.h"
 
@@ -9,7 +9,7 @@ namespace mrpt_ext
 {
 namespace
 {
-using namespace mrclam_windows;
+using namespace mrclam_trajectories;
 
 constexpr double kBetweenStarts = 15;  // [s]
 
@@ -34,12 +34,13 @@ void run(std::ostream& out)
     out << "skipped: MRCLAM data set 6 is not there (LANDMARK_DATA_DIR)\n";
     return;
   }
-  out << "From a start every " << kBetweenStarts << " s, the window grows by " << kBetweenTries
-      << " s until it holds enough information: the stated probability\nof the likeliest pose is above " << kEnough
+  out << "From a start every " << kBetweenStarts << " s, the trajectory grows by " << kBetweenTries
+      << " s until the pose is determined: the stated probability\nof the likeliest pose is above " << kEnough
       << ", or " << kLongest << " s have passed. Right: within " << kRightPosition << " m and "
       << radToDeg(kRightHeading) << " deg of the motion capture.\n\n"
-      << "| robot | measured | starts | enough information within 30 s | 60 s | " << kLongest
-      << " s | of these right pose first | among the returned | returned | mean window | one search, processor, median "
+      << "| robot | measured | starts | determined within 30 s | 60 s | " << kLongest
+      << " s | of these right pose first | among the returned | returned | mean duration | one search, processor, "
+         "median "
          "/ 95 "
          "[ms] "
          "|\n|---|---|---|---|---|---|---|---|---|---|---|\n";
@@ -49,14 +50,14 @@ void run(std::ostream& out)
       Recording recording = importMrclam(*folder, robot);
       hideIdentities(recording);
       if (!ranges) keepBearingsOnly(recording);
-      print(out, robot, ranges ? "range and bearing" : "bearing", tallyWindows(recording, kBetweenStarts));
+      print(out, robot, ranges ? "range and bearing" : "bearing", tallyTrajectories(recording, kBetweenStarts));
       out.flush();
     }
 }
 
-const RegisterStudy kStudy("mrclam_windows",
-                           "MRCLAM 6 without identities: is the true pose first, once a window of travel is "
-                           "informative enough?",
+const RegisterStudy kStudy("anonymous_trajectories",
+                           "MRCLAM 6 without identities: after which time does the trajectory determine the pose, and "
+                           "is it right?",
                            run);
 }  // namespace
 }  // namespace mrpt_ext

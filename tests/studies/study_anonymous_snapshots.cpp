@@ -13,15 +13,16 @@ namespace mrpt_ext
 {
 namespace
 {
-// The noise of all sets and robots alike: bearings against each other (what they share only turns the heading) scatter
-// by 0.22 to 0.50 deg, robot by robot; ranges as in mrclam-snapshots.ini: in all sets they are depths along the
-// camera's axis (a landmark at its rim looks 10 % too close otherwise) and 3 to 4 % too long.
+// One noise model for all sets and robots: the relative bearings of a snapshot have standard deviations of 0.22 to 0.50
+// deg, depending on the robot; ranges as in mrclam-snapshots.ini: they are depths along the optical axis (10 % short at
+// the border of the image) and 3 to 4 % too long.
 constexpr double kStdBearing = degToRad(0.5), kScaleRange = 1.033, kStdRange = 0.03, kStdRangePerM = 0.015;
 constexpr double kClutter = 0.05;
-constexpr double kFieldOfView = degToRad(70.0), kMaxRange = 9.5;  // of the camera: no reading of any robot is beyond
-constexpr double kMargin = 6;  // [m] around the landmarks, which fill a part of the room in set 5
+constexpr double kFieldOfView = degToRad(70.0),
+                 kMaxRange = 9.5;  // of the camera: all detections of all robots are within
+constexpr double kMargin = 6;      // [m] around the landmarks, which fill a part of the room in set 5
 constexpr std::size_t kLeastLandmarks = 4;
-constexpr std::size_t kMostSnapshots = 300;                             // of a set, evenly chosen
+constexpr std::size_t kMostSnapshots = 300;                             // of a set, evenly sampled
 constexpr double kRightPosition = 0.5, kRightHeading = degToRad(15.0);  // the contract's convergence
 
 bool isRight(const Pose2& pose, const Pose2& truth)
@@ -38,7 +39,7 @@ void correctRanges(Reading& reading)
   for (Detection& d : reading.detections) *d.range /= kScaleRange * std::cos(*d.bearing);
 }
 
-/// The best pose when the identities are known.
+/// The best pose with known identities.
 std::optional<Pose2> identifiedPose(const Reading& reading, const LandmarkTable& map, bool with_ranges)
 {
   std::vector<PoseMeasurement> measurements;
@@ -57,20 +58,20 @@ std::optional<Pose2> identifiedPose(const Reading& reading, const LandmarkTable&
 
 Scan withoutIdentities(const Reading& reading, bool with_ranges)
 {
-  Scan place{reading.T_robot_sensor, {}, {}};
-  place.model.clutter_probability = kClutter;
-  place.model.max_range = kMaxRange;
-  place.model.field_of_view = kFieldOfView;
-  place.model.has_field_of_view = true;
+  Scan scan{reading.T_robot_sensor, {}, {}};
+  scan.model.clutter_probability = kClutter;
+  scan.model.max_range = kMaxRange;
+  scan.model.field_of_view = kFieldOfView;
+  scan.model.has_field_of_view = true;
   for (const Detection& d : reading.detections)
   {
-    AnonymousDetection& hidden = place.detections.emplace_back();
-    hidden.bearing = d.bearing;
-    hidden.std_bearing = kStdBearing;
-    if (with_ranges) hidden.range = d.range;
-    hidden.std_range = stdRange(*d.range);
+    AnonymousDetection& anonymous = scan.detections.emplace_back();
+    anonymous.bearing = d.bearing;
+    anonymous.std_bearing = kStdBearing;
+    if (with_ranges) anonymous.range = d.range;
+    anonymous.std_range = stdRange(*d.range);
   }
-  return place;
+  return scan;
 }
 
 struct Tally
@@ -80,7 +81,7 @@ struct Tally
   std::vector<double> ms;
 };
 
-/// The snapshots with enough landmarks, as places in `records`.
+/// The snapshots with enough landmarks, as indices of `records`.
 std::vector<std::size_t> chosenSnapshots(const Recording& recording)
 {
   std::vector<std::size_t> all, chosen;
@@ -107,9 +108,9 @@ Tally tallyOf(const Recording& recording, bool with_ranges)
     ++tally.snapshots;
     const auto known = identifiedPose(reading, recording.map, with_ranges);
     tally.known += known && isRight(*known, truth);
-    const Scan place = withoutIdentities(reading, with_ranges);
+    const Scan scan = withoutIdentities(reading, with_ranges);
     const std::clock_t start = std::clock();
-    const PoseSearchResult found = search.search({&place, 1}, options);
+    const PoseSearchResult found = search.search({&scan, 1}, options);
     tally.ms.push_back(1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
     const bool first = !found.poses.empty() && isRight(found.poses.front().pose.mean, truth);
     tally.first += first;
@@ -136,8 +137,8 @@ void print(std::ostream& out, int set, const char* what, Tally tally)
 void run(std::ostream& out)
 {
   out << "Snapshots with " << kLeastLandmarks << " or more landmarks, at most " << kMostSnapshots
-      << " of a set, evenly chosen. Right: within " << kRightPosition << " m and " << radToDeg(kRightHeading)
-      << " deg of the motion capture.\n\n| set | measured | snapshots | known identities: right | hidden: right pose "
+      << " of a set, evenly sampled. Right: within " << kRightPosition << " m and " << radToDeg(kRightHeading)
+      << " deg of the motion capture.\n\n| set | measured | snapshots | identified: right | anonymous: right pose "
          "first "
          "| among the returned | returned | called unique | of these wrong | processor, median [ms] |\n"
       << "|---|---|---|---|---|---|---|---|---|---|\n";
@@ -155,7 +156,7 @@ void run(std::ostream& out)
   }
 }
 
-const RegisterStudy kStudy("snapshots_hidden",
+const RegisterStudy kStudy("anonymous_snapshots",
                            "MRCLAM snapshots without identities: how often is the true pose first, and among how many?",
                            run);
 }  // namespace

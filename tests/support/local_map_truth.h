@@ -7,19 +7,19 @@
 
 namespace mrpt_ext
 {
-/// How a point of a local_map constellation compares with what is really there.
-struct LandmarkTruth
+/// A point of a local map compared with the truth.
+struct PointTruth
 {
-  int landmark = -1;         ///< that most of its detections show; -1: false ones
+  int landmark = -1;         ///< of most of its detections; -1: clutter
   bool pure = false;         ///< all its detections show that landmark
-  bool right = false;        ///< it is where that landmark is, to 4.5 standard deviations
+  bool right = false;        ///< within 4.5 standard deviations of that landmark
   double error = 0;          ///< [m]
-  double squared_error = 0;  ///< over its covariance: 2 on average
+  double squared_error = 0;  ///< normalised by its covariance: 2 on average
 };
 
-inline LandmarkTruth truthOf(const LocalLandmark& point, const WindowScene& view, const LandmarkIndex& index)
+inline PointTruth truthOf(const LocalLandmark& point, const WindowScene& view, const LandmarkIndex& index)
 {
-  LandmarkTruth truth;
+  PointTruth truth;
   int most = 0;
   for (const auto& m : point.members)
   {

@@ -5,20 +5,20 @@
 #include <string>
 #include <vector>
 
-#include "frame_sequence.h"
 #include "mrpt_ext/configuration/localization_config.h"
 #include "mrpt_ext/configuration/localization_keys.h"
+#include "mrpt_ext/frames/frame_sequence.h"
 #include "mrpt_ext/importers/mrclam.h"
 #include "mrpt_ext/relocalization/trajectory_search.h"
 #include "mrpt_ext/relocalization/trajectory_steps.h"
 
-/// MRCLAM data set 6 without the names of the landmarks, joined over windows of travel.
-namespace mrpt_ext::mrclam_windows
+/// MRCLAM data set 6 with anonymous landmarks: localization over growing trajectories.
+namespace mrpt_ext::mrclam_trajectories
 {
-constexpr double kLook = 1;          // [s]
-constexpr double kBetweenTries = 4;  // [s] of the window's growth
-constexpr double kLongest = 90;      // [s] windows give up
-constexpr double kEnough = 0.95;     // probability of the likeliest pose
+constexpr double kStepDuration = 1;  // [s]
+constexpr double kBetweenTries = 4;  // [s]
+constexpr double kLongest = 90;      // [s] duration of a trajectory
+constexpr double kEnough = 0.95;     // probability of the best pose
 constexpr double kRightPosition = 1.0, kRightHeading = degToRad(20.0);
 
 inline void hideIdentities(Recording& recording)
@@ -35,7 +35,7 @@ inline void keepBearingsOnly(Recording& recording)
       for (Detection& detection : reading->detections) detection.range.reset();
 }
 
-/// How the windows of one log ended.
+/// Results over the trajectories of one log.
 struct Tally
 {
   int starts = 0, within_30 = 0, within_60 = 0, enough = 0, first = 0, among = 0;
@@ -49,10 +49,10 @@ inline bool isRight(const Pose2& pose, const Pose2& truth)
          std::abs(wrap(pose.phi - truth.phi)) <= kRightHeading;
 }
 
-/// Grows a window from `start` until the search is sure of a pose, and judges its answer. Nothing is counted where the
-/// truth is not known then.
-inline void judgeWindow(const testing::FrameSequence& sequence, std::size_t start, const Recording& recording,
-                        const GlobalPoseSearch& search, const LocalizationConfig& config, Tally& tally)
+/// Extends a trajectory from `start` until the search determines a pose, and compares that with the truth. Nothing is
+/// counted if the truth is unknown then.
+inline void evaluateTrajectory(const testing::FrameSequence& sequence, std::size_t start, const Recording& recording,
+                               const GlobalPoseSearch& search, const LocalizationConfig& config, Tally& tally)
 {
   const double begin = sequence.frames[start].time;
   double next_try = begin;
@@ -65,9 +65,9 @@ inline void judgeWindow(const testing::FrameSequence& sequence, std::size_t star
     if (now < next_try) continue;
     next_try = now + kBetweenTries;
     const std::clock_t clock = std::clock();
-    const TrajectorySearchResult found =
-        localizeOverTrajectory(trajectorySteps(frames, config.filter.motion, recording.map, search.index(), kLook),
-                               search, config.filter.region);
+    const TrajectorySearchResult found = localizeOverTrajectory(
+        trajectorySteps(frames, config.filter.motion, recording.map, search.index(), kStepDuration), search,
+        config.filter.region);
     tally.ms.push_back(1e3 * static_cast<double>(std::clock() - clock) / CLOCKS_PER_SEC);
     if (found.hypotheses.empty() || found.hypotheses.front().weight <= kEnough) continue;
     const auto truth = interpolate(recording.truth, now, 0.5);
@@ -84,7 +84,7 @@ inline void judgeWindow(const testing::FrameSequence& sequence, std::size_t star
   }
 }
 
-inline Tally tallyWindows(const Recording& recording, double between_starts)
+inline Tally tallyTrajectories(const Recording& recording, double between_starts)
 {
   const Settings settings =
       Settings::load(std::string(MRPT_EXT_SOURCE_DIR) + "/ini/landmark-localization/mrclam.ini", localizationKeys());
@@ -98,8 +98,8 @@ inline Tally tallyWindows(const Recording& recording, double between_starts)
     if (sequence.frames[k].time < next) continue;
     next = sequence.frames[k].time + between_starts;
     ++tally.starts;
-    judgeWindow(sequence, k, recording, search, config, tally);
+    evaluateTrajectory(sequence, k, recording, search, config, tally);
   }
   return tally;
 }
-}  // namespace mrpt_ext::mrclam_windows
+}  // namespace mrpt_ext::mrclam_trajectories
