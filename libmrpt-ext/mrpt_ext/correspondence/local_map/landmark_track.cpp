@@ -66,7 +66,7 @@ TrackPrediction predictTrack(const LandmarkTrack& track, std::span<const PastSca
   if (track.located)
     if (const auto point = predictedPoint(track, scans, scans[at].odometry_covariance)) return {*point, 0, true};
   const LandmarkTrack::Member& last = track.members.back();
-  return predictFromDirection(scans[last.scan], scans[at], scans[last.scan].scan.detections[last.detection], nearest);
+  return predictFromDirection(scans[last.scan], scans[at], scans[last.scan].scan.detections[last.detection]);
 }
 
 TrackFit compare(const TrackPrediction& expected, const PastScan& at, const AnonymousDetection& d)
