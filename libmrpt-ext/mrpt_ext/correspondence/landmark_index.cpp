@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "mrpt_ext/likelihood/detection_density.h"
+
 namespace mrpt_ext
 {
 namespace
@@ -33,6 +35,12 @@ int LandmarkIndex::categoryOf(const std::string& category) const
   if (category.empty()) return kAnyCategory;
   const auto known = std::find(categories_.begin(), categories_.end(), category);
   return known == categories_.end() ? kUnknownCategory : static_cast<int>(known - categories_.begin());
+}
+
+double LandmarkIndex::measurementVolume(const AnonymousDetection& detection, const SensorModel& model) const
+{
+  const int categories = detection.category == kAnyCategory ? 1 : std::max(1, categoriesPresent());
+  return mrpt_ext::measurementVolume(detection, model, defaultMaxRange(low_, high_), categories);
 }
 
 void LandmarkIndex::build(double bucket)

@@ -33,6 +33,9 @@ class LandmarkIndex
   {
     return detection_category == kAnyCategory || detection_category == kinds_[landmark];
   }
+  /// Volume that a false detection like this one is spread over (likelihood/detection_density.h); a category counts by
+  /// the number of them that the map has.
+  [[nodiscard]] double measurementVolume(const AnonymousDetection& detection, const SensorModel& model) const;
   [[nodiscard]] const Vector2d& low() const { return low_; }    ///< corner of the bounding box [m]
   [[nodiscard]] const Vector2d& high() const { return high_; }  ///< opposite corner [m]
 

@@ -3,15 +3,15 @@
 #include <algorithm>
 
 #include "mrpt_ext/correspondence/unsearched_evidence.h"
+#include "mrpt_ext/geometry/log_probability.h"
 #include "mrpt_ext/geometry/measurement_jacobian.h"
+#include "mrpt_ext/likelihood/detection_density.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr double kMinClutter = 1e-6;    // a sensor that never errs would make every evidence infinite
-constexpr double kMaxDetection = 0.99;  // no landmark is detected for certain
-constexpr double kSlack = 3;            // standard deviations of the pose by which a landmark may be out of view
+constexpr double kSlack = 3;  // standard deviations of the pose by which a landmark may be out of view
 
 double quadratic(const JacobianRow& J, const Matrix3d& P) { return std::max(0.0, (J * P * J.transpose()).value()); }
 
@@ -34,10 +34,8 @@ std::optional<double> distance2(const AnonymousDetection& z, const ExpectedLandm
 double density(const AnonymousDetection& z, const ExpectedLandmark& h)
 {
   double log_density = 0;
-  const auto add = [&](double residual, double std)
-  { log_density -= 0.5 * square(residual / std) + std::log(std * std::sqrt(kTwoPi)); };
-  if (z.bearing) add(wrap(*z.bearing - h.bearing), z.std_bearing);
-  if (z.range) add(*z.range - h.range, z.std_range);
+  if (z.bearing) log_density += logNormal(wrap(*z.bearing - h.bearing), square(z.std_bearing));
+  if (z.range) log_density += logNormal(*z.range - h.range, square(z.std_range));
   return std::exp(log_density);
 }
 
@@ -53,16 +51,6 @@ double visibilityOf(const SensorModel& model, const ExpectedLandmark& h)
   if (model.has_field_of_view)
     probability *= probabilityBelow(0.5 * model.field_of_view, std::abs(h.bearing), h.bearing_variance);
   return probability;
-}
-
-/// Probability density of a false detection.
-double falseDensity(const LandmarkIndex& map, const AnonymousDetection& z, const SensorModel& model)
-{
-  double volume = 1;
-  if (z.bearing) volume *= model.has_field_of_view ? model.field_of_view : kTwoPi;
-  if (z.range) volume *= model.max_range.value_or(std::max(1.0, 1.5 * (map.high() - map.low()).norm()));
-  if (z.category != kAnyCategory) volume *= std::max(1, map.categoriesPresent());
-  return 1 / volume;
 }
 }  // namespace
 
@@ -128,9 +116,9 @@ double scanLogLikelihood(const LandmarkIndex& map, const Scan& scan, std::span<c
     if (matches[d] >= 0) claimed_by[static_cast<std::size_t>(matches[d])] = static_cast<int>(d);
 
   const SensorModel& model = scan.model;
-  const double clutter = std::clamp(model.clutter_probability, kMinClutter, 1.0);
+  const double clutter = boundedClutter(model.clutter_probability);
   const bool counts_missed = model.detection_probability.has_value();
-  const double p = std::clamp(model.detection_probability.value_or(0), 0.0, kMaxDetection);
+  const double p = std::clamp(model.detection_probability.value_or(0), 0.0, kMaxDetectionProbability);
   const double expected_false = expectedFalseDetections(map, scan);
   double log_likelihood = 0;
   std::vector<double> weight;  // of a landmark as the source of a detection
@@ -150,11 +138,9 @@ double scanLogLikelihood(const LandmarkIndex& map, const Scan& scan, std::span<c
       if (weight[h] > 0 && (claimed_by[h] < 0 || claimed_by[h] == static_cast<int>(d)))
         sum += weight[h] * density(z, expected[h]);
     }
-    const double false_density = falseDensity(map, z, model);
-    log_likelihood +=
-        counts_missed
-            ? std::log(expected_false * false_density + sum)
-            : std::log(clutter * false_density + (1 - std::min(clutter, 0.999)) * sum / std::max(1.0, visible));
+    const double false_density = 1 / map.measurementVolume(z, model);
+    log_likelihood += counts_missed ? std::log(expected_false * false_density + sum)
+                                    : std::log(clutter * false_density + (1 - clutter) * sum / std::max(1.0, visible));
   }
   return log_likelihood;
 }

@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "mrpt_ext/geometry/log_probability.h"
+#include "mrpt_ext/likelihood/detection_density.h"
 
 namespace mrpt_ext
 {
 namespace
 {
 constexpr double kLogZero = -std::numeric_limits<double>::infinity();
-constexpr double kMinClutter = 1e-6, kMaxClutter = 0.999, kMinDetection = 1e-9;
-constexpr double kMaxDetection = 0.99;  // as in scan_matching.cpp
+constexpr double kMinDetection = 1e-9;
 
 /// Product of two polynomials given by the logarithms of their coefficients.
 std::vector<double> product(const std::vector<double>& a, const std::vector<double>& b)
@@ -34,17 +34,13 @@ struct Densities
 
 Densities densities(const LandmarkIndex& map, const SensorModel& model, const AnonymousDetection& z, double radius)
 {
-  Densities result{1, 1};
-  if (z.bearing) result.of_landmark = result.of_clutter = 1 / (model.has_field_of_view ? model.field_of_view : kTwoPi);
-  if (z.range)
-  {
-    // Landmarks fill the disk evenly, clutter is taken to fill the ranges evenly (pose_verification.h).
-    result.of_landmark *= 2 * std::max(*z.range, z.std_range) / square(radius);
-    result.of_clutter /= model.max_range.value_or(std::max(1.0, 1.5 * (map.high() - map.low()).norm()));
-  }
-  const double categories = std::max(1, map.categoriesPresent());
-  if (z.category != kAnyCategory) result.of_clutter /= categories;
-  if (z.category != kAnyCategory) result.of_landmark *= z.category == kUnknownCategory ? 0 : 1 / categories;
+  Densities result{1, 1 / map.measurementVolume(z, model)};
+  if (z.bearing) result.of_landmark = 1 / (model.has_field_of_view ? model.field_of_view : kTwoPi);
+  // Landmarks fill the disk evenly, clutter is taken to fill the ranges evenly (pose_verification.h).
+  if (z.range) result.of_landmark *= 2 * std::max(*z.range, z.std_range) / square(radius);
+  if (z.category != kAnyCategory)
+    result.of_landmark *=
+        z.category == kUnknownCategory ? 0 : 1 / std::max(1.0, static_cast<double>(map.categoriesPresent()));
   return result;
 }
 
@@ -54,19 +50,19 @@ std::vector<double> logLikelihoodByMatches(const LandmarkIndex& map, const Scan&
   const SensorModel& model = scan.model;
   const double extent = areaOf({map.low(), map.high()});
   const double radius = model.max_range.value_or(std::sqrt(extent / kPi));
-  const double clutter = std::clamp(model.clutter_probability, kMinClutter, 1.0);
-  const double false_ones = expectedFalseDetections(map, scan);
+  const double clutter = boundedClutter(model.clutter_probability);
+  const double expected_false = expectedFalseDetections(map, scan);
   std::vector<double> by_matches{0};
   for (const AnonymousDetection& z : scan.detections)
   {
     const Densities d = densities(map, model, z, radius);
-    const double right = model.detection_probability ? 1 : 1 - std::min(clutter, 0.999);
-    const double wrong = model.detection_probability ? false_ones : clutter;
+    const double right = model.detection_probability ? 1 : 1 - clutter;
+    const double wrong = model.detection_probability ? expected_false : clutter;
     by_matches = product(by_matches, {std::log(wrong * d.of_clutter), std::log(right * d.of_landmark)});
   }
   if (!model.detection_probability) return by_matches;
 
-  const double p = std::clamp(*model.detection_probability, kMinDetection, kMaxDetection);
+  const double p = std::clamp(*model.detection_probability, kMinDetection, kMaxDetectionProbability);
   const double in_view = shareInView(map, model);
   const auto n = static_cast<double>(map.size());
   for (std::size_t m = 0; m < by_matches.size(); ++m)
@@ -90,9 +86,9 @@ double shareInView(const LandmarkIndex& map, const SensorModel& model)
 double expectedFalseDetections(const LandmarkIndex& map, const Scan& scan)
 {
   const SensorModel& model = scan.model;
-  const double clutter = std::clamp(model.clutter_probability, kMinClutter, kMaxClutter);
+  const double clutter = boundedClutter(model.clutter_probability);
   if (!model.detection_probability) return clutter * static_cast<double>(scan.detections.size());
-  const double p = std::clamp(*model.detection_probability, kMinDetection, kMaxDetection);
+  const double p = std::clamp(*model.detection_probability, kMinDetection, kMaxDetectionProbability);
   return clutter / (1 - clutter) * p * shareInView(map, model) * static_cast<double>(map.size());
 }
 

@@ -10,6 +10,9 @@
 
 namespace mrpt_ext
 {
+/// No landmark is detected for certain.
+inline constexpr double kMaxDetectionProbability = 0.99;
+
 /// Log of the evidence that all poses in `area` with fewer than `least` inliers are expected to have together, on
 /// the scale of ConsistentPose::log_evidence: the likelihood of pose_verification.h integrated over position and
 /// heading, with detections independent of one another, as they are at a wrong pose. Nothing is approximated by

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mrpt_ext/geometry/landmark_table.h"
+#include "mrpt_ext/geometry/log_probability.h"
 #include "mrpt_ext/geometry/measurement.h"
 #include "mrpt_ext/likelihood/landmark_prediction.h"
 
@@ -27,30 +28,50 @@ namespace mrpt_ext
 [[nodiscard]] inline double logDensity(const Detection& detection, const LandmarkPrediction& prediction)
 {
   double log_density = 0;
-  const auto add = [&log_density](double residual, double variance)
-  { log_density -= 0.5 * (residual * residual / variance + std::log(kTwoPi * variance)); };
   if (detection.bearing)
-    add(wrap(*detection.bearing - prediction.bearing), square(detection.std_bearing) + prediction.bearing_variance);
+    log_density += logNormal(wrap(*detection.bearing - prediction.bearing),
+                             square(detection.std_bearing) + prediction.bearing_variance);
   if (detection.range)
-    add(*detection.range - prediction.range, square(detection.std_range) + prediction.range_variance);
+    log_density +=
+        logNormal(*detection.range - prediction.range, square(detection.std_range) + prediction.range_variance);
   return log_density;
 }
 
-/// Volume V of the space a false detection is spread over: the field of view [rad], the range limit [m], or their
-/// product. Without a declared range limit, `default_max_range` [m] stands in.
-[[nodiscard]] inline double measurementVolume(const Detection& detection, const SensorModel& model,
-                                              double default_max_range)
+/// Clutter probabilities that the estimators work with: never 0, which would make the log-likelihood of a false
+/// detection infinite, and never 1, which would leave nothing to true ones.
+inline constexpr double kMinClutterProbability = 1e-9, kMaxClutterProbability = 0.999;
+
+[[nodiscard]] inline double boundedClutter(double clutter_probability)
+{
+  return std::clamp(clutter_probability, kMinClutterProbability, kMaxClutterProbability);
+}
+
+/// Volume V of the space that false detections are spread over evenly: the field of view [rad], the range limit [m], or
+/// their product. Without a declared range limit, `default_max_range` [m] stands in. `AnyDetection`: has optional
+/// `bearing` and `range`.
+///
+/// A search for poses treats the category as a part of the measurement, so that V counts the `categories` of the map:
+/// the evidence of hypotheses that call a detection true or false is compared. The likelihood p(z) of a reading
+/// conditions on the category (it selects the landmarks of the sum) and leaves `categories` at 1; the factor would be
+/// the same for every pose.
+template <class AnyDetection>
+[[nodiscard]] double measurementVolume(const AnyDetection& detection, const SensorModel& model,
+                                       double default_max_range, int categories = 1)
 {
   double volume = 1;
   if (detection.bearing) volume *= model.has_field_of_view ? model.field_of_view : kTwoPi;
   if (detection.range) volume *= model.max_range.value_or(default_max_range);
-  return volume;
+  return volume * categories;
 }
 
 /// Range limit assumed for a sensor that declares none: one and a half diagonals of the map, at least 1 m.
+[[nodiscard]] inline double defaultMaxRange(const Vector2d& low, const Vector2d& high)
+{
+  return std::max(1.0, 1.5 * (high - low).norm());
+}
 [[nodiscard]] inline double defaultMaxRange(const LandmarkTable& map)
 {
   const auto [low, high] = map.boundingBox();
-  return std::max(1.0, 1.5 * (high - low).norm());
+  return defaultMaxRange(low, high);
 }
 }  // namespace mrpt_ext

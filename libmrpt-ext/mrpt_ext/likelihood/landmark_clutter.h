@@ -1,9 +1,9 @@
 #pragma once
 
-#include <algorithm>
 #include <vector>
 
 #include "mrpt_ext/geometry/measurement.h"
+#include "mrpt_ext/likelihood/detection_density.h"
 
 namespace mrpt_ext
 {
@@ -11,10 +11,9 @@ namespace mrpt_ext
 /// With it a filter trusts a faulty beacon less than its neighbours.
 using LandmarkClutter = std::vector<double>;
 
-/// Of one landmark; never 0, which keeps every log-likelihood finite.
+/// Clutter probability of one landmark, within the bounds of detection_density.h.
 [[nodiscard]] inline double clutterOf(const LandmarkClutter& clutter, const SensorModel& model, std::size_t landmark)
 {
-  constexpr double kMinClutter = 1e-9;
-  return std::clamp(clutter.empty() ? model.clutter_probability : clutter[landmark], kMinClutter, 1.0);
+  return boundedClutter(clutter.empty() ? model.clutter_probability : clutter[landmark]);
 }
 }  // namespace mrpt_ext

@@ -6,23 +6,18 @@
 #include "mrpt_ext/correspondence/scan_matching.h"
 #include "mrpt_ext/geometry/log_probability.h"
 #include "mrpt_ext/geometry/measurement_jacobian.h"
+#include "mrpt_ext/likelihood/detection_density.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr double kMinClutter = 1e-6;
-
-double clutterOf(const SensorModel& model) { return std::clamp(model.clutter_probability, kMinClutter, 0.999); }
+double clutterOf(const SensorModel& model) { return boundedClutter(model.clutter_probability); }
 
 /// Log-density of clutter: its probability times the density of a false detection.
 double logClutter(const LandmarkIndex& map, const AnonymousDetection& z, const SensorModel& model)
 {
-  double volume = 1;
-  if (z.bearing) volume *= model.has_field_of_view ? model.field_of_view : kTwoPi;
-  if (z.range) volume *= model.max_range.value_or(std::max(1.0, 1.5 * (map.high() - map.low()).norm()));
-  if (z.category != kAnyCategory) volume *= std::max(1, map.categoryCount());
-  return std::log(clutterOf(model) / volume);
+  return std::log(clutterOf(model) / map.measurementVolume(z, model));
 }
 
 /// Log-probability that a detection shows one given landmark of those in view.
