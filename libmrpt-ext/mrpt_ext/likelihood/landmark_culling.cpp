@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "mrpt_ext/geometry/vector_clones.h"
-#include "mrpt_ext/likelihood/vector_math.h"
+#include "mrpt_ext/geometry/vector_math.h"
 
 namespace mrpt_ext
 {

@@ -3,33 +3,13 @@
 #include <cstddef>
 
 #include "mrpt_ext/geometry/vector_clones.h"
+#include "mrpt_ext/geometry/vector_math.h"
 
 namespace mrpt_ext
 {
 namespace
 {
 constexpr auto kPiF = static_cast<float>(kPi);
-
-/// atan2 without branches: a polynomial for atan over [0, 1] (Abramowitz and Stegun 4.4.49, error 2e-8 rad in exact
-/// arithmetic), the rest by symmetry.
-[[gnu::always_inline]] inline float direction(float x, float y)
-{
-  const float ax = x < 0 ? -x : x, ay = y < 0 ? -y : y;
-  const float high = ax > ay ? ax : ay, low = ax > ay ? ay : ax;
-  const float t = low / (high > 1e-30F ? high : 1e-30F), s = t * t;
-  float p = 0.0028662257F;
-  p = p * s - 0.0161657367F;
-  p = p * s + 0.0429096138F;
-  p = p * s - 0.0752896400F;
-  p = p * s + 0.1065626393F;
-  p = p * s - 0.1420889944F;
-  p = p * s + 0.1999355085F;
-  p = p * s - 0.3333314528F;
-  float angle = t + t * s * p;
-  angle = ay > ax ? 0.5F * kPiF - angle : angle;
-  angle = x < 0 ? kPiF - angle : angle;
-  return y < 0 ? -angle : angle;
-}
 
 /// Not below asin(u): 1.05 u up to a half (asin(1/2) = 1.0472 / 2), a quarter turn up to 1, any direction beyond.
 [[gnu::always_inline]] inline float widthOf(float u)
@@ -47,7 +27,7 @@ void intervals(const float* x, const float* y, std::size_t count, float px, floa
     const float dx = x[l] - px, dy = y[l] - py;
     const float distance = __builtin_sqrtf(dx * dx + dy * dy);
     const float width = widthOf(radius / (distance > 1e-9F ? distance : 1e-9F));
-    directions[l] = direction(dx, dy);
+    directions[l] = vector_math::angleOf(dy, dx);
     half_width[l] = distance <= farthest ? width : -1.0F;
   }
 }

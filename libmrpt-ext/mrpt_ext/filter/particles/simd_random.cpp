@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "mrpt_ext/geometry/vector_clones.h"
-#include "mrpt_ext/likelihood/vector_math.h"
+#include "mrpt_ext/geometry/vector_math.h"
 
 namespace mrpt_ext
 {

@@ -6,7 +6,7 @@
 
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/geometry/vector_clones.h"
-#include "mrpt_ext/likelihood/vector_math.h"
+#include "mrpt_ext/geometry/vector_math.h"
 
 namespace mrpt_ext
 {

@@ -1,4 +1,4 @@
-#include "mrpt_ext/likelihood/vector_math.h"
+#include "mrpt_ext/geometry/vector_math.h"
 
 #include <gtest/gtest.h>
 
