@@ -62,7 +62,7 @@ SearchSceneOptions withLandmarks(int count)
 SearchSceneOptions threeFalseOfSixteen()
 {
   SearchSceneOptions options;
-  options.false_readings = 3;
+  options.false_detections = 3;
   options.seen = 13;
   return options;
 }
@@ -79,7 +79,7 @@ SearchSceneOptions unlimited()
   SearchSceneOptions options = withLandmarks(200);
   options.max_range.reset();
   options.seen = 20;
-  options.false_readings = 0;
+  options.false_detections = 0;
   options.std_bearing = degToRad(0.03);
   return options;
 }

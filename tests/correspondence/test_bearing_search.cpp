@@ -16,9 +16,9 @@ bool findsTruth(const PoseSearchResult& search, const Pose2& truth)
                      [&](const ConsistentPose& p) { return isAtTruth(p.pose.mean, truth); });
 }
 
-PoseSearchResult searchOne(const LandmarkIndex& index, const Scan& place, const PoseSearchOptions& options = {})
+PoseSearchResult searchOne(const LandmarkIndex& index, const Scan& scan, const PoseSearchOptions& options = {})
 {
-  return BearingSearch(index).search({&place, 1}, options);
+  return BearingSearch(index).search({&scan, 1}, options);
 }
 
 struct Tally
@@ -70,7 +70,7 @@ TEST(BearingSearch, ThreeFalseReadingsOfSixteen)
 {
   SearchSceneOptions options;
   options.detection_probability = 0.8;
-  options.false_readings = 3;
+  options.false_detections = 3;
   const Tally tally = run(options, 30, 13);
   EXPECT_GE(tally.found, 29);
   EXPECT_EQ(tally.unique_wrong, 0);
@@ -120,9 +120,9 @@ TEST(BearingSearch, TwoSensorsHelpEachOther)
   for (int t = 0; t < trials; ++t)
   {
     const Pose2 robot{random.uniform(20, 80), random.uniform(20, 80), random.uniform(-kPi, kPi)};
-    const Scan places[] = {observe(map, index, options, robot, random, {0.3, 0.2, 0.5}).scan,
-                           observe(map, index, options, robot, random, {-0.4, 0.1, -2}).scan};
-    const PoseSearchResult result = search.search(places);
+    const Scan scans[] = {observe(map, index, options, robot, random, {0.3, 0.2, 0.5}).scan,
+                          observe(map, index, options, robot, random, {-0.4, 0.1, -2}).scan};
+    const PoseSearchResult result = search.search(scans);
     found += findsTruth(result, robot);
     unique += result.unique;
   }
@@ -172,20 +172,20 @@ TEST(BearingSearch, SaysWhatIsWrongWithItsInput)
   const SearchSceneOptions options;
   const SceneMap map = randomMap(options, random);
   const LandmarkIndex index = map.index(), empty{std::vector<Vector2d>{}};
-  Scan place = observeSomewhere(map, index, options, random).scan;
-  EXPECT_EQ(searchOne(empty, place).status, SolveStatus::none);
-  Scan two = place;
+  Scan scan = observeSomewhere(map, index, options, random).scan;
+  EXPECT_EQ(searchOne(empty, scan).status, SolveStatus::none);
+  Scan two = scan;
   two.detections.resize(2);
   EXPECT_EQ(searchOne(index, two).status, SolveStatus::too_few);
   EXPECT_EQ(BearingSearch(index).search({}).status, SolveStatus::too_few);
-  Scan unknown = place;
+  Scan unknown = scan;
   for (AnonymousDetection& d : unknown.detections) d.category = kUnknownCategory;
   EXPECT_EQ(searchOne(index, unknown).status, SolveStatus::too_few);
-  place.detections.front().bearing = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(searchOne(index, place).status, SolveStatus::bad_input);
-  place.detections.front().bearing = 0.5;
-  place.detections.front().std_bearing = 0;
-  EXPECT_EQ(searchOne(index, place).status, SolveStatus::bad_input);
+  scan.detections.front().bearing = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(searchOne(index, scan).status, SolveStatus::bad_input);
+  scan.detections.front().bearing = 0.5;
+  scan.detections.front().std_bearing = 0;
+  EXPECT_EQ(searchOne(index, scan).status, SolveStatus::bad_input);
 }
 
 TEST(BearingSearch, LandmarksOnALineAndRepeatedBearings)
@@ -193,16 +193,16 @@ TEST(BearingSearch, LandmarksOnALineAndRepeatedBearings)
   std::vector<Vector2d> line;
   for (int i = 0; i < 30; ++i) line.emplace_back(i, 0);
   const LandmarkIndex index(line);
-  Scan place;
-  place.model.max_range = 8;
+  Scan scan;
+  scan.model.max_range = 8;
   for (const double b : {0.1, 0.1, 0.6, 1.2, 2.0, 2.0})
   {
     AnonymousDetection d;
     d.bearing = b;
     d.std_bearing = degToRad(0.5);
-    place.detections.push_back(d);
+    scan.detections.push_back(d);
   }
-  const PoseSearchResult found = searchOne(index, place);
+  const PoseSearchResult found = searchOne(index, scan);
   for (const ConsistentPose& p : found.poses) EXPECT_TRUE(isFinite(p.pose.mean));
   EXPECT_FALSE(found.unique);
 }
@@ -216,7 +216,7 @@ TEST(BearingSearch, ALatticeIsAmbiguous)
   const SceneMap map{57, LandmarkTable{}};
   SearchSceneOptions options;
   options.detection_probability = 1;
-  options.false_readings = 0;
+  options.false_detections = 0;
   options.max_range = 6;
   RandomStream random(20);
   const SceneScan view = observe(map, index, options, {28.3, 29.1, 0.7}, random);

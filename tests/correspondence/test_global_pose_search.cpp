@@ -12,7 +12,7 @@ namespace mrpt_ext
 namespace
 {
 /// Share of robots found, in a square of 10 m where everything is in view.
-double shareFound(int landmarks, int seen, int false_readings, bool with_range, int trials)
+double shareFound(int landmarks, int seen, int false_detections, bool with_range, int trials)
 {
   SearchSceneOptions options;
   options.landmarks = landmarks;
@@ -20,7 +20,7 @@ double shareFound(int landmarks, int seen, int false_readings, bool with_range, 
   options.max_range.reset();
   options.border = 1;
   options.seen = seen;
-  options.false_readings = false_readings;
+  options.false_detections = false_detections;
   options.with_range = with_range;
   RandomStream random(6, static_cast<std::uint64_t>(landmarks * 100 + seen));
   int found = 0;
@@ -65,14 +65,14 @@ TEST(GlobalPoseSearch, ATreeThatIsGivenUpSaysSo)
   for (int i = 0; i < 12; ++i) landmarks.push_back({.position = {random.uniform(0, 10), random.uniform(0, 10), 0}});
   const LandmarkTable map(landmarks);
   const Pose2 robot{4, 5, 0.3};
-  Scan place;
+  Scan scan;
   for (std::size_t l = 0; l < 6; ++l)
-    place.detections.push_back({.bearing = predictBearing(robot, map[l].position.head<2>()), .std_bearing = 0.005});
+    scan.detections.push_back({.bearing = predictBearing(robot, map[l].position.head<2>()), .std_bearing = 0.005});
   const GlobalPoseSearch search(map);
-  const PoseSearchResult whole = search.search({&place, 1}, {});
+  const PoseSearchResult whole = search.search({&scan, 1}, {});
   ASSERT_TRUE(whole.finished && !whole.poses.empty());
   EXPECT_LT((whole.poses.front().pose.mean.position() - robot.position()).norm(), 0.05);
-  const PoseSearchResult part = search.search({&place, 1}, {.max_tree_nodes = 20});
+  const PoseSearchResult part = search.search({&scan, 1}, {.max_tree_nodes = 20});
   EXPECT_FALSE(part.finished);
   EXPECT_LT(part.work.tested, whole.work.tested);
 }
@@ -81,9 +81,9 @@ TEST(GlobalPoseSearch, NothingToGoOnIsAValue)
 {
   const GlobalPoseSearch search(LandmarkTable({{.position = {0, 0, 0}}, {.position = {1, 0, 0}}}));
   EXPECT_EQ(search.search({}, {}).status, SolveStatus::too_few);
-  Scan place;
-  place.detections.assign(3, {.bearing = std::numeric_limits<double>::quiet_NaN(), .std_bearing = 0.01});
-  EXPECT_EQ(search.search({&place, 1}, {}).status, SolveStatus::bad_input);
+  Scan scan;
+  scan.detections.assign(3, {.bearing = std::numeric_limits<double>::quiet_NaN(), .std_bearing = 0.01});
+  EXPECT_EQ(search.search({&scan, 1}, {}).status, SolveStatus::bad_input);
   EXPECT_EQ(GlobalPoseSearch(LandmarkTable()).search({}, {}).status, SolveStatus::too_few);
 }
 }  // namespace mrpt_ext

@@ -17,7 +17,7 @@ InterpretationOptions optionsFor(double sigma, double margin = 0)
   return options;
 }
 
-/// Share of trials whose solutions agree with the truth wherever it names a landmark.
+/// Share of trials whose solutions agree with the truth for every true bearing.
 double recall(int seen, int false_count, double sigma, InterpretationGate gate, std::uint64_t seed, int trials)
 {
   RandomStream random(seed);

@@ -31,7 +31,7 @@ Tally tallyOf(const WindowSceneOptions& options, int trials)
     std::set<int> seen;
     for (const LocalLandmark& point : local_map.points)
     {
-      const LandmarkTruth truth = truthOf(point, view, index);
+      const PointTruth truth = truthOf(point, view, index);
       ++tally.points;
       tally.pure += truth.pure;
       tally.right += truth.right;
@@ -68,7 +68,7 @@ TEST(LocalLandmarkMap, RangesAndBearingsOfManyMomentsBecomeOnePointEach)
 {
   WindowSceneOptions options = bearingOnly();
   options.scene.with_range = true;
-  options.scene.false_readings = 0;
+  options.scene.false_detections = 0;
   const int trials = 30;
   const Tally tally = tallyOf(options, trials);
   EXPECT_GE(tally.points, 15 * trials);
@@ -93,7 +93,7 @@ TEST(LocalLandmarkMap, FalseReadingsAloneHardlyMakePoints)
 {
   WindowSceneOptions options = bearingOnly();
   options.scene.detection_probability = 0;
-  options.scene.false_readings = 3;
+  options.scene.false_detections = 3;
   const int trials = 60;
   EXPECT_LE(tallyOf(options, trials).points, 0.25 * trials);
 }

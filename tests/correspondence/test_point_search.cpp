@@ -28,16 +28,16 @@ bool holds(const PoseSearchResult& search, const Pose2& truth)
 /// A sensor that sees these points (robot frame) without error.
 Scan seeing(const std::vector<Vector2d>& points, const Pose2& T_robot_sensor = {})
 {
-  Scan place;
-  place.T_robot_sensor = T_robot_sensor;
-  place.model.clutter_probability = 0.02;
+  Scan scan;
+  scan.T_robot_sensor = T_robot_sensor;
+  scan.model.clutter_probability = 0.02;
   for (const Vector2d& point : points)
   {
     const Vector2d d = transform(inverse(T_robot_sensor), point);
-    place.detections.push_back(
+    scan.detections.push_back(
         {.bearing = std::atan2(d.y(), d.x()), .range = d.norm(), .std_bearing = 0.01, .std_range = 0.02});
   }
-  return place;
+  return scan;
 }
 
 std::vector<Vector2d> fromRobot(const Pose2& robot, const std::vector<Vector2d>& landmarks)
@@ -78,7 +78,7 @@ TEST(PointSearch, FindsTheLostRobotInMapsOfEverySize)
 TEST(PointSearch, FalsePointsDoNotHideThePose)
 {
   SearchSceneOptions options = pointScene(1000);
-  options.false_readings = 4;
+  options.false_detections = 4;
   RandomStream random(8);
   const SceneMap map = randomMap(options, random);
   const LandmarkIndex index = map.index();
@@ -97,8 +97,8 @@ TEST(PointSearch, ASquareGivesItsFourPosesAlike)
   const std::vector<Vector2d> square{{0, 0}, {6, 0}, {6, 6}, {0, 6}};
   const LandmarkIndex map(square);
   const Pose2 robot{1, 2, 0.4};
-  const Scan place = seeing(fromRobot(robot, square));
-  const PoseSearchResult result = PointSearch(map).search({&place, 1});
+  const Scan scan = seeing(fromRobot(robot, square));
+  const PoseSearchResult result = PointSearch(map).search({&scan, 1});
   ASSERT_EQ(result.poses.size(), 4u);
   EXPECT_FALSE(result.unique);
   for (const ConsistentPose& pose : result.poses) EXPECT_NEAR(pose.probability, 0.25, 0.01);
@@ -110,8 +110,8 @@ TEST(PointSearch, TwoPointsGiveEveryPairOfTheirDistance)
   const std::vector<Vector2d> landmarks{{0, 0}, {3, 0}, {3, 4}, {10, 10}};
   const LandmarkIndex map(landmarks);
   const Pose2 robot{-1, 1, 2};
-  const Scan place = seeing(fromRobot(robot, {landmarks[0], landmarks[1]}));
-  const PoseSearchResult result = PointSearch(map).search({&place, 1});
+  const Scan scan = seeing(fromRobot(robot, {landmarks[0], landmarks[1]}));
+  const PoseSearchResult result = PointSearch(map).search({&scan, 1});
   EXPECT_EQ(result.poses.size(), 2u);  // either end may be either landmark
   EXPECT_TRUE(holds(result, robot));
   EXPECT_FALSE(result.unique);
@@ -124,8 +124,8 @@ TEST(PointSearch, OneOfThreeMayBeFalse)
   const Pose2 robot{-1, 1, 2};
   std::vector<Vector2d> points = fromRobot(robot, {landmarks[0], landmarks[2]});
   points.emplace_back(1.3, 9.1);
-  const Scan place = seeing(points);
-  EXPECT_TRUE(holds(PointSearch(map).search({&place, 1}), robot));
+  const Scan scan = seeing(points);
+  EXPECT_TRUE(holds(PointSearch(map).search({&scan, 1}), robot));
 }
 
 TEST(PointSearch, PointsOfSeveralPlacesMakeOneConstellation)
@@ -134,9 +134,9 @@ TEST(PointSearch, PointsOfSeveralPlacesMakeOneConstellation)
   const LandmarkIndex map(landmarks);
   const Pose2 robot{-1, 1, 2};
   const std::vector<Vector2d> points = fromRobot(robot, landmarks);
-  const std::vector places{seeing({points[0], points[1]}, {1, 0, 0.3}), seeing({points[1], points[2]}, {-1, 0.5, -2}),
-                           seeing({points[4]}, {0, -2, 1})};
-  const PoseSearchResult result = PointSearch(map).search(places);
+  const std::vector scans{seeing({points[0], points[1]}, {1, 0, 0.3}), seeing({points[1], points[2]}, {-1, 0.5, -2}),
+                          seeing({points[4]}, {0, -2, 1})};
+  const PoseSearchResult result = PointSearch(map).search(scans);
   ASSERT_FALSE(result.poses.empty());
   EXPECT_TRUE(isAtTruth(result.poses.front().pose.mean, robot));
   EXPECT_EQ(result.poses.front().assignment, (std::vector{0, 1, 1, 2, 4}));
@@ -149,10 +149,10 @@ TEST(PointSearch, KindsExclude)
                              {.position = {9, 9, 0}, .category = "red"}});
   const LandmarkIndex map(table);
   const Pose2 robot{-1, 1, 2};
-  Scan place = seeing(fromRobot(robot, {{0, 0}, {3, 0}}));
-  place.detections[0].category = map.categoryOf("red");
-  place.detections[1].category = map.categoryOf("blue");
-  const PoseSearchResult result = PointSearch(map).search({&place, 1});
+  Scan scan = seeing(fromRobot(robot, {{0, 0}, {3, 0}}));
+  scan.detections[0].category = map.categoryOf("red");
+  scan.detections[1].category = map.categoryOf("blue");
+  const PoseSearchResult result = PointSearch(map).search({&scan, 1});
   ASSERT_EQ(result.poses.size(), 1u);
   EXPECT_TRUE(isAtTruth(result.poses.front().pose.mean, robot));
 }
@@ -177,10 +177,10 @@ TEST(PointSearch, TheAreaLimitsThePoses)
 {
   const std::vector<Vector2d> square{{0, 0}, {6, 0}, {6, 6}, {0, 6}};
   const LandmarkIndex map(square);
-  const Scan place = seeing(fromRobot({1, 2, 0.4}, square));
+  const Scan scan = seeing(fromRobot({1, 2, 0.4}, square));
   PoseSearchOptions options;
   options.area = Box2{{0, 0}, {3, 3}};
-  EXPECT_EQ(PointSearch(map).search({&place, 1}, options).poses.size(), 1u);
+  EXPECT_EQ(PointSearch(map).search({&scan, 1}, options).poses.size(), 1u);
 }
 
 TEST(PointSearch, ALatticeIsNeverCalledUnique)
@@ -192,8 +192,8 @@ TEST(PointSearch, ALatticeIsNeverCalledUnique)
   const Pose2 robot{16, 17, 0.2};
   std::vector<Vector2d> near;
   map.forEachNear(robot.position(), 5, [&](std::size_t l) { near.push_back(map.position(l)); });
-  const Scan place = seeing(fromRobot(robot, near));
-  const PoseSearchResult result = PointSearch(map).search({&place, 1});
+  const Scan scan = seeing(fromRobot(robot, near));
+  const PoseSearchResult result = PointSearch(map).search({&scan, 1});
   EXPECT_TRUE(holds(result, robot));
   EXPECT_GT(result.poses.size(), 50u);
   EXPECT_FALSE(result.unique);

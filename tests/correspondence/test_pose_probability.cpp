@@ -50,14 +50,14 @@ void run(const SearchSceneOptions& options, int maps, std::uint64_t seed, Tally&
 
 void expectCalibrated(const Tally& tally)
 {
-  int judged = 0;
+  int verified = 0;
   for (const ProbabilityCalibration::Bin& bin : tally.calibration.bins)
     if (bin.isEnough())
     {
-      ++judged;
+      ++verified;
       EXPECT_TRUE(bin.isInside()) << bin.hits << " of " << bin.trials << " at " << bin.meanStated();
     }
-  EXPECT_GE(judged, 3);
+  EXPECT_GE(verified, 3);
   EXPECT_EQ(tally.unique_by_chance, 0);
   EXPECT_GT(tally.unique, 0);
   EXPECT_LE(tally.unique_wrong, tally.unique / 20 + 1);
@@ -109,12 +109,12 @@ TEST(PoseProbability, EvidenceOfAllPosesIsTheIntegralOfTheLikelihood)
     options.landmarks = 150;
     const SceneMap map = randomMap(options, random);
     const LandmarkIndex index = map.index();
-    Scan place;
-    place.model.max_range = range;
-    place.model.detection_probability = range ? 0.3 : 0.02;
-    place.model.clutter_probability = 0.2;
+    Scan scan;
+    scan.model.max_range = range;
+    scan.model.detection_probability = range ? 0.3 : 0.02;
+    scan.model.clutter_probability = 0.2;
     for (int d = 0; d < 3; ++d)
-      place.detections.push_back({.bearing = random.uniform(-kPi, kPi), .std_bearing = degToRad(10)});
+      scan.detections.push_back({.bearing = random.uniform(-kPi, kPi), .std_bearing = degToRad(10)});
     const Box2 area = inner(map, 8);
     double mean = 0;
     constexpr int kPoses = 20000;
@@ -124,11 +124,11 @@ TEST(PoseProbability, EvidenceOfAllPosesIsTheIntegralOfTheLikelihood)
       const GaussianPose pose{{random.uniform(area.min.x(), area.max.x()), random.uniform(area.min.y(), area.max.y()),
                                random.uniform(-kPi, kPi)},
                               1e-12 * Matrix3d::Identity()};
-      mean += std::exp(scanLogLikelihood(index, place, expectedLandmarks(index, place, pose), none)) / kPoses;
+      mean += std::exp(scanLogLikelihood(index, scan, expectedLandmarks(index, scan, pose), none)) / kPoses;
     }
     const double integral = std::log(mean * kTwoPi * (area.max - area.min).prod());
-    EXPECT_NEAR(logEvidenceOfUnsearched(index, {&place, 1}, area, 4), integral, 0.3);
-    EXPECT_LT(logEvidenceOfUnsearched(index, {&place, 1}, area, 3), integral);
+    EXPECT_NEAR(logEvidenceOfUnsearched(index, {&scan, 1}, area, 4), integral, 0.3);
+    EXPECT_LT(logEvidenceOfUnsearched(index, {&scan, 1}, area, 3), integral);
   }
 }
 }  // namespace

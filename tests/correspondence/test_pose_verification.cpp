@@ -22,40 +22,40 @@ class PoseJudge : public testing::Test
   PoseJudge()
   {
     for (int i = 0; i < 12; ++i) landmarks_.emplace_back(random_.uniform(0, 10), random_.uniform(0, 10));
-    place_.model.max_range = 8;
-    place_.model.detection_probability = 0.7;
-    place_.model.clutter_probability = 0.05;
+    scan_.model.max_range = 8;
+    scan_.model.detection_probability = 0.7;
+    scan_.model.clutter_probability = 0.05;
     for (const Vector2d& landmark : landmarks_)
       if (predictRange(truth_, landmark) <= 8)
-        place_.detections.push_back(
+        scan_.detections.push_back(
             {.bearing = wrap(predictBearing(truth_, landmark) + 0.002 * random_.gaussian()), .std_bearing = 0.002});
   }
 
   [[nodiscard]] std::optional<ConsistentPose> judge(const Pose2& start, int least = 5) const
   {
     const GaussianPose candidate{start, Vector3d(0.01, 0.01, 1e-4).asDiagonal()};
-    return verifyPose(LandmarkIndex(landmarks_), {&place_, 1}, {}, candidate, least);
+    return verifyPose(LandmarkIndex(landmarks_), {&scan_, 1}, {}, candidate, least);
   }
 
   RandomStream random_{3};
   std::vector<Vector2d> landmarks_;
-  Scan place_;
+  Scan scan_;
   Pose2 truth_{4, 5, 1};
 };
 
 TEST_F(PoseJudge, RefinesAndMatchesAll)
 {
-  const auto judged = judge({4.1, 4.95, 1.01});
-  ASSERT_TRUE(judged);
-  EXPECT_EQ(judged->matched, static_cast<int>(place_.detections.size()));
-  const Vector3d e = judged->pose.mean.vector() - truth_.vector();
-  EXPECT_LT(e.dot(judged->pose.covariance.inverse() * e), 16);
+  const auto verified = judge({4.1, 4.95, 1.01});
+  ASSERT_TRUE(verified);
+  EXPECT_EQ(verified->matched, static_cast<int>(scan_.detections.size()));
+  const Vector3d e = verified->pose.mean.vector() - truth_.vector();
+  EXPECT_LT(e.dot(verified->pose.covariance.inverse() * e), 16);
 }
 
 TEST_F(PoseJudge, AFalseDetectionStaysUnmatchedAndCosts)
 {
   const auto before = judge(truth_);
-  place_.detections.push_back({.bearing = *place_.detections[0].bearing + 0.05, .std_bearing = 0.002});
+  scan_.detections.push_back({.bearing = *scan_.detections[0].bearing + 0.05, .std_bearing = 0.002});
   const auto after = judge(truth_);
   ASSERT_TRUE(before && after);
   EXPECT_EQ(after->matched, before->matched);
@@ -66,7 +66,7 @@ TEST_F(PoseJudge, AFalseDetectionStaysUnmatchedAndCosts)
 TEST_F(PoseJudge, AMissedLandmarkCostsTheOddsOfMissingIt)
 {
   const auto before = judge(truth_);
-  place_.detections.pop_back();
+  scan_.detections.pop_back();
   const auto after = judge(truth_);
   ASSERT_TRUE(before && after);
   EXPECT_EQ(after->matched, before->matched - 1);
@@ -75,13 +75,13 @@ TEST_F(PoseJudge, AMissedLandmarkCostsTheOddsOfMissingIt)
 
 TEST_F(PoseJudge, NoLandmarkIsMatchedTwice)
 {
-  AnonymousDetection again = place_.detections[0];
+  AnonymousDetection again = scan_.detections[0];
   *again.bearing += 0.001;
-  place_.detections.push_back(again);
-  const auto judged = judge(truth_);
-  ASSERT_TRUE(judged);
+  scan_.detections.push_back(again);
+  const auto verified = judge(truth_);
+  ASSERT_TRUE(verified);
   std::vector<int> matched;
-  for (const int landmark : judged->assignment)
+  for (const int landmark : verified->assignment)
     if (landmark >= 0) matched.push_back(landmark);
   std::sort(matched.begin(), matched.end());
   EXPECT_EQ(std::unique(matched.begin(), matched.end()), matched.end());
@@ -93,7 +93,7 @@ TEST_F(PoseJudge, TooFewMatchesOrOutsideTheAreaIsNoPose)
   PoseSearchOptions options;
   options.area = Box2{{6, 0}, {10, 10}};
   const GaussianPose candidate{truth_, Vector3d(0.01, 0.01, 1e-4).asDiagonal()};
-  EXPECT_FALSE(verifyPose(LandmarkIndex(landmarks_), {&place_, 1}, options, candidate, 4));
+  EXPECT_FALSE(verifyPose(LandmarkIndex(landmarks_), {&scan_, 1}, options, candidate, 4));
 }
 
 TEST_F(PoseJudge, LikelihoodIsFiniteForEveryModel)
@@ -101,17 +101,17 @@ TEST_F(PoseJudge, LikelihoodIsFiniteForEveryModel)
   for (const double clutter : {0.0, 0.5, 1.0})
     for (const std::optional<double> detection : {std::optional<double>(), std::optional<double>(1.0)})
     {
-      place_.model.clutter_probability = clutter;
-      place_.model.detection_probability = detection;
-      const auto judged = judge(truth_);
-      ASSERT_TRUE(judged);
-      EXPECT_TRUE(std::isfinite(judged->log_evidence));
+      scan_.model.clutter_probability = clutter;
+      scan_.model.detection_probability = detection;
+      const auto verified = judge(truth_);
+      ASSERT_TRUE(verified);
+      EXPECT_TRUE(std::isfinite(verified->log_evidence));
     }
 }
 
 TEST_F(PoseJudge, RangesAreJudgedToo)
 {
-  for (AnonymousDetection& z : place_.detections)
+  for (AnonymousDetection& z : scan_.detections)
   {
     z.range = 3;
     z.std_range = 0.01;
@@ -122,32 +122,32 @@ TEST_F(PoseJudge, RangesAreJudgedToo)
 /// Evidence by brute-force integration over the pose agrees with the Laplace approximation.
 TEST_F(PoseJudge, EvidenceIsTheIntegralOfTheLikelihood)
 {
-  const auto judged = judge(truth_);
-  ASSERT_TRUE(judged);
+  const auto verified = judge(truth_);
+  ASSERT_TRUE(verified);
   double sum = 0;
   constexpr int kSamples = 4000;
-  const Matrix3d cholesky = judged->pose.covariance.llt().matrixL();
+  const Matrix3d cholesky = verified->pose.covariance.llt().matrixL();
   const LandmarkIndex map(landmarks_);
-  std::vector<AnonymousDetection> detections = place_.detections;
+  std::vector<AnonymousDetection> detections = scan_.detections;
   for (int i = 0; i < kSamples; ++i)
   {
     const Vector3d unit(random_.gaussian(), random_.gaussian(), random_.gaussian());
-    const Vector3d at = judged->pose.mean.vector() + cholesky * unit;
+    const Vector3d at = verified->pose.mean.vector() + cholesky * unit;
     double log_ratio = 0.5 * unit.squaredNorm();  // of likelihood and sampling density, up to constants
     for (std::size_t d = 0; d < detections.size(); ++d)
     {
-      const int l = judged->assignment[d];
+      const int l = verified->assignment[d];
       const Vector2d& landmark = landmarks_[static_cast<std::size_t>(l)];
       const double there = predictBearing({at.x(), at.y(), at.z()}, landmark);
-      const double best = predictBearing(judged->pose.mean, landmark);
+      const double best = predictBearing(verified->pose.mean, landmark);
       log_ratio -= 0.5 * (square(wrap(*detections[d].bearing - there)) - square(wrap(*detections[d].bearing - best))) /
                    square(0.002);
     }
     sum += std::exp(log_ratio) / kSamples;
   }
   EXPECT_NEAR(std::log(sum), 0, 0.1);
-  EXPECT_NEAR(judged->log_evidence - judged->log_likelihood,
-              0.5 * (3 * std::log(kTwoPi) + std::log(judged->pose.covariance.determinant())), 1e-9);
+  EXPECT_NEAR(verified->log_evidence - verified->log_likelihood,
+              0.5 * (3 * std::log(kTwoPi) + std::log(verified->pose.covariance.determinant())), 1e-9);
 }
 
 ConsistentPose poseAt(double x, double log_evidence)

@@ -27,13 +27,13 @@ TEST(TreeInput, AsksThePlaceWithMostBearingsThatMayShowALandmark)
 {
   AnonymousDetection range;
   range.range = 2;
-  std::vector<Scan> places(3);
-  places[0].detections = {bearingOf(0.1), bearingOf(0.2, kMap.categoryOf("post"), 0.03)};
-  places[1].detections = {bearingOf(1), bearingOf(2)};
-  places[2].detections = {bearingOf(3), bearingOf(4, kUnknownCategory), range};
-  const TreeInput newest = scanWithMostBearings(kMap, places);
-  EXPECT_EQ(newest.scan, &places[1]) << "of several the last";
-  const TreeInput first = scanWithMostBearings(kMap, std::span(places).first(1));
+  std::vector<Scan> scans(3);
+  scans[0].detections = {bearingOf(0.1), bearingOf(0.2, kMap.categoryOf("post"), 0.03)};
+  scans[1].detections = {bearingOf(1), bearingOf(2)};
+  scans[2].detections = {bearingOf(3), bearingOf(4, kUnknownCategory), range};
+  const TreeInput newest = scanWithMostBearings(kMap, scans);
+  EXPECT_EQ(newest.scan, &scans[1]) << "of several the last";
+  const TreeInput first = scanWithMostBearings(kMap, std::span(scans).first(1));
   ASSERT_EQ(first.bearings.size(), 2u);
   EXPECT_TRUE(first.bearings[0].candidates.empty()) << "any landmark";
   EXPECT_EQ(first.bearings[1].candidates, (std::vector<int>{0, 2}));
@@ -43,13 +43,13 @@ TEST(TreeInput, AsksThePlaceWithMostBearingsThatMayShowALandmark)
 
 TEST(TreeInput, TheSensorMayBeAsFarOutsideAsItSitsFromTheMiddleOfTheRobot)
 {
-  std::vector<Scan> places(1);
-  places[0].T_robot_sensor = {0.3, -0.4, 1};
-  places[0].model.max_range = 5;
-  places[0].detections = {bearingOf(0.1)};
-  const TreeInput question = scanWithMostBearings(kMap, places);
+  std::vector<Scan> scans(1);
+  scans[0].T_robot_sensor = {0.3, -0.4, 1};
+  scans[0].model.max_range = 5;
+  scans[0].detections = {bearingOf(0.1)};
+  const TreeInput input = scanWithMostBearings(kMap, scans);
   PoseSearchOptions search{.gate = 3, .area = Box2{{0, 0}, {4, 3}}};
-  const InterpretationOptions options = treeOptions(question, search);
+  const InterpretationOptions options = treeOptions(input, search);
   ASSERT_TRUE(options.area && options.max_range);
   EXPECT_NEAR((options.area->min - Vector2d(-0.5, -0.5)).norm(), 0, 1e-12);
   EXPECT_NEAR((options.area->max - Vector2d(4.5, 3.5)).norm(), 0, 1e-12);
@@ -57,7 +57,7 @@ TEST(TreeInput, TheSensorMayBeAsFarOutsideAsItSitsFromTheMiddleOfTheRobot)
   EXPECT_NEAR(options.max_residual, 0.03, 1e-12);
   EXPECT_EQ(options.max_tested, search.max_tree_nodes);
   search.max_tested = 7;
-  EXPECT_EQ(treeOptions(question, search).max_tested, 7u);
+  EXPECT_EQ(treeOptions(input, search).max_tested, 7u);
 }
 
 TEST(TreeInput, ThePoseOfTheRobotIsAsUncertainAsThatOfItsSensor)

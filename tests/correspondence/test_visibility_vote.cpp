@@ -14,13 +14,13 @@ namespace
 {
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
-SearchSceneOptions everythingInView(int false_readings)
+SearchSceneOptions everythingInView(int false_detections)
 {
   SearchSceneOptions options;
   options.landmarks = 60;
   options.max_range.reset();
   options.seen = 12;
-  options.false_readings = false_readings;
+  options.false_detections = false_detections;
   options.std_bearing = degToRad(0.03);
   return options;
 }
@@ -45,16 +45,16 @@ TEST(DirectionIntervals, CoverWhatIsSeenFromAnywhereInTheDisc)
   DirectionIntervals seen(landmarks, {1000, 0});
   for (int trial = 0; trial < 50; ++trial)
   {
-    const Vector2d place(random.uniform(900, 1100), random.uniform(-100, 100));
+    const Vector2d point(random.uniform(900, 1100), random.uniform(-100, 100));
     const double radius = random.uniform(0.01, 5), farthest = random.uniform(20, 400);
-    seen.update(place, radius, farthest);
+    seen.update(point, radius, farthest);
     const double direction = random.uniform(-kPi, kPi), r = radius * std::sqrt(random.uniform());
-    const Vector2d inside = place + r * Vector2d(std::cos(direction), std::sin(direction));
+    const Vector2d inside = point + r * Vector2d(std::cos(direction), std::sin(direction));
     for (std::size_t l = 0; l < landmarks.size(); ++l)
     {
       const Vector2d d = landmarks[l] - inside;
-      const bool in_range = (landmarks[l] - place).norm() <= farthest - 1e-3;
-      if ((landmarks[l] - place).norm() > farthest + 1e-3)
+      const bool in_range = (landmarks[l] - point).norm() <= farthest - 1e-3;
+      if ((landmarks[l] - point).norm() > farthest + 1e-3)
       {
         EXPECT_LT(seen.halfWidth()[l], 0);
       }
@@ -77,11 +77,11 @@ TEST(VisibilityGrid, EveryLandmarkSetsTheBitsOfItsDirectionsOrCountsAsClose)
   for (std::size_t cell = 0; cell < layout->cells(); cell += 7)
   {
     const Vector2d half(layout->cell / 2, layout->cell / 2), low = grid.centre(cell) - half;
-    const Vector2d place = low + layout->cell * Vector2d(random.uniform(), random.uniform());
+    const Vector2d point = low + layout->cell * Vector2d(random.uniform(), random.uniform());
     int unseen = 0;
     for (const Vector2d& landmark : scene.index.positions())
     {
-      const Vector2d d = landmark - place;
+      const Vector2d d = landmark - point;
       if (d.norm() > 15) continue;
       const int bin = static_cast<int>(std::floor((std::atan2(d.y(), d.x()) + kTwoPi) / VisibilityGrid::kBinWidth));
       bool seen = true;
@@ -167,7 +167,7 @@ TEST(VisibilityVote, RaisesTheFloorWhenTooMuchSurvives)
     EXPECT_TRUE(some.by_inliers[level].empty());
 }
 
-TEST(SearchStrategy, TriplesWhereTheRangeIsShortPanoramasWhereItIsNot)
+TEST(SearchStrategy, TriplesWhereTheRangeIsShortVoteWhereItIsNot)
 {
   RandomStream random(5);
   SearchSceneOptions options = everythingInView(0);

@@ -73,7 +73,7 @@ void tabulateRecall(std::ostream& out)
   add("1 000, three false of about 16", 200,
       [](SearchSceneOptions& o)
       {
-        o.false_readings = 3;
+        o.false_detections = 3;
         o.seen = 13;
       });
   add("1 000, four kinds", 1000, [](SearchSceneOptions& o) { o.categories = 4; });

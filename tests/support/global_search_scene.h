@@ -20,9 +20,9 @@ struct SearchSceneOptions
   std::optional<double> max_range = 8;  ///< [m]; absent: every landmark is in view
   double border = 8;                    ///< the robot stays this far from the border of the map [m]
   double detection_probability = 0.7;
-  std::optional<int> seen;    ///< instead: exactly so many, randomly chosen of those in view
-  double false_readings = 1;  ///< mean number
-  bool random_false = false;  ///< their number varies (Poisson); otherwise it is the mean, rounded
+  std::optional<int> seen;      ///< instead: exactly so many, randomly chosen of those in view
+  double false_detections = 1;  ///< mean number
+  bool random_false = false;    ///< their number varies (Poisson); otherwise it is the mean, rounded
   bool with_bearing = true;
   bool with_range = false;
   double std_bearing = degToRad(0.1);  ///< [rad]
@@ -82,7 +82,7 @@ inline SensorModel declaredModel(const SearchSceneOptions& options)
       options.max_range ? kPi * square(*options.max_range) / options.area_per_landmark : options.landmarks;
   const double seen = options.seen ? *options.seen : options.detection_probability * in_view;
   model.detection_probability = std::min(seen / in_view, 0.99);
-  model.clutter_probability = options.false_readings / std::max(1.0, options.false_readings + seen);
+  model.clutter_probability = options.false_detections / std::max(1.0, options.false_detections + seen);
   return model;
 }
 
@@ -108,8 +108,8 @@ inline SceneScan observe(const SceneMap& map, const LandmarkIndex& index, const 
   std::vector<int> sources;
   for (const int l : in_view)
     if (options.seen || random.chance(options.detection_probability)) sources.push_back(l);
-  const int wrong = options.random_false ? random.poisson(options.false_readings)
-                                         : static_cast<int>(std::lround(options.false_readings));
+  const int wrong = options.random_false ? random.poisson(options.false_detections)
+                                         : static_cast<int>(std::lround(options.false_detections));
   sources.insert(sources.end(), static_cast<std::size_t>(wrong), -1);
   shuffle(sources);
 

@@ -14,7 +14,8 @@ namespace mrpt_ext
 ///
 /// Agrees with logLikelihood() to 2e-4 per anonymous detection (see AnonymousScorer) and to 1e-5 for each other
 /// term, as far as single precision can tell the prediction: positions to 1e-7 of their distance from the origin,
-/// headings to 3e-7 rad. A detection out by z standard deviations s feels an error d of its prediction as z d / s.
+/// headings to 3e-7 rad. For a detection z standard deviations s off, an error d of the prediction changes the result
+/// by z d / s.
 class ReadingScorer
 {
  public:

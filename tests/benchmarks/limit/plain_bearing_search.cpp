@@ -8,7 +8,7 @@ namespace mrpt_ext::plain
 {
 namespace
 {
-constexpr double kShare = 0.75;  // of the readings that a pose must explain
+constexpr double kShare = 0.75;  // of the bearings that must be inliers of a pose
 constexpr double kMinGap = 0.2, kMaxGap = 1.04;
 constexpr std::size_t kRounds = 12;
 
@@ -26,7 +26,7 @@ struct Search
   double range = 0, tolerance = 0;
   int needed = 0;
 
-  [[nodiscard]] bool explains(const Candidate& c, std::size_t ray, const std::vector<Vector2d>& around) const
+  [[nodiscard]] bool isInlier(const Candidate& c, std::size_t ray, const std::vector<Vector2d>& around) const
   {
     const Vector2d direction(c.forward.x() * rays[ray].x() - c.forward.y() * rays[ray].y(),
                              c.forward.y() * rays[ray].x() + c.forward.x() * rays[ray].y());
@@ -48,7 +48,7 @@ struct Search
     for (std::size_t ray = 0; ray < rays.size(); ++ray)
     {
       if (std::find(triple.begin(), triple.end(), ray) != triple.end()) continue;
-      hits += explains(c, ray, around);
+      hits += isInlier(c, ray, around);
       if (++tested == 2 && hits == 3) return false;
     }
     return hits >= needed;
@@ -90,15 +90,15 @@ struct Search
 };
 }  // namespace
 
-std::optional<Pose2> searchBearings(const LandmarkIndex& map, const Scan& place)
+std::optional<Pose2> searchBearings(const LandmarkIndex& map, const Scan& scan)
 {
-  Search search{map, {}, {}, place.model.max_range.value_or(0), 0, 0};
-  for (const AnonymousDetection& d : place.detections) search.bearings.push_back(d.bearing.value_or(0));
+  Search search{map, {}, {}, scan.model.max_range.value_or(0), 0, 0};
+  for (const AnonymousDetection& d : scan.detections) search.bearings.push_back(d.bearing.value_or(0));
   std::sort(search.bearings.begin(), search.bearings.end());
   for (const double b : search.bearings) search.rays.emplace_back(std::cos(b), std::sin(b));
   const std::size_t count = search.bearings.size();
   if (count < 3) return std::nullopt;
-  search.tolerance = std::tan(4 * place.detections.front().std_bearing + 0.003);
+  search.tolerance = std::tan(4 * scan.detections.front().std_bearing + 0.003);
   search.needed = std::max(6, static_cast<int>(kShare * static_cast<double>(count)));
 
   std::vector<std::pair<double, std::array<std::size_t, 3>>> triples;

@@ -7,9 +7,9 @@
 
 namespace mrpt_ext::plain
 {
-/// The plain way to find a lost robot from bearings: triples of neighbouring readings against all local triples of
-/// landmarks, every further reading tested with one fixed tolerance, given up after two early misses, and the first
-/// pose that explains three quarters is the answer. Fast, but it knows nothing of a triple's own uncertainty and loses
-/// the truth in every fifth trial. The place must have a range limit.
-[[nodiscard]] std::optional<Pose2> searchBearings(const LandmarkIndex& map, const Scan& place);
+/// The simple search for a pose from bearings, as a reference: triples of neighbouring bearings against all local
+/// triples of landmarks, every further bearing tested with one fixed tolerance, given up after two early misses; the
+/// first pose with three quarters of the bearings as inliers is the answer. Fast, but it ignores the covariance of the
+/// triple's pose and misses the true pose in every fifth trial. The scan must have a range limit.
+[[nodiscard]] std::optional<Pose2> searchBearings(const LandmarkIndex& map, const Scan& scan);
 }  // namespace mrpt_ext::plain

@@ -38,6 +38,6 @@ struct PoseBoxes
 [[nodiscard]] PoseBoxes voteForPoses(const VisibilityGrid& index, std::span<const ScanBearing> bearings, double gate,
                                      int floor, std::size_t capacity);
 
-/// The pose in the middle of a box, with a covariance of which `gate` standard deviations schedule the box.
+/// The pose in the middle of a box, with a covariance of which `gate` standard deviations cover the box.
 [[nodiscard]] GaussianPose poseOf(const PoseBox& hit, const VisibilityGrid& index, double gate);
 }  // namespace mrpt_ext
