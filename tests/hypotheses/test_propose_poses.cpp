@@ -103,8 +103,7 @@ TEST(ProposePoses, RangesOfAWindowGiveTheHeading)
 
 TEST(ProposePoses, OneLandmarkGivesARing)
 {
-  const HypothesisSet ring =
-      proposalsFor({seenFrom(kRobot, kMap, {0}, kPoints)}, {.region = {{-20, -20}, {20, 20}}, .ring_points = 36});
+  const HypothesisSet ring = proposalsFor({seenFrom(kRobot, kMap, {0}, kPoints)}, {.region = {{-20, -20}, {20, 20}}});
   EXPECT_EQ(ring.size(), 36u);
   const double spacing = kTwoPi / 36;
   EXPECT_GE(rankOfTruth(ring, 0.51 * spacing * kRobot.position().norm(), 0.51 * spacing), 0);

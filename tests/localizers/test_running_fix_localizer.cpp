@@ -160,11 +160,11 @@ TEST(RunningFixLocalizer, TooShortADistanceOrTooOldARangeIsNoFix)
   EXPECT_EQ(none.status, SolveStatus::too_few);
   EXPECT_TRUE(none.candidates.empty());
 
-  RunningFixOptions options = optionsFor(HeadingSource::compass);
-  options.max_age = 0.5;
-  RunningFixLocalizer forgetful(options, kMap);
-  (void)forgetful.process(withCompass(frameAt(0, kFirst, {}, {0}), kFirst.phi));
-  EXPECT_EQ(forgetful.process(withCompass(frameAt(1, kSecond, kStep, {0}), kSecond.phi)).status, SolveStatus::too_few);
+  RunningFixLocalizer late(optionsFor(HeadingSource::compass), kMap);
+  (void)late.process(withCompass(frameAt(0, kFirst, {}, {0}), kFirst.phi));
+  Frame after_a_minute = withCompass(frameAt(61, kSecond, kStep, {0}), kSecond.phi);
+  after_a_minute.motion.duration = 61;
+  EXPECT_EQ(late.process(after_a_minute).status, SolveStatus::too_few);
 }
 
 TEST(RunningFixLocalizer, WithoutAHeadingThereIsARingAndNoEstimate)

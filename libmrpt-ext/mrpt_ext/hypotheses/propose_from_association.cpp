@@ -33,7 +33,7 @@ AssociationProposals proposeFromAssociation(std::span<const Reading> readings, c
   options.max_tree_nodes = max_tree_nodes;
   const PoseSearchResult found = search.search(scans, options);
 
-  AssociationProposals result{.status = found.status, .unique = found.unique, .finished = found.finished};
+  AssociationProposals result{.status = found.status, .unique = found.unique};
   for (const ConsistentPose& pose : found.poses)
     if (region.contains(pose.pose.mean))
       result.hypotheses.push_back(

@@ -16,7 +16,6 @@ struct AssociationProposals
   SolveStatus status = SolveStatus::too_few;
   HypothesisSet hypotheses;  ///< robot poses in the region, most likely first; log_score: log-evidence
   bool unique = false;       ///< one pose dominates, and a false one as good is unlikely
-  bool finished = true;      ///< false: the search was cut short, poses may be missing
 };
 
 /// All robot poses in the region for which the anonymous detections can be associated with landmarks (paper 000,

@@ -17,6 +17,7 @@ namespace
 {
 constexpr double kMergeDistance = 0.1;  // [m]
 constexpr double kMergeAngle = degToRad(3.0);
+constexpr std::size_t kRingPoints = 36;  // hypotheses that sample a ring of unknown heading
 
 void append(HypothesisSet& all, HypothesisSet more)
 {
@@ -70,12 +71,12 @@ HypothesisSet proposePoses(const Frame& frame, const LandmarkTable& map, const G
   if (all.empty()) append(all, proposeFromRanges(identified));
   const std::vector<PoseMeasurement> rows = poseMeasurements(identified);
   for (PoseHypothesis& hypothesis : all) refine(hypothesis, rows);
-  if (all.empty()) append(all, proposeFromRing(identified, options.ring_points));
-  append(all, proposeFromRunningFixes(frame, map, options.ring_points));
+  if (all.empty()) append(all, proposeFromRing(identified, kRingPoints));
+  append(all, proposeFromRunningFixes(frame, map, kRingPoints));
 
   if (isWindow(frame.readings))
   {
-    append(all, proposeFromWindowLandmarks(frame.readings, map, frame.compass, options.ring_points));
+    append(all, proposeFromWindowLandmarks(frame.readings, map, frame.compass, kRingPoints));
     // The local map of a window may fail where a single scan suffices.
     append(all, proposeFromAssociation(fullestReading(frame.readings), map, search, options.region, nodes).hypotheses);
   }

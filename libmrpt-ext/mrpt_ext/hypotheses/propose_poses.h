@@ -12,7 +12,6 @@ struct ProposalOptions
 {
   PoseRegion region;                 ///< poses outside are dropped
   std::size_t max_hypotheses = 400;  ///< the best ones are kept
-  std::size_t ring_points = 36;      ///< hypotheses that sample a ring of unknown heading
   /// See PoseSearchOptions.
   std::uint64_t max_tree_nodes = PoseSearchOptions{}.max_tree_nodes;
 };

@@ -9,6 +9,9 @@ namespace mrpt_ext
 {
 namespace
 {
+constexpr double kMinDisplacementStds = 10;  // between the two ranges of a fix, in standard deviations of a range
+constexpr double kMaxAge = 60;               // [s] of the first range
+
 OdometryMotion concatenated(const OdometryMotion& first, const OdometryMotion& second)
 {
   return {compose(first.increment, second.increment), first.path_length + second.path_length,
@@ -39,7 +42,7 @@ void RunningFixLocalizer::predict(const OdometryMotion& measured)
   for (auto& [id, ranges] : pending_)
   {
     for (PendingRange& range : ranges) range.since = concatenated(range.since, motion);
-    while (!ranges.empty() && ranges.front().since.duration > options_.max_age) ranges.pop_front();
+    while (!ranges.empty() && ranges.front().since.duration > kMaxAge) ranges.pop_front();
   }
   if (!heading_) return;
   heading_->heading = wrap(heading_->heading + motion.increment.phi);
@@ -82,7 +85,7 @@ std::vector<RunningFixReading> RunningFixLocalizer::fixesFromRanges(const Frame&
     {
       const PendingRange& partner = earlier[left - 1];
       const double displacement = partner.since.increment.position().norm();
-      if (displacement < options_.min_displacement_stds * std::max(m.std_range, partner.std)) continue;
+      if (displacement < kMinDisplacementStds * std::max(m.std_range, partner.std)) continue;
       // The robot pose from which the second sensor would have measured the first range.
       const Pose2 swap = compose(m.T_robot_sensor, inverse(partner.T_robot_sensor));
       const GaussianPose moved = compound({swap, Matrix3d::Zero()}, partner.since.increment,

@@ -27,9 +27,6 @@ struct RunningFixOptions
   std::optional<HeadingPrior> start_heading;  ///< known start, for HeadingSource::bearing
   PoseRegion region;                          ///< candidates outside are dropped
   MotionModel motion;
-  double min_displacement_stds =
-      10;               ///< least displacement between the two ranges of a fix, in standard deviations of a range
-  double max_age = 60;  ///< [s] of the first range
 };
 
 /// The running fix of paper 004: logged fixes, or two ranges to one landmark with odometry in between. The candidates
