@@ -19,4 +19,14 @@ TEST(Mahalanobis, CorrelationMakesTheCommonDirectionNearer)
   EXPECT_NEAR(mahalanobis2({1, 1, 0}, {0, 0, 0}, covariance), 2 / 1.8, 1e-12);
   EXPECT_NEAR(mahalanobis2({1, -1, 0}, {0, 0, 0}, covariance), 2 / 0.2, 1e-12);
 }
+
+TEST(IsWithin, ChecksEachCoordinate)
+{
+  const GaussianPose gaussian{{1, 2, 3.1}, Vector3d(0.04, 0.09, 0.01).asDiagonal()};
+  EXPECT_TRUE(isWithin(gaussian, {1.19, 1.71, 3.0}, 1.01));
+  EXPECT_FALSE(isWithin(gaussian, {1.21, 2, 3.1}, 1));
+  EXPECT_FALSE(isWithin(gaussian, {1, 1.69, 3.1}, 1));
+  EXPECT_FALSE(isWithin(gaussian, {1, 2, wrap(3.25)}, 1));
+  EXPECT_TRUE(isWithin(gaussian, {1, 2, wrap(3.25)}, 2));
+}
 }  // namespace mrpt_ext

@@ -1,6 +1,6 @@
 #include "mrpt_ext/hypotheses/pose_hypothesis.h"
 
-#include "mrpt_ext/geometry/pose_distance.h"
+#include "mrpt_ext/geometry/mahalanobis.h"
 #include "mrpt_ext/hypotheses/pruning.h"
 
 namespace mrpt_ext

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mrpt_ext/geometry/pose_distance.h"
+#include "mrpt_ext/geometry/mahalanobis.h"
 #include "mrpt_ext/hypotheses/pruning.h"
 #include "mrpt_ext/relocalization/grid_search.h"
 #include "mrpt_ext/relocalization/window_bearings.h"
@@ -194,7 +194,7 @@ class TrajectorySearch
     sortByLogWeight(evaluated_, logEvidence);
     pruneUnlikely(evaluated_, kKeepLogUnits, logEvidence);
     mergeSame(evaluated_, [](const HypothesisTrack& better, const HypothesisTrack& other)
-              { return mahalanobis2(better.pose, other.pose.mean) < square(kSamePose); });
+              { return mahalanobis2(better.pose.mean, other.pose.mean, better.pose.covariance) < square(kSamePose); });
     if (evaluated_.empty()) return result;
     const double best = evaluated_.front().log_evidence;
     double total = std::exp(logEvidenceElsewhere() - best);
