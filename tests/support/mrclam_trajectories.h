@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "frame_sequence.h"
 #include "mrpt_ext/configuration/localization_config.h"
 #include "mrpt_ext/configuration/localization_keys.h"
-#include "mrpt_ext/frames/frame_sequence.h"
 #include "mrpt_ext/importers/mrclam.h"
 #include "mrpt_ext/relocalization/trajectory_search.h"
 #include "mrpt_ext/relocalization/trajectory_steps.h"
