@@ -104,9 +104,9 @@ std::vector<VisibleFeature> visibleFeatures(const SimulatedSensor& sensor, const
   std::vector<VisibleFeature> visible;
   for (std::size_t i = 0; i < features.size(); ++i)
   {
-    const Vector2d place = features[i].position.head<2>();
-    const double distance = predictRange(robot, place, sensor.T_robot_sensor);
-    const double bearing = predictBearing(robot, place, sensor.T_robot_sensor);
+    const Vector2d position = features[i].position.head<2>();
+    const double distance = predictRange(robot, position, sensor.T_robot_sensor);
+    const double bearing = predictBearing(robot, position, sensor.T_robot_sensor);
     if (!features[i].is_landmark && !sensor.sees_objects) continue;
     if (std::abs(bearing) > 0.5 * sensor.field_of_view || distance < sensor.min_range) continue;
     if (sensor.max_range && distance > *sensor.max_range) continue;

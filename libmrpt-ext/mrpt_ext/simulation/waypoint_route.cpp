@@ -22,10 +22,10 @@ std::vector<Leg> legsOf(const WaypointRoute& route)
   std::vector<Leg> legs;
   for (std::size_t i = 0; i + (route.closed ? 0 : 1) < n; ++i)
   {
-    const Vector2d way = route.waypoints[(i + 1) % n] - route.waypoints[i];
-    if (!(way.norm() > 0))
+    const Vector2d leg = route.waypoints[(i + 1) % n] - route.waypoints[i];
+    if (!(leg.norm() > 0))
       throw configurationError("path: waypoint " + std::to_string(i + 1) + " coincides with the next one");
-    legs.push_back({way.norm(), std::atan2(way.y(), way.x())});
+    legs.push_back({leg.norm(), std::atan2(leg.y(), leg.x())});
   }
   return legs;
 }
