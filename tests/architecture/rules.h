@@ -42,6 +42,9 @@ using Violations = std::vector<std::string>;
 [[nodiscard]] Violations checkPackageConfig(const SourceTree& tree);
 /// Every ini/<app>/<name>.ini is named by a test: one file under tests/ that names both the app and the file.
 [[nodiscard]] Violations checkConfigurationsAreTested(const SourceTree& tree);
+/// The default of a key is read from the struct that holds the option, or from a named constant: no number, true or
+/// false stands where configuration/*_keys.cpp gives a KeySection the default of a number or a flag.
+[[nodiscard]] Violations checkKeyDefaults(const SourceTree& tree);
 /// Every source file, script and configuration that README.md and CONTRIBUTING.md name exists.
 [[nodiscard]] Violations checkDocumentsNameFiles(const SourceTree& tree);
 /// No marks of unfinished work, no paths of one machine.

@@ -164,6 +164,17 @@ TEST(Configurations, AreNamedByATest)
   EXPECT_TRUE(checkConfigurationsAreTested(tested).empty());
 }
 
+TEST(KeyDefaults, AreReadFromStructs)
+{
+  const auto keys = [](const std::string& call)
+  { return file("libmrpt-ext/mrpt_ext/configuration/a_keys.cpp", "KeySection(\"A\")" + call + ";\n"); };
+  EXPECT_EQ(checkKeyDefaults(keys(".number(\"x\", \"m\", 0.5, range, \"X.\")")).size(), 1U);
+  EXPECT_EQ(checkKeyDefaults(keys(".degrees(\"x\",\n   \"deg\", -1, range, \"X.\")")).size(), 1U);
+  EXPECT_EQ(checkKeyDefaults(keys(".integer(\"x\", \"\", 3, range, \"X.\").flag(\"y\", true, \"Y.\")")).size(), 2U);
+  EXPECT_TRUE(checkKeyDefaults(keys(".number(\"x\", \"m\", options.x, {0, 1}, \"X.\")")).empty());
+  EXPECT_TRUE(checkKeyDefaults(keys(".number(\"x\", \"\", kUnset, range, \"X: 0.5.\")")).empty());
+}
+
 TEST(Documents, NameExistingFiles)
 {
   const auto documented = [](const std::string& text) {

@@ -39,6 +39,7 @@ TEST(ThisTree, TypesHaveOneHeader) { expectNone(checkTypeNames(thisTree())); }
 TEST(ThisTree, EverySourceIsBuilt) { expectNone(checkSourceLists(thisTree())); }
 TEST(ThisTree, PackageConfigNamesEveryDependency) { expectNone(checkPackageConfig(thisTree())); }
 TEST(ThisTree, EveryConfigurationIsTested) { expectNone(checkConfigurationsAreTested(thisTree())); }
+TEST(ThisTree, KeysTakeTheirDefaultsFromStructs) { expectNone(checkKeyDefaults(thisTree())); }
 TEST(ThisTree, DocumentsNameExistingFiles) { expectNone(checkDocumentsNameFiles(thisTree())); }
 TEST(ThisTree, TextIsFinishedAndPortable) { expectNone(checkText(thisTree())); }
 }  // namespace mrpt_ext::architecture

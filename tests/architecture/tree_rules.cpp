@@ -154,6 +154,21 @@ Violations checkConfigurationsAreTested(const SourceTree& tree)
   return found;
 }
 
+Violations checkKeyDefaults(const SourceTree& tree)
+{
+  static const std::regex kLiteral(
+      R"(\.(?:(?:number|degrees|integer)\(\s*"(\w+)",\s*"[^"]*",\s*[-+.\d]|flag\(\s*"(\w+)",\s*(?:true|false)))");
+  Violations found;
+  for (const auto& [path, text] : tree)
+  {
+    if (folderOf(path) != "configuration" || !path.ends_with("_keys.cpp")) continue;
+    for (std::sregex_iterator match(text.begin(), text.end(), kLiteral), end; match != end; ++match)
+      found.push_back(path + ": the default of " + (*match)[1].str() + (*match)[2].str() +
+                      " is written down, read it from the struct that holds it");
+  }
+  return found;
+}
+
 Violations checkDocumentsNameFiles(const SourceTree& tree)
 {
   // Configurations without a folder are placeholders or outputs.

@@ -27,7 +27,8 @@ TEST(BiasConfig, EveryKindHasItsKeysInItsUnit)
   const BiasModel model = modelOf(
       "[Bias]\nrange_offset_std_m = 0.2\nrange_offset_mean_m = 0.1\nrange_scale_std = 0.05\nbearing_offset_std_deg = "
       "2\n"
-      "bearing_offset_std_per_sqrt_s_deg = 0.1\nway_scale_std = 0.04\nturn_scale_std = 0.03\n"
+      "bearing_offset_std_per_sqrt_s_deg = 0.1\nodometry_distance_scale_std = 0.04\nodometry_rotation_scale_std = "
+      "0.03\n"
       "odometry_rotation_scale_std_per_sqrt_s = 0.001\n");
   ASSERT_EQ(model.size(), 5u);
   EXPECT_EQ(model[0].kind, BiasKind::range_offset);
@@ -70,13 +71,13 @@ TEST(BiasConfig, ErrorsOfASensorActOnItsPartsBesideTheirOwn)
 
 TEST(BiasConfig, OdometryHasNoErrorsPerSensorAndNoDeviationIsNegative)
 {
-  EXPECT_THROW((void)modelOf("[Sensor_a]\nway_scale_std = 0.1\n"), InputError);
+  EXPECT_THROW((void)modelOf("[Sensor_a]\nodometry_distance_scale_std = 0.1\n"), InputError);
   EXPECT_THROW((void)modelOf("[Bias]\nrange_scale_std = -0.1\n"), InputError);
 }
 
 TEST(BiasConfig, MoreErrorsThanTheFiltersHoldAreRefused)
 {
-  std::string text = "[Bias]\nway_scale_std = 0.1\n";
+  std::string text = "[Bias]\nodometry_distance_scale_std = 0.1\n";
   for (int k = 0; k < 12; ++k) text += "[Sensor_s" + std::to_string(k) + "]\nrange_scale_std = 0.1\n";
   EXPECT_EQ(modelOf(text).size(), 13u);
   EXPECT_THROW((void)modelOf(text + "[Sensor_more]\nrange_scale_std = 0.1\n"), InputError);

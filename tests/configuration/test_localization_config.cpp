@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "mrpt_ext/configuration/localization_keys.h"
 #include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/settings/setting_value.h"
 
 namespace mrpt_ext
 {
@@ -48,7 +50,7 @@ TEST(LocalizationKeys, EveryKeyExplainsItselfAndItsDefaultIsAcceptable)
     {
       EXPECT_FALSE(key.complaintAbout(key.default_value)) << name;
     }
-    EXPECT_EQ(key.type == KeyType::choice, !key.choices.empty()) << name;
+    EXPECT_EQ(key.type == KeyType::choice || key.type == KeyType::names, !key.choices.empty()) << name;
     EXPECT_NE(table.explain(name).find(key.help.substr(0, 20)), std::string::npos) << name;
   }
 }
@@ -82,6 +84,19 @@ TEST(LocalizationKeys, HoldWhatTheContractNames)
   const KeyTable table = localizationKeys();
   for (const auto& [section, keys] : contract)
     for (const std::string& key : keys) EXPECT_NE(table.find(section, key), nullptr) << section << " " << key;
+}
+
+TEST(LocalizationKeys, AFewAreMarkedForBeginners)
+{
+  const std::vector<KeySpec> keys = localizationKeys().keys();
+  EXPECT_EQ(std::count_if(keys.begin(), keys.end(), [](const KeySpec& key) { return key.for_beginners; }), 10);
+}
+
+TEST(LocalizationKeys, ContractNamesOfTheNoiseAtStandstillAreAliases)
+{
+  const LocalizationConfig config = configOf("[MotionModel]\nstd_xy_min = 0.07\nstd_phi_min_deg = 2\n");
+  EXPECT_EQ(config.filter.motion.std_xy_per_s, 0.07);
+  EXPECT_EQ(config.filter.motion.std_phi_per_s, degToRad(2.0));
 }
 
 TEST(LocalizationKeys, TakeTheContractsChoicesByNameAndByMrptsNumber)
@@ -179,7 +194,7 @@ TEST(LocalizationConfig, DegreesBecomeRadians)
   EXPECT_NEAR(config.running_fix.start_heading->heading, -kPi / 2, 1e-12);
 }
 
-TEST(LocalizationConfig, OkIsAsSharpAsLocalizedUnlessSaidOtherwise)
+TEST(LocalizationConfig, OkIsAsPreciseAsLocalizedUnlessSetOtherwise)
 {
   const VerdictOptions usual =
       configOf("[LocalizationExperiment]\nconverged_within_m = 1\nconverged_within_deg = 20\n").filter.verdict;
@@ -192,8 +207,8 @@ TEST(LocalizationConfig, OkIsAsSharpAsLocalizedUnlessSaidOtherwise)
 
 TEST(LocalizationConfig, ListsOfWords)
 {
-  EXPECT_EQ(words(" ball, cup\tthing,,"), (std::vector<std::string>{"ball", "cup", "thing"}));
-  EXPECT_TRUE(words("").empty());
+  EXPECT_EQ(parseWords(" ball, cup\tthing,,"), (std::vector<std::string>{"ball", "cup", "thing"}));
+  EXPECT_TRUE(parseWords("").empty());
   const LocalizationConfig config =
       configOf("[LocalizationExperiment]\nobjects = ball cup\nmethods = odometry, running_fix\n");
   EXPECT_EQ(config.frames.object_categories, (std::set<std::string>{"ball", "cup"}));

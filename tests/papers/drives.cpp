@@ -70,8 +70,7 @@ DriveErrors runDrives(const Settings& settings)
   const std::string s = "Drive";
   const double from = settings.number(s, "judged_from_s");
   const std::string name = settings.text(s, "scenario");
-  const auto changes = [&](const char* key)
-  { return settings.hasValue(s, key) ? words(settings.text(s, key)) : std::vector<std::string>{}; };
+  const auto changes = [&](const char* key) { return settings.words(s, key); };
   const auto simulation = changes("simulation"), localization = changes("localization");
   const auto without_errors = joined(simulation, changes("bound_simulation"));
   const auto own_noise = joined(localization, changes("bound_noise"));

@@ -15,7 +15,7 @@ MovisLattice readLattice(const Settings& settings)
   lattice.field = {settings.number(s, "half_width_m"), settings.number(s, "depth_m")};
   const auto ball = settings.numbers(s, "ball");
   lattice.ball = {ball.at(0), ball.at(1)};
-  lattice.names = words(settings.text(s, "points"));
+  lattice.names = settings.words(s, "points");
   const auto places = settings.numbers(s, "places");
   if (places.size() != 2 * lattice.names.size())
     throw settings.errorAt(s, "places", "expected x y of every one of the points");

@@ -1,7 +1,7 @@
 #include "movis_yaw_scan.h"
 
 #include "movis_methods.h"
-#include "mrpt_ext/configuration/localization_config.h"
+#include "mrpt_ext/settings/setting_value.h"
 #include "paper_settings.h"
 
 namespace mrpt_ext::papers
@@ -15,7 +15,7 @@ bool holds(const Sample& sample, double printed)
 
 bool isPrintedWorse(const std::string& point)
 {
-  const auto names = words(PrintedLattice::kWorseAt);
+  const auto names = parseWords(PrintedLattice::kWorseAt);
   return std::find(names.begin(), names.end(), point) != names.end();
 }
 

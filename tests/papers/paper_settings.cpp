@@ -5,10 +5,10 @@ namespace mrpt_ext::papers
 namespace
 {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr Range kNotNegative{0, kInfinity};
-constexpr Range kPositive{1e-9, kInfinity};
+constexpr ValueRange kNotNegative{0, kInfinity};
+constexpr ValueRange kPositive{1e-9, kInfinity};
 
-KeySpec number(const char* section, const char* name, const char* unit, Range range, const char* help)
+KeySpec number(const char* section, const char* name, const char* unit, ValueRange range, const char* help)
 {
   return {section, name, KeyType::number, unit, "", range, {}, help};
 }

@@ -63,7 +63,7 @@ TEST(IniFile, NamesTheLineOfEveryMistake)
 {
   EXPECT_EQ(errorOf("[A]\nx = 1\nx = 2\n"), "my.ini:3: 'x' in [A] is already in line 2");
   EXPECT_EQ(errorOf("[A]\n[A]\n"), "my.ini:2: section [A] is already in line 1");
-  EXPECT_EQ(errorOf("x = 1\n"), "my.ini:1: 'x' stands before the first [Section]");
+  EXPECT_EQ(errorOf("x = 1\n"), "my.ini:1: 'x' comes before the first [Section]");
   EXPECT_EQ(errorOf("[A]\nhello\n"), "my.ini:2: 'hello': expected key = value");
   EXPECT_EQ(errorOf("[A\n"), "my.ini:1: '[A': expected [Section]");
 }
@@ -77,10 +77,12 @@ TEST(IniFile, MissingFileAndFolderAreErrors)
 TEST(IniFile, SetReplacesOrAdds)
 {
   IniFile ini = IniFile::parse("[A]\nx = 1\n", "my.ini");
-  ini.set("A", "x", "2");
-  ini.set("B", "y", "3");
+  ini.set("A", "x", "2", "--x 2");
+  ini.set("B", "y", "3", "--y 3");
   EXPECT_EQ(ini.find("A", "x")->value, "2");
   EXPECT_EQ(ini.find("A")->entries.size(), 1U);
+  EXPECT_EQ(ini.find("A", "x")->line, 0);
+  EXPECT_EQ(ini.find("A", "x")->origin, "--x 2");
   EXPECT_EQ(ini.find("B", "y")->value, "3");
 }
 }  // namespace mrpt_ext

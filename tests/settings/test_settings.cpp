@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
 #include <stdexcept>
 
 #include "mrpt_ext/geometry/angle.h"
+#include "mrpt_ext/settings/key_section.h"
 #include "scratch_folder.h"
 
 namespace mrpt_ext
@@ -121,7 +123,6 @@ TEST(Settings, OverridesWinAndNameTheOptionWhenWrong)
   const Settings settings = parse("[Run]\nseed = 7\n", {"Run.seed=9", "Sensor_new.max_range_m=2"});
   EXPECT_EQ(settings.integer("Run", "seed"), 9);
   EXPECT_EQ(settings.number("Sensor_new", "max_range_m"), 2);
-  EXPECT_EQ(settings.raw().find("Run", "seed")->value, "9");
   EXPECT_EQ(errorOf("", {"Run.seed=x"}), "--set Run.seed=x: expected a whole number in [0, 1e+18]");
   EXPECT_EQ(errorOf("", {"Run.sed=1"}), "--set Run.sed=1: unknown key 'sed' in [Run], did you mean 'seed'?");
   EXPECT_EQ(errorOf("", {"seed=1"}), "--set seed=1: expected Section.key=value");
@@ -146,7 +147,7 @@ TEST(Settings, ErrorAtNamesTheWrittenPlace)
   const Settings settings = parse("[Run]\norigin = 1 2\n", {"Run.seed=9"});
   EXPECT_STREQ(settings.errorAt("Run", "origin", "expected three numbers").what(),
                "/data/my.ini:2: origin = 1 2: expected three numbers");
-  EXPECT_STREQ(settings.errorAt("Run", "seed", "too large").what(), "Run.seed=9: too large");
+  EXPECT_STREQ(settings.errorAt("Run", "seed", "too large").what(), "--set Run.seed=9: too large");
   EXPECT_STREQ(settings.errorAt("Run", "quick", "no").what(), "/data/my.ini: [Run] quick: no");
 }
 
@@ -178,15 +179,108 @@ TEST(Settings, ValuesThatAnIniFileCannotHoldAreRefused)
 
 TEST(KeyTable, ListsAndExplainsItself)
 {
-  EXPECT_NE(table().list().find("  field_of_view_deg = 360  [deg]  (a number in [0, 360] deg)\n"), std::string::npos);
+  EXPECT_NE(table().list().find("  field_of_view_deg = 360 deg\n"), std::string::npos);
+  EXPECT_NE(table().list().find("  max_range_m [m]                         Farthest landmark seen.\n"),
+            std::string::npos)
+      << table().list();
   const std::string text = table().explain("Run.mode");
   EXPECT_NE(text.find("How it starts."), std::string::npos);
-  EXPECT_NE(text.find("gaussian is 1 in MRPT's files"), std::string::npos);
+  EXPECT_NE(text.find("    gaussian  1 in MRPT's files\n"), std::string::npos);
   EXPECT_NE(table().explain("Sensor_left.max_range_m").find("Farthest landmark seen."), std::string::npos);
   EXPECT_EQ(table().explain("Sensor_<label>.max_range_m"), table().explain("Sensor_left.max_range_m"));
   EXPECT_NE(table().explain("Sensor_left").find("field_of_view_deg"), std::string::npos);
   EXPECT_THROW((void)table().explain("Run.mod"), InputError);
   EXPECT_THROW((void)table().explain("Nothing"), InputError);
+}
+
+TEST(KeyTable, ListMarksWhatABeginnerNeedsAndFitsIntoAHundredColumns)
+{
+  const std::string words = "word word word word word word word word word word word word word word word word.";
+  const KeyTable keys({{.section = "A", .name = "x", .help = words + " More.", .for_beginners = true},
+                       {.section = "A", .name = std::string(60, 'y'), .help = words}});
+  const std::string list = keys.list();
+  EXPECT_NE(list.find("Keys marked * are the ones to set first."), std::string::npos);
+  EXPECT_NE(list.find("\n* x                                       word word"), std::string::npos) << list;
+  EXPECT_EQ(list.find("More."), std::string::npos) << "the first sentence only";
+  std::istringstream lines(list);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100U) << line;
+  EXPECT_EQ(table().list().find("marked"), std::string::npos) << "no key is marked";
+}
+
+TEST(KeyTable, ExplainsAKeyWithoutItsSection)
+{
+  EXPECT_EQ(table().explain("mode"), table().explain("Run.mode"));
+  const KeyTable two(
+      {{.section = "A", .name = "x", .help = "First."}, {.section = "B", .name = "x", .help = "Second."}});
+  EXPECT_EQ(two.explain("x"), two.explain("A.x") + two.explain("B.x"));
+}
+
+TEST(KeyTable, ExplainSuggestsSimilarNames)
+{
+  const auto messageOf = [](const std::string& name)
+  { return testing::messageOf<InputError>([&] { (void)table().explain(name); }); };
+  EXPECT_EQ(messageOf("sed"), "--explain sed: unknown key or section, did you mean 'seed'?");
+  EXPECT_EQ(messageOf("range"), "--explain range: unknown key or section, did you mean 'max_range_m'?");
+  EXPECT_EQ(messageOf("Rum"), "--explain Rum: unknown key or section, did you mean 'Run'?");
+  EXPECT_EQ(messageOf("Ran.mode_"), "--explain Ran.mode_: unknown key or section, did you mean 'mode'?");
+  EXPECT_EQ(messageOf("zzzzz"), "--explain zzzzz: unknown key or section, --list-keys shows the known ones");
+}
+
+TEST(Settings, AliasIsAnotherNameOfAKey)
+{
+  const KeyTable keys({{.section = "A", .name = "x", .type = KeyType::number, .default_value = "1", .alias = "old_x"}});
+  const auto read = [&](const std::string& text, const std::vector<std::string>& overrides = {})
+  { return Settings::parse(text, "a.ini", keys, overrides); };
+  EXPECT_EQ(read("[A]\nold_x = 3\n").number("A", "x"), 3);
+  EXPECT_TRUE(read("[A]\nold_x = 3\n").isSet("A", "x"));
+  EXPECT_EQ(read("[A]\nx = 2\n", {"A.old_x=4"}).number("A", "x"), 4);
+  EXPECT_EQ(read("[A]\nold_x = 3\n").resolvedText(), "[A]\nx = 3\n");
+  EXPECT_EQ(testing::messageOf<InputError>([&] { (void)read("[A]\nx = 2\nold_x = 3\n"); }),
+            "a.ini:3: old_x and x are two names of one key, expected one of them");
+  EXPECT_NE(keys.explain("old_x").find("also read as old_x"), std::string::npos);
+}
+
+TEST(Settings, NamesAreSomeOfTheChoices)
+{
+  const KeyTable keys({{.section = "A", .name = "m", .type = KeyType::names, .choices = {{"odometry"}, {"filter"}}}});
+  EXPECT_EQ(Settings::parse("[A]\nm = odometry, filter\n", "a.ini", keys).words("A", "m"),
+            (std::vector<std::string>{"odometry", "filter"}));
+  EXPECT_EQ(testing::messageOf<InputError>([&] { (void)Settings::parse("[A]\nm = filtr\n", "a.ini", keys); }),
+            "a.ini:2: m = filtr: unknown name 'filtr', did you mean 'filter'?");
+}
+
+TEST(Settings, AMissingFileIsReportedWithItsKeyOrOption)
+{
+  Settings settings = parse("[Run]\n\nlog = none.rawlog\n");
+  const auto message = [&]
+  { return testing::messageOf<InputError>([&] { (void)settings.existingPath("Run", "log"); }); };
+  EXPECT_EQ(message(), "/data/my.ini:3: log = none.rawlog: no such file /data/none.rawlog");
+  settings.set("Run", "log", "/x/none.rawlog", "--log none.rawlog");
+  EXPECT_EQ(message(), "--log none.rawlog: no such file /x/none.rawlog");
+  settings.set("Run", "log", MRPT_EXT_SOURCE_DIR, "--log");
+  EXPECT_EQ(settings.existingPath("Run", "log"), std::filesystem::path(MRPT_EXT_SOURCE_DIR).lexically_normal());
+}
+
+TEST(KeySection, WritesKeysWithTheirDefaults)
+{
+  const KeyTable keys = KeySection("S")
+                            .number("a", "m", 0.1, ranges::kPositive, "A.")
+                            .alias("old_a")
+                            .degrees("b_deg", "deg", degToRad(0.3), ranges::kAny, "B.")
+                            .forBeginners()
+                            .number("c", "", kUnset, ranges::kAny, "C.")
+                            .numbers("d", "m", {0, -1.5}, ranges::kAny, "D.")
+                            .flag("e", true, "E.")
+                            .choice("f", 2, NamedValues<int>{{1, {"one"}}, {2, {"two"}}}, "F.");
+  ASSERT_EQ(keys.keys().size(), 6U);
+  EXPECT_EQ(keys.find("S", "old_a")->default_value, "0.1");
+  EXPECT_EQ(keys.find("S", "b_deg")->default_value, "0.3");
+  EXPECT_TRUE(keys.find("S", "b_deg")->for_beginners);
+  EXPECT_EQ(keys.find("S", "c")->default_value, "");
+  EXPECT_EQ(keys.find("S", "d")->default_value, "0 -1.5");
+  EXPECT_EQ(keys.find("S", "e")->default_value, "true");
+  EXPECT_EQ(keys.find("S", "f")->default_value, "two");
+  EXPECT_EQ(Settings::parse("", "a.ini", keys).radians("S", "b_deg"), degToRad(0.3)) << "to the last bit";
 }
 
 TEST(KeyTable, PatternsNeedSomethingInThePlaceholder)
@@ -197,7 +291,8 @@ TEST(KeyTable, PatternsNeedSomethingInThePlaceholder)
   EXPECT_FALSE(fitsPattern("MetricMap__opts", "MetricMap_<name>_opts"));
   EXPECT_FALSE(fitsPattern("Runs", "Run"));
 }
-TEST(Settings, ASectionTakesWhatItDoesNotSayFromTheOneItContinues)
+
+TEST(Settings, ASectionInheritsFromTheOneItContinues)
 {
   const std::string text =
       "[Sensor_eye]\nmax_range_m = 5\nfield_of_view_deg = 90\n[Sensor_eye.left]\nmax_range_m = 7\n";

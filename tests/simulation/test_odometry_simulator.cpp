@@ -14,6 +14,8 @@ const RobotPath& bend()
   return path;
 }
 
+constexpr OdometryNoise kPerfect{.std_xy_per_m = 0, .std_phi_deg_per_deg = 0, .std_phi_deg_per_m = 0};
+
 /// Errors of the displacement over the whole path, in the frame of the true end, many times over.
 std::vector<Vector3d> finalErrors(const OdometryNoise& noise, int runs)
 {
@@ -38,13 +40,13 @@ Matrix3d covarianceOf(const std::vector<Vector3d>& errors)
 
 OdometryNoise noisy(double rate_hz)
 {
-  OdometryNoise noise;
+  OdometryNoise noise = kPerfect;
   noise.rate_hz = rate_hz;
   noise.std_xy_per_m = 0.03;
   noise.std_phi_deg_per_deg = 0.1;
   noise.std_phi_deg_per_m = 1;
-  noise.std_xy_min = 0.004;
-  noise.std_phi_min_deg = 0.2;
+  noise.std_xy_per_sqrt_s = 0.004;
+  noise.std_phi_deg_per_sqrt_s = 0.2;
   return noise;
 }
 }  // namespace
@@ -52,7 +54,7 @@ OdometryNoise noisy(double rate_hz)
 TEST(SimulatedOdometry, WithoutErrorsRepeatsThePath)
 {
   RandomStream random(1);
-  const SimulatedOdometry odometry(bend(), OdometryNoise{}, 8, random);
+  const SimulatedOdometry odometry(bend(), kPerfect, 8, random);
   EXPECT_EQ(odometry.records().size(), 81U);
   for (const TimedPose& record : odometry.records())
   {
@@ -64,7 +66,7 @@ TEST(SimulatedOdometry, WithoutErrorsRepeatsThePath)
 
 TEST(SimulatedOdometry, HeadingErrorIsAsConfigured)
 {
-  OdometryNoise noise;
+  OdometryNoise noise = kPerfect;
   noise.std_phi_deg_per_deg = 0.1;
   noise.std_phi_deg_per_m = 1;
   const Matrix3d covariance = covarianceOf(finalErrors(noise, 2000));
@@ -77,10 +79,10 @@ TEST(SimulatedOdometry, PositionErrorIsAsConfiguredAtAnyRate)
 {
   for (const double rate : {5.0, 40.0})
   {
-    OdometryNoise noise;
+    OdometryNoise noise = kPerfect;
     noise.rate_hz = rate;
     noise.std_xy_per_m = 0.03;
-    noise.std_xy_min = 0.01;
+    noise.std_xy_per_sqrt_s = 0.01;
     const Matrix3d covariance = covarianceOf(finalErrors(noise, 2000));
     const double expected = std::sqrt(0.03 * 0.03 * 3 + 0.01 * 0.01 * 8);
     EXPECT_NEAR(std::sqrt(covariance(0, 0)), expected, 0.06 * expected);
@@ -101,7 +103,7 @@ TEST(SimulatedOdometry, ReportedCovarianceDescribesTheErrors)
 
 TEST(SimulatedOdometry, ScaleErrorStretchesThePath)
 {
-  OdometryNoise noise;
+  OdometryNoise noise = kPerfect;
   noise.scale_error = 0.02;
   RandomStream random(1);
   const RobotPath straight({0, 0, 0}, {{10, 0.5, 0}});
@@ -110,7 +112,7 @@ TEST(SimulatedOdometry, ScaleErrorStretchesThePath)
 
 TEST(SimulatedOdometry, NoRateNoOdometry)
 {
-  OdometryNoise none;
+  OdometryNoise none = kPerfect;
   none.rate_hz = 0;
   RandomStream random(1);
   const SimulatedOdometry odometry(bend(), none, 8, random);

@@ -20,6 +20,7 @@ PathPlan triangle()
   path.kind = PathKind::waypoints;
   path.waypoints = {{0, 0}, {4, 0}, {4, 3}};
   path.speed = 0.5;
+  path.turn_rate = 1;
   return path;
 }
 }  // namespace

@@ -14,6 +14,7 @@ SimulatedSensor watcher()
   sensor.field_of_view = degToRad(60);
   sensor.horizontal_range = true;
   sensor.fix_distance = 0.5;
+  sensor.std_bearing = 0;
   return sensor;
 }
 
@@ -21,8 +22,7 @@ std::vector<RunningFixReading> fixesAlong(const RobotPath& path, const Simulated
                                           const std::vector<SceneFeature>& features)
 {
   RandomStream random(1);
-  OdometryNoise noise;
-  noise.std_xy_per_m = 0.01;
+  const OdometryNoise noise{.std_xy_per_m = 0.01, .std_phi_deg_per_deg = 0, .std_phi_deg_per_m = 0};
   const SimulatedOdometry odometry(path, noise, path.duration(), random);
   RunningFixSimulator simulator(sensor, path, odometry, RandomStream(2));
   std::vector<RunningFixReading> fixes;

@@ -40,6 +40,7 @@ std::vector<Detection> manyDetections(const SimulatedSensor& sensor, const std::
 SimulatedSensor rangeBearing()
 {
   SimulatedSensor sensor;
+  sensor.std_bearing = 0;
   sensor.label = "camera";
   sensor.kind = SensorKind::range_bearing;
   sensor.height = 1;

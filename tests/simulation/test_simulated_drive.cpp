@@ -19,7 +19,9 @@ Scenario smallWorld()
   scenario.path.kind = PathKind::circle;
   scenario.path.centre = {5, 5};
   scenario.path.radius = 2;
+  scenario.odometry = {.std_xy_per_m = 0, .std_phi_deg_per_deg = 0, .std_phi_deg_per_m = 0};
   SimulatedSensor camera;
+  camera.std_bearing = 0;
   camera.label = "omni";
   camera.rate_hz = 4;
   camera.phase_s = 0.03;

@@ -1,9 +1,9 @@
 #include "mrpt_ext/configuration/bias_config.h"
 
-#include <array>
-
 #include "mrpt_ext/filter/kalman/kalman_state.h"
+#include "mrpt_ext/geometry/bias_units.h"
 #include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/settings/key_section.h"
 
 namespace mrpt_ext
 {
@@ -13,63 +13,57 @@ const std::string kCommon = "Bias";
 constexpr std::size_t kMaxBiases = kMaxKalmanStates - 3;
 const std::string kSensorPrefix = "Sensor_";
 
-/// How one kind of error is spelt: range_offset_std_m, range_offset_mean_m, range_offset_std_per_sqrt_s_m.
-struct BiasName
+// The keys of one kind of error: range_offset_std_m, range_offset_mean_m, range_offset_std_per_sqrt_s_m.
+
+std::string nameOf(const BiasUnit& bias)
 {
-  BiasKind kind;
-  std::string name, unit, suffix;
-  std::string what;
-};
+  return (belongsToOdometry(bias.kind) ? "odometry_" : "") + std::string(bias.name);
+}
 
-const std::array<BiasName, 5> kNames{{
-    {BiasKind::range_offset, "range_offset", "m", "_m", "measured minus true range"},
-    {BiasKind::range_scale, "range_scale", "", "", "share by which measured ranges are too long"},
-    {BiasKind::bearing_offset, "bearing_offset", "deg", "_deg", "measured minus true bearing"},
-    {BiasKind::distance_scale, "odometry_distance_scale", "", "",
-     "share by which the true way is longer than odometry tells"},
-    {BiasKind::rotation_scale, "odometry_rotation_scale", "", "",
-     "share by which true turns are larger than odometry tells"},
-}};
+std::string meanKey(const BiasUnit& bias) { return nameOf(bias) + "_mean" + bias.suffix; }
+std::string stdKey(const BiasUnit& bias) { return nameOf(bias) + "_std" + bias.suffix; }
+std::string driftKey(const BiasUnit& bias) { return nameOf(bias) + "_std_per_sqrt_s" + bias.suffix; }
 
-std::string meanKey(const BiasName& bias) { return bias.name + "_mean" + bias.suffix; }
-std::string stdKey(const BiasName& bias) { return bias.name + "_std" + bias.suffix; }
-std::string driftKey(const BiasName& bias) { return bias.name + "_std_per_sqrt_s" + bias.suffix; }
-
-std::vector<KeySpec> keysOf(const BiasName& bias, const std::string& section, const std::string& whose)
+std::string definitionOf(BiasKind kind)
 {
-  constexpr ValueRange kNotNegative{0, std::numeric_limits<double>::infinity()};
-  return {
-      {section,
-       stdKey(bias),
-       KeyType::number,
-       bias.unit,
-       "0",
-       kNotNegative,
-       {},
-       "Estimate this error beside the pose (0: do not): its standard deviation at the start. It is the " + bias.what +
-           ", " + whose + "."},
-      {section, meanKey(bias), KeyType::number, bias.unit, "0", {}, {}, "What it is taken for at the start."},
-      {section,
-       driftKey(bias),
-       KeyType::number,
-       bias.unit,
-       "0",
-       kNotNegative,
-       {},
-       "How far it may wander: standard deviation after one second, growing with the square root of time."},
-  };
+  switch (kind)
+  {
+    case BiasKind::range_offset:
+      return "measured minus true range";
+    case BiasKind::range_scale:
+      return "relative error of ranges: measured = (1 + scale) * true";
+    case BiasKind::bearing_offset:
+      return "measured minus true bearing";
+    case BiasKind::distance_scale:
+      return "relative error of the odometry distance: true = (1 + scale) * measured";
+    case BiasKind::rotation_scale:
+      return "relative error of the odometry's turns: true = (1 + scale) * measured";
+  }
+  return {};
+}
+
+/// `scope` is a sentence that says what the error acts on.
+KeyTable keysOf(const BiasUnit& bias, const std::string& section, const std::string& scope)
+{
+  const BiasState none;
+  return KeySection(section)
+      .number(stdKey(bias), bias.unit, none.std, ranges::kNotNegative,
+              "Prior standard deviation; above 0 it is estimated. It is the " + definitionOf(bias.kind) + ". " + scope)
+      .number(meanKey(bias), bias.unit, none.mean, ranges::kAny, "Prior mean.")
+      .number(driftKey(bias), bias.unit, none.std_per_sqrt_s, ranges::kNotNegative,
+              "Random-walk standard deviation after one second.");
 }
 
 void append(BiasModel& model, const Settings& settings, const std::string& section, const std::string& sensor)
 {
-  for (const BiasName& bias : kNames)
+  for (const BiasUnit& bias : kBiasUnits)
   {
     if (section != kCommon && belongsToOdometry(bias.kind)) continue;
-    // What a more general section says acts on this sensor already.
+    // What a more general section sets acts on this sensor already.
     const auto value = [&](const std::string& key)
     {
       if (!settings.isSet(section, key)) return 0.0;
-      return bias.unit == "deg" ? settings.radians(section, key) : settings.number(section, key);
+      return settings.number(section, key) / bias.factor;
     };
     const BiasState state{.kind = bias.kind,
                           .sensor = sensor,
@@ -84,24 +78,20 @@ void append(BiasModel& model, const Settings& settings, const std::string& secti
 KeyTable biasKeys()
 {
   KeyTable table;
-  for (const BiasName& bias : kNames)
-    table.append(keysOf(
-        bias, kCommon,
-        belongsToOdometry(bias.kind) ? "after odometry_scale and the like were applied" : "the same for all sensors"));
-  for (const BiasName& bias : kNames)
+  for (const BiasUnit& bias : kBiasUnits)
+    table.append(keysOf(bias, kCommon,
+                        belongsToOdometry(bias.kind) ? "What is left after odometry_scale and the like were applied."
+                                                     : "The same for all sensors."));
+  for (const BiasUnit& bias : kBiasUnits)
     if (!belongsToOdometry(bias.kind))
       table.append(
           keysOf(bias, kSensorPrefix + "<label>",
-                 "of this sensor and of its parts after a dot together, on top of what more general sections say"));
+                 "Of this sensor and of those whose label continues this one after a dot, on top of [Bias] and "
+                 "of more general sections."));
   return table;
 }
 
-std::string biasMeanKey(BiasKind kind)
-{
-  for (const BiasName& bias : kNames)
-    if (bias.kind == kind) return meanKey(bias);
-  return {};
-}
+std::string biasMeanKey(BiasKind kind) { return meanKey(unitOf(kind)); }
 
 BiasModel biasModel(const Settings& settings)
 {
@@ -111,7 +101,7 @@ BiasModel biasModel(const Settings& settings)
     append(model, settings, section, section.substr(kSensorPrefix.size()));
   if (model.size() > kMaxBiases)
     throw configurationError(settings.file().string() + ": " + std::to_string(model.size()) +
-                             " systematic errors are asked for in [Bias] and [Sensor_<label>], expected at most " +
+                             " systematic errors in [Bias] and [Sensor_<label>], expected at most " +
                              std::to_string(kMaxBiases));
   return model;
 }

@@ -8,15 +8,15 @@
 
 namespace mrpt_ext
 {
-/// Keys of the systematic errors that are estimated beside the pose: [Bias] for odometry and for what all sensors
-/// share, [Sensor_<label>] for what one sensor has of its own on top of that.
+/// Keys of the systematic errors that are estimated beside the pose: [Bias] for odometry and for errors that all
+/// sensors share, [Sensor_<label>] for those of one sensor, on top of them.
 [[nodiscard]] KeyTable biasKeys();
 
-/// Key of what an error of this kind is taken for at the start.
+/// Key of the prior mean of an error of this kind.
 [[nodiscard]] std::string biasMeanKey(BiasKind kind);
 
-/// The errors that the settings ask for: those of [Bias] first, then those of the sensors in the order of the file.
-/// What is known beforehand belongs into bias_range_m, odometry_scale and their like, which is taken off the
-/// measurements; the errors here are what is left. Throws InputError (configuration) for more than the filters hold.
+/// The errors that the settings name: those of [Bias] first, then those of the sensors in the order of the file.
+/// Known errors belong into bias_range_m, odometry_scale and their like, which correct the measurements; the errors
+/// here are what is left. Throws InputError (configuration) for more than the filters hold.
 [[nodiscard]] BiasModel biasModel(const Settings& settings);
 }  // namespace mrpt_ext

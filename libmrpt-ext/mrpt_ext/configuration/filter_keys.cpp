@@ -1,138 +1,67 @@
 #include "mrpt_ext/configuration/filter_keys.h"
 
+#include "mrpt_ext/configuration/localization_choices.h"
+#include "mrpt_ext/settings/key_section.h"
+
 namespace mrpt_ext
 {
-namespace
-{
-constexpr ValueRange kPositive{1e-9, std::numeric_limits<double>::infinity()};
-constexpr ValueRange kShare{0, 1};
-constexpr ValueRange kCount{1, 1e8};
-}  // namespace
-
 KeyTable filterKeys()
 {
-  const std::string s = "ParticleFilter";
-  using T = KeyType;
-  return {{
-      {s,
-       "mode_cell_m",
-       T::number,
-       "m",
-       "0.25",
-       kPositive,
-       {},
-       "Peaks of the posterior closer than about two cells are one mode."},
-      {s, "mode_cell_deg", T::number, "deg", "20", {0.1, 360}, {}, "The same for the heading."},
-      {s, "learn_reliability", T::flag, "", "true", {}, {}, "Learn which landmarks give false readings."},
-      {s,
-       "reliability_prior",
-       T::number,
-       "",
-       "30",
-       kPositive,
-       {},
-       "The sensor's clutter probability counts as much as this many detections of a landmark."},
-      {s,
-       "reseed_inlier_ratio",
-       T::number,
-       "",
-       "0.5",
-       kShare,
-       {},
-       "When the share of recent detections that the pose explains falls below this, seeds are injected."},
-      {s, "lost_share", T::number, "", "0.3", kShare, {}, "Below this the verdict is `lost`."},
-      {s,
-       "injected_particle_share",
-       T::number,
-       "",
-       "0.25",
-       kShare,
-       {},
-       "Injected particles per frame, of particles_count."},
-      {s,
-       "relocalization_prior",
-       T::number,
-       "",
-       "0.02",
-       {1e-9, 1},
-       {},
-       "Probability per injection that the robot is somewhere else altogether."},
-      {s,
-       "mode_kalman_filters",
-       T::flag,
-       "",
-       "true",
-       {},
-       {},
-       "While several places are possible, one Kalman filter per place divides the weight between them; the particles "
-       "keep the shape of each."},
-      {s,
-       "kalman_proposal_below_ess",
-       T::integer,
-       "",
-       "400",
-       {0, 1e9},
-       {},
-       "Fewer effective particles than this are drawn anew around the posterior of an iterated Kalman update, with "
-       "importance weights (at most 4000 particles held). 0: never."},
-      {s, "ok_min_weight", T::number, "", "0.9", kShare, {}, "Least weight of the best mode for verdict `ok`."},
-      {s,
-       "ok_max_std_m",
-       T::number,
-       "m",
-       "",
-       kPositive,
-       {},
-       "Largest standard deviation of the position for `ok`; default: converged_within_m."},
-      {s,
-       "ok_max_std_deg",
-       T::number,
-       "deg",
-       "",
-       kPositive,
-       {},
-       "Largest standard deviation of the heading for `ok`; default: converged_within_deg."},
-  }};
+  const ParticleFilterOptions filter;
+  return KeySection("ParticleFilter")
+      .number("mode_cell_m", "m", filter.modes.cell_xy, ranges::kPositive,
+              "Peaks of the posterior closer than about two cells are one mode.")
+      .degrees("mode_cell_deg", "deg", filter.modes.cell_phi, {0.1, 360}, "The same for the heading.")
+      .flag("learn_reliability", filter.learn_reliability, "Learn the outlier rate of every landmark.")
+      .number("reliability_prior", "", filter.reliability_prior_strength, ranges::kPositive,
+              "Weight of clutter_probability, in detections of a landmark. Its learned outlier rate starts from there.")
+      .number("reseed_inlier_ratio", "", filter.recovery.reseed_inlier_ratio, ranges::kShare,
+              "Inlier ratio below which hypotheses are injected. Of recent detections, relative to the expected ratio.")
+      .number("lost_inlier_ratio", "", filter.recovery.lost_share, ranges::kShare,
+              "Inlier ratio below which the verdict is `lost`.")
+      .number("injected_particle_share", "", filter.recovery.injected_particle_share, ranges::kShare,
+              "Injected particles per frame, relative to particles_count.")
+      .number("relocalization_prior", "", filter.recovery.relocalization_prior, {1e-9, 1},
+              "Prior probability of a jump, per injection. That is: the robot is at a pose that no particle has.")
+      .flag("mode_kalman_filters", filter.companions,
+            "Weight the modes by Kalman filters. While several modes are possible, one Kalman filter per mode decides "
+            "their weights; the particles keep the shape of each mode.")
+      .integer("kalman_proposal_below_ess", "", filter.redraw_below, {0, 1e9},
+               "Effective particles below which a Kalman proposal is used. Particles are drawn around the posterior of "
+               "an iterated Kalman update and weighted by importance (up to 4000 particles). 0: never.")
+      .number("ok_min_weight", "", filter.verdict.min_best_weight, ranges::kShare,
+              "Minimum weight of the best mode for the verdict `ok`.")
+      .number("ok_max_std_m", "m", kUnset, ranges::kPositive,
+              "Maximum standard deviation of the position for `ok`. Default: converged_within_m.")
+      .degrees("ok_max_std_deg", "deg", kUnset, ranges::kPositive,
+               "Maximum standard deviation of the heading for `ok`. Default: converged_within_deg.");
 }
 
 KeyTable mrptKeys()
 {
-  using T = KeyType;
-  return {{
-      {"PF_options",
-       "PF_algorithm",
-       T::choice,
-       "",
-       "pfStandardProposal",
-       {},
-       {{"pfStandardProposal", 0}, {"pfAuxiliaryPFStandard", 1}, {"pfAuxiliaryPFOptimal", 3}},
-       "Proposal of the mrpt engine; that of the batch engine is chosen by kalman_proposal_below_ess."},
-      {"PF_options",
-       "resamplingMethod",
-       T::choice,
-       "",
-       "prSystematic",
-       {},
-       {{"prMultinomial", 0}, {"prResidual", 1}, {"prStratified", 2}, {"prSystematic", 3}},
-       "How particles are drawFromKalmanProposal."},
-      {"PF_options", "adaptiveSampleSize", T::flag, "", "false", {}, {}, "KLD sample size, see [KLD_options]."},
-      {"PF_options", "BETA", T::number, "", "0.5", kShare, {}, "Effective sample ratio below which is resampled."},
-      {"PF_options", "sampleSize", T::integer, "", "2000", kCount, {}, "Number of particles; see particles_count."},
-      {"KLD_options", "KLD_binSize_XY", T::number, "m", "0.2", kPositive, {}, "Size of a bin."},
-      {"KLD_options", "KLD_binSize_PHI_deg", T::number, "deg", "10", {0.1, 360}, {}, "Size of a bin."},
-      {"KLD_options", "KLD_delta", T::number, "", "0.01", {1e-6, 0.5}, {}, "Probability of exceeding KLD_epsilon."},
-      {"KLD_options", "KLD_epsilon", T::number, "", "0.02", kPositive, {}, "Allowed Kullback-Leibler distance."},
-      {"KLD_options", "KLD_minSampleSize", T::integer, "", "250", kCount, {}, "Least number of particles."},
-      {"KLD_options", "KLD_maxSampleSize", T::integer, "", "100000", kCount, {}, "Largest number of particles."},
-      {"MetricMap", "landmarkMap2D_count", T::integer, "", "1", {1, 1}, {}, "Number of landmark maps: one."},
-      {"MetricMap_landmarkMap2D_00_creationOpts",
-       "landmarks_file",
-       T::path,
-       "",
-       "",
-       {},
-       {},
-       "Map as CSV id,x,y,z,category[,std_x,std_y]; --map wins over it."},
-  }};
+  const ParticleFilterOptions filter;
+  const KldOptions& kld = filter.kld;
+  KeyTable table =
+      KeySection("PF_options")
+          .choice("PF_algorithm", LocalizationConfig{}.mrpt_algorithm, mrptAlgorithms(),
+                  "Proposal distribution of the mrpt engine. That of the batch engine is chosen by "
+                  "kalman_proposal_below_ess.")
+          .choice("resamplingMethod", filter.resampling, resamplingMethods(), "Resampling algorithm.")
+          .flag("adaptiveSampleSize", filter.adaptive_size, "KLD sampling, see [KLD_options].")
+          .number("BETA", "", filter.resample_below, ranges::kShare,
+                  "Effective sample ratio below which particles are resampled.")
+          .integer("sampleSize", "", filter.particles, ranges::kCount, "Number of particles. See particles_count.");
+  table.append(KeySection("KLD_options")
+                   .number("KLD_binSize_XY", "m", kld.bin_xy, ranges::kPositive, "Size of a bin.")
+                   .degrees("KLD_binSize_PHI_deg", "deg", kld.bin_phi, {0.1, 360}, "Size of a bin.")
+                   .number("KLD_delta", "", kld.delta, {1e-6, 0.5}, "Probability of exceeding KLD_epsilon.")
+                   .number("KLD_epsilon", "", kld.epsilon, ranges::kPositive, "Maximum Kullback-Leibler distance.")
+                   .integer("KLD_minSampleSize", "", kld.min_size, ranges::kCount, "Minimum number of particles.")
+                   .integer("KLD_maxSampleSize", "", kld.max_size, ranges::kCount, "Maximum number of particles."));
+  table.append(KeySection("MetricMap")
+                   .integer("landmarkMap2D_count", "", kLandmarkMaps, {1, 1}, "Number of landmark maps: one."));
+  return table.append(KeySection("MetricMap_landmarkMap2D_00_creationOpts")
+                          .path("landmarks_file", "Map: CSV id,x,y,z,category[,std_x,std_y]. --map replaces it.")
+                          .forBeginners());
 }
 }  // namespace mrpt_ext

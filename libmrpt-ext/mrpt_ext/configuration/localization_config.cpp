@@ -1,9 +1,10 @@
 #include "mrpt_ext/configuration/localization_config.h"
-#include "mrpt_ext/configuration/sensor_sections.h"
 
 #include <algorithm>
 
 #include "mrpt_ext/configuration/bias_config.h"
+#include "mrpt_ext/configuration/localization_choices.h"
+#include "mrpt_ext/configuration/sensor_sections.h"
 #include "mrpt_ext/geometry/input_error.h"
 
 namespace mrpt_ext
@@ -16,15 +17,12 @@ const std::string kFilter = "ParticleFilter";
 
 MotionModel motionModel(const Settings& settings)
 {
-  const std::string type = settings.choice(kMotion, "type");
-  return {.type = type == "velocity"      ? MotionType::velocity
-                  : type == "random_walk" ? MotionType::random_walk
-                                          : MotionType::odometry,
+  return {.type = settings.choice(kMotion, "type", motionTypes()),
           .std_xy_per_m = settings.number(kMotion, "std_xy_per_m"),
           .std_phi_per_deg = settings.number(kMotion, "std_phi_deg_per_deg"),
           .std_phi_per_m = settings.radians(kMotion, "std_phi_deg_per_m"),
-          .std_xy_per_s = settings.number(kMotion, "std_xy_min"),
-          .std_phi_per_s = settings.radians(kMotion, "std_phi_min_deg")};
+          .std_xy_per_s = settings.number(kMotion, "std_xy_per_sqrt_s"),
+          .std_phi_per_s = settings.radians(kMotion, "std_phi_deg_per_sqrt_s")};
 }
 
 PoseRegion poseRegion(const Settings& settings, const LandmarkTable& map)
@@ -65,15 +63,6 @@ KldOptions kldOptions(const Settings& settings)
           .max_size = static_cast<std::size_t>(settings.integer(s, "KLD_maxSampleSize"))};
 }
 
-ResamplingMethod resamplingMethod(const Settings& settings)
-{
-  const std::string name = settings.choice("PF_options", "resamplingMethod");
-  return name == "prMultinomial"  ? ResamplingMethod::multinomial
-         : name == "prResidual"   ? ResamplingMethod::residual
-         : name == "prStratified" ? ResamplingMethod::stratified
-                                  : ResamplingMethod::systematic;
-}
-
 GaussianPose knownStart(const Settings& settings)
 {
   GaussianPose start;
@@ -93,20 +82,17 @@ ParticleFilterOptions filterOptions(const Settings& settings, const LandmarkTabl
                                                        : settings.integer("PF_options", "sampleSize"));
   options.initial_particles = static_cast<std::size_t>(settings.integer(kExperiment, "initial_particles_count"));
   options.region = poseRegion(settings, map);
-  const std::string mode = settings.choice(kExperiment, "init_PDF_mode");
-  options.initial_mode = mode == "uniform"    ? InitialMode::uniform
-                         : mode == "gaussian" ? InitialMode::gaussian
-                                              : InitialMode::analytic;
+  options.initial_mode = settings.choice(kExperiment, "init_PDF_mode", initialModes());
   options.initial_pose = knownStart(settings);
   options.motion = motionModel(settings);
-  options.resampling = resamplingMethod(settings);
+  options.resampling = settings.choice("PF_options", "resamplingMethod", resamplingMethods());
   options.resample_below = settings.number("PF_options", "BETA");
   options.adaptive_size = settings.flag("PF_options", "adaptiveSampleSize");
   options.kld = kldOptions(settings);
   options.modes = {.cell_xy = settings.number(kFilter, "mode_cell_m"),
                    .cell_phi = settings.radians(kFilter, "mode_cell_deg")};
   options.recovery.reseed_inlier_ratio = settings.number(kFilter, "reseed_inlier_ratio");
-  options.recovery.lost_share = settings.number(kFilter, "lost_share");
+  options.recovery.lost_share = settings.number(kFilter, "lost_inlier_ratio");
   options.recovery.injected_particle_share = settings.number(kFilter, "injected_particle_share");
   options.recovery.relocalization_prior = settings.number(kFilter, "relocalization_prior");
   options.verdict = {
@@ -123,11 +109,7 @@ ParticleFilterOptions filterOptions(const Settings& settings, const LandmarkTabl
 RunningFixOptions runningFixOptions(const Settings& settings, const ParticleFilterOptions& filter)
 {
   RunningFixOptions options;
-  const std::string source = settings.choice(kExperiment, "heading_source");
-  options.heading_source = source == "compass"  ? HeadingSource::compass
-                           : source == "filter" ? HeadingSource::filter
-                           : source == "none"   ? HeadingSource::none
-                                                : HeadingSource::bearing;
+  options.heading_source = settings.choice(kExperiment, "heading_source", headingSources());
   if (filter.initial_mode == InitialMode::gaussian)
     options.start_heading = HeadingPrior{filter.initial_pose.mean.phi, std::sqrt(filter.initial_pose.covariance(2, 2))};
   options.region = filter.region;
@@ -136,21 +118,11 @@ RunningFixOptions runningFixOptions(const Settings& settings, const ParticleFilt
 }
 }  // namespace
 
-std::vector<std::string> words(const std::string& text)
-{
-  std::vector<std::string> result(1);
-  for (const char c : text)
-    if (c == ' ' || c == ',' || c == '\t')
-      result.emplace_back();
-    else
-      result.back() += c;
-  std::erase(result, "");
-  return result;
-}
-
 LocalizationConfig localizationConfig(const Settings& settings, const LandmarkTable& map)
 {
   LocalizationConfig config;
+  config.seed = static_cast<std::uint64_t>(settings.integer(kExperiment, "random_seed"));
+  config.repetitions = static_cast<int>(settings.integer(kExperiment, "experimentRepetitions"));
   config.limits = {.within_m = settings.number(kExperiment, "converged_within_m"),
                    .within_deg = settings.number(kExperiment, "converged_within_deg"),
                    .max_convergence_s = settings.number(kExperiment, "max_convergence_s")};
@@ -158,13 +130,11 @@ LocalizationConfig localizationConfig(const Settings& settings, const LandmarkTa
   config.filter = filterOptions(settings, map, config.limits);
   config.filter.biases = config.biases;
   config.running_fix = runningFixOptions(settings, config.filter);
-  config.engine = settings.choice(kExperiment, "filter_engine") == "mrpt" ? FilterEngine::mrpt : FilterEngine::batch;
-  const std::string algorithm = settings.choice("PF_options", "PF_algorithm");
-  config.mrpt_algorithm = algorithm == "pfAuxiliaryPFStandard" ? 1 : algorithm == "pfAuxiliaryPFOptimal" ? 3 : 0;
+  config.engine = settings.choice(kExperiment, "filter_engine", filterEngines());
+  config.mrpt_algorithm = settings.choice("PF_options", "PF_algorithm", mrptAlgorithms());
   if (config.engine == FilterEngine::batch && config.mrpt_algorithm != 0)
     throw settings.errorAt("PF_options", "PF_algorithm",
-                           "needs filter_engine = mrpt, the batch engine has "
-                           "pfStandardProposal only");
+                           "needs filter_engine = mrpt, the batch engine has pfStandardProposal only");
   config.frames = {.window = settings.number(kExperiment, "frame_window_s"),
                    .independent = settings.flag(kExperiment, "independent_frames"),
                    .odometry = {.scale = settings.number(kMotion, "odometry_scale"),
@@ -172,12 +142,11 @@ LocalizationConfig localizationConfig(const Settings& settings, const LandmarkTa
                                 .turn_per_m = settings.radians(kMotion, "odometry_turn_per_m_deg"),
                                 .delay = settings.number(kMotion, "odometry_delay_s")},
                    .sensors = sensorConfigs(settings)};
-  if (settings.hasValue(kExperiment, "objects"))
-    for (const std::string& category : words(settings.text(kExperiment, "objects")))
-      config.frames.object_categories.insert(category);
+  for (const std::string& category : settings.words(kExperiment, "objects"))
+    config.frames.object_categories.insert(category);
   config.join_window = settings.number(kExperiment, "join_window_s");
   config.seed_window = settings.number(kExperiment, "seed_window_s");
-  config.methods = words(settings.text(kExperiment, "methods"));
+  config.methods = settings.words(kExperiment, "methods");
   std::erase(config.methods, "all");
   config.final_scene = settings.flag(kExperiment, "save_final_scene");
   config.scene_every = static_cast<std::size_t>(settings.integer(kExperiment, "save_scene_every"));

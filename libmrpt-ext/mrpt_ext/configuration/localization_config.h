@@ -19,9 +19,16 @@ enum class FilterEngine
   mrpt    ///< MRPT's CMonteCarloLocalization2D, the reference
 };
 
+inline constexpr double kRegionMargin = 3;             ///< [m] around the landmarks: where the robot may be
+inline constexpr double kStartStdXy = 0.1;             ///< [m] of a known start
+inline constexpr double kStartStdPhi = degToRad(5.0);  ///< [rad]
+inline constexpr std::uint64_t kLandmarkMaps = 1;      ///< that a configuration declares for MRPT
+
 /// What landmark-localization does, independent of where it was configured.
 struct LocalizationConfig
 {
+  std::uint64_t seed = 1;
+  int repetitions = 1;
   BiasModel biases;  ///< systematic errors that the filters estimate beside the pose
   ParticleFilterOptions filter;
   FilterEngine engine = FilterEngine::batch;
@@ -30,16 +37,13 @@ struct LocalizationConfig
   FrameOptions frames;
   double join_window = 0;            ///< [s]
   double seed_window = 3;            ///< [s]
-  std::vector<std::string> methods;  ///< empty: all that the log gives measurements for
+  std::vector<std::string> methods;  ///< empty: all that the log has measurements for
   ConvergenceLimits limits;
   bool final_scene = false;
-  std::size_t scene_every = 0;  ///< a scene of every so many frames; 0: none
+  std::size_t scene_every = 0;  ///< a scene of every N-th frame; 0: none
 };
 
 /// Reads the configuration; the map is needed for the default box of possible positions. Throws InputError
 /// (configuration) for values that contradict each other.
 [[nodiscard]] LocalizationConfig localizationConfig(const Settings& settings, const LandmarkTable& map);
-
-/// Words separated by blanks or commas.
-[[nodiscard]] std::vector<std::string> words(const std::string& text);
 }  // namespace mrpt_ext

@@ -2,315 +2,175 @@
 
 #include "mrpt_ext/configuration/bias_config.h"
 #include "mrpt_ext/configuration/filter_keys.h"
+#include "mrpt_ext/configuration/localization_choices.h"
+#include "mrpt_ext/settings/key_section.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr ValueRange kPositive{1e-9, std::numeric_limits<double>::infinity()};
-constexpr ValueRange kNotNegative{0, std::numeric_limits<double>::infinity()};
-constexpr ValueRange kShare{0, 1};
-constexpr ValueRange kTurn{0.001, 360};
-constexpr ValueRange kCount{1, 1e8};
-
-KeyTable experimentKeys()
+KeyTable fileKeys()
 {
-  const std::string s = "LocalizationExperiment";
-  using T = KeyType;
-  return {{
-      {s, "rawlog_file", T::path, "", "", {}, {}, "Rawlog to run over; the RAWLOG argument wins over it."},
-      {s, "ground_truth_path_file", T::path, "", "", {}, {}, "True trajectory in the map frame, only used to judge."},
-      {s,
-       "ground_truth_format",
-       T::choice,
-       "",
-       "tum",
-       {},
-       {{"tum", {}}, {"mrpt-index", {}}},
-       "Form of the truth file: TUM (timestamp tx ty tz qx qy qz qw), or MRPT's `step x y phi` by action number; "
-       "a file named *.tum is read as TUM in either case."},
-      {s,
-       "ground_truth_origin",
-       T::numbers,
-       "m m deg",
-       "0 0 0",
-       {},
-       {},
-       "x y phi_deg: pose of the truth's own frame in the map, for mrpt-index."},
-      {s, "logOutput_dir", T::path, "", "", {}, {}, "Folder for the results; -o wins over it."},
-      {s, "experimentRepetitions", T::integer, "", "1", kCount, {}, "Independent trials; --repeat and --trials win."},
-      {s, "random_seed", T::integer, "", "1", kNotNegative, {}, "Same seed, same results; --seed wins over it."},
-      {s,
-       "particles_count",
-       T::integer,
-       "",
-       "",
-       kCount,
-       {},
-       "Number of particles; wins over [PF_options] sampleSize. Neither given: 2000."},
-      {s,
-       "initial_particles_count",
-       T::integer,
-       "",
-       "20000",
-       kCount,
-       {},
-       "Number of particles drawn for the first frame of a lost robot; they are thinned to particles_count with it."},
-      {s,
-       "init_PDF_mode",
-       T::choice,
-       "",
-       "analytic",
-       {},
-       {{"analytic", {}}, {"uniform", 1}, {"gaussian", {}}},
-       "Where the first particles come from: closed forms over the first frame plus a uniform share, uniform over the "
-       "init_PDF box, or a known start with deviations."},
-      {s, "init_PDF_min_x", T::number, "m", "", {}, {}, "Box of possible positions; default: the map with a margin."},
-      {s, "init_PDF_max_x", T::number, "m", "", {}, {}, "See init_PDF_min_x."},
-      {s, "init_PDF_min_y", T::number, "m", "", {}, {}, "See init_PDF_min_x."},
-      {s, "init_PDF_max_y", T::number, "m", "", {}, {}, "See init_PDF_min_x."},
-      {s,
-       "init_PDF_margin_m",
-       T::number,
-       "m",
-       "3",
-       kNotNegative,
-       {},
-       "Margin around the landmarks where the box is not given."},
-      {s, "init_PDF_mean_x", T::number, "m", "0", {}, {}, "Known start for init_PDF_mode = gaussian."},
-      {s, "init_PDF_mean_y", T::number, "m", "0", {}, {}, "See init_PDF_mean_x."},
-      {s, "init_PDF_mean_phi_deg", T::number, "deg", "0", {}, {}, "See init_PDF_mean_x."},
-      {s, "init_PDF_std_xy", T::number, "m", "0.1", kPositive, {}, "Standard deviation of the known start, per axis."},
-      {s, "init_PDF_std_phi_deg", T::number, "deg", "5", kPositive, {}, "Standard deviation of its heading."},
-      {s,
-       "filter_engine",
-       T::choice,
-       "",
-       "batch",
-       {},
-       {{"batch", {}}, {"mrpt", {}}},
-       "Our particle filter, or MRPT's CMonteCarloLocalization2D over the same map as the reference (which starts "
-       "uniformly instead of analytically, does not recover and uses no compass)."},
-      {s,
-       "methods",
-       T::text,
-       "",
-       "all",
-       {},
-       {},
-       "Methods to run, separated by blanks or commas, or `all`: those that the log gives measurements for."},
-      {s, "frame_window_s", T::number, "s", "0.05", kNotNegative, {}, "Detections this close in time form one frame."},
-      {s,
-       "join_window_s",
-       T::number,
-       "s",
-       "0",
-       kNotNegative,
-       {},
-       "Above 0: closed forms also see the readings of this many seconds joined by odometry, as rows of their own."},
-      {s,
-       "seed_window_s",
-       T::number,
-       "s",
-       "3",
-       kNotNegative,
-       {},
-       "How far back readings are joined by odometry when the filter needs hypotheses; without names it starts after "
-       "that time, or when one place is left."},
-      {s,
-       "independent_frames",
-       T::flag,
-       "",
-       "false",
-       {},
-       {},
-       "Every frame starts lost: no motion in between, no filter, closed forms only."},
-      {s,
-       "heading_source",
-       T::choice,
-       "",
-       "bearing",
-       {},
-       {{"bearing", {}}, {"compass", {}}, {"filter", {}}, {"none", {}}},
-       "Where running_fix takes its heading from; with `filter` its row depends on the filter."},
-      {s,
-       "objects",
-       T::text,
-       "",
-       "",
-       {},
-       {},
-       "Categories of seen things that are not landmarks, separated by blanks; written to objects.csv."},
-      {s, "converged_within_m", T::number, "m", "0.5", kPositive, {}, "Position error that counts as localized."},
-      {s, "converged_within_deg", T::number, "deg", "15", kPositive, {}, "Heading error that counts as localized."},
-      {s, "max_convergence_s", T::number, "s", "60", kPositive, {}, "A trial that takes longer is not a success."},
-      {s,
-       "save_final_scene",
-       T::flag,
-       "",
-       "false",
-       {},
-       {},
-       "Write final.3Dscene: map, particles and modes at the end."},
-      {s,
-       "save_scene_every",
-       T::integer,
-       "",
-       "0",
-       kNotNegative,
-       {},
-       "Write scenes/NNNNNN.3Dscene of every so many frames, for SceneViewer3D; 0 writes none."},
-  }};
+  const LocalizationConfig config;
+  return KeySection("LocalizationExperiment")
+      .path("rawlog_file", "Log to process. The argument RAWLOG replaces it.")
+      .forBeginners()
+      .path("ground_truth_path_file", "True trajectory in the map frame. It is only used to compute errors.")
+      .forBeginners()
+      .choice("ground_truth_format", "tum", truthFormats(),
+              "Format of the ground truth. A file named *.tum is always read as tum.")
+      .numbers("ground_truth_origin", "m m deg", {0, 0, 0}, ranges::kAny,
+               "x y phi_deg: pose of the ground truth's frame in the map. Only for mrpt-index.")
+      .path("logOutput_dir", "Folder for the results. -o replaces it; without either: out/<name of the .ini>.")
+      .integer("experimentRepetitions", "", config.repetitions, ranges::kCount,
+               "Number of independent trials. --repeat and --trials replace it.")
+      .integer("random_seed", "", config.seed, ranges::kNotNegative,
+               "Seed of all random numbers: same seed, same results. --seed replaces it.");
+}
+
+KeyTable startKeys()
+{
+  const ParticleFilterOptions filter;
+  return KeySection("LocalizationExperiment")
+      .integer("particles_count", "", kUnset, ranges::kCount,
+               "Number of particles. It wins over [PF_options] sampleSize; without either: 2000.")
+      .forBeginners()
+      .integer("initial_particles_count", "", filter.initial_particles, ranges::kCount,
+               "Number of particles for global initialization. Reduced to particles_count afterwards.")
+      .choice("init_PDF_mode", filter.initial_mode, initialModes(), "Distribution of the first particles.")
+      .forBeginners()
+      .number("init_PDF_min_x", "m", kUnset, ranges::kAny, "Box of possible positions. Default: the map with a margin.")
+      .number("init_PDF_max_x", "m", kUnset, ranges::kAny, "See init_PDF_min_x.")
+      .number("init_PDF_min_y", "m", kUnset, ranges::kAny, "See init_PDF_min_x.")
+      .number("init_PDF_max_y", "m", kUnset, ranges::kAny, "See init_PDF_min_x.")
+      .number("init_PDF_margin_m", "m", kRegionMargin, ranges::kNotNegative,
+              "Margin around the landmarks where no box is given.")
+      .number("init_PDF_mean_x", "m", filter.initial_pose.mean.x, ranges::kAny, "Known start, for gaussian.")
+      .number("init_PDF_mean_y", "m", filter.initial_pose.mean.y, ranges::kAny, "See init_PDF_mean_x.")
+      .degrees("init_PDF_mean_phi_deg", "deg", filter.initial_pose.mean.phi, ranges::kAny, "See init_PDF_mean_x.")
+      .number("init_PDF_std_xy", "m", kStartStdXy, ranges::kPositive,
+              "Standard deviation of the known start, per axis.")
+      .degrees("init_PDF_std_phi_deg", "deg", kStartStdPhi, ranges::kPositive,
+               "Standard deviation of the known heading.");
+}
+
+KeyTable methodKeys()
+{
+  const LocalizationConfig config;
+  return KeySection("LocalizationExperiment")
+      .choice(
+          "filter_engine", config.engine, filterEngines(),
+          "Implementation of the particle filter. MRPT's starts uniformly instead of analytically, does not recover "
+          "and ignores a compass.")
+      .names("methods", "all", methodNames(), "Methods to run, separated by blanks or commas.")
+      .number("frame_window_s", "s", config.frames.window, ranges::kNotNegative,
+              "Detections within this time form one frame.")
+      .number(
+          "join_window_s", "s", config.join_window, ranges::kNotNegative,
+          "Window of past detections for closed forms. Above 0 each of them runs a second time, as <method>_joined, "
+          "on the detections of this many seconds, moved by odometry.")
+      .number(
+          "seed_window_s", "s", config.seed_window, ranges::kNotNegative,
+          "Window of past detections for hypotheses. With anonymous detections the filter starts after this time, or "
+          "as soon as a single hypothesis is left.")
+      .flag("independent_frames", config.frames.independent,
+            "Localize every frame on its own. No motion in between, no filter, closed forms only.")
+      .choice("heading_source", config.running_fix.heading_source, headingSources(), "Heading for running_fix.")
+      .text("objects", "", "",
+            "Categories of detections that are no landmarks. Separated by blanks; their positions are written to "
+            "objects.csv.")
+      .number("converged_within_m", "m", config.limits.within_m, ranges::kPositive,
+              "Position error below which the robot counts as localized.")
+      .number("converged_within_deg", "deg", config.limits.within_deg, ranges::kPositive,
+              "Heading error below which the robot counts as localized.")
+      .number("max_convergence_s", "s", config.limits.max_convergence_s, ranges::kPositive,
+              "Longest time to converge of a successful trial.")
+      .flag("save_final_scene", config.final_scene, "Write final.3Dscene: map, particles and modes at the end.")
+      .integer("save_scene_every", "", config.scene_every, ranges::kNotNegative,
+               "Write scenes/NNNNNN.3Dscene of every N-th frame. For SceneViewer3D; 0 writes none.");
 }
 
 KeyTable motionKeys()
 {
-  const std::string s = "MotionModel";
-  using T = KeyType;
-  return {{
-      {s,
-       "type",
-       T::choice,
-       "",
-       "odometry",
-       {},
-       {{"odometry", {}}, {"velocity", {}}, {"random_walk", {}}},
-       "Measured displacement; commanded velocities (no noise across the path); or no odometry at all."},
-      {s,
-       "std_xy_per_m",
-       T::number,
-       "m",
-       "0.05",
-       kNotNegative,
-       {},
-       "Standard deviation of the position after one metre of way. Variances add up along the way."},
-      {s,
-       "std_phi_deg_per_deg",
-       T::number,
-       "deg",
-       "0.3",
-       kNotNegative,
-       {},
-       "Standard deviation of the heading after turning one degree; grows with the square root of the turn."},
-      {s,
-       "std_phi_deg_per_m",
-       T::number,
-       "deg",
-       "1",
-       kNotNegative,
-       {},
-       "Standard deviation of the heading after one metre of way."},
-      {s,
-       "std_xy_min",
-       T::number,
-       "m",
-       "0.005",
-       kNotNegative,
-       {},
-       "Standard deviation of the position after one second, also at standstill."},
-      {s,
-       "std_phi_min_deg",
-       T::number,
-       "deg",
-       "0.3",
-       kNotNegative,
-       {},
-       "Standard deviation of the heading after one second, also at standstill."},
-      {s,
-       "odometry_delay_s",
-       T::number,
-       "s",
-       "0",
-       {},
-       {},
-       "How long after its stamp an odometry record becomes true; it is added to the stamps."},
-      {s, "odometry_scale", T::number, "", "1", kPositive, {}, "Factor on the measured way (not on turns)."},
-      {s, "odometry_rotation_scale", T::number, "", "1", kPositive, {}, "Factor on the measured turns."},
-      {s,
-       "odometry_turn_per_m_deg",
-       T::number,
-       "deg",
-       "0",
-       {},
-       {},
-       "Turned per metre of way beyond what odometry tells, to the left: a robot that veers."},
-  }};
+  const MotionModel motion;
+  const OdometryCorrection odometry;
+  return KeySection("MotionModel")
+      .choice("type", motion.type, motionTypes(), "What odometry measures.")
+      .number("std_xy_per_m", "m", motion.std_xy_per_m, ranges::kNotNegative,
+              "Standard deviation of the position after one metre. Variances add up with the distance.")
+      .forBeginners()
+      .number("std_phi_deg_per_deg", "deg", motion.std_phi_per_deg, ranges::kNotNegative,
+              "Standard deviation of the heading after a turn of 1 deg. Variances add up with the turn.")
+      .degrees("std_phi_deg_per_m", "deg", motion.std_phi_per_m, ranges::kNotNegative,
+               "Standard deviation of the heading after one metre. Variances add up with the distance.")
+      .forBeginners()
+      .number("std_xy_per_sqrt_s", "m", motion.std_xy_per_s, ranges::kNotNegative,
+              "Standard deviation of the position after one second. Also at standstill; it grows with the square root "
+              "of time.")
+      .alias("std_xy_min")
+      .degrees("std_phi_deg_per_sqrt_s", "deg", motion.std_phi_per_s, ranges::kNotNegative,
+               "Standard deviation of the heading after one second. Also at standstill; it grows with the square root "
+               "of time.")
+      .alias("std_phi_min_deg")
+      .number("odometry_delay_s", "s", odometry.delay, ranges::kAny,
+              "Latency of the odometry, added to its time stamps.")
+      .number("odometry_scale", "", odometry.scale, ranges::kPositive,
+              "Factor on the measured distance (not on turns).")
+      .number("odometry_rotation_scale", "", odometry.rotation_scale, ranges::kPositive, "Factor on measured turns.")
+      .degrees("odometry_turn_per_m_deg", "deg", odometry.turn_per_m, ranges::kAny,
+               "Turn to the left per metre that odometry misses (veer).");
 }
 
 KeyTable sensorKeys()
 {
-  const std::string s = "Sensor_<label>";
-  using T = KeyType;
-  return {{
-      {s, "delay_s", T::number, "s", "0", {}, {}, "How old a reading is at its stamp; it is taken off the stamps."},
-      {s, "std_bearing_deg", T::number, "deg", "", kPositive, {}, "Replaces the logged standard deviation."},
-      {s, "std_range_m", T::number, "m", "", kPositive, {}, "Replaces the logged standard deviation."},
-      {s, "std_range_per_m", T::number, "", "0", kNotNegative, {}, "Adds this share of the range to it."},
-      {s, "std_heading_deg", T::number, "deg", "", kPositive, {}, "Standard deviation of a compass."},
-      {s, "bias_bearing_deg", T::number, "deg", "0", {}, {}, "Measured = scale * true + bias; taken off."},
-      {s,
-       "scale_bearing",
-       T::number,
-       "",
-       "1",
-       kPositive,
-       {},
-       "See bias_bearing_deg: a focal length that is not exact."},
-      {s, "bias_range_m", T::number, "m", "0", {}, {}, "Measured = scale * true + bias; taken off."},
-      {s, "scale_range", T::number, "", "1", kPositive, {}, "See bias_range_m."},
-      {s,
-       "landmark_bias_range_m",
-       T::text,
-       "m",
-       "",
-       {},
-       {},
-       "On top of bias_range_m, by landmark: id:bias pairs such as 1:0.12 4:-0.05. For radios, each of which has a "
-       "delay of its own; used where names are believed."},
-      {s,
-       "range_along_axis",
-       T::flag,
-       "",
-       "false",
-       {},
-       {},
-       "The logged range is the depth along the sensor's forward axis (a camera that measures how large a landmark "
-       "appears); it is divided by the cosine of the bearing. Ranges logged without a bearing stay as they are."},
-      {s, "field_of_view_deg", T::number, "deg", "", kTurn, {}, "Full angle; replaces the logged one."},
-      {s, "max_range_m", T::number, "m", "", kPositive, {}, "Range limit; replaces the logged one."},
-      {s,
-       "clutter_probability",
-       T::number,
-       "",
-       "0.05",
-       kShare,
-       {},
-       "Share of the detections that show no landmark of the map."},
-      {s,
-       "detection_probability",
-       T::number,
-       "",
-       "",
-       kShare,
-       {},
-       "Probability that a landmark in view is reported. Set it, with field of view and range limit known, to hold "
-       "unseen landmarks against a pose."},
-      {s,
-       "association",
-       T::choice,
-       "",
-       "known",
-       {},
-       {{"known", {}}, {"category", {}}, {"anonymous", {}}},
-       "What is believed of the logged names: all, the category only, or nothing."},
-      {s, "ignore", T::flag, "", "false", {}, {}, "Leave this sensor out."},
-  }};
+  const SensorConfig sensor;
+  return KeySection("Sensor_<label>")
+      .number("delay_s", "s", sensor.delay, ranges::kAny, "Latency of the sensor, subtracted from its time stamps.")
+      .degrees("std_bearing_deg", "deg", sensor.std_bearing, ranges::kPositive,
+               "Standard deviation of bearings. Replaces the logged one.")
+      .forBeginners()
+      .number("std_range_m", "m", sensor.std_range, ranges::kPositive,
+              "Standard deviation of ranges. Replaces the logged one.")
+      .forBeginners()
+      .number("std_range_per_m", "", sensor.std_range_per_m, ranges::kNotNegative,
+              "Standard deviation per metre of range, added to it.")
+      .degrees("std_heading_deg", "deg", sensor.std_heading, ranges::kPositive, "Standard deviation of a compass.")
+      .degrees("bias_bearing_deg", "deg", sensor.bias_bearing, ranges::kAny,
+               "Known bias: measured = scale * true + bias.")
+      .number("scale_bearing", "", sensor.scale_bearing, ranges::kPositive,
+              "See bias_bearing_deg. A focal length that is not exact scales bearings.")
+      .number("bias_range_m", "m", sensor.bias_range, ranges::kAny, "Known bias: measured = scale * true + bias.")
+      .number("scale_range", "", sensor.scale_range, ranges::kPositive, "See bias_range_m.")
+      .text(
+          "landmark_bias_range_m", "m", "",
+          "Range bias of each landmark, on top of bias_range_m. Pairs id:bias such as 1:0.12 4:-0.05, for radios with "
+          "a delay of their own; needs known identities.")
+      .flag("range_along_axis", sensor.range_along_axis,
+            "Logged ranges are depths along the sensor's forward axis. As of a camera that measures the size of a "
+            "landmark in the image: they are divided by the cosine of the bearing. Ranges without a bearing are kept.")
+      .degrees("field_of_view_deg", "deg", sensor.field_of_view, {0.001, 360}, "Full angle. Replaces the logged one.")
+      .number("max_range_m", "m", sensor.max_range, ranges::kPositive, "Maximum range. Replaces the logged one.")
+      .number("clutter_probability", "", sensor.clutter_probability, ranges::kShare,
+              "Share of detections that are no landmark of the map.")
+      .number("detection_probability", "", sensor.detection_probability, ranges::kShare,
+              "Probability of detecting a landmark in view. If set together with field of view and range limit, missed "
+              "detections lower a pose's likelihood.")
+      .choice("association", sensor.association, identityLevels(),
+              "Which logged identities are used for data association.")
+      .forBeginners()
+      .flag("ignore", sensor.ignore, "Ignore this sensor.");
 }
 }  // namespace
 
 KeyTable localizationKeys()
 {
-  KeyTable table = experimentKeys();
-  return table.append(mrptKeys()).append(motionKeys()).append(sensorKeys()).append(biasKeys()).append(filterKeys());
+  KeyTable table = fileKeys();
+  return table.append(startKeys())
+      .append(methodKeys())
+      .append(mrptKeys())
+      .append(motionKeys())
+      .append(sensorKeys())
+      .append(biasKeys())
+      .append(filterKeys());
 }
 }  // namespace mrpt_ext

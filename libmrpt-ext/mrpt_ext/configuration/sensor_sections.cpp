@@ -1,7 +1,6 @@
 #include "mrpt_ext/configuration/sensor_sections.h"
 
-#include <sstream>
-
+#include "mrpt_ext/configuration/localization_choices.h"
 #include "mrpt_ext/files/number_format.h"
 
 namespace mrpt_ext
@@ -14,9 +13,7 @@ const std::string kPrefix = "Sensor_";
 LandmarkValues landmarkValues(const Settings& settings, const std::string& section, const std::string& key)
 {
   LandmarkValues values;
-  if (!settings.hasValue(section, key)) return values;
-  std::istringstream words(settings.text(section, key));
-  for (std::string word; words >> word;)
+  for (const std::string& word : settings.words(section, key))
   {
     const std::size_t colon = word.find(':');
     const auto id = parseInteger(word.substr(0, colon));
@@ -49,10 +46,7 @@ SensorConfigs sensorConfigs(const Settings& settings)
     c.max_range = settings.optionalNumber(section, "max_range_m");
     c.clutter_probability = settings.number(section, "clutter_probability");
     c.detection_probability = settings.optionalNumber(section, "detection_probability");
-    const std::string association = settings.choice(section, "association");
-    c.association = association == "known"      ? IdentityLevel::known
-                    : association == "category" ? IdentityLevel::category
-                                                : IdentityLevel::anonymous;
+    c.association = settings.choice(section, "association", identityLevels());
     c.ignore = settings.flag(section, "ignore");
   }
   return configs;

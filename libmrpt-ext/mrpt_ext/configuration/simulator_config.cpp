@@ -1,8 +1,8 @@
 #include "mrpt_ext/configuration/simulator_config.h"
 
 #include <algorithm>
-#include <sstream>
 
+#include "mrpt_ext/configuration/simulator_choices.h"
 #include "mrpt_ext/files/landmark_csv.h"
 
 namespace mrpt_ext
@@ -33,14 +33,6 @@ Pose2 poseFrom(const Settings& settings, const std::string& section, const char*
 
 std::string labelOf(const std::string& section) { return section.substr(section.find('_') + 1); }
 
-std::vector<std::string> wordsOf(const std::string& text)
-{
-  std::istringstream stream(text);
-  std::vector<std::string> words;
-  for (std::string word; stream >> word;) words.push_back(word);
-  return words;
-}
-
 std::vector<Landmark> explicitLandmarks(const Settings& settings, const MapPlan& plan)
 {
   const std::vector<double> xyz = groupsOf(3, settings, "Map", "landmarks");
@@ -64,12 +56,12 @@ MapPlan readMap(const Settings& settings)
 {
   MapPlan plan;
   plan.with_ids = settings.flag("Map", "with_ids");
-  if (settings.hasValue("Map", "categories")) plan.categories = wordsOf(settings.text("Map", "categories"));
-  const std::string layout = settings.choice("Map", "layout");
-  if (layout == "explicit") plan.landmarks = explicitLandmarks(settings, plan);
-  if (layout == "file") plan.landmarks = readLandmarkCsv(settings.path("Map", "file")).all();
-  if (layout == "random") plan.layout = MapLayout::random;
-  if (layout == "grid") plan.layout = MapLayout::grid;
+  plan.categories = settings.words("Map", "categories");
+  const MapSource source = settings.choice("Map", "layout", mapSources());
+  if (source == MapSource::written) plan.landmarks = explicitLandmarks(settings, plan);
+  if (source == MapSource::file) plan.landmarks = readLandmarkCsv(settings.existingPath("Map", "file")).all();
+  if (source == MapSource::random) plan.layout = MapLayout::random;
+  if (source == MapSource::grid) plan.layout = MapLayout::grid;
   plan.count = static_cast<int>(settings.integer("Map", "count"));
   plan.columns = static_cast<int>(settings.integer("Map", "columns"));
   plan.rows = static_cast<int>(settings.integer("Map", "rows"));
@@ -100,11 +92,7 @@ void readDrive(const Settings& settings, const std::string& section, PathPlan& p
 PathPlan readPath(const Settings& settings)
 {
   PathPlan plan;
-  const std::string type = settings.choice("Path", "type");
-  if (type == "waypoints") plan.kind = PathKind::waypoints;
-  if (type == "circle") plan.kind = PathKind::circle;
-  if (type == "square") plan.kind = PathKind::square;
-  if (type == "random_walk") plan.kind = PathKind::random_walk;
+  plan.kind = settings.choice("Path", "type", pathKinds());
   readDrive(settings, "Path", plan);
   plan.start = poseFrom(settings, "Path", "start");
   const std::vector<double> centre = exactly(2, settings, "Path", "centre");
@@ -127,8 +115,8 @@ OdometryNoise readOdometry(const Settings& settings)
   noise.std_xy_per_m = value("std_xy_per_m");
   noise.std_phi_deg_per_deg = value("std_phi_deg_per_deg");
   noise.std_phi_deg_per_m = value("std_phi_deg_per_m");
-  noise.std_xy_min = value("std_xy_min");
-  noise.std_phi_min_deg = value("std_phi_min_deg");
+  noise.std_xy_per_sqrt_s = value("std_xy_per_sqrt_s");
+  noise.std_phi_deg_per_sqrt_s = value("std_phi_deg_per_sqrt_s");
   noise.scale_error = value("scale_error");
   noise.rotation_scale_error = value("rotation_scale_error");
   return noise;
@@ -138,7 +126,7 @@ SimulatedObject readObject(const Settings& settings, const std::string& section)
 {
   SimulatedObject object;
   object.category = settings.hasValue(section, "category") ? settings.text(section, "category") : labelOf(section);
-  if (settings.hasValue(section, "waypoints")) object.path.kind = PathKind::waypoints;
+  object.path.kind = settings.hasValue(section, "waypoints") ? PathKind::waypoints : PathKind::standstill;
   readDrive(settings, section, object.path);
   if (!settings.hasValue(section, "position") && settings.hasValue(section, "waypoints")) return object;
   const std::vector<double> position = exactly(3, settings, section, "position");

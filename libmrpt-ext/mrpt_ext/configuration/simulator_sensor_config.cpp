@@ -1,25 +1,11 @@
+#include "mrpt_ext/configuration/localization_choices.h"
+#include "mrpt_ext/configuration/simulator_choices.h"
 #include "mrpt_ext/configuration/simulator_config.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-SensorKind kindFrom(const std::string& name)
-{
-  if (name == "ranges") return SensorKind::ranges;
-  if (name == "range_bearing") return SensorKind::range_bearing;
-  if (name == "running_fix") return SensorKind::running_fix;
-  if (name == "compass") return SensorKind::compass;
-  return SensorKind::bearings;
-}
-
-IdentityLevel identityFrom(const std::string& name)
-{
-  if (name == "category") return IdentityLevel::category;
-  if (name == "anonymous") return IdentityLevel::anonymous;
-  return IdentityLevel::known;
-}
-
 void readErrors(const Settings& settings, const std::string& section, SimulatedSensor& sensor)
 {
   sensor.std_bearing = settings.radians(section, "std_bearing_deg");
@@ -36,7 +22,7 @@ void readErrors(const Settings& settings, const std::string& section, SimulatedS
 
 void readDetection(const Settings& settings, const std::string& section, SimulatedSensor& sensor)
 {
-  sensor.identity = identityFrom(settings.choice(section, "identity"));
+  sensor.identity = settings.choice(section, "identity", identityLevels());
   sensor.wrong_identity_probability = settings.number(section, "wrong_identity_probability");
   sensor.detection_probability = settings.number(section, "detection_probability");
   sensor.clutter_per_reading = settings.number(section, "clutter_per_reading");
@@ -63,7 +49,7 @@ SimulatedSensor readSimulatedSensor(const Settings& settings, const std::string&
 {
   SimulatedSensor sensor;
   sensor.label = section.substr(section.find('_') + 1);
-  sensor.kind = kindFrom(settings.choice(section, "kind"));
+  sensor.kind = settings.choice(section, "kind", sensorKinds());
   sensor.rate_hz = settings.number(section, "rate_hz");
   sensor.phase_s = settings.number(section, "phase_s");
   sensor.delay_s = settings.number(section, "delay_s");

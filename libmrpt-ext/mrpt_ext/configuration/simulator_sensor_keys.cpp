@@ -1,104 +1,74 @@
+#include "mrpt_ext/configuration/localization_choices.h"
+#include "mrpt_ext/configuration/simulator_choices.h"
 #include "mrpt_ext/configuration/simulator_keys.h"
+#include "mrpt_ext/settings/key_section.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr ValueRange kNotNegative{0, kInfinity};
-constexpr const char* kSection = "Sensor_<label>";
+const SimulatedSensor kSensor;  // its defaults are those of the keys
 
-KeySpec number(const char* name, const char* unit, const char* default_value, ValueRange range, const char* help)
+void addView(KeySection& keys)
 {
-  return {kSection, name, KeyType::number, unit, default_value, range, {}, help};
+  const Pose2& pose = kSensor.T_robot_sensor;
+  keys.choice("kind", kSensor.kind, sensorKinds(), "What it measures.")
+      .forBeginners()
+      .number("rate_hz", "Hz", kSensor.rate_hz, {1e-3, 1000}, "Readings per second.")
+      .forBeginners()
+      .number("phase_s", "s", kSensor.phase_s, ranges::kNotNegative, "Time of the first reading after the start.")
+      .number("delay_s", "s", kSensor.delay_s, {-10, 10}, "Latency: stamps are this much late.")
+      .numbers("pose", "m m m deg", {pose.x, pose.y, kSensor.height, radToDeg(pose.phi)}, ranges::kAny,
+               "x y z yaw on the robot (x forward, y left). yaw turns the sensor's forward axis.")
+      .flag("horizontal_range", kSensor.horizontal_range, "Ranges are measured in the floor plane, not as a slant.")
+      .degrees("field_of_view_deg", "deg", kSensor.field_of_view, {1e-3, 360}, "Full angle around the forward axis.")
+      .number("max_range_m", "m", kSensor.max_range, {1e-3, ranges::kUnbounded},
+              "Farthest visible landmark, horizontally. Not set: no limit.")
+      .number("min_range_m", "m", kSensor.min_range, ranges::kNotNegative, "Nearest visible landmark, horizontally.");
 }
 
-KeySpec flag(const char* name, const char* default_value, const char* help)
+void addErrors(KeySection& keys)
 {
-  return {kSection, name, KeyType::flag, "", default_value, {}, {}, help};
+  keys.degrees("std_bearing_deg", "deg", kSensor.std_bearing, ranges::kNotNegative, "Standard deviation of bearings.")
+      .forBeginners()
+      .degrees("bias_bearing_deg", "deg", kSensor.bias_bearing, {-180, 180}, "Added to every bearing.")
+      .number("std_range_m", "m", kSensor.std_range, ranges::kNotNegative,
+              "Standard deviation of ranges, the constant part.")
+      .forBeginners()
+      .number("std_range_per_m", "m/m", kSensor.std_range_per_m, ranges::kNotNegative,
+              "The part that grows with the range. The variances add up.")
+      .number("bias_range_m", "m", kSensor.bias_range, ranges::kAny, "Added to every range.")
+      .number("scale_range", "", kSensor.scale_range, {0.1, 10}, "Factor on every range, applied before the bias.")
+      .number("baseline_focal_m_px", "m px", kUnset, ranges::kPositive, "Baseline times focal length of a stereo pair.")
+      .number("std_disparity_px", "px", kSensor.std_disparity, ranges::kNotNegative,
+              "Standard deviation of a stereo pair's disparity. The range error then grows with the range squared.")
+      .degrees("std_heading_deg", "deg", kSensor.std_heading, ranges::kNotNegative, "Standard deviation of a compass.")
+      .degrees("bias_heading_deg", "deg", kSensor.bias_heading, {-180, 180}, "Added to every heading of a compass.");
 }
 
-std::vector<KeySpec> viewKeys()
+void addDetection(KeySection& keys)
 {
-  return {
-      {kSection,
-       "kind",
-       KeyType::choice,
-       "",
-       "bearings",
-       {},
-       {{"bearings", {}}, {"ranges", {}}, {"range_bearing", {}}, {"running_fix", {}}, {"compass", {}}},
-       "What it measures. running_fix: the range of one landmark, and again after the robot has moved on."},
-      number("rate_hz", "Hz", "5", {1e-3, 1000}, "Readings per second."),
-      number("phase_s", "s", "0", kNotNegative, "Time of the first reading after the start."),
-      number("delay_s", "s", "0", {-10, 10}, "How old a reading is at its stamp: stamps are this much late."),
-      {kSection,
-       "pose",
-       KeyType::numbers,
-       "m m m deg",
-       "0 0 0 0",
-       {},
-       {},
-       "x y z yaw on the robot (x forward, y left); yaw turns the forward axis of the sensor."},
-      flag("horizontal_range", "false", "Ranges are measured in the floor plane, not as a slant."),
-      number("field_of_view_deg", "deg", "360", {1e-3, 360}, "Full angle around the forward axis."),
-      number("max_range_m", "m", "", {1e-3, kInfinity}, "Farthest landmark seen, horizontally. Not set: no limit."),
-      number("min_range_m", "m", "0", kNotNegative, "Nearest landmark seen, horizontally."),
-  };
-}
-
-std::vector<KeySpec> errorKeys()
-{
-  return {
-      number("std_bearing_deg", "deg", "1", kNotNegative, "Standard deviation of bearings."),
-      number("bias_bearing_deg", "deg", "0", {-180, 180}, "Added to every bearing."),
-      number("std_range_m", "m", "0", kNotNegative,
-             "Standard deviation of ranges, the part that is the same everywhere."),
-      number("std_range_per_m", "m/m", "0", kNotNegative, "The part that grows with the range; the variances add up."),
-      number("bias_range_m", "m", "0", {}, "Added to every range."),
-      number("scale_range", "", "1", {0.1, 10}, "Every range is multiplied by this before the bias is added."),
-      number("baseline_focal_m_px", "m px", "", {1e-9, kInfinity}, "Baseline times focal length of a stereo pair."),
-      number("std_disparity_px", "px", "0", kNotNegative,
-             "Standard deviation of a stereo pair's disparity; the range error then grows with the range squared."),
-      number("std_heading_deg", "deg", "5", kNotNegative, "Standard deviation of a compass."),
-      number("bias_heading_deg", "deg", "0", {-180, 180}, "Added to every heading of a compass."),
-  };
-}
-
-std::vector<KeySpec> detectionKeys()
-{
-  return {
-      {kSection,
-       "identity",
-       KeyType::choice,
-       "",
-       "known",
-       {},
-       {{"known", {}}, {"category", {}}, {"anonymous", {}}},
-       "What a detection tells about its landmark: id and category, category only, or nothing."},
-      number("wrong_identity_probability", "", "0", {0, 1},
-             "Share of landmarks reported under the name of another one."),
-      number("detection_probability", "", "1", {0, 1}, "Share of landmarks in view that are detected."),
-      number("clutter_per_reading", "", "0", {0, 1000},
-             "Expected number of detections of nothing, anywhere in view, under the name of any landmark."),
-      {kSection,
-       "max_detections",
-       KeyType::integer,
-       "",
-       "",
-       {1, 1e6},
-       {},
-       "A random choice of this many is reported when more are seen. Not set: all."},
-      flag("sees_objects", "true", "Whether it detects the things of [Object_<label>], too."),
-      number("fix_distance_m", "m", "0.1", {1e-3, kInfinity}, "Way between the two ranges of a running fix."),
-      flag("fix_bearing", "false", "The second range of a running fix comes with a bearing."),
-  };
+  keys.choice("identity", kSensor.identity, identityLevels(), "What a detection reports of its landmark.")
+      .number("wrong_identity_probability", "", kSensor.wrong_identity_probability, ranges::kShare,
+              "Share of detections with the identity of another landmark.")
+      .number("detection_probability", "", kSensor.detection_probability, ranges::kShare,
+              "Share of landmarks in view that are detected.")
+      .number("clutter_per_reading", "", kSensor.clutter_per_reading, {0, 1000},
+              "Expected number of false detections. Anywhere in view, with the identity of any landmark.")
+      .integer("max_detections", "", kUnset, {1, 1e6}, "Maximum number of detections, chosen at random. Not set: all.")
+      .flag("sees_objects", kSensor.sees_objects, "Whether it detects the objects of [Object_<label>], too.")
+      .number("fix_distance_m", "m", kSensor.fix_distance, {1e-3, ranges::kUnbounded},
+              "Distance between the two ranges of a running fix.")
+      .flag("fix_bearing", kSensor.fix_bearing, "The second range of a running fix comes with a bearing.");
 }
 }  // namespace
 
 KeyTable simulatedSensorKeys()
 {
-  KeyTable table(viewKeys());
-  return table.append(errorKeys()).append(detectionKeys());
+  KeySection keys("Sensor_<label>");
+  addView(keys);
+  addErrors(keys);
+  addDetection(keys);
+  return keys;
 }
 }  // namespace mrpt_ext

@@ -25,7 +25,7 @@ constexpr double kSparseGap = 0.5;  // [s] truth that is mostly further apart ca
 std::filesystem::path requiredPath(const Settings& settings, const std::string& section, const std::string& key,
                                    const std::string& option)
 {
-  if (settings.hasValue(section, key)) return settings.path(section, key);
+  if (settings.hasValue(section, key)) return settings.existingPath(section, key);
   throw configurationError(settings.file().string() + ": [" + section + "] " + key + " is not set, set it or give " +
                            option);
 }
@@ -77,7 +77,7 @@ Trajectory indexedTruth(const Settings& settings, const std::filesystem::path& p
 Trajectory loadTruth(const Settings& settings, const RawlogSource& source)
 {
   if (!settings.hasValue(kExperiment, "ground_truth_path_file")) return {};
-  const auto path = settings.path(kExperiment, "ground_truth_path_file");
+  const auto path = settings.existingPath(kExperiment, "ground_truth_path_file");
   const bool indexed =
       settings.choice(kExperiment, "ground_truth_format") == "mrpt-index" && path.extension() != ".tum";
   if (indexed) return indexedTruth(settings, path, source);

@@ -93,11 +93,11 @@ IniFile IniFile::parse(std::string_view text, std::string name)
     const std::size_t equals = line.find('=');
     const std::string key(trimmed(std::string_view(line).substr(0, equals)));
     if (equals == std::string::npos || key.empty()) throw fail("'" + line + "': expected key = value");
-    if (ini.sections_.empty()) throw fail("'" + key + "' stands before the first [Section]");
+    if (ini.sections_.empty()) throw fail("'" + key + "' comes before the first [Section]");
     IniSection& section = ini.sections_.back();
     if (const IniEntry* earlier = section.find(key))
       throw fail("'" + key + "' in [" + section.name + "] is already in line " + std::to_string(earlier->line));
-    section.entries.push_back({key, std::string(trimmed(std::string_view(line).substr(equals + 1))), number});
+    section.entries.push_back({key, std::string(trimmed(std::string_view(line).substr(equals + 1))), number, {}});
   }
   return ini;
 }
@@ -122,16 +122,22 @@ IniSection& IniFile::sectionNamed(const std::string& section)
   return sections_.emplace_back(IniSection{section, 0, {}});
 }
 
-void IniFile::set(const std::string& section, const std::string& key, const std::string& value)
+void IniFile::set(const std::string& section, const std::string& key, const std::string& value,
+                  const std::string& origin)
 {
+  const IniEntry given{key, value, 0, origin};
   IniSection& target = sectionNamed(section);
-  for (IniEntry& entry : target.entries)
-    if (entry.key == key)
-    {
-      entry.value = value;
-      entry.line = 0;
-      return;
-    }
-  target.entries.push_back({key, value, 0});
+  const auto known = std::find_if(target.entries.begin(), target.entries.end(),
+                                  [&](const IniEntry& entry) { return entry.key == key; });
+  if (known == target.entries.end())
+    target.entries.push_back(given);
+  else
+    *known = given;
+}
+
+void IniFile::rename(const std::string& section, const std::string& key, const std::string& new_key)
+{
+  for (IniEntry& entry : sectionNamed(section).entries)
+    if (entry.key == key) entry.key = new_key;
 }
 }  // namespace mrpt_ext

@@ -7,12 +7,13 @@
 
 namespace mrpt_ext
 {
-/// One `key = value` with the place where it was written.
+/// One `key = value` with where it was written.
 struct IniEntry
 {
   std::string key;
-  std::string value;  ///< verbatim, without surrounding blanks and trailing comment
-  int line = 0;
+  std::string value;        ///< verbatim, without surrounding blanks and trailing comment
+  int line = 0;             ///< in the file; 0: not written there
+  std::string origin = {};  ///< the option that gave it instead, e.g. "--map my.csv"
 };
 
 struct IniSection
@@ -39,8 +40,10 @@ class IniFile
   [[nodiscard]] const std::vector<IniSection>& sections() const { return sections_; }
   [[nodiscard]] const IniSection* find(std::string_view section) const;
   [[nodiscard]] const IniEntry* find(std::string_view section, std::string_view key) const;
-  /// Adds or replaces an entry; line 0 marks it as not written in the file.
-  void set(const std::string& section, const std::string& key, const std::string& value);
+  /// Adds or replaces an entry; `origin` names the option that it comes from.
+  void set(const std::string& section, const std::string& key, const std::string& value, const std::string& origin);
+  /// Gives an entry another key.
+  void rename(const std::string& section, const std::string& key, const std::string& new_key);
 
  private:
   IniSection& sectionNamed(const std::string& section);

@@ -35,6 +35,20 @@ std::string choiceNames(const std::vector<KeyChoice>& choices)
   return text;
 }
 
+std::optional<std::string> complaintAboutNames(const std::string& value, const std::vector<KeyChoice>& choices)
+{
+  std::vector<std::string> known;
+  for (const KeyChoice& choice : choices) known.push_back(choice.name);
+  for (const std::string& name : parseWords(value))
+  {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    const auto near = closestName(name, known);
+    return "unknown name '" + name + "', " +
+           (near ? "did you mean '" + *near + "'?" : "expected some of " + choiceNames(choices));
+  }
+  return std::nullopt;
+}
+
 bool inside(const ValueRange& range, double value) { return value >= range.low && value <= range.high; }
 }  // namespace
 
@@ -58,6 +72,8 @@ std::string KeySpec::expected() const
     case KeyType::numbers:
       return "numbers separated by blanks, each" + (intervalText(range).empty() ? " finite" : intervalText(range)) +
              of_unit;
+    case KeyType::names:
+      return "some of " + choiceNames(choices);
   }
   return {};
 }
@@ -84,6 +100,8 @@ std::optional<std::string> KeySpec::complaintAbout(const std::string& value) con
     const auto numbers = parseNumbers(value);
     good = numbers && std::all_of(numbers->begin(), numbers->end(), [&](double v) { return inside(range, v); });
   }
+  else if (type == KeyType::names)
+    return complaintAboutNames(value, choices);
   if (good) return std::nullopt;
   return "expected " + expected();
 }
@@ -121,7 +139,7 @@ const KeySpec* KeyTable::find(std::string_view section, std::string_view key) co
   for (const KeySpec& spec : keys_)
   {
     if (!fitsPattern(section, spec.section)) continue;
-    if (spec.name == key) return &spec;
+    if (spec.name == key || (!spec.alias.empty() && spec.alias == key)) return &spec;
     if (spec.name == "*") any = &spec;
   }
   return any;

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "mrpt_ext/settings/key_choice.h"
+
 namespace mrpt_ext
 {
 enum class KeyType
@@ -17,13 +19,7 @@ enum class KeyType
   path,     ///< file or folder, relative to the .ini
   choice,   ///< one of KeySpec::choices, by name or by MRPT's number
   numbers,  ///< numbers separated by blanks or commas
-};
-
-/// A value of a choice; `number` is what MRPT's own files write for it, where MRPT has one.
-struct KeyChoice
-{
-  std::string name;
-  std::optional<int> number;
+  names,    ///< some of KeySpec::choices, separated by blanks or commas
 };
 
 /// Closed interval of allowed values; both ends may be infinite.
@@ -33,9 +29,9 @@ struct ValueRange
   double high = std::numeric_limits<double>::infinity();
 };
 
-/// One key of an .ini file: what it means, what it may be and what it is when nobody sets it. Meant to be written with
-/// designated initializers. `section` may be a pattern: `Sensor_<label>` stands for every section that starts with
-/// Sensor_. The name `*` accepts every key of the section as text (sections that are handed on to MRPT).
+/// One key of an .ini file: its meaning, its allowed values and its default. KeySection (key_section.h) writes it in
+/// one line. `section` may be a pattern: `Sensor_<label>` stands for every section that starts with Sensor_. The name
+/// `*` accepts every key of the section as text (sections that are passed to MRPT).
 struct KeySpec
 {
   std::string section;
@@ -45,7 +41,9 @@ struct KeySpec
   std::string default_value;  ///< as in a file; empty: no default, the key stays unset
   ValueRange range;           ///< of number, integer and every one of numbers
   std::vector<KeyChoice> choices;
-  std::string help;  ///< one or a few sentences
+  std::string help;            ///< one or a few sentences; the first one is a summary of at most a line
+  std::string alias = {};      ///< another name that files may use for it; empty: none
+  bool for_beginners = false;  ///< one of the few keys to set first
 
   /// What a value has to look like, e.g. "a number in [0, 360] deg".
   [[nodiscard]] std::string expected() const;
@@ -67,7 +65,8 @@ class KeyTable
   /// Section names and patterns, each once, in order.
   [[nodiscard]] std::vector<std::string> sections() const;
   [[nodiscard]] bool knowsSection(std::string_view section) const;
-  /// The spec for a key of an actual section; a spec named by the key wins over `*`. Null when unknown.
+  /// The spec for a key of an actual section, by its name or alias; a spec named by the key wins over `*`. Null when
+  /// unknown.
   [[nodiscard]] const KeySpec* find(std::string_view section, std::string_view key) const;
 
   /// "unknown section [S], did you mean [T]?"
@@ -75,12 +74,16 @@ class KeyTable
   /// "unknown key 'k' in [S], did you mean 'l'?"
   [[nodiscard]] std::string unknownKey(std::string_view section, std::string_view key) const;
 
-  /// Text of --list-keys: every section with its keys, default and unit.
+  /// Text of --list-keys: every section with its keys, default, unit and the first sentence of the help. At most 100
+  /// columns wide.
   [[nodiscard]] std::string list() const;
-  /// Text of --explain Section.key, or of a whole section; throws InputError (configuration) for an unknown one.
-  [[nodiscard]] std::string explain(const std::string& section_and_key) const;
+  /// Text of --explain: `name` is Section.key, a section, or a key alone, which is explained in every section that has
+  /// it. Throws InputError (configuration) with similar names when there is none.
+  [[nodiscard]] std::string explain(const std::string& name) const;
 
  private:
+  [[nodiscard]] std::string unknownName(const std::string& name) const;
+
   std::vector<KeySpec> keys_;
 };
 

@@ -26,17 +26,27 @@ std::size_t editDistance(std::string_view a, std::string_view b)
   return row.back();
 }
 
-std::optional<std::string> closestName(std::string_view wanted, const std::vector<std::string>& names)
+std::vector<std::string> similarNames(std::string_view wanted, const std::vector<std::string>& names)
 {
-  std::optional<std::string> best;
-  std::size_t best_distance = std::max<std::size_t>(1, wanted.size() / 3) + 1;
+  constexpr std::size_t kMost = 3, kShortestPart = 3;
+  const std::size_t allowed = std::max<std::size_t>(1, wanted.size() / 3);
+  std::vector<std::pair<std::size_t, std::string>> found;
   for (const std::string& name : names)
   {
+    const bool contains = wanted.size() >= kShortestPart && name.find(wanted) != std::string::npos;
     const std::size_t distance = editDistance(wanted, name);
-    if (distance >= best_distance) continue;
-    best_distance = distance;
-    best = name;
+    if (contains || distance <= allowed) found.emplace_back(distance, name);
   }
-  return best;
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<std::string> similar;
+  for (const auto& [distance, name] : found)
+    if (similar.size() < kMost) similar.push_back(name);
+  return similar;
+}
+
+std::optional<std::string> closestName(std::string_view wanted, const std::vector<std::string>& names)
+{
+  const std::vector<std::string> similar = similarNames(wanted, names);
+  return similar.empty() ? std::nullopt : std::optional(similar.front());
 }
 }  // namespace mrpt_ext

@@ -26,17 +26,27 @@ std::optional<bool> parseFlag(const std::string& text)
   return std::nullopt;
 }
 
-std::optional<std::vector<double>> parseNumbers(const std::string& text)
+std::vector<std::string> parseWords(const std::string& text)
 {
-  std::vector<double> numbers;
+  std::vector<std::string> words;
   constexpr const char* kSeparators = " \t,";
   for (std::size_t begin = text.find_first_not_of(kSeparators); begin != std::string::npos;)
   {
     const std::size_t end = text.find_first_of(kSeparators, begin);
-    const auto number = parseNumber(text.substr(begin, end == std::string::npos ? end : end - begin));
+    words.push_back(text.substr(begin, end == std::string::npos ? end : end - begin));
+    begin = end == std::string::npos ? end : text.find_first_not_of(kSeparators, end);
+  }
+  return words;
+}
+
+std::optional<std::vector<double>> parseNumbers(const std::string& text)
+{
+  std::vector<double> numbers;
+  for (const std::string& word : parseWords(text))
+  {
+    const auto number = parseNumber(word);
     if (!number) return std::nullopt;
     numbers.push_back(*number);
-    begin = end == std::string::npos ? end : text.find_first_not_of(kSeparators, end);
   }
   if (numbers.empty()) return std::nullopt;
   return numbers;

@@ -39,6 +39,7 @@ Settings::Settings(IniFile ini, fs::path file, KeyTable table, const std::vector
     : ini_(std::move(ini)), file_(std::move(file)), table_(std::move(table))
 {
   checkFile();
+  resolveAliases();
   for (const std::string& text : overrides) applyOverride(text);
 }
 
@@ -46,17 +47,32 @@ void Settings::checkFile() const
 {
   for (const IniSection& section : ini_.sections())
   {
-    const auto place = [&](int line) { return ini_.name() + ":" + std::to_string(line) + ": "; };
+    const auto at = [&](int line) { return ini_.name() + ":" + std::to_string(line) + ": "; };
     if (!table_.knowsSection(section.name))
-      throw configurationError(place(section.line) + table_.unknownSection(section.name));
+      throw configurationError(at(section.line) + table_.unknownSection(section.name));
     for (const IniEntry& entry : section.entries)
     {
       const KeySpec* spec = table_.find(section.name, entry.key);
-      if (!spec) throw configurationError(place(entry.line) + table_.unknownKey(section.name, entry.key));
+      if (!spec) throw configurationError(at(entry.line) + table_.unknownKey(section.name, entry.key));
       if (const auto complaint = spec->complaintAbout(entry.value))
-        throw configurationError(place(entry.line) + entry.key + " = " + entry.value + ": " + *complaint);
+        throw configurationError(at(entry.line) + entry.key + " = " + entry.value + ": " + *complaint);
     }
   }
+}
+
+void Settings::resolveAliases()
+{
+  for (const KeySpec& spec : table_.keys())
+    for (const IniSection& section : ini_.sections())
+    {
+      if (spec.alias.empty() || !fitsPattern(section.name, spec.section)) continue;
+      const IniEntry* entry = section.find(spec.alias);
+      if (!entry) continue;
+      if (const IniEntry* other = section.find(spec.name))
+        throw configurationError(ini_.name() + ":" + std::to_string(std::max(entry->line, other->line)) + ": " +
+                                 spec.alias + " and " + spec.name + " are two names of one key, expected one of them");
+      ini_.rename(section.name, spec.alias, spec.name);
+    }
 }
 
 void Settings::applyOverride(const std::string& override_text)
@@ -77,7 +93,8 @@ void Settings::set(const std::string& section, const std::string& key, const std
   if (!spec) throw configurationError(origin + ": " + table_.unknownKey(section, key));
   if (const auto complaint = spec->complaintAbout(value)) throw configurationError(origin + ": " + *complaint);
   const bool from_here = spec->type == KeyType::path && !value.empty();
-  ini_.set(section, key, from_here ? fs::absolute(value).lexically_normal().string() : value);
+  ini_.set(section, spec->name == "*" ? key : spec->name,
+           from_here ? fs::absolute(value).lexically_normal().string() : value, origin);
 }
 
 const KeySpec& Settings::specOf(const std::string& section, const std::string& key) const
@@ -160,6 +177,13 @@ fs::path Settings::path(const std::string& section, const std::string& key) cons
   return (fs::absolute(file_).parent_path() / required(section, key)).lexically_normal();
 }
 
+fs::path Settings::existingPath(const std::string& section, const std::string& key) const
+{
+  fs::path file = path(section, key);
+  if (!fs::exists(file)) throw dataError(originOf(section, key) + ": no such file " + file.string());
+  return file;
+}
+
 std::string Settings::choice(const std::string& section, const std::string& key) const
 {
   return parseChoice(required(section, key), specOf(section, key).choices).value();
@@ -168,6 +192,11 @@ std::string Settings::choice(const std::string& section, const std::string& key)
 std::vector<double> Settings::numbers(const std::string& section, const std::string& key) const
 {
   return parseNumbers(required(section, key)).value();
+}
+
+std::vector<std::string> Settings::words(const std::string& section, const std::string& key) const
+{
+  return parseWords(effective(section, key).value_or(""));
 }
 
 std::optional<double> Settings::optionalNumber(const std::string& section, const std::string& key) const
@@ -180,13 +209,17 @@ std::optional<double> Settings::optionalRadians(const std::string& section, cons
   return hasValue(section, key) ? std::optional(radians(section, key)) : std::nullopt;
 }
 
-InputError Settings::errorAt(const std::string& section, const std::string& key, const std::string& complaint) const
+std::string Settings::originOf(const std::string& section, const std::string& key) const
 {
   const IniEntry* entry = ini_.find(section, key);
-  if (!entry) return configurationError(ini_.name() + ": [" + section + "] " + key + ": " + complaint);
-  if (entry->line == 0) return configurationError(section + "." + key + "=" + entry->value + ": " + complaint);
-  return configurationError(ini_.name() + ":" + std::to_string(entry->line) + ": " + key + " = " + entry->value + ": " +
-                            complaint);
+  if (!entry) return ini_.name() + ": [" + section + "] " + key;
+  if (entry->line == 0) return entry->origin;
+  return ini_.name() + ":" + std::to_string(entry->line) + ": " + entry->key + " = " + entry->value;
+}
+
+InputError Settings::errorAt(const std::string& section, const std::string& key, const std::string& complaint) const
+{
+  return configurationError(originOf(section, key) + ": " + complaint);
 }
 
 void Settings::writeResolved(std::ostream& out, const std::string& section) const

@@ -19,10 +19,10 @@ enum class PathKind
 /// How a robot (or a moving object) drives.
 struct PathPlan
 {
-  PathKind kind = PathKind::standstill;
-  Pose2 start;           ///< of standstill and random_walk
-  double speed = 0.3;    ///< [m/s]
-  double turn_rate = 1;  ///< [rad/s] of turns in place; the largest one of a random walk
+  PathKind kind = PathKind::waypoints;
+  Pose2 start;                        ///< of standstill and random_walk
+  double speed = 0.3;                 ///< [m/s]
+  double turn_rate = degToRad(60.0);  ///< [rad/s] of turns in place; the largest one of a random walk
 
   std::vector<Vector2d> waypoints;  ///< [m]
   bool closed = true;               ///< from the last waypoint to the first and round again; otherwise it ends there

@@ -16,14 +16,14 @@ namespace mrpt_ext
 /// errors do not depend on the rate of odometry.
 struct OdometryNoise
 {
-  double rate_hz = 10;              ///< 0: the robot has no odometry
-  double std_xy_per_m = 0;          ///< [m] after one metre, along and across alike
-  double std_phi_deg_per_deg = 0;   ///< [deg] after turning one degree
-  double std_phi_deg_per_m = 0;     ///< [deg] after one metre
-  double std_xy_min = 0;            ///< [m] after one second, also at standstill
-  double std_phi_min_deg = 0;       ///< [deg] after one second, also at standstill
-  double scale_error = 0;           ///< measured / true distance - 1
-  double rotation_scale_error = 0;  ///< measured / true rotation - 1
+  double rate_hz = 10;                ///< 0: the robot has no odometry
+  double std_xy_per_m = 0.02;         ///< [m] after one metre, along and across alike
+  double std_phi_deg_per_deg = 0.1;   ///< [deg] after turning one degree
+  double std_phi_deg_per_m = 0.5;     ///< [deg] after one metre
+  double std_xy_per_sqrt_s = 0;       ///< [m] after one second, also at standstill
+  double std_phi_deg_per_sqrt_s = 0;  ///< [deg] after one second, also at standstill
+  double scale_error = 0;             ///< measured / true distance - 1
+  double rotation_scale_error = 0;    ///< measured / true rotation - 1
 };
 
 enum class SensorKind
@@ -49,13 +49,13 @@ struct SimulatedSensor
   std::optional<double> max_range;  ///< [m] horizontal
   double min_range = 0;             ///< [m] horizontal
 
-  double std_bearing = 0, bias_bearing = 0;  ///< [rad]
-  double std_range = 0;                      ///< [m]
+  double std_bearing = degToRad(1.0), bias_bearing = 0;  ///< [rad]
+  double std_range = 0;                                  ///< [m]
   double std_range_per_m = 0;              ///< [m] after one metre, linear in the range; added to std_range in variance
   double baseline_focal = 0;               ///< [m px] with std_disparity: range noise of a stereo pair
   double std_disparity = 0;                ///< [px]
   double bias_range = 0, scale_range = 1;  ///< measured = scale * true + bias + noise
-  double std_heading = 0, bias_heading = 0;  ///< [rad] of a compass
+  double std_heading = degToRad(5.0), bias_heading = 0;  ///< [rad] of a compass
 
   IdentityLevel identity = IdentityLevel::known;
   double wrong_identity_probability = 0;  ///< share of landmarks reported as another one (or another category)
@@ -73,7 +73,7 @@ struct SimulatedObject
 {
   std::string category;
   double z = 0;  ///< [m]
-  PathPlan path;
+  PathPlan path{.kind = PathKind::standstill};
 };
 
 /// At `time` the robot is moved to `pose`, unnoticed by its odometry; it then continues its path from there.

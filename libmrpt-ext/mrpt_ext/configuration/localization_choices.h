@@ -1,0 +1,22 @@
+#pragma once
+
+#include "mrpt_ext/configuration/localization_config.h"
+#include "mrpt_ext/settings/key_choice.h"
+
+namespace mrpt_ext
+{
+// The choices of landmark-localization's keys, for the table of keys and for the reader.
+
+[[nodiscard]] NamedValues<InitialMode> initialModes();
+[[nodiscard]] NamedValues<FilterEngine> filterEngines();
+[[nodiscard]] NamedValues<HeadingSource> headingSources();
+[[nodiscard]] NamedValues<MotionType> motionTypes();
+[[nodiscard]] NamedValues<ResamplingMethod> resamplingMethods();
+[[nodiscard]] NamedValues<IdentityLevel> identityLevels();
+/// MRPT's numbers of PF_algorithm.
+[[nodiscard]] NamedValues<int> mrptAlgorithms();
+/// The forms of a file with the ground truth.
+[[nodiscard]] std::vector<KeyChoice> truthFormats();
+/// Every method that `methods` may name, and `all`.
+[[nodiscard]] std::vector<KeyChoice> methodNames();
+}  // namespace mrpt_ext
