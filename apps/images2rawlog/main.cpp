@@ -1,11 +1,10 @@
 #include <iostream>
 
-#include "mrpt_ext/app/app_shell.h"
-#include "mrpt_ext/app/images_app.h"
+#include "mrpt_ext/app/apps.h"
 #include "mrpt_ext/maps/register_all_classes.h"
 
 int main(int argc, char** argv)
 {
   mrpt_ext::registerAllClasses();
-  return mrpt_ext::ImagesApp(std::cout, std::cerr).run(mrpt_ext::argumentsOf(argc, argv));
+  return mrpt_ext::runImages2Rawlog(mrpt_ext::argumentsOf(argc, argv), std::cout, std::cerr);
 }

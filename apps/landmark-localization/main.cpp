@@ -4,8 +4,7 @@
 
 #include <iostream>
 
-#include "mrpt_ext/app/app_shell.h"
-#include "mrpt_ext/app/localization_app.h"
+#include "mrpt_ext/app/apps.h"
 #include "mrpt_ext/maps/register_all_classes.h"
 
 int main(int argc, char** argv)
@@ -15,5 +14,5 @@ int main(int argc, char** argv)
   mallopt(M_TRIM_THRESHOLD, 128 * 1024);
 #endif
   mrpt_ext::registerAllClasses();
-  return mrpt_ext::LocalizationApp(std::cout, std::cerr).run(mrpt_ext::argumentsOf(argc, argv));
+  return mrpt_ext::runLandmarkLocalization(mrpt_ext::argumentsOf(argc, argv), std::cout, std::cerr);
 }

@@ -24,9 +24,9 @@ Outcome runApp(
     const std::vector<std::string>& arguments, const std::function<int()>& job = [] { return 0; })
 {
   std::ostringstream out, err;
-  AppShell shell("my-app", "Does things", out, err);
+  AppShell shell({.name = "my-app", .purpose = "Does things", .examples = {"a.ini", "a.ini -q"}}, out, err);
   std::string config;
-  shell.cli().add_option("CONFIG", config, "Configuration")->required();
+  shell.commandLine().add({.names = "CONFIG", .target = &config, .help = "Configuration", .required = true});
   shell.answerQuestionsAbout(std::vector<KeySpec>{{.section = "Run", .name = "seed", .help = "Random seed."}});
   Outcome outcome;
   outcome.exit_code = shell.run(arguments,
@@ -77,6 +77,22 @@ TEST(AppShell, AnswersQuestionsWithoutRunning)
     EXPECT_NE(o.out.find(answer), std::string::npos) << question.front();
     EXPECT_EQ(o.err, "") << question.front();
   }
+}
+
+TEST(AppShell, HelpEndsWithExamplesAndWhereToReadOn)
+{
+  EXPECT_TRUE(
+      runApp({"--help"}).out.ends_with("Examples:\n  my-app a.ini\n  my-app a.ini -q\n\nMore: apps/my-app/README.md\n"))
+      << runApp({"--help"}).out;
+}
+
+TEST(AppShell, AMissingConfigurationIsToldWithItsArgument)
+{
+  std::ostringstream out, err;
+  AppShell shell({.name = "my-app", .purpose = "Does things"}, out, err);
+  const auto load = [&] { return (void)shell.loadSettings("/nowhere/none.ini", {}), 0; };
+  EXPECT_EQ(shell.run({}, load), kExitUsage);
+  EXPECT_EQ(err.str(), "CONFIG /nowhere/none.ini: cannot be read, no such file; expected an .ini file\n");
 }
 
 TEST(AppShell, WrongUsageIsOneLineAndTwo)

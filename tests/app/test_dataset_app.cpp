@@ -1,11 +1,11 @@
-#include "mrpt_ext/app/dataset_app.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <sstream>
 
 #include "../importers/sample_data.h"
+#include "mrpt_ext/app/apps.h"
+#include "mrpt_ext/app/exit_codes.h"
 #include "mrpt_ext/files/landmark_csv.h"
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/files/tum.h"
@@ -27,7 +27,7 @@ Outcome runApp(const std::vector<std::string>& arguments)
 {
   registerAllClasses();
   std::ostringstream out, err;
-  const int exit_code = DatasetApp(out, err).run(arguments);
+  const int exit_code = runDataset2Rawlog(arguments, out, err);
   return {exit_code, out.str(), err.str()};
 }
 
@@ -45,7 +45,7 @@ bool isOneLine(const std::string& text)
 }
 }  // namespace
 
-TEST(DatasetApp, TellsThatAShortRecordingCalibratesNothing)
+TEST(DatasetApp, ReportsThatAShortRecordingCalibratesNothing)
 {
   const testing::ScratchFolder folder;
   const auto ini = folder.write("a.ini", "[S]\na = 1\n");
@@ -58,6 +58,7 @@ TEST(DatasetApp, TellsThatAShortRecordingCalibratesNothing)
   const Outcome missing = runApp({"cuhksz", testing::sampleFolder("cuhksz"), "-o", folder.path() / "d.rawlog",
                                   "--calibrate", folder.path() / "none.ini"});
   EXPECT_EQ(missing.exit_code, kExitFailed);
+  EXPECT_EQ(missing.err, "--calibrate " + (folder.path() / "none.ini").string() + ": no such file\n");
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "d.rawlog")) << "nothing is half done";
 }
 

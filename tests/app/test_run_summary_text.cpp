@@ -28,29 +28,29 @@ PoseEstimate pointAt(double time, int modes, Verdict verdict)
 }
 }  // namespace
 
-TEST(RunText, TellsWhatIsUsedAndWhatIsNot)
+TEST(RunSummaryText, ListsWhatIsUsedAndWhatIsNot)
 {
   EXPECT_EQ(inputText(sampleInput()),
             "map      2 landmarks in 5.0 x 4.0 m\n"
             "log      room.rawlog: 42 records, 12.3 s\n"
             "             30 CObservationA\n"
             "             10 CObservationB, 3 of them ignored\n"
-            "              2 CObservationC (ignored: nothing scores this class)\n"
+            "              2 CObservationC (ignored: no likelihood for this class)\n"
             "              5 unusable: eye: id not in the map\n"
             "frames   30, 100 detections\n"
-            "truth    none: accuracy is not judged\n");
+            "truth    none: no errors are computed\n");
 }
 
-TEST(RunText, TellsWhatTheTruthIs)
+TEST(RunSummaryText, TellsWhatTheTruthIs)
 {
   LocalizationInput input = sampleInput();
   input.context.truth.resize(7);
   EXPECT_NE(inputText(input).find("truth    7 poses\n"), std::string::npos);
   input.context.truth_is_sparse = true;
-  EXPECT_NE(inputText(input).find("truth    7 poses, sparse: judged at their own stamps\n"), std::string::npos);
+  EXPECT_NE(inputText(input).find("truth    7 poses, sparse: errors at their own stamps\n"), std::string::npos);
 }
 
-TEST(RunText, LongNamesAreNotCutOff)
+TEST(RunSummaryText, LongNamesAreNotCutOff)
 {
   LocalizationInput input = sampleInput();
   const std::string long_name(1000, 'x');
@@ -63,7 +63,7 @@ TEST(RunText, LongNamesAreNotCutOff)
   EXPECT_NE(text.find(long_name + "Z\n"), std::string::npos);
 }
 
-TEST(RunText, TellsWhenThePlaceWasFound)
+TEST(RunSummaryText, ReportsWhenThePoseBecameUnique)
 {
   RunRecord record;
   EXPECT_EQ(ambiguityText(record, 100), "");
@@ -71,11 +71,11 @@ TEST(RunText, TellsWhenThePlaceWasFound)
   EXPECT_EQ(ambiguityText(record, 100), "");
   record.methods[0].points = {pointAt(100, 4, Verdict::ambiguous), pointAt(103.5, 1, Verdict::ok)};
   EXPECT_EQ(ambiguityText(record, 100),
-            "start    4 places explain the first frame\n"
-            "resolved 3.5 s after the start of the log, at x 1.00 m, y 2.00 m, heading 90.0 deg\n");
+            "start    4 pose hypotheses after the first frame\n"
+            "unique   after 3.5 s, at x 1.00 m, y 2.00 m, heading 90.0 deg\n");
   record.methods[0].points = {pointAt(100, 1, Verdict::ambiguous)};
   EXPECT_EQ(ambiguityText(record, 100),
-            "start    1 place explains the first frame\n"
-            "resolved never: the filter was not sure of one place at any time\n");
+            "start    1 pose hypothesis after the first frame\n"
+            "unique   never: the filter did not reach `ok`\n");
 }
 }  // namespace mrpt_ext

@@ -145,12 +145,13 @@ TEST_F(SimulatorAppTest, MistakesAreOneLineAndTheirExitCode)
     EXPECT_TRUE(fs::is_empty(folder_));
   };
   expectError({}, kExitUsage, "CONFIG is required");
-  expectError({room}, kExitUsage, "expected STEM.rawlog");
-  expectError({room, "-o", (folder_ / "x.txt").string()}, kExitUsage, "expected a name ending in .rawlog");
+  expectError({room}, kExitUsage, "expected -o STEM.rawlog");
+  expectError({room, "-o", (folder_ / "x.txt").string()}, kExitUsage, "x.txt', expected -o STEM.rawlog");
   expectError({(folder_ / "none.ini").string(), "-o", rawlog}, kExitUsage, "cannot be read");
   expectError({room, "-o", rawlog, "--set", "Sensor_omni.rate_h=3"}, kExitUsage, "did you mean 'rate_hz'?");
   expectError({room, "-o", rawlog, "--set", "Path.turn_radius_m=5"}, kExitUsage, "does not fit");
-  expectError({room, "-o", rawlog, "--set", "Map.layout=file", "--set", "Map.file=none.csv"}, kExitFailed, "none.csv");
+  expectError({room, "-o", rawlog, "--set", "Map.layout=file", "--set", "Map.file=none.csv"}, kExitFailed,
+              "--set Map.file=none.csv: no such file ");
 }
 
 TEST_F(SimulatorAppTest, AnswersQuestionsAboutItsKeys)

@@ -22,7 +22,7 @@ testing::LogFiles erroneousLog(const std::filesystem::path& folder)
                              "Sensor_stereo.bias_bearing_deg=2", "--set", "Sensor_stereo.scale_range=1.04"});
 }
 
-/// What the configuration says once the doctor has written into it.
+/// The configuration after calibration.
 struct Calibrated
 {
   testing::AppOutcome outcome;
@@ -38,7 +38,7 @@ Calibrated calibrate(const testing::ScratchFolder& folder, const Arguments& log)
 }
 }  // namespace
 
-TEST(Examination, FindsTheErrorsOfASimulatedLogAndWritesThem)
+TEST(CalibrationRun, FindsTheErrorsOfASimulatedLogAndWritesThem)
 {
   const testing::ScratchFolder folder;
   const Calibrated found = calibrate(folder, erroneousLog(folder.path()).arguments());
@@ -48,14 +48,14 @@ TEST(Examination, FindsTheErrorsOfASimulatedLogAndWritesThem)
   EXPECT_NEAR(settings.number("Sensor_stereo", "bias_bearing_deg"), 2, 0.4) << found.outcome.out;
   EXPECT_NEAR(settings.number("MotionModel", "odometry_scale"), 1 / 1.05, 0.02) << found.outcome.out;
   EXPECT_NEAR(settings.number("MotionModel", "odometry_rotation_scale"), 1 / 0.96, 0.02) << found.outcome.out;
-  // Offset and scale of ranges are told together: what counts is what they make of a typical range.
+  // Offset and scale of ranges are estimated together: only their effect on a typical range is well determined.
   const double at_three_metres =
       3 * settings.number("Sensor_stereo", "scale_range") + settings.number("Sensor_stereo", "bias_range_m");
   EXPECT_NEAR(at_three_metres, 3 * 1.04, 0.03) << found.outcome.out;
   EXPECT_NE(found.outcome.out.find("the truth was not used"), std::string::npos);
 }
 
-TEST(Examination, LeavesTheConfigurationOfAGoodLogAlone)
+TEST(CalibrationRun, LeavesTheConfigurationOfAGoodLogAlone)
 {
   const testing::ScratchFolder folder;
   const Calibrated found = calibrate(folder, testing::simulated(folder.path(), "half-field").arguments());
@@ -65,11 +65,22 @@ TEST(Examination, LeavesTheConfigurationOfAGoodLogAlone)
   EXPECT_NE(found.outcome.out.find("consistent"), std::string::npos) << found.outcome.out;
 }
 
-TEST(Examination, NeedsAConfigurationToWriteInto)
+TEST(CalibrationRun, NeedsAConfigurationToWriteInto)
 {
   const auto shipped = testing::shipped("landmark-localization", "half-field");
   const testing::AppOutcome outcome = testing::localize({shipped, "--calibrate", "/nowhere/none.ini"});
   EXPECT_NE(outcome.exit_code, 0);
-  EXPECT_NE(outcome.err.find("none.ini"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err, "--calibrate /nowhere/none.ini: no such file\n");
+}
+
+TEST(CalibrationRun, TheFormerNameOfTheOptionStillWorks)
+{
+  const testing::ScratchFolder folder;
+  const auto log = testing::simulated(folder.path(), "half-field", {"--set", "Simulation.duration_s=30"}).arguments();
+  const auto shipped = testing::shipped("landmark-localization", "half-field");
+  const testing::AppOutcome diagnosed = testing::localize(joined({shipped, "--diagnose"}, log));
+  EXPECT_EQ(diagnosed.exit_code, 0) << diagnosed.err;
+  EXPECT_EQ(testing::localize(joined({shipped, "--examine"}, log)).out, diagnosed.out);
+  EXPECT_EQ(testing::localize({"--help"}).out.find("--examine"), std::string::npos);
 }
 }  // namespace mrpt_ext

@@ -114,7 +114,7 @@ TEST_F(Determinism, AResumedStudyIsTheWholeStudy)
   const auto other = testing::localize(
       testing::joined({testing::shipped("landmark-localization", "half-field"), "-o", killed, "--seed", "7"}, resume));
   EXPECT_EQ(other.exit_code, 2);
-  EXPECT_NE(other.err.find("is of other settings"), std::string::npos) << other.err;
+  EXPECT_NE(other.err.find("has other settings"), std::string::npos) << other.err;
 }
 
 TEST_F(Determinism, ReferenceEngine)

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "mrpt_ext/configuration/localization_choices.h"
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/rawlog/rawlog_sink.h"
 #include "scratch_folder.h"
@@ -74,7 +75,7 @@ TEST_F(Mistake, InTheConfiguration)
 TEST_F(Mistake, OnTheCommandLine)
 {
   expectError({}, 2, {"CONFIG"});
-  expectError({folder_.path() / "none.ini"}, 2, {"none.ini", "expected an .ini file"});
+  expectError({folder_.path() / "none.ini"}, 2, {"CONFIG ", "none.ini", "expected an .ini file"});
   expectError({room(), "--nonsense"}, 2, {"--nonsense"});
   expectError({room(), "--set", "MotionModel.std_xy_perm=1"}, 2, {"did you mean 'std_xy_per_m'?"});
   expectError({room(), "--set", "MotionModel.std_xy_per_m=-1"}, 2, {"std_xy_per_m=-1", "at least 0"});
@@ -88,12 +89,27 @@ TEST_F(Mistake, OnTheCommandLine)
               {"landmarks_file", "--map"});
 }
 
+TEST(MethodNames, EveryMethodThatTheKeyNamesCanRun)
+{
+  std::string names;
+  for (const KeyChoice& method : methodNames()) names += method.name + ' ';
+  const auto outcome = testing::localize({room(), "--dry-run", "--set", "LocalizationExperiment.methods=" + names,
+                                          "--set", "LocalizationExperiment.join_window_s=1"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto help = testing::localize({"--explain", "methods"});
+  for (const KeyChoice& method : methodNames())
+    EXPECT_NE(help.out.find("    " + method.name + ' '), std::string::npos) << help.out;
+}
+
 TEST_F(Mistake, MissingFiles)
 {
   const auto none = [&](const std::string& name) { return (folder_.path() / name).string(); };
-  expectError({room(), none("none.rawlog")}, 1, {"none.rawlog"});
-  expectError({room(), "--map", none("none.csv")}, 1, {"none.csv", "no such file"});
-  expectError({room(), "--ground-truth", none("none.tum")}, 1, {"none.tum", "no such file"});
+  expectError({room(), none("none.rawlog")}, 1, {"RAWLOG " + none("none.rawlog") + ": no such file"});
+  expectError({room(), "--map", none("none.csv")}, 1, {"--map " + none("none.csv") + ": no such file"});
+  expectError({room(), "--ground-truth", none("none.tum")}, 1,
+              {"--ground-truth " + none("none.tum") + ": no such file"});
+  expectError({editedRoom("room.rawlog", "none.rawlog"), "--map", roomLog()}, 1,
+              {"edited.ini:", ": rawlog_file = ", "no such file"});
   expectError({room(), folder_.path()}, 1, {"is a folder"});
 }
 

@@ -5,9 +5,7 @@
 #include <limits>
 #include <sstream>
 
-#include "mrpt_ext/app/dataset_app.h"
-#include "mrpt_ext/app/localization_app.h"
-#include "mrpt_ext/app/simulator_app.h"
+#include "mrpt_ext/app/apps.h"
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/files/text_table.h"
 #include "mrpt_ext/geometry/angle.h"
@@ -20,12 +18,11 @@ namespace
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-template <typename App>
-AppOutcome runApp(const Arguments& arguments)
+AppOutcome runApp(int (*app)(const Arguments&, std::ostream&, std::ostream&), const Arguments& arguments)
 {
   registerAllClasses();
   std::ostringstream out, err;
-  const int exit_code = App(out, err).run(arguments);
+  const int exit_code = app(arguments, out, err);
   return {exit_code, out.str(), err.str()};
 }
 
@@ -44,9 +41,9 @@ std::string timelessSummary(const fs::path& file)
 }
 }  // namespace
 
-AppOutcome localize(const Arguments& arguments) { return runApp<LocalizationApp>(arguments); }
-AppOutcome simulate(const Arguments& arguments) { return runApp<SimulatorApp>(arguments); }
-AppOutcome convert(const Arguments& arguments) { return runApp<DatasetApp>(arguments); }
+AppOutcome localize(const Arguments& arguments) { return runApp(runLandmarkLocalization, arguments); }
+AppOutcome simulate(const Arguments& arguments) { return runApp(runLandmarkSimulator, arguments); }
+AppOutcome convert(const Arguments& arguments) { return runApp(runDataset2Rawlog, arguments); }
 
 fs::path shipped(const std::string& app, const std::string& name)
 {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "../integration/whole_runs.h"
-#include "mrpt_ext/app/images_app.h"
+#include "mrpt_ext/app/apps.h"
 
 namespace mrpt_ext::testing
 {
@@ -16,7 +16,7 @@ namespace mrpt_ext::testing
 inline AppOutcome runImages(const Arguments& arguments)
 {
   std::ostringstream out, err;
-  const int code = ImagesApp(out, err).run(arguments);
+  const int code = runImages2Rawlog(arguments, out, err);
   return {code, out.str(), err.str()};
 }
 

@@ -3,86 +3,64 @@
 #include <ostream>
 
 #include "mrpt_ext/app/version.h"
-#include "mrpt_ext/files/number_format.h"
 #include "mrpt_ext/geometry/input_error.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-/// Thrown by an option that asks for a text instead of a run.
-struct TextRequested
+std::string footerOf(const AppDescription& app)
 {
-  std::string text;
-};
-
-CLI::Validator numberCheck(const std::string& expected, bool zero_allowed)
-{
-  const auto complaint = [expected, zero_allowed](std::string& value)
-  {
-    const auto number = parseNumber(value);
-    const bool good = number && (*number > 0 || (zero_allowed && *number == 0));
-    return good ? std::string() : value + ": expected " + expected;
-  };
-  return {complaint, ""};
+  std::string text = app.more.empty() ? "" : app.more + '\n';
+  text += "Examples:\n";
+  for (const std::string& example : app.examples) text += "  " + app.name + ' ' + example + '\n';
+  return text + "\nMore: apps/" + app.name + "/README.md";
 }
 }  // namespace
 
-CLI::Validator positiveNumber() { return numberCheck("a number above 0", false); }
-CLI::Validator nonNegativeNumber() { return numberCheck("a number of at least 0", true); }
-
-AppShell::AppShell(const std::string& name, const std::string& description, std::ostream& out, std::ostream& err)
-    : out_(out), err_(err), cli_(description, name)
+AppShell::AppShell(const AppDescription& app, std::ostream& out, std::ostream& err)
+    : name_(app.name), out_(out), err_(err), command_line_(app.name, app.purpose, std::string(version()))
 {
-  cli_.add_option("-o,--output", options_.output, "Where the results go");
-  cli_.add_flag("-q,--quiet", options_.quiet, "Only results and errors");
-  cli_.add_flag("-v,--verbose", options_.verbose, "Tell more on stderr");
-  cli_.add_option("--set", options_.overrides, "Section.key=value, wins over the .ini (repeatable)")
-      ->expected(1)
-      ->take_all();
-  cli_.add_option("--seed", options_.seed, "Random seed, a whole number of at least 0")->check(nonNegativeNumber());
-  cli_.set_version_flag("--version", name + " " + std::string(version()));
+  command_line_.setFooter(footerOf(app));
+  command_line_.add({.names = "-o,--output", .target = &options_.output, .help = "Folder or file for the results"})
+      .add({.names = "-q,--quiet", .target = &options_.quiet, .help = "Print results and errors only"})
+      .add({.names = "-v,--verbose", .target = &options_.verbose, .help = "Verbose output on stderr"})
+      .add({.names = "--set",
+            .target = &options_.overrides,
+            .help = "Section.key=value, replaces a key of the .ini (repeatable)",
+            .values = 1})
+      .add({.names = "--seed",
+            .target = &options_.seed,
+            .help = "Random seed, a whole number of at least 0",
+            .numbers = AllowedNumbers::not_negative});
 }
 
 void AppShell::answerQuestionsAbout(const KeyTable& table)
 {
-  cli_.add_flag_callback(
-      "--list-keys", [table] { throw TextRequested{table.list()}; }, "List the keys of the .ini and stop");
-  cli_.add_option_function<std::string>(
-      "--explain", [table](const std::string& key) { throw TextRequested{table.explain(key)}; },
-      "Explain Section.key of the .ini and stop");
+  command_line_
+      .add({.names = "--list-keys",
+            .target = std::function([table] { return table.list(); }),
+            .help = "List the keys of the .ini and stop"})
+      .add({.names = "--explain",
+            .target = std::function([table](const std::string& key) { return table.explain(key); }),
+            .help = "Explain a key of the .ini (Section.key, section or key alone) and stop"});
 }
 
-int AppShell::parse(std::vector<std::string> arguments)
+Settings AppShell::loadSettings(const std::filesystem::path& config, const KeyTable& table) const
+{
+  if (!std::filesystem::exists(config))
+    throw configurationError("CONFIG " + config.string() + ": cannot be read, no such file; expected an .ini file");
+  return Settings::load(config, table, options_.overrides);
+}
+
+int AppShell::run(const std::vector<std::string>& arguments, const std::function<int()>& job)
 {
   try
   {
-    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // the order CLI11 wants
-    cli_.parse(std::move(reversed));
+    const auto text = command_line_.parse(arguments);
+    if (!text) return job();
+    out_ << *text << std::flush;
     return kExitDone;
-  }
-  catch (const CLI::ParseError& error)
-  {
-    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) throw;
-    throw configurationError(cli_.get_name() + ": " + oneLine(error.what()) + " (see --help)");
-  }
-}
-
-int AppShell::run(std::vector<std::string> arguments, const std::function<int()>& job)
-{
-  try
-  {
-    parse(std::move(arguments));
-    return job();
-  }
-  catch (const TextRequested& request)
-  {
-    out_ << request.text << std::flush;
-    return kExitDone;
-  }
-  catch (const CLI::Success& request)  // --help, --version
-  {
-    return cli_.exit(request, out_, err_);
   }
   catch (const InputError& error)
   {
@@ -91,14 +69,9 @@ int AppShell::run(std::vector<std::string> arguments, const std::function<int()>
   }
   catch (const std::exception& error)
   {
-    err_ << cli_.get_name() << ": " << oneLine(error.what()) << std::endl;
+    err_ << name_ << ": " << oneLine(error.what()) << std::endl;
     return kExitFailed;
   }
-}
-
-std::vector<std::string> argumentsOf(int argc, const char* const* argv)
-{
-  return argc > 1 ? std::vector<std::string>(argv + 1, argv + argc) : std::vector<std::string>{};
 }
 
 std::string oneLine(const std::string& what)

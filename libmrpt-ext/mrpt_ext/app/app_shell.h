@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -9,8 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "mrpt_ext/app/command_line.h"
 #include "mrpt_ext/app/exit_codes.h"
-#include "mrpt_ext/settings/key_table.h"
+#include "mrpt_ext/settings/settings.h"
 
 namespace mrpt_ext
 {
@@ -24,43 +24,44 @@ struct CommonOptions
   std::optional<std::uint64_t> seed;
 };
 
+/// The words of an app's help.
+struct AppDescription
+{
+  std::string name, purpose;
+  std::vector<std::string> examples;  ///< arguments behind the name
+  std::string more = {};              ///< further lines before the examples
+};
+
 /// What all apps have in common around their job: the command line, one clear line for an error, the exit code.
-/// Apps add their own options to `cli()` and hand their job to `run`; results go to `out`, everything else to `err`.
+/// Apps add their own options to `commandLine()` and pass their job to `run`; results go to `out`, all else to `err`.
 class AppShell
 {
  public:
-  AppShell(const std::string& name, const std::string& description, std::ostream& out, std::ostream& err);
-  AppShell(const AppShell&) = delete;
-  AppShell& operator=(const AppShell&) = delete;
+  AppShell(const AppDescription& app, std::ostream& out, std::ostream& err);
 
   /// Adds --list-keys and --explain, answered from `table` without the other arguments being needed.
   void answerQuestionsAbout(const KeyTable& table);
 
-  [[nodiscard]] CLI::App& cli() { return cli_; }
+  [[nodiscard]] CommandLine& commandLine() { return command_line_; }
   [[nodiscard]] const CommonOptions& options() const { return options_; }
   [[nodiscard]] std::ostream& out() { return out_; }
   [[nodiscard]] std::ostream& err() { return err_; }
 
+  /// The configuration that the argument CONFIG names, with --set on top.
+  [[nodiscard]] Settings loadSettings(const std::filesystem::path& config, const KeyTable& table) const;
+
   /// Parses `arguments` (without the program's name) and runs `job`, which returns an exit code. An InputError or any
   /// other exception becomes one line on `err`: exit code 2 for a mistake in usage or configuration, else 1.
-  int run(std::vector<std::string> arguments, const std::function<int()>& job);
+  int run(const std::vector<std::string>& arguments, const std::function<int()>& job);
 
  private:
-  int parse(std::vector<std::string> arguments);
-
+  std::string name_;
   std::ostream& out_;
   std::ostream& err_;
-  CLI::App cli_;
+  CommandLine command_line_;
   CommonOptions options_;
 };
 
-/// Checks of an option's number. CLI11's own ones complain with all 309 digits of the largest double.
-[[nodiscard]] CLI::Validator positiveNumber();
-[[nodiscard]] CLI::Validator nonNegativeNumber();
-
-/// The arguments of main() without the program's name.
-[[nodiscard]] std::vector<std::string> argumentsOf(int argc, const char* const* argv);
-
-/// An exception's text as one line; of MRPT's many-line messages only what is wrong, without place and backtrace.
+/// An exception's text as one line; of MRPT's many-line messages only what is wrong, without location and backtrace.
 [[nodiscard]] std::string oneLine(const std::string& what);
 }  // namespace mrpt_ext

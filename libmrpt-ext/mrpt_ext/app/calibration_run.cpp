@@ -8,6 +8,7 @@
 #include "mrpt_ext/files/atomic_file.h"
 #include "mrpt_ext/files/number_format.h"
 #include "mrpt_ext/files/text_file.h"
+#include "mrpt_ext/geometry/input_error.h"
 
 namespace mrpt_ext
 {
@@ -15,18 +16,18 @@ namespace
 {
 const std::string kExperiment = "LocalizationExperiment";
 
-/// What there is to be asked of this log.
-std::vector<ErrorTerm> termsOf(const LocalizationInput& input, const CalibrationData& examined)
+/// The errors that this log can determine.
+std::vector<ErrorTerm> termsOf(const LocalizationInput& input, const CalibrationData& data)
 {
-  const bool moving = !input.config.frames.independent && !examined.problem.odometry.empty() &&
+  const bool moving = !input.config.frames.independent && !data.problem.odometry.empty() &&
                       input.config.filter.motion.type != MotionType::random_walk;
   std::set<std::size_t> bearings, ranges;
-  for (const CalibrationReading& r : examined.problem.readings) (r.is_range ? ranges : bearings).insert(r.sensor);
+  for (const CalibrationReading& r : data.problem.readings) (r.is_range ? ranges : bearings).insert(r.sensor);
   std::vector<ErrorTerm> terms;
   if (moving)
     terms = {
         {CalibrationParameter::distance_scale}, {CalibrationParameter::rotation_scale}, {CalibrationParameter::veer}};
-  for (std::size_t s = 0; s < examined.sensors.size(); ++s)
+  for (std::size_t s = 0; s < data.sensors.size(); ++s)
   {
     if (moving && (bearings.count(s) > 0 || ranges.count(s) > 0)) terms.push_back({CalibrationParameter::delay, s});
     if (bearings.count(s) > 0) terms.push_back({CalibrationParameter::bearing_offset, s});
@@ -37,24 +38,24 @@ std::vector<ErrorTerm> termsOf(const LocalizationInput& input, const Calibration
   return terms;
 }
 
-std::string whyNothing(SolveStatus status, const std::vector<PoseEstimate>& track)
+std::string whyImpossible(SolveStatus status, const std::vector<PoseEstimate>& trajectory)
 {
-  if (track.empty())
-    return "the filter was never sure of a place: give it wider std_range_m, std_bearing_deg or [Bias] to start from";
-  return status == SolveStatus::too_few ? "too few readings were made where the filter was sure of its place"
-                                        : "the readings leave the way undetermined";
+  if (trajectory.empty())
+    return "the filter never reached `ok`: set wider std_range_m, std_bearing_deg or [Bias] to start from";
+  return status == SolveStatus::too_few ? "too few measurements while the verdict was `ok`"
+                                        : "the measurements do not determine the trajectory";
 }
 
-/// How much of the log the filter knew its place in.
-std::string headline(const LocalizationInput& input, const CalibrationData& examined,
-                     const std::vector<PoseEstimate>& track)
+/// The data that the calibration rests on.
+std::string headline(const LocalizationInput& input, const CalibrationData& data,
+                     const std::vector<PoseEstimate>& trajectory)
 {
   const auto frames = static_cast<double>(input.log.frames);
-  std::string text = "examined " + std::to_string(examined.problem.readings.size()) + " bearings and ranges in " +
-                     fixedText(input.context.duration_s, 1) + " s, where the place was sure (" +
-                     fixedText(100 * static_cast<double>(track.size()) / frames, 0) + " % of the frames)";
-  if (examined.anonymous > 0)
-    text += "; " + std::to_string(examined.anonymous) + " detections whose landmark is unclear were left out";
+  std::string text = "data     " + std::to_string(data.problem.readings.size()) + " bearings and ranges in " +
+                     fixedText(input.context.duration_s, 1) + " s, where the verdict was `ok` (" +
+                     fixedText(100 * static_cast<double>(trajectory.size()) / frames, 0) + " % of the frames)";
+  if (data.anonymous > 0)
+    text += "; " + std::to_string(data.anonymous) + " detections without a clear association left out";
   return text + "; the truth was not used";
 }
 
@@ -67,28 +68,28 @@ std::vector<IniAssignment> linesToSet(const std::vector<CalibrationFinding>& fin
 }
 }  // namespace
 
-int runExamination(Settings settings, const ExaminationRequest& request, std::ostream& out)
+int runCalibration(Settings settings, const CalibrationRequest& request, std::ostream& out)
 {
-  const std::string text = request.calibrated.empty() ? "" : readTextFile(request.calibrated);
+  if (!request.calibrated.empty() && !std::filesystem::exists(request.calibrated))
+    throw dataError("--calibrate " + request.calibrated.string() + ": no such file");
+  const std::string ini = request.calibrated.empty() ? "" : readTextFile(request.calibrated);
   if (settings.hasValue(kExperiment, "ground_truth_path_file"))
-    settings.set(kExperiment, "ground_truth_path_file", "", "--examine");
+    settings.set(kExperiment, "ground_truth_path_file", "", "--diagnose");
   const LocalizationInput input = loadLocalization(settings, request.window);
-  settings.set(kExperiment, "frame_window_s", "0", "--examine");
+  settings.set(kExperiment, "frame_window_s", "0", "--diagnose");
   const LocalizationInput by_stamp = loadLocalization(settings, request.window);
 
-  const auto seed = static_cast<std::uint64_t>(settings.integer(kExperiment, "random_seed"));
-  const std::vector<PoseEstimate> track = confidentTrajectory(input, seed);
-  const CalibrationData examined = collectCalibrationData(by_stamp, track, input.config.frames.window);
-  const RecordingErrors errors = calibrate(examined.problem, termsOf(input, examined));
-  if (!request.quiet) out << headline(input, examined, track) << '\n';
+  const std::vector<PoseEstimate> trajectory = confidentTrajectory(input, input.config.seed);
+  const CalibrationData data = collectCalibrationData(by_stamp, trajectory, input.config.frames.window);
+  const RecordingErrors errors = calibrate(data.problem, termsOf(input, data));
+  if (!request.quiet) out << headline(input, data, trajectory) << '\n';
   if (errors.status != SolveStatus::ok)
   {
-    out << "nothing can be told: " << whyNothing(errors.status, track) << '\n';
+    out << "calibration not possible: " << whyImpossible(errors.status, trajectory) << '\n';
     return kExitDone;
   }
-  std::vector<CalibrationFinding> findings = calibrationFindings(errors, examined.sensors, input.config);
-  for (CalibrationFinding& finding : noiseFindings(errors, examined, input.config))
-    findings.push_back(std::move(finding));
+  std::vector<CalibrationFinding> findings = calibrationFindings(errors, data.sensors, input.config);
+  for (CalibrationFinding& finding : noiseFindings(errors, data, input.config)) findings.push_back(std::move(finding));
   const std::vector<IniAssignment> lines = linesToSet(findings);
   if (request.quiet)
   {
@@ -98,12 +99,12 @@ int runExamination(Settings settings, const ExaminationRequest& request, std::os
   else
   {
     for (const std::string& line : findingsTable(findings)) out << line << '\n';
-    if (!examined.problem.odometry.empty())
-      out << "odometry errs " << fixedText(errors.way_scatter, 1) << " times as much as [MotionModel] declares\n";
-    for (const std::string& line : landmarkLines(errors, examined, input.context.map)) out << line << '\n';
+    if (!data.problem.odometry.empty())
+      out << "odometry noise is " << fixedText(errors.way_scatter, 1) << " times that of [MotionModel]\n";
+    for (const std::string& line : landmarkLines(errors, data, input.context.map)) out << line << '\n';
   }
   if (request.calibrated.empty() || lines.empty()) return kExitDone;
-  writeFileAtomically(request.calibrated, withValues(text, lines));
+  writeFileAtomically(request.calibrated, withValues(ini, lines));
   if (!request.quiet) out << "wrote " << request.calibrated.string() << '\n';
   return kExitDone;
 }

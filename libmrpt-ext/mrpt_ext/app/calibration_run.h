@@ -7,16 +7,16 @@
 
 namespace mrpt_ext
 {
-struct ExaminationRequest
+struct CalibrationRequest
 {
   LogWindow window;
   std::filesystem::path calibrated;  ///< configuration to write the lines into; empty: none
-  bool quiet = false;                ///< tell nothing but the lines to set
+  bool quiet = false;                ///< print the lines to set and nothing else
 };
 
-/// The data doctor: what the log says about the systematic errors of its sensors and its odometry, from the log and the
-/// map alone, and which lines of the configuration follow. The filter runs once as configured, then its track and all
-/// errors are adjusted together (calibration/self_calibration.h). The truth is never used. Returns the exit code: done,
-/// also when nothing can be told.
-int runExamination(Settings settings, const ExaminationRequest& request, std::ostream& out);
+/// Estimates the systematic errors of sensors and odometry from the log and the map alone, and prints the configuration
+/// lines that follow. The filter runs once as configured; then its trajectory and all errors are adjusted together
+/// (calibration/self_calibration.h). The truth is never used. Returns the exit code: done, also when calibration is not
+/// possible.
+int runCalibration(Settings settings, const CalibrationRequest& request, std::ostream& out);
 }  // namespace mrpt_ext

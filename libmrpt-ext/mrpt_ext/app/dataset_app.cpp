@@ -1,8 +1,11 @@
-#include "mrpt_ext/app/dataset_app.h"
-
 #include <algorithm>
 #include <ostream>
 
+#include "mrpt_ext/app/app_shell.h"
+#include "mrpt_ext/app/apps.h"
+#include "mrpt_ext/app/dataset_formats.h"
+#include "mrpt_ext/app/rawlog_output.h"
+#include "mrpt_ext/configuration/localization_choices.h"
 #include "mrpt_ext/diagnosis/range_bias_report.h"
 #include "mrpt_ext/files/atomic_file.h"
 #include "mrpt_ext/files/landmark_csv.h"
@@ -18,27 +21,29 @@ namespace
 {
 namespace fs = std::filesystem;
 
-const std::map<std::string, IdentityLevel> kIdentities{
-    {"known", IdentityLevel::known}, {"category", IdentityLevel::category}, {"anonymous", IdentityLevel::anonymous}};
-const std::map<std::string, MeasurementSelection> kMeasurements{{"range-bearing", MeasurementSelection::range_bearing},
-                                                                {"bearing", MeasurementSelection::bearing},
-                                                                {"range", MeasurementSelection::range}};
-
-template <typename Value>
-void addNamed(CLI::App& cli, const std::string& option, Value& target, const std::map<std::string, Value>& values,
-              const std::string& help)
+/// The options as given, before they become a DatasetRequest.
+struct DatasetOptions
 {
-  cli.add_option_function<std::string>(
-         option, [&target, &values](const std::string& name) { target = values.at(name); }, help)
-      ->check(CLI::IsMember(values))
-      ->type_name("NAME");
+  DatasetRequest request;
+  std::vector<double> truth_origin;  ///< x y phi_deg
+  std::string identity, measurements;
+  bool diagnose = false;
+  fs::path calibrated;
+};
+
+NamedValues<MeasurementSelection> measurementSelections()
+{
+  return {{MeasurementSelection::range_bearing, {"range-bearing"}},
+          {MeasurementSelection::bearing, {"bearing"}},
+          {MeasurementSelection::range, {"range"}}};
 }
 
-// STEM_<suffix> for STEM.rawlog.
-fs::path besideRawlog(const fs::path& rawlog, const std::string& suffix)
+template <typename Value>
+std::vector<std::string> wordsOf(const NamedValues<Value>& values)
 {
-  fs::path path = rawlog;
-  return path.replace_filename(rawlog.stem().string() + suffix);
+  std::vector<std::string> words;
+  for (const auto& [value, choice] : values) words.push_back(choice.name);
+  return words;
 }
 
 bool hasReading(const Recording& recording)
@@ -46,98 +51,134 @@ bool hasReading(const Recording& recording)
   return std::any_of(recording.records.begin(), recording.records.end(),
                      [](const Record& record) { return std::holds_alternative<Reading>(record); });
 }
+
+void addOptions(CommandLine& line, DatasetOptions& options)
+{
+  DatasetRequest& request = options.request;
+  line.add({.names = "FORMAT", .target = &request.format, .help = "Format of the input, see below", .required = true})
+      .add({.names = "INPUT", .target = &request.inputs, .help = "Folder or files, see below", .required = true})
+      .add({.names = "--robot", .target = &request.robot, .help = "Number of the robot (mrclam, mrclam-snapshots)"})
+      .add({.names = "--map",
+            .target = &request.map,
+            .help = "CSV with the beacons (mrpt-uwb; default: those of the demo)"})
+      .add({.names = "--truth-origin",
+            .target = &options.truth_origin,
+            .help = "x y phi_deg of the truth's frame in the map (mrpt-uwb; default 2 4 0)",
+            .values = 3})
+      .add({.names = "--identity",
+            .target = &options.identity,
+            .help = "Which identities of landmarks are kept (default: known)",
+            .choices = wordsOf(identityLevels())})
+      .add({.names = "--measurements",
+            .target = &options.measurements,
+            .help = "Which measurements are kept (default: range-bearing)",
+            .choices = wordsOf(measurementSelections())})
+      .add({.names = "--diagnose",
+            .target = &options.diagnose,
+            .help = "Estimate the range bias of every radio; print the suggested .ini lines"})
+      .add({.names = "--examine", .target = &options.diagnose, .help = "--diagnose", .hidden = true})
+      .add({.names = "--calibrate",
+            .target = &options.calibrated,
+            .help = "Also write these lines into this configuration (.ini)"});
+}
+
+/// One conversion: reads, reports, writes.
+class Conversion
+{
+ public:
+  Conversion(AppShell& shell, DatasetOptions options) : shell_(shell), options_(std::move(options)) {}
+
+  int run()
+  {
+    const RawlogOutput files = rawlogOutput("dataset2rawlog", shell_.options().output);
+    if (const auto& overrides = shell_.options().overrides; !overrides.empty())
+      throw configurationError("--set " + overrides.front() + ": dataset2rawlog has no configuration");
+    DatasetRequest request = options_.request;
+    if (const auto& origin = options_.truth_origin; !origin.empty())
+      request.truth_origin = {origin[0], origin[1], degToRad(origin[2])};
+    if (!options_.identity.empty()) request.identity = namedValue(options_.identity, identityLevels());
+    if (!options_.measurements.empty())
+      request.measurements = namedValue(options_.measurements, measurementSelections());
+    for (const auto& [file, option] :
+         {std::pair(request.map, "--map "), std::pair(options_.calibrated, "--calibrate ")})
+      if (!file.empty() && !fs::exists(file)) throw dataError(option + file.string() + ": no such file");
+
+    const Recording recording = importDataset(request);
+    printNotes(recording);
+    if (!hasReading(recording)) throw dataError(request.inputs[0].string() + ": holds no reading, nothing was written");
+    const std::string ini = options_.calibrated.empty() ? "" : readTextFile(options_.calibrated);
+    write(recording, files);
+    if (options_.diagnose || !ini.empty()) diagnose(recording, ini);
+    return kExitDone;
+  }
+
+ private:
+  void print(const std::string& line)
+  {
+    if (!shell_.options().quiet) shell_.out() << line << '\n';
+  }
+
+  void printNotes(const Recording& recording)
+  {
+    for (const std::string& note : recording.notes)
+    {
+      if (note.starts_with("warning: "))
+        shell_.err() << note << '\n';
+      else
+        print(note);
+    }
+    for (const std::string& line : describe(recording)) print(line);
+  }
+
+  /// `ini`: text of the configuration to write into.
+  void diagnose(const Recording& recording, const std::string& ini)
+  {
+    const RangeBiasReport findings = reportRangeBiases(recording);
+    for (const std::string& line : findings.lines) print(line);
+    for (const IniAssignment& line : findings.configuration)
+      print("set [" + line.section + "] " + line.key + " = " + line.value);
+    if (options_.calibrated.empty() || findings.configuration.empty()) return;
+    writeFileAtomically(options_.calibrated, withValues(ini, findings.configuration));
+    print("wrote " + options_.calibrated.string());
+  }
+
+  void printWritten(const fs::path& path)
+  {
+    print("wrote " + path.string());
+    if (shell_.options().verbose) shell_.err() << path.string() << ": " << fs::file_size(path) << " bytes\n";
+  }
+
+  void write(const Recording& recording, const RawlogOutput& files)
+  {
+    writeRawlog(files.rawlog, recording);
+    printWritten(files.rawlog);
+    writeLandmarkCsv(files.map, recording.map);
+    printWritten(files.map);
+    if (!recording.truth.empty())
+    {
+      writeTum(files.truth, recording.truth);
+      printWritten(files.truth);
+    }
+    else if (fs::remove(files.truth))  // that of an earlier conversion does not belong to this log
+    {
+      shell_.err() << files.truth.string() << ": removed, there is no truth for the new log\n";
+    }
+  }
+
+  AppShell& shell_;
+  DatasetOptions options_;
+};
 }  // namespace
 
-DatasetApp::DatasetApp(std::ostream& out, std::ostream& err)
-    : shell_("dataset2rawlog", "Converts recordings of other formats into a rawlog with its map and ground truth", out,
-             err)
+int runDataset2Rawlog(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err)
 {
-  CLI::App& cli = shell_.cli();
-  cli.footer(describeDatasetFormats());
-  cli.add_option("FORMAT", request_.format, "Format of the input, see below")->required();
-  cli.add_option("INPUT", request_.inputs, "Folder or files, see below")->required();
-  cli.add_option("--robot", request_.robot, "Number of the robot (mrclam, mrclam-snapshots)");
-  cli.add_option("--map", request_.map, "CSV with the beacons (mrpt-uwb; default: those of the demo)");
-  cli.add_option("--truth-origin", truth_origin_,
-                 "x y phi_deg of the truth's frame in the map (mrpt-uwb; default 2 4 0)")
-      ->expected(3);
-  addNamed(cli, "--identity", request_.identity, kIdentities, "What is kept of landmark names (default: known)");
-  addNamed(cli, "--measurements", request_.measurements, kMeasurements,
-           "What is kept of them (default: range-bearing)");
-  cli.add_flag("--examine", examine_, "Tell what the ranges say about the radios, and which lines of an .ini follow");
-  cli.add_option("--calibrate", calibrated_, "Also write these lines into this configuration (.ini)");
-}
-
-int DatasetApp::run(std::vector<std::string> arguments)
-{
-  return shell_.run(std::move(arguments), [this] { return convert(); });
-}
-
-int DatasetApp::convert()
-{
-  const fs::path& rawlog = shell_.options().output;
-  if (rawlog.extension() != ".rawlog" || rawlog.stem().empty())
-    throw configurationError("output '" + rawlog.string() + "', expected -o STEM.rawlog");
-  if (!shell_.options().overrides.empty())
-    throw configurationError("--set " + shell_.options().overrides.front() + ": dataset2rawlog has no configuration");
-  if (!truth_origin_.empty()) request_.truth_origin = {truth_origin_[0], truth_origin_[1], degToRad(truth_origin_[2])};
-
-  const Recording recording = importDataset(request_);
-  tell(recording);
-  if (!hasReading(recording)) throw dataError(request_.inputs[0].string() + ": holds no reading, nothing was written");
-  const std::string calibrated = calibrated_.empty() ? "" : readTextFile(calibrated_);
-  write(recording, rawlog);
-  if (examine_ || !calibrated_.empty()) examine(recording, calibrated);
-  return kExitDone;
-}
-
-void DatasetApp::tell(const Recording& recording)
-{
-  for (const std::string& note : recording.notes)
-  {
-    if (note.starts_with("warning: "))
-      shell_.err() << note << '\n';
-    else if (!shell_.options().quiet)
-      shell_.out() << note << '\n';
-  }
-  if (shell_.options().quiet) return;
-  for (const std::string& line : describe(recording)) shell_.out() << line << '\n';
-}
-
-void DatasetApp::examine(const Recording& recording, const std::string& calibrated)
-{
-  const RangeBiasReport findings = reportRangeBiases(recording);
-  if (!shell_.options().quiet)
-  {
-    for (const std::string& line : findings.lines) shell_.out() << line << '\n';
-    for (const IniAssignment& line : findings.configuration)
-      shell_.out() << "set [" << line.section << "] " << line.key << " = " << line.value << '\n';
-  }
-  if (calibrated_.empty() || findings.configuration.empty()) return;
-  writeFileAtomically(calibrated_, withValues(calibrated, findings.configuration));
-  if (!shell_.options().quiet) shell_.out() << "wrote " << calibrated_.string() << '\n';
-}
-
-void DatasetApp::write(const Recording& recording, const fs::path& rawlog)
-{
-  const auto tellFile = [this](const fs::path& path)
-  {
-    if (!shell_.options().quiet) shell_.out() << "wrote " << path.string() << '\n';
-    if (shell_.options().verbose) shell_.err() << path.string() << ": " << fs::file_size(path) << " bytes\n";
-  };
-  const fs::path map = besideRawlog(rawlog, "_map.csv"), truth = besideRawlog(rawlog, "_ground_truth.tum");
-  writeRawlog(rawlog, recording);
-  tellFile(rawlog);
-  writeLandmarkCsv(map, recording.map);
-  tellFile(map);
-  if (!recording.truth.empty())
-  {
-    writeTum(truth, recording.truth);
-    tellFile(truth);
-  }
-  else if (fs::remove(truth))  // that of an earlier conversion does not belong to this log
-  {
-    shell_.err() << truth.string() << ": removed, there is no truth for the new log\n";
-  }
+  AppShell shell({.name = "dataset2rawlog",
+                  .purpose = "Converts recordings of other formats into a rawlog with its map and ground truth",
+                  .examples = {"csv my_folder -o out/csv.rawlog", "mrclam MRCLAM_Dataset6 --robot 1 -o out/r1.rawlog"},
+                  .more = describeDatasetFormats()},
+                 out, err);
+  DatasetOptions options;
+  addOptions(shell.commandLine(), options);
+  return shell.run(arguments, [&] { return Conversion(shell, options).run(); });
 }
 }  // namespace mrpt_ext

@@ -10,7 +10,7 @@
 
 namespace mrpt_ext
 {
-/// What is to be imported, and how.
+/// The recording to import, and how.
 struct DatasetRequest
 {
   std::string format;

@@ -1,10 +1,10 @@
-#include "mrpt_ext/app/images_app.h"
-
 #include <algorithm>
 #include <opencv2/imgcodecs.hpp>
 #include <ostream>
 
 #include "mrpt_ext/app/app_shell.h"
+#include "mrpt_ext/app/apps.h"
+#include "mrpt_ext/app/rawlog_output.h"
 #include "mrpt_ext/files/atomic_file.h"
 #include "mrpt_ext/files/landmark_csv.h"
 #include "mrpt_ext/files/tum.h"
@@ -25,18 +25,6 @@ struct ImageOptions
   fs::path config, input, csv, debug_images;
 };
 
-fs::path beside(const fs::path& rawlog, const std::string& ending)
-{
-  return rawlog.parent_path() / (rawlog.stem().string() + ending);
-}
-
-void checkOutput(const fs::path& rawlog)
-{
-  if (rawlog.empty()) throw configurationError("images2rawlog: -o/--output is missing, expected STEM.rawlog");
-  if (rawlog.extension() != ".rawlog")
-    throw configurationError("images2rawlog: --output " + rawlog.string() + ": expected a name ending in .rawlog");
-}
-
 std::unique_ptr<ImageSequence> openImages(const fs::path& input, const Settings& settings)
 {
   if (fs::is_directory(input)) return openImageFolder(input, imageRoles(settings), headingOffset(settings));
@@ -44,7 +32,7 @@ std::unique_ptr<ImageSequence> openImages(const fs::path& input, const Settings&
   throw dataError(input.string() + ": not found, expected a folder with frames.csv or a rawlog with images");
 }
 
-/// Everything the images gave, to be written at the end.
+/// All measurements, to be written at the end.
 struct Outcome
 {
   Recording recording;
@@ -103,47 +91,60 @@ std::vector<FrameAtPose> framesAtPose(ImageSequence& images, const std::vector<i
   return found;
 }
 
-int convert(const ImageOptions& files, const CommonOptions& options, std::ostream& out, std::ostream& err)
+int convert(const ImageOptions& options, const Settings& settings, const AppShell& shell, std::ostream& out,
+            std::ostream& err)
 {
-  const Settings settings = Settings::load(files.config, imagesKeys(), options.overrides);
-  checkOutput(options.output);
-  const auto images = openImages(files.input, settings);
+  const RawlogOutput files = rawlogOutput("images2rawlog", shell.options().output);
+  const auto images = openImages(options.input, settings);
   const auto front_end = makeFrontEnd(settings, images->camera);
-  const auto tell = [&](const std::string& line)
+  const auto print = [&](const std::string& line)
   {
-    if (!options.quiet) out << line << '\n';
+    if (!shell.options().quiet) out << line << '\n';
   };
   if (const auto numbers = front_end->calibrationFrames(); !numbers.empty())
-    for (const std::string& line : front_end->calibrate(framesAtPose(*openImages(files.input, settings), numbers)))
-      tell(line);
-  const Outcome outcome = measureAll(*images, *front_end, files.debug_images, err);
-  if (outcome.frames == 0) throw dataError(files.input.string() + ": no images in it");
+    for (const std::string& line : front_end->calibrate(framesAtPose(*openImages(options.input, settings), numbers)))
+      print(line);
+  const Outcome outcome = measureAll(*images, *front_end, options.debug_images, err);
+  if (outcome.frames == 0) throw dataError(options.input.string() + ": no images in it");
 
-  if (images->ignored > 0) tell(std::to_string(images->ignored) + " records that are no images were left out");
-  tell(std::to_string(outcome.frames) + " frames, " + std::to_string(outcome.measurements) + " measurements, " +
-       std::to_string(outcome.without_measurement) + " frames without measurement");
-  writeRawlog(options.output, outcome.recording);
-  tell("wrote " + options.output.string());
+  if (images->ignored > 0) print(std::to_string(images->ignored) + " records that are no images were left out");
+  print(std::to_string(outcome.frames) + " frames, " + std::to_string(outcome.measurements) + " measurements, " +
+        std::to_string(outcome.without_measurement) + " frames without measurement");
+  writeRawlog(files.rawlog, outcome.recording);
+  print("wrote " + files.rawlog.string());
   const LandmarkTable map = images->map.empty() ? front_end->landmarks() : images->map;
-  if (!map.empty()) writeLandmarkCsv(beside(options.output, "_map.csv"), map);
-  if (!images->truth.empty()) writeTum(beside(options.output, "_ground_truth.tum"), images->truth);
-  if (!files.csv.empty()) writeFileAtomically(files.csv, outcome.csv.text());
+  if (!map.empty()) writeLandmarkCsv(files.map, map);
+  if (!images->truth.empty()) writeTum(files.truth, images->truth);
+  if (!options.csv.empty()) writeFileAtomically(options.csv, outcome.csv.text());
   return kExitDone;
 }
 }  // namespace
 
-int ImagesApp::run(const std::vector<std::string>& arguments)
+int runImages2Rawlog(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err)
 {
-  AppShell shell("images2rawlog", "Measures in the images of a camera and writes what they show as a rawlog.", out_,
-                 err_);
-  ImageOptions files;
-  shell.cli().add_option("CONFIG", files.config, "Sensor and thresholds, e.g. conic-mirror.ini")->required();
-  shell.cli()
-      .add_option("-i,--input", files.input, "Folder with frames.csv and images, or a rawlog with images")
-      ->required();
-  shell.cli().add_option("--csv", files.csv, "Write the measurements as a table");
-  shell.cli().add_option("--debug-images", files.debug_images, "Folder for the images with what was found drawn in");
-  shell.answerQuestionsAbout(imagesKeys());
-  return shell.run(arguments, [&] { return convert(files, shell.options(), out_, err_); });
+  AppShell shell({.name = "images2rawlog",
+                  .purpose = "Measures landmarks in the images of a camera and writes them as a rawlog.",
+                  .examples = {"ini/images2rawlog/conic-mirror.ini -i datasets/conic-mirror -o out/mirror.rawlog",
+                               "ini/images2rawlog/stereo.ini -i datasets/stereo-goal -o out/stereo.rawlog "
+                               "--debug-images out/seen"}},
+                 out, err);
+  ImageOptions options;
+  shell.commandLine()
+      .add({.names = "CONFIG",
+            .target = &options.config,
+            .help = "Sensor and thresholds, e.g. ini/images2rawlog/conic-mirror.ini",
+            .required = true})
+      .add({.names = "-i,--input",
+            .target = &options.input,
+            .help = "Folder with frames.csv and images, or a rawlog with images",
+            .required = true})
+      .add({.names = "--csv", .target = &options.csv, .help = "Write the measurements as a table"})
+      .add({.names = "--debug-images",
+            .target = &options.debug_images,
+            .help = "Folder for the images with the measurements drawn in"});
+  const KeyTable keys = imagesKeys();
+  shell.answerQuestionsAbout(keys);
+  return shell.run(arguments,
+                   [&] { return convert(options, shell.loadSettings(options.config, keys), shell, out, err); });
 }
 }  // namespace mrpt_ext

@@ -1,8 +1,7 @@
-#include "mrpt_ext/app/localization_app.h"
-
 #include <charconv>
 
 #include "mrpt_ext/app/app_shell.h"
+#include "mrpt_ext/app/apps.h"
 #include "mrpt_ext/app/calibration_run.h"
 #include "mrpt_ext/app/localization_run.h"
 #include "mrpt_ext/configuration/localization_keys.h"
@@ -41,81 +40,124 @@ std::string commandLine(const std::vector<std::string>& arguments)
     line += argument.find(' ') == std::string::npos ? " " + argument : " '" + argument + "'";
   return line;
 }
-}  // namespace
 
-int LocalizationApp::run(const std::vector<std::string>& arguments)
+/// The options as given, before they become a request.
+struct LocalizationOptions
 {
-  AppShell shell("landmark-localization",
-                 "Localizes a robot from landmarks: particle filter and closed forms over a rawlog", out_, err_);
-  shell.answerQuestionsAbout(localizationKeys());
   std::string config, rawlog, map, truth, trials;
   int repeat = 0;
-  double duration = 0;
+  bool diagnose = false;
   LocalizationRequest request;
-  CLI::App& cli = shell.cli();
-  cli.add_option("CONFIG", config, "Configuration (.ini)")->required();
-  cli.add_option("RAWLOG", rawlog, "Log to run over instead of the configured one");
-  cli.add_option("--map", map, "Map instead of the configured one");
-  cli.add_option("--ground-truth", truth, "Truth instead of the configured one");
-  cli.add_option("--start", request.window.start, "Leave out the first S seconds of the log")
-      ->check(nonNegativeNumber());
-  const CLI::Option* with_duration =
-      cli.add_option("--duration", duration, "Use S seconds of the log only")->check(positiveNumber());
-  CLI::Option* with_repeat = cli.add_option("--repeat", repeat, "N independent trials")->check(positiveNumber());
-  cli.add_option("--trials", trials, "A:B: trials A to B-1 of a longer study")->excludes(with_repeat);
-  cli.add_option("--jobs", request.jobs, "Worker threads in total: trials first, then particle blocks")
-      ->check(positiveNumber());
-  cli.add_option("--fail-above", request.fail_above, "Exit code 3 when the filter's position RMSE exceeds M metres")
-      ->check(positiveNumber());
-  CLI::Option* gui = cli.add_flag("--gui", request.gui, "Watch the first trial in a window");
-  cli.add_option("--gui-speed", request.gui_speed, "Seconds of log per second in the window; default 10")
-      ->check(positiveNumber())
-      ->needs(gui);
-  cli.add_flag("--resume", request.resume, "Leave out the trials that the output folder holds already");
-  ExaminationRequest examination;
-  bool examine = false;
-  cli.add_flag("--examine", examine,
-               "Tell what the log says about its sensors and its odometry, and which lines of an .ini follow; no run");
-  cli.add_option("--calibrate", examination.calibrated, "Also write these lines into this configuration (.ini)");
-  cli.add_flag("--dry-run", request.dry_run, "Load and check everything, run nothing");
+  std::filesystem::path calibrated;
+};
 
-  return shell.run(arguments,
-                   [&]
-                   {
-                     const CommonOptions& common = shell.options();
-                     Settings settings = Settings::load(config, localizationKeys(), common.overrides);
-                     const auto give = [&](const std::string& value, const std::string& section, const std::string& key,
-                                           const std::string& option)
-                     {
-                       if (!value.empty())
-                         settings.set(section, key, std::filesystem::absolute(value).string(), option);
-                     };
-                     const bool other_log =
-                         !rawlog.empty() && truth.empty() && settings.hasValue(kExperiment, "ground_truth_path_file");
-                     if (other_log)
-                       request.note = "note     the truth is that of the configuration, " +
-                                      settings.path(kExperiment, "ground_truth_path_file").string() +
-                                      ": give --ground-truth if it does not belong to this log\n";
-                     give(rawlog, kExperiment, "rawlog_file", "RAWLOG");
-                     give(truth, kExperiment, "ground_truth_path_file", "--ground-truth");
-                     give(map, "MetricMap_landmarkMap2D_00_creationOpts", "landmarks_file", "--map");
-                     if (common.seed) settings.set(kExperiment, "random_seed", std::to_string(*common.seed), "--seed");
-                     const auto repetitions = settings.integer(kExperiment, "experimentRepetitions");
-                     request.last_trial = repeat > 0 ? repeat : static_cast<int>(repetitions);
-                     request.trial_folders = repeat > 0 || repetitions > 1;
-                     if (!trials.empty()) parseTrials(trials, request);
-                     if (with_duration->count() > 0) request.window.duration = duration;
-                     if (examine || !examination.calibrated.empty())
-                     {
-                       examination.window = request.window;
-                       examination.quiet = common.quiet;
-                       return runExamination(settings, examination, out_);
-                     }
-                     request.output = common.output;
-                     request.quiet = common.quiet;
-                     request.verbose = common.verbose;
-                     request.command_line = commandLine(arguments);
-                     return runLocalization(settings, request, out_, err_);
-                   });
+void addOptions(CommandLine& line, LocalizationOptions& options)
+{
+  LocalizationRequest& request = options.request;
+  line.add({.names = "CONFIG", .target = &options.config, .help = "Configuration (.ini)", .required = true})
+      .add({.names = "RAWLOG", .target = &options.rawlog, .help = "Log to process instead of the configured one"})
+      .add({.names = "--map", .target = &options.map, .help = "Map instead of the configured one"})
+      .add({.names = "--ground-truth", .target = &options.truth, .help = "Ground truth instead of the configured one"})
+      .add({.names = "--start",
+            .target = &request.window.start,
+            .help = "Skip the first S seconds of the log",
+            .numbers = AllowedNumbers::not_negative})
+      .add({.names = "--duration",
+            .target = &request.window.duration,
+            .help = "Process S seconds of the log only",
+            .numbers = AllowedNumbers::positive})
+      .add({.names = "--repeat",
+            .target = &options.repeat,
+            .help = "N independent trials",
+            .numbers = AllowedNumbers::positive})
+      .add({.names = "--trials",
+            .target = &options.trials,
+            .help = "A:B: trials A to B-1 of a longer study",
+            .excludes = "--repeat"})
+      .add({.names = "--jobs",
+            .target = &request.jobs,
+            .help = "Worker threads in total: trials first, then particle blocks",
+            .numbers = AllowedNumbers::positive})
+      .add({.names = "--fail-above",
+            .target = &request.fail_above,
+            .help = "Exit code 3 if the filter's position RMSE exceeds M metres",
+            .numbers = AllowedNumbers::positive})
+      .add({.names = "--gui", .target = &request.gui, .help = "Show the first trial in a window"})
+      .add({.names = "--gui-speed",
+            .target = &request.gui_speed,
+            .help = "Seconds of log per second in the window; default 10",
+            .numbers = AllowedNumbers::positive,
+            .needs = "--gui"})
+      .add({.names = "--resume",
+            .target = &request.resume,
+            .help = "Skip the trials that the output folder contains already"})
+      .add({.names = "--diagnose",
+            .target = &options.diagnose,
+            .help = "Estimate sensor and odometry calibration from the log instead of running; print the suggested "
+                    ".ini lines"})
+      .add({.names = "--examine", .target = &options.diagnose, .help = "--diagnose", .hidden = true})
+      .add({.names = "--calibrate",
+            .target = &options.calibrated,
+            .help = "The same, and write these lines into this configuration (.ini)"})
+      .add({.names = "--dry-run", .target = &request.dry_run, .help = "Load and check everything, run nothing"});
+}
+
+/// The configuration with what the command line replaces. Files are absolute: those of an .ini are relative to it.
+Settings settingsOf(const LocalizationOptions& options, const AppShell& shell)
+{
+  Settings settings = shell.loadSettings(options.config, localizationKeys());
+  const auto replace =
+      [&](const std::string& file, const std::string& section, const std::string& key, const std::string& option)
+  {
+    if (!file.empty()) settings.set(section, key, std::filesystem::absolute(file).string(), option + ' ' + file);
+  };
+  replace(options.rawlog, kExperiment, "rawlog_file", "RAWLOG");
+  replace(options.truth, kExperiment, "ground_truth_path_file", "--ground-truth");
+  replace(options.map, "MetricMap_landmarkMap2D_00_creationOpts", "landmarks_file", "--map");
+  if (const auto seed = shell.options().seed)
+    settings.set(kExperiment, "random_seed", std::to_string(*seed), "--seed " + std::to_string(*seed));
+  return settings;
+}
+
+/// A log with the truth of the configuration, which may be that of another log.
+std::string truthNote(const LocalizationOptions& options, const Settings& settings)
+{
+  if (options.rawlog.empty() || !options.truth.empty() || !settings.hasValue(kExperiment, "ground_truth_path_file"))
+    return {};
+  return "note     the ground truth is the configured one, " +
+         settings.path(kExperiment, "ground_truth_path_file").string() +
+         ": give --ground-truth if it does not belong to this log\n";
+}
+
+int runRequest(const LocalizationOptions& options, const AppShell& shell, std::ostream& out, std::ostream& err)
+{
+  const Settings settings = settingsOf(options, shell);
+  LocalizationRequest request = options.request;
+  if (options.diagnose || !options.calibrated.empty())
+    return runCalibration(settings, {request.window, options.calibrated, shell.options().quiet}, out);
+  const auto repetitions = settings.integer(kExperiment, "experimentRepetitions");
+  request.last_trial = options.repeat > 0 ? options.repeat : static_cast<int>(repetitions);
+  request.trial_folders = options.repeat > 0 || repetitions > 1;
+  if (!options.trials.empty()) parseTrials(options.trials, request);
+  request.note = truthNote(options, settings);
+  request.output = shell.options().output;
+  request.quiet = shell.options().quiet;
+  request.verbose = shell.options().verbose;
+  return runLocalization(settings, request, out, err);
+}
+}  // namespace
+
+int runLandmarkLocalization(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err)
+{
+  AppShell shell({.name = "landmark-localization",
+                  .purpose = "Localizes a robot from landmarks: particle filter and closed forms over a rawlog",
+                  .examples = {"ini/landmark-localization/room.ini -o out/room",
+                               "my.ini my.rawlog --map my_map.csv --repeat 20 --jobs 4"}},
+                 out, err);
+  shell.answerQuestionsAbout(localizationKeys());
+  LocalizationOptions options;
+  addOptions(shell.commandLine(), options);
+  options.request.command_line = commandLine(arguments);
+  return shell.run(arguments, [&] { return runRequest(options, shell, out, err); });
 }
 }  // namespace mrpt_ext

@@ -59,15 +59,15 @@ double peakMemoryMegabytes()
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-/// What a summary does not tell about its methods.
+/// Adds what a summary does not contain about its methods.
 void complete(RunScore& score, const Methods& methods)
 {
   RunRecord record;
   for (const auto& localizer : methods.localizers)
     record.methods.push_back({.name = localizer->name(), .continuous = localizer->continuous()});
   for (MethodScore& method : score.methods)
-    for (const MethodTrajectory& track : record.methods)
-      if (track.name == method.name) method.continuous = track.continuous;
+    for (const MethodTrajectory& known : record.methods)
+      if (known.name == method.name) method.continuous = known.continuous;
   if (const MethodTrajectory* judged = judgedMethod(record)) score.judged_method = judged->name;
 }
 
@@ -77,10 +77,10 @@ void expectSameSettings(const fs::path& folder, const Settings& settings)
   const fs::path file = folder / "config_resolved.ini";
   if (fs::exists(file) && readTextFile(file) != settings.resolvedText())
     throw configurationError("--resume: " + file.string() +
-                             " is of other settings, expected the same ones, or -o with another folder");
+                             " has other settings, expected the same ones, or -o with another folder");
 }
 
-/// A line about trials in the folder that are not of this run; empty without any.
+/// A line about trials of other runs in the folder; empty without any.
 std::string otherTrialsText(const fs::path& folder, const LocalizationRequest& request)
 {
   std::set<std::string> others;
@@ -96,7 +96,7 @@ std::string otherTrialsText(const fs::path& folder, const LocalizationRequest& r
          "), which localization-report counts as well\n";
 }
 
-/// Runs, judges and writes the trials; keeps what the merged report needs.
+/// Runs, scores and writes the trials; keeps what the merged report needs.
 class TrialBatch
 {
  public:
@@ -145,14 +145,14 @@ class TrialBatch
   [[nodiscard]] std::size_t resumed() const { return resumed_; }
 
  private:
-  /// From the moment of convergence on, like the errors that it is compared with.
+  /// From convergence on, like the errors that it is compared with.
   [[nodiscard]] LimitScore limitOf(const RunScore& score) const
   {
     if (!score.judged_method || !score.converged_at_s) return {.why_none = tracking_bound_.why_none};
     return limitFrom(tracking_bound_, input_.context.start_time + *score.converged_at_s);
   }
 
-  /// In the window, and as a file where the configuration wants one.
+  /// In the window, and as a file if configured.
   void show(std::size_t number, const Frame& frame, const FilterLocalizer* filter, const fs::path& folder, bool first)
   {
     const LandmarkTable& map = input_.context.map;
@@ -165,13 +165,13 @@ class TrialBatch
     writeScene(folder / "scenes" / name, map, playbackStep(frame, filter, map, kShownParticles));
   }
 
-  [[nodiscard]] std::size_t placeOf(int trial) const { return static_cast<std::size_t>(trial - request_.first_trial); }
+  [[nodiscard]] std::size_t indexOf(int trial) const { return static_cast<std::size_t>(trial - request_.first_trial); }
   [[nodiscard]] fs::path folderOf(int trial) const
   {
     return request_.trial_folders ? folder_ / trialFolder(trial) : folder_;
   }
 
-  /// True when the trial is there already: its score is that of its summary.
+  /// True when the folder contains the trial already; its score is read from its summary.
   bool takeFinished(int trial)
   {
     if (!request_.resume) return false;
@@ -181,7 +181,7 @@ class TrialBatch
     score->limits = input_.config.limits;
     score->limit.why_none = tracking_bound_.why_none;
     const std::lock_guard lock(mutex_);
-    scores_[placeOf(trial)] = std::move(score);
+    scores_[indexOf(trial)] = std::move(score);
     ++done_;
     ++resumed_;
     return true;
@@ -189,7 +189,7 @@ class TrialBatch
 
   void runOne(int trial, const std::atomic<bool>& stop, ProgressLine& line)
   {
-    const std::size_t place = placeOf(trial);
+    const std::size_t index = indexOf(trial);
     const auto progress = [&, total = static_cast<double>(scores_.size())](double share)
     {
       const std::lock_guard lock(mutex_);
@@ -211,8 +211,8 @@ class TrialBatch
     if (input_.config.final_scene) writeScene(folder / "final.3Dscene", input_.context.map, outcome.final_step);
     for (MethodScore& method : score.methods) method.errors.clear();
     const std::lock_guard lock(mutex_);
-    texts_[place] = std::move(text);
-    scores_[place] = std::move(score);
+    texts_[index] = std::move(text);
+    scores_[index] = std::move(score);
     ++done_;
   }
 
@@ -236,7 +236,7 @@ int exitCode(const RunScore& score, const std::vector<RunScore>& trials, const L
 {
   if (interrupted)
   {
-    err << "interrupted: what was finished is written, unfinished trials end where they were\n";
+    err << "interrupted: finished trials are complete, unfinished ones end here\n";
     return kExitFailed;
   }
   for (const RunScore& trial : trials)
@@ -269,7 +269,7 @@ int runLocalization(const Settings& settings, const LocalizationRequest& request
   createFolder(folder);
   if (request.resume) expectSameSettings(folder, settings);
   writeFileAtomically(folder / "config_resolved.ini", settings.resolvedText());
-  const auto seed = static_cast<std::uint64_t>(settings.integer(kExperiment, "random_seed"));
+  const std::uint64_t seed = input.config.seed;
   input.context.seed = seed;
   input.context.objects_wanted = !input.config.frames.object_categories.empty();
   std::optional<LiveView> view;
@@ -285,13 +285,13 @@ int runLocalization(const Settings& settings, const LocalizationRequest& request
   const std::string tail = (input.config.frames.independent ? boundText(input) : batch.firstText()) + "\n" + table;
   writeFileAtomically(folder / "log.txt", input.context.command_line + "\n" + head + tail);
   if (batch.resumed() > 0 && !request.quiet)
-    out << "resumed  " << batch.resumed() << " of " << trials << " trials were there already\n";
+    out << "resumed  " << batch.resumed() << " of " << trials << " trials were finished already\n";
   if (!request.quiet) out << otherTrialsText(folder, request);
   out << (request.quiet ? table : tail) << "report   " << (folder / "report.html").string() << '\n';
   const int code = exitCode(merged, scores, request, batch.interrupted(), err);
   if (view && view->isOpen() && isatty(STDERR_FILENO) == 1)
   {
-    err << "The end is shown: close the window to leave.\n";
+    err << "End of the log: close the window to leave.\n";
     view->waitUntilClosed();
   }
   return code;

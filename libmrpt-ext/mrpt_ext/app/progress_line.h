@@ -6,7 +6,7 @@
 
 namespace mrpt_ext
 {
-/// "localizing 40 %, 12 s left"; the time is told once a second has passed. `fraction` in [0, 1], `elapsed` [s].
+/// "localizing 40 %, 12 s left"; the time left is shown after the first second. `fraction` in [0, 1], `elapsed` [s].
 [[nodiscard]] std::string progressText(const std::string& task, double fraction, double elapsed);
 
 /// One line on stderr that shows how far a run is; silent when stderr is not a terminal or `enabled` is false.

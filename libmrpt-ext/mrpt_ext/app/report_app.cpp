@@ -1,6 +1,7 @@
-#include "mrpt_ext/app/report_app.h"
+#include <ostream>
 
 #include "mrpt_ext/app/app_shell.h"
+#include "mrpt_ext/app/apps.h"
 #include "mrpt_ext/files/atomic_file.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/report/comparison_page.h"
@@ -8,36 +9,45 @@
 
 namespace mrpt_ext
 {
-int ReportApp::run(const std::vector<std::string>& arguments)
+namespace
 {
-  AppShell shell("localization-report", "Compares or merges finished runs of landmark-localization", out_, err_);
-  std::vector<std::filesystem::path> folders;
-  std::filesystem::path table;
-  shell.cli().add_option("DIR", folders, "Output folders of finished runs")->required();
-  shell.cli().add_option("--table", table,
-                         "Also the figures as a table: FILE.csv (with the settings that differ) or FILE.md");
-  return shell.run(arguments,
-                   [&]
-                   {
-                     const std::filesystem::path& output = shell.options().output;
-                     if (output.extension() != ".html")
-                       throw configurationError("output '" + output.string() + "', expected -o REPORT.html");
-                     if (!shell.options().overrides.empty())
-                       throw configurationError("--set " + shell.options().overrides.front() +
-                                                ": localization-report has no configuration");
-                     const std::string kind = table.extension().string();
-                     if (!table.empty() && kind != ".csv" && kind != ".md")
-                       throw configurationError("--table '" + table.string() + "', expected FILE.csv or FILE.md");
-                     const std::vector<FinishedRun> runs = readFinishedRuns(folders);
-                     writeFileAtomically(output, collectionPage(runs));
-                     if (!table.empty())
-                       writeFileAtomically(table, kind == ".csv" ? studyCsv(runs) : studyMarkdown(runs));
-                     if (shell.options().quiet) return kExitDone;
-                     for (const FinishedRun& run : runs)
-                       out_ << run.name << ": " << run.trials.size() << " trials from " << run.folders.size()
-                            << " folders\n";
-                     out_ << "wrote " << output.string() << '\n';
-                     return kExitDone;
-                   });
+namespace fs = std::filesystem;
+
+int compareRuns(const std::vector<fs::path>& folders, const fs::path& table, const CommonOptions& options,
+                std::ostream& out)
+{
+  if (options.output.extension() != ".html")
+    throw configurationError("output '" + options.output.string() + "', expected -o REPORT.html");
+  if (!options.overrides.empty())
+    throw configurationError("--set " + options.overrides.front() + ": localization-report has no configuration");
+  const std::string kind = table.extension().string();
+  if (!table.empty() && kind != ".csv" && kind != ".md")
+    throw configurationError("--table '" + table.string() + "', expected FILE.csv or FILE.md");
+  const std::vector<FinishedRun> runs = readFinishedRuns(folders);
+  writeFileAtomically(options.output, collectionPage(runs));
+  if (!table.empty()) writeFileAtomically(table, kind == ".csv" ? studyCsv(runs) : studyMarkdown(runs));
+  if (options.quiet) return kExitDone;
+  for (const FinishedRun& run : runs)
+    out << run.name << ": " << run.trials.size() << " trials from " << run.folders.size() << " folders\n";
+  out << "wrote " << options.output.string() << '\n';
+  return kExitDone;
+}
+}  // namespace
+
+int runLocalizationReport(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err)
+{
+  AppShell shell({.name = "localization-report",
+                  .purpose = "Compares or merges finished runs of landmark-localization",
+                  .examples = {"out/room out/half-field -o out/compared.html",
+                               "out/part_* -o out/study.html --table out/study.csv"}},
+                 out, err);
+  std::vector<fs::path> folders;
+  fs::path table;
+  shell.commandLine()
+      .add({.names = "DIR", .target = &folders, .help = "Output folders of finished runs", .required = true})
+      .add({.names = "--table",
+            .target = &table,
+            .help = "Write the figures as a table too: FILE.csv (with the settings that differ) or FILE.md"});
+  return shell.run(arguments, [&] { return compareRuns(folders, table, shell.options(), out); });
 }
 }  // namespace mrpt_ext

@@ -1,23 +1,14 @@
 #include "mrpt_ext/app/run_summary_text.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "mrpt_ext/experiment/frame_bounds.h"
+#include "mrpt_ext/geometry/formatted.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-/// Numbers and short words; names may be of any length and are added as they are.
-template <typename... Values>
-std::string text(const char* format, Values... values)
-{
-  char buffer[400];
-  std::snprintf(buffer, sizeof(buffer), format, values...);
-  return buffer;
-}
-
 std::string joined(const std::vector<std::string>& names)
 {
   std::string result;
@@ -28,14 +19,15 @@ std::string joined(const std::vector<std::string>& names)
 std::string mapText(const RunContext& context)
 {
   const auto [low, high] = context.map.boundingBox();
-  return text("map      %zu landmarks in %.1f x %.1f m\n", context.map.size(), high.x() - low.x(), high.y() - low.y());
+  return formatted("map      %zu landmarks in %.1f x %.1f m\n", context.map.size(), high.x() - low.x(),
+                   high.y() - low.y());
 }
 
 std::string truthText(const RunContext& context)
 {
-  if (context.truth.empty()) return "truth    none: accuracy is not judged\n";
-  return text("truth    %zu poses%s\n", context.truth.size(),
-              context.truth_is_sparse ? ", sparse: judged at their own stamps" : "");
+  if (context.truth.empty()) return "truth    none: no errors are computed\n";
+  return formatted("truth    %zu poses%s\n", context.truth.size(),
+                   context.truth_is_sparse ? ", sparse: errors at their own stamps" : "");
 }
 }  // namespace
 
@@ -44,21 +36,22 @@ std::string inputText(const LocalizationInput& input)
   const RunContext& context = input.context;
   std::string result = mapText(context);
   result += "log      " + context.rawlog_path;
-  result += text(": %zu records, %.1f s\n", context.rawlog_entries, context.duration_s);
+  result += formatted(": %zu records, %.1f s\n", context.rawlog_entries, context.duration_s);
   for (const auto& [name, count] : context.observations)
   {
-    result += text("         %6zu ", count.total) + name;
+    result += formatted("         %6zu ", count.total) + name;
     if (count.used == 0)
-      result += " (ignored: nothing scores this class)";
+      result += " (ignored: no likelihood for this class)";
     else if (count.ignored > 0)
-      result += text(", %zu of them ignored", count.ignored);
+      result += formatted(", %zu of them ignored", count.ignored);
     result += "\n";
   }
-  for (const auto& [reason, count] : input.unusable) result += text("         %6zu unusable: ", count) + reason + "\n";
+  for (const auto& [reason, count] : input.unusable)
+    result += formatted("         %6zu unusable: ", count) + reason + "\n";
   for (const std::string& label : input.unmatched_sensors)
     result += "         [Sensor_" + label + "] applies to no record, the log has sensors " +
               joined(input.logged_sensors) + "\n";
-  result += text("frames   %zu, %zu detections\n", input.log.frames, input.log.detections);
+  result += formatted("frames   %zu, %zu detections\n", input.log.frames, input.log.detections);
   return result + truthText(context);
 }
 
@@ -68,8 +61,8 @@ std::string boundText(const LocalizationInput& input)
   for (const auto& [what, name] :
        {std::pair(BoundOf::bearings, "bearings alone"), std::pair(BoundOf::everything, "all measurements")})
     if (const auto bound = boundOfFrames(streamOf(input), input.context.map, input.context.truth, what))
-      result += text("limit    Cramer-Rao bound of %s: position RMSE %.3f m, median %.3f m (%zu frames)\n", name,
-                     bound->position_rmse, bound->position_median, bound->frames);
+      result += formatted("limit    Cramer-Rao bound of %s: position RMSE %.3f m, median %.3f m (%zu frames)\n", name,
+                          bound->position_rmse, bound->position_median, bound->frames);
   return result;
 }
 
@@ -77,14 +70,14 @@ std::string verdictText(const RunRecord& record, double start_time)
 {
   std::string result;
   std::optional<Verdict> before;
-  for (const MethodTrajectory& track : record.methods)
-    for (const PoseEstimate& point : track.points)
+  for (const MethodTrajectory& method : record.methods)
+    for (const PoseEstimate& point : method.points)
     {
-      if (track.name != "particle_filter") break;
+      if (method.name != "particle_filter") break;
       if (before != point.verdict)
-        result += text("%8.1f s %-9s x %.2f m, y %.2f m, heading %.1f deg, %d mode%s, weight %.2f\n",
-                       point.time - start_time, toString(point.verdict), point.pose.mean.x, point.pose.mean.y,
-                       radToDeg(point.pose.mean.phi), point.modes, point.modes == 1 ? "" : "s", point.best_weight);
+        result += formatted("%8.1f s %-9s x %.2f m, y %.2f m, heading %.1f deg, %d mode%s, weight %.2f\n",
+                            point.time - start_time, toString(point.verdict), point.pose.mean.x, point.pose.mean.y,
+                            radToDeg(point.pose.mean.phi), point.modes, point.modes == 1 ? "" : "s", point.best_weight);
       before = point.verdict;
     }
   return result;
@@ -92,16 +85,17 @@ std::string verdictText(const RunRecord& record, double start_time)
 
 std::string ambiguityText(const RunRecord& record, double start_time)
 {
-  const auto track = std::find_if(record.methods.begin(), record.methods.end(),
-                                  [](const MethodTrajectory& m) { return m.name == "particle_filter"; });
-  if (track == record.methods.end() || track->points.empty()) return {};
-  const auto& points = track->points;
-  const auto sure =
+  const auto filter = std::find_if(record.methods.begin(), record.methods.end(),
+                                   [](const MethodTrajectory& m) { return m.name == "particle_filter"; });
+  if (filter == record.methods.end() || filter->points.empty()) return {};
+  const auto& points = filter->points;
+  const auto unique =
       std::find_if(points.begin(), points.end(), [](const PoseEstimate& p) { return p.verdict == Verdict::ok; });
-  std::string result = text("start    %d place%s explain%s the first frame\n", points.front().modes,
-                            points.front().modes == 1 ? "" : "s", points.front().modes == 1 ? "s" : "");
-  if (sure == points.end()) return result + "resolved never: the filter was not sure of one place at any time\n";
-  return result + text("resolved %.1f s after the start of the log, at x %.2f m, y %.2f m, heading %.1f deg\n",
-                       sure->time - start_time, sure->pose.mean.x, sure->pose.mean.y, radToDeg(sure->pose.mean.phi));
+  std::string result = formatted("start    %d pose hypothes%s after the first frame\n", points.front().modes,
+                                 points.front().modes == 1 ? "is" : "es");
+  if (unique == points.end()) return result + "unique   never: the filter did not reach `ok`\n";
+  return result + formatted("unique   after %.1f s, at x %.2f m, y %.2f m, heading %.1f deg\n",
+                            unique->time - start_time, unique->pose.mean.x, unique->pose.mean.y,
+                            radToDeg(unique->pose.mean.phi));
 }
 }  // namespace mrpt_ext

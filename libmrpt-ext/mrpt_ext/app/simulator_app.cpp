@@ -1,10 +1,10 @@
-#include "mrpt_ext/app/simulator_app.h"
-
 #include <memory>
 #include <ostream>
 
 #include "mrpt_ext/app/app_shell.h"
+#include "mrpt_ext/app/apps.h"
 #include "mrpt_ext/app/progress_line.h"
+#include "mrpt_ext/app/rawlog_output.h"
 #include "mrpt_ext/configuration/simulator_config.h"
 #include "mrpt_ext/configuration/simulator_keys.h"
 #include "mrpt_ext/files/landmark_csv.h"
@@ -19,25 +19,12 @@ namespace
 {
 namespace fs = std::filesystem;
 
-fs::path beside(const fs::path& rawlog, const std::string& ending)
+int simulateToFiles(Settings settings, const CommonOptions& options, std::ostream& out)
 {
-  return rawlog.parent_path() / (rawlog.stem().string() + ending);
-}
-
-void checkOutput(const fs::path& rawlog)
-{
-  if (rawlog.empty()) throw configurationError("landmark-simulator: -o/--output is missing, expected STEM.rawlog");
-  if (rawlog.extension() != ".rawlog")
-    throw configurationError("landmark-simulator: --output " + rawlog.string() + ": expected a name ending in .rawlog");
-}
-
-int simulateToFiles(const fs::path& config, const CommonOptions& options, std::ostream& out)
-{
-  Settings settings = Settings::load(config, simulatorKeys(), options.overrides);
   if (options.seed)
     settings.set("Simulation", "random_seed", std::to_string(*options.seed), "--seed " + std::to_string(*options.seed));
   const Scenario scenario = readScenario(settings);
-  checkOutput(options.output);
+  const RawlogOutput files = rawlogOutput("landmark-simulator", options.output);
 
   ProgressLine progress(!options.quiet, "simulating");
   const auto drive = [&, passes = 0]() mutable -> RecordStream
@@ -50,29 +37,34 @@ int simulateToFiles(const fs::path& config, const CommonOptions& options, std::o
       return record;
     };
   };
-  const fs::path truth = beside(options.output, "_ground_truth.tum"), map = beside(options.output, "_map.csv");
-  const std::size_t records = writeRawlog(options.output, drive);
+  const std::size_t records = writeRawlog(files.rawlog, drive);
   progress.clear();
   const SimulatedDrive driven(scenario);
   const Trajectory poses = driven.truth();
-  writeTum(truth, poses);
-  writeLandmarkCsv(map, driven.map());
+  writeTum(files.truth, poses);
+  writeLandmarkCsv(files.map, driven.map());
   if (!options.quiet)
-    out << options.output.string() << ": " << records << " records, " << scenario.duration << " s\n"
-        << truth.string() << ": " << poses.size() << " poses\n"
-        << map.string() << ": " << driven.map().size() << " landmarks\n";
+    out << files.rawlog.string() << ": " << records << " records, " << scenario.duration << " s\n"
+        << files.truth.string() << ": " << poses.size() << " poses\n"
+        << files.map.string() << ": " << driven.map().size() << " landmarks\n";
   return kExitDone;
 }
 }  // namespace
 
-int SimulatorApp::run(const std::vector<std::string>& arguments)
+int runLandmarkSimulator(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err)
 {
-  AppShell shell("landmark-simulator",
-                 "Plays the scenario of an .ini file and writes STEM.rawlog, STEM_ground_truth.tum and STEM_map.csv.",
-                 out_, err_);
+  AppShell shell({.name = "landmark-simulator",
+                  .purpose = "Simulates a robot and writes STEM.rawlog, STEM_ground_truth.tum and STEM_map.csv.",
+                  .examples = {"ini/landmark-simulator/room.ini -o out/room.rawlog",
+                               "ini/landmark-simulator/kidnap.ini -o out/k.rawlog --set Simulation.duration_s=120"}},
+                 out, err);
   fs::path config;
-  shell.cli().add_option("CONFIG", config, "Scenario, e.g. ini/landmark-simulator/room.ini")->required();
-  shell.answerQuestionsAbout(simulatorKeys());
-  return shell.run(arguments, [&] { return simulateToFiles(config, shell.options(), out_); });
+  shell.commandLine().add({.names = "CONFIG",
+                           .target = &config,
+                           .help = "Scenario, e.g. ini/landmark-simulator/room.ini",
+                           .required = true});
+  const KeyTable keys = simulatorKeys();
+  shell.answerQuestionsAbout(keys);
+  return shell.run(arguments, [&] { return simulateToFiles(shell.loadSettings(config, keys), shell.options(), out); });
 }
 }  // namespace mrpt_ext

@@ -1,0 +1,22 @@
+#include "mrpt_ext/app/rawlog_output.h"
+
+#include <gtest/gtest.h>
+
+#include "mrpt_ext/geometry/input_error.h"
+
+namespace mrpt_ext
+{
+TEST(RawlogOutput, NamesMapAndTruthAfterTheRawlog)
+{
+  const RawlogOutput files = rawlogOutput("my-app", "out/a.b.rawlog");
+  EXPECT_EQ(files.rawlog, "out/a.b.rawlog");
+  EXPECT_EQ(files.map, "out/a.b_map.csv");
+  EXPECT_EQ(files.truth, "out/a.b_ground_truth.tum");
+}
+
+TEST(RawlogOutput, IsStemRawlog)
+{
+  for (const char* output : {"", "a.txt", "a", ".rawlog", "out/"})
+    EXPECT_THROW((void)rawlogOutput("my-app", output), InputError) << output;
+}
+}  // namespace mrpt_ext
