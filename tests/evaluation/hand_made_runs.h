@@ -28,13 +28,13 @@ inline RunContext straightRun(double duration)
   return context;
 }
 
-/// A track with one estimate per `step`, beside the true position by `error(t)` metres (t since the log's start).
+/// A trajectory with one estimate per `step`, beside the true position by `error(t)` metres (t since the log's start).
 inline MethodTrajectory trackWithError(const std::string& name, double from, double to, double step,
                                        const std::function<double(double)>& error)
 {
-  MethodTrajectory track;
-  track.name = name;
-  track.continuous = true;
+  MethodTrajectory trajectory;
+  trajectory.name = name;
+  trajectory.continuous = true;
   const int count = static_cast<int>((to - from) / step + 0.5);
   for (int i = 0; i <= count; ++i)
   {
@@ -43,18 +43,18 @@ inline MethodTrajectory trackWithError(const std::string& name, double from, dou
     point.time = kLogStart + t;
     point.pose.mean = {t, error(t), 0};
     point.pose.covariance = Matrix3d::Identity() * 0.01;
-    track.points.push_back(point);
+    trajectory.points.push_back(point);
   }
-  track.frames_offered = track.frames_answered = track.points.size();
-  return track;
+  trajectory.frames_offered = trajectory.frames_answered = trajectory.points.size();
+  return trajectory;
 }
 
-/// The track with all its poses moved and turned.
-inline MethodTrajectory movedBy(const Pose2& T, const MethodTrajectory& track)
+/// The trajectory with all its poses moved and turned.
+inline MethodTrajectory movedBy(const Pose2& T, const MethodTrajectory& trajectory)
 {
-  MethodTrajectory moved = track;
+  MethodTrajectory moved = trajectory;
   moved.points.clear();
-  for (PoseEstimate point : track.points)
+  for (PoseEstimate point : trajectory.points)
   {
     point.pose.mean = compose(T, point.pose.mean);
     moved.points.push_back(point);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mrpt_ext/evaluation/run_scoring.h"
 #include "mrpt_ext/geometry/angle.h"
 
 namespace mrpt_ext
@@ -19,8 +20,8 @@ struct FailingMethod
   {
     context.start_time = 100;
     context.duration_s = 60;
-    MethodTrajectory track;
-    track.name = "range_least_squares";
+    MethodTrajectory trajectory;
+    trajectory.name = "range_least_squares";
     for (int i = 1; i <= 60; ++i)
     {
       const double time = 100 + i;
@@ -31,9 +32,9 @@ struct FailingMethod
       PoseEstimate point;
       point.time = time;
       point.pose.mean.x = landmarks == 2 ? 1.0 : 0.1;
-      track.points.push_back(point);
+      trajectory.points.push_back(point);
     }
-    record.methods = {track};
+    record.methods = {trajectory};
     score = scoreRun(context, record, {});
   }
 };
@@ -42,7 +43,7 @@ struct FailingMethod
 TEST(ErrorsAgainstGeometry, ShowWhereAMethodFails)
 {
   const FailingMethod run;
-  const auto tables = errorsAgainstGeometry(run.context, run.record, run.score);
+  const auto tables = errorsByGeometry(run.context, run.record, run.score);
   ASSERT_EQ(tables.size(), 3u);
   const auto& classes = tables[0].classes;
   ASSERT_EQ(classes.size(), 3u);
@@ -59,7 +60,7 @@ TEST(ErrorsAgainstGeometry, ShowWhereAMethodFails)
 TEST(ErrorsAgainstGeometry, QuantitiesAreSortedIntoTheirClasses)
 {
   const FailingMethod run;
-  const auto tables = errorsAgainstGeometry(run.context, run.record, run.score);
+  const auto tables = errorsByGeometry(run.context, run.record, run.score);
   ASSERT_EQ(tables.size(), 3u);
   ASSERT_EQ(tables[1].classes.size(), 1u);
   EXPECT_EQ(tables[1].classes[0].label, "30 to 60");
@@ -73,6 +74,6 @@ TEST(ErrorsAgainstGeometry, WithoutTruthThereIsNothingToShow)
   FailingMethod run;
   run.context.truth.clear();
   run.score = scoreRun(run.context, run.record, {});
-  EXPECT_TRUE(errorsAgainstGeometry(run.context, run.record, run.score).empty());
+  EXPECT_TRUE(errorsByGeometry(run.context, run.record, run.score).empty());
 }
 }  // namespace mrpt_ext

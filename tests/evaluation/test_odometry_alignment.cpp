@@ -22,7 +22,7 @@ TEST(OdometryAnchor, AgreesWithTheFirstTruthPoseAndKeepsItsShape)
   RunContext context = straightRun(5);
   context.truth.erase(context.truth.begin(), context.truth.begin() + 7);  // truth begins at 0.7 s
   MethodTrajectory odometry = odometryInItsOwnFrame();
-  ASSERT_TRUE(anchorToTruth(odometry, context.truth));
+  ASSERT_TRUE(alignWithTruth(odometry, context.truth));
   for (const PoseEstimate& point : odometry.points)
   {
     EXPECT_NEAR(point.pose.mean.x, point.time - kLogStart, 1e-9);
@@ -36,15 +36,15 @@ TEST(OdometryAnchor, NeedsATruthHeading)
   RunContext context = straightRun(5);
   for (TimedPose& pose : context.truth) pose.heading_known = false;
   MethodTrajectory odometry = odometryInItsOwnFrame();
-  EXPECT_FALSE(anchorToTruth(odometry, context.truth));
+  EXPECT_FALSE(alignWithTruth(odometry, context.truth));
   EXPECT_NEAR(odometry.points.front().pose.mean.x, 7, 1e-9);
-  EXPECT_FALSE(anchorToTruth(odometry, {}));
+  EXPECT_FALSE(alignWithTruth(odometry, {}));
 }
 
 TEST(OdometryAnchor, OtherMethodsStay)
 {
   const RunContext context = straightRun(5);
-  const RunRecord record = withAnchoredOdometry(
+  const RunRecord record = withAlignedOdometry(
       recordOf({odometryInItsOwnFrame(), trackWithError("f", 0, 5, 1, [](double) { return 0.4; })}), context.truth);
   EXPECT_NEAR(record.methods[0].points.front().pose.mean.x, 0, 1e-9);
   EXPECT_NEAR(record.methods[1].points.front().pose.mean.y, 0.4, 1e-9);

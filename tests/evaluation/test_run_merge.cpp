@@ -6,7 +6,7 @@ namespace mrpt_ext
 {
 namespace
 {
-RunScore trialWith(int trial, Figure rmse, bool success, Verdict verdict)
+RunScore trialWith(int trial, OptionalNumber rmse, bool success, Verdict verdict)
 {
   RunScore score;
   score.judged_method = "particle_filter";

@@ -18,6 +18,17 @@ std::vector<double> stampsOf(const std::vector<JudgedEstimate>& judged)
   for (const auto& entry : judged) stamps.push_back(entry.stamp - kLogStart);
   return stamps;
 }
+
+// In its own frame the robot drives up the y axis, heading pi/2, 2 m in 2 s.
+const Trajectory kUpwards{{0, {5, 5, kPi / 2}, true}, {2, {5, 7, kPi / 2}, true}};
+
+PoseEstimate estimateAt(double time, const Pose2& pose)
+{
+  PoseEstimate point;
+  point.time = time;
+  point.pose.mean = pose;
+  return point;
+}
 }  // namespace
 
 TEST(ScoringStamps, AreTheFullSecondsWithinTheLog)
@@ -78,9 +89,9 @@ TEST(Judge, WithoutOdometryAnOldEstimateFallsBehind)
 TEST(Judge, ClosedFormsAreJudgedWhereTheyWereMade)
 {
   const RunContext context = straightRun(5);
-  MethodTrajectory track = trackWithError("closed", 0.4, 4.4, 2, noError);  // at 0.4, 2.4 and 4.4 s
-  track.continuous = false;
-  const auto judged = judge(track, context);
+  MethodTrajectory trajectory = trackWithError("closed", 0.4, 4.4, 2, noError);  // at 0.4, 2.4 and 4.4 s
+  trajectory.continuous = false;
+  const auto judged = judge(trajectory, context);
   EXPECT_EQ(stampsOf(judged), (std::vector<double>{1, 3, 5}));
   EXPECT_NEAR(judged[1].estimate.time, 1002.4, 1e-9);
   for (const ErrorSample& error : errorsOf(judged)) EXPECT_NEAR(error.position_m, 0, 1e-9);
@@ -89,9 +100,9 @@ TEST(Judge, ClosedFormsAreJudgedWhereTheyWereMade)
 TEST(Judge, TheLastEstimateOfASecondCounts)
 {
   const RunContext context = straightRun(2);
-  MethodTrajectory track = trackWithError("closed", 0, 2, 0.25, [](double t) { return t; });
-  track.continuous = false;
-  const auto errors = errorsOf(judge(track, context));
+  MethodTrajectory trajectory = trackWithError("closed", 0, 2, 0.25, [](double t) { return t; });
+  trajectory.continuous = false;
+  const auto errors = errorsOf(judge(trajectory, context));
   ASSERT_EQ(errors.size(), 3u);  // the estimate at exactly s belongs to the second that ends with s
   EXPECT_NEAR(errors[1].position_m, 1, 1e-9);
   EXPECT_NEAR(errors[2].position_m, 2, 1e-9);
@@ -102,9 +113,9 @@ TEST(Judge, SparseTruthTakesTheNearestEstimate)
   RunContext context = straightRun(10);
   context.truth_is_sparse = true;
   context.truth = {{1002.3, {2.3, 0, 0}, true}, {1006, {6, 0, 0}, true}};
-  MethodTrajectory track = trackWithError("closed", 2, 3, 0.4, noError);  // 2.0, 2.4, 2.8
-  track.continuous = false;
-  const auto judged = judge(track, context);
+  MethodTrajectory trajectory = trackWithError("closed", 2, 3, 0.4, noError);  // 2.0, 2.4, 2.8
+  trajectory.continuous = false;
+  const auto judged = judge(trajectory, context);
   ASSERT_EQ(judged.size(), 1u);  // nothing within 0.5 s of the second stamp
   EXPECT_NEAR(judged[0].estimate.pose.mean.x, 2.3, 1e-9);
 }

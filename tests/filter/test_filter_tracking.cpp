@@ -2,7 +2,7 @@
 
 #include <Eigen/LU>
 
-#include "mrpt_ext/evaluation/posterior_bound.h"
+#include "posterior_bounds.h"
 #include "simulated_run.h"
 
 namespace mrpt_ext
@@ -60,7 +60,7 @@ void track(std::uint64_t run, ResamplingMethod method, Tracking& result)
     errors.push_back({best.pose.mean.x - truth.x, best.pose.mean.y - truth.y, wrap(best.pose.mean.phi - truth.phi)});
     covariances.push_back(best.pose.covariance);
   }
-  const std::vector<Matrix3d> bounds = posteriorBound(kStart, kPrior, bound_steps);
+  const std::vector<Matrix3d> bounds = testing::posteriorBounds(kStart, kPrior, bound_steps);
   for (std::size_t k = kTransient; k < errors.size(); ++k)
   {
     result.error2 += errors[k].head<2>().squaredNorm();

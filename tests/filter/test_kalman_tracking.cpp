@@ -3,8 +3,8 @@
 #include <Eigen/LU>
 
 #include "mrpt_ext/evaluation/consistency.h"
-#include "mrpt_ext/evaluation/posterior_bound.h"
 #include "mrpt_ext/filter/kalman/kalman_update.h"
+#include "posterior_bounds.h"
 #include "simulated_run.h"
 
 namespace mrpt_ext
@@ -56,7 +56,7 @@ void track(std::uint64_t run, UpdateRule rule, Tracking& result)
     const Pose2 estimate = state.pose();
     errors.push_back({estimate.x - truth.x, estimate.y - truth.y, wrap(estimate.phi - truth.phi)});
   }
-  const std::vector<Matrix3d> bounds = posteriorBound(kStart, kPrior, bound_steps);
+  const std::vector<Matrix3d> bounds = testing::posteriorBounds(kStart, kPrior, bound_steps);
   for (std::size_t k = kTransient; k < errors.size(); ++k)
   {
     result.error2 += errors[k].head<2>().squaredNorm();

@@ -7,6 +7,7 @@
 
 #include "mrpt_ext/evaluation/error_statistics.h"
 #include "mrpt_ext/files/number_format.h"
+#include "mrpt_ext/geometry/quantile.h"
 
 namespace mrpt_ext::papers
 {

@@ -19,8 +19,8 @@ Pose2 onTheOval(double t)
 /// Looks like noise, the same on every machine to all digits that matter.
 double wobble(double t, double phase) { return std::sin(12.9898 * t + phase) * std::cos(4.1414 * t + 2.7 * phase); }
 
-MethodTrajectory track(const std::string& name, bool continuous, double step, double duration,
-                       const std::function<PoseEstimate(double)>& at)
+MethodTrajectory trajectory(const std::string& name, bool continuous, double step, double duration,
+                            const std::function<PoseEstimate(double)>& at)
 {
   MethodTrajectory result;
   result.name = name;
@@ -63,7 +63,7 @@ PoseEstimate filterPoint(double t)
 }
 
 /// Sees three landmarks with a name by bearing, one by range too, and something without a name.
-std::vector<DrawnDetection> sightings(double t)
+std::vector<DrawnDetection> detections(double t)
 {
   std::vector<DrawnDetection> seen;
   const Pose2 truth = onTheOval(t), T_robot_sensor{0.1, 0, 0};
@@ -91,7 +91,7 @@ std::vector<PlaybackStep> syntheticPlayback(const MethodTrajectory& filter, std:
   {
     if (i++ % stride != 0 || playback.size() >= steps) continue;
     const double t = point.time - kStart;
-    PlaybackStep step{point.time, {}, {{point.pose, point.best_weight}}, sightings(t)};
+    PlaybackStep step{point.time, {}, {{point.pose, point.best_weight}}, detections(t)};
     if (point.modes > 1) step.modes.push_back({noisy(t, 0.1, 3).pose, 1 - point.best_weight});
     for (std::size_t k = 0; k < particles; ++k)
       step.particles.push_back({point.pose.mean.x + 0.1 * wobble(static_cast<double>(k), t),
@@ -124,7 +124,7 @@ RunContext syntheticContext(double duration)
   for (int i = 0; i * 0.1 <= duration; ++i) context.truth.push_back({kStart + i * 0.1, onTheOval(i * 0.1), true});
   for (int i = 0; i * kFrameStep <= duration; ++i)
     context.geometry.push_back({kStart + i * kFrameStep, static_cast<std::size_t>(1 + i % 8), 0.4 * (1 + i % 6), 2.0});
-  for (const PoseEstimate& point : track("odometry", true, kFrameStep, duration, driftingOdometry).points)
+  for (const PoseEstimate& point : trajectory("odometry", true, kFrameStep, duration, driftingOdometry).points)
     context.odometry.push_back({point.time, point.pose.mean, true});
   context.inputs = {{"map", "datasets/room_map.csv", std::string(64, 'b')}};
   return context;
@@ -136,18 +136,19 @@ RunRecord syntheticRecord(const RunContext& context, int trial)
   RunRecord record;
   record.trial = trial;
   record.seed = 1000u + static_cast<unsigned>(trial);
-  record.methods.push_back(track("odometry", true, kFrameStep, duration, driftingOdometry));
+  record.methods.push_back(trajectory("odometry", true, kFrameStep, duration, driftingOdometry));
   record.methods.push_back(
-      track("bearing_least_squares", false, 1, duration, [](double t) { return noisy(t, 0.9, 1); }));
+      trajectory("bearing_least_squares", false, 1, duration, [](double t) { return noisy(t, 0.9, 1); }));
   record.methods.push_back(
-      track("bearing_maximum_likelihood", false, 1, duration, [](double t) { return noisy(t, 0.3, 2); }));
-  record.methods.push_back(track("interpretation_tree", false, 4, duration, [](double t) { return noisy(t, 0.3, 7); }));
+      trajectory("bearing_maximum_likelihood", false, 1, duration, [](double t) { return noisy(t, 0.3, 2); }));
   record.methods.push_back(
-      track("oracle_interpretation_tree", false, 2, duration, [](double t) { return noisy(t, 0.05, 8); }));
+      trajectory("interpretation_tree", false, 4, duration, [](double t) { return noisy(t, 0.3, 7); }));
+  record.methods.push_back(
+      trajectory("oracle_interpretation_tree", false, 2, duration, [](double t) { return noisy(t, 0.05, 8); }));
   record.methods.back().oracle = true;
   record.methods.push_back(
-      track("extended_kalman_filter", true, kFrameStep, duration, [](double t) { return noisy(t, 0.2, 4); }));
-  record.methods.push_back(track("particle_filter", true, kFrameStep, duration, filterPoint));
+      trajectory("extended_kalman_filter", true, kFrameStep, duration, [](double t) { return noisy(t, 0.2, 4); }));
+  record.methods.push_back(trajectory("particle_filter", true, kFrameStep, duration, filterPoint));
   record.hypotheses = {{kStart, 0, {1, 2, 0.5}, 0.6, "interpretation_tree"},
                        {kStart, 1, {9, 5, -2.6}, 0.4, "particles"}};
   record.filter.particle_counts = {4000, 900, 500};

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "mrpt_ext/evaluation/run_merge.h"
+#include "mrpt_ext/evaluation/run_scoring.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/report/html_tables.h"
 #include "mrpt_ext/report/run_writer.h"
@@ -62,7 +63,7 @@ TEST_F(Collection, TheSameTrialCountsOnce)
   ASSERT_EQ(runs.size(), 1u);
   EXPECT_EQ(runs[0].trials.size(), 4u);
   EXPECT_EQ(runs[0].repeated, 1u);
-  EXPECT_NE(collectionPage(runs).find("1 trials given twice"), std::string::npos);
+  EXPECT_NE(comparisonPage(runs).find("1 trials given twice"), std::string::npos);
 }
 
 TEST_F(Collection, OtherSettingsAreAnotherRun)
@@ -76,7 +77,7 @@ TEST_F(Collection, OtherSettingsAreAnotherRun)
 TEST_F(Collection, APageShowsEveryRunAndMethod)
 {
   const auto runs = readFinishedRuns({writeRun("a", 0, 6), writeRun("b", 0, 2, "[b]\n")});
-  const std::string html = collectionPage(runs);
+  const std::string html = comparisonPage(runs);
   for (const char* part : {"room 2", "particle_", "interpretation_", "6 of 6", "61 % – 100 %", "2 runs, 8 trials"})
     EXPECT_NE(html.find(part), std::string::npos) << part;
   EXPECT_EQ(html.find("<script"), std::string::npos);

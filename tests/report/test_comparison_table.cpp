@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "mrpt_ext/evaluation/run_merge.h"
+#include "mrpt_ext/evaluation/run_scoring.h"
 #include "mrpt_ext/report/number_text.h"
 #include "synthetic_run.h"
 
@@ -31,7 +32,7 @@ RunScore syntheticScore(int trial = 0)
 
 TEST(FigureText, IsHonest)
 {
-  EXPECT_EQ(figureText({}, 2), "-");
+  EXPECT_EQ(numberText({}, 2), "-");
   EXPECT_EQ(magnitudeText(0.12345), "0.123");
   EXPECT_EQ(magnitudeText(12.345), "12.35");
   EXPECT_EQ(magnitudeText(1234.5), "1234");

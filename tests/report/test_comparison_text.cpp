@@ -6,7 +6,7 @@ namespace mrpt_ext
 {
 namespace
 {
-std::string sentenceFor(double ratio, double low, double high, Figure cost)
+std::string sentenceFor(double ratio, double low, double high, OptionalNumber cost)
 {
   RunScore score;
   score.comparisons = {{"extended_kalman_filter", "particle_filter", ratio, low, high, cost}};

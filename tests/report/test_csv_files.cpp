@@ -92,18 +92,18 @@ TEST(ObjectsCsv, ColumnsAndValues)
 
 TEST(TrajectoryTum, TheLastEstimateOfAStampStays)
 {
-  MethodTrajectory track;
+  MethodTrajectory trajectory;
   for (const double x : {1.0, 2.0, 3.0})
   {
     PoseEstimate point;
     point.time = x < 3 ? 5 : 6;
     point.pose.mean.x = x;
     point.heading_known = x < 3;
-    track.points.push_back(point);
+    trajectory.points.push_back(point);
   }
   const ScratchFolder folder;
-  track.name = "filter";
-  writeTrajectoryTum(folder.path(), track);
+  trajectory.name = "filter";
+  writeTrajectoryTum(folder.path(), trajectory);
   const Trajectory trajectory = readTum(folder.path() / "trajectory_filter.tum");
   ASSERT_EQ(trajectory.size(), 2u);
   EXPECT_EQ(trajectory[0].pose.x, 2);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "mrpt_ext/evaluation/run_scoring.h"
 #include "synthetic_run.h"
 
 namespace mrpt_ext
@@ -12,10 +13,10 @@ using namespace testing;
 
 namespace
 {
-double worst(const std::vector<Figure>& errors)
+double worst(const std::vector<OptionalNumber>& errors)
 {
   double largest = 0;
-  for (const Figure& error : errors) largest = std::max(largest, error.value_or(0));
+  for (const OptionalNumber& error : errors) largest = std::max(largest, error.value_or(0));
   return largest;
 }
 }  // namespace

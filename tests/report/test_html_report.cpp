@@ -5,6 +5,7 @@
 
 #include "mrpt_ext/evaluation/odometry_alignment.h"
 #include "mrpt_ext/evaluation/run_merge.h"
+#include "mrpt_ext/evaluation/run_scoring.h"
 #include "mrpt_ext/report/html_page.h"
 #include "mrpt_ext/report/html_tables.h"
 #include "mrpt_ext/report/html_text.h"
@@ -64,7 +65,7 @@ bool showsNan(const std::string& html) { return std::regex_search(html, std::reg
 
 std::string pageOf(const RunContext& context, const RunRecord& record)
 {
-  return trialPage(context, withAnchoredOdometry(record, context.truth), scoreRun(context, record, {}));
+  return trialPage(context, withAlignedOdometry(record, context.truth), scoreRun(context, record, {}));
 }
 
 std::size_t countOf(const std::string& text, const std::string& part)

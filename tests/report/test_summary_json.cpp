@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "mrpt_ext/evaluation/run_merge.h"
+#include "mrpt_ext/evaluation/run_scoring.h"
 #include "synthetic_run.h"
 
 namespace mrpt_ext

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "mrpt_ext/evaluation/run_merge.h"
+#include "mrpt_ext/evaluation/run_scoring.h"
 #include "mrpt_ext/report/summary_json.h"
 #include "scratch_folder.h"
 #include "synthetic_run.h"

@@ -54,8 +54,8 @@ TEST(PlaybackRecorder, SlantRangesAreLaidIntoThePlane)
   frame.readings = {reading};
   std::vector<PlaybackStep> playback;
   PlaybackRecorder(1, map).add(frame, nullptr, playback);
-  ASSERT_EQ(playback.at(0).sightings.size(), 2u);
-  EXPECT_NEAR(*playback[0].sightings[0].range, 4.0, 1e-12);
-  EXPECT_NEAR(*playback[0].sightings[1].range, 5.0, 1e-12);
+  ASSERT_EQ(playback.at(0).detections.size(), 2u);
+  EXPECT_NEAR(*playback[0].detections[0].range, 4.0, 1e-12);
+  EXPECT_NEAR(*playback[0].detections[1].range, 5.0, 1e-12);
 }
 }  // namespace mrpt_ext

@@ -45,7 +45,7 @@ std::size_t countOf(const COpenGLScene& scene)
 TEST(RunScene, ShowsEveryModeAndItsMeasurements)
 {
   PlaybackStep step = aMoment();
-  step.sightings = {{{}, 1, 0.0, 2.0, false}, {{}, 2, 0.5, {}, false}};
+  step.detections = {{{}, 1, 0.0, 2.0, false}, {{}, 2, 0.5, {}, false}};
   const auto scene = runScene(twoLandmarks(), step);
   EXPECT_EQ(countOf<CEllipsoid2D>(*scene), 2U);
   EXPECT_EQ(countOf<CDisk>(*scene), 0U);
@@ -62,7 +62,7 @@ TEST(RunScene, ShowsEveryModeAndItsMeasurements)
 TEST(RunScene, ARangeAloneIsARing)
 {
   PlaybackStep step = aMoment();
-  step.sightings = {{{0.5, 0, 0}, 1, {}, 2.0, false}, {{}, 2, {}, 1.5, true}};
+  step.detections = {{{0.5, 0, 0}, 1, {}, 2.0, false}, {{}, 2, {}, 1.5, true}};
   const auto scene = runScene(twoLandmarks(), step);
   const auto around_sensor = scene->getByClass<CDisk>(0), around_landmark = scene->getByClass<CDisk>(1);
   ASSERT_TRUE(around_sensor && around_landmark);

@@ -5,8 +5,8 @@
 #include "filter_scenario.h"
 #include "mrpt_ext/evaluation/consistency.h"
 #include "mrpt_ext/evaluation/error_statistics.h"
-#include "mrpt_ext/evaluation/posterior_bound.h"
 #include "mrpt_ext/geometry/measurement_jacobian.h"
+#include "posterior_bounds.h"
 #include "study.h"
 
 namespace mrpt_ext
@@ -31,7 +31,7 @@ std::vector<Matrix3d> boundOf(const FilterScenario& scenario, const std::vector<
                        d.std_bearing);
     steps.push_back(step);
   }
-  return posteriorBound(samples.front().truth, scenario.config.filter.initial_pose.covariance, steps);
+  return testing::posteriorBounds(samples.front().truth, scenario.config.filter.initial_pose.covariance, steps);
 }
 
 struct Sum

@@ -14,7 +14,7 @@
 #include "mrpt_ext/app/run_summary_text.h"
 #include "mrpt_ext/app/version.h"
 #include "mrpt_ext/evaluation/run_merge.h"
-#include "mrpt_ext/evaluation/run_score.h"
+#include "mrpt_ext/evaluation/run_scoring.h"
 #include "mrpt_ext/experiment/frame_bounds.h"
 #include "mrpt_ext/experiment/tracking_bound.h"
 #include "mrpt_ext/experiment/trial_pool.h"

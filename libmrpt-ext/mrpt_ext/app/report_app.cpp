@@ -24,7 +24,7 @@ int compareRuns(const std::vector<fs::path>& folders, const fs::path& table, con
   if (!table.empty() && kind != ".csv" && kind != ".md")
     throw configurationError("--table '" + table.string() + "', expected FILE.csv or FILE.md");
   const std::vector<FinishedRun> runs = readFinishedRuns(folders);
-  writeFileAtomically(options.output, collectionPage(runs));
+  writeFileAtomically(options.output, comparisonPage(runs));
   if (!table.empty()) writeFileAtomically(table, kind == ".csv" ? studyCsv(runs) : studyMarkdown(runs));
   if (options.quiet) return kExitDone;
   for (const FinishedRun& run : runs)

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "mrpt_ext/calibration/trajectory_adjustment.h"
-#include "mrpt_ext/geometry/median.h"
+#include "mrpt_ext/geometry/quantile.h"
 
 namespace mrpt_ext
 {
@@ -34,7 +34,7 @@ double typicalRange(const CalibrationProblem& way, std::size_t sensor)
   std::vector<double> ranges;
   for (const CalibrationReading& r : way.readings)
     if (r.is_range && r.sensor == sensor) ranges.push_back(r.value);
-  return ranges.empty() ? 1 : medianOf(std::move(ranges));
+  return ranges.empty() ? 1 : upperMedian(std::move(ranges));
 }
 
 /// A deviation above it makes the error useless.

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "mrpt_ext/calibration/robust_loss.h"
-#include "mrpt_ext/geometry/median.h"
+#include "mrpt_ext/geometry/quantile.h"
 
 namespace mrpt_ext
 {
@@ -154,7 +154,7 @@ bool TrajectoryAdjustment::estimateScatters()
     (r.is_range ? ranges : bearings)[r.sensor].push_back(std::abs(row.residual) / std::sqrt(redundancy));
   }
   const auto scatter_from = [](const std::vector<double>& sizes)
-  { return sizes.empty() ? 1 : std::clamp(1.4826 * medianOf(sizes), kLeastScatter, kMostScatter); };
+  { return sizes.empty() ? 1 : std::clamp(1.4826 * upperMedian(sizes), kLeastScatter, kMostScatter); };
   double misfit = 0, redundancy = 0;
   for (std::size_t k = 1; k < poses_.size(); ++k)
   {

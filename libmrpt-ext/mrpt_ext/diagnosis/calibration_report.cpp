@@ -5,7 +5,7 @@
 
 #include "mrpt_ext/configuration/bias_config.h"
 #include "mrpt_ext/files/number_format.h"
-#include "mrpt_ext/geometry/median.h"
+#include "mrpt_ext/geometry/quantile.h"
 
 namespace mrpt_ext
 {
@@ -224,7 +224,7 @@ std::vector<CalibrationFinding> noiseFindings(const RecordingErrors& errors, con
     const auto& [sensor, is_range] = key;
     const std::string label = data.sensors[sensor], section = "Sensor_" + label;
     const SensorConfig& now = configOf(config.frames.sensors, label);
-    const double unit = is_range ? 1 : radToDeg(1.0), declared = unit * medianOf(of.stds);
+    const double unit = is_range ? 1 : radToDeg(1.0), declared = unit * upperMedian(of.stds);
     const double scatter = is_range ? errors.scatter[sensor].range : errors.scatter[sensor].bearing;
     const auto count = static_cast<double>(of.stds.size());
     CalibrationFinding spread{.what = label + (is_range ? ": std of ranges" : ": std of bearings"),

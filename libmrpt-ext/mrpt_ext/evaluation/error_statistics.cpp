@@ -3,26 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mrpt_ext/geometry/quantile.h"
+
 namespace mrpt_ext
 {
-namespace
-{
-double quantileOfSorted(const std::vector<double>& sorted, double probability)
-{
-  const double position = std::clamp(probability, 0.0, 1.0) * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(position);
-  const auto above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (position - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
-}  // namespace
-
-std::optional<double> quantile(std::vector<double> sample, double probability)
-{
-  if (sample.empty()) return std::nullopt;
-  std::sort(sample.begin(), sample.end());
-  return quantileOfSorted(sample, probability);
-}
-
 ErrorStatistics errorStatistics(std::vector<double> sample)
 {
   ErrorStatistics statistics;

@@ -17,13 +17,4 @@ struct ErrorStatistics
 };
 
 [[nodiscard]] ErrorStatistics errorStatistics(std::vector<double> sample);
-
-/// Quantile of a sample by linear interpolation between order statistics: with x_0 <= ... <= x_(n-1) the value at
-/// position `probability` (n - 1) (definition 7 of Hyndman and Fan 1996, the default of NumPy and R).
-[[nodiscard]] std::optional<double> quantile(std::vector<double> sample, double probability);
-
-[[nodiscard]] inline std::optional<double> median(std::vector<double> sample)
-{
-  return quantile(std::move(sample), 0.5);
-}
 }  // namespace mrpt_ext

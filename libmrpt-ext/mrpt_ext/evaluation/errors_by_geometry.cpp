@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "mrpt_ext/geometry/angle.h"
+#include "mrpt_ext/geometry/quantile.h"
 
 namespace mrpt_ext
 {
@@ -88,11 +89,14 @@ class FrameFinder
   std::optional<FrameGeometry> last_;
 };
 
-/// Tells of ascending times whether the track has an estimate of exactly that time.
+/// Tells of ascending times whether the trajectory has an estimate of exactly that time.
 class AnswerFinder
 {
  public:
-  explicit AnswerFinder(const MethodTrajectory& track) : next_(track.points.begin()), end_(track.points.end()) {}
+  explicit AnswerFinder(const MethodTrajectory& trajectory)
+      : next_(trajectory.points.begin()), end_(trajectory.points.end())
+  {
+  }
 
   bool hasAnswerAt(double time)
   {
@@ -110,8 +114,8 @@ double countedFrom(const RunContext& context, const RunScore& score)
 }
 
 /// Errors and answers of one method, class by class.
-void addMethod(GeometryErrors& table, const Quantity& quantity, const Geometries& frames, const MethodTrajectory& track,
-               const MethodScore& method, double from)
+void addMethod(ErrorsByGeometry& table, const Quantity& quantity, const Geometries& frames,
+               const MethodTrajectory& trajectory, const MethodScore& method, double from)
 {
   std::vector<std::vector<double>> errors(table.classes.size());
   std::vector<std::size_t> answered(table.classes.size(), 0);
@@ -122,7 +126,7 @@ void addMethod(GeometryErrors& table, const Quantity& quantity, const Geometries
     const auto frame = explaining.at(error.time);
     if (const auto c = frame ? quantity.classify(*frame) : std::nullopt) errors[*c].push_back(error.position_m);
   }
-  AnswerFinder answers(track);
+  AnswerFinder answers(trajectory);
   for (const FrameGeometry& frame : frames)
     if (const auto c = quantity.classify(frame); c && frame.time >= from && answers.hasAnswerAt(frame.time))
       ++answered[*c];
@@ -135,11 +139,11 @@ void addMethod(GeometryErrors& table, const Quantity& quantity, const Geometries
   }
 }
 
-GeometryErrors tableOf(const Quantity& quantity, const RunContext& context, const RunRecord& record,
-                       const RunScore& score)
+ErrorsByGeometry tableOf(const Quantity& quantity, const RunContext& context, const RunRecord& record,
+                         const RunScore& score)
 {
   const double from = countedFrom(context, score);
-  GeometryErrors table{quantity.name, {}};
+  ErrorsByGeometry table{quantity.name, {}};
   for (const std::string& label : quantity.labels) table.classes.push_back({label, 0, {}});
   for (const FrameGeometry& frame : context.geometry)
     if (const auto c = quantity.classify(frame); c && frame.time >= from) ++table.classes[*c].frames;
@@ -150,15 +154,15 @@ GeometryErrors tableOf(const Quantity& quantity, const RunContext& context, cons
 }
 }  // namespace
 
-std::vector<GeometryErrors> errorsAgainstGeometry(const RunContext& context, const RunRecord& record,
-                                                  const RunScore& score)
+std::vector<ErrorsByGeometry> errorsByGeometry(const RunContext& context, const RunRecord& record,
+                                               const RunScore& score)
 {
-  std::vector<GeometryErrors> all;
+  std::vector<ErrorsByGeometry> all;
   const bool judged = std::any_of(score.methods.begin(), score.methods.end(),
                                   [](const MethodScore& method) { return !method.errors.empty(); });
   if (!judged || record.methods.size() != score.methods.size()) return all;
   for (const Quantity& quantity : {landmarksInView(), spreadOfLandmarks(), distanceOfLandmarks(context.geometry)})
-    if (GeometryErrors table = tableOf(quantity, context, record, score); !table.classes.empty())
+    if (ErrorsByGeometry table = tableOf(quantity, context, record, score); !table.classes.empty())
       all.push_back(std::move(table));
   return all;
 }

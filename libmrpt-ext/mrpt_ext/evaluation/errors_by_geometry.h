@@ -10,9 +10,9 @@ namespace mrpt_ext
 /// How one method did in the frames of one class of geometry.
 struct GeometryCell
 {
-  std::size_t judged = 0;  ///< estimates with an error
-  Figure answered;         ///< share of the frames with an estimate
-  Figure median, p95;      ///< position error [m]
+  std::size_t judged = 0;      ///< estimates with an error
+  OptionalNumber answered;     ///< share of the frames with an estimate
+  OptionalNumber median, p95;  ///< position error [m]
 };
 
 /// Frames with like geometry.
@@ -24,7 +24,7 @@ struct GeometryClass
 };
 
 /// Errors of all methods, sorted by one quantity of the geometry.
-struct GeometryErrors
+struct ErrorsByGeometry
 {
   std::string quantity;  ///< with its unit
   std::vector<GeometryClass> classes;
@@ -33,6 +33,6 @@ struct GeometryErrors
 /// Position errors from the convergence of the judged method on (else all) against the number of landmarks in view,
 /// the angle over which they spread and their distance. An error belongs to the last frame at or before it, at most a
 /// second old. Quantities that no frame has, and classes without frames, are left out.
-[[nodiscard]] std::vector<GeometryErrors> errorsAgainstGeometry(const RunContext& context, const RunRecord& record,
-                                                                const RunScore& score);
+[[nodiscard]] std::vector<ErrorsByGeometry> errorsByGeometry(const RunContext& context, const RunRecord& record,
+                                                             const RunScore& score);
 }  // namespace mrpt_ext

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include "mrpt_ext/evaluation/error_statistics.h"
 #include "mrpt_ext/geometry/angle.h"
+#include "mrpt_ext/geometry/quantile.h"
 
 namespace mrpt_ext
 {

@@ -34,23 +34,4 @@ std::optional<InformationBound> informationBound(const Eigen::MatrixXd& informat
   bound.position_rms = std::sqrt(bound.covariance(0, 0) + bound.covariance(1, 1));
   return bound;
 }
-
-Matrix2d runningFixInformation(const Vector2d& second_position, const Vector2d& displacement,
-                               const Matrix2d& displacement_covariance, const Vector2d& landmark, double first_std,
-                               double second_std)
-{
-  const Vector2d second = landmark - second_position, first = second + displacement;
-  Matrix2d information = Matrix2d::Zero();
-  if (second.norm() > 0)
-  {
-    const Vector2d u = second.normalized();
-    information += u * u.transpose() / square(second_std);
-  }
-  if (first.norm() > 0)
-  {
-    const Vector2d u = first.normalized();
-    information += u * u.transpose() / (square(first_std) + u.dot(displacement_covariance * u));
-  }
-  return information;
-}
 }  // namespace mrpt_ext

@@ -20,11 +20,4 @@ struct InformationBound
 
 /// Inverse of the information over (x, y) or (x, y, phi); nothing when it leaves a direction unseen.
 [[nodiscard]] std::optional<InformationBound> informationBound(const Eigen::MatrixXd& information);
-
-/// Information of a running fix about its second position (x, y), heading known: the second range, and the first
-/// with its variance enlarged by the displacement's along the line of sight, std^2 + u^T S u.
-/// `displacement` and `displacement_covariance` in world axes.
-[[nodiscard]] Matrix2d runningFixInformation(const Vector2d& second_position, const Vector2d& displacement,
-                                             const Matrix2d& displacement_covariance, const Vector2d& landmark,
-                                             double first_std, double second_std);
 }  // namespace mrpt_ext

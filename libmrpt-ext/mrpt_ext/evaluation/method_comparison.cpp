@@ -5,6 +5,7 @@
 
 #include "mrpt_ext/evaluation/odometry_alignment.h"
 #include "mrpt_ext/geometry/angle.h"
+#include "mrpt_ext/geometry/quantile.h"
 #include "mrpt_ext/geometry/random.h"
 
 namespace mrpt_ext

@@ -19,13 +19,4 @@ const Matrix3d& BoundRecursion::advance(const BoundStep& step)
   pose_ = compose(pose_, step.increment);
   return P;
 }
-
-std::vector<Matrix3d> posteriorBound(const Pose2& start, const Matrix3d& prior, const std::vector<BoundStep>& steps)
-{
-  std::vector<Matrix3d> bounds;
-  bounds.reserve(steps.size());
-  BoundRecursion bound(start, prior);
-  for (const BoundStep& step : steps) bounds.push_back(bound.advance(step));
-  return bounds;
-}
 }  // namespace mrpt_ext

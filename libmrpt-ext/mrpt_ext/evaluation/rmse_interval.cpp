@@ -1,8 +1,8 @@
 #include "mrpt_ext/evaluation/rmse_interval.h"
 
-#include "mrpt_ext/evaluation/error_statistics.h"
 #include "mrpt_ext/evaluation/method_comparison.h"
 #include "mrpt_ext/geometry/angle.h"
+#include "mrpt_ext/geometry/quantile.h"
 #include "mrpt_ext/geometry/random.h"
 
 namespace mrpt_ext

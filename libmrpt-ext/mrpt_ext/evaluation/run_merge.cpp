@@ -6,6 +6,7 @@
 
 #include "mrpt_ext/evaluation/method_comparison.h"
 #include "mrpt_ext/evaluation/rmse_interval.h"
+#include "mrpt_ext/geometry/quantile.h"
 
 namespace mrpt_ext
 {
@@ -13,23 +14,23 @@ namespace
 {
 /// Median over those parts that have the figure; `get` returns an optional<double>.
 template <typename Part, typename Get>
-Figure medianOf(const std::vector<const Part*>& parts, Get get)
+OptionalNumber medianOf(const std::vector<const Part*>& parts, Get get)
 {
   std::vector<double> values;
   for (const Part* part : parts)
-    if (const Figure figure = std::invoke(get, *part)) values.push_back(*figure);
+    if (const OptionalNumber figure = std::invoke(get, *part)) values.push_back(*figure);
   return median(std::move(values));
 }
 
 template <typename Part>
 ErrorStatistics mergeStatistics(const std::vector<const Part*>& parts, ErrorStatistics Part::*member)
 {
-  const auto over = [&](Figure ErrorStatistics::*figure)
+  const auto over = [&](OptionalNumber ErrorStatistics::*figure)
   { return medianOf(parts, [&](const Part& part) { return part.*member.*figure; }); };
   ErrorStatistics merged;
-  merged.count = static_cast<std::size_t>(
-      std::llround(medianOf(parts, [&](const Part& part) { return Figure(static_cast<double>((part.*member).count)); })
-                       .value_or(0)));
+  merged.count = static_cast<std::size_t>(std::llround(
+      medianOf(parts, [&](const Part& part) { return OptionalNumber(static_cast<double>((part.*member).count)); })
+          .value_or(0)));
   merged.rmse = over(&ErrorStatistics::rmse);
   merged.mean = over(&ErrorStatistics::mean);
   merged.median = over(&ErrorStatistics::median);

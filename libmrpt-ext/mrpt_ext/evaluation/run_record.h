@@ -118,7 +118,7 @@ struct PlaybackStep
   double time = 0;               ///< [s]
   std::vector<Pose2> particles;  ///< drawn by weight, so that all stand for the same share
   std::vector<ModeSummary> modes;
-  std::vector<DrawnDetection> sightings;
+  std::vector<DrawnDetection> detections;
 };
 
 /// What one trial leaves behind before it is judged. What grows with the log is in sequences that go to disk.

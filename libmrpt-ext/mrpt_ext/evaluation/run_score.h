@@ -14,7 +14,7 @@
 namespace mrpt_ext
 {
 /// Figures of a run; all are absent where they do not exist, and each is the median over trials in a merged score.
-using Figure = std::optional<double>;
+using OptionalNumber = std::optional<double>;
 
 /// How one method did.
 struct MethodScore
@@ -22,13 +22,13 @@ struct MethodScore
   std::string name;
   bool continuous = false;
   bool oracle = false;
-  Figure estimates;                                     ///< rows of the track
-  Figure availability;                                  ///< frames with an estimate / frames with any detection
-  Figure ambiguous;                                     ///< frames with candidates that it could not rank
+  OptionalNumber estimates;                             ///< rows of the trajectory
+  OptionalNumber availability;                          ///< frames with an estimate / frames with any detection
+  OptionalNumber ambiguous;                             ///< frames with candidates that it could not rank
   ErrorStatistics position_error_m, heading_error_deg;  ///< from the convergence of the judged method on
   ErrorStatistics position_error_whole_run_m;
-  Figure rmse_low, rmse_high;  ///< [m] 95 % interval of the position RMSE, see rmse_interval.h
-  Figure step_ms_median, step_ms_p95;
+  OptionalNumber rmse_low, rmse_high;  ///< [m] 95 % interval of the position RMSE, see rmse_interval.h
+  OptionalNumber step_ms_median, step_ms_p95;
   std::vector<ErrorSample> errors;  ///< whole run; of one trial only, empty in a merged score
   std::vector<double> trial_rmse;   ///< [m] of a merged score: the trials' position RMSE, as far as they have one
 };
@@ -36,37 +36,37 @@ struct MethodScore
 /// A systematic error as the filter knew it at the end.
 struct BiasScore
 {
-  Figure mean, std;
+  OptionalNumber mean, std;
 };
 
 /// How the filter did by its own account, and how honest its covariance is.
 struct FilterScore
 {
-  Figure particles_min, particles_median, particles_max;
-  Figure nees_mean, nees_band_low, nees_band_high;
+  OptionalNumber particles_min, particles_median, particles_max;
+  OptionalNumber nees_mean, nees_band_low, nees_band_high;
   std::vector<NeesSample> nees;  ///< whole run; of one trial only, empty in a merged score
-  Figure effective_sample_ratio_min;
-  Figure lost_steps, reseeds;
+  OptionalNumber effective_sample_ratio_min;
+  OptionalNumber lost_steps, reseeds;
   std::map<std::string, BiasScore> biases;
   std::optional<std::vector<ModeSummary>> modes_at_end;  ///< absent in a merged score: a list has no median
 };
 
 struct LandmarkScore
 {
-  Figure seen, associated, inlier_rate, residual_mean, residual_std;
+  OptionalNumber seen, associated, inlier_rate, residual_mean, residual_std;
 };
 
 /// Posterior Cramer-Rao bound of the run, where it was computed.
 struct LimitScore
 {
-  Figure position_rmse_m, heading_rmse_deg;
+  OptionalNumber position_rmse_m, heading_rmse_deg;
   std::string why_none;  ///< of a robot that is tracked: why no bound can be given; empty where there is one
 };
 
 struct CostScore
 {
-  Figure cpu_s, wall_s, peak_memory_mb;
-  Figure realtime_factor;  ///< duration of the log / wall time
+  OptionalNumber cpu_s, wall_s, peak_memory_mb;
+  OptionalNumber realtime_factor;  ///< duration of the log / wall time
 };
 
 /// One line of trials_detail.
@@ -76,8 +76,8 @@ struct TrialScore
   std::uint64_t seed = 0;
   std::optional<bool> success;  ///< absent where convergence does not apply or there is no truth
   Verdict verdict = Verdict::lost;
-  Figure rmse;            ///< position RMSE of the judged method after convergence [m]
-  Figure converged_at_s;  ///< [s] since the start of the log
+  OptionalNumber rmse;            ///< position RMSE of the judged method after convergence [m]
+  OptionalNumber converged_at_s;  ///< [s] since the start of the log
 };
 
 /// How a method compares with the judged one.
@@ -86,7 +86,7 @@ struct MethodComparison
   std::string method, reference;
   double rmse_ratio = 1;                 ///< of the position RMSE to the reference's, at the same stamps
   double ratio_low = 1, ratio_high = 1;  ///< 95 % of resamples
-  Figure cost_ratio;                     ///< of the median times per step
+  OptionalNumber cost_ratio;             ///< of the median times per step
 };
 
 /// A judged run: one trial, or several merged.
@@ -100,19 +100,11 @@ struct RunScore
   std::vector<MethodComparison> comparisons;  ///< see method_comparison.h
   CostScore cost;
   ConvergenceLimits limits;  ///< that the errors were judged by
-  Figure converged_at_s;
+  OptionalNumber converged_at_s;
   std::vector<TrialScore> trials;
-  Figure success_rate;  ///< share of the trials whose success could be judged
+  OptionalNumber success_rate;  ///< share of the trials whose success could be judged
   Verdict verdict = Verdict::lost;
   std::string verdict_reason;
   bool interrupted = false;
 };
-
-/// The method whose convergence is judged: particle_filter, else the first other method that carries its pose from
-/// frame to frame. Dead reckoning does not count, since its start is taken from the truth. Nothing when only closed
-/// forms ran: then convergence does not apply, all their estimates count, and success is absent.
-[[nodiscard]] const MethodTrajectory* judgedMethod(const RunRecord& record);
-
-/// Judges one trial. `record` as it comes from the run: dead reckoning is anchored here.
-[[nodiscard]] RunScore scoreRun(const RunContext& context, const RunRecord& record, const ConvergenceLimits& limits);
 }  // namespace mrpt_ext

@@ -10,11 +10,14 @@ namespace mrpt_ext
 {
 namespace
 {
-/// Goes through the estimates of a track as the stamps ascend.
+/// Goes through the estimates of a trajectory as the stamps ascend.
 class EstimateWindow
 {
  public:
-  explicit EstimateWindow(const MethodTrajectory& track) : next_(track.points.begin()), end_(track.points.end()) {}
+  explicit EstimateWindow(const MethodTrajectory& trajectory)
+      : next_(trajectory.points.begin()), end_(trajectory.points.end())
+  {
+  }
 
   /// The estimates from `from` to `to` [s], and the last one before them; neither may go back from call to call.
   const std::deque<PoseEstimate>& moveTo(double from, double to)
@@ -86,21 +89,21 @@ std::vector<double> scoringStamps(const RunContext& context)
   return stamps;
 }
 
-std::vector<JudgedEstimate> judge(const MethodTrajectory& track, const RunContext& context)
+std::vector<JudgedEstimate> judge(const MethodTrajectory& trajectory, const RunContext& context)
 {
-  if (!track.continuous) return judgeAtOwnTimes(track, context);
+  if (!trajectory.continuous) return judgeAtOwnTimes(trajectory, context);
   std::vector<JudgedEstimate> judged;
-  EstimateWindow estimates(track);
+  EstimateWindow estimates(trajectory);
   for (const double stamp : scoringStamps(context))
     if (const auto& window = estimates.moveTo(stamp, stamp); !window.empty())
       judged.push_back({stamp, propagate(window.back(), context.odometry, stamp), *truthAt(context, stamp)});
   return judged;
 }
 
-std::vector<JudgedEstimate> judgeAtOwnTimes(const MethodTrajectory& track, const RunContext& context)
+std::vector<JudgedEstimate> judgeAtOwnTimes(const MethodTrajectory& trajectory, const RunContext& context)
 {
   std::vector<JudgedEstimate> judged;
-  EstimateWindow estimates(track);
+  EstimateWindow estimates(trajectory);
   for (const double stamp : scoringStamps(context))
   {
     const auto entry = context.truth_is_sparse ? judgeNearSparseStamp(estimates, context, stamp)

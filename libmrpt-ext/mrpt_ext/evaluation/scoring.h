@@ -36,12 +36,13 @@ struct ErrorSample
 /// Judges a method at the stamps.
 /// Continuous methods: the last estimate at or before the stamp, carried to it by dead reckoning; nothing before
 /// the first estimate. Closed forms: see judgeAtOwnTimes().
-[[nodiscard]] std::vector<JudgedEstimate> judge(const MethodTrajectory& track, const RunContext& context);
+[[nodiscard]] std::vector<JudgedEstimate> judge(const MethodTrajectory& trajectory, const RunContext& context);
 
 /// Judges estimates where they were made: for each stamp s the last estimate within the second (s-1, s], against the
 /// truth at the estimate's own time. Sparse truth is not interpolated: the nearest estimate within
 /// kSparseTruthWindow is carried to the stamp by dead reckoning instead.
-[[nodiscard]] std::vector<JudgedEstimate> judgeAtOwnTimes(const MethodTrajectory& track, const RunContext& context);
+[[nodiscard]] std::vector<JudgedEstimate> judgeAtOwnTimes(const MethodTrajectory& trajectory,
+                                                          const RunContext& context);
 
 [[nodiscard]] std::vector<ErrorSample> errorsOf(const std::vector<JudgedEstimate>& judged);
 }  // namespace mrpt_ext

@@ -5,6 +5,7 @@
 
 #include "mrpt_ext/evaluation/rmse_interval.h"
 #include "mrpt_ext/geometry/angle.h"
+#include "mrpt_ext/geometry/quantile.h"
 #include "mrpt_ext/report/html_text.h"
 #include "mrpt_ext/report/number_text.h"
 #include "mrpt_ext/report/page_assets.h"
@@ -18,7 +19,7 @@ constexpr const char* kErrorNote =
     "more) or the spread from the least to the largest. Bold: the least of a run, oracles left out. A dash: no trial "
     "has the figure.";
 
-using RmseByMethod = std::map<std::string, Figure> FinishedTrial::*;
+using RmseByMethod = std::map<std::string, OptionalNumber> FinishedTrial::*;
 
 std::string cell(const std::string& html) { return element("td", "", html); }
 std::string rowHead(const std::string& html) { return "<th scope=\"row\">" + html + "</th>"; }
@@ -43,7 +44,7 @@ std::vector<double> valuesOf(const FinishedRun& run, const std::string& method, 
 /// Median, and below it how sure it is.
 std::string errorCell(const std::vector<double>& values, bool best)
 {
-  if (values.empty()) return cell(kNoFigure);
+  if (values.empty()) return cell(kNoNumber);
   std::string text = magnitudeText(median(values));
   if (best) text = element("b", "", text);
   const auto interval = medianInterval(values);
@@ -102,7 +103,7 @@ std::string successRow(const FinishedRun& run)
     ambiguous += trial.score.verdict == Verdict::ambiguous ? 1 : 0;
     if (trial.score.converged_at_s) converged.push_back(*trial.score.converged_at_s);
   }
-  std::string rate = kNoFigure, range = kNoFigure;
+  std::string rate = kNoNumber, range = kNoNumber;
   if (judged > 0)
   {
     const auto [low, high] = successInterval(successes, judged);
@@ -112,7 +113,7 @@ std::string successRow(const FinishedRun& run)
   return element("tr", lost > 0 ? "doubtful" : "",
                  rowHead(escapeHtml(run.name)) + cell(std::to_string(run.trials.size())) + cell(rate) + cell(range) +
                      cell(std::to_string(lost)) + cell(std::to_string(ambiguous)) +
-                     cell(figureText(median(converged), 1)) + cell(figureText(quantile(converged, 1), 1))) +
+                     cell(numberText(median(converged), 1)) + cell(numberText(quantile(converged, 1), 1))) +
          "\n";
 }
 
@@ -144,7 +145,7 @@ std::pair<double, double> successInterval(std::size_t successes, std::size_t tri
   return {std::max(0.0, centre - half), std::min(1.0, centre + half)};
 }
 
-std::string collectionPage(const std::vector<FinishedRun>& runs)
+std::string comparisonPage(const std::vector<FinishedRun>& runs)
 {
   std::string successes, sources;
   std::size_t trials = 0;

@@ -8,7 +8,7 @@ namespace mrpt_ext
 {
 /// Page that compares runs: success rates with their uncertainty, and the errors of all methods, runs beside each
 /// other.
-[[nodiscard]] std::string collectionPage(const std::vector<FinishedRun>& runs);
+[[nodiscard]] std::string comparisonPage(const std::vector<FinishedRun>& runs);
 
 /// What success of `successes` in `trials` tells of the chance of success: the 95 % score interval (Wilson, JASA 22,
 /// 1927). {0, 1} without trials.

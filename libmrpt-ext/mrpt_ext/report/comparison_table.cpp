@@ -25,8 +25,8 @@ Row rowOf(const MethodScore& method, bool best)
           magnitudeText(position.median),
           magnitudeText(position.p95),
           magnitudeText(position.max),
-          figureText(method.heading_error_deg.rmse, 2),
-          figureText(method.step_ms_median, 3)};
+          numberText(method.heading_error_deg.rmse, 2),
+          numberText(method.step_ms_median, 3)};
 }
 
 constexpr std::size_t kColumns = 100;

@@ -9,12 +9,12 @@ namespace
 {
 constexpr double kSame = 0.05;  // RMSE within this share
 
-std::string costText(const Figure& ratio)
+std::string costText(const OptionalNumber& ratio)
 {
   if (!ratio || !(*ratio > 0)) return "";
-  if (*ratio >= 1) return ", at " + figureText(ratio, *ratio < 10 ? 1 : 0) + " times the cost";
+  if (*ratio >= 1) return ", at " + numberText(ratio, *ratio < 10 ? 1 : 0) + " times the cost";
   const double share = 1 / *ratio;
-  return ", at 1/" + figureText(share, share < 10 ? 1 : 0) + " of the cost";
+  return ", at 1/" + numberText(share, share < 10 ? 1 : 0) + " of the cost";
 }
 
 std::string sentence(const MethodComparison& c)
@@ -23,8 +23,8 @@ std::string sentence(const MethodComparison& c)
                                : c.ratio_high < 1                                  ? " is more accurate than "
                                : c.ratio_low > 1                                   ? " is less accurate than "
                                                  : " cannot be told from the accuracy of ";
-  return c.method + relation + c.reference + costText(c.cost_ratio) + ": RMSE " + figureText(c.rmse_ratio, 2) +
-         " times (95 %: " + figureText(c.ratio_low, 2) + " to " + figureText(c.ratio_high, 2) + ")";
+  return c.method + relation + c.reference + costText(c.cost_ratio) + ": RMSE " + numberText(c.rmse_ratio, 2) +
+         " times (95 %: " + numberText(c.ratio_low, 2) + " to " + numberText(c.ratio_high, 2) + ")";
 }
 }  // namespace
 
@@ -40,10 +40,10 @@ std::string limitText(const RunScore& score)
   if (!score.limit.why_none.empty()) return "no posterior Cramer-Rao bound: " + score.limit.why_none;
   if (!score.limit.position_rmse_m || !score.judged_method) return {};
   std::string text = "posterior Cramer-Rao bound: position RMSE " + magnitudeText(score.limit.position_rmse_m) +
-                     " m, heading " + figureText(score.limit.heading_rmse_deg, 2) + " deg";
+                     " m, heading " + numberText(score.limit.heading_rmse_deg, 2) + " deg";
   for (const MethodScore& method : score.methods)
     if (method.continuous && !method.oracle && method.name != kOdometryMethod && method.position_error_m.rmse)
-      text += "; " + method.name + " " + figureText(*method.position_error_m.rmse / *score.limit.position_rmse_m, 2) +
+      text += "; " + method.name + " " + numberText(*method.position_error_m.rmse / *score.limit.position_rmse_m, 2) +
               " times that";
   return text;
 }

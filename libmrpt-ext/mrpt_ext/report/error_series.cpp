@@ -8,7 +8,7 @@ namespace mrpt_ext
 {
 namespace
 {
-void keepWorst(Figure& kept, const Figure& error)
+void keepWorst(OptionalNumber& kept, const OptionalNumber& error)
 {
   if (error && (!kept || *error > *kept)) kept = error;
 }
@@ -31,7 +31,7 @@ ErrorSeries errorSeries(const RunContext& context, const RunScore& score, std::s
   }
   for (const MethodScore& method : score.methods)
   {
-    std::vector<Figure> position(series.stamps.size()), heading(series.stamps.size());
+    std::vector<OptionalNumber> position(series.stamps.size()), heading(series.stamps.size());
     for (const ErrorSample& error : method.errors)
     {
       keepWorst(position[entry_of[error.stamp]], error.position_m);

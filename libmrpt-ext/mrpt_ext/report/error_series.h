@@ -9,9 +9,9 @@ namespace mrpt_ext
 /// Errors of all methods at common stamps.
 struct ErrorSeries
 {
-  std::vector<double> stamps;                                ///< [s] since the start of the log
-  std::vector<std::vector<Figure>> position_m, heading_deg;  ///< per method and stamp
-  std::size_t seconds_joined = 1;                            ///< stamps that one entry stands for, by the worst of them
+  std::vector<double> stamps;                                        ///< [s] since the start of the log
+  std::vector<std::vector<OptionalNumber>> position_m, heading_deg;  ///< per method and stamp
+  std::size_t seconds_joined = 1;  ///< stamps that one entry stands for, by the worst of them
 };
 
 /// At most about `max_stamps`: neighbours are joined by their largest error, so that no failure is hidden.

@@ -31,7 +31,10 @@ Json readSummary(const fs::path& folder)
   }
 }
 
-Figure figureOf(const Json& value) { return value.is_number() ? Figure(value.get<double>()) : std::nullopt; }
+OptionalNumber figureOf(const Json& value)
+{
+  return value.is_number() ? OptionalNumber(value.get<double>()) : std::nullopt;
+}
 
 Verdict verdictOf(const std::string& name)
 {

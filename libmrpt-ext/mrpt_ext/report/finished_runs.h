@@ -13,7 +13,8 @@ namespace mrpt_ext
 struct FinishedTrial
 {
   TrialScore score;
-  std::map<std::string, Figure> position_rmse_m, position_median_m, position_p95_m, heading_rmse_deg;  ///< by method
+  std::map<std::string, OptionalNumber> position_rmse_m, position_median_m, position_p95_m,
+      heading_rmse_deg;  ///< by method
 };
 
 /// All trials of one configuration over one log, from however many folders.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mrpt_ext/evaluation/run_scoring.h"
 #include "mrpt_ext/report/html_text.h"
 #include "mrpt_ext/report/number_text.h"
 #include "mrpt_ext/report/svg_chart.h"
@@ -14,12 +15,12 @@ namespace
 {
 constexpr double kLeastNees = 0.02, kMostNees = 1000;  // what lies outside is drawn on the edge
 
-Figure positionOf(const ErrorSample& error) { return error.position_m; }
-Figure headingOf(const ErrorSample& error) { return error.heading_deg; }
+OptionalNumber positionOf(const ErrorSample& error) { return error.position_m; }
+OptionalNumber headingOf(const ErrorSample& error) { return error.heading_deg; }
 
 /// Adds one series per method that has the error; closed forms as dots.
 std::vector<LegendEntry> addErrors(Chart& chart, const RunContext& context, const RunScore& score,
-                                   Figure (*error_of)(const ErrorSample&))
+                                   OptionalNumber (*error_of)(const ErrorSample&))
 {
   std::vector<LegendEntry> legend;
   for (const MethodScore& method : score.methods)
@@ -27,7 +28,8 @@ std::vector<LegendEntry> addErrors(Chart& chart, const RunContext& context, cons
     ChartSeries series{methodClass(method.name, methodNames(score.methods)), !method.continuous, {}};
     if (method.oracle) series.css_class += " oracle";
     for (const ErrorSample& error : method.errors)
-      if (const Figure value = error_of(error)) series.points.emplace_back(error.time - context.start_time, *value);
+      if (const OptionalNumber value = error_of(error))
+        series.points.emplace_back(error.time - context.start_time, *value);
     if (series.points.empty()) continue;
     const std::string symbol = series.dots ? "dot" : method.name == "odometry" ? "dash" : "line";
     legend.push_back({series.css_class, symbol, method.name});
@@ -36,7 +38,7 @@ std::vector<LegendEntry> addErrors(Chart& chart, const RunContext& context, cons
   return legend;
 }
 
-std::string errorChart(const RunContext& context, const RunScore& score, Figure (*error_of)(const ErrorSample&),
+std::string errorChart(const RunContext& context, const RunScore& score, OptionalNumber (*error_of)(const ErrorSample&),
                        Chart chart)
 {
   chart.duration = context.duration_s;
@@ -45,16 +47,16 @@ std::string errorChart(const RunContext& context, const RunScore& score, Figure 
   if (chart.series.empty()) return {};
   if (score.converged_at_s)
     chart.marks.push_back({*score.converged_at_s, *score.converged_at_s, "converged",
-                           "converged after " + figureText(score.converged_at_s, 1) + " s"});
+                           "converged after " + numberText(score.converged_at_s, 1) + " s"});
   return svgChart(chart) + htmlLegend(legend);
 }
 
 /// Marks closer than this are drawn as one: the drawing could not show them apart.
 double resolutionOf(const Chart& chart) { return chart.duration / 700; }
 
-void addVerdictSpans(Chart& chart, const MethodTrajectory& track, double start, Verdict verdict)
+void addVerdictSpans(Chart& chart, const MethodTrajectory& trajectory, double start, Verdict verdict)
 {
-  for (const VerdictSpan& span : verdictSpans(track, verdict, start, resolutionOf(chart)))
+  for (const VerdictSpan& span : verdictSpans(trajectory, verdict, start, resolutionOf(chart)))
     chart.marks.push_back({span.from, span.to, std::string("span ") + toString(verdict), toString(verdict)});
 }
 
@@ -90,15 +92,15 @@ std::string headingErrorChart(const RunContext& context, const RunScore& score)
 
 std::string confidenceChart(const RunContext& context, const RunRecord& record, const RunScore& score)
 {
-  const MethodTrajectory* track = judgedMethod(record);
-  if (!track || track->points.empty()) return {};
+  const MethodTrajectory* trajectory = judgedMethod(record);
+  if (!trajectory || trajectory->points.empty()) return {};
   Chart chart;
   chart.description = "Weight of the reported mode and effective sample ratio over time";
   chart.unit = "share";
   chart.duration = context.duration_s;
   chart.top = 1.0;
-  ChartSeries weight{methodClass(track->name, methodNames(score.methods)), false, {}}, samples{"ess", false, {}};
-  for (const PoseEstimate& point : track->points)
+  ChartSeries weight{methodClass(trajectory->name, methodNames(score.methods)), false, {}}, samples{"ess", false, {}};
+  for (const PoseEstimate& point : trajectory->points)
   {
     weight.points.emplace_back(point.time - context.start_time, point.best_weight);
     if (point.effective_samples) samples.points.emplace_back(point.time - context.start_time, *point.effective_samples);
@@ -106,10 +108,10 @@ std::string confidenceChart(const RunContext& context, const RunRecord& record, 
   std::vector<LegendEntry> legend{{weight.css_class, "line", "weight of the reported mode"}};
   if (!samples.points.empty()) legend.push_back({"ess", "line", "effective sample ratio"});
   chart.series = {std::move(samples), std::move(weight)};
-  addVerdictSpans(chart, *track, context.start_time, Verdict::ambiguous);
+  addVerdictSpans(chart, *trajectory, context.start_time, Verdict::ambiguous);
   if (!chart.marks.empty()) legend.push_back({"ambiguous", "area", "verdict ambiguous"});
   const std::size_t ambiguous_spans = chart.marks.size();
-  addVerdictSpans(chart, *track, context.start_time, Verdict::lost);
+  addVerdictSpans(chart, *trajectory, context.start_time, Verdict::lost);
   if (chart.marks.size() > ambiguous_spans) legend.push_back({"lost", "area", "verdict lost"});
   addReseeds(chart, record.filter.reseed_times, context.start_time);
   const std::size_t reseeds = record.filter.reseed_times.size();
@@ -133,7 +135,7 @@ std::string neesChart(const RunContext& context, const RunScore& score)
   chart.break_after = context.truth_is_sparse ? 0 : 2.5;
   std::vector<LegendEntry> legend{{series.css_class, "line", "NEES of " + *score.judged_method},
                                   {"band", "area", "95 % band of one estimate"}};
-  if (chart.level) legend.push_back({"level", "dash", "mean " + figureText(chart.level, 2)});
+  if (chart.level) legend.push_back({"level", "dash", "mean " + numberText(chart.level, 2)});
   chart.series.push_back(std::move(series));
   return svgChart(chart) + htmlLegend(legend);
 }

@@ -27,7 +27,7 @@ struct ErrorAxis
 
 bool isShown(const MethodScore& method) { return !method.oracle && !method.errors.empty(); }
 
-ErrorAxis axisOf(const GeometryErrors& table, const RunScore& score)
+ErrorAxis axisOf(const ErrorsByGeometry& table, const RunScore& score)
 {
   double least = HUGE_VAL, most = 0;
   for (const GeometryClass& c : table.classes)
@@ -44,7 +44,7 @@ ErrorAxis axisOf(const GeometryErrors& table, const RunScore& score)
   return axis;
 }
 
-std::string axes(const GeometryErrors& table, const ErrorAxis& axis, double step)
+std::string axes(const ErrorsByGeometry& table, const ErrorAxis& axis, double step)
 {
   std::string svg;
   for (double v = axis.low; v < axis.high * 1.5; v *= 10)
@@ -57,7 +57,7 @@ std::string axes(const GeometryErrors& table, const ErrorAxis& axis, double step
          svgText({kWidth - kRight, kHeight - 5}, "end", "", table.quantity) + "\n";
 }
 
-std::string drawing(const GeometryErrors& table, const RunScore& score)
+std::string drawing(const ErrorsByGeometry& table, const RunScore& score)
 {
   const ErrorAxis axis = axisOf(table, score);
   const double step = (kWidth - kLeft - kRight) / static_cast<double>(table.classes.size());
@@ -88,11 +88,11 @@ std::string drawing(const GeometryErrors& table, const RunScore& score)
 
 std::string cellText(const GeometryCell& cell)
 {
-  if (!cell.answered || *cell.answered == 0) return kNoFigure;
+  if (!cell.answered || *cell.answered == 0) return kNoNumber;
   return magnitudeText(cell.median) + element("small", "", percentText(cell.answered));
 }
 
-std::string table(const GeometryErrors& table, const RunScore& score)
+std::string table(const ErrorsByGeometry& table, const RunScore& score)
 {
   std::string head = "<th scope=\"col\">" + escapeHtml(table.quantity) + "</th><th scope=\"col\">frames</th>", rows;
   for (const MethodScore& method : score.methods)
@@ -113,10 +113,10 @@ std::string table(const GeometryErrors& table, const RunScore& score)
 }
 }  // namespace
 
-std::string geometrySection(const std::vector<GeometryErrors>& tables, const RunScore& score)
+std::string errorsByGeometrySection(const std::vector<ErrorsByGeometry>& tables, const RunScore& score)
 {
   std::string html;
-  for (const GeometryErrors& errors : tables)
+  for (const ErrorsByGeometry& errors : tables)
     html += element("h3", "", "Against " + escapeHtml(errors.quantity)) + "\n" + drawing(errors, score) +
             table(errors, score);
   return html;

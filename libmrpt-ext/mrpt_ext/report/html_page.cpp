@@ -45,9 +45,9 @@ std::string keyFacts(const RunContext& context, const RunScore& score)
   if (score.trials.size() > 1) facts += fact("success rate", percentText(score.success_rate));
   if (best) facts += fact("least position RMSE: " + best->name, magnitudeText(best->position_error_m.rmse) + " m");
   if (best && best->heading_error_deg.rmse)
-    facts += fact("its heading RMSE", figureText(best->heading_error_deg.rmse, 2) + " deg");
-  if (score.converged_at_s) facts += fact("until converged", figureText(score.converged_at_s, 1) + " s");
-  facts += fact("length of the log", figureText(context.duration_s, 0) + " s");
+    facts += fact("its heading RMSE", numberText(best->heading_error_deg.rmse, 2) + " deg");
+  if (score.converged_at_s) facts += fact("until converged", numberText(score.converged_at_s, 1) + " s");
+  facts += fact("length of the log", numberText(context.duration_s, 0) + " s");
   if (score.cost.realtime_factor)
     facts += fact("faster than real time", magnitudeText(score.cost.realtime_factor) + " x");
   return element("div", "facts-strip", facts) + "\n";
@@ -152,7 +152,7 @@ std::string trialPage(const RunContext& context, const RunRecord& record, const 
       chartSection("Heading error over time", "heading", headingErrorChart(context, score)) +
       chartSection("Modes and effective sample size", "confidence", confidenceChart(context, record, score)) +
       chartSection("Honesty of the covariance", "nees", neesChart(context, score), kNeesNote) +
-      section("Error against geometry", geometrySection(errorsAgainstGeometry(context, record, score), score),
+      section("Error against geometry", errorsByGeometrySection(errorsByGeometry(context, record, score), score),
               kGeometryNote) +
       commonSections(context, score);
   return page(context, score, subtitle, sections, scripts(context, record, score));

@@ -7,7 +7,7 @@
 namespace mrpt_ext
 {
 /// report.html of one trial: a self-contained page without scripts and without any address outside of it.
-/// `record` with anchored odometry.
+/// `record` with aligned odometry.
 [[nodiscard]] std::string trialPage(const RunContext& context, const RunRecord& record, const RunScore& score);
 
 /// report.html over several trials: outcome, merged figures, one row per trial linking to the trial's own page.

@@ -29,9 +29,9 @@ std::string table(const Cells& titles, const std::string& rows, const std::strin
   return element("div", "scroll", element("table", css_class, "\n" + body)) + "\n";
 }
 
-std::string intervalText(const Figure& low, const Figure& high)
+std::string intervalText(const OptionalNumber& low, const OptionalNumber& high)
 {
-  return low && high ? magnitudeText(low) + " – " + magnitudeText(high) : kNoFigure;
+  return low && high ? magnitudeText(low) + " – " + magnitudeText(high) : kNoNumber;
 }
 
 std::string methodRow(const MethodScore& method, const RunScore& score, bool best)
@@ -45,12 +45,12 @@ std::string methodRow(const MethodScore& method, const RunScore& score, bool bes
   std::string css_class = best ? "best" : method.oracle ? "oracle" : "";
   return row({key + badge, countText(method.estimates), percentText(method.availability), magnitudeText(error.rmse),
               intervalText(method.rmse_low, method.rmse_high), magnitudeText(error.median), magnitudeText(error.p95),
-              magnitudeText(error.max), figureText(method.heading_error_deg.rmse, 2),
-              magnitudeText(method.position_error_whole_run_m.rmse), figureText(method.step_ms_median, 3)},
+              magnitudeText(error.max), numberText(method.heading_error_deg.rmse, 2),
+              magnitudeText(method.position_error_whole_run_m.rmse), numberText(method.step_ms_median, 3)},
              css_class);
 }
 
-std::string yesNo(const std::optional<bool>& value) { return value ? (*value ? "yes" : "no") : kNoFigure; }
+std::string yesNo(const std::optional<bool>& value) { return value ? (*value ? "yes" : "no") : kNoNumber; }
 
 void addFact(std::string& rows, const std::string& name, const std::string& value)
 {
@@ -98,9 +98,9 @@ std::string landmarkTable(const RunScore& score)
   {
     const LandmarkScore& landmark = score.landmarks.at(id);
     const std::string doubt = landmarkWarning(landmark);
-    rows += row({escapeHtml(id), countText(landmark.seen), figureText(landmark.associated, 1),
-                 percentText(landmark.inlier_rate), figureText(landmark.residual_mean, 2),
-                 figureText(landmark.residual_std, 2), doubt.empty() ? "" : element("span", "badge warn", doubt)},
+    rows += row({escapeHtml(id), countText(landmark.seen), numberText(landmark.associated, 1),
+                 percentText(landmark.inlier_rate), numberText(landmark.residual_mean, 2),
+                 numberText(landmark.residual_std, 2), doubt.empty() ? "" : element("span", "badge warn", doubt)},
                 doubt.empty() ? "" : "doubtful");
   }
   return table({"landmark", "seen", "associated", "inlier rate", "residual mean / σ", "residual std / σ", "remark"},
@@ -126,14 +126,14 @@ std::string filterTable(const RunScore& score)
   addFact(rows, "particles (min, median, max)",
           countText(f.particles_min) + ", " + countText(f.particles_median) + ", " + countText(f.particles_max));
   addFact(rows, "NEES, mean (95 % band if errors were independent)",
-          figureText(f.nees_mean, 2) + " (" + figureText(f.nees_band_low, 2) + " to " +
-              figureText(f.nees_band_high, 2) + ")");
-  addFact(rows, "least effective sample ratio", figureText(f.effective_sample_ratio_min, 4));
+          numberText(f.nees_mean, 2) + " (" + numberText(f.nees_band_low, 2) + " to " +
+              numberText(f.nees_band_high, 2) + ")");
+  addFact(rows, "least effective sample ratio", numberText(f.effective_sample_ratio_min, 4));
   addFact(rows, "steps with verdict lost", countText(f.lost_steps));
   addFact(rows, "re-seeds", countText(f.reseeds));
   if (score.limit.position_rmse_m)
     addFact(rows, "posterior Cramér-Rao bound",
-            magnitudeText(score.limit.position_rmse_m) + " m, " + figureText(score.limit.heading_rmse_deg, 2) + " deg");
+            magnitudeText(score.limit.position_rmse_m) + " m, " + numberText(score.limit.heading_rmse_deg, 2) + " deg");
   return table({"figure", "value"}, rows, "facts");
 }
 
@@ -147,7 +147,7 @@ std::string trialTable(const RunScore& score)
     rows += row(
         {"<a href=\"" + folder + "/report.html\">" + folder + "</a>", std::to_string(trial.seed), yesNo(trial.success),
          element("span", std::string("badge ") + toString(trial.verdict), toString(trial.verdict)),
-         magnitudeText(trial.rmse), figureText(trial.converged_at_s, 1)},
+         magnitudeText(trial.rmse), numberText(trial.converged_at_s, 1)},
         bad ? "doubtful" : "");
   }
   return table({"trial", "seed", "success", "verdict", "RMSE m", "converged after s"}, rows);
@@ -169,11 +169,11 @@ std::string provenanceTable(const RunContext& context, const RunScore& score)
     addFact(rows, file.role + ", SHA-256", file.sha256);
   }
   addFact(rows, "log, entries and duration",
-          std::to_string(context.rawlog_entries) + ", " + figureText(context.duration_s, 1) + " s");
+          std::to_string(context.rawlog_entries) + ", " + numberText(context.duration_s, 1) + " s");
   addFact(rows, "processor time, wall time",
-          figureText(score.cost.cpu_s, 2) + " s, " + figureText(score.cost.wall_s, 2) + " s (" +
+          numberText(score.cost.cpu_s, 2) + " s, " + numberText(score.cost.wall_s, 2) + " s (" +
               magnitudeText(score.cost.realtime_factor) + " times real time)");
-  addFact(rows, "peak memory", figureText(score.cost.peak_memory_mb, 0) + " MB");
+  addFact(rows, "peak memory", numberText(score.cost.peak_memory_mb, 0) + " MB");
   return table({"item", "value"}, rows, "facts provenance");
 }
 }  // namespace mrpt_ext

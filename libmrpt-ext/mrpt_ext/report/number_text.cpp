@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "mrpt_ext/files/number_format.h"
+#include "mrpt_ext/geometry/quantile.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-bool exists(const Figure& figure) { return figure && std::isfinite(*figure); }
+bool exists(const OptionalNumber& figure) { return figure && std::isfinite(*figure); }
 
 std::string trialText(const RunScore& score)
 {
@@ -18,16 +19,16 @@ std::string trialText(const RunScore& score)
   if (score.interrupted) return "Interrupted: what was done until then is judged, success is not.";
   if (!trial.success) return "No ground truth within the log: errors are not judged.";
   const std::string limits =
-      figureText(score.limits.within_m, 2) + " m / " + figureText(score.limits.within_deg, 0) + " deg";
+      numberText(score.limits.within_m, 2) + " m / " + numberText(score.limits.within_deg, 0) + " deg";
   if (!trial.converged_at_s)
   {
-    Figure whole;
+    OptionalNumber whole;
     for (const MethodScore& method : score.methods)
       if (method.name == *score.judged_method) whole = method.position_error_whole_run_m.rmse;
     return *score.judged_method + " never stayed within " + limits +
            " for 5 s: no errors after convergence (whole run: RMSE " + magnitudeText(whole) + " m).";
   }
-  return *score.judged_method + " converged after " + figureText(trial.converged_at_s, 1) + " s (within " + limits +
+  return *score.judged_method + " converged after " + numberText(trial.converged_at_s, 1) + " s (within " + limits +
          "); " + (*trial.success ? "success." : "no success: too late, or lost again for more than 10 s.");
 }
 
@@ -41,7 +42,7 @@ std::string trialsText(const RunScore& score)
     if (trial.rmse) rmse.push_back(*trial.rmse);
   }
   std::string text = std::to_string(score.trials.size()) + " trials: success rate " +
-                     figureText(score.success_rate, 2) + ", " + std::to_string(lost) + " lost";
+                     numberText(score.success_rate, 2) + ", " + std::to_string(lost) + " lost";
   if (score.judged_method && !rmse.empty())
     text += "; position RMSE of " + *score.judged_method + " from " + magnitudeText(quantile(rmse, 0)) + " to " +
             magnitudeText(quantile(rmse, 1)) + " m, median " + magnitudeText(median(rmse)) + " m";
@@ -49,30 +50,30 @@ std::string trialsText(const RunScore& score)
 }
 }  // namespace
 
-std::string figureText(const Figure& figure, int decimals)
+std::string numberText(const OptionalNumber& figure, int decimals)
 {
-  return exists(figure) ? fixedText(*figure, decimals) : kNoFigure;
+  return exists(figure) ? fixedText(*figure, decimals) : kNoNumber;
 }
 
-std::string magnitudeText(const Figure& figure)
+std::string magnitudeText(const OptionalNumber& figure)
 {
-  if (!exists(figure)) return kNoFigure;
+  if (!exists(figure)) return kNoNumber;
   const double size = std::abs(*figure);
   return fixedText(*figure, size < 9.9995 ? 3 : size < 99.995 ? 2 : size < 999.95 ? 1 : 0);
 }
 
-std::string percentText(const Figure& share)
+std::string percentText(const OptionalNumber& share)
 {
-  if (!exists(share)) return kNoFigure;
+  if (!exists(share)) return kNoNumber;
   const double percent = 100 * *share;
   if (*share > 0 && percent < 0.5) return "<1 %";
   if (*share < 1 && percent >= 99.5) return ">99 %";
   return fixedText(percent, 0) + " %";
 }
 
-std::string countText(const Figure& figure)
+std::string countText(const OptionalNumber& figure)
 {
-  return exists(figure) ? fixedText(*figure, *figure == std::floor(*figure) ? 0 : 1) : kNoFigure;
+  return exists(figure) ? fixedText(*figure, *figure == std::floor(*figure) ? 0 : 1) : kNoNumber;
 }
 
 const MethodScore* bestMethod(const RunScore& score)
@@ -80,7 +81,7 @@ const MethodScore* bestMethod(const RunScore& score)
   const MethodScore* best = nullptr;
   for (const MethodScore& method : score.methods)
   {
-    const Figure& rmse = method.position_error_m.rmse;
+    const OptionalNumber& rmse = method.position_error_m.rmse;
     if (method.oracle || !rmse) continue;
     if (!best || *rmse < *best->position_error_m.rmse) best = &method;
   }

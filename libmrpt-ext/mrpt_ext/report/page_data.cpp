@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "mrpt_ext/evaluation/odometry_alignment.h"
+#include "mrpt_ext/evaluation/run_scoring.h"
 #include "mrpt_ext/report/error_series.h"
 #include "mrpt_ext/report/html_text.h"
 #include "mrpt_ext/report/json_number.h"
@@ -19,15 +20,15 @@ namespace
 using Json = nlohmann::ordered_json;
 constexpr std::size_t kMaxStamps = 2400;
 
-Json figure(const Figure& value, int decimals) { return value ? rounded(*value, decimals) : Json(nullptr); }
+Json figure(const OptionalNumber& value, int decimals) { return value ? rounded(*value, decimals) : Json(nullptr); }
 
-Json columns(const std::vector<std::vector<Figure>>& methods, int decimals)
+Json columns(const std::vector<std::vector<OptionalNumber>>& methods, int decimals)
 {
   Json all = Json::array();
   for (const auto& method : methods)
   {
     Json column = Json::array();
-    for (const Figure& value : method) column.push_back(figure(value, decimals));
+    for (const OptionalNumber& value : method) column.push_back(figure(value, decimals));
     all.push_back(std::move(column));
   }
   return all;
@@ -71,10 +72,10 @@ Json landmarksOf(const RunContext& context, const RunScore& score)
   return list;
 }
 
-Json spansOf(const MethodTrajectory& track, Verdict verdict, const RunContext& context)
+Json spansOf(const MethodTrajectory& trajectory, Verdict verdict, const RunContext& context)
 {
   Json list = Json::array();
-  for (const VerdictSpan& span : verdictSpans(track, verdict, context.start_time, context.duration_s / 700))
+  for (const VerdictSpan& span : verdictSpans(trajectory, verdict, context.start_time, context.duration_s / 700))
     list.push_back({rounded(span.from, 2), rounded(span.to, 2)});
   return list;
 }
@@ -83,16 +84,16 @@ Json spansOf(const MethodTrajectory& track, Verdict verdict, const RunContext& c
 Json confidenceOf(const RunContext& context, const RunRecord& record)
 {
   Json t = Json::array(), weight = Json::array(), ess = Json::array(), modes = Json::array();
-  const MethodTrajectory* track = judgedMethod(record);
-  if (!track) return nullptr;
-  const std::size_t joined = track->points.size() / (kMaxStamps + 1) + 1;
-  for (auto point = track->points.begin(); point != track->points.end();)
+  const MethodTrajectory* trajectory = judgedMethod(record);
+  if (!trajectory) return nullptr;
+  const std::size_t joined = trajectory->points.size() / (kMaxStamps + 1) + 1;
+  for (auto point = trajectory->points.begin(); point != trajectory->points.end();)
   {
     double least_weight = 1;
-    Figure least_ess;
+    OptionalNumber least_ess;
     int most_modes = 0;
     t.push_back(rounded(point->time - context.start_time, 3));
-    for (std::size_t k = 0; k < joined && point != track->points.end(); ++k, ++point)
+    for (std::size_t k = 0; k < joined && point != trajectory->points.end(); ++k, ++point)
     {
       least_weight = std::min(least_weight, point->best_weight);
       if (const auto& e = point->effective_samples) least_ess = std::min(least_ess.value_or(1), *e);
@@ -109,8 +110,8 @@ Json confidenceOf(const RunContext& context, const RunRecord& record)
           {"ess", ess},
           {"modes", modes},
           {"reseeds", reseeds},
-          {"ambiguous", spansOf(*track, Verdict::ambiguous, context)},
-          {"lost", spansOf(*track, Verdict::lost, context)}};
+          {"ambiguous", spansOf(*trajectory, Verdict::ambiguous, context)},
+          {"lost", spansOf(*trajectory, Verdict::lost, context)}};
 }
 
 /// Upper triangle, row by row.

@@ -7,6 +7,6 @@
 namespace mrpt_ext
 {
 /// Everything that the scripts of a trial's page draw, as JSON that may stand in a script element (no "<"). `record`
-/// with anchored odometry. Times in seconds since the start of the log. See playbackJson() for `playback`.
+/// with aligned odometry. Times in seconds since the start of the log. See playbackJson() for `playback`.
 [[nodiscard]] std::string pageData(const RunContext& context, const RunRecord& record, const RunScore& score);
 }  // namespace mrpt_ext

@@ -38,14 +38,14 @@ Json truthAtSteps(const RunContext& context, const Steps& steps)
   return list;
 }
 
-Json posesAtSteps(const MethodTrajectory& track, const Steps& steps)
+Json posesAtSteps(const MethodTrajectory& trajectory, const Steps& steps)
 {
   Json list = Json::array();
-  auto point = track.points.begin();
+  auto point = trajectory.points.begin();
   for (const PlaybackStep& step : steps)
   {
-    while (point != track.points.end() && point->time < step.time - kSameTime) ++point;
-    if (point != track.points.end() && point->time <= step.time + kSameTime)
+    while (point != trajectory.points.end() && point->time < step.time - kSameTime) ++point;
+    if (point != trajectory.points.end() && point->time <= step.time + kSameTime)
       addPose(list, point->pose.mean, point->heading_known);
     else
       addNoPose(list);
@@ -66,10 +66,10 @@ Json modesOf(const PlaybackStep& step)
   return list;
 }
 
-Json sightingsOf(const PlaybackStep& step, const LandmarkTable& map)
+Json drawnDetections(const PlaybackStep& step, const LandmarkTable& map)
 {
   Json list = Json::array();
-  for (const DrawnDetection& s : step.sightings)
+  for (const DrawnDetection& s : step.detections)
   {
     addPose(list, s.T_robot_sensor, true);
     list.push_back(s.bearing ? rounded(*s.bearing, 4) : Json(nullptr));
@@ -124,13 +124,14 @@ Json playbackJson(const RunContext& context, const RunRecord& record)
 {
   const Steps& steps = record.playback;
   Json json = {{"t", Json::array()}, {"truth", truthAtSteps(context, steps)}, {"methods", Json::object()}};
-  for (const MethodTrajectory& track : record.methods) json["methods"][track.name] = posesAtSteps(track, steps);
+  for (const MethodTrajectory& trajectory : record.methods)
+    json["methods"][trajectory.name] = posesAtSteps(trajectory, steps);
   json["modes"] = json["seen"] = Json::array();
   for (const PlaybackStep& step : steps)
   {
     json["t"].push_back(rounded(step.time - context.start_time, 3));
     json["modes"].push_back(modesOf(step));
-    json["seen"].push_back(sightingsOf(step, context.map));
+    json["seen"].push_back(drawnDetections(step, context.map));
   }
   addObjects(json, record);
   json["particles"] = particlesOf(steps);

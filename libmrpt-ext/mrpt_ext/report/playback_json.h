@@ -13,6 +13,6 @@ namespace mrpt_ext
 ///   seen: [[sensor x, y, yaw on the robot, bearing, range, index of the landmark or -1, 1 for a fix, ...] per step]
 ///   objects: [[x, y, label index, ...] per step], object_labels: [...]
 ///   particles: {counts: [...], boxes: [low x, low y, width, height, ...], poses: base64, see packed_particles.h}
-/// `record` with anchored odometry.
+/// `record` with aligned odometry.
 [[nodiscard]] nlohmann::ordered_json playbackJson(const RunContext& context, const RunRecord& record);
 }  // namespace mrpt_ext

@@ -35,7 +35,7 @@ void removeOldResults(const std::filesystem::path& folder)
 
 void writeTrial(const std::filesystem::path& folder, const RunContext& context, RunRecord record, const RunScore& score)
 {
-  const RunRecord placed = withAnchoredOdometry(std::move(record), context.truth);
+  const RunRecord placed = withAlignedOdometry(std::move(record), context.truth);
   removeOldResults(folder);
   const auto write = [&folder](const char* name, auto table, const auto& rows)
   { writeFileAtomically(folder / name, [&](const TextSink& sink) { table(rows, sink); }); };

@@ -7,7 +7,7 @@
 namespace mrpt_ext
 {
 /// Writes what a trial leaves into `folder`: summary.json, report.html, steps.csv, hypotheses.csv, objects.csv (only
-/// when objects were asked for or seen), trajectory_<method>.tum. Dead reckoning is anchored to the truth first, where
+/// when objects were asked for or seen), trajectory_<method>.tum. Dead reckoning is aligned to the truth first, where
 /// there is one, so that the files agree with the score. Each file appears complete or not at all.
 /// Throws InputError (data) when a file cannot be written.
 void writeTrial(const std::filesystem::path& folder, const RunContext& context, RunRecord record,

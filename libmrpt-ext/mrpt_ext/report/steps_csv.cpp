@@ -8,10 +8,10 @@ namespace mrpt_ext
 {
 namespace
 {
-/// A track with the estimate of it that is not written yet.
+/// A trajectory with the estimate of it that is not written yet.
 struct Column
 {
-  explicit Column(const MethodTrajectory& track) : method(&track), next(track.points.begin()) {}
+  explicit Column(const MethodTrajectory& trajectory) : method(&trajectory), next(trajectory.points.begin()) {}
   [[nodiscard]] bool atEnd() const { return next == method->points.end(); }
 
   const MethodTrajectory* method;

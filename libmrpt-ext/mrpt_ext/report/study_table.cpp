@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <set>
 
-#include "mrpt_ext/evaluation/error_statistics.h"
 #include "mrpt_ext/files/number_format.h"
+#include "mrpt_ext/geometry/quantile.h"
 #include "mrpt_ext/report/csv_field.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-using MethodFigures = std::map<std::string, Figure> FinishedTrial::*;
+using MethodFigures = std::map<std::string, OptionalNumber> FinishedTrial::*;
 
-Figure medianOf(const FinishedRun& run, const std::string& method, MethodFigures figures)
+OptionalNumber medianOf(const FinishedRun& run, const std::string& method, MethodFigures figures)
 {
   std::vector<double> values;
   for (const FinishedTrial& trial : run.trials)
@@ -22,7 +22,7 @@ Figure medianOf(const FinishedRun& run, const std::string& method, MethodFigures
   return median(std::move(values));
 }
 
-Figure medianConvergence(const FinishedRun& run)
+OptionalNumber medianConvergence(const FinishedRun& run)
 {
   std::vector<double> values;
   for (const FinishedTrial& trial : run.trials)
@@ -30,7 +30,7 @@ Figure medianConvergence(const FinishedRun& run)
   return median(std::move(values));
 }
 
-std::string text(const Figure& figure, int decimals, const std::string& none)
+std::string text(const OptionalNumber& figure, int decimals, const std::string& none)
 {
   return figure ? fixedText(*figure, decimals) : none;
 }

@@ -9,10 +9,10 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-Json number(const Figure& figure) { return figure && std::isfinite(*figure) ? Json(*figure) : Json(nullptr); }
+Json number(const OptionalNumber& figure) { return figure && std::isfinite(*figure) ? Json(*figure) : Json(nullptr); }
 
 /// A count is written without a decimal point, unless it is a median between two counts.
-Json count(const Figure& figure)
+Json count(const OptionalNumber& figure)
 {
   if (figure && *figure == std::floor(*figure) && std::abs(*figure) < 1e15) return Json(std::llround(*figure));
   return number(figure);

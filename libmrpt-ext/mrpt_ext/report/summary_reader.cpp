@@ -9,7 +9,10 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-Figure figureOf(const Json& value) { return value.is_number() ? Figure(value.get<double>()) : std::nullopt; }
+OptionalNumber figureOf(const Json& value)
+{
+  return value.is_number() ? OptionalNumber(value.get<double>()) : std::nullopt;
+}
 
 ErrorStatistics statisticsOf(const Json& value)
 {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mrpt_ext/evaluation/error_statistics.h"
+#include "mrpt_ext/geometry/quantile.h"
 #include "mrpt_ext/report/html_text.h"
 
 namespace mrpt_ext

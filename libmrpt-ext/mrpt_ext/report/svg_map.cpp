@@ -6,6 +6,7 @@
 #include <span>
 
 #include "mrpt_ext/evaluation/odometry_alignment.h"
+#include "mrpt_ext/evaluation/run_scoring.h"
 #include "mrpt_ext/report/html_text.h"
 #include "mrpt_ext/report/landmark_quality.h"
 #include "mrpt_ext/report/map_view.h"

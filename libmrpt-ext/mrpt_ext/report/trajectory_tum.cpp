@@ -7,18 +7,18 @@
 
 namespace mrpt_ext
 {
-void writeTrajectoryTum(const std::filesystem::path& folder, const MethodTrajectory& track)
+void writeTrajectoryTum(const std::filesystem::path& folder, const MethodTrajectory& trajectory)
 {
-  const auto rows = [&track](const TextSink& write)
+  const auto rows = [&trajectory](const TextSink& write)
   {
     std::optional<TimedPose> last;
-    for (const PoseEstimate& point : track.points)
+    for (const PoseEstimate& point : trajectory.points)
     {
       if (last && last->time != point.time) write(tumRow(*last));
       last = TimedPose{point.time, point.pose.mean, point.heading_known};
     }
     if (last) write(tumRow(*last));
   };
-  writeFileAtomically(folder / ("trajectory_" + track.name + ".tum"), rows);
+  writeFileAtomically(folder / ("trajectory_" + trajectory.name + ".tum"), rows);
 }
 }  // namespace mrpt_ext

@@ -4,11 +4,12 @@
 
 namespace mrpt_ext
 {
-std::vector<VerdictSpan> verdictSpans(const MethodTrajectory& track, Verdict verdict, double start, double resolution)
+std::vector<VerdictSpan> verdictSpans(const MethodTrajectory& trajectory, Verdict verdict, double start,
+                                      double resolution)
 {
   std::vector<VerdictSpan> spans;
-  const auto last = track.points.end();
-  for (auto point = track.points.begin(); point != last; ++point)
+  const auto last = trajectory.points.end();
+  for (auto point = trajectory.points.begin(); point != last; ++point)
   {
     if (point->verdict != verdict) continue;
     const double from = point->time - start;

@@ -12,7 +12,8 @@ struct VerdictSpan
   double from = 0, to = 0;  ///< [s] since `start`
 };
 
-/// When the verdict of the track was this one; spans closer than `resolution` [s] are joined, shorter ones widened.
-[[nodiscard]] std::vector<VerdictSpan> verdictSpans(const MethodTrajectory& track, Verdict verdict, double start,
+/// When the verdict of the trajectory was this one; spans closer than `resolution` [s] are joined, shorter ones
+/// widened.
+[[nodiscard]] std::vector<VerdictSpan> verdictSpans(const MethodTrajectory& trajectory, Verdict verdict, double start,
                                                     double resolution);
 }  // namespace mrpt_ext

@@ -23,17 +23,17 @@ std::optional<double> planarRange(const Seen& sensor, int id, std::optional<doub
   return std::sqrt(std::max(0.0, square(*range) - square(height)));
 }
 
-std::vector<DrawnDetection> sightingsOf(const Frame& frame, const LandmarkTable& map)
+std::vector<DrawnDetection> drawnDetections(const Frame& frame, const LandmarkTable& map)
 {
-  std::vector<DrawnDetection> sightings;
+  std::vector<DrawnDetection> detections;
   for (const Reading& reading : frame.readings)
     for (const Detection& seen : reading.detections)
-      sightings.push_back(
+      detections.push_back(
           {reading.T_robot_sensor, seen.id, seen.bearing, planarRange(reading, seen.id, seen.range, map), false});
   for (const RunningFixReading& fix : frame.fixes)
-    sightings.push_back(
+    detections.push_back(
         {fix.T_robot_sensor, fix.id, fix.second_bearing, planarRange(fix, fix.id, fix.second_range, map), true});
-  return sightings;
+  return detections;
 }
 }  // namespace
 
@@ -57,7 +57,7 @@ std::vector<Pose2> particlesByWeight(const ParticleSet& particles, std::size_t c
 PlaybackStep playbackStep(const Frame& frame, const FilterLocalizer* filter, const LandmarkTable& map,
                           std::size_t particles)
 {
-  PlaybackStep step{frame.time, {}, {}, sightingsOf(frame, map)};
+  PlaybackStep step{frame.time, {}, {}, drawnDetections(frame, map)};
   if (!filter) return step;
   step.particles = particlesByWeight(filter->particles(), particles);
   for (const Mode& mode : filter->lastStep().modes.modes)

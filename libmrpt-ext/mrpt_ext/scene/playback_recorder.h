@@ -23,7 +23,7 @@ class PlaybackRecorder
   std::size_t next_ = 0;
 };
 
-/// What can be shown of one frame: the sightings, and of the filter (may be null) the modes and at most `particles`.
+/// What can be shown of one frame: the detections, and of the filter (may be null) the modes and at most `particles`.
 [[nodiscard]] PlaybackStep playbackStep(const Frame& frame, const FilterLocalizer* filter, const LandmarkTable& map,
                                         std::size_t particles);
 

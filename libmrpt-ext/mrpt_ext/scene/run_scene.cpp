@@ -68,14 +68,14 @@ gl::CDisk::Ptr ring(double x, double y, double radius)
 }
 
 /// What is seen from `robot`; `far` [m] is the length of a ray whose range is not measured.
-gl::CSetOfObjects::Ptr measurements(const std::vector<DrawnDetection>& sightings, const Pose2& robot,
+gl::CSetOfObjects::Ptr measurements(const std::vector<DrawnDetection>& detections, const Pose2& robot,
                                     const LandmarkTable& map, double far)
 {
   auto shapes = gl::CSetOfObjects::Create();
   auto rays = gl::CSetOfLines::Create();
   rays->setName("rays");
   rays->setColor(0.0F, 0.45F, 0.7F);
-  for (const DrawnDetection& seen : sightings)
+  for (const DrawnDetection& seen : detections)
   {
     const Pose2 sensor = compose(robot, seen.T_robot_sensor);
     const Landmark* landmark = nullptr;
@@ -112,7 +112,7 @@ std::shared_ptr<gl::COpenGLScene> runScene(const LandmarkTable& map, const Playb
     auto robot = gl::stock_objects::CornerXYZSimple(0.5F, 3.0F);
     robot->setPose(mrpt::poses::CPose3D(best.x, best.y, 0, best.phi, 0, 0));
     scene->insert(robot);
-    scene->insert(measurements(step.sightings, best, map, double{ground.size()}));
+    scene->insert(measurements(step.detections, best, map, double{ground.size()}));
   }
   gl::CCamera& camera = scene->getViewport()->getCamera();
   camera.setPointingAt((ground.x_min + ground.x_max) / 2, (ground.y_min + ground.y_max) / 2, 0.0F);

@@ -1,10 +1,11 @@
-#include "mrpt_ext/evaluation/run_score.h"
+#include "mrpt_ext/evaluation/run_scoring.h"
 
 #include <algorithm>
 
 #include "mrpt_ext/evaluation/method_comparison.h"
 #include "mrpt_ext/evaluation/odometry_alignment.h"
 #include "mrpt_ext/evaluation/rmse_interval.h"
+#include "mrpt_ext/geometry/quantile.h"
 
 namespace mrpt_ext
 {
@@ -28,28 +29,29 @@ ErrorStatistics headingStatistics(const std::vector<ErrorSample>& errors, double
   return errorStatistics(std::move(sample));
 }
 
-MethodScore describe(const MethodTrajectory& track)
+MethodScore describe(const MethodTrajectory& trajectory)
 {
   MethodScore score;
-  score.name = track.name;
-  score.continuous = track.continuous;
-  score.oracle = track.oracle;
-  score.estimates = static_cast<double>(track.points.size());
-  score.ambiguous = static_cast<double>(track.frames_ambiguous);
-  if (track.frames_offered > 0)
-    score.availability = static_cast<double>(track.frames_answered) / static_cast<double>(track.frames_offered);
-  score.step_ms_median = quantile(track.step_milliseconds, 0.5);
-  score.step_ms_p95 = quantile(track.step_milliseconds, 0.95);
+  score.name = trajectory.name;
+  score.continuous = trajectory.continuous;
+  score.oracle = trajectory.oracle;
+  score.estimates = static_cast<double>(trajectory.points.size());
+  score.ambiguous = static_cast<double>(trajectory.frames_ambiguous);
+  if (trajectory.frames_offered > 0)
+    score.availability =
+        static_cast<double>(trajectory.frames_answered) / static_cast<double>(trajectory.frames_offered);
+  score.step_ms_median = quantile(trajectory.step_milliseconds, 0.5);
+  score.step_ms_p95 = quantile(trajectory.step_milliseconds, 0.95);
   return score;
 }
 
 /// Errors of a method over the whole run; none for dead reckoning that cannot be placed in the map.
-std::vector<ErrorSample> errorsOfMethod(const MethodTrajectory& track, const RunContext& context)
+std::vector<ErrorSample> errorsOfMethod(const MethodTrajectory& trajectory, const RunContext& context)
 {
-  if (track.name != kOdometryMethod) return errorsOf(judge(track, context));
-  MethodTrajectory anchored = track;
-  if (!anchorToTruth(anchored, context.truth)) return {};
-  return errorsOf(judge(anchored, context));
+  if (trajectory.name != kOdometryMethod) return errorsOf(judge(trajectory, context));
+  MethodTrajectory aligned = trajectory;
+  if (!alignWithTruth(aligned, context.truth)) return {};
+  return errorsOf(judge(aligned, context));
 }
 
 FilterScore describe(const FilterRecord& filter)
@@ -74,11 +76,11 @@ std::map<std::string, BiasScore> atTheEnd(const DiskBackedSequence<BiasRow>& row
   return scores;
 }
 
-void addConsistency(FilterScore& score, const MethodTrajectory& track, const RunContext& context,
+void addConsistency(FilterScore& score, const MethodTrajectory& trajectory, const RunContext& context,
                     std::optional<double> from)
 {
   // Judged where the estimate was made: dead reckoning would add an error that the covariance does not know.
-  std::vector<JudgedEstimate> judged = judgeAtOwnTimes(track, context);
+  std::vector<JudgedEstimate> judged = judgeAtOwnTimes(trajectory, context);
   score.nees = neesOf(judged);
   if (!from) return;
   std::erase_if(judged, [&](const JudgedEstimate& entry) { return entry.stamp < *from; });
@@ -122,11 +124,11 @@ void judgeMethods(RunScore& score, const RunContext& context, const RunRecord& r
   if (!judged) count_from = context.start_time;
 
   TrialScore& trial = score.trials.front();
-  for (const MethodTrajectory& track : record.methods)
+  for (const MethodTrajectory& trajectory : record.methods)
   {
-    MethodScore method = describe(track);
-    method.errors = errorsOfMethod(track, context);
-    if (&track == judged && something_to_judge)
+    MethodScore method = describe(trajectory);
+    method.errors = errorsOfMethod(trajectory, context);
+    if (&trajectory == judged && something_to_judge)
     {
       count_from = convergenceStamp(method.errors, limits);
       // Half a trial proves nothing, even when it went well so far.
@@ -156,11 +158,11 @@ void judgeMethods(RunScore& score, const RunContext& context, const RunRecord& r
 const MethodTrajectory* judgedMethod(const RunRecord& record)
 {
   const MethodTrajectory* first = nullptr;
-  for (const MethodTrajectory& track : record.methods)
+  for (const MethodTrajectory& trajectory : record.methods)
   {
-    if (!track.continuous || track.name == kOdometryMethod) continue;
-    if (track.name == kParticleFilter) return &track;
-    if (!first) first = &track;
+    if (!trajectory.continuous || trajectory.name == kOdometryMethod) continue;
+    if (trajectory.name == kParticleFilter) return &trajectory;
+    if (!first) first = &trajectory;
   }
   return first;
 }

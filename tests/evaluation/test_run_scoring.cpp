@@ -1,4 +1,4 @@
-#include "mrpt_ext/evaluation/run_score.h"
+#include "mrpt_ext/evaluation/run_scoring.h"
 
 #include <gtest/gtest.h>
 
@@ -24,9 +24,9 @@ MethodTrajectory filterWithError(double duration, const std::function<double(dou
 
 MethodTrajectory closedFormWithError(double duration, double error)
 {
-  MethodTrajectory track = trackWithError("range_least_squares", 0.5, duration, 1, [=](double) { return error; });
-  track.continuous = false;
-  return track;
+  MethodTrajectory trajectory = trackWithError("range_least_squares", 0.5, duration, 1, [=](double) { return error; });
+  trajectory.continuous = false;
+  return trajectory;
 }
 }  // namespace
 
@@ -124,12 +124,12 @@ TEST(RunScore, UnknownTruthHeadingIsNotJudged)
 
 TEST(RunScore, AvailabilityAndTimesComeFromTheTrack)
 {
-  MethodTrajectory track = closedFormWithError(9.5, 0.1);
-  track.frames_offered = 20;
-  track.frames_answered = 5;
-  track.frames_ambiguous = 3;
-  track.step_milliseconds = {1, 2, 3, 4, 5};
-  const MethodScore score = scoreRun(straightRun(10), recordOf({track}), kLimits).methods[0];
+  MethodTrajectory trajectory = closedFormWithError(9.5, 0.1);
+  trajectory.frames_offered = 20;
+  trajectory.frames_answered = 5;
+  trajectory.frames_ambiguous = 3;
+  trajectory.step_milliseconds = {1, 2, 3, 4, 5};
+  const MethodScore score = scoreRun(straightRun(10), recordOf({trajectory}), kLimits).methods[0];
   EXPECT_EQ(score.availability, 0.25);
   EXPECT_EQ(score.ambiguous, 3.0);
   EXPECT_EQ(score.step_ms_median, 3.0);
@@ -138,9 +138,9 @@ TEST(RunScore, AvailabilityAndTimesComeFromTheTrack)
 
 TEST(RunScore, FiguresOfAnEmptyTrackDoNotExist)
 {
-  MethodTrajectory track;
-  track.name = "running_fix";
-  const MethodScore score = scoreRun(straightRun(10), recordOf({track}), kLimits).methods[0];
+  MethodTrajectory trajectory;
+  trajectory.name = "running_fix";
+  const MethodScore score = scoreRun(straightRun(10), recordOf({trajectory}), kLimits).methods[0];
   EXPECT_EQ(score.estimates, 0.0);
   EXPECT_FALSE(score.availability);
   EXPECT_FALSE(score.step_ms_median);
