@@ -28,7 +28,7 @@ std::vector<double> withOutsideFrom(int first, int count)
 const ConvergenceLimits kLimits;
 }  // namespace
 
-TEST(Convergence, IsTheBeginOfTheFirstFiveGoodSeconds)
+TEST(Convergence, IsTheStartOfTheFirstFiveSecondsWithinTheLimits)
 {
   EXPECT_EQ(convergenceStamp(everySecond({9, 9, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1}), kLimits), 2.0);
   // Only four seconds within the limits: it has to begin anew.
@@ -51,7 +51,7 @@ TEST(Convergence, HeadingCountsWhereItIsKnown)
   EXPECT_EQ(convergenceStamp(errors, kLimits), 0.0);
 }
 
-TEST(Convergence, AGapOfTheTruthDoesNotProveAnything)
+TEST(Convergence, AGapOfTheTruthIsNoConvergence)
 {
   auto errors = everySecond({0.1, 0.1, 0.1});
   errors.push_back({30, 30, 9, {}});

@@ -20,14 +20,14 @@ TEST(ErrorStatistics, OfThreeNumbers)
   EXPECT_DOUBLE_EQ(*s.p95, 1 + 0.9 * 3);  // position 0.95 * 2 = 1.9 between the second and the third
 }
 
-TEST(ErrorStatistics, EmptySampleHasNoFigures)
+TEST(ErrorStatistics, EmptySampleHasNone)
 {
   const ErrorStatistics s = errorStatistics({});
   EXPECT_EQ(s.count, 0u);
   for (const auto& figure : {s.rmse, s.mean, s.median, s.std, s.min, s.max, s.p95}) EXPECT_FALSE(figure);
 }
 
-TEST(ErrorStatistics, OneErrorIsEveryFigureWithoutSpread)
+TEST(ErrorStatistics, OneErrorHasNoSpread)
 {
   const ErrorStatistics s = errorStatistics({0.3});
   for (const auto& figure : {s.rmse, s.mean, s.median, s.min, s.max, s.p95}) EXPECT_DOUBLE_EQ(*figure, 0.3);

@@ -40,7 +40,7 @@ struct FailingMethod
 };
 }  // namespace
 
-TEST(ErrorsAgainstGeometry, ShowWhereAMethodFails)
+TEST(ErrorsByGeometry, ShowWhereAMethodFails)
 {
   const FailingMethod run;
   const auto tables = errorsByGeometry(run.context, run.record, run.score);
@@ -49,15 +49,15 @@ TEST(ErrorsAgainstGeometry, ShowWhereAMethodFails)
   ASSERT_EQ(classes.size(), 3u);
   EXPECT_EQ(classes[0].label, "1");
   EXPECT_EQ(classes[0].frames, 20u);
-  EXPECT_EQ(classes[0].methods[0].answered, 0.0);
+  EXPECT_EQ(classes[0].methods[0].estimated, 0.0);
   EXPECT_FALSE(classes[0].methods[0].median);
   EXPECT_NEAR(*classes[1].methods[0].median, 1.0, 1e-12);
   EXPECT_NEAR(*classes[2].methods[0].median, 0.1, 1e-12);
-  EXPECT_EQ(classes[2].methods[0].answered, 1.0);
+  EXPECT_EQ(classes[2].methods[0].estimated, 1.0);
   EXPECT_EQ(classes[2].methods[0].judged, 20u);
 }
 
-TEST(ErrorsAgainstGeometry, QuantitiesAreSortedIntoTheirClasses)
+TEST(ErrorsByGeometry, QuantitiesAreSortedIntoTheirClasses)
 {
   const FailingMethod run;
   const auto tables = errorsByGeometry(run.context, run.record, run.score);
@@ -69,7 +69,7 @@ TEST(ErrorsAgainstGeometry, QuantitiesAreSortedIntoTheirClasses)
   EXPECT_EQ(tables[2].classes[0].label, "4 to 5");
 }
 
-TEST(ErrorsAgainstGeometry, WithoutTruthThereIsNothingToShow)
+TEST(ErrorsByGeometry, WithoutTruthAreEmpty)
 {
   FailingMethod run;
   run.context.truth.clear();

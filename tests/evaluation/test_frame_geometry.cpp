@@ -41,7 +41,7 @@ TEST(FrameGeometry, OfMeasuredBearingsNeedsNoTruth)
   EXPECT_FALSE(geometry->range);
 }
 
-TEST(FrameGeometry, WhatWasNotMeasuredComesFromTheMap)
+TEST(FrameGeometry, MissingMeasurementsComeFromTheMap)
 {
   const auto geometry = frameGeometry(frameOf({{.id = 1, .range = 3}, {.id = 2, .range = 4}}), kMap, kTruth, 0.5);
   ASSERT_TRUE(geometry);

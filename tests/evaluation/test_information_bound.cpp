@@ -14,7 +14,7 @@ TEST(InformationBound, ThreeRangesFromFourSides)
   EXPECT_NEAR(bound->position_rms, std::sqrt(0.05), 1e-12);
 }
 
-TEST(InformationBound, RangesNeverSeeTheHeading)
+TEST(InformationBound, RangesDoNotConstrainTheHeading)
 {
   Matrix3d information = Matrix3d::Zero();
   for (const Vector2d& landmark : {Vector2d{5, 0}, Vector2d{0, 5}, Vector2d{-3, 1}})
@@ -23,7 +23,7 @@ TEST(InformationBound, RangesNeverSeeTheHeading)
   EXPECT_FALSE(informationBound(information));
 }
 
-TEST(InformationBound, ARobotOnTheLandmarksCircleIsUnseen)
+TEST(InformationBound, BearingsOnTheCircleOfTheLandmarksAreSingular)
 {
   Matrix3d information = Matrix3d::Zero();
   for (const double angle : {0.3, 1.4, 2.9, 4.0})
@@ -32,7 +32,7 @@ TEST(InformationBound, ARobotOnTheLandmarksCircleIsUnseen)
   EXPECT_FALSE(informationBound(information));
 }
 
-TEST(InformationBound, NothingKnownOrNotFinite)
+TEST(InformationBound, NoInformationOrNotFinite)
 {
   EXPECT_FALSE(informationBound(Matrix3d::Zero()));
   EXPECT_FALSE(informationBound(Matrix3d::Constant(NAN)));

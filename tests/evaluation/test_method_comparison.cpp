@@ -51,14 +51,14 @@ TEST(MethodComparison, TheIntervalHoldsTheTrueRatio)
   EXPECT_LT(inside, kTimes);
 }
 
-TEST(MethodComparison, TooFewSamplesTellNothing)
+TEST(MethodComparison, NeedsEnoughSamples)
 {
   EXPECT_FALSE(rmseRatio({1, 2, 3, 4}, {1, 2, 3, 4}, 1));
   EXPECT_FALSE(rmseRatio(std::vector<double>(49, 1.0), std::vector<double>(49, 1.0), 10));
   EXPECT_FALSE(rmseRatio({1, 2, 3, 4, 5, 6}, {1, 2, 3, 4, 5}, 1));
 }
 
-TEST(MethodComparison, ComparesWhatTracksWithTheJudgedMethodFromConvergenceOn)
+TEST(MethodComparison, ComparesMethodsThatTrackFromConvergenceOn)
 {
   RunScore score;
   score.judged_method = "particle_filter";

@@ -17,7 +17,7 @@ MethodTrajectory odometryInItsOwnFrame()
 }
 }  // namespace
 
-TEST(OdometryAnchor, AgreesWithTheFirstTruthPoseAndKeepsItsShape)
+TEST(OdometryAlignment, AgreesWithTheFirstTruthPoseAndKeepsItsShape)
 {
   RunContext context = straightRun(5);
   context.truth.erase(context.truth.begin(), context.truth.begin() + 7);  // truth begins at 0.7 s
@@ -31,7 +31,7 @@ TEST(OdometryAnchor, AgreesWithTheFirstTruthPoseAndKeepsItsShape)
   }
 }
 
-TEST(OdometryAnchor, NeedsATruthHeading)
+TEST(OdometryAlignment, NeedsATruthHeading)
 {
   RunContext context = straightRun(5);
   for (TimedPose& pose : context.truth) pose.heading_known = false;
@@ -41,7 +41,7 @@ TEST(OdometryAnchor, NeedsATruthHeading)
   EXPECT_FALSE(alignWithTruth(odometry, {}));
 }
 
-TEST(OdometryAnchor, OtherMethodsStay)
+TEST(OdometryAlignment, OtherMethodsStay)
 {
   const RunContext context = straightRun(5);
   const RunRecord record = withAlignedOdometry(

@@ -21,7 +21,7 @@ std::vector<ErrorSample> independentErrors(RandomStream& random, int count)
 }  // namespace
 
 /// The RMSE of two unit Gaussians is sqrt(2); 95 % of the intervals should hold it, fewer do with few blocks.
-TEST(RmseInterval, HoldsTheTruthAboutAsOftenAsItSays)
+TEST(RmseInterval, HasItsNominalCoverage)
 {
   RandomStream random(7);
   int held = 0;
@@ -35,7 +35,7 @@ TEST(RmseInterval, HoldsTheTruthAboutAsOftenAsItSays)
   EXPECT_LE(held, 199);
 }
 
-TEST(RmseInterval, CountsFromTheMomentGiven)
+TEST(RmseInterval, CountsFromTheGivenTime)
 {
   RandomStream random(7);
   std::vector<ErrorSample> errors = independentErrors(random, 200);
@@ -50,7 +50,7 @@ TEST(RmseInterval, OfTooFewIsNone)
   EXPECT_TRUE(rmseInterval(independentErrors(random, 50), 0));
 }
 
-TEST(MedianInterval, LiesAroundTheMedian)
+TEST(MedianInterval, ContainsTheMedian)
 {
   std::vector<double> values;
   for (int i = 1; i <= 25; ++i) values.push_back(i);

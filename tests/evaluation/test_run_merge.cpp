@@ -25,7 +25,7 @@ RunScore trialWith(int trial, OptionalNumber rmse, bool success, Verdict verdict
 }
 }  // namespace
 
-TEST(MergeScores, FiguresAreMediansOverTheTrialsThatHaveThem)
+TEST(MergeScores, NumbersAreMediansOverTheTrialsThatHaveThem)
 {
   const RunScore merged = mergeScores({trialWith(0, 0.1, true, Verdict::ok), trialWith(1, {}, false, Verdict::lost),
                                        trialWith(2, 0.3, true, Verdict::ok), trialWith(3, 0.2, true, Verdict::ok)});

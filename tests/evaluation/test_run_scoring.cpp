@@ -14,7 +14,7 @@ namespace
 {
 const ConvergenceLimits kLimits;
 
-/// 5 m off until it jumps to the right place 12 s into the log.
+/// 5 m off until it jumps to the true position 12 s into the log.
 double jumpAtTwelve(double t) { return t < 11.99 ? 5.0 : 0.1; }
 
 MethodTrajectory filterWithError(double duration, const std::function<double(double)>& error)
@@ -30,7 +30,7 @@ MethodTrajectory closedFormWithError(double duration, double error)
 }
 }  // namespace
 
-TEST(RunScore, TheJumpIsFoundAndSplitsTheErrors)
+TEST(RunScoring, TheJumpIsFoundAndSplitsTheErrors)
 {
   const RunContext context = straightRun(40);
   const RunScore score =
@@ -50,7 +50,7 @@ TEST(RunScore, TheJumpIsFoundAndSplitsTheErrors)
   EXPECT_NEAR(*score.methods[1].position_error_m.rmse, 0.3, 1e-9);
 }
 
-TEST(RunScore, NeverConvergedLeavesOnlyTheWholeRun)
+TEST(RunScoring, NeverConvergedLeavesOnlyTheWholeRun)
 {
   const RunScore score =
       scoreRun(straightRun(40), recordOf({filterWithError(40, [](double) { return 3.0; })}), kLimits);
@@ -63,7 +63,7 @@ TEST(RunScore, NeverConvergedLeavesOnlyTheWholeRun)
   EXPECT_FALSE(score.filter.nees_mean);
 }
 
-TEST(RunScore, ElevenSecondsLostAfterConvergenceIsAFailure)
+TEST(RunScoring, ElevenSecondsLostAfterConvergenceIsAFailure)
 {
   const auto lost = [](double t) { return t > 19.9 && t < 30.6 ? 2.0 : 0.1; };  // stamps 20 .. 30
   const RunScore score = scoreRun(straightRun(60), recordOf({filterWithError(60, lost)}), kLimits);
@@ -71,7 +71,7 @@ TEST(RunScore, ElevenSecondsLostAfterConvergenceIsAFailure)
   EXPECT_EQ(score.trials.front().success, false);
 }
 
-TEST(RunScore, WithoutTruthNoErrorExists)
+TEST(RunScoring, WithoutTruthNoErrorExists)
 {
   RunContext context = straightRun(40);
   context.truth.clear();
@@ -82,7 +82,7 @@ TEST(RunScore, WithoutTruthNoErrorExists)
   EXPECT_EQ(score.methods[0].estimates, 81.0);
 }
 
-TEST(RunScore, ClosedFormsAloneCountEverything)
+TEST(RunScoring, ClosedFormsAloneCountEverything)
 {
   const RunScore score = scoreRun(straightRun(20), recordOf({closedFormWithError(19.5, 0.3)}), kLimits);
   EXPECT_FALSE(score.judged_method);
@@ -92,7 +92,7 @@ TEST(RunScore, ClosedFormsAloneCountEverything)
   EXPECT_FALSE(score.filter.lost_steps);
 }
 
-TEST(RunScore, OdometryIsAnchoredAndNeverTheJudgedMethod)
+TEST(RunScoring, OdometryIsAlignedAndNeverTheJudgedMethod)
 {
   const MethodTrajectory odometry =
       movedBy({7, -3, 2.0}, trackWithError("odometry", 0, 20, 0.5, [](double) { return 0.0; }));
@@ -101,7 +101,7 @@ TEST(RunScore, OdometryIsAnchoredAndNeverTheJudgedMethod)
   EXPECT_NEAR(*score.methods[0].position_error_m.rmse, 0, 1e-9);
 }
 
-TEST(RunScore, AnotherContinuousMethodIsJudgedWithoutAFilter)
+TEST(RunScoring, AnotherContinuousMethodIsJudgedWithoutAFilter)
 {
   MethodTrajectory ekf = filterWithError(40, jumpAtTwelve);
   ekf.name = "extended_kalman_filter";
@@ -110,7 +110,7 @@ TEST(RunScore, AnotherContinuousMethodIsJudgedWithoutAFilter)
   EXPECT_NEAR(*score.converged_at_s, 12, 1e-9);
 }
 
-TEST(RunScore, UnknownTruthHeadingIsNotJudged)
+TEST(RunScoring, UnknownTruthHeadingIsNotJudged)
 {
   RunContext context = straightRun(30);
   for (TimedPose& pose : context.truth) pose.heading_known = false;
@@ -122,7 +122,7 @@ TEST(RunScore, UnknownTruthHeadingIsNotJudged)
               1e-9);  // 0.1 m off with a standard deviation of 0.1 m, two degrees of freedom
 }
 
-TEST(RunScore, AvailabilityAndTimesComeFromTheTrack)
+TEST(RunScoring, AvailabilityAndTimesComeFromTheTrajectory)
 {
   MethodTrajectory trajectory = closedFormWithError(9.5, 0.1);
   trajectory.frames_offered = 20;
@@ -136,7 +136,7 @@ TEST(RunScore, AvailabilityAndTimesComeFromTheTrack)
   EXPECT_NEAR(*score.step_ms_p95, 4.8, 1e-12);
 }
 
-TEST(RunScore, FiguresOfAnEmptyTrackDoNotExist)
+TEST(RunScoring, NumbersOfAnEmptyTrajectoryDoNotExist)
 {
   MethodTrajectory trajectory;
   trajectory.name = "running_fix";

@@ -20,7 +20,6 @@ std::vector<double> stampsOf(const std::vector<JudgedEstimate>& judged)
 }
 
 // In its own frame the robot drives up the y axis, heading pi/2, 2 m in 2 s.
-const Trajectory kUpwards{{0, {5, 5, kPi / 2}, true}, {2, {5, 7, kPi / 2}, true}};
 
 PoseEstimate estimateAt(double time, const Pose2& pose)
 {
@@ -63,10 +62,10 @@ TEST(ScoringStamps, NeedTruth)
   EXPECT_TRUE(scoringStamps(context).empty());
 }
 
-TEST(Judge, ContinuousEstimatesAreCarriedByDeadReckoning)
+TEST(Judge, ContinuousEstimatesArePredictedByDeadReckoning)
 {
   const RunContext context = straightRun(4);
-  // One estimate only, at 1.5 s and 0.2 m to the side: the odometry carries it along.
+  // One estimate only, at 1.5 s and 0.2 m to the side: predicted by the odometry.
   const RunRecord record = recordOf({trackWithError("f", 1.5, 1.5, 1, [](double) { return 0.2; })});
   const auto judged = judge(record.methods[0], context);
   EXPECT_EQ(stampsOf(judged), (std::vector<double>{2, 3, 4}));  // nothing before the first estimate
@@ -86,7 +85,7 @@ TEST(Judge, WithoutOdometryAnOldEstimateFallsBehind)
   EXPECT_NEAR(errors.back().position_m, 3, 1e-9);
 }
 
-TEST(Judge, ClosedFormsAreJudgedWhereTheyWereMade)
+TEST(Judge, ClosedFormsAreJudgedAtTheirOwnTime)
 {
   const RunContext context = straightRun(5);
   MethodTrajectory trajectory = trackWithError("closed", 0.4, 4.4, 2, noError);  // at 0.4, 2.4 and 4.4 s
@@ -130,7 +129,7 @@ TEST(Judge, ContinuousMethodsReachSparseStampsByDeadReckoning)
   EXPECT_NEAR(errors[0].position_m, 0, 1e-9);
 }
 
-TEST(ErrorsOf, HeadingOnlyWhereBothKnowIt)
+TEST(ErrorsOf, HeadingOnlyWhereBothHaveIt)
 {
   JudgedEstimate entry;
   entry.estimate.pose.mean.phi = degToRad(-179);

@@ -21,14 +21,14 @@ LandmarkTable roomMap(RandomStream& random)
 
 Pose2 truthAt(double t) { return {2 * std::cos(0.2 * t), 2 * std::sin(0.2 * t), wrap(0.2 * t + kPi / 2)}; }
 
-Reading look(const LandmarkTable& map, double t, RandomStream& random)
+Reading observe(const LandmarkTable& map, double t, RandomStream& random)
 {
   Reading reading{.time = kStartTime + t, .sensor = "camera"};
   const Pose2 robot = truthAt(t);
   for (const Landmark& landmark : map.all())
   {
-    const Vector2d way = landmark.position.head<2>() - robot.position();
-    const double bearing = std::atan2(way.y(), way.x()) - robot.phi + kStdBearing * random.gaussian();
+    const Vector2d line = landmark.position.head<2>() - robot.position();
+    const double bearing = std::atan2(line.y(), line.x()) - robot.phi + kStdBearing * random.gaussian();
     reading.detections.push_back({.bearing = wrap(bearing), .std_bearing = kStdBearing});
   }
   return reading;
@@ -74,7 +74,7 @@ Recording walkThroughRoom(double seconds)
     dead_reckoned = compose(dead_reckoned, step);
     recording.truth.push_back({.time = kStartTime + t, .pose = truthAt(t)});
     recording.records.emplace_back(OdometryRecord{kStartTime + t, dead_reckoned});
-    if (tick % 3 == 0) recording.records.emplace_back(look(recording.map, t, random));
+    if (tick % 3 == 0) recording.records.emplace_back(observe(recording.map, t, random));
     if (tick % 10 == 9) recording.records.emplace_back(measureRange(recording.map, t, random));
     if (tick % 20 == 19) recording.records.emplace_back(fix(recording.map, t));
   }

@@ -16,7 +16,7 @@ Pose2 onTheOval(double t)
   return {5 + 3.6 * std::cos(a), 3.5 + 2.2 * std::sin(a), wrap(std::atan2(2.2 * std::cos(a), -3.6 * std::sin(a)))};
 }
 
-/// Looks like noise, the same on every machine to all digits that matter.
+/// Resembles noise; the same on every machine to the digits compared.
 double wobble(double t, double phase) { return std::sin(12.9898 * t + phase) * std::cos(4.1414 * t + 2.7 * phase); }
 
 MethodTrajectory trajectory(const std::string& name, bool continuous, double step, double duration,
@@ -62,7 +62,7 @@ PoseEstimate filterPoint(double t)
   return point;
 }
 
-/// Sees three landmarks with a name by bearing, one by range too, and something without a name.
+/// Bearings to three identified landmarks, one with a range, and an anonymous bearing.
 std::vector<DrawnDetection> detections(double t)
 {
   std::vector<DrawnDetection> seen;

@@ -4,13 +4,13 @@
 
 namespace mrpt_ext::testing
 {
-/// A run with everything a report can show: eight landmarks in a 10 x 7 m room (one of them doubtful), truth on an
+/// A run with everything a report can show: eight landmarks in a 10 x 7 m room (one with a warning), truth on an
 /// oval, dead reckoning in its own frame that drifts, a filter that is ambiguous for 8 s, three closed forms, an
-/// oracle, re-seeds, modes and an object. Deterministic.
+/// oracle, reseeds, modes and an object. Deterministic.
 [[nodiscard]] RunContext syntheticContext(double duration = 120);
 [[nodiscard]] RunRecord syntheticRecord(const RunContext& context, int trial = 0);
 
-/// What the page plays of that filter: that many of its steps, with so many particles each.
+/// Playback of `filter`: `steps` of its steps with `particles` particles each.
 [[nodiscard]] std::vector<PlaybackStep> syntheticPlayback(const MethodTrajectory& filter, std::size_t steps,
                                                           std::size_t particles);
 }  // namespace mrpt_ext::testing

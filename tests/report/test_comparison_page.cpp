@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace
 {
-class Collection : public ::testing::Test
+class ComparisonPage : public ::testing::Test
 {
  protected:
   /// A run of trials first ... last - 1, each in its folder.
@@ -45,7 +45,7 @@ class Collection : public ::testing::Test
 };
 }  // namespace
 
-TEST_F(Collection, PartsOfOneStudyAreOneRun)
+TEST_F(ComparisonPage, PartsOfOneStudyAreOneRun)
 {
   const auto runs = readFinishedRuns({writeRun("a", 0, 2), writeRun("b", 2, 5)});
   ASSERT_EQ(runs.size(), 1u);
@@ -57,7 +57,7 @@ TEST_F(Collection, PartsOfOneStudyAreOneRun)
   EXPECT_GT(*runs[0].trials[4].position_rmse_m.at("particle_filter"), 0);
 }
 
-TEST_F(Collection, TheSameTrialCountsOnce)
+TEST_F(ComparisonPage, TheSameTrialCountsOnce)
 {
   const auto runs = readFinishedRuns({writeRun("a", 0, 3), writeRun("b", 2, 4)});
   ASSERT_EQ(runs.size(), 1u);
@@ -66,7 +66,7 @@ TEST_F(Collection, TheSameTrialCountsOnce)
   EXPECT_NE(comparisonPage(runs).find("1 trials given twice"), std::string::npos);
 }
 
-TEST_F(Collection, OtherSettingsAreAnotherRun)
+TEST_F(ComparisonPage, OtherSettingsAreAnotherRun)
 {
   const auto runs = readFinishedRuns({writeRun("a", 0, 2), writeRun("b", 0, 2, "[b]\n")});
   ASSERT_EQ(runs.size(), 2u);
@@ -74,7 +74,7 @@ TEST_F(Collection, OtherSettingsAreAnotherRun)
   EXPECT_EQ(runs[1].name, "room 2");
 }
 
-TEST_F(Collection, APageShowsEveryRunAndMethod)
+TEST_F(ComparisonPage, APageShowsEveryRunAndMethod)
 {
   const auto runs = readFinishedRuns({writeRun("a", 0, 6), writeRun("b", 0, 2, "[b]\n")});
   const std::string html = comparisonPage(runs);
@@ -84,7 +84,7 @@ TEST_F(Collection, APageShowsEveryRunAndMethod)
   EXPECT_EQ(html.find("http:"), std::string::npos);
 }
 
-TEST_F(Collection, AFolderWithoutASummaryIsADataError)
+TEST_F(ComparisonPage, AFolderWithoutASummaryIsADataError)
 {
   fs::create_directories(scratch_.path() / "empty");
   EXPECT_THROW((void)readFinishedRuns({scratch_.path() / "empty"}), InputError);

@@ -30,7 +30,7 @@ RunScore syntheticScore(int trial = 0)
 }
 }  // namespace
 
-TEST(FigureText, IsHonest)
+TEST(NumberText, RoundsWithoutClaimingAllOrNone)
 {
   EXPECT_EQ(numberText({}, 2), "-");
   EXPECT_EQ(magnitudeText(0.12345), "0.123");
@@ -48,7 +48,7 @@ TEST(ComparisonTable, MarksTheBestAndTheOracle)
 {
   const std::string text = comparisonTable(syntheticScore());
   EXPECT_EQ(lineWith(text, "particle_filter  ").substr(0, 17), "* particle_filter");
-  EXPECT_EQ(lineWith(text, "oracle_interpretation_tree").substr(0, 2), "o ");  // better, but it knew the truth
+  EXPECT_EQ(lineWith(text, "oracle_interpretation_tree").substr(0, 2), "o ");  // better, but it uses the truth
   EXPECT_NE(text.find("converged after 8.0 s"), std::string::npos);
   EXPECT_NE(text.find("verdict: ok (one mode"), std::string::npos);
 }
@@ -66,7 +66,7 @@ TEST(ComparisonTable, IsAlignedAndFitsTheConsole)
   EXPECT_EQ(lineWith(text, "  odometry").size(), right_edge);
 }
 
-TEST(ComparisonTable, MissingFiguresAreDashes)
+TEST(ComparisonTable, MissingNumbersAreDashes)
 {
   RunScore score;
   score.trials.resize(1);
@@ -75,10 +75,10 @@ TEST(ComparisonTable, MissingFiguresAreDashes)
   const std::string row = lineWith(comparisonTable(score), "particle_filter  ");
   EXPECT_EQ(std::count(row.begin(), row.end(), '-'), 8);
   EXPECT_EQ(row.find('0'), std::string::npos);
-  EXPECT_EQ(comparisonTable(score).find("least position RMSE"), std::string::npos);
+  EXPECT_EQ(comparisonTable(score).find("lowest position RMSE"), std::string::npos);
 }
 
-TEST(ComparisonTable, NeverConvergedIsSaid)
+TEST(ComparisonTable, StatesThatTheFilterNeverConverged)
 {
   RunContext context = syntheticContext(6);
   const std::string text = comparisonTable(scoreRun(context, syntheticRecord(context), {}));

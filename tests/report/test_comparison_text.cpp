@@ -16,25 +16,25 @@ std::string sentenceFor(double ratio, double low, double high, OptionalNumber co
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 }  // namespace
 
-TEST(ComparisonText, SaysWhatTheFiguresAllow)
+TEST(ComparisonText, ClaimsOnlyWhatTheIntervalAllows)
 {
   EXPECT_EQ(sentenceFor(1.01, 0.98, 1.04, 1 / 430.0),
             "extended_kalman_filter is as accurate as particle_filter, at 1/430 of the cost: RMSE 1.01 times (95 %: "
             "0.98 to 1.04)");
-  EXPECT_TRUE(contains(sentenceFor(1.01, 0.90, 1.14, 0.01), "cannot be told from"));
+  EXPECT_TRUE(contains(sentenceFor(1.01, 0.90, 1.14, 0.01), "not distinguishable in accuracy from"));
   EXPECT_TRUE(contains(sentenceFor(1.3, 1.1, 1.5, 0.01), "is less accurate than"));
   EXPECT_TRUE(contains(sentenceFor(0.8, 0.7, 0.9, 0.01), "is more accurate than"));
   EXPECT_TRUE(contains(sentenceFor(1.02, 1.01, 1.03, 0.01), "is as accurate as")) << "different, but by 3 % at most";
 }
 
-TEST(ComparisonText, TellsTheCostBothWaysAndOnlyWhereItIsKnown)
+TEST(ComparisonText, StatesTheRelativeCostWhereItIsKnown)
 {
   EXPECT_TRUE(contains(sentenceFor(1, 1, 1, 2.5), "at 2.5 times the cost"));
   EXPECT_TRUE(contains(sentenceFor(1, 1, 1, 0.25), "at 1/4.0 of the cost"));
   EXPECT_FALSE(contains(sentenceFor(1, 1, 1, {}), "cost"));
 }
 
-TEST(ComparisonText, PutsTheBoundBesideWhatTracks)
+TEST(ComparisonText, ComparesMethodsThatTrackWithTheBound)
 {
   RunScore score;
   EXPECT_TRUE(limitText(score).empty());

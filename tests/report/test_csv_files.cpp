@@ -110,7 +110,7 @@ TEST(TrajectoryTum, TheLastEstimateOfAStampStays)
   EXPECT_FALSE(trajectory[1].heading_known);
 }
 
-TEST(BiasesCsv, OneRowPerErrorAndFrame)
+TEST(BiasesCsv, OneRowPerBiasAndFrame)
 {
   EXPECT_EQ(textOf(biasesCsv, {{12.5, "stereo.range_scale", 0.05, 0.002}, {12.5, "distance_scale", -0.01, 0.01}}),
             "t,bias,mean,std\n" + timeField(12.5) + ",stereo.range_scale," + lengthField(0.05) + "," +

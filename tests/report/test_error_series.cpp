@@ -27,7 +27,7 @@ TEST(ErrorSeries, HasOneEntryPerStampAndMethod)
   const RunScore score = scoreRun(context, syntheticRecord(context), {});
   const ErrorSeries series = errorSeries(context, score, 1000);
   EXPECT_EQ(series.stamps.size(), 121u);
-  EXPECT_EQ(series.seconds_joined, 1u);
+  EXPECT_EQ(series.stamps_per_entry, 1u);
   ASSERT_EQ(series.position_m.size(), score.methods.size());
   const auto filter = std::find_if(score.methods.begin(), score.methods.end(),
                                    [](const MethodScore& method) { return method.name == "particle_filter"; });
@@ -35,13 +35,13 @@ TEST(ErrorSeries, HasOneEntryPerStampAndMethod)
   EXPECT_EQ(errors[50], filter->errors[50].position_m);
 }
 
-TEST(ErrorSeries, JoinedStampsKeepTheWorst)
+TEST(ErrorSeries, MergedStampsKeepTheLargestError)
 {
   const RunContext context = syntheticContext();
   const RunScore score = scoreRun(context, syntheticRecord(context), {});
   const ErrorSeries all = errorSeries(context, score, 1000), few = errorSeries(context, score, 30);
   EXPECT_LE(few.stamps.size(), 30u);
-  EXPECT_EQ(few.seconds_joined, 5u);
+  EXPECT_EQ(few.stamps_per_entry, 5u);
   for (std::size_t m = 0; m < score.methods.size(); ++m) EXPECT_EQ(worst(few.position_m[m]), worst(all.position_m[m]));
 }
 

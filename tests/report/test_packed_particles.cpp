@@ -20,7 +20,7 @@ Pose2 unpacked(const PackedPoses& packed, std::size_t i)
 }
 }  // namespace
 
-TEST(PackPoses, KeepsPlacesToAFourThousandthOfTheirBox)
+TEST(PackPoses, KeepsPositionsToAFourThousandthOfTheirBox)
 {
   std::vector<Pose2> poses;
   for (int i = 0; i < 300; ++i) poses.push_back({-3 + 0.05 * i, 7 * std::sin(0.1 * i), wrap(0.37 * i)});
@@ -34,7 +34,7 @@ TEST(PackPoses, KeepsPlacesToAFourThousandthOfTheirBox)
   }
 }
 
-TEST(PackPoses, OfOnePlaceOrNone)
+TEST(PackPoses, OfOnePositionOrNone)
 {
   EXPECT_TRUE(packPoses({}).bytes.empty());
   const PackedPoses packed = packPoses({{1, 2, 3}, {1, 2, -3}});

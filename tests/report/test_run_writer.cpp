@@ -48,7 +48,7 @@ std::string contentOf(const fs::path& path)
 }
 }  // namespace
 
-TEST_F(RunWriter, ATrialLeavesItsFilesAndNoOthers)
+TEST_F(RunWriter, WritesTheFilesOfATrialAndNoOthers)
 {
   const RunContext context = syntheticContext(30);
   const RunRecord record = syntheticRecord(context);
@@ -58,7 +58,7 @@ TEST_F(RunWriter, ATrialLeavesItsFilesAndNoOthers)
   EXPECT_EQ(fileNames(), expected);
 }
 
-TEST_F(RunWriter, ResultsOfAnEarlierRunGo)
+TEST_F(RunWriter, RemovesResultsOfAnEarlierRun)
 {
   fs::create_directories(folder_);
   std::ofstream(folder_ / "trajectory_of_before.tum") << "1 0 0 0 0 0 0 1\n";
@@ -70,7 +70,7 @@ TEST_F(RunWriter, ResultsOfAnEarlierRunGo)
   EXPECT_TRUE(fs::exists(folder_ / "notes.txt"));
 }
 
-TEST_F(RunWriter, ObjectsOnlyWhenAskedFor)
+TEST_F(RunWriter, ObjectsOnlyWhenConfigured)
 {
   RunContext context = syntheticContext(10);
   RunRecord record = syntheticRecord(context);
@@ -104,7 +104,7 @@ TEST_F(RunWriter, SameRunSameBytes)
     EXPECT_EQ(contentOf(entry.path()), contentOf(folder_ / "b" / entry.path().filename())) << entry.path();
 }
 
-TEST_F(RunWriter, MergedTrialsLieBelow)
+TEST_F(RunWriter, MergedTrialsAreInSubfolders)
 {
   const RunContext context = syntheticContext(10);
   const RunScore score = scoreRun(context, syntheticRecord(context), {});
@@ -112,7 +112,7 @@ TEST_F(RunWriter, MergedTrialsLieBelow)
   EXPECT_EQ(fileNames(), (std::set<std::string>{"report.html", "summary.json"}));
 }
 
-TEST_F(RunWriter, AnUnwritablePlaceIsADataError)
+TEST_F(RunWriter, AnUnwritableFolderIsADataError)
 {
   fs::create_directories(folder_.parent_path());
   std::ofstream(folder_) << "a file where the folder should be";

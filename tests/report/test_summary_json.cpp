@@ -61,7 +61,7 @@ TEST(SummaryJson, HasEveryKeyOfTheContractInItsOrder)
   EXPECT_EQ(keysOf(json["cost"]), (Keys{"cpu_s", "wall_s", "peak_memory_mb", "realtime_factor"}));
 }
 
-TEST(SummaryJson, HoldsTheFigures)
+TEST(SummaryJson, HoldsTheNumbers)
 {
   const RunContext context = syntheticContext();
   const Json json = summaryOf(context, syntheticRecord(context));

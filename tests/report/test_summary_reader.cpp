@@ -18,7 +18,7 @@ RunScore scoreOfTrial(const RunContext& context, int trial)
 }
 }  // namespace
 
-TEST(SummaryReader, TellsAllThatASummaryHolds)
+TEST(SummaryReader, ReadsAllOfASummary)
 {
   const testing::ScratchFolder folder;
   const RunContext context = testing::syntheticContext();
@@ -44,7 +44,7 @@ TEST(SummaryReader, MergesToTheSameBytesAsTheScoresThemselves)
   EXPECT_EQ(summaryJson(context, mergeScores({*read, second})), summaryJson(context, mergeScores({first, second})));
 }
 
-TEST(SummaryReader, LeavesOutWhatBelongsToAnotherRun)
+TEST(SummaryReader, RejectsSummariesOfOtherRuns)
 {
   const testing::ScratchFolder folder;
   RunContext context = testing::syntheticContext();
@@ -59,7 +59,7 @@ TEST(SummaryReader, LeavesOutWhatBelongsToAnotherRun)
   other.rawlog_sha256 = "another log";
   EXPECT_FALSE(readTrialScore(folder.path(), other, 0));
   RunScore interrupted = scoreOfTrial(context, 0);
-  interrupted.verdict_reason = kInterruptedReason + std::string("; one place");
+  interrupted.verdict_reason = kInterruptedReason + std::string("; one mode");
   folder.write("summary.json", summaryJson(context, interrupted));
   EXPECT_FALSE(readTrialScore(folder.path(), context, 0)) << "interrupted";
   folder.write("summary.json", text.substr(0, text.size() / 2));

@@ -45,7 +45,7 @@ TEST(PlaybackRecorder, KeepsEveryFrameOfAShortRunAndAThousandOfALongOne)
   }
 }
 
-TEST(PlaybackRecorder, SlantRangesAreLaidIntoThePlane)
+TEST(PlaybackRecorder, SlantRangesAreProjectedToThePlane)
 {
   const LandmarkTable map({{4, {0, 0, 3}, "", {0, 0}}});
   Reading reading;

@@ -42,7 +42,7 @@ std::size_t countOf(const COpenGLScene& scene)
 }
 }  // namespace
 
-TEST(RunScene, ShowsEveryModeAndItsMeasurements)
+TEST(RunScene, ShowsEveryModeAndTheDetections)
 {
   PlaybackStep step = aMoment();
   step.detections = {{{}, 1, 0.0, 2.0, false}, {{}, 2, 0.5, {}, false}};
@@ -52,7 +52,7 @@ TEST(RunScene, ShowsEveryModeAndItsMeasurements)
   const auto rays = std::dynamic_pointer_cast<CSetOfLines>(scene->getByName("rays"));
   ASSERT_TRUE(rays);
   ASSERT_EQ(rays->getLineCount(), 2U);
-  // Straight ahead of a robot at (1, 1) that looks along +y, two metres away.
+  // Straight ahead of a robot at (1, 1) that faces +y, two metres away.
   double x0, y0, z0, x1, y1, z1;
   rays->getLineByIndex(0, x0, y0, z0, x1, y1, z1);
   EXPECT_NEAR(x1, 1, 1e-6);

@@ -7,7 +7,7 @@ namespace mrpt_ext
 /// A window that shows a 3-D scene and can be turned and zoomed with the mouse.
 ///
 /// It lives in a shared library of its own, loaded only when a window is asked for: MRPT's windows bring some three
-/// hundred libraries, half a second of start-up that nobody else should pay.
+/// hundred libraries, which add half a second to the start.
 class SceneWindow
 {
  public:
@@ -18,7 +18,7 @@ class SceneWindow
   [[nodiscard]] virtual bool isOpen() const = 0;
 };
 
-/// Where the window looks at first: a point of the ground and the width [m] to be seen around it.
+/// Initial view: a point on the ground and the visible width [m] around it.
 struct SceneView
 {
   float x = 0, y = 0, width = 10;

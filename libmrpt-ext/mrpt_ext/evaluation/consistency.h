@@ -8,7 +8,7 @@
 namespace mrpt_ext
 {
 /// Normalised estimation error squared, e^T P^-1 e, averaged over a run (Bar-Shalom, Li, Kirubarajan 2001, section
-/// 5.4): about the number of degrees of freedom for an honest covariance, larger for an overconfident one.
+/// 5.4): about the number of degrees of freedom for a consistent covariance, larger for an overconfident one.
 struct Consistency
 {
   std::optional<double> mean;                 ///< over the judged estimates
@@ -30,7 +30,7 @@ struct NeesSample
 [[nodiscard]] std::vector<NeesSample> neesOf(const std::vector<JudgedEstimate>& judged);
 
 /// Three degrees of freedom per estimate, two where truth or estimate have no heading. The errors of neighbouring
-/// estimates of a filter are correlated, so an honest filter leaves the band more often than in 5 % of runs.
+/// estimates of a filter are correlated, so even a consistent filter leaves the band more often than in 5 % of runs.
 [[nodiscard]] Consistency consistency(const std::vector<JudgedEstimate>& judged);
 
 /// Value that a chi-square variable stays below with this probability.

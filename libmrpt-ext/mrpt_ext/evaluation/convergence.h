@@ -7,7 +7,7 @@
 
 namespace mrpt_ext
 {
-/// When a filter counts as having found its place.
+/// Within which errors a filter counts as converged.
 struct ConvergenceLimits
 {
   double within_m = 0.5;          ///< position error [m]
@@ -15,15 +15,15 @@ struct ConvergenceLimits
   double max_convergence_s = 60;  ///< [s] since the start of the log
 };
 
-/// It must stay within the limits this long to have converged [s].
+/// Time within the limits that counts as converged [s].
 inline constexpr double kConvergenceHold = 5;
-/// It may be outside the limits this long afterwards [s].
+/// Longest time outside the limits that a success allows afterwards [s].
 inline constexpr double kMaxTimeOutside = 10;
 
 [[nodiscard]] bool withinLimits(const ErrorSample& error, const ConvergenceLimits& limits);
 
-/// Stamp of the first sample that begins an unbroken row of samples within the limits which reaches at least
-/// kConvergenceHold further. Nothing if the log or the truth ends before that.
+/// Stamp of the first sample of an unbroken row of samples within the limits that lasts at least
+/// kConvergenceHold. Nothing if the log or the truth ends before that.
 [[nodiscard]] std::optional<double> convergenceStamp(const std::vector<ErrorSample>& errors,
                                                      const ConvergenceLimits& limits);
 

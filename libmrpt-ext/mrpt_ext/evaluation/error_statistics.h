@@ -6,8 +6,7 @@
 
 namespace mrpt_ext
 {
-/// Figures of a sample of absolute errors, in the unit of the sample. Without a sample no figure exists:
-/// absent, never 0.
+/// Statistics of a sample of absolute errors, in the unit of the sample. An empty sample has none: absent, never 0.
 struct ErrorStatistics
 {
   std::size_t count = 0;

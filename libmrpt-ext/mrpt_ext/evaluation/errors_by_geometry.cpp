@@ -11,7 +11,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kOldest = 1.0;  // [s] of the frame that an error is explained by
+constexpr double kOldest = 1.0;  // [s] age of the frame that an error is assigned to
 constexpr int kRangeClasses = 6;
 
 using Geometries = DiskBackedSequence<FrameGeometry>;
@@ -36,7 +36,7 @@ Quantity landmarksInView()
 
 Quantity spreadOfLandmarks()
 {
-  return {"angle over which they spread [deg]",
+  return {"angular spread of the landmarks [deg]",
           {"0 to 30", "30 to 60", "60 to 90", "90 to 120", "120 to 180", "180 to 360"},
           [](const FrameGeometry& g) -> std::optional<std::size_t>
           {
@@ -46,12 +46,12 @@ Quantity spreadOfLandmarks()
           }};
 }
 
-/// Steps of 1, 2 or 5 that cut the distances that occur into about kRangeClasses.
+/// Classes of equal width, 1, 2 or 5 times a power of ten, about kRangeClasses of them.
 Quantity distanceOfLandmarks(const Geometries& frames)
 {
   double farthest = 0;
   for (const FrameGeometry& frame : frames) farthest = std::max(farthest, frame.range.value_or(0));
-  Quantity quantity{"their median distance [m]", {}, [](const FrameGeometry&) { return std::nullopt; }};
+  Quantity quantity{"median distance of the landmarks [m]", {}, [](const FrameGeometry&) { return std::nullopt; }};
   if (!(farthest > 0) || !std::isfinite(farthest)) return quantity;
   const double decade = std::pow(10.0, std::floor(std::log10(farthest / kRangeClasses)));
   const double share = farthest / kRangeClasses / decade;
@@ -71,7 +71,7 @@ Quantity distanceOfLandmarks(const Geometries& frames)
   return quantity;
 }
 
-/// Finds the frame that each of ascending times belongs to.
+/// Finds the frame of a time; times must ascend.
 class FrameFinder
 {
  public:
@@ -89,16 +89,16 @@ class FrameFinder
   std::optional<FrameGeometry> last_;
 };
 
-/// Tells of ascending times whether the trajectory has an estimate of exactly that time.
-class AnswerFinder
+/// Whether the trajectory has an estimate at exactly a time; times must ascend.
+class EstimateFinder
 {
  public:
-  explicit AnswerFinder(const MethodTrajectory& trajectory)
+  explicit EstimateFinder(const MethodTrajectory& trajectory)
       : next_(trajectory.points.begin()), end_(trajectory.points.end())
   {
   }
 
-  bool hasAnswerAt(double time)
+  bool hasEstimateAt(double time)
   {
     while (next_ != end_ && next_->time < time) ++next_;
     return next_ != end_ && next_->time == time;
@@ -113,28 +113,28 @@ double countedFrom(const RunContext& context, const RunScore& score)
   return context.start_time + score.converged_at_s.value_or(0);
 }
 
-/// Errors and answers of one method, class by class.
+/// Errors and number of estimates of one method, class by class.
 void addMethod(ErrorsByGeometry& table, const Quantity& quantity, const Geometries& frames,
                const MethodTrajectory& trajectory, const MethodScore& method, double from)
 {
   std::vector<std::vector<double>> errors(table.classes.size());
-  std::vector<std::size_t> answered(table.classes.size(), 0);
-  FrameFinder explaining(frames);
+  std::vector<std::size_t> estimated(table.classes.size(), 0);
+  FrameFinder finder(frames);
   for (const ErrorSample& error : method.errors)
   {
     if (error.stamp < from) continue;
-    const auto frame = explaining.at(error.time);
+    const auto frame = finder.at(error.time);
     if (const auto c = frame ? quantity.classify(*frame) : std::nullopt) errors[*c].push_back(error.position_m);
   }
-  AnswerFinder answers(trajectory);
+  EstimateFinder estimates(trajectory);
   for (const FrameGeometry& frame : frames)
-    if (const auto c = quantity.classify(frame); c && frame.time >= from && answers.hasAnswerAt(frame.time))
-      ++answered[*c];
+    if (const auto c = quantity.classify(frame); c && frame.time >= from && estimates.hasEstimateAt(frame.time))
+      ++estimated[*c];
   for (std::size_t c = 0; c < table.classes.size(); ++c)
   {
     GeometryCell cell{errors[c].size(), {}, quantile(errors[c], 0.5), quantile(errors[c], 0.95)};
     if (const std::size_t n = table.classes[c].frames; n > 0)
-      cell.answered = static_cast<double>(answered[c]) / static_cast<double>(n);
+      cell.estimated = static_cast<double>(estimated[c]) / static_cast<double>(n);
     table.classes[c].methods.push_back(cell);
   }
 }

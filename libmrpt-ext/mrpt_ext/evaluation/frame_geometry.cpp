@@ -11,10 +11,10 @@ namespace mrpt_ext
 namespace
 {
 /// Collects the directions and distances of one frame.
-class Surroundings
+class GeometryCollector
 {
  public:
-  Surroundings(const LandmarkTable& map, std::optional<TimedPose> truth) : map_(map), truth_(truth) {}
+  GeometryCollector(const LandmarkTable& map, std::optional<TimedPose> truth) : map_(map), truth_(truth) {}
 
   void add(const Pose2& T_robot_sensor, int id, std::optional<double> bearing, std::optional<double> range)
   {
@@ -70,13 +70,13 @@ double angularSpread(std::vector<double> directions)
 std::optional<FrameGeometry> frameGeometry(const Frame& frame, const LandmarkTable& map, const Trajectory& truth,
                                            double max_gap)
 {
-  Surroundings seen(map, interpolate(truth, frame.time, max_gap));
+  GeometryCollector collector(map, interpolate(truth, frame.time, max_gap));
   for (const Reading& reading : frame.readings)
     for (const Detection& detection : reading.detections)
-      seen.add(reading.T_robot_sensor, detection.id, detection.bearing, detection.range);
+      collector.add(reading.T_robot_sensor, detection.id, detection.bearing, detection.range);
   for (const RunningFixReading& fix : frame.fixes)
-    seen.add(fix.T_robot_sensor, fix.id, fix.second_bearing, fix.second_range);
-  const FrameGeometry geometry = seen.at(frame.time);
+    collector.add(fix.T_robot_sensor, fix.id, fix.second_bearing, fix.second_range);
+  const FrameGeometry geometry = collector.at(frame.time);
   return geometry.landmarks > 0 ? std::optional(geometry) : std::nullopt;
 }
 }  // namespace mrpt_ext

@@ -8,16 +8,16 @@
 
 namespace mrpt_ext
 {
-/// Least covariance that an unbiased estimator can reach from given information (Cramer-Rao).
+/// Lower bound of the covariance of an unbiased estimator (Cramer-Rao).
 struct InformationBound
 {
   Eigen::MatrixXd covariance;
   double position_rms = 0;  ///< sqrt(C_xx + C_yy), the limit of the position RMSE
 };
 
-/// Rank of an information matrix, judged after scaling its diagonal to one, so that units do not matter.
+/// Rank of an information matrix, determined after scaling its diagonal to one, so that units do not matter.
 [[nodiscard]] int informationRank(const Eigen::MatrixXd& information);
 
-/// Inverse of the information over (x, y) or (x, y, phi); nothing when it leaves a direction unseen.
+/// Inverse of the information over (x, y) or (x, y, phi); nothing when it is singular.
 [[nodiscard]] std::optional<InformationBound> informationBound(const Eigen::MatrixXd& information);
 }  // namespace mrpt_ext

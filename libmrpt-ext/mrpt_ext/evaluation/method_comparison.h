@@ -6,20 +6,20 @@
 
 namespace mrpt_ext
 {
-/// Ratio of two RMSE with the interval that 95 % of resamples lie in.
+/// Ratio of two RMSE with the 95 % interval of its resamples.
 struct RmseRatio
 {
   double ratio = 1, low = 1, high = 1;
 };
 
-/// sqrt(sum of `squares` / sum of `reference_squares`), pairs measured together. Resampled in blocks of `block`
+/// sqrt(sum of `squares` / sum of `reference_squares`), paired samples. Resampled in blocks of `block`
 /// neighbouring pairs (moving block bootstrap: Kuensch, Annals of Statistics 17(3), 1989), since the errors of
-/// neighbouring moments hang together; 1 for independent pairs. Nothing with fewer than five blocks.
+/// neighbouring stamps are correlated; 1 for independent pairs. Nothing with fewer than five blocks.
 [[nodiscard]] std::optional<RmseRatio> rmseRatio(const std::vector<double>& squares,
                                                  const std::vector<double>& reference_squares, std::size_t block);
 
-/// Every other method that carries its pose from frame to frame (no oracle, not dead reckoning) against the judged one:
-/// at the stamps from `from` on that both were judged at, in blocks of ten.
+/// Compares every other method that tracks (no oracle, not dead reckoning) with the judged one: at the common stamps
+/// from `from` on, in blocks of ten.
 [[nodiscard]] std::vector<MethodComparison> compareMethods(const RunScore& score, double from);
 
 /// The same over trials: each trial's RMSE after convergence is one pair.

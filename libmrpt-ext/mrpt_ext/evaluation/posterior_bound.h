@@ -4,7 +4,7 @@
 
 namespace mrpt_ext
 {
-/// One step of a tracked robot, as the bound sees it.
+/// One step of a tracked robot.
 struct BoundStep
 {
   Pose2 increment;                                      ///< true motion in the body frame of the pose before

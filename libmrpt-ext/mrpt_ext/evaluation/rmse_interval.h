@@ -7,7 +7,7 @@
 
 namespace mrpt_ext
 {
-/// What 95 % of resamples lie in.
+/// Interval that contains 95 % of the resamples.
 struct ConfidenceInterval
 {
   double low = 0, high = 0;

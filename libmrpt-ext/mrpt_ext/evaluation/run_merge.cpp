@@ -12,21 +12,21 @@ namespace mrpt_ext
 {
 namespace
 {
-/// Median over those parts that have the figure; `get` returns an optional<double>.
+/// Median over the parts that have the number; `get` returns it.
 template <typename Part, typename Get>
 OptionalNumber medianOf(const std::vector<const Part*>& parts, Get get)
 {
   std::vector<double> values;
   for (const Part* part : parts)
-    if (const OptionalNumber figure = std::invoke(get, *part)) values.push_back(*figure);
+    if (const OptionalNumber number = std::invoke(get, *part)) values.push_back(*number);
   return median(std::move(values));
 }
 
 template <typename Part>
 ErrorStatistics mergeStatistics(const std::vector<const Part*>& parts, ErrorStatistics Part::*member)
 {
-  const auto over = [&](OptionalNumber ErrorStatistics::*figure)
-  { return medianOf(parts, [&](const Part& part) { return part.*member.*figure; }); };
+  const auto over = [&](OptionalNumber ErrorStatistics::*number)
+  { return medianOf(parts, [&](const Part& part) { return part.*member.*number; }); };
   ErrorStatistics merged;
   merged.count = static_cast<std::size_t>(std::llround(
       medianOf(parts, [&](const Part& part) { return OptionalNumber(static_cast<double>((part.*member).count)); })
@@ -105,10 +105,10 @@ std::map<std::string, BiasScore> mergeBiases(const std::vector<const FilterScore
 FilterScore mergeFilter(const std::vector<const FilterScore*>& parts)
 {
   FilterScore merged;
-  for (const auto figure : {&FilterScore::particles_min, &FilterScore::particles_median, &FilterScore::particles_max,
+  for (const auto number : {&FilterScore::particles_min, &FilterScore::particles_median, &FilterScore::particles_max,
                             &FilterScore::nees_mean, &FilterScore::nees_band_low, &FilterScore::nees_band_high,
                             &FilterScore::effective_sample_ratio_min, &FilterScore::lost_steps, &FilterScore::reseeds})
-    merged.*figure = medianOf(parts, figure);
+    merged.*number = medianOf(parts, number);
   merged.biases = mergeBiases(parts);
   return merged;
 }
@@ -120,18 +120,18 @@ std::map<std::string, LandmarkScore> mergeLandmarks(const std::vector<RunScore>&
     for (const auto& [id, landmark] : trial.landmarks) groups[id].push_back(&landmark);
   std::map<std::string, LandmarkScore> merged;
   for (const auto& [id, parts] : groups)
-    for (const auto figure : {&LandmarkScore::seen, &LandmarkScore::associated, &LandmarkScore::inlier_rate,
+    for (const auto number : {&LandmarkScore::seen, &LandmarkScore::associated, &LandmarkScore::inlier_rate,
                               &LandmarkScore::residual_mean, &LandmarkScore::residual_std})
-      merged[id].*figure = medianOf(parts, figure);
+      merged[id].*number = medianOf(parts, number);
   return merged;
 }
 
 CostScore mergeCost(const std::vector<const CostScore*>& parts)
 {
   CostScore merged;
-  for (const auto figure :
+  for (const auto number :
        {&CostScore::cpu_s, &CostScore::wall_s, &CostScore::peak_memory_mb, &CostScore::realtime_factor})
-    merged.*figure = medianOf(parts, figure);
+    merged.*number = medianOf(parts, number);
   return merged;
 }
 

@@ -16,16 +16,16 @@
 
 namespace mrpt_ext
 {
-/// Everything one method estimated during one trial.
+/// All estimates of one method in one trial.
 struct MethodTrajectory
 {
   std::string name;         ///< key in summary.json, file name part of trajectory_<name>.tum
-  bool continuous = false;  ///< lives between frames by odometry (odometry, EKF, filter); closed forms do not
-  bool oracle = false;      ///< its choice among candidates used the truth
+  bool continuous = false;  ///< tracks the pose between frames (odometry, EKF, filter); closed forms do not
+  bool oracle = false;      ///< chooses among its candidates with the truth
   DiskBackedSequence<PoseEstimate> points;
   std::size_t frames_offered = 0;    ///< frames with any detection
-  std::size_t frames_answered = 0;   ///< ... that it gave an estimate for
-  std::size_t frames_ambiguous = 0;  ///< ... with candidates it could not rank: no row
+  std::size_t frames_answered = 0;   ///< ... with an estimate
+  std::size_t frames_ambiguous = 0;  ///< ... with candidates of equal rank: no row
   std::vector<double> step_milliseconds;
 };
 
@@ -52,7 +52,7 @@ struct ModeSummary
   double weight = 0;
 };
 
-/// The filter's account of itself.
+/// Diagnostics of the filter.
 struct FilterRecord
 {
   std::vector<std::size_t> particle_counts;  ///< one per frame
@@ -62,7 +62,7 @@ struct FilterRecord
   std::vector<ModeSummary> modes_at_end;
 };
 
-/// What the filter knew of a systematic error after one frame (a row of biases.csv).
+/// Estimate of a bias after one frame (a row of biases.csv).
 struct BiasRow
 {
   double time = 0;
@@ -76,17 +76,17 @@ struct BiasRow
   }
 };
 
-/// How a landmark behaved under the filter's posterior.
+/// Statistics of a landmark under the posterior of the filter.
 struct LandmarkRecord
 {
-  std::size_t seen = 0;      ///< detections that could belong to it
-  double associated = 0;     ///< expected number of detections that were it
+  std::size_t seen = 0;      ///< detections that may be of it
+  double associated = 0;     ///< expected number of detections of it
   double inlier_rate = 1;    ///< learned reliability, in [0, 1]
   double residual_mean = 0;  ///< of the inliers, in units of their standard deviation
   double residual_std = 0;
 };
 
-/// A seen thing that is not a landmark, placed in the map (a row of objects.csv).
+/// A detected object that is no landmark, in the map frame (a row of objects.csv).
 struct ObjectRow
 {
   double time = 0;
@@ -102,7 +102,7 @@ struct ObjectRow
   }
 };
 
-/// A detection as it is drawn: seen from a sensor that sits at `T_robot_sensor`.
+/// A detection as it is drawn, by a sensor at `T_robot_sensor`.
 struct DrawnDetection
 {
   Pose2 T_robot_sensor;
@@ -112,16 +112,16 @@ struct DrawnDetection
   bool fix = false;               ///< second range of a running fix: without a heading, a ring around the landmark
 };
 
-/// What the map of a report shows of one frame.
+/// What playback and live view show of one frame.
 struct PlaybackStep
 {
   double time = 0;               ///< [s]
-  std::vector<Pose2> particles;  ///< drawn by weight, so that all stand for the same share
+  std::vector<Pose2> particles;  ///< drawn by weight, all of equal weight
   std::vector<ModeSummary> modes;
   std::vector<DrawnDetection> detections;
 };
 
-/// What one trial leaves behind before it is judged. What grows with the log is in sequences that go to disk.
+/// Output of one trial before it is scored. What grows with the log is in disk-backed sequences.
 struct RunRecord
 {
   int trial = 0;
@@ -132,7 +132,7 @@ struct RunRecord
   DiskBackedSequence<BiasRow> biases;               ///< ordered by time
   std::map<std::string, LandmarkRecord> landmarks;  ///< by id as text
   DiskBackedSequence<ObjectRow> objects;
-  std::vector<PlaybackStep> playback;  ///< of some frames, evenly spread; may be empty
+  std::vector<PlaybackStep> playback;  ///< of evenly spaced frames; may be empty
   Verdict verdict = Verdict::lost;
   std::string verdict_reason;
   bool interrupted = false;
@@ -142,11 +142,11 @@ struct RunRecord
 /// A file that a run read.
 struct InputFile
 {
-  std::string role;  ///< what for: configuration, map, truth
+  std::string role;  ///< configuration, map, truth
   std::string path, sha256;
 };
 
-/// What is the same for all trials of a run.
+/// What all trials of a run have in common.
 struct RunContext
 {
   std::string version, config_path, command_line;
@@ -154,14 +154,14 @@ struct RunContext
   std::string rawlog_path, rawlog_sha256;
   std::size_t rawlog_entries = 0;
   double start_time = 0, duration_s = 0;
-  std::vector<InputFile> inputs;  ///< beside the log
+  std::vector<InputFile> inputs;  ///< other than the log
   std::string built_with;         ///< versions of the compiler and of the libraries
   std::map<std::string, ObservationCount> observations;
   LandmarkTable map;
-  Trajectory truth;  ///< empty: nothing to judge against
+  Trajectory truth;  ///< empty: no errors
   bool truth_is_sparse = false;
-  Trajectory odometry;  ///< dead-reckoned, own frame: carries continuous methods to the scoring stamps
+  Trajectory odometry;  ///< dead-reckoned, in its own frame: predicts continuous methods to the scoring stamps
   DiskBackedSequence<FrameGeometry> geometry;  ///< of every frame with a detection, ordered by time
-  bool objects_wanted = false;  ///< the configuration names `objects`: objects.csv is written even when none was seen
+  bool objects_wanted = false;  ///< the configuration names `objects`: objects.csv is written even without detections
 };
 }  // namespace mrpt_ext

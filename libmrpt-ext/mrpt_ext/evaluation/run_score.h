@@ -13,33 +13,33 @@
 
 namespace mrpt_ext
 {
-/// Figures of a run; all are absent where they do not exist, and each is the median over trials in a merged score.
+/// A number of a run, absent where it does not exist; in a merged score the median over the trials.
 using OptionalNumber = std::optional<double>;
 
-/// How one method did.
+/// Score of one method.
 struct MethodScore
 {
   std::string name;
   bool continuous = false;
   bool oracle = false;
-  OptionalNumber estimates;                             ///< rows of the trajectory
+  OptionalNumber estimates;                             ///< number of estimates
   OptionalNumber availability;                          ///< frames with an estimate / frames with any detection
-  OptionalNumber ambiguous;                             ///< frames with candidates that it could not rank
+  OptionalNumber ambiguous;                             ///< frames with candidates of equal rank
   ErrorStatistics position_error_m, heading_error_deg;  ///< from the convergence of the judged method on
   ErrorStatistics position_error_whole_run_m;
   OptionalNumber rmse_low, rmse_high;  ///< [m] 95 % interval of the position RMSE, see rmse_interval.h
   OptionalNumber step_ms_median, step_ms_p95;
   std::vector<ErrorSample> errors;  ///< whole run; of one trial only, empty in a merged score
-  std::vector<double> trial_rmse;   ///< [m] of a merged score: the trials' position RMSE, as far as they have one
+  std::vector<double> trial_rmse;   ///< [m] of a merged score: position RMSE of the trials that have one
 };
 
-/// A systematic error as the filter knew it at the end.
+/// Final estimate of a bias.
 struct BiasScore
 {
   OptionalNumber mean, std;
 };
 
-/// How the filter did by its own account, and how honest its covariance is.
+/// Diagnostics of the filter, and consistency of its covariance.
 struct FilterScore
 {
   OptionalNumber particles_min, particles_median, particles_max;
@@ -60,7 +60,7 @@ struct LandmarkScore
 struct LimitScore
 {
   OptionalNumber position_rmse_m, heading_rmse_deg;
-  std::string why_none;  ///< of a robot that is tracked: why no bound can be given; empty where there is one
+  std::string why_none;  ///< reason when the bound of a tracked robot does not exist
 };
 
 struct CostScore
@@ -80,16 +80,16 @@ struct TrialScore
   OptionalNumber converged_at_s;  ///< [s] since the start of the log
 };
 
-/// How a method compares with the judged one.
+/// A method compared with the judged one.
 struct MethodComparison
 {
   std::string method, reference;
   double rmse_ratio = 1;                 ///< of the position RMSE to the reference's, at the same stamps
-  double ratio_low = 1, ratio_high = 1;  ///< 95 % of resamples
+  double ratio_low = 1, ratio_high = 1;  ///< 95 % interval of the resamples
   OptionalNumber cost_ratio;             ///< of the median times per step
 };
 
-/// A judged run: one trial, or several merged.
+/// Score of a run: one trial, or several merged.
 struct RunScore
 {
   std::optional<std::string> judged_method;  ///< whose convergence counts for all; see judgedMethod()
@@ -99,10 +99,10 @@ struct RunScore
   LimitScore limit;
   std::vector<MethodComparison> comparisons;  ///< see method_comparison.h
   CostScore cost;
-  ConvergenceLimits limits;  ///< that the errors were judged by
+  ConvergenceLimits limits;  ///< limits of convergence
   OptionalNumber converged_at_s;
   std::vector<TrialScore> trials;
-  OptionalNumber success_rate;  ///< share of the trials whose success could be judged
+  OptionalNumber success_rate;  ///< successes / trials with a known success
   Verdict verdict = Verdict::lost;
   std::string verdict_reason;
   bool interrupted = false;

@@ -45,7 +45,7 @@ MethodScore describe(const MethodTrajectory& trajectory)
   return score;
 }
 
-/// Errors of a method over the whole run; none for dead reckoning that cannot be placed in the map.
+/// Errors of a method over the whole run; none for dead reckoning that cannot be aligned.
 std::vector<ErrorSample> errorsOfMethod(const MethodTrajectory& trajectory, const RunContext& context)
 {
   if (trajectory.name != kOdometryMethod) return errorsOf(judge(trajectory, context));
@@ -79,7 +79,7 @@ std::map<std::string, BiasScore> atTheEnd(const DiskBackedSequence<BiasRow>& row
 void addConsistency(FilterScore& score, const MethodTrajectory& trajectory, const RunContext& context,
                     std::optional<double> from)
 {
-  // Judged where the estimate was made: dead reckoning would add an error that the covariance does not know.
+  // Judged at the time of the estimate: dead reckoning would add an error that is not in the covariance.
   std::vector<JudgedEstimate> judged = judgeAtOwnTimes(trajectory, context);
   score.nees = neesOf(judged);
   if (!from) return;
@@ -119,7 +119,7 @@ void judgeMethods(RunScore& score, const RunContext& context, const RunRecord& r
 {
   const MethodTrajectory* judged = judgedMethod(record);
   if (judged) score.judged_method = judged->name;
-  const bool something_to_judge = !scoringStamps(context).empty();
+  const bool truth_exists = !scoringStamps(context).empty();
   std::optional<double> count_from;
   if (!judged) count_from = context.start_time;
 
@@ -128,10 +128,10 @@ void judgeMethods(RunScore& score, const RunContext& context, const RunRecord& r
   {
     MethodScore method = describe(trajectory);
     method.errors = errorsOfMethod(trajectory, context);
-    if (&trajectory == judged && something_to_judge)
+    if (&trajectory == judged && truth_exists)
     {
       count_from = convergenceStamp(method.errors, limits);
-      // Half a trial proves nothing, even when it went well so far.
+      // The success of an unfinished trial is not known.
       if (!record.interrupted) trial.success = isSuccess(method.errors, context.start_time, limits);
       if (count_from) trial.converged_at_s = *count_from - context.start_time;
     }

@@ -10,7 +10,7 @@ namespace mrpt_ext
 {
 namespace
 {
-/// Goes through the estimates of a trajectory as the stamps ascend.
+/// Reads the estimates of a trajectory once, for ascending stamps.
 class EstimateWindow
 {
  public:

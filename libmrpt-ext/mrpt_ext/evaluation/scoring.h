@@ -12,7 +12,7 @@ inline constexpr double kMaxTruthGap = 0.5;
 /// An estimate this close to a stamp of sparse truth is judged at it [s].
 inline constexpr double kSparseTruthWindow = 0.5;
 
-/// An estimate beside the truth of the same moment.
+/// An estimate and the truth at the same time.
 struct JudgedEstimate
 {
   double stamp = 0;       ///< [s] the common scoring stamp it was judged for
@@ -24,7 +24,7 @@ struct JudgedEstimate
 struct ErrorSample
 {
   double stamp = 0;                   ///< [s] the common scoring stamp
-  double time = 0;                    ///< [s] moment of the comparison
+  double time = 0;                    ///< [s] of the comparison
   double position_m = 0;              ///< [m]
   std::optional<double> heading_deg;  ///< [deg], where truth and estimate know their heading
 };
@@ -34,13 +34,13 @@ struct ErrorSample
 [[nodiscard]] std::vector<double> scoringStamps(const RunContext& context);
 
 /// Judges a method at the stamps.
-/// Continuous methods: the last estimate at or before the stamp, carried to it by dead reckoning; nothing before
+/// Continuous methods: the last estimate at or before the stamp, predicted to it by dead reckoning; nothing before
 /// the first estimate. Closed forms: see judgeAtOwnTimes().
 [[nodiscard]] std::vector<JudgedEstimate> judge(const MethodTrajectory& trajectory, const RunContext& context);
 
-/// Judges estimates where they were made: for each stamp s the last estimate within the second (s-1, s], against the
+/// Judges estimates at their own times: for each stamp s the last estimate within the second (s-1, s], against the
 /// truth at the estimate's own time. Sparse truth is not interpolated: the nearest estimate within
-/// kSparseTruthWindow is carried to the stamp by dead reckoning instead.
+/// kSparseTruthWindow is predicted to the stamp by dead reckoning instead.
 [[nodiscard]] std::vector<JudgedEstimate> judgeAtOwnTimes(const MethodTrajectory& trajectory,
                                                           const RunContext& context);
 

@@ -5,6 +5,6 @@
 
 namespace mrpt_ext
 {
-/// Writes biases.csv: `t,bias,mean,std`, the systematic errors as the filter knew them after every frame.
+/// Writes biases.csv: `t,bias,mean,std`, the estimated biases after every frame.
 void biasesCsv(const DiskBackedSequence<BiasRow>& biases, const TextSink& write);
 }  // namespace mrpt_ext

@@ -31,7 +31,7 @@ Row rowOf(const MethodScore& method, bool best)
 
 constexpr std::size_t kColumns = 100;
 
-/// Names to the left, figures to the right.
+/// Names left-aligned, numbers right-aligned.
 std::string aligned(const Row& row, const std::vector<std::size_t>& widths, const std::string& space)
 {
   std::string line = row[0] + std::string(widths[0] - row[0].size(), ' ');
@@ -52,7 +52,7 @@ std::string table(const std::vector<Row>& rows)
   return text;
 }
 
-/// Breaks at blanks so that no line is longer than the console is wide.
+/// Breaks lines at blanks to the width of the console.
 std::string wrapped(const std::string& text)
 {
   std::string lines;
@@ -70,13 +70,13 @@ std::string wrapped(const std::string& text)
 std::string legend(const RunScore& score, const MethodScore* best)
 {
   std::string text;
-  if (best) text += "* least position RMSE";
+  if (best) text += "* lowest position RMSE";
   const bool oracle = std::any_of(score.methods.begin(), score.methods.end(), [](const auto& m) { return m.oracle; });
   if (oracle) text += std::string(best ? "   " : "") + "o oracle: chose among its candidates with the truth";
   return text.empty() ? text : text + '\n';
 }
 
-/// What the table says in words.
+/// Limit and comparisons in words.
 std::string conclusions(const RunScore& score)
 {
   std::string text;
@@ -93,7 +93,7 @@ std::string comparisonTable(const RunScore& score)
   rows[0][0] = "  " + rows[0][0];
   for (const MethodScore& method : score.methods) rows.push_back(rowOf(method, &method == best));
   std::string text = wrapped(outcomeText(score));
-  if (score.interrupted) text += "Interrupted: the figures cover only what was finished.\n";
+  if (score.interrupted) text += "Interrupted: the scores cover only the finished part.\n";
   return text + '\n' + table(rows) + legend(score, best) + conclusions(score) + '\n' +
          wrapped(std::string("verdict: ") + toString(score.verdict) +
                  (score.verdict_reason.empty() ? "" : " (" + score.verdict_reason + ")"));

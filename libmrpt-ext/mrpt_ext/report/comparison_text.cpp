@@ -7,7 +7,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kSame = 0.05;  // RMSE within this share
+constexpr double kSame = 0.05;  // relative difference of RMSE
 
 std::string costText(const OptionalNumber& ratio)
 {
@@ -22,7 +22,7 @@ std::string sentence(const MethodComparison& c)
   const std::string relation = c.ratio_low > 1 - kSame && c.ratio_high < 1 + kSame ? " is as accurate as "
                                : c.ratio_high < 1                                  ? " is more accurate than "
                                : c.ratio_low > 1                                   ? " is less accurate than "
-                                                 : " cannot be told from the accuracy of ";
+                                                 : " is not distinguishable in accuracy from ";
   return c.method + relation + c.reference + costText(c.cost_ratio) + ": RMSE " + numberText(c.rmse_ratio, 2) +
          " times (95 %: " + numberText(c.ratio_low, 2) + " to " + numberText(c.ratio_high, 2) + ")";
 }
@@ -44,7 +44,7 @@ std::string limitText(const RunScore& score)
   for (const MethodScore& method : score.methods)
     if (method.continuous && !method.oracle && method.name != kOdometryMethod && method.position_error_m.rmse)
       text += "; " + method.name + " " + numberText(*method.position_error_m.rmse / *score.limit.position_rmse_m, 2) +
-              " times that";
+              " times the bound";
   return text;
 }
 }  // namespace mrpt_ext

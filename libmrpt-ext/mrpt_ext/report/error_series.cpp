@@ -21,12 +21,12 @@ ErrorSeries errorSeries(const RunContext& context, const RunScore& score, std::s
     for (const ErrorSample& error : method.errors) all.insert(error.stamp);
   ErrorSeries series;
   if (all.empty()) return series;
-  series.seconds_joined = (all.size() - 1) / max_stamps + 1;
+  series.stamps_per_entry = (all.size() - 1) / max_stamps + 1;
   std::map<double, std::size_t> entry_of;
   for (const double stamp : all)
   {
     const std::size_t count = entry_of.size();
-    if (count % series.seconds_joined == 0) series.stamps.push_back(stamp - context.start_time);
+    if (count % series.stamps_per_entry == 0) series.stamps.push_back(stamp - context.start_time);
     entry_of[stamp] = series.stamps.size() - 1;
   }
   for (const MethodScore& method : score.methods)

@@ -11,9 +11,9 @@ struct ErrorSeries
 {
   std::vector<double> stamps;                                        ///< [s] since the start of the log
   std::vector<std::vector<OptionalNumber>> position_m, heading_deg;  ///< per method and stamp
-  std::size_t seconds_joined = 1;  ///< stamps that one entry stands for, by the worst of them
+  std::size_t stamps_per_entry = 1;  ///< each entry holds the largest error of so many stamps
 };
 
-/// At most about `max_stamps`: neighbours are joined by their largest error, so that no failure is hidden.
+/// At most about `max_stamps`: neighbouring stamps are merged by their largest error, so that no failure is hidden.
 [[nodiscard]] ErrorSeries errorSeries(const RunContext& context, const RunScore& score, std::size_t max_stamps);
 }  // namespace mrpt_ext

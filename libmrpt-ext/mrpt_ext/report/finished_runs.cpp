@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/report/summary_reader.h"
 
 namespace mrpt_ext
 {
@@ -18,7 +19,7 @@ Json readSummary(const fs::path& folder)
 {
   const fs::path path = folder / "summary.json";
   std::ifstream file(path);
-  if (!file) throw dataError(folder.string() + ": holds no summary.json, expected the output folder of a finished run");
+  if (!file) throw dataError(folder.string() + ": no summary.json, expected the output folder of a finished run");
   try
   {
     Json summary = Json::parse(file);
@@ -31,32 +32,17 @@ Json readSummary(const fs::path& folder)
   }
 }
 
-OptionalNumber figureOf(const Json& value)
-{
-  return value.is_number() ? OptionalNumber(value.get<double>()) : std::nullopt;
-}
-
-Verdict verdictOf(const std::string& name)
-{
-  return name == "ok" ? Verdict::ok : name == "ambiguous" ? Verdict::ambiguous : Verdict::lost;
-}
-
 FinishedTrial trialOf(const Json& summary)
 {
-  const Json& detail = summary.at("trials_detail").at(0);
+  const RunScore score = runScoreOf(summary);
   FinishedTrial trial;
-  trial.score.trial = detail.at("trial");
-  trial.score.seed = detail.at("seed");
-  if (detail.at("success").is_boolean()) trial.score.success = detail.at("success").get<bool>();
-  trial.score.verdict = verdictOf(detail.at("verdict"));
-  trial.score.rmse = figureOf(detail.at("rmse"));
-  trial.score.converged_at_s = figureOf(detail.at("converged_at_s"));
-  for (const auto& [name, method] : summary.at("methods").items())
+  trial.score = score.trials.front();
+  for (const MethodScore& method : score.methods)
   {
-    trial.position_rmse_m[name] = figureOf(method.at("position_error_m").at("rmse"));
-    trial.position_median_m[name] = figureOf(method.at("position_error_m").at("median"));
-    trial.position_p95_m[name] = figureOf(method.at("position_error_m").at("p95"));
-    trial.heading_rmse_deg[name] = figureOf(method.at("heading_error_deg").at("rmse"));
+    trial.position_rmse_m[method.name] = method.position_error_m.rmse;
+    trial.position_median_m[method.name] = method.position_error_m.median;
+    trial.position_p95_m[method.name] = method.position_error_m.p95;
+    trial.heading_rmse_deg[method.name] = method.heading_error_deg.rmse;
   }
   return trial;
 }
@@ -73,7 +59,7 @@ std::vector<fs::path> trialFolders(const fs::path& folder)
   return trials.empty() ? std::vector<fs::path>{folder} : trials;
 }
 
-/// The resolved configuration without what may differ between parts of one study; empty when it is not there.
+/// The resolved configuration without the keys that may differ between parts of one study; empty without the file.
 std::string configurationText(const fs::path& folder)
 {
   std::ifstream file(folder / "config_resolved.ini");
@@ -83,7 +69,7 @@ std::string configurationText(const fs::path& folder)
   return kept;
 }
 
-/// That text as Section.key and value.
+/// The same as a map from Section.key to value.
 std::map<std::string, std::string> settingsOf(const std::string& configuration)
 {
   std::map<std::string, std::string> settings;
@@ -161,7 +147,7 @@ std::vector<FinishedRun> readFinishedRuns(const std::vector<fs::path>& folders)
     }
     catch (const Json::exception& error)
     {
-      throw dataError(folder.string() + ": its summary.json is not complete: " + error.what());
+      throw dataError(folder.string() + ": incomplete summary.json: " + error.what());
     }
   }
   return runs;

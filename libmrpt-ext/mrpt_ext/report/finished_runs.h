@@ -9,7 +9,7 @@
 
 namespace mrpt_ext
 {
-/// One finished trial, as its summary.json tells it.
+/// One finished trial, read from its summary.json.
 struct FinishedTrial
 {
   TrialScore score;
@@ -17,7 +17,7 @@ struct FinishedTrial
       heading_rmse_deg;  ///< by method
 };
 
-/// All trials of one configuration over one log, from however many folders.
+/// All trials of one configuration on one log, from one or more folders.
 struct FinishedRun
 {
   std::string name;  ///< of the configuration, made unique
@@ -25,7 +25,7 @@ struct FinishedRun
   std::vector<std::string> folders, methods;
   std::vector<FinishedTrial> trials;
   std::map<std::string, std::string> settings;  ///< Section.key of the resolved configuration, without the seed
-  std::size_t repeated = 0;                     ///< trials with seed and number of one that was there already: left out
+  std::size_t repeated = 0;                     ///< duplicates by seed and number of the trial, left out
 };
 
 /// Reads the output folders of runs, with their trial_NNN where they have them. Folders with the same log and the same

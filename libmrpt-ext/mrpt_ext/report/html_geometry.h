@@ -6,8 +6,8 @@
 
 namespace mrpt_ext
 {
-/// Errors of all methods against the geometry, quantity by quantity: a drawing with the median errors (bars up to the
-/// 95 % quantile) and a table with the share of frames that a method answered, so that it is seen where closed forms
-/// fail. Oracles are left to the table above. Empty without errors.
+/// Errors of all methods by the geometry of the landmarks, quantity by quantity: a chart, and a table with median
+/// errors and the share of frames in which a method gave an estimate, which shows where closed forms fail. Without
+/// oracles; empty without errors.
 [[nodiscard]] std::string errorsByGeometrySection(const std::vector<ErrorsByGeometry>& tables, const RunScore& score);
 }  // namespace mrpt_ext

@@ -1,32 +1,38 @@
 #include "mrpt_ext/report/html_page.h"
 
+#include <algorithm>
+#include <set>
+
+#include "mrpt_ext/evaluation/run_scoring.h"
 #include "mrpt_ext/report/comparison_text.h"
-#include "mrpt_ext/report/html_charts.h"
 #include "mrpt_ext/report/html_geometry.h"
+#include "mrpt_ext/report/html_parts.h"
 #include "mrpt_ext/report/html_tables.h"
 #include "mrpt_ext/report/html_text.h"
 #include "mrpt_ext/report/number_text.h"
 #include "mrpt_ext/report/page_assets.h"
 #include "mrpt_ext/report/page_data.h"
-#include "mrpt_ext/report/residual_chart.h"
 #include "mrpt_ext/report/svg_map.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-/// The page may show and run what is in it, and ask for nothing.
-constexpr const char* kOffline = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
-
-constexpr const char* kIntervalNote =
-    "The interval holds 95 % of resamples: of blocks of ten neighbouring stamps within a trial, of trials in a merged "
-    "report. ";
+constexpr const char* kMethodNote =
+    "All methods are judged at the same stamps. The 95 % interval is a bootstrap: over blocks of ten neighbouring "
+    "stamps "
+    "within a trial, over trials in a merged report. A dash marks a number that does not exist.";
+constexpr const char* kLimitNote = "Dashed line: the limit below which the filter counts as converged.";
 constexpr const char* kNeesNote =
-    "Squared error in units of the covariance that the method claims: above the band it is too sure of itself, below "
-    "it is too modest.";
+    "Normalised estimation error squared: the error in units of the reported covariance. Above the band the filter is "
+    "overconfident, below it is underconfident.";
+constexpr const char* kBiasNote = "Estimate of each bias with one standard deviation to either side.";
 constexpr const char* kGeometryNote =
-    "Median position error in metres, bars up to the 95 % quantile; below it the share of such frames that the method "
-    "answered at all. Counted from convergence on.";
+    "Chart: median position error of each method, with a bar up to the 95 % quantile. Table: median position error in "
+    "metres and, below it, the share of frames in which the method gave an estimate. Errors count from convergence on.";
+constexpr const char* kResidualNote =
+    "Residuals of the inliers in units of their standard deviation: mean, with one standard deviation to either side. "
+    "Unbiased landmarks lie within the band.";
 
 const char* verdictSymbol(Verdict verdict)
 {
@@ -43,13 +49,12 @@ std::string keyFacts(const RunContext& context, const RunScore& score)
   const MethodScore* best = bestMethod(score);
   std::string facts;
   if (score.trials.size() > 1) facts += fact("success rate", percentText(score.success_rate));
-  if (best) facts += fact("least position RMSE: " + best->name, magnitudeText(best->position_error_m.rmse) + " m");
+  if (best) facts += fact("lowest position RMSE: " + best->name, magnitudeText(best->position_error_m.rmse) + " m");
   if (best && best->heading_error_deg.rmse)
-    facts += fact("its heading RMSE", numberText(best->heading_error_deg.rmse, 2) + " deg");
-  if (score.converged_at_s) facts += fact("until converged", numberText(score.converged_at_s, 1) + " s");
-  facts += fact("length of the log", numberText(context.duration_s, 0) + " s");
-  if (score.cost.realtime_factor)
-    facts += fact("faster than real time", magnitudeText(score.cost.realtime_factor) + " x");
+    facts += fact("heading RMSE of that method", numberText(best->heading_error_deg.rmse, 2) + " deg");
+  if (score.converged_at_s) facts += fact("time to convergence", numberText(score.converged_at_s, 1) + " s");
+  facts += fact("duration of the log", numberText(context.duration_s, 0) + " s");
+  if (score.cost.realtime_factor) facts += fact("times real time", magnitudeText(score.cost.realtime_factor));
   return element("div", "facts-strip", facts) + "\n";
 }
 
@@ -59,60 +64,83 @@ std::string verdictStrip(const RunScore& score)
   std::string html = element("p", "word", element("span", "symbol", verdictSymbol(score.verdict)) + verdict);
   html += element("p", "reason", escapeHtml(score.verdict_reason));
   html += element("p", "", escapeHtml(outcomeText(score)));
-  if (score.interrupted) html += element("p", "", "Interrupted: the figures cover only what was finished.");
+  if (score.interrupted) html += element("p", "", "Interrupted: the scores cover only the finished part.");
   return element("section", "verdict " + verdict, "\n" + html) + "\n";
-}
-
-/// Nothing when there is nothing to show.
-std::string section(const std::string& title, const std::string& content, const std::string& note = "")
-{
-  if (content.empty()) return {};
-  const std::string explanation = note.empty() ? "" : element("p", "note", note) + "\n";
-  return element("section", "", element("h2", "", title) + "\n" + content + explanation) + "\n";
 }
 
 std::string methodSection(const RunScore& score)
 {
   const std::string from = score.judged_method
                                ? "Errors count from the convergence of " + escapeHtml(*score.judged_method) +
-                                     " on; “whole run” counts everything. "
+                                     " on; “whole run” counts all estimates. "
                                : "All estimates count. ";
   std::string conclusions;
   if (const std::string limit = limitText(score); !limit.empty()) conclusions += element("li", "", escapeHtml(limit));
   for (const std::string& sentence : comparisonSentences(score)) conclusions += element("li", "", escapeHtml(sentence));
   if (!conclusions.empty()) conclusions = element("ul", "", conclusions) + "\n";
-  return section(
-      "Methods side by side", methodTable(score) + conclusions,
-      from + kIntervalNote + "All methods are judged at the same stamps. A dash: the figure does not exist.");
+  return htmlSection("Comparison of methods", methodTable(score) + conclusions, from + kMethodNote);
+}
+
+/// Empty when no landmark has a residual.
+std::string residualBox(const RunScore& score)
+{
+  const bool any = std::any_of(score.landmarks.begin(), score.landmarks.end(),
+                               [](const auto& landmark) { return landmark.second.residual_mean.has_value(); });
+  return any ? chartBox("residuals") : std::string();
 }
 
 std::string commonSections(const RunContext& context, const RunScore& score)
 {
-  return section("Landmarks", residualChart(score) + landmarkTable(score),
-                 "Residuals of the inliers in units of their standard deviation.") +
-         section("Filter", filterTable(score)) + section("Observations", observationTable(context)) +
-         section("How to repeat this run", provenanceTable(context, score));
+  return htmlSection("Landmarks", residualBox(score) + landmarkTable(score), kResidualNote) +
+         htmlSection("Filter", filterTable(score)) + htmlSection("Observations", observationTable(context)) +
+         htmlSection("Reproducing this run", provenanceTable(context, score));
 }
 
-/// A drawing, and the place where scripts put a chart instead of it.
-std::string chartSection(const std::string& title, const std::string& name, const std::string& drawing,
-                         const std::string& note = "")
+bool anyError(const RunScore& score)
 {
-  if (drawing.empty()) return {};
-  return section(title, "<div data-chart=\"" + name + "\">" + element("div", "static", "\n" + drawing) + "</div>\n",
-                 note);
+  return std::any_of(score.methods.begin(), score.methods.end(),
+                     [](const MethodScore& method) { return !method.errors.empty(); });
+}
+
+bool anyHeadingError(const RunScore& score)
+{
+  const auto known = [](const ErrorSample& error) { return error.heading_deg.has_value(); };
+  return std::any_of(score.methods.begin(), score.methods.end(),
+                     [&](const MethodScore& method)
+                     { return std::any_of(method.errors.begin(), method.errors.end(), known); });
+}
+
+std::string biasCharts(const RunRecord& record)
+{
+  std::set<std::string> names;
+  for (const BiasRow& row : record.biases) names.insert(row.name);
+  std::string html;
+  std::size_t index = 0;
+  for (const std::string& name : names) html += element("h3", "", escapeHtml(name)) + "\n" + chartBox("bias", index++);
+  return html;
+}
+
+std::string chartSections(const RunRecord& record, const RunScore& score)
+{
+  const auto box = [](bool exists, const char* name) { return exists ? chartBox(name) : std::string(); };
+  const MethodTrajectory* judged = judgedMethod(record);
+  return htmlSection("Position error over time", box(anyError(score), "position"), kLimitNote) +
+         htmlSection("Heading error over time", box(anyHeadingError(score), "heading")) +
+         htmlSection("Modes and effective sample size", box(judged && !judged->points.empty(), "confidence")) +
+         htmlSection("Covariance consistency (NEES)", box(judged && !score.filter.nees.empty(), "nees"), kNeesNote) +
+         htmlSection("Estimated biases", biasCharts(record), kBiasNote);
 }
 
 std::string mapSection(const RunContext& context, const RunRecord& record, const RunScore& score)
 {
   const std::string drawing = element("div", "static", "\n" + svgMap(context, record, score)) + "\n";
-  return section("Map", "<div id=\"map\">\n" + drawing + std::string(playbackMarkup()) + "</div>\n");
+  return htmlSection("Map", "<div id=\"map\">\n" + drawing + std::string(playbackMarkup()) + "</div>\n");
 }
 
 /// Data first: the scripts read it as soon as they run.
-std::string scripts(const RunContext& context, const RunRecord& record, const RunScore& score)
+std::string scripts(const std::string& data)
 {
-  return "<script type=\"application/json\" id=\"run-data\">" + pageData(context, record, score) + "</script>\n" +
+  return "<script type=\"application/json\" id=\"run-data\">" + data + "</script>\n" +
          element("script", "", chartLibrary()) + "\n<script>\n\"use strict\";\n{" + std::string(pageScript()) +
          "}\n</script>\n";
 }
@@ -124,20 +152,10 @@ std::string nameOf(const std::string& path)
 }
 
 std::string page(const RunContext& context, const RunScore& score, const std::string& subtitle,
-                 const std::string& sections, const std::string& scripts = "")
+                 const std::string& sections, const std::string& scripts)
 {
-  const std::string title = "Landmark localization: " + escapeHtml(nameOf(context.config_path));
-  const std::string head =
-      "<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
-      "<meta name=\"color-scheme\" content=\"light dark\"/>\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"" +
-      std::string(kOffline) + "\"/>\n" + element("title", "", title) + "\n" +
-      element("style", "", "\n" + std::string(pageStyle()));
-  const std::string header =
-      element("header", "", element("h1", "", title) + element("p", "note", escapeHtml(subtitle))) + "\n";
-  const std::string body = header + verdictStrip(score) + keyFacts(context, score) + sections;
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n" + element("head", "", "\n" + head + "\n") + "\n" +
-         element("body", "", "\n" + element("main", "", "\n" + body) + "\n" + scripts) + "\n</html>\n";
+  return htmlPage("Landmark localization: " + nameOf(context.config_path), subtitle,
+                  verdictStrip(score) + keyFacts(context, score) + sections, scripts);
 }
 }  // namespace
 
@@ -145,23 +163,20 @@ std::string trialPage(const RunContext& context, const RunRecord& record, const 
 {
   const std::string subtitle =
       nameOf(context.rawlog_path) + ", trial " + std::to_string(record.trial) + ", seed " + std::to_string(record.seed);
+  const std::vector<ErrorsByGeometry> geometry = errorsByGeometry(context, record, score);
   const std::string sections =
-      methodSection(score) + mapSection(context, record, score) +
-      chartSection("Position error over time", "position", positionErrorChart(context, score),
-                   "The dashed line is the limit that counts as converged.") +
-      chartSection("Heading error over time", "heading", headingErrorChart(context, score)) +
-      chartSection("Modes and effective sample size", "confidence", confidenceChart(context, record, score)) +
-      chartSection("Honesty of the covariance", "nees", neesChart(context, score), kNeesNote) +
-      section("Error against geometry", errorsByGeometrySection(errorsByGeometry(context, record, score), score),
-              kGeometryNote) +
+      methodSection(score) + mapSection(context, record, score) + chartSections(record, score) +
+      htmlSection("Position error by geometry", errorsByGeometrySection(geometry, score), kGeometryNote) +
       commonSections(context, score);
-  return page(context, score, subtitle, sections, scripts(context, record, score));
+  return page(context, score, subtitle, sections, scripts(pageData(context, record, score, geometry)));
 }
 
 std::string mergedPage(const RunContext& context, const RunScore& merged)
 {
   const std::string subtitle = nameOf(context.rawlog_path) + ", " + std::to_string(merged.trials.size()) + " trials";
-  return page(context, merged, subtitle,
-              section("Trials", trialTable(merged)) + methodSection(merged) + commonSections(context, merged));
+  const std::string sections =
+      htmlSection("Trials", trialTable(merged)) + methodSection(merged) + commonSections(context, merged);
+  const bool charts = !residualBox(merged).empty();
+  return page(context, merged, subtitle, sections, charts ? scripts(mergedPageData(merged)) : std::string());
 }
 }  // namespace mrpt_ext

@@ -6,10 +6,10 @@
 
 namespace mrpt_ext
 {
-/// report.html of one trial: a self-contained page without scripts and without any address outside of it.
-/// `record` with aligned odometry.
+/// report.html of one trial: one file that requests nothing from outside. Tables and a static map are readable without
+/// scripts; charts and playback need them. `record` with aligned odometry.
 [[nodiscard]] std::string trialPage(const RunContext& context, const RunRecord& record, const RunScore& score);
 
-/// report.html over several trials: outcome, merged figures, one row per trial linking to the trial's own page.
+/// report.html over several trials: outcome, merged scores, one row per trial linking to the trial's own page.
 [[nodiscard]] std::string mergedPage(const RunContext& context, const RunScore& merged);
 }  // namespace mrpt_ext

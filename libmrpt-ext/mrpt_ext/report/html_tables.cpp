@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mrpt_ext/files/number_format.h"
+#include "mrpt_ext/report/html_parts.h"
 #include "mrpt_ext/report/html_text.h"
 #include "mrpt_ext/report/landmark_quality.h"
 #include "mrpt_ext/report/number_text.h"
@@ -11,24 +12,6 @@ namespace mrpt_ext
 {
 namespace
 {
-using Cells = std::vector<std::string>;
-
-/// First column is a row heading; cells are HTML already.
-std::string row(const Cells& cells, const std::string& css_class = "")
-{
-  std::string html = "<th scope=\"row\">" + cells.front() + "</th>";
-  for (std::size_t c = 1; c < cells.size(); ++c) html += element("td", "", cells[c]);
-  return element("tr", css_class, html) + "\n";
-}
-
-std::string table(const Cells& titles, const std::string& rows, const std::string& css_class = "")
-{
-  std::string head;
-  for (const std::string& title : titles) head += "<th scope=\"col\">" + title + "</th>";
-  const std::string body = element("thead", "", element("tr", "", head)) + "\n" + element("tbody", "", "\n" + rows);
-  return element("div", "scroll", element("table", css_class, "\n" + body)) + "\n";
-}
-
 std::string intervalText(const OptionalNumber& low, const OptionalNumber& high)
 {
   return low && high ? magnitudeText(low) + " – " + magnitudeText(high) : kNoNumber;
@@ -36,25 +19,25 @@ std::string intervalText(const OptionalNumber& low, const OptionalNumber& high)
 
 std::string methodRow(const MethodScore& method, const RunScore& score, bool best)
 {
-  const std::string key = element("span", "key dot " + methodClass(method.name, methodNames(score.methods)), "") +
-                          breakableName(method.name);
+  const std::string name = keyedName(method.name, methodNames(score.methods));
   const std::string badge = best            ? element("span", "badge best", "best")
-                            : method.oracle ? element("span", "badge", "used the truth")
+                            : method.oracle ? element("span", "badge", "uses the truth")
                                             : "";
   const ErrorStatistics& error = method.position_error_m;
   std::string css_class = best ? "best" : method.oracle ? "oracle" : "";
-  return row({key + badge, countText(method.estimates), percentText(method.availability), magnitudeText(error.rmse),
-              intervalText(method.rmse_low, method.rmse_high), magnitudeText(error.median), magnitudeText(error.p95),
-              magnitudeText(error.max), numberText(method.heading_error_deg.rmse, 2),
-              magnitudeText(method.position_error_whole_run_m.rmse), numberText(method.step_ms_median, 3)},
-             css_class);
+  return htmlRow(
+      {name + badge, countText(method.estimates), percentText(method.availability), magnitudeText(error.rmse),
+       intervalText(method.rmse_low, method.rmse_high), magnitudeText(error.median), magnitudeText(error.p95),
+       magnitudeText(error.max), numberText(method.heading_error_deg.rmse, 2),
+       magnitudeText(method.position_error_whole_run_m.rmse), numberText(method.step_ms_median, 3)},
+      css_class);
 }
 
 std::string yesNo(const std::optional<bool>& value) { return value ? (*value ? "yes" : "no") : kNoNumber; }
 
 void addFact(std::string& rows, const std::string& name, const std::string& value)
 {
-  if (!value.empty()) rows += row({escapeHtml(name), escapeHtml(value)});
+  if (!value.empty()) rows += htmlRow({escapeHtml(name), escapeHtml(value)});
 }
 
 /// Ids as numbers where they are numbers: 2 before 10.
@@ -77,9 +60,9 @@ std::string methodTable(const RunScore& score)
   const MethodScore* best = bestMethod(score);
   std::string rows;
   for (const MethodScore& method : score.methods) rows += methodRow(method, score, &method == best);
-  return table({"method", "estimates", "available", "RMSE m", "95 % interval", "median m", "95 % m", "worst m",
-                "heading RMSE deg", "whole run RMSE m", "ms per step"},
-               rows, "methods");
+  return htmlTable({"method", "estimates", "available", "RMSE m", "95 % interval", "median m", "95 % m", "max m",
+                    "heading RMSE deg", "whole run RMSE m", "ms per step"},
+                   rows, "methods");
 }
 
 std::vector<std::string> landmarkOrder(const RunScore& score)
@@ -97,14 +80,15 @@ std::string landmarkTable(const RunScore& score)
   for (const std::string& id : landmarkOrder(score))
   {
     const LandmarkScore& landmark = score.landmarks.at(id);
-    const std::string doubt = landmarkWarning(landmark);
-    rows += row({escapeHtml(id), countText(landmark.seen), numberText(landmark.associated, 1),
+    const std::string warning = landmarkWarning(landmark);
+    rows +=
+        htmlRow({escapeHtml(id), countText(landmark.seen), numberText(landmark.associated, 1),
                  percentText(landmark.inlier_rate), numberText(landmark.residual_mean, 2),
-                 numberText(landmark.residual_std, 2), doubt.empty() ? "" : element("span", "badge warn", doubt)},
-                doubt.empty() ? "" : "doubtful");
+                 numberText(landmark.residual_std, 2), warning.empty() ? "" : element("span", "badge warn", warning)},
+                warning.empty() ? "" : "warned");
   }
-  return table({"landmark", "seen", "associated", "inlier rate", "residual mean / σ", "residual std / σ", "remark"},
-               rows);
+  return htmlTable(
+      {"landmark", "seen", "associated", "inlier rate", "residual mean / σ", "residual std / σ", "warning"}, rows);
 }
 
 std::string observationTable(const RunContext& context)
@@ -112,10 +96,10 @@ std::string observationTable(const RunContext& context)
   if (context.observations.empty()) return {};
   std::string rows;
   for (const auto& [name, count] : context.observations)
-    rows +=
-        row({escapeHtml(name), std::to_string(count.total), std::to_string(count.used), std::to_string(count.ignored)},
-            count.used == 0 ? "ignored" : "");
-  return table({"observation class", "total", "used", "ignored"}, rows);
+    rows += htmlRow(
+        {escapeHtml(name), std::to_string(count.total), std::to_string(count.used), std::to_string(count.ignored)},
+        count.used == 0 ? "ignored" : "");
+  return htmlTable({"observation class", "total", "used", "ignored"}, rows);
 }
 
 std::string filterTable(const RunScore& score)
@@ -125,16 +109,16 @@ std::string filterTable(const RunScore& score)
   std::string rows;
   addFact(rows, "particles (min, median, max)",
           countText(f.particles_min) + ", " + countText(f.particles_median) + ", " + countText(f.particles_max));
-  addFact(rows, "NEES, mean (95 % band if errors were independent)",
+  addFact(rows, "NEES, mean (95 % band for independent errors)",
           numberText(f.nees_mean, 2) + " (" + numberText(f.nees_band_low, 2) + " to " +
               numberText(f.nees_band_high, 2) + ")");
-  addFact(rows, "least effective sample ratio", numberText(f.effective_sample_ratio_min, 4));
+  addFact(rows, "lowest effective sample ratio", numberText(f.effective_sample_ratio_min, 4));
   addFact(rows, "steps with verdict lost", countText(f.lost_steps));
-  addFact(rows, "re-seeds", countText(f.reseeds));
+  addFact(rows, "reseeds", countText(f.reseeds));
   if (score.limit.position_rmse_m)
     addFact(rows, "posterior Cramér-Rao bound",
             magnitudeText(score.limit.position_rmse_m) + " m, " + numberText(score.limit.heading_rmse_deg, 2) + " deg");
-  return table({"figure", "value"}, rows, "facts");
+  return htmlTable({"quantity", "value"}, rows, "facts");
 }
 
 std::string trialTable(const RunScore& score)
@@ -144,13 +128,13 @@ std::string trialTable(const RunScore& score)
   {
     const std::string folder = trialFolder(trial.trial);
     const bool bad = trial.verdict == Verdict::lost || trial.success == false;
-    rows += row(
+    rows += htmlRow(
         {"<a href=\"" + folder + "/report.html\">" + folder + "</a>", std::to_string(trial.seed), yesNo(trial.success),
          element("span", std::string("badge ") + toString(trial.verdict), toString(trial.verdict)),
          magnitudeText(trial.rmse), numberText(trial.converged_at_s, 1)},
-        bad ? "doubtful" : "");
+        bad ? "warned" : "");
   }
-  return table({"trial", "seed", "success", "verdict", "RMSE m", "converged after s"}, rows);
+  return htmlTable({"trial", "seed", "success", "verdict", "RMSE m", "converged after s"}, rows);
 }
 
 std::string provenanceTable(const RunContext& context, const RunScore& score)
@@ -174,6 +158,6 @@ std::string provenanceTable(const RunContext& context, const RunScore& score)
           numberText(score.cost.cpu_s, 2) + " s, " + numberText(score.cost.wall_s, 2) + " s (" +
               magnitudeText(score.cost.realtime_factor) + " times real time)");
   addFact(rows, "peak memory", numberText(score.cost.peak_memory_mb, 0) + " MB");
-  return table({"item", "value"}, rows, "facts provenance");
+  return htmlTable({"item", "value"}, rows, "facts provenance");
 }
 }  // namespace mrpt_ext

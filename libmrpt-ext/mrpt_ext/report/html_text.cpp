@@ -72,6 +72,11 @@ std::string methodClass(const std::string& name, const std::vector<std::string>&
   return "form-" + std::to_string(index % kFormColours + 1);
 }
 
+std::string keyedName(const std::string& name, const std::vector<std::string>& names)
+{
+  return element("span", "key dot " + methodClass(name, names), "") + breakableName(name);
+}
+
 std::vector<std::string> methodNames(const std::vector<MethodScore>& methods)
 {
   std::vector<std::string> names;

@@ -11,20 +11,23 @@ namespace mrpt_ext
 /// Text made safe for HTML content and attribute values; control characters become blanks.
 [[nodiscard]] std::string escapeHtml(std::string_view text);
 
-/// Like escapeHtml(), with places to break the line after underscores.
+/// Like escapeHtml(), with optional line breaks after underscores.
 [[nodiscard]] std::string breakableName(std::string_view name);
 
 /// `<tag class="css_class">content</tag>`; `content` is HTML already, an empty class is left out.
 [[nodiscard]] std::string element(std::string_view tag, std::string_view css_class, std::string_view content);
 
 /// CSS class that gives a method its colour: filter, ekf, odometry, or form-1 ... form-6 for closed forms in the order
-/// of `names`. An oracle shares the colour of the method that it chose for.
+/// of `names`. An oracle has the colour of its method.
 [[nodiscard]] std::string methodClass(const std::string& name, const std::vector<std::string>& names);
+
+/// Name of a method with a dot of its colour.
+[[nodiscard]] std::string keyedName(const std::string& name, const std::vector<std::string>& names);
 
 /// Names of the methods, in their order.
 [[nodiscard]] std::vector<std::string> methodNames(const std::vector<MethodScore>& methods);
 
-/// A colour key: what a line, dot or symbol stands for.
+/// Entry of a legend.
 struct LegendEntry
 {
   std::string css_class;

@@ -7,9 +7,9 @@
 
 namespace mrpt_ext
 {
-/// Why a landmark (or its beacon) should not be trusted: "few inliers" below an inlier rate of 0.7, "biased" when the
-/// inliers are off by more than one standard deviation on average, "noisier than declared" when they scatter more
-/// than twice as much as their standard deviation says. Empty: nothing speaks against it.
+/// Warning about a landmark (or its beacon): "few inliers" below an inlier rate of 0.7, "biased" when the mean residual
+/// of the inliers exceeds one standard deviation, "noisier than declared" when their residuals scatter by more than
+/// twice the declared standard deviation. Empty without a reason.
 [[nodiscard]] inline std::string landmarkWarning(const LandmarkScore& landmark)
 {
   if (landmark.inlier_rate && *landmark.inlier_rate < 0.7) return "few inliers";

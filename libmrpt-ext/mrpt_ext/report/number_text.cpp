@@ -10,14 +10,14 @@ namespace mrpt_ext
 {
 namespace
 {
-bool exists(const OptionalNumber& figure) { return figure && std::isfinite(*figure); }
+bool exists(const OptionalNumber& number) { return number && std::isfinite(*number); }
 
 std::string trialText(const RunScore& score)
 {
   const TrialScore& trial = score.trials.front();
-  if (!score.judged_method) return "Only methods without memory ran: all their estimates count.";
-  if (score.interrupted) return "Interrupted: what was done until then is judged, success is not.";
-  if (!trial.success) return "No ground truth within the log: errors are not judged.";
+  if (!score.judged_method) return "No method tracks the pose: all estimates count.";
+  if (score.interrupted) return "Interrupted: the finished part is scored, success is not known.";
+  if (!trial.success) return "No ground truth within the log: no errors.";
   const std::string limits =
       numberText(score.limits.within_m, 2) + " m / " + numberText(score.limits.within_deg, 0) + " deg";
   if (!trial.converged_at_s)
@@ -29,7 +29,7 @@ std::string trialText(const RunScore& score)
            " for 5 s: no errors after convergence (whole run: RMSE " + magnitudeText(whole) + " m).";
   }
   return *score.judged_method + " converged after " + numberText(trial.converged_at_s, 1) + " s (within " + limits +
-         "); " + (*trial.success ? "success." : "no success: too late, or lost again for more than 10 s.");
+         "); " + (*trial.success ? "success." : "no success: converged too late, or later outside for more than 10 s.");
 }
 
 std::string trialsText(const RunScore& score)
@@ -46,20 +46,20 @@ std::string trialsText(const RunScore& score)
   if (score.judged_method && !rmse.empty())
     text += "; position RMSE of " + *score.judged_method + " from " + magnitudeText(quantile(rmse, 0)) + " to " +
             magnitudeText(quantile(rmse, 1)) + " m, median " + magnitudeText(median(rmse)) + " m";
-  return text + ". Figures are medians over the trials.";
+  return text + ". Numbers are medians over the trials.";
 }
 }  // namespace
 
-std::string numberText(const OptionalNumber& figure, int decimals)
+std::string numberText(const OptionalNumber& number, int decimals)
 {
-  return exists(figure) ? fixedText(*figure, decimals) : kNoNumber;
+  return exists(number) ? fixedText(*number, decimals) : kNoNumber;
 }
 
-std::string magnitudeText(const OptionalNumber& figure)
+std::string magnitudeText(const OptionalNumber& number)
 {
-  if (!exists(figure)) return kNoNumber;
-  const double size = std::abs(*figure);
-  return fixedText(*figure, size < 9.9995 ? 3 : size < 99.995 ? 2 : size < 999.95 ? 1 : 0);
+  if (!exists(number)) return kNoNumber;
+  const double size = std::abs(*number);
+  return fixedText(*number, size < 9.9995 ? 3 : size < 99.995 ? 2 : size < 999.95 ? 1 : 0);
 }
 
 std::string percentText(const OptionalNumber& share)
@@ -71,9 +71,9 @@ std::string percentText(const OptionalNumber& share)
   return fixedText(percent, 0) + " %";
 }
 
-std::string countText(const OptionalNumber& figure)
+std::string countText(const OptionalNumber& number)
 {
-  return exists(figure) ? fixedText(*figure, *figure == std::floor(*figure) ? 0 : 1) : kNoNumber;
+  return exists(number) ? fixedText(*number, *number == std::floor(*number) ? 0 : 1) : kNoNumber;
 }
 
 const MethodScore* bestMethod(const RunScore& score)

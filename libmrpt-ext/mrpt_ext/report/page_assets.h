@@ -4,8 +4,8 @@
 
 namespace mrpt_ext
 {
-/// What the pages are made of beside the figures; built into the library from the files in `page`, so that a report
-/// needs no other file. None of them names an address.
+/// Style sheet and scripts of the pages, built into the library from the files in `page`, so that a report needs no
+/// other file. None of them contains an address.
 
 /// Our style sheet and that of the chart library.
 [[nodiscard]] std::string_view pageStyle();
@@ -13,6 +13,6 @@ namespace mrpt_ext
 [[nodiscard]] std::string_view pageScript();
 /// Dygraphs, as Debian packages it.
 [[nodiscard]] std::string_view chartLibrary();
-/// Canvas and controls of the map that moves.
+/// Canvas and controls of the playback.
 [[nodiscard]] std::string_view playbackMarkup();
 }  // namespace mrpt_ext

@@ -96,7 +96,7 @@ Json particlesOf(const Steps& steps)
   return {{"counts", counts}, {"boxes", boxes}, {"poses", base64(bytes)}};
 }
 
-/// Objects seen since the step before, at each step.
+/// Objects detected since the previous step, at each step.
 void addObjects(Json& json, const RunRecord& record)
 {
   std::vector<std::string> labels;
@@ -126,12 +126,12 @@ Json playbackJson(const RunContext& context, const RunRecord& record)
   Json json = {{"t", Json::array()}, {"truth", truthAtSteps(context, steps)}, {"methods", Json::object()}};
   for (const MethodTrajectory& trajectory : record.methods)
     json["methods"][trajectory.name] = posesAtSteps(trajectory, steps);
-  json["modes"] = json["seen"] = Json::array();
+  json["modes"] = json["detections"] = Json::array();
   for (const PlaybackStep& step : steps)
   {
     json["t"].push_back(rounded(step.time - context.start_time, 3));
     json["modes"].push_back(modesOf(step));
-    json["seen"].push_back(drawnDetections(step, context.map));
+    json["detections"].push_back(drawnDetections(step, context.map));
   }
   addObjects(json, record);
   json["particles"] = particlesOf(steps);

@@ -6,11 +6,11 @@
 
 namespace mrpt_ext
 {
-/// What the map of the page plays, in the order of the steps; times in seconds since the start of the log, lengths
-/// rounded to millimetres, angles in radians rounded to 1e-3, `null` where a pose does not exist:
+/// Data of the playback in the order of its steps; times in seconds since the start of the log, lengths rounded to
+/// millimetres, angles in radians rounded to 1e-3, `null` where a pose does not exist:
 ///   t: [...]                                truth, methods.<name>: [x, y, phi, x, y, phi, ...]
 ///   modes: [[x, y, phi, weight, cxx, cxy, cyy, ...] per step]
-///   seen: [[sensor x, y, yaw on the robot, bearing, range, index of the landmark or -1, 1 for a fix, ...] per step]
+///   detections: [[sensor x, y, yaw on the robot, bearing, range, landmark index or -1, 1 for a fix, ...] per step]
 ///   objects: [[x, y, label index, ...] per step], object_labels: [...]
 ///   particles: {counts: [...], boxes: [low x, low y, width, height, ...], poses: base64, see packed_particles.h}
 /// `record` with aligned odometry.

@@ -19,7 +19,7 @@ namespace mrpt_ext
 {
 namespace
 {
-/// What an earlier run left in the folder and this one may not write must not pass for a result of this one.
+/// Removes results of an earlier run that this one might not overwrite.
 void removeOldResults(const std::filesystem::path& folder)
 {
   std::error_code ignored;
@@ -35,17 +35,17 @@ void removeOldResults(const std::filesystem::path& folder)
 
 void writeTrial(const std::filesystem::path& folder, const RunContext& context, RunRecord record, const RunScore& score)
 {
-  const RunRecord placed = withAlignedOdometry(std::move(record), context.truth);
+  const RunRecord aligned = withAlignedOdometry(std::move(record), context.truth);
   removeOldResults(folder);
   const auto write = [&folder](const char* name, auto table, const auto& rows)
   { writeFileAtomically(folder / name, [&](const TextSink& sink) { table(rows, sink); }); };
-  write("steps.csv", stepsCsv, placed);
-  write("hypotheses.csv", hypothesesCsv, placed.hypotheses);
-  if (context.objects_wanted || !placed.objects.empty()) write("objects.csv", objectsCsv, placed.objects);
-  if (!placed.biases.empty()) write("biases.csv", biasesCsv, placed.biases);
-  for (const MethodTrajectory& method : placed.methods) writeTrajectoryTum(folder, method);
-  writeFileAtomically(folder / "report.html", trialPage(context, placed, score));
-  // Last: who finds a summary finds everything that it belongs to.
+  write("steps.csv", stepsCsv, aligned);
+  write("hypotheses.csv", hypothesesCsv, aligned.hypotheses);
+  if (context.objects_wanted || !aligned.objects.empty()) write("objects.csv", objectsCsv, aligned.objects);
+  if (!aligned.biases.empty()) write("biases.csv", biasesCsv, aligned.biases);
+  for (const MethodTrajectory& method : aligned.methods) writeTrajectoryTum(folder, method);
+  writeFileAtomically(folder / "report.html", trialPage(context, aligned, score));
+  // Last: a summary exists only beside all other files.
   writeFileAtomically(folder / "summary.json", summaryJson(context, score));
 }
 

@@ -6,13 +6,13 @@
 
 namespace mrpt_ext
 {
-/// Writes what a trial leaves into `folder`: summary.json, report.html, steps.csv, hypotheses.csv, objects.csv (only
-/// when objects were asked for or seen), trajectory_<method>.tum. Dead reckoning is aligned to the truth first, where
-/// there is one, so that the files agree with the score. Each file appears complete or not at all.
-/// Throws InputError (data) when a file cannot be written.
+/// Writes the results of a trial into `folder`: summary.json, report.html, steps.csv, hypotheses.csv, objects.csv (only
+/// when objects were configured or detected), trajectory_<method>.tum. Dead reckoning is aligned to the truth first,
+/// where there is one, so that the files agree with the score. Each file appears complete or not at all. Throws
+/// InputError (data) when a file cannot be written.
 void writeTrial(const std::filesystem::path& folder, const RunContext& context, RunRecord record,
                 const RunScore& score);
 
-/// Writes summary.json and report.html over several trials; the trials themselves lie in trial_NNN (trialFolder()).
+/// Writes summary.json and report.html over several trials; the trials are in trial_NNN (trialFolder()).
 void writeMerged(const std::filesystem::path& folder, const RunContext& context, const RunScore& merged);
 }  // namespace mrpt_ext

@@ -11,13 +11,13 @@ namespace mrpt_ext
 {
 namespace
 {
-using MethodFigures = std::map<std::string, OptionalNumber> FinishedTrial::*;
+using MethodNumbers = std::map<std::string, OptionalNumber> FinishedTrial::*;
 
-OptionalNumber medianOf(const FinishedRun& run, const std::string& method, MethodFigures figures)
+OptionalNumber medianOf(const FinishedRun& run, const std::string& method, MethodNumbers numbers)
 {
   std::vector<double> values;
   for (const FinishedTrial& trial : run.trials)
-    if (const auto found = (trial.*figures).find(method); found != (trial.*figures).end() && found->second)
+    if (const auto found = (trial.*numbers).find(method); found != (trial.*numbers).end() && found->second)
       values.push_back(*found->second);
   return median(std::move(values));
 }
@@ -30,13 +30,13 @@ OptionalNumber medianConvergence(const FinishedRun& run)
   return median(std::move(values));
 }
 
-std::string text(const OptionalNumber& figure, int decimals, const std::string& none)
+std::string text(const OptionalNumber& number, int decimals, const std::string& none)
 {
-  return figure ? fixedText(*figure, decimals) : none;
+  return number ? fixedText(*number, decimals) : none;
 }
 
 /// Name, log, method, trials, successes, lost, converged, RMSE, median, 95 %, heading RMSE of a method.
-std::vector<std::string> figuresOf(const FinishedRun& run, const std::string& method, const std::string& none)
+std::vector<std::string> cellsOf(const FinishedRun& run, const std::string& method, const std::string& none)
 {
   const auto count = [&](auto&& is_counted)
   { return std::to_string(std::count_if(run.trials.begin(), run.trials.end(), is_counted)); };
@@ -85,7 +85,7 @@ std::string studyMarkdown(const std::vector<FinishedRun>& runs)
   for (const FinishedRun& run : runs)
     for (const std::string& method : judgedMethods(run))
     {
-      for (const std::string& cell : figuresOf(run, method, "-")) table += "| " + cell + " ";
+      for (const std::string& cell : cellsOf(run, method, "-")) table += "| " + cell + " ";
       table += "|\n";
     }
   return table;
@@ -106,7 +106,7 @@ std::string studyCsv(const std::vector<FinishedRun>& runs)
         const auto found = run.settings.find(name);
         row += (found == run.settings.end() ? "" : textField(found->second)) + ",";
       }
-      for (const std::string& cell : figuresOf(run, method, "")) row += textField(cell) + ",";
+      for (const std::string& cell : cellsOf(run, method, "")) row += textField(cell) + ",";
       row.back() = '\n';
       table += row;
     }

@@ -11,6 +11,6 @@ namespace mrpt_ext
 /// % of the position error [m] and RMSE of the heading [deg], each the median over the trials; `-` (CSV: empty) where
 /// there is none. Methods without a position error are left out.
 [[nodiscard]] std::string studyMarkdown(const std::vector<FinishedRun>& runs);
-/// The same for programs, with the settings in which the runs differ as columns of their own: a sweep as a table.
+/// The same as CSV, with the settings in which the runs differ as further columns.
 [[nodiscard]] std::string studyCsv(const std::vector<FinishedRun>& runs);
 }  // namespace mrpt_ext

@@ -9,13 +9,13 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-Json number(const OptionalNumber& figure) { return figure && std::isfinite(*figure) ? Json(*figure) : Json(nullptr); }
+Json number(const OptionalNumber& value) { return value && std::isfinite(*value) ? Json(*value) : Json(nullptr); }
 
 /// A count is written without a decimal point, unless it is a median between two counts.
-Json count(const OptionalNumber& figure)
+Json count(const OptionalNumber& value)
 {
-  if (figure && *figure == std::floor(*figure) && std::abs(*figure) < 1e15) return Json(std::llround(*figure));
-  return number(figure);
+  if (value && *value == std::floor(*value) && std::abs(*value) < 1e15) return Json(std::llround(*value));
+  return number(value);
 }
 
 Json statistics(const ErrorStatistics& s)

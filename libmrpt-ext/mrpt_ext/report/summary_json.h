@@ -6,7 +6,7 @@
 
 namespace mrpt_ext
 {
-/// Text of summary.json, schema 1: keys in the order of the contract, `null` for figures that do not exist.
+/// Text of summary.json, schema 1: keys in the order of the contract, `null` for numbers that do not exist.
 /// The same score gives the same bytes.
 [[nodiscard]] std::string summaryJson(const RunContext& context, const RunScore& score);
 }  // namespace mrpt_ext

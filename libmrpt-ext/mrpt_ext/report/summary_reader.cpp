@@ -9,7 +9,7 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-OptionalNumber figureOf(const Json& value)
+OptionalNumber numberOf(const Json& value)
 {
   return value.is_number() ? OptionalNumber(value.get<double>()) : std::nullopt;
 }
@@ -17,13 +17,13 @@ OptionalNumber figureOf(const Json& value)
 ErrorStatistics statisticsOf(const Json& value)
 {
   ErrorStatistics s;
-  s.rmse = figureOf(value.at("rmse"));
-  s.mean = figureOf(value.at("mean"));
-  s.median = figureOf(value.at("median"));
-  s.std = figureOf(value.at("std"));
-  s.min = figureOf(value.at("min"));
-  s.max = figureOf(value.at("max"));
-  s.p95 = figureOf(value.at("p95"));
+  s.rmse = numberOf(value.at("rmse"));
+  s.mean = numberOf(value.at("mean"));
+  s.median = numberOf(value.at("median"));
+  s.std = numberOf(value.at("std"));
+  s.min = numberOf(value.at("min"));
+  s.max = numberOf(value.at("max"));
+  s.p95 = numberOf(value.at("p95"));
   return s;
 }
 
@@ -32,35 +32,35 @@ MethodScore methodOf(const std::string& name, const Json& value)
   MethodScore method;
   method.name = name;
   method.oracle = name.starts_with("oracle_");
-  method.estimates = figureOf(value.at("estimates"));
-  method.availability = figureOf(value.at("availability"));
+  method.estimates = numberOf(value.at("estimates"));
+  method.availability = numberOf(value.at("availability"));
   method.position_error_m = statisticsOf(value.at("position_error_m"));
   method.heading_error_deg = statisticsOf(value.at("heading_error_deg"));
   method.position_error_whole_run_m = statisticsOf(value.at("position_error_whole_run_m"));
-  method.step_ms_median = figureOf(value.at("time_per_step_ms").at("median"));
-  method.step_ms_p95 = figureOf(value.at("time_per_step_ms").at("p95"));
+  method.step_ms_median = numberOf(value.at("time_per_step_ms").at("median"));
+  method.step_ms_p95 = numberOf(value.at("time_per_step_ms").at("p95"));
   return method;
 }
 
 FilterScore filterOf(const Json& value)
 {
   FilterScore filter;
-  filter.particles_min = figureOf(value.at("particles").at("min"));
-  filter.particles_median = figureOf(value.at("particles").at("median"));
-  filter.particles_max = figureOf(value.at("particles").at("max"));
-  filter.nees_mean = figureOf(value.at("nees").at("mean"));
-  filter.nees_band_low = figureOf(value.at("nees").at("band_low"));
-  filter.nees_band_high = figureOf(value.at("nees").at("band_high"));
-  filter.effective_sample_ratio_min = figureOf(value.at("effective_sample_ratio_min"));
-  filter.lost_steps = figureOf(value.at("lost_steps"));
-  filter.reseeds = figureOf(value.at("reseeds"));
+  filter.particles_min = numberOf(value.at("particles").at("min"));
+  filter.particles_median = numberOf(value.at("particles").at("median"));
+  filter.particles_max = numberOf(value.at("particles").at("max"));
+  filter.nees_mean = numberOf(value.at("nees").at("mean"));
+  filter.nees_band_low = numberOf(value.at("nees").at("band_low"));
+  filter.nees_band_high = numberOf(value.at("nees").at("band_high"));
+  filter.effective_sample_ratio_min = numberOf(value.at("effective_sample_ratio_min"));
+  filter.lost_steps = numberOf(value.at("lost_steps"));
+  filter.reseeds = numberOf(value.at("reseeds"));
   return filter;
 }
 
 LandmarkScore landmarkOf(const Json& value)
 {
-  return {figureOf(value.at("seen")), figureOf(value.at("associated")), figureOf(value.at("inlier_rate")),
-          figureOf(value.at("residual_mean")), figureOf(value.at("residual_std"))};
+  return {numberOf(value.at("seen")), numberOf(value.at("associated")), numberOf(value.at("inlier_rate")),
+          numberOf(value.at("residual_mean")), numberOf(value.at("residual_std"))};
 }
 
 Verdict verdictOf(const std::string& name)
@@ -75,28 +75,9 @@ TrialScore trialOf(const Json& detail)
   trial.seed = detail.at("seed");
   if (detail.at("success").is_boolean()) trial.success = detail.at("success").get<bool>();
   trial.verdict = verdictOf(detail.at("verdict"));
-  trial.rmse = figureOf(detail.at("rmse"));
-  trial.converged_at_s = figureOf(detail.at("converged_at_s"));
+  trial.rmse = numberOf(detail.at("rmse"));
+  trial.converged_at_s = numberOf(detail.at("converged_at_s"));
   return trial;
-}
-
-RunScore scoreOf(const Json& summary)
-{
-  RunScore score;
-  for (const auto& [name, method] : summary.at("methods").items()) score.methods.push_back(methodOf(name, method));
-  score.filter = filterOf(summary.at("filter"));
-  for (const auto& [id, landmark] : summary.at("landmarks").items()) score.landmarks[id] = landmarkOf(landmark);
-  score.limit.position_rmse_m = figureOf(summary.at("limit").at("pcrlb_position_rmse_m"));
-  score.limit.heading_rmse_deg = figureOf(summary.at("limit").at("pcrlb_heading_rmse_deg"));
-  const Json& cost = summary.at("cost");
-  score.cost = {figureOf(cost.at("cpu_s")), figureOf(cost.at("wall_s")), figureOf(cost.at("peak_memory_mb")),
-                figureOf(cost.at("realtime_factor"))};
-  score.converged_at_s = figureOf(summary.at("filter").at("converged_at_s"));
-  score.trials = {trialOf(summary.at("trials_detail").at(0))};
-  score.success_rate = figureOf(summary.at("success_rate"));
-  score.verdict = verdictOf(summary.at("verdict"));
-  score.verdict_reason = summary.at("verdict_reason");
-  return score;
 }
 
 bool belongsTo(const Json& summary, const RunContext& context, int trial)
@@ -109,6 +90,25 @@ bool belongsTo(const Json& summary, const RunContext& context, int trial)
 }
 }  // namespace
 
+RunScore runScoreOf(const nlohmann::ordered_json& summary)
+{
+  RunScore score;
+  for (const auto& [name, method] : summary.at("methods").items()) score.methods.push_back(methodOf(name, method));
+  score.filter = filterOf(summary.at("filter"));
+  for (const auto& [id, landmark] : summary.at("landmarks").items()) score.landmarks[id] = landmarkOf(landmark);
+  score.limit.position_rmse_m = numberOf(summary.at("limit").at("pcrlb_position_rmse_m"));
+  score.limit.heading_rmse_deg = numberOf(summary.at("limit").at("pcrlb_heading_rmse_deg"));
+  const Json& cost = summary.at("cost");
+  score.cost = {numberOf(cost.at("cpu_s")), numberOf(cost.at("wall_s")), numberOf(cost.at("peak_memory_mb")),
+                numberOf(cost.at("realtime_factor"))};
+  score.converged_at_s = numberOf(summary.at("filter").at("converged_at_s"));
+  score.trials = {trialOf(summary.at("trials_detail").at(0))};
+  score.success_rate = numberOf(summary.at("success_rate"));
+  score.verdict = verdictOf(summary.at("verdict"));
+  score.verdict_reason = summary.at("verdict_reason");
+  return score;
+}
+
 std::optional<RunScore> readTrialScore(const std::filesystem::path& folder, const RunContext& context, int trial)
 {
   std::ifstream file(folder / "summary.json");
@@ -117,7 +117,7 @@ std::optional<RunScore> readTrialScore(const std::filesystem::path& folder, cons
   {
     const Json summary = Json::parse(file);
     if (!belongsTo(summary, context, trial)) return std::nullopt;
-    return scoreOf(summary);
+    return runScoreOf(summary);
   }
   catch (const Json::exception&)
   {

@@ -19,27 +19,27 @@ namespace
 {
 constexpr std::size_t kMaxNames = 80;   // more ids would hide the map
 constexpr std::size_t kMaxDots = 1500;  // per method
-constexpr std::size_t kMaxPathPoints = 6000;
-constexpr double kResolution = 1.5;  // drawing units between points of a path
+constexpr std::size_t kMaxTrajectoryPoints = 6000;
+constexpr double kResolution = 1.5;  // drawing units between points of a trajectory
 constexpr double kJump = 0.08;       // of the map's width, between two estimates
 
-/// Splits a path where a sensor or the truth was silent for long, and where the estimate jumped to another place, so
-/// that no line claims a way that was not driven.
+/// Splits a trajectory at gaps in time and where the estimate jumped, so that no line is drawn where the robot did not
+/// drive.
 template <typename Points, typename Position>
-std::string pathShape(const Points& points, Position position, double max_gap, const MapView& view,
-                      const std::string& css_class)
+std::string trajectoryShape(const Points& points, Position position, double max_gap, const MapView& view,
+                            const std::string& css_class)
 {
   const auto thinned = [&](const SvgPoints& part)
-  { return thinnedPath(part, kResolution, 50 + kMaxPathPoints * part.size() / points.size()); };
+  { return thinnedPath(part, kResolution, 50 + kMaxTrajectoryPoints * part.size() / points.size()); };
   std::string svg;
   SvgPoints part;
   double time_before = 0;
   for (const auto& point : points)
   {
     const Vector2d drawn = view.draw(position(point));
-    const bool silent = !part.empty() && max_gap > 0 && point.time - time_before > max_gap;
+    const bool gap = !part.empty() && max_gap > 0 && point.time - time_before > max_gap;
     const bool jumped = !part.empty() && (drawn - part.back()).norm() > kJump * view.width();
-    if (silent || jumped)
+    if (gap || jumped)
     {
       svg += svgPolyline(thinned(part), css_class);
       part.clear();
@@ -59,10 +59,10 @@ std::string landmarkShapes(const LandmarkTable& map, const std::map<std::string,
     const Vector2d p = view.draw(landmark.position.head<2>());
     std::string name = landmark.id == kNoId ? std::string() : std::to_string(landmark.id);
     const auto score = scores.find(name);
-    const bool doubtful = score != scores.end() && !landmarkWarning(score->second).empty();
+    const bool warned = score != scores.end() && !landmarkWarning(score->second).empty();
     std::string tip = name.empty() ? "anonymous landmark" : "landmark " + name;
     if (!landmark.category.empty()) tip += ", " + landmark.category;
-    svg += "<path class=\"landmark" + std::string(doubtful ? " doubtful" : "") + "\" d=\"M" + svgNumber(p.x()) + " " +
+    svg += "<path class=\"landmark" + std::string(warned ? " warned" : "") + "\" d=\"M" + svgNumber(p.x()) + " " +
            svgNumber(p.y() - 5.5) + "l5.5 10h-11z\">" + element("title", "", escapeHtml(tip)) + "</path>";
     if (!name.empty() && map.size() <= kMaxNames) svg += svgText({p.x() + 8, p.y() + 4}, "start", "id", name);
     svg += "\n";
@@ -93,9 +93,7 @@ std::string scaleBar(const MapView& view)
          svgText({0.5 * (x + end), y - 8}, "middle", "", niceText(length, length) + " m") + "\n";
 }
 
-const MethodTrajectory* drawnPath(const RunRecord& record) { return judgedMethod(record); }
-
-/// Oracles are left to the table; dead reckoning is drawn only where the truth could place it in the map.
+/// Oracles are in the table only; dead reckoning is drawn only where it is aligned with the truth.
 bool isDrawn(const MethodTrajectory& method, const RunScore& score)
 {
   if (method.oracle || method.points.empty()) return false;
@@ -124,7 +122,7 @@ std::string methodShapes(const RunRecord& record, const RunScore& score, const M
     const std::string colour = methodClass(method.name, names);
     if (method.continuous)
     {
-      above += pathShape(method.points, position, 0, view, colour);
+      above += trajectoryShape(method.points, position, 0, view, colour);
       continue;
     }
     SvgPoints dots;
@@ -139,10 +137,10 @@ std::string methodShapes(const RunRecord& record, const RunScore& score, const M
 
 std::string endShapes(const RunRecord& record, const MapView& view)
 {
-  const MethodTrajectory* path = drawnPath(record);
-  if (!path || path->points.empty()) return {};
-  const Vector2d start = view.draw(path->points.front().pose.mean.position());
-  const Vector2d end = view.draw(path->points.back().pose.mean.position());
+  const MethodTrajectory* judged = judgedMethod(record);
+  if (!judged || judged->points.empty()) return {};
+  const Vector2d start = view.draw(judged->points.front().pose.mean.position());
+  const Vector2d end = view.draw(judged->points.back().pose.mean.position());
   return "<circle class=\"start\" r=\"6\" cx=\"" + svgNumber(start.x()) + "\" cy=\"" + svgNumber(start.y()) +
          "\"><title>first estimate</title></circle><rect class=\"end\" width=\"11\" height=\"11\" x=\"" +
          svgNumber(end.x() - 5.5) + "\" y=\"" + svgNumber(end.y() - 5.5) + "\"><title>last estimate</title></rect>\n";
@@ -159,12 +157,12 @@ std::string legend(const RunContext& context, const RunRecord& record, const Run
     const std::string symbol = method.name == kOdometryMethod ? "dash" : method.continuous ? "line" : "dot";
     entries.push_back({methodClass(method.name, methodNames(score.methods)), symbol, method.name});
   }
-  if (const MethodTrajectory* path = drawnPath(record); path && !path->points.empty())
+  if (const MethodTrajectory* judged = judgedMethod(record); judged && !judged->points.empty())
   {
     entries.push_back({"", "ring", "first estimate"});
     entries.push_back({"", "square", "last estimate"});
   }
-  if (!record.filter.modes_at_end.empty()) entries.push_back({"mode", "ring", "modes at the end, 2 sigma"});
+  if (!record.filter.modes_at_end.empty()) entries.push_back({"mode", "ring", "final modes, 2 sigma"});
   return htmlLegend(entries);
 }
 
@@ -175,19 +173,19 @@ std::string outsideNote(const RunRecord& record, const RunScore& score, const Ma
     for (const PoseEstimate& point : method.points)
       outside += isDrawn(method, score) && !view.contains(view.draw(point.pose.mean.position())) ? 1 : 0;
   if (outside == 0) return {};
-  return element("p", "note", std::to_string(outside) + " estimates lie outside of this view.") + "\n";
+  return element("p", "note", std::to_string(outside) + " estimates are outside of this view.") + "\n";
 }
 }  // namespace
 
 std::string svgMap(const RunContext& context, const RunRecord& record, const RunScore& score)
 {
-  const MapView view = viewOf(context, drawnPath(record));
+  const MapView view = viewOf(context, judgedMethod(record));
   const double truth_gap = context.truth_is_sparse ? 0 : 2;  // [s]
   std::string svg = "<svg class=\"map\" role=\"img\" viewBox=\"0 0 " + svgNumber(view.width()) + " " +
                     svgNumber(view.height()) +
                     "\"><title>Map with landmarks, ground truth and the estimates of all methods</title>\n";
   svg += methodShapes(record, score, view);
-  svg += pathShape(
+  svg += trajectoryShape(
       truthWithinLog(context), [](const TimedPose& p) { return p.pose.position(); }, truth_gap, view, "truth");
   svg += landmarkShapes(context.map, score.landmarks, view) + endShapes(record, view);
   for (const ModeSummary& mode : record.filter.modes_at_end) svg += modeShape(mode, view);

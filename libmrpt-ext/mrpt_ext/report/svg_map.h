@@ -6,9 +6,9 @@
 
 namespace mrpt_ext
 {
-/// Map of a trial with legend: landmarks with ids, truth, dead reckoning, estimates of the closed forms as dots, the
-/// judged method's path with start and end, its modes at the end with 2-sigma ellipses, scale bar; y upwards.
-/// The view covers landmarks, truth and the judged path; what lies outside is cut off and counted below.
-/// `record` with aligned odometry, so that it lies in the map frame.
+/// Static map of a trial with legend: landmarks with ids, truth, dead reckoning, estimates of the closed forms as dots,
+/// the trajectory of the judged method with its first and last estimate, its final modes with 2-sigma ellipses, scale
+/// bar; y upwards. The view covers landmarks, truth and that trajectory; estimates outside are cut off and counted
+/// below. `record` with aligned odometry, in the map frame.
 [[nodiscard]] std::string svgMap(const RunContext& context, const RunRecord& record, const RunScore& score);
 }  // namespace mrpt_ext

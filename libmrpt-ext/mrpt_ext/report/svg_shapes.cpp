@@ -66,24 +66,6 @@ SvgPoints thinnedPath(const SvgPoints& points, double distance, std::size_t coun
   return kept;
 }
 
-SvgPoints thinnedCurve(const SvgPoints& points, std::size_t count)
-{
-  if (points.size() <= count || count < 2) return points;
-  const std::size_t stretches = count / 2;
-  SvgPoints kept;
-  for (std::size_t s = 0; s < stretches; ++s)
-  {
-    const auto begin = points.begin() + static_cast<std::ptrdiff_t>(s * points.size() / stretches);
-    const auto end = points.begin() + static_cast<std::ptrdiff_t>((s + 1) * points.size() / stretches);
-    auto [low, high] =
-        std::minmax_element(begin, end, [](const Vector2d& a, const Vector2d& b) { return a.y() < b.y(); });
-    if (low > high) std::swap(low, high);
-    kept.push_back(*low);
-    if (high != low) kept.push_back(*high);
-  }
-  return kept;
-}
-
 double niceStep(double size)
 {
   const double decade = std::pow(10.0, std::floor(std::log10(size)));

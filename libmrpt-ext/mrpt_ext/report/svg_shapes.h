@@ -7,7 +7,7 @@
 
 namespace mrpt_ext
 {
-/// Pieces of a drawing; coordinates in drawing units, y downwards, one decimal. Colours come from the CSS classes.
+/// Elements of a drawing; coordinates in drawing units, y downwards, one decimal. Colours come from the CSS classes.
 using SvgPoints = std::vector<Vector2d>;
 
 [[nodiscard]] std::string svgNumber(double value);
@@ -23,9 +23,6 @@ using SvgPoints = std::vector<Vector2d>;
 [[nodiscard]] SvgPoints thinnedByDistance(const SvgPoints& points, double distance);
 /// Thinned with the smallest of the distances `distance`, 2 `distance`, 4 `distance` ... that leaves at most `count`.
 [[nodiscard]] SvgPoints thinnedPath(const SvgPoints& points, double distance, std::size_t count);
-/// At most about `count` points of a curve ordered by x: the lowest and the highest of each stretch, so that no
-/// outlier is hidden.
-[[nodiscard]] SvgPoints thinnedCurve(const SvgPoints& points, std::size_t count);
 
 /// Steps of 1, 2 or 5 times a power of ten: the largest that is not above `size` > 0.
 [[nodiscard]] double niceStep(double size);

@@ -11,7 +11,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr std::chrono::milliseconds kLook(50);  // how often the window is asked whether it is still open
+constexpr std::chrono::milliseconds kPoll(50);  // between two checks whether the window is open
 
 SceneView viewOf(const LandmarkTable& map)
 {
@@ -23,7 +23,7 @@ SceneView viewOf(const LandmarkTable& map)
 
 std::unique_ptr<SceneWindow> openWindow(const LandmarkTable& map, std::ostream& err)
 {
-  // Never unloaded: MRPT's window thread may outlive the window by a moment.
+  // Never unloaded: MRPT's window thread may outlive the window.
   void* library = dlopen("libmrpt_ext_display.so", RTLD_NOW | RTLD_LOCAL);
   void* function = library ? dlsym(library, kOpenSceneWindow) : nullptr;
   if (!function)
@@ -69,12 +69,12 @@ void LiveView::show(PlaybackStep step)
   }
   changed_.notify_all();
   while (isOpen() && Clock::now() < due)
-    std::this_thread::sleep_for(std::min<Clock::duration>(kLook, due - Clock::now()));
+    std::this_thread::sleep_for(std::min<Clock::duration>(kPoll, due - Clock::now()));
 }
 
 void LiveView::waitUntilClosed() const
 {
-  while (isOpen()) std::this_thread::sleep_for(kLook);
+  while (isOpen()) std::this_thread::sleep_for(kPoll);
 }
 
 void LiveView::drawUntilDone()

@@ -15,23 +15,23 @@ namespace mrpt_ext
 {
 class SceneWindow;
 
-/// A window that follows a run: map, particles, modes and what is measured at the moment.
+/// A window that follows a run: map, particles, modes and present detections.
 ///
-/// Drawing has a thread of its own and shows the newest moment; moments that come faster than it can draw are left out.
-/// The run itself is slowed to `speed` times the time of its log, so that a person can follow, for as long as the
-/// window is open. Results do not depend on it.
+/// Its own thread draws the latest step; steps that arrive faster than it draws are skipped.
+/// The run itself is slowed to `speed` times the time of its log, while the window is open. Results do not depend on
+/// it.
 class LiveView
 {
  public:
-  /// Opens the window. When that cannot be (no display, built without MRPT's windows) it says so on `err` in one line
-  /// and shows nothing; the run goes on as if it had not been asked for.
+  /// Opens the window. If that is impossible (no display, built without MRPT's windows), it prints one line on `err`
+  /// and shows nothing; the run continues.
   LiveView(const LandmarkTable& map, double speed, std::ostream& err);
   ~LiveView();
   LiveView(const LiveView&) = delete;
   LiveView& operator=(const LiveView&) = delete;
 
   [[nodiscard]] bool isOpen() const;
-  /// Shows a moment of the log; returns when it is due.
+  /// Shows a step; returns when its time has come.
   void show(PlaybackStep step);
   /// Returns when the user has closed the window.
   void waitUntilClosed() const;
@@ -43,7 +43,7 @@ class LiveView
   const LandmarkTable& map_;
   double speed_;
   std::unique_ptr<SceneWindow> window_;
-  std::optional<std::pair<double, Clock::time_point>> start_;  // the first moment, by the log and by our clock
+  std::optional<std::pair<double, Clock::time_point>> start_;  // time of the first step in the log and by the clock
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::optional<PlaybackStep> next_;

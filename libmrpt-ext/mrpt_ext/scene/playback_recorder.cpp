@@ -13,7 +13,7 @@ constexpr std::size_t kMaxParticles = 150000;  // in all
 constexpr std::size_t kMaxParticlesPerStep = 300;
 constexpr double kMinModeWeight = 0.01;
 
-/// A range as the map shows it: in the plane, as far as the landmark is known.
+/// A range projected to the plane, where the height of the landmark is known.
 template <typename Seen>
 std::optional<double> planarRange(const Seen& sensor, int id, std::optional<double> range, const LandmarkTable& map)
 {

@@ -6,12 +6,12 @@
 
 namespace mrpt_ext
 {
-/// Keeps what the map of the report plays back: of at most 1000 frames, evenly spread, what was seen and what the
-/// filter believed, with so few particles that a report stays small. Draws no random numbers, changes nothing.
+/// Records the playback of the report: detections, modes and particles of at most 1000 evenly spaced frames, with few
+/// enough particles to keep a report small. Draws no random numbers, changes nothing.
 class PlaybackRecorder
 {
  public:
-  /// `frames` that will come; `map` must outlive the recorder.
+  /// `frames`: number of frames of the run; `map` must outlive the recorder.
   PlaybackRecorder(std::size_t frames, const LandmarkTable& map);
 
   /// After every frame; `filter` may be null.
@@ -23,10 +23,10 @@ class PlaybackRecorder
   std::size_t next_ = 0;
 };
 
-/// What can be shown of one frame: the detections, and of the filter (may be null) the modes and at most `particles`.
+/// Detections of a frame, and modes and at most `particles` particles of the filter (may be null).
 [[nodiscard]] PlaybackStep playbackStep(const Frame& frame, const FilterLocalizer* filter, const LandmarkTable& map,
                                         std::size_t particles);
 
-/// `count` particles that each stand for the same share of the weight (all of them when there are no more).
+/// `count` particles of equal weight, drawn systematically (all of them when there are no more).
 [[nodiscard]] std::vector<Pose2> particlesByWeight(const ParticleSet& particles, std::size_t count);
 }  // namespace mrpt_ext

@@ -67,7 +67,7 @@ gl::CDisk::Ptr ring(double x, double y, double radius)
   return circle;
 }
 
-/// What is seen from `robot`; `far` [m] is the length of a ray whose range is not measured.
+/// Detections from `robot`; `far` [m] is the length of a ray without a range.
 gl::CSetOfObjects::Ptr measurements(const std::vector<DrawnDetection>& detections, const Pose2& robot,
                                     const LandmarkTable& map, double far)
 {

@@ -10,9 +10,8 @@
 
 namespace mrpt_ext
 {
-/// One moment of a run for MRPT's viewers: landmarks, particles as MRPT's CPosePDFParticles shows them, the 95 %
-/// ellipse of every mode, the best pose, and from there what is measured: a ray for a bearing, a ring for a range
-/// alone.
+/// One step of a run for MRPT's viewers: landmarks, particles as MRPT's CPosePDFParticles shows them, the 95 % ellipse
+/// of every mode, the best pose and its detections: a ray for a bearing, a ring for a range alone.
 [[nodiscard]] std::shared_ptr<mrpt::opengl::COpenGLScene> runScene(const LandmarkTable& map, const PlaybackStep& step);
 
 /// Writes the scene of `step` as a file of SceneViewer3D, whole or not at all. InputError when it cannot be written.

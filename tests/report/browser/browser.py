@@ -1,4 +1,4 @@
-"""A headless Chromium, spoken to through its debugging pipe; needs nothing but Python's standard library."""
+"""A headless Chromium, controlled through its debugging pipe; needs only Python's standard library."""
 
 import base64
 import json
@@ -22,7 +22,7 @@ class Browser:
         arguments = [program, "--headless=new", "--no-sandbox", "--remote-debugging-pipe", "--disable-gpu",
                      "--disable-dev-shm-usage", "--no-first-run", "--hide-scrollbars",
                      "--user-data-dir=" + self._folder.name, "about:blank"]
-        # The shell puts the pipes where the browser looks for them.
+        # The shell gives the pipes the descriptors that the browser expects.
         shell = f'exec 3<&{to_browser} 4>&{from_browser}; exec "$@"'
         self._process = subprocess.Popen(["bash", "-c", shell, "browser", *arguments],
                                          pass_fds=(to_browser, from_browser),
@@ -90,7 +90,7 @@ class Browser:
         self.command("Emulation.setScriptExecutionDisabled", value=not on)
 
     def open(self, path):
-        """Opens a file and waits until it is loaded; events of before are forgotten."""
+        """Opens a file and waits until it is loaded; forgets earlier events."""
         self.events = []
         self.command("Page.navigate", url=pathlib.Path(path).absolute().as_uri())
         deadline = time.monotonic() + 120
@@ -100,7 +100,7 @@ class Browser:
                 self.events.append(answer)
 
     def value(self, expression):
-        """What a script expression gives, as JSON."""
+        """Value of a script expression, as JSON."""
         result = self.command("Runtime.evaluate", expression=expression, returnByValue=True, awaitPromise=True)
         if "exceptionDetails" in result:
             raise RuntimeError(f"{expression}: {result['exceptionDetails']}")
@@ -131,7 +131,7 @@ class Browser:
             elif name == "Runtime.consoleAPICalled" and what["type"] in ("error", "warning", "assert"):
                 found.append("console: " + json.dumps(what["args"])[:500])
             elif name == "Log.entryAdded" and what["entry"]["level"] in ("error", "warning"):
-                if "willReadFrequently" not in what["entry"]["text"]:  # that is about tests that look at the pixels
+                if "willReadFrequently" not in what["entry"]["text"]:  # caused by tests that read pixels
                     found.append("log: " + what["entry"]["text"])
             elif name == "Network.requestWillBeSent" and what["type"] != "Document":
                 found.append("request: " + what["request"]["url"])

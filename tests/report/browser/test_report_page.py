@@ -1,4 +1,4 @@
-"""Opens reports of real runs in a headless Chromium and uses them as a reader would.
+"""Opens reports of real runs in a headless Chromium and uses them as a reader does.
 
     test_report_page.py CHROMIUM RUN_FOLDER...
 
@@ -23,14 +23,17 @@ PICTURE = f"""(() => {{
   for (let i = 3; i < pixels.length; i += 4) if (pixels[i] > 0) {{ ++painted; mark = (mark * 31 + i + pixels[i - 3]) >>> 0; }}
   return [painted, mark];
 }})()"""
-# Pixels of a chart that are neither empty nor of the grid.
-PLOTTED = """[...document.querySelectorAll('.plot')].map((plot) => {
-  let painted = 0;
-  for (const canvas of plot.querySelectorAll('canvas')) {
+# Of every chart: its name, and how many of its pixels have a colour (grid, axes and text are grey, bands are pale).
+CHARTS = """[...document.querySelectorAll('[data-chart]')].map((box) => {
+  let coloured = 0;
+  for (const canvas of box.querySelectorAll('canvas')) {
     const pixels = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
-    for (let i = 3; i < pixels.length; i += 4) if (pixels[i] > 0) ++painted;
+    for (let i = 0; i < pixels.length; i += 4) {
+      const r = pixels[i], g = pixels[i + 1], b = pixels[i + 2];
+      if (pixels[i + 3] > 128 && Math.max(r, g, b) - Math.min(r, g, b) > 60) ++coloured;
+    }
   }
-  return painted;
+  return [box.dataset.chart, coloured];
 })"""
 TABLE = """[...document.querySelectorAll('table.methods tbody tr')].map((row) => [...row.children].map((cell) => {
   const copy = cell.cloneNode(true);
@@ -90,7 +93,7 @@ class ReportPage(unittest.TestCase):
             self.browser.frame()
             yield folder
 
-    def test_nothing_is_complained_about_and_nothing_asked_for(self):
+    def test_the_browser_reports_no_errors_and_no_requests(self):
         for width in (1280, 400):
             for dark in (False, True):
                 for _ in self.open_each(width, dark):
@@ -101,16 +104,45 @@ class ReportPage(unittest.TestCase):
             self.assertLessEqual(self.browser.value("document.documentElement.scrollWidth"), 400)
             self.assertGreater(self.browser.value(CANVAS + ".clientWidth"), 300)
 
-    def test_charts_and_map_are_painted_and_the_still_drawings_are_gone(self):
+    def test_charts_and_map_are_drawn_and_the_static_map_is_hidden(self):
         for folder in self.open_each():
             painted, _ = self.browser.value(PICTURE)
             self.assertGreater(painted, 2000)
-            plotted = self.browser.value(PLOTTED)
-            self.assertGreaterEqual(len(plotted), 3)
-            for pixels in plotted:
-                self.assertGreater(pixels, 2000)
+            charts = self.browser.value(CHARTS)
+            names = [name for name, _ in charts]
+            for name in ("position", "heading", "confidence", "nees", "geometry", "residuals"):
+                self.assertIn(name, names, folder.name)
+            for name, coloured in charts:
+                self.assertGreater(coloured, 100, f"{folder.name}: {name}")
             self.assertFalse(self.browser.value(
-                "[...document.querySelectorAll('.static')].some((drawing) => drawing.offsetHeight > 0)"))
+                "[...document.querySelectorAll('.static, noscript')].some((element) => element.offsetHeight > 0)"))
+
+    def test_the_legend_hides_and_shows_a_series(self):
+        for folder in self.open_each():
+            for index, (name, before) in enumerate(self.browser.value(CHARTS)):
+                click = (f"document.querySelectorAll('[data-chart]')[{index}]"
+                         ".querySelectorAll('[data-series]').forEach((button, i) => "
+                         "document.querySelectorAll('[data-chart]')[%d].querySelector(`[data-series=\"${i}\"]`).click())"
+                         % index)
+                self.browser.value(click)
+                self.browser.frame()
+                self.assertLess(self.browser.value(CHARTS)[index][1], before, f"{folder.name}: {name}")
+                self.browser.value(click)
+                self.browser.frame()
+                self.assertEqual(self.browser.value(CHARTS)[index][1], before, f"{folder.name}: {name}")
+
+    def test_pointing_at_a_chart_shows_values(self):
+        for folder in self.open_each():
+            for index, (name, _) in enumerate(self.browser.value(CHARTS)):
+                box = f"document.querySelectorAll('[data-chart]')[{index}]"
+                self.browser.value(box + ".scrollIntoView({block: 'center'})")
+                area = self.browser.value(f"(() => {{ const r = {box}.querySelector('.plot').getBoundingClientRect();"
+                                          " return [r.left, r.top, r.width, r.height]; })()")
+                self.browser.command("Input.dispatchMouseEvent", type="mouseMoved", x=area[0] + 0.5 * area[2],
+                                     y=area[1] + 0.5 * area[3])
+                self.browser.frame()
+                values = self.browser.value(f"[...{box}.querySelectorAll('.series b')].map((b) => b.textContent)")
+                self.assertTrue(any(re.search(r"\d", value) for value in values), f"{folder.name}: {name}")
 
     def test_the_slider_moves_the_robot(self):
         for folder in self.open_each():
@@ -189,15 +221,26 @@ class ReportPage(unittest.TestCase):
             self.assertIn(summary["verdict"], self.browser.value("document.querySelector('.verdict').className"))
             self.assertIn(summary["verdict_reason"], self.browser.value("document.body.textContent"))
 
-    def test_everything_is_there_without_scripts(self):
+    def test_tables_and_map_are_readable_without_scripts(self):
         for folder in self.open_each():
+            charts = len(self.browser.value(CHARTS))
             self.browser.scripts(False)
             self.browser.open(folder / "report.html")
             self.assertEqual(self.browser.complaints(), [])
-            html = self.browser.command("DOM.getOuterHTML", nodeId=self.browser.command("DOM.getDocument")["root"][
-                "nodeId"])["outerHTML"]
-            self.assertGreaterEqual(html.count('<svg class="chart"'), 4)
-            self.assertIn('<svg class="map"', html)
+            root = self.browser.command("DOM.getDocument")["root"]["nodeId"]
+
+            def nodes(selector):
+                return self.browser.command("DOM.querySelectorAll", nodeId=root, selector=selector)["nodeIds"]
+
+            def height(node):
+                return self.browser.command("DOM.getBoxModel", nodeId=node)["model"]["height"]
+
+            for selector in ("svg.map", "table.methods", "table.geometry", "table.provenance", "noscript p"):
+                self.assertGreater(len(nodes(selector)), 0, selector)
+                for node in nodes(selector):
+                    self.assertGreater(height(node), 10, selector)
+            html = self.browser.command("DOM.getOuterHTML", nodeId=root)["outerHTML"]
+            self.assertEqual(html.count("This chart needs JavaScript."), charts)
             self.assertNotRegex(html, r'<div class="static" hidden')
             self.assertRegex(html, r'<div id="player" class="player" hidden')
             self.browser.scripts(True)
@@ -209,7 +252,7 @@ class ReportPage(unittest.TestCase):
             print(f"{folder.name}: opened in {timing / 1000:.2f} s", flush=True)
 
     def test_a_picture_of_every_width_and_colour(self):
-        """Kept for people to look at, where REPORT_PICTURES names a folder."""
+        """Kept where REPORT_PICTURES names a folder."""
         pictures = os.environ.get("REPORT_PICTURES")
         if not pictures:
             self.skipTest("REPORT_PICTURES is not set")

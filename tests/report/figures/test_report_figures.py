@@ -1,9 +1,9 @@
-"""Computes the figures of a report again from the trajectories that lie beside it, and compares.
+"""Computes the numbers of a report again from the trajectories beside it, and compares.
 
     test_report_figures.py RUN_FOLDER TRUTH.tum
 
 Shares no code with the program: TUM files, steps.csv and the truth go in, the tables and curves of report.html and
-summary.json must come out. For a run with dense truth over a log that is not longer than its playback."""
+summary.json must come out. For a run with dense truth over a log that is no longer than its playback."""
 
 import csv
 import html
@@ -94,14 +94,14 @@ def normalised_square(upper, e):
 
 
 class Run:
-    """What lies in the folder of a run, and the errors computed from it."""
+    """The output of a run, and the errors computed from it."""
 
     def __init__(self, folder, truth):
         self.summary = json.loads((folder / "summary.json").read_text())
         self.page = (folder / "report.html").read_text()
         self.data = json.loads(re.search(r'id="run-data">(.*?)</script>', self.page, re.S).group(1))
         self.truth = read_tum(truth)
-        self.tracks = {name: read_tum(folder / f"trajectory_{name}.tum") for name in self.summary["methods"]}
+        self.trajectories = {name: read_tum(folder / f"trajectory_{name}.tum") for name in self.summary["methods"]}
         with open(folder / "steps.csv", newline="") as file:
             self.steps = list(csv.DictReader(file))
         ini = (folder / "config_resolved.ini").read_text()
@@ -114,13 +114,13 @@ class Run:
         self.stamps = [stamp for stamp in range(math.ceil(self.start), math.floor(end) + 1)
                        if interpolate(self.truth, stamp, MAX_GAP)]
         self.continuous = {m["name"] for m in self.data["methods"] if m["continuous"]}
-        self.errors = {name: self.errors_of(name) for name in self.tracks}
+        self.errors = {name: self.errors_of(name) for name in self.trajectories}
         self.from_stamp = self.convergence()
 
     def estimate_for(self, name, stamp):
-        """(time, pose): carried to the stamp by dead reckoning, or where a closed form made it."""
+        """(time, pose): predicted to the stamp by dead reckoning, or at its own time for a closed form."""
         last = None
-        for row in self.tracks[name]:
+        for row in self.trajectories[name]:
             if row[0] > stamp:
                 break
             last = row
@@ -128,7 +128,7 @@ class Run:
             return None
         if name not in self.continuous:
             return (last[0], last[1:]) if last[0] > stamp - 1 else None
-        odometry = self.tracks["odometry"]
+        odometry = self.trajectories["odometry"]
         before, after = interpolate(odometry, last[0], 1e9), interpolate(odometry, stamp, 1e9) or odometry[-1][1:]
         dx, dy = after[0] - before[0], after[1] - before[1]
         turned = last[3] - before[2]
@@ -183,7 +183,7 @@ class Figures(unittest.TestCase):
     def setUpClass(cls):
         cls.run_of = Run(cls.run_folder, cls.truth)
 
-    def test_there_is_something_to_compare(self):
+    def test_the_run_has_enough_to_compare(self):
         self.assertGreater(len(self.run_of.stamps), 50)
         self.assertGreater(len(self.run_of.tracks), 3)
         self.assertIsNotNone(self.run_of.from_stamp)
@@ -196,10 +196,10 @@ class Figures(unittest.TestCase):
     def test_comparison_table(self):
         run = self.run_of
         rows = {row[0]: row[1:] for row in run.table("methods")[0][1:]}
-        self.assertEqual(set(rows), set(run.tracks))
+        self.assertEqual(set(rows), set(run.trajectories))
         for name, row in rows.items():
             errors, headings = run.counted(name), [h for h in run.counted(name, 2) if h is not None]
-            self.assertEqual(int(row[0]), len(run.tracks[name]), name)
+            self.assertEqual(int(row[0]), len(run.trajectories[name]), name)
             expected = {2: root_mean_square(errors), 4: quantile(errors, 0.5), 5: quantile(errors, 0.95),
                         6: max(errors), 8: root_mean_square([error[1] for error in run.errors[name].values()])}
             for column, value in expected.items():
@@ -259,7 +259,7 @@ class Figures(unittest.TestCase):
         nees = run.data["nees"]
         covariances = dict(zip((round(t + run.start) for t in nees["t"]), nees["covariance"]))
         errors = {}
-        for t, x, y, phi in run.tracks["particle_filter"]:
+        for t, x, y, phi in run.trajectories["particle_filter"]:
             truth = interpolate(run.truth, t, MAX_GAP)
             if truth:  # the last estimate of each second stays
                 errors[math.ceil(t - 1e-9)] = x - truth[0], y - truth[1], wrap(phi - truth[2])
@@ -277,16 +277,20 @@ class Figures(unittest.TestCase):
         shown = next(value for name, value in facts.items() if name.startswith("NEES"))
         self.assertEqual(shown, "{mean:.2f} ({band_low:.2f} to {band_high:.2f})".format(**figures))
 
-    def test_errors_against_the_number_of_landmarks(self):
+    def test_errors_by_number_of_landmarks(self):
         run = self.run_of
-        frames = sorted((t + run.start, len({row for row in self.sightings(seen)}))
-                        for t, seen in zip(run.data["playback"]["t"], run.data["playback"]["seen"]) if seen)
+        frames = sorted((t + run.start, len(set(self.landmarks_of(detections))))
+                        for t, detections in zip(run.data["playback"]["t"], run.data["playback"]["detections"])
+                        if detections)
         table = next(t for t in run.table("geometry") if t[0][0] == "landmarks in view")
         names = [cell for cell in table[0][2:]]
+        charted = next(chart for chart in run.data["geometry"] if chart["quantity"] == "landmarks in view")
+        column_of = {method["name"]: m for m, method in enumerate(run.data["methods"])}
         for row in table[1:]:
             if not row[0].isdigit():
                 continue
             count = int(row[0])
+            entry = charted["classes"].index(row[0])
             self.assertEqual(int(row[1]), sum(1 for t, n in frames if n == count and t >= run.from_stamp - 1e-6))
             for name, cell in zip(names, row[2:]):
                 errors = [error[1] for stamp, error in run.errors[name].items() if stamp >= run.from_stamp
@@ -294,11 +298,14 @@ class Figures(unittest.TestCase):
                 shown = cell.split()[0]
                 if errors and shown != "-":
                     self.assertAlmostEqual(float(shown), quantile(errors, 0.5), delta=ROUNDED, msg=f"{name} {count}")
+                    for key, share in (("median", 0.5), ("p95", 0.95)):
+                        value = charted[key][column_of[name]][entry]
+                        self.assertAlmostEqual(value, quantile(errors, share), delta=1e-4, msg=f"{name} {count} {key}")
 
     @staticmethod
-    def sightings(seen):
-        """Landmarks by index, things without a name one by one."""
-        return [seen[i + 5] if seen[i + 5] >= 0 else ("unnamed", i) for i in range(0, len(seen), 7)]
+    def landmarks_of(detections):
+        """Landmarks by index, anonymous detections one by one."""
+        return [detections[i + 5] if detections[i + 5] >= 0 else ("anonymous", i) for i in range(0, len(detections), 7)]
 
     @staticmethod
     def frame_before(frames, time):

@@ -1,5 +1,6 @@
 # Reads what the pages are made of into variables for page_assets.cpp.in.
-set(MRPT_EXT_PAGE_MODULES run_data.js theme.js viewport.js map_layers.js map_view.js playback.js charts.js main.js)
+set(MRPT_EXT_PAGE_MODULES run_data.js theme.js viewport.js map_layers.js map_view.js playback.js charts.js
+                          time_charts.js category_charts.js main.js)
 find_path(MRPT_EXT_DYGRAPHS_DIR dygraph.min.js PATHS /usr/share/javascript/dygraphs REQUIRED
           DOC "Folder of dygraph.min.js and dygraph.min.css (Debian: libjs-dygraphs)")
 
@@ -13,7 +14,7 @@ foreach(module IN LISTS MRPT_EXT_PAGE_MODULES)
   string(APPEND MRPT_EXT_PAGE_SCRIPT "${text}")
 endforeach()
 
-# A report names no address, not even in a comment; where the licence is stays with the package.
+# A report names no address, not even in a comment; the licence of Dygraphs is in its Debian package.
 file(READ ${MRPT_EXT_DYGRAPHS_DIR}/dygraph.min.js MRPT_EXT_CHART_LIBRARY)
 string(REGEX REPLACE "https?://github.com/danvk/" "" MRPT_EXT_CHART_LIBRARY "${MRPT_EXT_CHART_LIBRARY}")
 string(REGEX REPLACE "\n//# sourceMappingURL=[^\n]*" "" MRPT_EXT_CHART_LIBRARY "${MRPT_EXT_CHART_LIBRARY}")

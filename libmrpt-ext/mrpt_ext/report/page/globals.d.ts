@@ -1,2 +1,2 @@
-// What the page brings along: Dygraphs (Debian: libjs-dygraphs), without types of its own.
+// Dygraphs (Debian: libjs-dygraphs) is part of the page; it has no types of its own.
 declare const Dygraph: any;

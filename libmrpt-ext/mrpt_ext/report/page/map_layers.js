@@ -1,8 +1,8 @@
-// What the map shows, one drawing function per kind of thing.
+// What the map shows, one drawing function per layer.
 import { colour } from './theme.js';
 import { groups, poseAt } from './run_data.js';
 
-const kJump = 0.08; // of the map's diagonal: an estimate that went elsewhere, not a way that was driven
+const kJump = 0.08; // of the map's diagonal: a jump of the estimate, not a motion of the robot
 const kSigmas = 2;
 const kMostNames = 80;
 
@@ -12,7 +12,7 @@ function jumpOf(run) {
 }
 
 /** One line through the poses of the steps `from` to `to`, with gaps where there are none. */
-function strokePath(ctx, view, poses, from, to, jump) {
+function strokeTrajectory(ctx, view, poses, from, to, jump) {
   let last = null;
   ctx.beginPath();
   for (let step = from; step <= to; ++step) {
@@ -24,15 +24,15 @@ function strokePath(ctx, view, poses, from, to, jump) {
   ctx.stroke();
 }
 
-/** The way so far, and faintly the whole way. */
-export function drawPath(ctx, view, run, step, poses, style) {
+/** The trajectory so far, and faintly the rest of it. */
+export function drawTrajectory(ctx, view, run, step, poses, style) {
   ctx.strokeStyle = colour(style.colour);
   ctx.lineWidth = style.width;
   ctx.setLineDash(style.dash || []);
   ctx.globalAlpha = 0.25;
-  strokePath(ctx, view, poses, step, run.stepCount - 1, jumpOf(run));
+  strokeTrajectory(ctx, view, poses, step, run.stepCount - 1, jumpOf(run));
   ctx.globalAlpha = 1;
-  strokePath(ctx, view, poses, 0, step, jumpOf(run));
+  strokeTrajectory(ctx, view, poses, 0, step, jumpOf(run));
   ctx.setLineDash([]);
 }
 
@@ -79,7 +79,7 @@ export function drawRobot(ctx, view, pose, style) {
 export function drawLandmarks(ctx, view, run) {
   ctx.font = '11px system-ui, sans-serif';
   ctx.textAlign = 'left';
-  for (const [x, y, id, , doubt] of run.landmarks) {
+  for (const [x, y, id, , warning] of run.landmarks) {
     const px = view.x(x);
     const py = view.y(y);
     ctx.beginPath();
@@ -87,7 +87,7 @@ export function drawLandmarks(ctx, view, run) {
     ctx.lineTo(px + 6, py + 5);
     ctx.lineTo(px - 6, py + 5);
     ctx.closePath();
-    ctx.fillStyle = colour(doubt ? 'bad' : 'quiet');
+    ctx.fillStyle = colour(warning ? 'bad' : 'quiet');
     ctx.fill();
     if (id === '' || run.landmarks.length > kMostNames) continue;
     ctx.strokeStyle = colour('card');
@@ -167,13 +167,13 @@ function strokeCircle(ctx, view, x, y, radius, width, dash) {
   ctx.setLineDash([]);
 }
 
-/** Bearings as rays, ranges as circles around the landmark (around the sensor when it has no name), a running fix as a
- *  thick ring. `pose`: of the robot that looks. */
-export function drawSightings(ctx, view, run, step, pose) {
+/** Bearings as rays, ranges as circles around the landmark (around the sensor for an anonymous one), a running fix as a
+ *  thick ring. `pose`: of the robot. */
+export function drawDetections(ctx, view, run, step, pose) {
   const [lowX, lowY, highX, highY] = run.extent;
   const far = 0.35 * Math.hypot(highX - lowX, highY - lowY);
-  ctx.strokeStyle = colour('sight');
-  for (const [mx, my, yaw, bearing, range, index, fix] of groups(run.playback.seen[step], 7)) {
+  ctx.strokeStyle = colour('detection');
+  for (const [mx, my, yaw, bearing, range, index, fix] of groups(run.playback.detections[step], 7)) {
     const landmark = index >= 0 ? run.landmarks[index] : null;
     ctx.globalAlpha = 0.75;
     if (range !== null && landmark)
@@ -194,7 +194,7 @@ export function drawSightings(ctx, view, run, step, pose) {
   ctx.globalAlpha = 1;
 }
 
-/** Things that are not landmarks: where they were placed so far, the last ones with their name. */
+/** Objects that are no landmarks: estimated positions so far, the latest with their label. */
 export function drawObjects(ctx, view, run, step) {
   ctx.font = '11px system-ui, sans-serif';
   ctx.textAlign = 'left';

@@ -1,5 +1,5 @@
-// The canvas with the map: which layers are shown, zoom and drag.
-import { drawDots, drawLandmarks, drawModes, drawObjects, drawParticles, drawPath, drawRobot, drawScale, drawSightings } from './map_layers.js';
+// The canvas of the map: layers, zoom and drag.
+import { drawDots, drawLandmarks, drawModes, drawObjects, drawParticles, drawTrajectory, drawRobot, drawScale, drawDetections } from './map_layers.js';
 import { poseAt } from './run_data.js';
 import { Viewport } from './viewport.js';
 
@@ -10,20 +10,20 @@ function layersOf(run) {
   const list = [];
   const add = (label, colour, symbol, draw, on = true) => list.push({ label, colour, symbol, draw, on });
   const { playback, stepCount } = run;
-  const looker = (step) => {
+  const observer = (step) => {
     const judged = run.judged ? poseAt(playback.methods[run.judged], step) : null;
     return judged || poseAt(playback.truth, step);
   };
   const any = (rows) => rows.some((row) => row.length > 0);
   const hasPoses = (poses) => poses.some((value) => value !== null);
-  const separate = run.methods.filter((m) => !m.continuous && hasPoses(playback.methods[m.name]));
-  const tracked = run.methods.filter((m) => m.continuous && m.placed && hasPoses(playback.methods[m.name]));
+  const closedForms = run.methods.filter((m) => !m.continuous && hasPoses(playback.methods[m.name]));
+  const tracked = run.methods.filter((m) => m.continuous && m.aligned && hasPoses(playback.methods[m.name]));
 
   add('landmarks', 'quiet', 'triangle', (ctx, view) => drawLandmarks(ctx, view, run));
-  if (any(playback.seen))
-    add('bearings and ranges', 'sight', 'line', (ctx, view, step) =>
-      drawSightings(ctx, view, run, step, looker(step)));
-  for (const method of separate) {
+  if (any(playback.detections))
+    add('bearings and ranges', 'detection', 'line', (ctx, view, step) =>
+      drawDetections(ctx, view, run, step, observer(step)));
+  for (const method of closedForms) {
     const style = { colour: method.colour, square: method.oracle };
     const draw = (ctx, view, step) => drawDots(ctx, view, step, playback.methods[method.name], style);
     add(method.name, method.colour, method.oracle ? 'dot oracle' : 'dot', draw, !method.oracle);
@@ -36,26 +36,26 @@ function layersOf(run) {
     const style = { colour: method.colour, width: judged ? 2.4 : 1.5, dash: odometry ? [6, 4] : [] };
     const poses = playback.methods[method.name];
     const draw = (ctx, view, step) => {
-      drawPath(ctx, view, run, step, poses, style);
+      drawTrajectory(ctx, view, run, step, poses, style);
       if (!judged) drawRobot(ctx, view, poseAt(poses, step), { colour: method.colour, hollow: true });
     };
     add(method.name, method.colour, odometry ? 'dash' : 'line', draw, judged || odometry || tracked.length < 4);
   }
   if (hasPoses(playback.truth))
     add('ground truth', 'text', 'line thin', (ctx, view, step) => {
-      drawPath(ctx, view, run, step, playback.truth, { colour: 'text', width: 1.2 });
+      drawTrajectory(ctx, view, run, step, playback.truth, { colour: 'text', width: 1.2 });
       drawRobot(ctx, view, poseAt(playback.truth, step), { colour: 'text', hollow: true });
     });
   if (any(playback.modes))
     add('modes, 2 sigma', 'mode', 'ring mode', (ctx, view, step) => drawModes(ctx, view, run, step));
   if (any(playback.objects))
-    add('seen objects', 'object', 'dot', (ctx, view, step) => drawObjects(ctx, view, run, step));
+    add('detected objects', 'object', 'dot', (ctx, view, step) => drawObjects(ctx, view, run, step));
   if (run.judged)
-    add('robot as estimated', run.methods.find((m) => m.name === run.judged).colour, 'arrow', (ctx, view, step) =>
+    add('estimated pose', run.methods.find((m) => m.name === run.judged).colour, 'arrow', (ctx, view, step) =>
       drawRobot(ctx, view, poseAt(playback.methods[run.judged], step), {
         colour: run.methods.find((m) => m.name === run.judged).colour,
       }));
-  return { list, looker };
+  return { list, observer };
 }
 
 export class MapView {
@@ -63,9 +63,9 @@ export class MapView {
     this.canvas = canvas;
     this.ctx = canvas.getContext('2d');
     this.view = new Viewport(run.extent);
-    const { list, looker } = layersOf(run);
+    const { list, observer } = layersOf(run);
     this.list = list;
-    this.looker = looker; // where measurements are drawn from
+    this.observer = observer; // pose that the detections are drawn from
     this.step = 0;
     this.follow = false;
     this.touched = false;
@@ -90,7 +90,7 @@ export class MapView {
 
   draw(step) {
     this.step = step;
-    const robot = this.looker(step);
+    const robot = this.observer(step);
     if (this.follow && robot) this.view.centre = { x: robot.x, y: robot.y };
     this.ctx.clearRect(0, 0, this.view.width, this.view.height);
     for (const layer of this.list) if (layer.on) layer.draw(this.ctx, this.view, step);

@@ -1,10 +1,10 @@
-// The controls below the map: slider, buttons, keys, layers, and the line of figures.
+// The controls below the map: slider, buttons, keys, layers, and the text line.
 import { MapView } from './map_view.js';
 import { poseAt, stepAtTime } from './run_data.js';
 
-const kShownFor = 40; // [s] that a whole run should take at the speed chosen first
+const kShownFor = 40; // [s] of a whole run at the initial speed
 
-function figuresAt(run, step) {
+function textAt(run, step) {
   const { playback } = run;
   const facts = ['<b>' + playback.t[step].toFixed(2) + ' s</b>'];
   const pose = run.judged ? poseAt(playback.methods[run.judged], step) : null;
@@ -16,13 +16,13 @@ function figuresAt(run, step) {
   if (pose && truth) facts.push('error ' + Math.hypot(pose.x - truth.x, pose.y - truth.y).toFixed(3) + ' m');
   const weights = playback.modes[step].filter((_, i) => i % 7 === 3);
   if (weights.length > 1) facts.push(weights.length + ' modes, the heaviest ' + Math.round(100 * weights[0]) + ' %');
-  const seen = playback.seen[step].length / 7;
-  facts.push(seen === 1 ? '1 detection' : seen + ' detections');
+  const detections = playback.detections[step].length / 7;
+  facts.push(detections === 1 ? '1 detection' : detections + ' detections');
   return facts.join(' · ');
 }
 
 export class Playback {
-  /** `onStep` is told the time of the step that is shown [s]. */
+  /** `onStep(time)` is called with the time of each step shown [s]. */
   constructor(run, onStep) {
     this.run = run;
     this.onStep = onStep;
@@ -93,7 +93,7 @@ export class Playback {
     this.map.draw(this.step);
   }
 
-  /** The legend is where layers are switched. */
+  /** The legend switches the layers. */
   listLayers() {
     const list = document.getElementById('layers');
     for (const layer of [...this.map.list].reverse()) {
@@ -120,7 +120,7 @@ export class Playback {
     this.slider.value = String(this.step);
     this.slider.setAttribute('aria-valuetext', this.run.playback.t[this.step].toFixed(2) + ' seconds');
     this.map.draw(this.step);
-    this.readout.innerHTML = figuresAt(this.run, this.step);
+    this.readout.innerHTML = textAt(this.run, this.step);
     this.onStep(this.run.playback.t[this.step]);
   }
 
@@ -143,7 +143,7 @@ export class Playback {
     this.clock = { time, at: now };
     const step = stepAtTime(this.run.playback.t, time);
     if (step > this.step) this.show(step);
-    else if (step < this.step) this.clock.time = this.run.playback.t[this.step]; // somebody moved the slider
+    else if (step < this.step) this.clock.time = this.run.playback.t[this.step]; // the slider was moved
     if (this.step === this.run.stepCount - 1) this.toggle();
     else requestAnimationFrame((next) => this.tick(next));
   }

@@ -1,8 +1,8 @@
-// The data of the run, as report/page_data.h and report/playback_json.h describe it.
+// The data of the run; see report/chart_data.h and report/playback_json.h for its form.
 
 const kTurn = 2 * Math.PI;
 
-/** Particles of all steps in one row of arrays; those of step s are first[s] ... first[s + 1] - 1. */
+/** Particles of all steps in common arrays; those of step s are first[s] ... first[s + 1] - 1. */
 export function unpackParticles(packed) {
   const bytes = Uint8Array.from(atob(packed.poses), (c) => c.charCodeAt(0));
   const total = bytes.length / 4;
@@ -26,7 +26,7 @@ export function unpackParticles(packed) {
   return particles;
 }
 
-/** Pose at a step of a row [x, y, phi, x, y, phi, ...]; null where there is none. */
+/** Pose at a step of [x, y, phi, x, y, phi, ...]; null where there is none. */
 export function poseAt(poses, step) {
   const [x, y, phi] = poses.slice(3 * step, 3 * step + 3);
   return x === null || x === undefined ? null : { x, y, phi };
@@ -51,9 +51,12 @@ export function stepAtTime(times, time) {
   return low;
 }
 
+/** A page over several trials has charts, but no playback. */
 export function parseRun(text) {
   const run = JSON.parse(text);
-  run.particles = unpackParticles(run.playback.particles);
-  run.stepCount = run.playback.t.length;
+  const judged = (run.methods || []).find((method) => method.name === run.judged);
+  run.judgedColour = judged ? judged.colour : 'filter';
+  run.stepCount = run.playback ? run.playback.t.length : 0;
+  if (run.playback) run.particles = unpackParticles(run.playback.particles);
   return run;
 }

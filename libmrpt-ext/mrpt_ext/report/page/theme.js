@@ -11,7 +11,7 @@ export function colour(name) {
   return known.get(name);
 }
 
-/** Calls `redraw` whenever the reader changes between light and dark. */
+/** Calls `redraw` when the reader changes between light and dark. */
 export function onThemeChange(redraw) {
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => {
     known.clear();
