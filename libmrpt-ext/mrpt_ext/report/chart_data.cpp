@@ -42,25 +42,26 @@ Json spansOf(const MethodTrajectory& trajectory, Verdict verdict, const RunConte
 {
   const double resolution = context.duration_s / 700;
   std::vector<std::pair<double, double>> spans;
-  std::optional<double> begin;
-  double end = 0;
+  bool open = false;
+  double begin = 0, end = 0;
   const auto close = [&]
   {
-    if (!begin) return;
-    if (!spans.empty() && *begin - spans.back().second < resolution)
+    if (!open) return;
+    if (!spans.empty() && begin - spans.back().second < resolution)
       spans.back().second = end;
     else
-      spans.emplace_back(*begin, std::max(end, *begin + resolution));
-    begin.reset();
+      spans.emplace_back(begin, std::max(end, begin + resolution));
+    open = false;
   };
   for (const PoseEstimate& point : trajectory.points)
   {
     const double time = point.time - context.start_time;
-    if (begin || point.verdict == verdict) end = time;
+    if (open || point.verdict == verdict) end = time;
     if (point.verdict != verdict)
       close();
-    else if (!begin)
+    else if (!open)
       begin = time;
+    open = point.verdict == verdict;
   }
   close();
   Json list = Json::array();

@@ -33,9 +33,10 @@ Vector3d SimulatedOdometry::incrementStd(double begin, double end) const
   const double length = path_.lengthAt(end) - path_.lengthAt(begin);
   const double turned_deg = radToDeg(path_.turnedAt(end) - path_.turnedAt(begin));
   const double time = end - begin;
-  const double xy = std::sqrt(square(noise_.std_xy_per_m) * length + square(noise_.std_xy_min) * time);
-  const double phi_deg = std::sqrt(square(noise_.std_phi_deg_per_deg) * turned_deg +
-                                   square(noise_.std_phi_deg_per_m) * length + square(noise_.std_phi_min_deg) * time);
+  const double xy = std::sqrt(square(noise_.std_xy_per_m) * length + square(noise_.std_xy_per_sqrt_s) * time);
+  const double phi_deg =
+      std::sqrt(square(noise_.std_phi_deg_per_deg) * turned_deg + square(noise_.std_phi_deg_per_m) * length +
+                square(noise_.std_phi_deg_per_sqrt_s) * time);
   return {xy, xy, degToRad(phi_deg)};
 }
 
