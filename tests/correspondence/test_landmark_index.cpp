@@ -10,7 +10,7 @@ namespace mrpt_ext
 {
 namespace
 {
-std::vector<Vector2d> strewn(int count, double width, double height, RandomStream& random)
+std::vector<Vector2d> scattered(int count, double width, double height, RandomStream& random)
 {
   std::vector<Vector2d> points;
   for (int i = 0; i < count; ++i) points.emplace_back(random.uniform(0, width) + 1e5, random.uniform(0, height) - 3e4);
@@ -24,7 +24,7 @@ TEST(LandmarkIndex, FindsExactlyThoseWithinTheRadius)
   for (const double bucket : {0.0, 0.5, 40.0})
     for (const double height : {30.0, 0.0})  // a field, and a line
     {
-      const std::vector<Vector2d> points = strewn(300, 50, height, random);
+      const std::vector<Vector2d> points = scattered(300, 50, height, random);
       const LandmarkIndex index(points, bucket);
       for (int trial = 0; trial < 100; ++trial)
       {
@@ -63,7 +63,7 @@ TEST(LandmarkIndex, EmptyAndSingleMaps)
   EXPECT_EQ(found, 1);
 }
 
-TEST(LandmarkIndex, CategoriesBecomeKinds)
+TEST(LandmarkIndex, NumbersCategories)
 {
   const LandmarkIndex index(LandmarkTable({{.category = "red"}, {.category = ""}, {.category = "blue"}}));
   EXPECT_EQ(index.categoryOf(""), kAnyCategory);
@@ -73,5 +73,21 @@ TEST(LandmarkIndex, CategoriesBecomeKinds)
   EXPECT_TRUE(index.mayShow(index.categoryOf("blue"), 2));
   EXPECT_FALSE(index.mayShow(index.categoryOf("blue"), 0));
   EXPECT_FALSE(index.mayShow(kUnknownCategory, 1));
+}
+
+TEST(LandmarkIndex, ACategoryCountsByTheCategoriesThatTheMapHas)
+{
+  const LandmarkTable all_have_one(
+      {{.position = {0, 0, 0}, .category = "red"}, {.position = {3, 4, 0}, .category = "blue"}});
+  const LandmarkTable some_have_none({{.position = {0, 0, 0}, .category = "red"},
+                                      {.position = {3, 4, 0}, .category = "blue"},
+                                      {.position = {1, 1, 0}}});
+  const SensorModel model;
+  const auto volume = [&](const LandmarkTable& map, int category)
+  { return LandmarkIndex(map).measurementVolume({.bearing = 0.0, .range = 1.0, .category = category}, model); };
+  const double uncategorized = kTwoPi * 1.5 * 5;
+  EXPECT_NEAR(volume(all_have_one, kAnyCategory), uncategorized, 1e-12);
+  EXPECT_NEAR(volume(all_have_one, 1), 2 * uncategorized, 1e-12);
+  EXPECT_NEAR(volume(some_have_none, 1), 3 * uncategorized, 1e-12);
 }
 }  // namespace mrpt_ext

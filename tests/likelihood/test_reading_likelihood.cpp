@@ -99,7 +99,7 @@ TEST(ReadingLikelihood, OneWrongDetectionCannotKillAPose)
   EXPECT_TRUE(std::isfinite(logLikelihood(reading, kMap, {1e9, -1e9, 2})));
 }
 
-TEST(ReadingLikelihood, ALyingLandmarkIsTrustedLess)
+TEST(ReadingLikelihood, AFaultyLandmarkIsTrustedLess)
 {
   const Reading reading = withDetection({.id = 1, .range = 3.0, .std_range = 0.1});
   const double trusted = logLikelihood(reading, kMap, {0, 0, 0}, {0.01, 0.01, 0.01});

@@ -7,10 +7,10 @@ namespace mrpt_ext
 namespace
 {
 /// The poses up to the first at or after `end` [s].
-Trajectory beginningOf(const MethodTrajectory& track, double end)
+Trajectory beginningOf(const MethodTrajectory& trajectory, double end)
 {
   Trajectory beginning;
-  for (const PoseEstimate& point : track.points)
+  for (const PoseEstimate& point : trajectory.points)
   {
     beginning.push_back({point.time, point.pose.mean, true});
     if (point.time >= end) break;
@@ -26,7 +26,7 @@ void turnCovariance(Matrix3d& covariance, double angle)
 }
 }  // namespace
 
-bool anchorToTruth(MethodTrajectory& odometry, const Trajectory& truth)
+bool alignWithTruth(MethodTrajectory& odometry, const Trajectory& truth)
 {
   if (odometry.points.empty()) return false;
   const double begin = odometry.points.front().time, end = odometry.points.back().time;
@@ -36,23 +36,23 @@ bool anchorToTruth(MethodTrajectory& odometry, const Trajectory& truth)
     const Pose2 first = odometry.points.front().pose.mean;
     const Pose2 then = compose(first, motionBetween(beginningOf(odometry, anchor.time), begin, anchor.time));
     const Pose2 T_map_own = compose(anchor.pose, inverse(then));
-    DiskBackedSequence<PoseEstimate> anchored;
+    DiskBackedSequence<PoseEstimate> aligned;
     for (PoseEstimate point : odometry.points)
     {
       point.pose.mean = compose(T_map_own, point.pose.mean);
       turnCovariance(point.pose.covariance, T_map_own.phi);
-      anchored.push_back(point);
+      aligned.push_back(point);
     }
-    odometry.points = std::move(anchored);
+    odometry.points = std::move(aligned);
     return true;
   }
   return false;
 }
 
-RunRecord withAnchoredOdometry(RunRecord record, const Trajectory& truth)
+RunRecord withAlignedOdometry(RunRecord record, const Trajectory& truth)
 {
   for (MethodTrajectory& method : record.methods)
-    if (method.name == kOdometryMethod) static_cast<void>(anchorToTruth(method, truth));
+    if (method.name == kOdometryMethod) static_cast<void>(alignWithTruth(method, truth));
   return record;
 }
 }  // namespace mrpt_ext
