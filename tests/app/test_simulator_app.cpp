@@ -1,5 +1,3 @@
-#include "mrpt_ext/app/simulator_app.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "mrpt_ext/app/apps.h"
 #include "mrpt_ext/app/exit_codes.h"
 #include "mrpt_ext/configuration/simulator_keys.h"
 #include "mrpt_ext/files/landmark_csv.h"
@@ -41,7 +40,7 @@ class SimulatorAppTest : public ::testing::Test
   {
     out_.str("");
     err_.str("");
-    return SimulatorApp(out_, err_).run(arguments);
+    return runLandmarkSimulator(arguments, out_, err_);
   }
 
   /// Runs a shipped scenario into STEM.rawlog and its companions.
