@@ -47,7 +47,7 @@ void overProblems(benchmark::State& state, const Solve& solve)
 double solveOurs(const Problem& p)
 {
   const BearingPoseFromUnits pose = solveBearingPoseFromUnits(p.sights);
-  return pose.status == SolveStatus::ok ? pose.position.sum() + pose.heading.sum() + pose.quality : 0;
+  return pose.status == SolveStatus::ok ? pose.position.sum() + pose.heading.sum() + pose.det_ratio : 0;
 }
 
 /// Betke, Gurvits (IEEE T-RA 13(2), 1997): one unknown distance ratio per landmark, their n x n system solved in O(n)

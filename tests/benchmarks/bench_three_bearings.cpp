@@ -1,7 +1,7 @@
 #include "limit/limit_three_bearings.h"
 #include "mrpt_ext/solvers/three_bearing_pose.h"
-#include "mrpt_ext/solvers/three_bearing_pose_batch.h"
 #include "sighted_scenes.h"
+#include "three_bearing_pose_batch.h"
 
 namespace mrpt_ext
 {

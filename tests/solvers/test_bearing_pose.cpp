@@ -3,7 +3,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
-#include "mrpt_ext/solvers/bearing_pose_gls.h"
+#include "bearing_pose_gls.h"
 #include "mrpt_ext/solvers/bearing_pose_linear.h"
 #include "mrpt_ext/solvers/bearing_pose_ml.h"
 #include "mrpt_ext/solvers/pose_information.h"

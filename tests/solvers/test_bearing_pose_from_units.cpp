@@ -35,7 +35,7 @@ TEST(BearingPoseFromUnits, IsTheLinearSolverWithAndWithoutNoise)
     const BearingPoseLinear linear = solveBearingPoseLinear(bearings);
     const BearingPoseFromUnits fast = solveBearingPoseFromUnits(unitsOf(bearings));
     ASSERT_EQ(fast.status, linear.status) << trial;
-    EXPECT_NEAR(fast.quality, linear.det_ratio, 1e-12);
+    EXPECT_NEAR(fast.det_ratio, linear.det_ratio, 1e-12);
     if (fast.status != SolveStatus::ok) continue;
     ++solved;
     EXPECT_LT(error(fast, linear.pose), 1e-6 * (10 + fast.position.norm())) << trial;
@@ -46,6 +46,21 @@ TEST(BearingPoseFromUnits, IsTheLinearSolverWithAndWithoutNoise)
     EXPECT_NEAR(fast.heading.norm(), 1, 1e-12);
   }
   EXPECT_GT(solved, 800);
+}
+
+TEST(BearingPoseFromUnits, AHundredBearingsAreNoSpecialCase)
+{
+  RandomStream random(5);
+  for (const int count : {64, 65, 66, 100})
+  {
+    const Scene scene = randomScene(random, count);
+    const auto bearings = measureBearings(scene, random, 0, 0.02);
+    auto units = unitsOf(bearings);
+    ASSERT_EQ(solveBearingPoseFromUnits(units).status, SolveStatus::ok);
+    EXPECT_LT(error(solveBearingPoseFromUnits(units), scene.robot), 1e-6);
+    units.back().unit = -units.back().unit;
+    EXPECT_EQ(solveBearingPoseFromUnits(units).status, SolveStatus::behind);
+  }
 }
 
 TEST(BearingPoseFromUnits, TwoBearingsAreTooFew)
@@ -75,7 +90,7 @@ TEST(BearingPoseFromUnits, OneCircleATwinOfTheReferenceOrNoNumberIsDegenerate)
   RandomStream random(3);
   auto units = unitsOf(measureBearings(scene, random, 0, 0.01));
   EXPECT_EQ(solveBearingPoseFromUnits(units).status, SolveStatus::degenerate);
-  EXPECT_LT(solveBearingPoseFromUnits(units).quality, 1e-12);
+  EXPECT_LT(solveBearingPoseFromUnits(units).det_ratio, 1e-12);
 
   scene.robot = {1, 2, 0.3};
   units = unitsOf(measureBearings(scene, random, 0, 0.01));

@@ -1,5 +1,5 @@
+#include "bearing_pose_gls.h"
 #include "golden_vectors.h"
-#include "mrpt_ext/solvers/bearing_pose_gls.h"
 #include "mrpt_ext/solvers/bearing_pose_linear.h"
 #include "mrpt_ext/solvers/bearing_pose_ml.h"
 
@@ -19,6 +19,16 @@ SolveStatus statusNamed(const std::string& name)
   if (name == "not_finite") return SolveStatus::bad_input;
   ADD_FAILURE() << "unknown status " << name;
   return SolveStatus::none;
+}
+
+/// Nothing when the lists differ in length.
+std::optional<std::vector<KnownBearing>> pairBearings(const std::vector<Vector2d>& landmarks,
+                                                      const std::vector<double>& bearings)
+{
+  if (landmarks.size() != bearings.size()) return std::nullopt;
+  std::vector<KnownBearing> pairs;
+  for (std::size_t i = 0; i < landmarks.size(); ++i) pairs.push_back({landmarks[i], bearings[i]});
+  return pairs;
 }
 
 void expectNumbers(const std::vector<double>& actual, const std::vector<double>& expected, double tolerance)

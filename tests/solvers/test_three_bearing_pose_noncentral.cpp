@@ -4,9 +4,9 @@
 
 #include <numeric>
 
-#include "mrpt_ext/solvers/bearing_triple.h"
 #include "mrpt_ext/solvers/plane.h"
 #include "mrpt_ext/solvers/pose_information.h"
+#include "mrpt_ext/solvers/three_bearing_pose.h"
 #include "random_scene.h"
 
 namespace mrpt_ext
@@ -108,27 +108,27 @@ TEST(NoncentralThreeBearingPose, TheOrderOfTheLinesDoesNotMatter)
   }
 }
 
-TEST(NoncentralThreeBearingPose, OneOriginIsTheTripleOfOnePlace)
+TEST(NoncentralThreeBearingPose, WithOneOriginItIsTheThreeBearingPose)
 {
   RandomStream random(4);
   for (int trial = 0; trial < 1000; ++trial)
   {
     const Scene scene = randomScene(random, 3);
-    // Any three directions: with most of them some landmark lies behind.
+    // Any three directions: with most of them some landmark is behind.
     std::array<NoncentralBearing, 3> lines = linesFor(scene, {Vector2d(0, 0), Vector2d(0, 0), Vector2d(0, 0)});
-    std::array<Vector2d, 3> landmarks, bearings;
+    std::array<VisibleLandmark<double>, 3> seen;
     for (std::size_t i = 0; i < 3; ++i)
     {
       if (trial % 2) lines[i].direction = direction(random.uniform(-kPi, kPi));
-      landmarks[i] = lines[i].landmark;
-      bearings[i] = lines[i].direction;
+      const NoncentralBearing& l = lines[i];
+      seen[i] = {l.landmark.x(), l.landmark.y(), l.direction.x(), l.direction.y()};
     }
-    const BearingTriple one = solveBearingTriple(landmarks, bearings, 0);
+    const ThreeBearingPose<double> one = solveThreeBearingPose(seen[0], seen[1], seen[2]);
     const NoncentralThreeBearingPose path = solveBearingTripleOnPath(lines);
-    ASSERT_EQ(path.count, one.outcome == BearingTriple::Outcome::pose ? 1 : 0) << trial;
+    ASSERT_EQ(path.count, one.outcome == ThreeBearingOutcome::pose ? 1 : 0) << trial;
     EXPECT_EQ(path.status, path.count == 1 ? SolveStatus::ok : SolveStatus::behind);
     if (path.count == 0 || path.quality < 1e-3) continue;
-    EXPECT_LT(nearest(path, {one.position.x(), one.position.y(), one.phi}), 1e-6) << trial;
+    EXPECT_LT(nearest(path, {one.x, one.y, std::atan2(one.s, one.c)}), 1e-6) << trial;
   }
 }
 

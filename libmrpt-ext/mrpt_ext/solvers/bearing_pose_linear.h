@@ -3,13 +3,11 @@
 #include <span>
 #include <vector>
 
+#include "mrpt_ext/solvers/bearing_pose_from_units.h"
 #include "mrpt_ext/solvers/known_bearing.h"
 
 namespace mrpt_ext
 {
-/// Below this det_ratio the robot and all landmarks lie on one circle or line: no pose.
-inline constexpr double kSingularBearingRatio = 1e-10;
-
 struct BearingPoseLinear
 {
   SolveStatus status = SolveStatus::too_few;

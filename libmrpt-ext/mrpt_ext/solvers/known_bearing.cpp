@@ -15,16 +15,6 @@ bool isUsable(const KnownBearing& b)
 }
 }  // namespace
 
-std::optional<std::vector<KnownBearing>> pairBearings(std::span<const Vector2d> landmarks,
-                                                      std::span<const double> bearings, double std)
-{
-  if (landmarks.size() != bearings.size()) return std::nullopt;
-  std::vector<KnownBearing> pairs;
-  pairs.reserve(landmarks.size());
-  for (std::size_t i = 0; i < landmarks.size(); ++i) pairs.push_back({landmarks[i], bearings[i], std});
-  return pairs;
-}
-
 SolveStatus checkBearings(std::span<const KnownBearing> bearings)
 {
   if (!std::all_of(bearings.begin(), bearings.end(), isUsable)) return SolveStatus::bad_input;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -9,17 +8,13 @@
 
 namespace mrpt_ext
 {
-/// A bearing to a landmark that is known by name.
+/// A bearing to a landmark that is identified.
 struct KnownBearing
 {
   Vector2d landmark{0, 0};  ///< world frame [m]
   double bearing = 0;       ///< [rad, CCW from the robot's forward axis], need not be wrapped
   double std = 1;           ///< [rad], > 0; the default weighs all alike and leaves covariances without meaning
 };
-
-/// Pairs landmarks with bearings; nothing when the lists differ in length.
-[[nodiscard]] std::optional<std::vector<KnownBearing>> pairBearings(std::span<const Vector2d> landmarks,
-                                                                    std::span<const double> bearings, double std = 1);
 
 /// What the closed forms need before they can start: `bad_input` (not finite, std <= 0), `too_few` (less than three),
 /// `degenerate` (another landmark in the place of landmark 0), else `ok`.

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "mrpt_ext/solvers/bearing_triple.h"
 #include "mrpt_ext/solvers/line_of_position.h"
+#include "mrpt_ext/solvers/three_bearing_pose.h"
 #include "mrpt_ext/solvers/three_bearing_pose_noncentral.h"
 
 namespace mrpt_ext
@@ -133,11 +133,13 @@ class Proposer
   {
     if (one_place_)
     {
-      const BearingTriple triple =
-          solveBearingTriple({a.landmark, b.landmark, c.landmark}, {a.unit, b.unit, c.unit}, 0);
-      if (triple.outcome != BearingTriple::Outcome::pose) return;
-      const Vector2d heading = direction(triple.phi);
-      propose(triple.position - PoseResiduals::turned(a.offset, heading), heading);
+      const auto seen = [](const PoseResidual& m) {
+        return VisibleLandmark<double>{m.landmark.x(), m.landmark.y(), m.unit.x(), m.unit.y()};
+      };
+      const ThreeBearingPose<double> triple = solveThreeBearingPose(seen(a), seen(b), seen(c));
+      if (triple.outcome != ThreeBearingOutcome::pose) return;
+      const Vector2d heading(triple.c, triple.s);
+      propose(Vector2d(triple.x, triple.y) - PoseResiduals::turned(a.offset, heading), heading);
       return;
     }
     const NoncentralThreeBearingPose triple = solveBearingTripleOnPath(

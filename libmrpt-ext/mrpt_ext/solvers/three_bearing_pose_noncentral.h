@@ -29,8 +29,8 @@ struct NoncentralThreeBearingPose
 /// and q = Rot(h)^T t. The three directions of a plane are dependent, sum w_i d_i = 0 with w_1 = cross(d_2, d_3) and so
 /// on; the same sum of the three equations has no q any more and reads A cos h - B sin h = E: a line that meets the
 /// unit circle in up to two headings. E = 0 when all origins are one: then the second is the first turned by 180
-/// degrees, with every landmark behind its bearing, and the pose is that of solveBearingTriple. Status: `ok`; `behind`
-/// the lines meet, but a landmark would lie behind; `none` no heading; `degenerate` parallel lines of sight, or every
-/// heading fits (one origin: robot and landmarks on a circle); `bad_input` not finite.
+/// degrees, with every landmark behind its bearing, and the pose is that of solveThreeBearingPose. Status: `ok`;
+/// `behind` the lines meet, but a landmark would lie behind; `none` no heading; `degenerate` parallel lines of sight,
+/// or every heading fits (one origin: robot and landmarks on a circle); `bad_input` not finite.
 [[nodiscard]] NoncentralThreeBearingPose solveBearingTripleOnPath(const std::array<NoncentralBearing, 3>& lines);
 }  // namespace mrpt_ext

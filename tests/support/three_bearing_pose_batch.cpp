@@ -1,4 +1,4 @@
-#include "mrpt_ext/solvers/three_bearing_pose_batch.h"
+#include "three_bearing_pose_batch.h"
 
 #include "mrpt_ext/geometry/vector_clones.h"
 #include "mrpt_ext/solvers/three_bearing_pose.h"
