@@ -18,6 +18,7 @@ struct LandmarkInRobotFrame
 /// Two ranges and the displacement in robot axes (paper 004 without its absolute heading): the landmark follows up to
 /// its mirror image about the displacement. Turning everything about the landmark changes no measurement, so the pose
 /// in the world stays on a ring (pose_ring) until a heading, a second landmark or the field's bounds close it.
+/// No app uses it; window_landmark.h is the general form.
 [[nodiscard]] LandmarkInRobotFrame landmarkInRobotFrame(const Vector2d& displacement_robot, double first_range,
                                                         double second_range);
 }  // namespace mrpt_ext

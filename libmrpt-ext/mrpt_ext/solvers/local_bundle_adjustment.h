@@ -9,15 +9,15 @@
 
 namespace mrpt_ext
 {
-/// Where a sensor was when it looked, as odometry tells it from now.
+/// Pose of a sensor at the time of a scan, by odometry.
 struct ScanPose
 {
-  Pose2 T_robot_sensor;  ///< robot frame of now
+  Pose2 T_robot_sensor;  ///< present robot frame
   Matrix3d odometry_covariance =
-      Matrix3d::Zero();  ///< of the way since, as an error of the robot's pose now (robot axes)
+      Matrix3d::Zero();  ///< of odometry since then, as an error of the present pose (robot axes)
 };
 
-/// One of the landmarks of the constellation, seen from one of the places.
+/// One landmark of the local map, observed in one scan.
 struct LandmarkObservation
 {
   std::size_t place = 0, landmark = 0;
@@ -29,20 +29,21 @@ struct LandmarkObservation
 struct BundleAdjustment
 {
   SolveStatus status = SolveStatus::too_few;
-  std::vector<GaussianPoint> landmarks;  ///< robot frame of now [m]
+  std::vector<GaussianPoint> landmarks;  ///< present robot frame [m]
   std::vector<ScanPose> places;          ///< corrected, with what remains of their covariance
-  std::vector<double> misfits;           ///< of each sighting: squared residuals over the variance they should have
-  double chi2 = 0;                       ///< of sightings and odometry together
+  std::vector<double> misfits;           ///< of each observation: squared residuals over their expected variance
+  double chi2 = 0;                       ///< of observations and odometry together
   int degrees = 0;
 };
 
-/// Maximum-likelihood constellation of landmarks seen along a short way, and the way itself: all that was seen from a
-/// place shares the error of its place, so the landmarks together tell how odometry erred (bundle adjustment, points
-/// eliminated by their Schur complement). Directions become as sharp as the sensor; odometry keeps the scale. Places
-/// oldest first, the newest sightings from where the robot is now; `start` in the robot frame of now.
-/// `robust`: sightings beyond about three deviations hardly pull (Cauchy), for associations that may be wrong; the
-/// covariances then count each by its weight. Gauss-Newton; status `ok`, `too_few` (fewer readings than unknowns),
-/// `degenerate` (a landmark without parallax), `bad_input` (an index out of range or a number that is not finite).
+/// Bundle adjustment of a short window: maximum-likelihood positions of the landmarks and poses of the scans. All
+/// observations of a scan share the error of its pose, so that the landmarks together determine the error of odometry
+/// (points eliminated by their Schur complement). Directions become as precise as the sensor; odometry determines the
+/// scale. Scans oldest first, the newest at the present pose; `start` in the present robot frame.
+/// `robust`: observations beyond about three standard deviations have little weight (Cauchy), for associations that may
+/// be wrong; the covariances then count each by its weight. Gauss-Newton; status `ok`, `too_few` (fewer readings than
+/// unknowns), `degenerate` (a landmark without parallax), `bad_input` (an index out of range or a number that is not
+/// finite).
 [[nodiscard]] BundleAdjustment adjustBundle(std::span<const ScanPose> places,
                                             std::span<const LandmarkObservation> sightings, std::vector<Vector2d> start,
                                             bool robust = false);

@@ -17,6 +17,7 @@ struct OriginCorrection
 /// Fd / y_q from the poles as then measured (better as the mean of several frames: the noise of this measurement is
 /// copied into every later one). Kept for comparison with the paper: it is undefined where a coordinate is 0
 /// (`degenerate`), the wrong form for a turned camera, and can make things worse; see camera_yaw_calibration.
+/// No app uses it.
 [[nodiscard]] OriginCorrection calibrateAtOrigin(const Vector2d& p_at_origin, const Vector2d& q_at_origin,
                                                  const PoleField& field);
 

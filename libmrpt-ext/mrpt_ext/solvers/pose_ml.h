@@ -9,12 +9,12 @@
 
 namespace mrpt_ext
 {
-/// How strongly a large residual pulls. With e = residual / std and k = `PoseMlOptions::loss_scale`:
+/// Influence of large residuals. With e = residual / std and k = `PoseMlOptions::loss_scale`:
 enum class Loss
 {
   squared,  ///< e^2: maximum likelihood under Gaussian noise
   huber,    ///< e^2 up to k, then growing linearly
-  cauchy    ///< k^2 log(1 + e^2 / k^2): gross errors hardly pull
+  cauchy    ///< k^2 log(1 + e^2 / k^2): gross errors have little weight
 };
 
 struct PoseMlOptions

@@ -9,13 +9,13 @@
 
 namespace mrpt_ext
 {
-/// A measurement made ready for many poses: bearings and headings have become unit vectors once.
+/// A measurement prepared for evaluation at many poses: bearings and headings are unit vectors.
 struct PoseResidual
 {
   Vector2d landmark{0, 0};  ///< world frame [m]
   Vector2d offset{0, 0};    ///< of the sensor, robot axes [m]
   Vector2d unit{1, 0};      ///< bearing: direction seen, robot axes; heading: direction of the robot, world axes
-  double range = 0;         ///< [m], 0 for the other kinds
+  double range = 0;         ///< [m], 0 for bearings and headings
   double weight = 1;        ///< 1 / std
 };
 
@@ -28,7 +28,7 @@ struct PoseResidual
   return t * (1 - t2 * (1. / 3 - t2 * (1. / 5 - t2 * (1. / 7 - t2 * tail))));
 }
 
-/// Measurements of one pose, sorted by kind.
+/// Residuals, Jacobians and cost of the measurements of one pose, sorted into bearings, ranges and headings.
 class PoseResiduals
 {
  public:
@@ -73,10 +73,11 @@ class PoseResiduals
   /// Sum of squares at `pose`, with gradient and J^T J.
   [[nodiscard]] NormalEquations<3> model(const Pose2& pose) const;
 
-  /// About the sum of squares, without trigonometry: the sine stands for an angle, and more beyond a right angle.
+  /// Approximate sum of squares without trigonometry: the sine replaces the angle, and grows beyond a right angle.
+  /// Ranks guesses before they are refined.
   [[nodiscard]] double roughCost(const Vector2d& position, const Vector2d& heading) const;
 
-  /// `v` turned by the angle of the unit vector `by`.
+  /// `v` rotated by the angle of the unit vector `by`.
   [[nodiscard]] static Vector2d turned(const Vector2d& v, const Vector2d& by)
   {
     return {by.x() * v.x() - by.y() * v.y(), by.y() * v.x() + by.x() * v.y()};

@@ -8,15 +8,15 @@
 
 namespace mrpt_ext
 {
-// Readings taken earlier are carried to the robot of now by odometry. Let e_k be the error of the way from moment k to
-// now, written as an error of the robot's pose now (x, y, phi; robot axes), with covariance E_k. The errors of separate
-// pieces of the way are independent, so an older moment has the error of every newer one in it: Cov(e_i, e_j) = E_j for
-// i older than j. Seen backwards in time e is a random walk, and generalised least squares with this covariance needs
-// no large matrix: go through the moments from the oldest to the newest, add up the information about the state, and
-// between two moments let it diffuse by E_i - E_j. What comes out is exactly the joint maximum likelihood (a Kalman
-// filter in information form), in time linear in the number of readings.
+// A window holds readings of several times, transformed into the present robot frame by odometry. Let e_k be the error
+// of odometry from time k until now, written as an error of the present pose (x, y, phi; robot axes), with covariance
+// E_k. The errors of separate stretches are independent, so an older time contains the error of every newer one:
+// Cov(e_i, e_j) = E_j for i older than j. Backwards in time e is a random walk, so that generalized least squares with
+// this covariance needs no large matrix: process the times from the oldest to the newest, add up the information about
+// the state, and between two times let it diffuse by E_i - E_j. The result is exactly the joint maximum likelihood (a
+// Kalman filter in information form), in time linear in the number of readings.
 
-/// Information about a state that then changed by noise of this covariance: the quadratic cost q(x) becomes
+/// Information about a state after a change by noise of this covariance: the quadratic cost q(x) becomes
 /// min over y of q(y) + (x - y)^T noise^-1 (x - y). Neither matrix need be invertible.
 template <int N>
 void diffuse(NormalEquations<N>& information, const Eigen::Matrix<double, N, N>& noise)
