@@ -18,16 +18,6 @@ std::vector<double> stampsOf(const std::vector<JudgedEstimate>& judged)
   for (const auto& entry : judged) stamps.push_back(entry.stamp - kLogStart);
   return stamps;
 }
-
-// In its own frame the robot drives up the y axis, heading pi/2, 2 m in 2 s.
-
-PoseEstimate estimateAt(double time, const Pose2& pose)
-{
-  PoseEstimate point;
-  point.time = time;
-  point.pose.mean = pose;
-  return point;
-}
 }  // namespace
 
 TEST(ScoringStamps, AreTheFullSecondsWithinTheLog)

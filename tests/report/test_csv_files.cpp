@@ -104,10 +104,10 @@ TEST(TrajectoryTum, TheLastEstimateOfAStampStays)
   const ScratchFolder folder;
   trajectory.name = "filter";
   writeTrajectoryTum(folder.path(), trajectory);
-  const Trajectory trajectory = readTum(folder.path() / "trajectory_filter.tum");
-  ASSERT_EQ(trajectory.size(), 2u);
-  EXPECT_EQ(trajectory[0].pose.x, 2);
-  EXPECT_FALSE(trajectory[1].heading_known);
+  const Trajectory written = readTum(folder.path() / "trajectory_filter.tum");
+  ASSERT_EQ(written.size(), 2u);
+  EXPECT_EQ(written[0].pose.x, 2);
+  EXPECT_FALSE(written[1].heading_known);
 }
 
 TEST(BiasesCsv, OneRowPerBiasAndFrame)
