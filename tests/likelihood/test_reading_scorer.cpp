@@ -85,7 +85,7 @@ Detection detectionOf(const Options& options, const Scene& scene, const Pose2& t
   const LandmarkPrediction prediction = predict(scene.map[j], scene.reading, truth);
   const Landmark& landmark = scene.map[j];
   Detection detection{.id = options.identified ? landmark.id : kNoId, .category = landmark.category};
-  if (options.unknown_ids && random.visibility(0.3)) detection.id = 100000;
+  if (options.unknown_ids && random.chance(0.3)) detection.id = 100000;
   if (options.bearing) detection.bearing = wrap(prediction.bearing + options.std_bearing * random.gaussian());
   if (options.range) detection.range = std::max(0.1, prediction.range + options.std_range * random.gaussian());
   detection.std_bearing = options.bearing ? options.std_bearing * random.uniform(0.8, 1.2) : 0;

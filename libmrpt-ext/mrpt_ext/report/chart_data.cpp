@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <utility>
 
 #include "mrpt_ext/evaluation/run_scoring.h"
@@ -42,28 +41,16 @@ Json spansOf(const MethodTrajectory& trajectory, Verdict verdict, const RunConte
 {
   const double resolution = context.duration_s / 700;
   std::vector<std::pair<double, double>> spans;
-  bool open = false;
-  double begin = 0, end = 0;
-  const auto close = [&]
-  {
-    if (!open) return;
-    if (!spans.empty() && begin - spans.back().second < resolution)
-      spans.back().second = end;
-    else
-      spans.emplace_back(begin, std::max(end, begin + resolution));
-    open = false;
-  };
+  bool within = false;  // the last of `spans` still holds
   for (const PoseEstimate& point : trajectory.points)
   {
     const double time = point.time - context.start_time;
-    if (open || point.verdict == verdict) end = time;
-    if (point.verdict != verdict)
-      close();
-    else if (!open)
-      begin = time;
-    open = point.verdict == verdict;
+    const bool matches = point.verdict == verdict;
+    if (matches && !within && (spans.empty() || time - spans.back().second >= resolution))
+      spans.emplace_back(time, time + resolution);
+    if (matches || within) spans.back().second = std::max(spans.back().second, time);
+    within = matches;
   }
-  close();
   Json list = Json::array();
   for (const auto& [from, to] : spans) list.push_back({rounded(from, 2), rounded(to, 2)});
   return list;

@@ -115,6 +115,8 @@ std::string filterTable(const RunScore& score)
   addFact(rows, "lowest effective sample ratio", numberText(f.effective_sample_ratio_min, 4));
   addFact(rows, "steps with verdict lost", countText(f.lost_steps));
   addFact(rows, "reseeds", countText(f.reseeds));
+  for (const auto& [name, bias] : f.biases)
+    addFact(rows, "final " + name, numberText(bias.mean, 4) + " ± " + numberText(bias.std, 4));
   if (score.limit.position_rmse_m)
     addFact(rows, "posterior Cramér-Rao bound",
             magnitudeText(score.limit.position_rmse_m) + " m, " + numberText(score.limit.heading_rmse_deg, 2) + " deg");
