@@ -108,8 +108,9 @@ TEST_F(Mistake, MissingFiles)
   expectError({room(), "--map", none("none.csv")}, 1, {"--map " + none("none.csv") + ": no such file"});
   expectError({room(), "--ground-truth", none("none.tum")}, 1,
               {"--ground-truth " + none("none.tum") + ": no such file"});
-  expectError({editedRoom("room.rawlog", "none.rawlog"), "--map", roomLog()}, 1,
-              {"edited.ini:", ": rawlog_file = ", "no such file"});
+  const fs::path map = roomLog().parent_path() / "room_map.csv";
+  expectError({editedRoom("../../datasets/room.rawlog", "none.rawlog"), "--map", map}, 1,
+              {"edited.ini:", ": rawlog_file = none.rawlog: no such file"});
   expectError({room(), folder_.path()}, 1, {"is a folder"});
 }
 
