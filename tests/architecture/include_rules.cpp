@@ -42,7 +42,7 @@ const std::map<std::string, Names> kAllowed{
      {"geometry", "files", "solvers", "correspondence", "likelihood", "hypotheses", "filter", "relocalization",
       "localizers", "evaluation", "observations", "maps", "settings", "frames", "configuration", "rawlog", "scene"}},
     {"diagnosis", {"geometry", "files", "settings", "configuration", "experiment", "calibration", "evaluation"}},
-    {"apps", {"app", "maps"}}};
+    {"apps", {"app", "app_datasets", "app_images", "app_simulator", "maps"}}};
 
 /// The same between the sub-folders of a room, whose top folder is "": folder -> folders it may include.
 const std::map<std::string, std::map<std::string, Names>> kAllowedWithin{

@@ -128,7 +128,7 @@ Erratum equationEight()
   const std::array<double, 2> turned{degToRad(0.2), degToRad(-0.2)};
   const auto slantsFrom = [&](const Vector2d& robot, const Vector2d& thing, const std::array<double, 2>& less)
   {
-    std::array<Ray, 2> rays;
+    std::array<SightRay, 2> rays;
     for (std::size_t k = 0; k < 2; ++k)
     {
       const Vector2d mount = movisCamera(static_cast<int>(k) + 1, kMount)->position;

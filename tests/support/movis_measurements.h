@@ -49,7 +49,7 @@ struct MovisScene
 struct MovisSight
 {
   int camera = 0;
-  Ray ray;
+  SightRay ray;
 };
 
 /// Lines of sight of each frame by label ("p", "q", "ball").
@@ -62,9 +62,9 @@ inline MovisSights readMovisSights(const std::filesystem::path& csv, double moun
   for (std::size_t row = 0; row < table.size(); ++row)
   {
     const int camera = table.text(row, table.column("sensor")).back() - '0';
-    const Ray ray{robotFromMovis(movisCamera(camera, mount_radius)->position),
-                  degToRad(table.number(row, table.column("azimuth_deg"))),
-                  degToRad(table.number(row, table.column("std_azimuth_deg")))};
+    const SightRay ray{robotFromMovis(movisCamera(camera, mount_radius)->position),
+                       degToRad(table.number(row, table.column("azimuth_deg"))),
+                       degToRad(table.number(row, table.column("std_azimuth_deg")))};
     sights[table.integer(row, table.column("frame"))][table.text(row, table.column("label"))].push_back({camera, ray});
   }
   return sights;
