@@ -87,7 +87,8 @@ Violations checkFolderSizes(const SourceTree& tree)
 Violations checkTypeNames(const SourceTree& tree)
 {
   // What stands in the first column stands at namespace scope; a line that ends in a semicolon only declares.
-  static const std::regex kType(R"(^(?:struct|class|enum class|enum) (\w+)(?! *;)|^using (\w+) =)");
+  static const std::regex kType(
+      R"(^(?:struct|class|enum class|enum) (?:alignas\([^)]*\) )?(\w+)(?! *;)|^using (\w+) =)");
   std::map<std::string, std::string> header_of;
   Violations found;
   for (const auto& [path, text] : tree)
@@ -157,7 +158,7 @@ Violations checkConfigurationsAreTested(const SourceTree& tree)
 Violations checkKeyDefaults(const SourceTree& tree)
 {
   static const std::regex kLiteral(
-      R"(\.(?:(?:number|degrees|integer)\(\s*"(\w+)",\s*"[^"]*",\s*[-+.\d]|flag\(\s*"(\w+)",\s*(?:true|false)))");
+      R"rx(\.(?:(?:number|degrees|integer)\(\s*"(\w+)",\s*"[^"]*",\s*[-+.\d]|flag\(\s*"(\w+)",\s*(?:true|false)))rx");
   Violations found;
   for (const auto& [path, text] : tree)
   {

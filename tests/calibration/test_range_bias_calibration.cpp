@@ -40,11 +40,11 @@ std::vector<RadioEpoch> epochs(std::size_t count)
 }
 }  // namespace
 
-TEST(RadioDelays, AreToldByRangesFromManyPlaces)
+TEST(RangeBiases, AreToldByRangesFromManyPlaces)
 {
   std::vector<RadioEpoch> all = epochs(150);
   for (std::size_t k = 0; k < all.size(); k += 5) all[k][1].range += 1.5;  // one echo in 75 ranges, all of landmark 1
-  const RadioDelays delays = estimateRadioDelays(all, 0.1);
+  const RangeBiases delays = estimateRangeBiases(all, 0.1);
   ASSERT_EQ(delays.status, SolveStatus::ok);
   EXPECT_EQ(delays.epochs, 150U);
   for (std::size_t i = 0; i < kSensorDelays.size(); ++i)
@@ -65,12 +65,12 @@ TEST(RadioDelays, AreToldByRangesFromManyPlaces)
   EXPECT_LT(delays.outlier_share[0], 0.02);
 }
 
-TEST(RadioDelays, OfAStandstillAreHardlyTold)
+TEST(RangeBiases, OfAStandstillAreHardlyTold)
 {
   RandomStream random(4, 0);
   std::vector<RadioEpoch> all;
   for (int k = 0; k < 50; ++k) all.push_back(epochAt({3, 2, 0.4}, random));
-  const RadioDelays still = estimateRadioDelays(all, 0.1), moving = estimateRadioDelays(epochs(50), 0.1);
+  const RangeBiases still = estimateRangeBiases(all, 0.1), moving = estimateRangeBiases(epochs(50), 0.1);
   ASSERT_EQ(moving.status, SolveStatus::ok);
   if (still.status == SolveStatus::ok)
   {
@@ -82,20 +82,20 @@ TEST(RadioDelays, OfAStandstillAreHardlyTold)
   }
 }
 
-TEST(RadioDelays, NeedManyMomentsWithSeveralSensors)
+TEST(RangeBiases, NeedManyMomentsWithSeveralSensors)
 {
-  EXPECT_EQ(estimateRadioDelays({}, 0.1).status, SolveStatus::too_few);
-  EXPECT_EQ(estimateRadioDelays(epochs(9), 0.1).status, SolveStatus::too_few);
+  EXPECT_EQ(estimateRangeBiases({}, 0.1).status, SolveStatus::too_few);
+  EXPECT_EQ(estimateRangeBiases(epochs(9), 0.1).status, SolveStatus::too_few);
   std::vector<RadioEpoch> one_sensor = epochs(30);
   for (RadioEpoch& epoch : one_sensor) std::erase_if(epoch, [](const RadioRange& r) { return r.sensor > 0; });
-  EXPECT_EQ(estimateRadioDelays(one_sensor, 0.1).status, SolveStatus::too_few);
+  EXPECT_EQ(estimateRangeBiases(one_sensor, 0.1).status, SolveStatus::too_few);
 }
 
-TEST(RadioDelays, BadInputIsAStatus)
+TEST(RangeBiases, BadInputIsAStatus)
 {
   std::vector<RadioEpoch> all = epochs(20);
-  EXPECT_EQ(estimateRadioDelays(all, 0).status, SolveStatus::bad_input);
+  EXPECT_EQ(estimateRangeBiases(all, 0).status, SolveStatus::bad_input);
   all[3][2].range = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(estimateRadioDelays(all, 0.1).status, SolveStatus::bad_input);
+  EXPECT_EQ(estimateRangeBiases(all, 0.1).status, SolveStatus::bad_input);
 }
 }  // namespace mrpt_ext

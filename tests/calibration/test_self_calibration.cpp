@@ -15,11 +15,11 @@ using testing::DrivePlan;
 using testing::recordedDrive;
 using Kind = CalibrationParameter;
 
-const std::vector<ErrorTerm> kAll{{Kind::delay},       {Kind::bearing_offset}, {Kind::range_offset},
-                                  {Kind::range_scale}, {Kind::distance_scale}, {Kind::rotation_scale},
-                                  {Kind::veer}};
-const std::vector<ErrorTerm> kOfRanges{{Kind::delay},          {Kind::range_offset},   {Kind::range_scale},
-                                       {Kind::distance_scale}, {Kind::rotation_scale}, {Kind::veer}};
+const std::vector<CalibrationUnknown> kAll{{Kind::delay},       {Kind::bearing_offset}, {Kind::range_offset},
+                                           {Kind::range_scale}, {Kind::distance_scale}, {Kind::rotation_scale},
+                                           {Kind::veer}};
+const std::vector<CalibrationUnknown> kOfRanges{{Kind::delay},          {Kind::range_offset},   {Kind::range_scale},
+                                                {Kind::distance_scale}, {Kind::rotation_scale}, {Kind::veer}};
 
 double trueValue(const DrivePlan& plan, Kind kind)
 {
@@ -43,10 +43,10 @@ double trueValue(const DrivePlan& plan, Kind kind)
   return 0;
 }
 
-const EstimatedError& errorOf(const RecordingErrors& found, Kind kind)
+const ParameterEstimate& errorOf(const CalibrationResult& found, Kind kind)
 {
-  for (const EstimatedError& error : found.errors)
-    if (error.term.kind == kind) return error;
+  for (const ParameterEstimate& error : found.errors)
+    if (error.unknown.parameter == kind) return error;
   throw std::logic_error("not asked for");
 }
 
@@ -64,20 +64,21 @@ DrivePlan erroneous()
 }
 
 /// Mean of the squared errors in deviations, over drives of several seeds; every error must be told and within four.
-double meanSquareOverVariance(const DrivePlan& plan, const std::vector<ErrorTerm>& terms, int drives)
+double meanSquareOverVariance(const DrivePlan& plan, const std::vector<CalibrationUnknown>& terms, int drives)
 {
   double sum = 0;
   int count = 0;
   for (int seed = 1; seed <= drives; ++seed)
   {
     RandomStream random(static_cast<std::uint64_t>(seed), 7);
-    const RecordingErrors found = calibrate(recordedDrive(plan, random), terms);
+    const CalibrationResult found = calibrate(recordedDrive(plan, random), terms);
     EXPECT_EQ(found.status, SolveStatus::ok);
-    for (const EstimatedError& error : found.errors)
+    for (const ParameterEstimate& error : found.errors)
     {
-      EXPECT_TRUE(error.observable) << static_cast<int>(error.term.kind) << " +- " << error.std;
-      const double off = (error.value - trueValue(plan, error.term.kind)) / error.std;
-      EXPECT_LT(std::abs(off), 4) << static_cast<int>(error.term.kind) << ": " << error.value << " +- " << error.std;
+      EXPECT_TRUE(error.observable) << static_cast<int>(error.unknown.parameter) << " +- " << error.std;
+      const double off = (error.value - trueValue(plan, error.unknown.parameter)) / error.std;
+      EXPECT_LT(std::abs(off), 4) << static_cast<int>(error.unknown.parameter) << ": " << error.value << " +- "
+                                  << error.std;
       sum += square(off);
       ++count;
     }
@@ -86,14 +87,14 @@ double meanSquareOverVariance(const DrivePlan& plan, const std::vector<ErrorTerm
 }
 }  // namespace
 
-TEST(RecordingErrors, AllAreFoundWithHonestDeviations)
+TEST(CalibrationResult, AllAreFoundWithHonestDeviations)
 {
   const double consistency = meanSquareOverVariance(erroneous(), kAll, 6);
   EXPECT_GT(consistency, 0.5);
   EXPECT_LT(consistency, 1.6);
 }
 
-TEST(RecordingErrors, AreFoundFromOneRangeAtATime)
+TEST(CalibrationResult, AreFoundFromOneRangeAtATime)
 {
   DrivePlan plan = erroneous();
   plan.bearings = false;
@@ -104,7 +105,7 @@ TEST(RecordingErrors, AreFoundFromOneRangeAtATime)
   EXPECT_LT(consistency, 2);
 }
 
-TEST(RecordingErrors, DelaysOfEitherSignAreFound)
+TEST(CalibrationResult, DelaysOfEitherSignAreFound)
 {
   for (const double delay : {-0.6, -0.05, 0.3, 0.9})
   {
@@ -112,47 +113,47 @@ TEST(RecordingErrors, DelaysOfEitherSignAreFound)
     plan.duration = 60;
     plan.delay = delay;
     RandomStream random(3);
-    const RecordingErrors found = calibrate(recordedDrive(plan, random), kAll);
-    const EstimatedError& error = errorOf(found, Kind::delay);
+    const CalibrationResult found = calibrate(recordedDrive(plan, random), kAll);
+    const ParameterEstimate& error = errorOf(found, Kind::delay);
     EXPECT_TRUE(error.observable);
     EXPECT_NEAR(error.value, delay, 0.02);
     EXPECT_LT(error.std, 0.012);
   }
 }
 
-TEST(RecordingErrors, DeclaredDeviationsNeedNotBeRight)
+TEST(CalibrationResult, DeclaredDeviationsNeedNotBeRight)
 {
   RandomStream random(4);
   CalibrationProblem way = recordedDrive(erroneous(), random);
   for (CalibrationReading& r : way.readings) r.std *= r.is_range ? 4 : 0.3;
   for (TrajectoryPose& pose : way.poses)
     if (pose.since_previous) *pose.since_previous *= 9;
-  const RecordingErrors found = calibrate(way, kAll);
+  const CalibrationResult found = calibrate(way, kAll);
   ASSERT_EQ(found.status, SolveStatus::ok);
   EXPECT_NEAR(found.scatter[0].range, 0.25, 0.05);
   EXPECT_NEAR(found.scatter[0].bearing, 3.3, 0.7);
-  EXPECT_NEAR(found.way_scatter, 0.33, 0.1);
-  for (const EstimatedError& error : found.errors)
-    EXPECT_LT(std::abs(error.value - trueValue(erroneous(), error.term.kind)), 4 * error.std);
+  EXPECT_NEAR(found.odometry_scatter, 0.33, 0.1);
+  for (const ParameterEstimate& error : found.errors)
+    EXPECT_LT(std::abs(error.value - trueValue(erroneous(), error.unknown.parameter)), 4 * error.std);
 }
 
-TEST(RecordingErrors, MisfitsShowTheOutliers)
+TEST(CalibrationResult, MisfitsShowTheOutliers)
 {
   DrivePlan plan = erroneous();
   plan.outliers = 0.1;
   RandomStream random(5);
-  const RecordingErrors found = calibrate(recordedDrive(plan, random), kAll);
+  const CalibrationResult found = calibrate(recordedDrive(plan, random), kAll);
   double outliers = 0;
   for (const double misfit : found.misfits) outliers += std::abs(misfit) > 4;
   EXPECT_NEAR(outliers / static_cast<double>(found.misfits.size()), 0.1, 0.02);
 }
 
-TEST(RecordingErrors, ARobotThatStandsTellsNothingOfItsOdometry)
+TEST(CalibrationResult, ARobotThatStandsTellsNothingOfItsOdometry)
 {
   DrivePlan plan = erroneous();
   plan.speed = plan.weave = 0;
   RandomStream random(6);
-  const RecordingErrors found = calibrate(recordedDrive(plan, random), kAll);
+  const CalibrationResult found = calibrate(recordedDrive(plan, random), kAll);
   ASSERT_EQ(found.status, SolveStatus::ok);
   for (const Kind kind : {Kind::delay, Kind::distance_scale, Kind::rotation_scale, Kind::veer, Kind::bearing_offset})
   {
@@ -163,20 +164,20 @@ TEST(RecordingErrors, ARobotThatStandsTellsNothingOfItsOdometry)
   EXPECT_TRUE(errorOf(found, Kind::range_offset).observable);
 }
 
-TEST(RecordingErrors, BearingsToOneLandmarkHaveNoScale)
+TEST(CalibrationResult, BearingsToOneLandmarkHaveNoScale)
 {
   DrivePlan plan = erroneous();
   plan.landmarks = {{1, 6}};
   plan.landmarks_seen = 1;
   plan.ranges = false;
   RandomStream random(8);
-  const RecordingErrors found =
+  const CalibrationResult found =
       calibrate(recordedDrive(plan, random), {{Kind::distance_scale}, {Kind::veer}, {Kind::rotation_scale}});
   ASSERT_EQ(found.status, SolveStatus::ok);
   EXPECT_FALSE(errorOf(found, Kind::distance_scale).observable);
 }
 
-TEST(RecordingErrors, BadOrLittleInputIsAStatus)
+TEST(CalibrationResult, BadOrLittleInputIsAStatus)
 {
   RandomStream random(9);
   EXPECT_EQ(calibrate({}, {}).status, SolveStatus::too_few);

@@ -8,7 +8,7 @@ namespace mrpt_ext
 {
 namespace
 {
-const std::vector<ErrorTerm> kTerms{
+const std::vector<CalibrationUnknown> kTerms{
     {CalibrationParameter::delay},       {CalibrationParameter::bearing_offset}, {CalibrationParameter::range_offset},
     {CalibrationParameter::range_scale}, {CalibrationParameter::distance_scale}, {CalibrationParameter::rotation_scale},
     {CalibrationParameter::veer}};

@@ -113,7 +113,7 @@ TEST(TrackingBound, StatesWhyThereIsNone)
 {
   BoundInput anonymous = standingRobot();
   anonymous.frames[3].readings[0].detections[0].id = kNoId;
-  EXPECT_NE(boundOf(anonymous).why_none.find("names"), std::string::npos);
+  EXPECT_NE(boundOf(anonymous).why_none.find("anonymous"), std::string::npos);
 
   BoundInput blind = standingRobot();
   blind.context.truth.clear();

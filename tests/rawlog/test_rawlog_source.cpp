@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "mrpt_ext/observations/timestamps.h"
+#include "mrpt_ext/rawlog/rawlog_file_check.h"
 #include "rawlog_samples.h"
 
 namespace mrpt_ext

@@ -51,7 +51,7 @@ TEST(ComparisonText, ComparesMethodsThatTrackWithTheBound)
   closed_form.position_error_m.rmse = 0.3;
   score.methods = {filter, closed_form};
   const std::string text = limitText(score);
-  EXPECT_TRUE(contains(text, "0.050 m, heading 0.50 deg; particle_filter 1.04 times that")) << text;
+  EXPECT_TRUE(contains(text, "0.050 m, heading 0.50 deg; particle_filter 1.04 times the bound")) << text;
   EXPECT_FALSE(contains(text, "two_landmark_pose"));
 }
 }  // namespace mrpt_ext

@@ -68,9 +68,6 @@ void run(std::ostream& out)
 }
 
 const RegisterStudy kStudy("filter_symmetric",
-                           "Does the filter keep both modes of a field with point symmetry, at equal weights?"
-                           ""
-                           ",
-                           run);
+                           "Does the filter keep both modes of a field with point symmetry, at equal weights?", run);
 }  // namespace
 }  // namespace mrpt_ext

@@ -73,19 +73,19 @@ inline CalibrationProblem recordedDrive(const DrivePlan& plan, RandomStream& ran
     for (int i = 0; i < plan.landmarks_seen; ++i)
     {
       CalibrationReading r{.pose = problem.poses.size() - 1,
-                           .place = plan.landmarks[next_landmark++ % plan.landmarks.size()]};
+                           .landmark = plan.landmarks[next_landmark++ % plan.landmarks.size()]};
       const bool wrong = random.chance(plan.outliers);
       if (plan.bearings)
       {
         r.std = plan.std_bearing;
-        r.value = wrap(predictBearing(seen_from, r.place) + plan.bearing_offset + r.std * random.gaussian() +
+        r.value = wrap(predictBearing(seen_from, r.landmark) + plan.bearing_offset + r.std * random.gaussian() +
                        (wrong ? random.uniform(0.2, 2) : 0));
         problem.readings.push_back(r);
       }
       if (!plan.ranges) continue;
       r.is_range = true;
       r.std = plan.std_range;
-      r.value = (1 + plan.range_scale) * predictRange(seen_from, r.place) + plan.range_offset +
+      r.value = (1 + plan.range_scale) * predictRange(seen_from, r.landmark) + plan.range_offset +
                 r.std * random.gaussian() + (wrong ? random.uniform(0.5, 3) : 0);
       problem.readings.push_back(r);
     }

@@ -173,7 +173,7 @@ TEST(ImagesApp, ReportsMistakesInOneLine)
   folder.write("frames.csv", "frame,image\n0,a.png\n");
   folder.write("camera.json", "{\"camera\": 5}");
   expect(runOn(folder.path(), log), 1, "camera.json: damaged");
-  expect(runOn(folder.path(), folder.path() / "log.txt"), 2, "expected a name ending in .rawlog");
+  expect(runOn(folder.path(), folder.path() / "log.txt"), 2, "expected -o STEM.rawlog");
   expect(runOn(folder.path(), log, {"--set", "ConicMirror.ring_outer=0.1"}), 1, "camera.json: damaged");
 }
 }  // namespace mrpt_ext

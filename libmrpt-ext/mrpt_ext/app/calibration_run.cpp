@@ -17,13 +17,13 @@ namespace
 const std::string kExperiment = "LocalizationExperiment";
 
 /// The errors that this log can determine.
-std::vector<ErrorTerm> termsOf(const LocalizationInput& input, const CalibrationData& data)
+std::vector<CalibrationUnknown> termsOf(const LocalizationInput& input, const CalibrationData& data)
 {
   const bool moving = !input.config.frames.independent && !data.problem.odometry.empty() &&
                       input.config.filter.motion.type != MotionType::random_walk;
   std::set<std::size_t> bearings, ranges;
   for (const CalibrationReading& r : data.problem.readings) (r.is_range ? ranges : bearings).insert(r.sensor);
-  std::vector<ErrorTerm> terms;
+  std::vector<CalibrationUnknown> terms;
   if (moving)
     terms = {
         {CalibrationParameter::distance_scale}, {CalibrationParameter::rotation_scale}, {CalibrationParameter::veer}};
@@ -81,7 +81,7 @@ int runCalibration(Settings settings, const CalibrationRequest& request, std::os
 
   const std::vector<PoseEstimate> trajectory = confidentTrajectory(input, input.config.seed);
   const CalibrationData data = collectCalibrationData(by_stamp, trajectory, input.config.frames.window);
-  const RecordingErrors errors = calibrate(data.problem, termsOf(input, data));
+  const CalibrationResult errors = calibrate(data.problem, termsOf(input, data));
   if (!request.quiet) out << headline(input, data, trajectory) << '\n';
   if (errors.status != SolveStatus::ok)
   {
@@ -100,7 +100,7 @@ int runCalibration(Settings settings, const CalibrationRequest& request, std::os
   {
     for (const std::string& line : findingsTable(findings)) out << line << '\n';
     if (!data.problem.odometry.empty())
-      out << "odometry noise is " << fixedText(errors.way_scatter, 1) << " times that of [MotionModel]\n";
+      out << "odometry noise is " << fixedText(errors.odometry_scatter, 1) << " times that of [MotionModel]\n";
     for (const std::string& line : landmarkLines(errors, data, input.context.map)) out << line << '\n';
   }
   if (request.calibrated.empty() || lines.empty()) return kExitDone;

@@ -99,9 +99,8 @@ class Conversion
     if (!options_.identity.empty()) request.identity = namedValue(options_.identity, identityLevels());
     if (!options_.measurements.empty())
       request.measurements = namedValue(options_.measurements, measurementSelections());
-    for (const auto& [file, option] :
-         {std::pair(request.map, "--map "), std::pair(options_.calibrated, "--calibrate ")})
-      if (!file.empty() && !fs::exists(file)) throw dataError(option + file.string() + ": no such file");
+    if (const fs::path& ini = options_.calibrated; !ini.empty() && !fs::exists(ini))
+      throw dataError("--calibrate " + ini.string() + ": no such file");
 
     const Recording recording = importDataset(request);
     printNotes(recording);

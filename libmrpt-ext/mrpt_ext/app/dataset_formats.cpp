@@ -93,6 +93,8 @@ void checkRequest(const DatasetRequest& request, const DatasetFormat& format)
     throw configurationError(format.name + ": has no robots to choose from, expected no --robot");
   if ((!request.map.empty() || request.truth_origin) && !format.takes_map_and_origin)
     throw configurationError(format.name + ": brings its own map and frame, expected no --map and no --truth-origin");
+  if (!request.map.empty() && !std::filesystem::exists(request.map))
+    throw dataError("--map " + request.map.string() + ": no such file");
 }
 }  // namespace
 

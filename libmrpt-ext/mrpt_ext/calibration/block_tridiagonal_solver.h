@@ -8,14 +8,14 @@
 
 namespace mrpt_ext
 {
-/// What the normal equations of a PoseChainSystem say.
+/// Solution of the normal equations of a PoseChainSystem.
 struct ChainSolution
 {
   std::vector<Vector3d> steps;           ///< of the poses
   Eigen::VectorXd shared_step;           ///< of the shared unknowns
-  Eigen::MatrixXd shared_information;    ///< about them, all poses being unknown
-  Eigen::MatrixXd pull;                  ///< rows 3k ...: how pose k follows the shared unknowns, negative
-  std::vector<Matrix3d> covariance;      ///< of the poses, the shared unknowns being known
+  Eigen::MatrixXd shared_information;    ///< about them, with the poses marginalized
+  Eigen::MatrixXd pull;                  ///< rows 3k ...: negative derivative of pose k by the shared unknowns
+  std::vector<Matrix3d> covariance;      ///< of the poses, given the shared unknowns
   std::vector<Matrix3d> with_successor;  ///< between pose k and pose k + 1
 };
 
@@ -36,10 +36,10 @@ class PoseChainSystem
   /// Three scalars that depend on a pose and the one after it.
   void addLink(std::size_t pose, const Vector3d& residual, const Matrix3d& own, const Matrix3d& next,
                const SharedRows& shared, double weight);
-  /// A weak belief that a shared unknown is to move by `residual`.
+  /// A prior: the shared unknown is to move by `residual`.
   void addShared(Eigen::Index unknown, double residual, double std);
 
-  /// Nothing when some pose or shared unknown stays undetermined.
+  /// Nothing when a pose or a shared unknown stays undetermined.
   [[nodiscard]] std::optional<ChainSolution> solve() const;
 
  private:

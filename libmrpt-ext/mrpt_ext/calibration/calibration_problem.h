@@ -7,45 +7,45 @@
 
 namespace mrpt_ext
 {
-/// Systematic errors of a recording.
+/// Systematic errors of a recording, the parameters of its calibration.
 enum class CalibrationParameter
 {
   delay,           ///< [s] how old a reading of the sensor is at its stamp, by the clock of odometry
   bearing_offset,  ///< [rad] measured = true + offset
   range_offset,    ///< [m] measured = (1 + scale) true + offset
   range_scale,
-  distance_scale,  ///< true way = (1 + scale) way told by odometry
-  rotation_scale,  ///< true turn = (1 + scale) turn told by odometry + veer times the way
+  distance_scale,  ///< true distance = (1 + scale) distance by odometry
+  rotation_scale,  ///< true rotation = (1 + scale) rotation by odometry + veer * distance
   veer             ///< [rad/m] to the left
 };
 
 /// True for the errors of odometry; the others belong to a sensor.
-[[nodiscard]] constexpr bool isOfOdometry(CalibrationParameter error)
+[[nodiscard]] constexpr bool isOfOdometry(CalibrationParameter parameter)
 {
-  return error >= CalibrationParameter::distance_scale;
+  return parameter >= CalibrationParameter::distance_scale;
 }
 
-/// An unknown error: its kind, and the number of its sensor.
-struct ErrorTerm
+/// A parameter to estimate; the sensor counts for parameters of a sensor only.
+struct CalibrationUnknown
 {
-  CalibrationParameter kind = CalibrationParameter::delay;
+  CalibrationParameter parameter = CalibrationParameter::delay;
   std::size_t sensor = 0;
 };
 
 /// One number that a sensor measured of a known landmark.
 struct CalibrationReading
 {
-  std::size_t pose = 0;    ///< number of the pose of its stamp
-  std::size_t sensor = 0;  ///< number of the sensor
-  bool is_range = false;   ///< else a bearing
-  Vector2d place{0, 0};    ///< of the landmark [m], world frame
-  Pose2 T_robot_sensor;    ///< at the stamp
-  double height = 0;       ///< [m] of the landmark above the sensor; 0 for horizontal ranges
-  double value = 0;        ///< [rad] or [m]
-  double std = 0;          ///< likewise, as declared
+  std::size_t pose = 0;     ///< number of the pose of its stamp
+  std::size_t sensor = 0;   ///< number of the sensor
+  bool is_range = false;    ///< else a bearing
+  Vector2d landmark{0, 0};  ///< [m], world frame
+  Pose2 T_robot_sensor;     ///< at the stamp
+  double height = 0;        ///< [m] of the landmark above the sensor; 0 for horizontal ranges
+  double value = 0;         ///< [rad] or [m]
+  double std = 0;           ///< likewise, as declared
 };
 
-/// A pose of the way, first guess.
+/// A pose of the trajectory, first guess.
 struct TrajectoryPose
 {
   double time = 0;  ///< [s]
@@ -61,5 +61,12 @@ struct CalibrationProblem
   std::vector<CalibrationReading> readings;  ///< ordered by pose
   std::vector<OdometryRecord> odometry;      ///< empty: the poses drift by `since_previous` alone
   std::size_t sensors = 0;
+};
+
+/// Scatter of the residuals of one sensor.
+struct SensorScatter
+{
+  double bearing = 1, range = 1;  ///< over the declared standard deviation
+  std::size_t bearings = 0, ranges = 0;
 };
 }  // namespace mrpt_ext

@@ -18,13 +18,13 @@ constexpr int kMostIterations = 60;
 constexpr double kLossScale = 2;     // standard deviations
 constexpr double kOutlier = 4;       // scatters
 constexpr double kSettled = 1e-7;    // [m]
-constexpr double kSingular = 1e-9;   // of the largest information: nothing is known
+constexpr double kSingular = 1e-9;   // of the largest information: undetermined
 constexpr double kPosePrior = 1e-9;  // keeps a pose with ranges in line solvable
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
-/// A moment with the pose that explains it.
-struct PlacedEpoch
+/// An epoch with its estimated pose.
+struct EpochWithPose
 {
   const RadioEpoch* ranges;
   Pose2 pose;
@@ -35,28 +35,31 @@ double horizontal(const RadioRange& r, double range)
   return std::sqrt(std::max(square(range) - square(r.height), 0.0));
 }
 
-std::vector<PlacedEpoch> place(const std::vector<RadioEpoch>& epochs, double std_range)
+std::vector<EpochWithPose> startingPoses(const std::vector<RadioEpoch>& epochs, double std_range)
 {
-  std::vector<PlacedEpoch> placed;
+  std::vector<EpochWithPose> started;
   for (const RadioEpoch& epoch : epochs)
   {
     std::vector<PoseMeasurement> rows;
     for (const RadioRange& r : epoch)
-      rows.push_back(
-          {PoseMeasurement::Kind::range, r.place, horizontal(r, r.range), std_range, {r.offset.x(), r.offset.y(), 0}});
+      rows.push_back({PoseMeasurement::Kind::range,
+                      r.position,
+                      horizontal(r, r.range),
+                      std_range,
+                      {r.offset.x(), r.offset.y(), 0}});
     if (rows.size() < kLeastRanges) continue;
     const IdentifiedPose solution = solvePoseFromLandmarks(rows, {.min_consistency = 0});
     if (solution.candidates.empty() || !solution.candidates.front().heading_known) continue;
-    placed.push_back({&epoch, solution.candidates.front().pose.mean});
+    started.push_back({&epoch, solution.candidates.front().pose.mean});
   }
-  return placed;
+  return started;
 }
 
 /// The common unknowns: delays of the sensors, then of the landmarks.
 class Adjustment
 {
  public:
-  Adjustment(std::vector<PlacedEpoch> epochs, std::size_t sensors, std::size_t landmarks, double std_range)
+  Adjustment(std::vector<EpochWithPose> epochs, std::size_t sensors, std::size_t landmarks, double std_range)
       : epochs_(std::move(epochs)),
         sensors_(static_cast<Eigen::Index>(sensors)),
         delays_(Vector::Zero(static_cast<Eigen::Index>(sensors + landmarks))),
@@ -77,7 +80,7 @@ class Adjustment
     information += weight * sum * sum.transpose();
     gradient -= weight * sum * sum.dot(delays_);
     std::vector<Block> blocks;
-    for (const PlacedEpoch& epoch : epochs_) blocks.push_back(addEpoch(epoch, information, gradient));
+    for (const EpochWithPose& epoch : epochs_) blocks.push_back(addEpoch(epoch, information, gradient));
     information_ = information;
     const Eigen::SelfAdjointEigenSolver<Matrix> eigen(information);
     if (!(eigen.eigenvalues().minCoeff() > kSingular * eigen.eigenvalues().maxCoeff())) return false;
@@ -96,12 +99,12 @@ class Adjustment
   /// Measured minus predicted [m].
   [[nodiscard]] double residual(const RadioRange& r, const Pose2& pose) const
   {
-    const double flat = predictRange(pose, r.place, {r.offset.x(), r.offset.y(), 0});
+    const double flat = predictRange(pose, r.position, {r.offset.x(), r.offset.y(), 0});
     return r.range - std::hypot(flat, r.height) - delays_[sensorOf(r)] - delays_[landmarkOf(r)];
   }
-  [[nodiscard]] const std::vector<PlacedEpoch>& epochs() const { return epochs_; }
+  [[nodiscard]] const std::vector<EpochWithPose>& epochs() const { return epochs_; }
   [[nodiscard]] const Vector& delays() const { return delays_; }
-  [[nodiscard]] Vector deviations(double scatter) const
+  [[nodiscard]] Vector standardDeviations(double scatter) const
   {
     return scatter * information_.inverse().diagonal().cwiseMax(0).cwiseSqrt();
   }
@@ -121,15 +124,15 @@ class Adjustment
     return sensors_ + static_cast<Eigen::Index>(r.landmark);
   }
 
-  Block addEpoch(const PlacedEpoch& epoch, Matrix& information, Vector& gradient) const
+  Block addEpoch(const EpochWithPose& epoch, Matrix& information, Vector& gradient) const
   {
     Matrix3d own = kPosePrior * Matrix3d::Identity();
     Block block{{}, Vector3d::Zero(), Eigen::Matrix<double, 3, Eigen::Dynamic>::Zero(3, delays_.size())};
     for (const RadioRange& r : *epoch.ranges)
     {
       const double e = residual(r, epoch.pose), w = 1 / (1 + square(e / scale_));
-      const double flat = predictRange(epoch.pose, r.place, {r.offset.x(), r.offset.y(), 0});
-      const JacobianRow row = flat / std::hypot(flat, r.height) * rangeJacobian(epoch.pose, r.place, r.offset);
+      const double flat = predictRange(epoch.pose, r.position, {r.offset.x(), r.offset.y(), 0});
+      const JacobianRow row = flat / std::hypot(flat, r.height) * rangeJacobian(epoch.pose, r.position, r.offset);
       own += w * row.transpose() * row;
       block.gradient += w * e * row.transpose();
       for (const Eigen::Index a : {sensorOf(r), landmarkOf(r)})
@@ -145,23 +148,23 @@ class Adjustment
     return block;
   }
 
-  std::vector<PlacedEpoch> epochs_;
+  std::vector<EpochWithPose> epochs_;
   Eigen::Index sensors_;
   Vector delays_;
   double scale_;
   Matrix information_;
 };
 
-void judge(const Adjustment& adjustment, std::size_t landmarks, RadioDelays& result)
+void describeResiduals(const Adjustment& adjustment, std::size_t landmarks, RangeBiases& result)
 {
   std::vector<double> sizes;
-  for (const PlacedEpoch& epoch : adjustment.epochs())
+  for (const EpochWithPose& epoch : adjustment.epochs())
     for (const RadioRange& r : *epoch.ranges) sizes.push_back(std::abs(adjustment.residual(r, epoch.pose)));
   const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
   std::nth_element(sizes.begin(), middle, sizes.end());
   result.scatter = 1.4826 * *middle;
   std::vector<double> count(landmarks), outliers(landmarks);
-  for (const PlacedEpoch& epoch : adjustment.epochs())
+  for (const EpochWithPose& epoch : adjustment.epochs())
     for (const RadioRange& r : *epoch.ranges)
     {
       ++count[r.landmark];
@@ -171,36 +174,36 @@ void judge(const Adjustment& adjustment, std::size_t landmarks, RadioDelays& res
 }
 }  // namespace
 
-RadioDelays estimateRadioDelays(const std::vector<RadioEpoch>& epochs, double std_range)
+RangeBiases estimateRangeBiases(const std::vector<RadioEpoch>& epochs, double std_range)
 {
-  RadioDelays result;
+  RangeBiases result;
   std::size_t sensors = 0, landmarks = 0;
   for (const RadioEpoch& epoch : epochs)
     for (const RadioRange& r : epoch)
     {
-      if (!std::isfinite(r.range) || !r.place.allFinite() || !r.offset.allFinite() || !std::isfinite(r.height))
+      if (!std::isfinite(r.range) || !r.position.allFinite() || !r.offset.allFinite() || !std::isfinite(r.height))
         result.status = SolveStatus::bad_input;
       sensors = std::max(sensors, r.sensor + 1);
       landmarks = std::max(landmarks, r.landmark + 1);
     }
   if (!(std_range > 0)) result.status = SolveStatus::bad_input;
   if (result.status == SolveStatus::bad_input) return result;
-  std::vector<PlacedEpoch> placed = place(epochs, std_range);
-  result.epochs = placed.size();
-  if (placed.size() < kLeastEpochs || sensors < 2) return result;
+  std::vector<EpochWithPose> started = startingPoses(epochs, std_range);
+  result.epochs = started.size();
+  if (started.size() < kLeastEpochs || sensors < 2) return result;
 
-  Adjustment adjustment(std::move(placed), sensors, landmarks, std_range);
+  Adjustment adjustment(std::move(started), sensors, landmarks, std_range);
   result.status = SolveStatus::degenerate;
   double change = 1;
   for (int k = 0; k < kMostIterations && change > kSettled; ++k)
     if (!adjustment.step(change)) return result;
-  judge(adjustment, landmarks, result);
-  const Vector &delays = adjustment.delays(), deviations = adjustment.deviations(result.scatter);
+  describeResiduals(adjustment, landmarks, result);
+  const Vector &delays = adjustment.delays(), stds = adjustment.standardDeviations(result.scatter);
   const auto ns = static_cast<Eigen::Index>(sensors);
   result.sensor.assign(delays.data(), delays.data() + ns);
   result.landmark.assign(delays.data() + ns, delays.data() + delays.size());
-  result.std_sensor.assign(deviations.data(), deviations.data() + ns);
-  result.std_landmark.assign(deviations.data() + ns, deviations.data() + deviations.size());
+  result.std_sensor.assign(stds.data(), stds.data() + ns);
+  result.std_landmark.assign(stds.data() + ns, stds.data() + stds.size());
   result.status = SolveStatus::ok;
   return result;
 }

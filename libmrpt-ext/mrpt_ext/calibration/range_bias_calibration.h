@@ -11,16 +11,16 @@ namespace mrpt_ext
 struct RadioRange
 {
   std::size_t sensor = 0, landmark = 0;  ///< numbers of the two radios, from 0 on
-  Vector2d place{0, 0};                  ///< of the landmark, world frame [m]
+  Vector2d position{0, 0};               ///< of the landmark, world frame [m]
   Vector2d offset{0, 0};                 ///< of the sensor, robot frame [m]
   double height = 0;                     ///< [m] of the landmark above the sensor; 0 for horizontal ranges
   double range = 0;                      ///< [m]
 };
 
-/// All ranges of one moment.
+/// All ranges of one time.
 using RadioEpoch = std::vector<RadioRange>;
 
-struct RadioDelays
+struct RangeBiases
 {
   SolveStatus status = SolveStatus::too_few;
   std::vector<double> sensor;         ///< [m] measured minus true range, by sensor
@@ -29,14 +29,14 @@ struct RadioDelays
   std::vector<double> std_landmark;   ///< likewise
   std::vector<double> outlier_share;  ///< by landmark: ranges further than four scatters from the fit
   double scatter = 0;                 ///< [m] of the ranges about the fit: 1.48 times the median absolute residual
-  std::size_t epochs = 0;             ///< moments that were used
+  std::size_t epochs = 0;             ///< that were used
 };
 
-/// Delays of the radios from the ranges alone: all poses and all delays are adjusted together (least squares with a
-/// Cauchy loss of scale 2 `std_range`; poses eliminated by the Schur complement), since a wrong delay pulls the poses
-/// of different places into different directions. No motion is assumed between moments. Each moment needs four ranges
-/// or more, with two sensors or more, and starts at its own best pose. Status: `too_few` below ten such moments;
-/// `degenerate` when some delay stays undetermined; `bad_input`. Delays that the ranges hardly tell (a robot that never
-/// moved) have large deviations.
-[[nodiscard]] RadioDelays estimateRadioDelays(const std::vector<RadioEpoch>& epochs, double std_range);
+/// Delays of the radios, as lengths, from the ranges alone: all poses and all delays are adjusted together (least
+/// squares with a Cauchy loss of scale 2 `std_range`; poses eliminated by the Schur complement), since a wrong delay
+/// pulls the poses at different positions into different directions. No motion is assumed between epochs. Each epoch
+/// needs four ranges or more, with two sensors or more, and starts at its own best pose. Status: `too_few` below ten
+/// such epochs; `degenerate` when some delay stays undetermined; `bad_input`. Delays that are hardly observable (a
+/// robot that never moved) have large standard deviations.
+[[nodiscard]] RangeBiases estimateRangeBiases(const std::vector<RadioEpoch>& epochs, double std_range);
 }  // namespace mrpt_ext

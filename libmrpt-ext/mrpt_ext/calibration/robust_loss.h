@@ -5,7 +5,7 @@
 namespace mrpt_ext
 {
 /// Loss of Geman and McClure for a residual of `e2` squared standard deviations: as e2 near zero, at most c^2, so that
-/// what is far off does not count at all. Efficiency 0.97 for Gaussian residuals.
+/// outliers do not count at all. Efficiency 0.97 for Gaussian residuals.
 namespace robust
 {
 inline constexpr double kScale2 = 16;  // c^2: four standard deviations

@@ -12,42 +12,43 @@ namespace
 constexpr std::size_t kLeastReadings = 20;
 constexpr int kRounds = 6, kStepsPerRound = 3, kLastSteps = 15;
 
-bool isUsable(const CalibrationProblem& way, const std::vector<ErrorTerm>& terms)
+bool isUsable(const CalibrationProblem& problem, const std::vector<CalibrationUnknown>& unknowns)
 {
   const auto pose_ok = [](const TrajectoryPose& p)
   { return std::isfinite(p.time) && isFinite(p.pose) && (!p.since_previous || p.since_previous->allFinite()); };
   const auto reading_ok = [&](const CalibrationReading& r)
   {
-    return r.pose < way.poses.size() && r.sensor < way.sensors && r.place.allFinite() && isFinite(r.T_robot_sensor) &&
-           std::isfinite(r.height) && std::isfinite(r.value) && r.std > 0;
+    return r.pose < problem.poses.size() && r.sensor < problem.sensors && r.landmark.allFinite() &&
+           isFinite(r.T_robot_sensor) && std::isfinite(r.height) && std::isfinite(r.value) && r.std > 0;
   };
-  const auto term_ok = [&](const ErrorTerm& t) { return isOfOdometry(t.kind) || t.sensor < way.sensors; };
-  return std::all_of(way.poses.begin(), way.poses.end(), pose_ok) &&
-         std::all_of(way.readings.begin(), way.readings.end(), reading_ok) &&
-         std::all_of(terms.begin(), terms.end(), term_ok) &&
-         std::is_sorted(way.poses.begin(), way.poses.end(),
+  const auto unknown_ok = [&](const CalibrationUnknown& t)
+  { return isOfOdometry(t.parameter) || t.sensor < problem.sensors; };
+  return std::all_of(problem.poses.begin(), problem.poses.end(), pose_ok) &&
+         std::all_of(problem.readings.begin(), problem.readings.end(), reading_ok) &&
+         std::all_of(unknowns.begin(), unknowns.end(), unknown_ok) &&
+         std::is_sorted(problem.poses.begin(), problem.poses.end(),
                         [](const TrajectoryPose& a, const TrajectoryPose& b) { return a.time < b.time; });
 }
 
-double typicalRange(const CalibrationProblem& way, std::size_t sensor)
+double typicalRange(const CalibrationProblem& problem, std::size_t sensor)
 {
   std::vector<double> ranges;
-  for (const CalibrationReading& r : way.readings)
+  for (const CalibrationReading& r : problem.readings)
     if (r.is_range && r.sensor == sensor) ranges.push_back(r.value);
   return ranges.empty() ? 1 : upperMedian(std::move(ranges));
 }
 
-/// A deviation above it makes the error useless.
-double mostDeviation(const ErrorTerm& term, const CalibrationProblem& way)
+/// Largest standard deviation with which a parameter is of use.
+double largestUsefulStd(const CalibrationUnknown& unknown, const CalibrationProblem& problem)
 {
-  switch (term.kind)
+  switch (unknown.parameter)
   {
     case CalibrationParameter::delay:
       return 0.1;
     case CalibrationParameter::bearing_offset:
       return degToRad(3.0);
     case CalibrationParameter::range_offset:
-      return 0.05 * typicalRange(way, term.sensor);
+      return 0.05 * typicalRange(problem, unknown.sensor);
     case CalibrationParameter::range_scale:
     case CalibrationParameter::veer:
       return 0.05;
@@ -58,23 +59,24 @@ double mostDeviation(const ErrorTerm& term, const CalibrationProblem& way)
   return 0;
 }
 
-/// True when the robot moves by more than odometry errs: else scales and delays would be fitted to its noise.
-bool moves(const CalibrationProblem& way, double way_scatter)
+/// True when the robot moves by more than the error of odometry: else scales and delays would be fitted to its noise.
+bool moves(const CalibrationProblem& problem, double odometry_scatter)
 {
   constexpr double kStretch = 5, kLeast = 4;  // [s]; squared motion over its variance, per axis
-  const OdometryPath path(way.odometry, {});
+  const OdometryPath path(problem.odometry, {});
   Matrix3d noise = Matrix3d::Zero();
   double sum = 0, axes = 0;
-  for (std::size_t k = 1, first = 0; k < way.poses.size(); ++k)
+  for (std::size_t k = 1, first = 0; k < problem.poses.size(); ++k)
   {
-    const bool tied = way.poses[k].since_previous.has_value(), last = k + 1 == way.poses.size();
-    if (tied) noise += *way.poses[k].since_previous;
-    if (tied && !last && way.poses[k].time - way.poses[first].time < kStretch) continue;
-    const Vector3d motion = path.between(way.poses[first].time, way.poses[tied ? k : k - 1].time).increment.vector();
+    const bool tied = problem.poses[k].since_previous.has_value(), last = k + 1 == problem.poses.size();
+    if (tied) noise += *problem.poses[k].since_previous;
+    if (tied && !last && problem.poses[k].time - problem.poses[first].time < kStretch) continue;
+    const Vector3d motion =
+        path.between(problem.poses[first].time, problem.poses[tied ? k : k - 1].time).increment.vector();
     for (int axis = 0; axis < 3; ++axis)
     {
       if (!(noise(axis, axis) > 0)) continue;
-      sum += square(motion[axis] / way_scatter) / noise(axis, axis);
+      sum += square(motion[axis] / odometry_scatter) / noise(axis, axis);
       ++axes;
     }
     noise.setZero();
@@ -83,7 +85,7 @@ bool moves(const CalibrationProblem& way, double way_scatter)
   return sum > kLeast * axes;
 }
 
-/// Scatters and adjustment in turns, then the adjustment alone.
+/// Alternates between scatters and adjustment, then the adjustment alone.
 bool settle(TrajectoryAdjustment& adjuster, int rounds)
 {
   for (int k = 0; k < rounds; ++k)
@@ -91,12 +93,12 @@ bool settle(TrajectoryAdjustment& adjuster, int rounds)
   return adjuster.descend(kLastSteps);
 }
 
-/// The best of several starts for the delays, all the same for a start.
+/// Chooses the best of several starts for the delays, the same start for all sensors.
 bool tryDelays(TrajectoryAdjustment& adjuster)
 {
-  const std::vector<ErrorTerm>& terms = adjuster.model().terms();
-  const auto is_delay = [](const ErrorTerm& t) { return t.kind == CalibrationParameter::delay; };
-  if (std::none_of(terms.begin(), terms.end(), is_delay)) return true;
+  const std::vector<CalibrationUnknown>& unknowns = adjuster.model().unknowns();
+  const auto is_delay = [](const CalibrationUnknown& t) { return t.parameter == CalibrationParameter::delay; };
+  if (std::none_of(unknowns.begin(), unknowns.end(), is_delay)) return true;
   TrajectoryAdjustment best = adjuster;
   if (!best.descend(kStepsPerRound)) return false;
   double lowest = best.cost();
@@ -104,8 +106,8 @@ bool tryDelays(TrajectoryAdjustment& adjuster)
   {
     TrajectoryAdjustment other = adjuster;
     Eigen::VectorXd errors = adjuster.model().errors();
-    for (std::size_t k = 0; k < terms.size(); ++k)
-      if (is_delay(terms[k])) errors[static_cast<Eigen::Index>(k)] += start;
+    for (std::size_t k = 0; k < unknowns.size(); ++k)
+      if (is_delay(unknowns[k])) errors[static_cast<Eigen::Index>(k)] += start;
     other.restart(adjuster, errors);
     if (!other.descend(kStepsPerRound) || !(other.cost() < lowest)) continue;
     lowest = other.cost();
@@ -115,15 +117,16 @@ bool tryDelays(TrajectoryAdjustment& adjuster)
   return true;
 }
 
-/// The error that is told worst, over what it may be; nothing when all are told.
-std::optional<std::size_t> worstOf(const TrajectoryAdjustment& adjuster, const Eigen::VectorXd& deviations,
-                                   const CalibrationProblem& way)
+/// The unknown whose standard deviation exceeds the useful one most; nothing when all are observable.
+std::optional<std::size_t> leastObservable(const TrajectoryAdjustment& adjuster, const Eigen::VectorXd& stds,
+                                           const CalibrationProblem& problem)
 {
   std::optional<std::size_t> worst;
   double most = 1;
-  for (std::size_t k = 0; k < adjuster.model().terms().size(); ++k)
+  for (std::size_t k = 0; k < adjuster.model().unknowns().size(); ++k)
   {
-    const double excess = deviations[static_cast<Eigen::Index>(k)] / mostDeviation(adjuster.model().terms()[k], way);
+    const double excess =
+        stds[static_cast<Eigen::Index>(k)] / largestUsefulStd(adjuster.model().unknowns()[k], problem);
     if (excess < most) continue;
     most = excess;
     worst = k;
@@ -140,49 +143,50 @@ Eigen::VectorXd without(const Eigen::VectorXd& values, std::size_t number)
 }
 }  // namespace
 
-RecordingErrors calibrate(const CalibrationProblem& way, const std::vector<ErrorTerm>& terms)
+CalibrationResult calibrate(const CalibrationProblem& problem, const std::vector<CalibrationUnknown>& unknowns)
 {
-  RecordingErrors result;
-  for (const ErrorTerm& term : terms) result.errors.push_back({.term = term});
+  CalibrationResult result;
+  for (const CalibrationUnknown& unknown : unknowns) result.errors.push_back({.unknown = unknown});
   result.status = SolveStatus::bad_input;
-  if (!isUsable(way, terms)) return result;
+  if (!isUsable(problem, unknowns)) return result;
   result.status = SolveStatus::too_few;
-  if (way.readings.size() < std::max(kLeastReadings, 3 * terms.size())) return result;
+  if (problem.readings.size() < std::max(kLeastReadings, 3 * unknowns.size())) return result;
   result.status = SolveStatus::degenerate;
 
-  std::vector<ErrorTerm> left = terms;
+  std::vector<CalibrationUnknown> left = unknowns;
   std::vector<std::size_t> numbers;
-  for (std::size_t k = 0; k < terms.size(); ++k) numbers.push_back(k);
-  std::optional<TrajectoryAdjustment> adjuster(std::in_place, way, left);
+  for (std::size_t k = 0; k < unknowns.size(); ++k) numbers.push_back(k);
+  std::optional<TrajectoryAdjustment> adjuster(std::in_place, problem, left);
   if (!settle(*adjuster, 2)) return result;
-  if (!moves(way, adjuster->wayScatter()))
+  if (!moves(problem, adjuster->odometryScatter()))
   {
-    std::erase_if(numbers, [&](std::size_t k)
-                  { return terms[k].kind == CalibrationParameter::delay || isOfOdometry(terms[k].kind); });
+    std::erase_if(
+        numbers, [&](std::size_t k)
+        { return unknowns[k].parameter == CalibrationParameter::delay || isOfOdometry(unknowns[k].parameter); });
     left.clear();
-    for (const std::size_t k : numbers) left.push_back(terms[k]);
-    adjuster.emplace(way, left);
+    for (const std::size_t k : numbers) left.push_back(unknowns[k]);
+    adjuster.emplace(problem, left);
   }
   if (!tryDelays(*adjuster) || !settle(*adjuster, kRounds)) return result;
   for (;;)
   {
-    const std::optional<Eigen::VectorXd> deviations = adjuster->deviations();
-    if (!deviations || !deviations->allFinite()) return result;
+    const std::optional<Eigen::VectorXd> stds = adjuster->standardDeviations();
+    if (!stds || !stds->allFinite()) return result;
     for (std::size_t k = 0; k < left.size(); ++k)
     {
       const auto i = static_cast<Eigen::Index>(k);
-      result.errors[numbers[k]] = {left[k], true, adjuster->model().errors()[i], (*deviations)[i]};
+      result.errors[numbers[k]] = {left[k], true, adjuster->model().errors()[i], (*stds)[i]};
     }
-    const std::optional<std::size_t> worst = worstOf(*adjuster, *deviations, way);
+    const std::optional<std::size_t> worst = leastObservable(*adjuster, *stds, problem);
     if (!worst) break;
     const auto at = static_cast<std::ptrdiff_t>(*worst);
-    EstimatedError& held = result.errors[numbers[*worst]];
+    ParameterEstimate& held = result.errors[numbers[*worst]];
     held.observable = false;
     held.value = 0;
     const Eigen::VectorXd errors = without(adjuster->model().errors(), *worst);
     left.erase(left.begin() + at);
     numbers.erase(numbers.begin() + at);
-    TrajectoryAdjustment fewer(way, left);
+    TrajectoryAdjustment fewer(problem, left);
     fewer.restart(*adjuster, errors);
     if (!settle(fewer, 2)) return result;
     adjuster.emplace(std::move(fewer));
@@ -190,7 +194,7 @@ RecordingErrors calibrate(const CalibrationProblem& way, const std::vector<Error
   result.poses = adjuster->poses();
   result.scatter = adjuster->scatters();
   result.misfits = adjuster->misfits();
-  result.way_scatter = adjuster->wayScatter();
+  result.odometry_scatter = adjuster->odometryScatter();
   result.iterations = adjuster->steps();
   result.status = SolveStatus::ok;
   return result;

@@ -7,46 +7,41 @@
 
 namespace mrpt_ext
 {
-/// What the readings of one sensor scatter like.
-struct SensorScatter
+/// A parameter as the recording determines it.
+struct ParameterEstimate
 {
-  double bearing = 1, range = 1;  ///< over the declared standard deviation
-  std::size_t bearings = 0, ranges = 0;
-};
-
-/// An error as the recording tells it.
-struct EstimatedError
-{
-  ErrorTerm term;
+  CalibrationUnknown unknown;
   bool observable = false;  ///< false: the recording does not determine it; it was held at 0 for all others
-  double value = 0;         ///< in the unit of its kind; 0 when not told
-  double std = 0;           ///< likewise; when not told, what a free one would have had, or 0
+  double value = 0;         ///< in the unit of the parameter; 0 when not observable
+  double std = 0;           ///< likewise; when not observable, what a free one would have had, or 0
 };
 
-struct RecordingErrors
+struct CalibrationResult
 {
   SolveStatus status = SolveStatus::too_few;
-  std::vector<EstimatedError> errors;  ///< in the order of the terms
+  std::vector<ParameterEstimate> errors;  ///< in the order of the unknowns
   std::vector<Pose2> poses;
   std::vector<SensorScatter> scatter;  ///< by sensor
-  std::vector<double> misfits;         ///< by reading: residual over its deviation, both as the fit has them; signed
-  double way_scatter = 1;              ///< of odometry, over what was declared
+  std::vector<double> misfits;  ///< by reading: signed residual over its standard deviation, with the scatter found
+  double odometry_scatter = 1;  ///< of odometry, over what was declared
   int iterations = 0;
 };
 
-/// Systematic errors of a recording from the recording and the map alone: all poses and all errors are adjusted
-/// together, readings against predictions, the way between poses against odometry (Gauss-Newton, PoseChainSystem).
-/// Outliers do not count (Geman-McClure loss of four deviations for readings; of odometry only what is beyond twenty).
-/// Scatters of readings (median) and of odometry (its redundancy) are estimated beside it, so that declared deviations
-/// of odometry need only be right to a factor of ten; readings are never believed more than declared. Delays are also
-/// tried from starts of up to 1 s either way.
+/// Self-calibration: systematic errors of a recording from the recording and the map alone. All poses and all unknowns
+/// are adjusted together: readings against their predictions, the motion between poses against odometry (Gauss-Newton,
+/// PoseChainSystem). Outliers do not count (Geman-McClure loss with a scale of four standard deviations for readings;
+/// twenty for odometry). The scatter of readings (median) and of odometry (its redundancy) is estimated too, so that
+/// the declared standard deviations of odometry need only be right to a factor of ten; those of readings are a lower
+/// bound. Delays are also started from up to 1 s early and late.
 ///
-/// Standard deviations are the larger of two: those of the normal equations with the scatters found, and those that
-/// the parts of the recording show by disagreeing with each other (sandwich over up to thirty blocks of time: errors
-/// that last are counted as what they are). An error whose deviation exceeds what makes it of use (delay 0.1 s, bearing
-/// 3 deg, range a twentieth of the typical range, range scale 0.05, odometry scales 0.1, veer 0.05 rad/m) is not told;
-/// the worst one is held at 0 and the others are estimated again. A robot that does not move by more than odometry errs
-/// tells no delays and no errors of odometry.
-/// Status: `too_few` below 20 readings or 3 per error, `degenerate` when poses stay undetermined, `bad_input`.
-[[nodiscard]] RecordingErrors calibrate(const CalibrationProblem& way, const std::vector<ErrorTerm>& terms);
+/// The standard deviation of a parameter is the larger of two: that of the normal equations with the scatters found,
+/// and that by which separate parts of the recording disagree (sandwich estimator over up to thirty blocks of time,
+/// which counts correlated errors for what they are). A parameter is observable when its standard deviation is small
+/// enough to be of use (delay 0.1 s, bearing offset 3 deg, range offset a twentieth of the typical range, range scale
+/// 0.05, odometry scales 0.1, veer 0.05 rad/m); the worst one that is not is held at 0, and the others are estimated
+/// again. A robot that does not move by more than the error of its odometry makes no delay and no parameter of odometry
+/// observable.
+/// Status: `too_few` below 20 readings or 3 per unknown, `degenerate` when poses stay undetermined, `bad_input`.
+[[nodiscard]] CalibrationResult calibrate(const CalibrationProblem& problem,
+                                          const std::vector<CalibrationUnknown>& unknowns);
 }  // namespace mrpt_ext

@@ -10,19 +10,19 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kSettled = 1e-3;          // step over its deviation
-constexpr double kLoosePose = 1e-6;        // [1/m^2], [1/rad^2] keeps poses that nothing holds
-constexpr double kLeastRedundancy = 0.05;  // of a residual, below it tells nothing of its scatter
+constexpr double kSettled = 1e-3;          // step over its standard deviation
+constexpr double kLoosePose = 1e-6;        // [1/m^2], [1/rad^2] keeps poses without constraints solvable
+constexpr double kLeastRedundancy = 0.05;  // of a residual; below, it carries no information about its scatter
 constexpr double kLeastScatter = 0.1, kMostScatter = 30;
-// Slips belong to odometry: scales are to be right on the whole, not for the pieces that go well. Only a robot that was
-// carried away does not count.
-constexpr double kSlip2 = 400;  // squared deviations
+// Slips belong to odometry: scales are to be right on the whole, not for the stretches without slip. Only a robot that
+// was picked up does not count.
+constexpr double kSlip2 = 400;  // squared standard deviations
 constexpr int kMostBlocks = 30, kLeastBlocks = 8;
 
-/// Wide beliefs, so that an error that nothing tells stays a number.
-double priorStd(CalibrationParameter kind)
+/// Wide priors, so that an unobservable parameter stays finite.
+double priorStd(CalibrationParameter parameter)
 {
-  switch (kind)
+  switch (parameter)
   {
     case CalibrationParameter::delay:
       return 3;
@@ -41,11 +41,11 @@ Pose2 moved(const Pose2& pose, const Vector3d& by)
 }
 }  // namespace
 
-TrajectoryAdjustment::TrajectoryAdjustment(const CalibrationProblem& way, std::vector<ErrorTerm> terms)
-    : way_(way), model_(way, std::move(terms)), scatters_(way.sensors)
+TrajectoryAdjustment::TrajectoryAdjustment(const CalibrationProblem& problem, std::vector<CalibrationUnknown> unknowns)
+    : problem_(problem), model_(problem, std::move(unknowns)), scatters_(problem.sensors)
 {
-  for (const TrajectoryPose& pose : way.poses) poses_.push_back(pose.pose);
-  for (const CalibrationReading& r : way.readings)
+  for (const TrajectoryPose& pose : problem.poses) poses_.push_back(pose.pose);
+  for (const CalibrationReading& r : problem.readings)
     ++(r.is_range ? scatters_[r.sensor].ranges : scatters_[r.sensor].bearings);
 }
 
@@ -54,28 +54,25 @@ double TrajectoryAdjustment::scatterOf(const CalibrationReading& r) const
   return r.is_range ? scatters_[r.sensor].range : scatters_[r.sensor].bearing;
 }
 
-/// Never below what is declared: neighbouring readings that share their errors scatter less than they err, and poses
-/// that followed them would make odometry look wrong.
-double TrajectoryAdjustment::believedScatterOf(const CalibrationReading& r) const
-{
-  return std::max(1.0, scatterOf(r));
-}
+/// Never below what is declared: neighbouring readings with correlated errors scatter less than they err, and poses
+/// that followed them would make odometry appear wrong.
+double TrajectoryAdjustment::assumedScatterOf(const CalibrationReading& r) const { return std::max(1.0, scatterOf(r)); }
 
 void TrajectoryAdjustment::restart(const TrajectoryAdjustment& start, const Eigen::VectorXd& errors)
 {
   poses_ = start.poses_;
   scatters_ = start.scatters_;
-  way_scatter_ = start.way_scatter_;
+  odometry_scatter_ = start.odometry_scatter_;
   model_.setErrors(errors);
 }
 
-PoseChainSystem TrajectoryAdjustment::linearised() const
+PoseChainSystem TrajectoryAdjustment::linearized() const
 {
   PoseChainSystem chain(poses_.size(), model_.errors().size());
-  for (const CalibrationReading& r : way_.readings)
+  for (const CalibrationReading& r : problem_.readings)
   {
     const ReadingResidual row = model_.reading(r, poses_[r.pose]);
-    const double scatter = believedScatterOf(r),
+    const double scatter = assumedScatterOf(r),
                  weight = robust::weight(square(row.residual / scatter)) / square(scatter);
     chain.addReading(r.pose, row.residual, row.own, row.shared, weight);
   }
@@ -83,15 +80,15 @@ PoseChainSystem TrajectoryAdjustment::linearised() const
   {
     for (int axis = 0; axis < 3; ++axis)
       chain.addReading(k, 0, JacobianRow::Unit(axis), Eigen::RowVectorXd::Zero(model_.errors().size()), kLoosePose);
-    if (k == 0 || !way_.poses[k].since_previous) continue;
+    if (k == 0 || !problem_.poses[k].since_previous) continue;
     const OdometryResidual row = model_.link(k, poses_[k - 1], poses_[k]);
     const double weight = robust::weight((linkScale() * row.residual).squaredNorm(), kSlip2) * square(linkScale());
     chain.addLink(k - 1, row.residual, row.own, row.next, row.shared, weight);
   }
-  for (std::size_t k = 0; k < model_.terms().size(); ++k)
+  for (std::size_t k = 0; k < model_.unknowns().size(); ++k)
   {
     const auto i = static_cast<Eigen::Index>(k);
-    chain.addShared(i, -model_.errors()[i], priorStd(model_.terms()[k].kind));
+    chain.addShared(i, -model_.errors()[i], priorStd(model_.unknowns()[k].parameter));
   }
   return chain;
 }
@@ -99,13 +96,13 @@ PoseChainSystem TrajectoryAdjustment::linearised() const
 double TrajectoryAdjustment::cost() const
 {
   double cost = 0;
-  for (const CalibrationReading& r : way_.readings)
-    cost += robust::loss(square(model_.reading(r, poses_[r.pose]).residual / believedScatterOf(r)));
+  for (const CalibrationReading& r : problem_.readings)
+    cost += robust::loss(square(model_.reading(r, poses_[r.pose]).residual / assumedScatterOf(r)));
   for (std::size_t k = 1; k < poses_.size(); ++k)
-    if (way_.poses[k].since_previous)
+    if (problem_.poses[k].since_previous)
       cost += robust::loss((linkScale() * model_.linkResidual(k, poses_[k - 1], poses_[k])).squaredNorm(), kSlip2);
-  for (std::size_t k = 0; k < model_.terms().size(); ++k)
-    cost += square(model_.errors()[static_cast<Eigen::Index>(k)] / priorStd(model_.terms()[k].kind));
+  for (std::size_t k = 0; k < model_.unknowns().size(); ++k)
+    cost += square(model_.errors()[static_cast<Eigen::Index>(k)] / priorStd(model_.unknowns()[k].parameter));
   return cost;
 }
 
@@ -121,7 +118,7 @@ bool TrajectoryAdjustment::descend(int most_steps)
   double before = cost();
   for (int k = 0; k < most_steps; ++k, ++steps_)
   {
-    const std::optional<ChainSolution> solution = linearised().solve();
+    const std::optional<ChainSolution> solution = linearized().solve();
     if (!solution || !solution->shared_step.allFinite()) return false;
     const std::vector<Pose2> from = poses_;
     const Eigen::VectorXd errors = model_.errors();
@@ -142,14 +139,14 @@ bool TrajectoryAdjustment::descend(int most_steps)
 
 bool TrajectoryAdjustment::estimateScatters()
 {
-  const std::optional<ChainSolution> solution = linearised().solve();
+  const std::optional<ChainSolution> solution = linearized().solve();
   if (!solution) return false;
-  std::vector<std::vector<double>> bearings(way_.sensors), ranges(way_.sensors);
-  for (const CalibrationReading& r : way_.readings)
+  std::vector<std::vector<double>> bearings(problem_.sensors), ranges(problem_.sensors);
+  for (const CalibrationReading& r : problem_.readings)
   {
     const ReadingResidual row = model_.reading(r, poses_[r.pose]);
-    const double weight = robust::weight(square(row.residual / believedScatterOf(r)));
-    const double explained = row.own.dot(row.own * solution->covariance[r.pose]) / square(believedScatterOf(r));
+    const double weight = robust::weight(square(row.residual / assumedScatterOf(r)));
+    const double explained = row.own.dot(row.own * solution->covariance[r.pose]) / square(assumedScatterOf(r));
     const double redundancy = std::max(1 - weight * explained, kLeastRedundancy);
     (r.is_range ? ranges : bearings)[r.sensor].push_back(std::abs(row.residual) / std::sqrt(redundancy));
   }
@@ -158,7 +155,7 @@ bool TrajectoryAdjustment::estimateScatters()
   double misfit = 0, redundancy = 0;
   for (std::size_t k = 1; k < poses_.size(); ++k)
   {
-    if (!way_.poses[k].since_previous) continue;
+    if (!problem_.poses[k].since_previous) continue;
     const OdometryResidual row = model_.link(k, poses_[k - 1], poses_[k]);
     const double weight = robust::weight((linkScale() * row.residual).squaredNorm(), kSlip2);
     const Matrix3d cross = row.own * solution->with_successor[k - 1] * row.next.transpose();
@@ -167,39 +164,39 @@ bool TrajectoryAdjustment::estimateScatters()
     misfit += weight * row.residual.squaredNorm();
     redundancy += weight * std::max(3 - weight * square(linkScale()) * explained.trace(), 0.0);
   }
-  for (std::size_t s = 0; s < way_.sensors; ++s)
+  for (std::size_t s = 0; s < problem_.sensors; ++s)
   {
     scatters_[s].bearing = scatter_from(bearings[s]);
     scatters_[s].range = scatter_from(ranges[s]);
   }
-  if (redundancy > 10) way_scatter_ = std::clamp(std::sqrt(misfit / redundancy), kLeastScatter, kMostScatter);
+  if (redundancy > 10) odometry_scatter_ = std::clamp(std::sqrt(misfit / redundancy), kLeastScatter, kMostScatter);
   return true;
 }
 
 std::vector<double> TrajectoryAdjustment::misfits() const
 {
   std::vector<double> misfits;
-  for (const CalibrationReading& r : way_.readings)
+  for (const CalibrationReading& r : problem_.readings)
     misfits.push_back(model_.reading(r, poses_[r.pose]).residual / scatterOf(r));
   return misfits;
 }
 
-/// Gradient of the errors that each block of time has, poses adjusted; one row per block. `curvature`: of the losses
-/// over the weights that the normal equations have in their place.
+/// Gradient by the unknowns of each block of time, with the poses eliminated; one row per block. `curvature`: second
+/// derivative of the losses over the weights that stand for it in the normal equations.
 Eigen::MatrixXd TrajectoryAdjustment::scoresByBlock(const ChainSolution& solution, double& curvature) const
 {
-  const Eigen::Index terms = model_.errors().size();
+  const Eigen::Index unknowns = model_.errors().size();
   const auto poses = static_cast<Eigen::Index>(poses_.size());
   const Eigen::Index blocks = std::min<Eigen::Index>(kMostBlocks, poses / 10);
-  Eigen::MatrixXd scores = Eigen::MatrixXd::Zero(blocks, terms);
+  Eigen::MatrixXd scores = Eigen::MatrixXd::Zero(blocks, unknowns);
   if (blocks < kLeastBlocks) return scores;
   const auto block_of = [&](std::size_t k) { return static_cast<Eigen::Index>(k) * blocks / poses; };
   const auto pull_of = [&](std::size_t k) { return solution.pull.middleRows<3>(3 * static_cast<Eigen::Index>(k)); };
   double weights = 0, curvatures = 0;
-  for (const CalibrationReading& r : way_.readings)
+  for (const CalibrationReading& r : problem_.readings)
   {
     const ReadingResidual row = model_.reading(r, poses_[r.pose]);
-    const double scatter = believedScatterOf(r), e2 = square(row.residual / scatter);
+    const double scatter = assumedScatterOf(r), e2 = square(row.residual / scatter);
     const Eigen::RowVectorXd reduced = row.shared - row.own * pull_of(r.pose);
     scores.row(block_of(r.pose)) += robust::weight(e2) * row.residual / square(scatter) * reduced;
     weights += robust::weight(e2);
@@ -207,7 +204,7 @@ Eigen::MatrixXd TrajectoryAdjustment::scoresByBlock(const ChainSolution& solutio
   }
   for (std::size_t k = 1; k < poses_.size(); ++k)
   {
-    if (!way_.poses[k].since_previous) continue;
+    if (!problem_.poses[k].since_previous) continue;
     const OdometryResidual row = model_.link(k, poses_[k - 1], poses_[k]);
     const double weight = robust::weight((linkScale() * row.residual).squaredNorm(), kSlip2) * square(linkScale());
     const Eigen::MatrixXd reduced = row.shared - row.own * pull_of(k - 1) - row.next * pull_of(k);
@@ -217,9 +214,9 @@ Eigen::MatrixXd TrajectoryAdjustment::scoresByBlock(const ChainSolution& solutio
   return scores;
 }
 
-std::optional<Eigen::VectorXd> TrajectoryAdjustment::deviations() const
+std::optional<Eigen::VectorXd> TrajectoryAdjustment::standardDeviations() const
 {
-  const std::optional<ChainSolution> solution = linearised().solve();
+  const std::optional<ChainSolution> solution = linearized().solve();
   if (!solution) return std::nullopt;
   const Eigen::MatrixXd inverse = solution->shared_information.inverse();
   double curvature = 1;

@@ -1,51 +1,50 @@
 #pragma once
 
 #include "mrpt_ext/calibration/block_tridiagonal_solver.h"
-#include "mrpt_ext/calibration/self_calibration.h"
 #include "mrpt_ext/calibration/trajectory_model.h"
 
 namespace mrpt_ext
 {
-/// Robust adjustment of the poses and errors of a recording, step by step; see self_calibration.h.
+/// Robust adjustment of the poses and the unknowns of a recording, step by step; calibrate() runs the steps.
 class TrajectoryAdjustment
 {
  public:
-  /// `way` must outlive it.
-  TrajectoryAdjustment(const CalibrationProblem& way, std::vector<ErrorTerm> terms);
+  /// `problem` must outlive it.
+  TrajectoryAdjustment(const CalibrationProblem& problem, std::vector<CalibrationUnknown> unknowns);
 
   /// Gauss-Newton steps until nothing moves, at most this many; a step that makes it worse is shortened. False when
   /// something is undetermined.
   [[nodiscard]] bool descend(int most_steps);
-  /// The scatters as the residuals have them.
+  /// Estimates the scatters from the residuals; false when something is undetermined.
   [[nodiscard]] bool estimateScatters();
   [[nodiscard]] double cost() const;
-  /// Deviations of the errors, see self_calibration.h.
-  [[nodiscard]] std::optional<Eigen::VectorXd> deviations() const;
+  /// Standard deviations of the unknowns: the larger of normal equations and sandwich estimator over blocks of time.
+  [[nodiscard]] std::optional<Eigen::VectorXd> standardDeviations() const;
 
   [[nodiscard]] const TrajectoryModel& model() const { return model_; }
   [[nodiscard]] const std::vector<Pose2>& poses() const { return poses_; }
   [[nodiscard]] const std::vector<SensorScatter>& scatters() const { return scatters_; }
-  [[nodiscard]] double wayScatter() const { return way_scatter_; }
+  [[nodiscard]] double odometryScatter() const { return odometry_scatter_; }
   [[nodiscard]] int steps() const { return steps_; }
-  /// Residual of each reading over its deviation.
+  /// Residual of each reading over its standard deviation, with the scatter found.
   [[nodiscard]] std::vector<double> misfits() const;
 
-  /// Goes on from other errors, and from the poses of `start`.
+  /// Continues from the poses and scatters of `start`, with other values of the unknowns.
   void restart(const TrajectoryAdjustment& start, const Eigen::VectorXd& errors);
 
  private:
   [[nodiscard]] double scatterOf(const CalibrationReading& reading) const;
-  [[nodiscard]] double believedScatterOf(const CalibrationReading& reading) const;
-  [[nodiscard]] double linkScale() const { return 1 / way_scatter_; }
-  [[nodiscard]] PoseChainSystem linearised() const;
+  [[nodiscard]] double assumedScatterOf(const CalibrationReading& reading) const;
+  [[nodiscard]] double linkScale() const { return 1 / odometry_scatter_; }
+  [[nodiscard]] PoseChainSystem linearized() const;
   void move(const ChainSolution& solution, double share, const std::vector<Pose2>& from, const Eigen::VectorXd& errors);
   [[nodiscard]] Eigen::MatrixXd scoresByBlock(const ChainSolution& solution, double& curvature) const;
 
-  const CalibrationProblem& way_;
+  const CalibrationProblem& problem_;
   TrajectoryModel model_;
   std::vector<Pose2> poses_;
   std::vector<SensorScatter> scatters_;
-  double way_scatter_ = 1;
+  double odometry_scatter_ = 1;
   int steps_ = 0;
 };
 }  // namespace mrpt_ext

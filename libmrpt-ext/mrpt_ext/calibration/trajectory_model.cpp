@@ -9,7 +9,7 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kDelayChange = 0.05;  // [s] longer than the time between two records of most odometries
-constexpr double kLeastLink = 1e-4;    // [m], [rad] to which odometry is believed at most, per link
+constexpr double kLeastLink = 1e-4;    // [m], [rad] smallest standard deviation of odometry per link
 
 Pose2 differenceOf(const Pose2& plus, const Pose2& minus, double by)
 {
@@ -17,17 +17,17 @@ Pose2 differenceOf(const Pose2& plus, const Pose2& minus, double by)
 }
 }  // namespace
 
-TrajectoryModel::TrajectoryModel(const CalibrationProblem& way, std::vector<ErrorTerm> terms)
-    : way_(way),
-      terms_(std::move(terms)),
-      of_sensor_(way.sensors),
-      path_(way.odometry, {}),
-      values_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(terms_.size())))
+TrajectoryModel::TrajectoryModel(const CalibrationProblem& problem, std::vector<CalibrationUnknown> unknowns)
+    : problem_(problem),
+      unknowns_(std::move(unknowns)),
+      of_sensor_(problem.sensors),
+      path_(problem.odometry, {}),
+      values_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknowns_.size())))
 {
-  for (std::size_t k = 0; k < terms_.size(); ++k)
+  for (std::size_t k = 0; k < unknowns_.size(); ++k)
   {
-    const CalibrationParameter kind = terms_[k].kind;
-    SensorTerms unused, &sensor = isOfOdometry(kind) ? unused : of_sensor_[terms_[k].sensor];
+    const CalibrationParameter kind = unknowns_[k].parameter;
+    SensorTerms unused, &sensor = isOfOdometry(kind) ? unused : of_sensor_[unknowns_[k].sensor];
     int& number = kind == CalibrationParameter::delay            ? sensor.delay
                   : kind == CalibrationParameter::bearing_offset ? sensor.bearing_offset
                   : kind == CalibrationParameter::range_offset   ? sensor.range_offset
@@ -37,7 +37,7 @@ TrajectoryModel::TrajectoryModel(const CalibrationProblem& way, std::vector<Erro
                                                                  : veer_;
     number = static_cast<int>(k);
   }
-  for (const TrajectoryPose& pose : way.poses)
+  for (const TrajectoryPose& pose : problem.poses)
   {
     Matrix3d covariance = pose.since_previous.value_or(Matrix3d::Identity());
     covariance.diagonal().array() += square(kLeastLink);
@@ -58,7 +58,7 @@ Pose2 TrajectoryModel::backBy(double time, double late) const { return between(p
 ReadingResidual TrajectoryModel::reading(const CalibrationReading& r, const Pose2& pose) const
 {
   const SensorTerms& terms = of_sensor_[r.sensor];
-  const double time = way_.poses[r.pose].time, late = valueOf(terms.delay);
+  const double time = problem_.poses[r.pose].time, late = valueOf(terms.delay);
   const Pose2 back = terms.delay < 0 ? Pose2{} : backBy(time, late);
   const Pose2 then = compose(pose, back);
   const Vector2d offset = r.T_robot_sensor.position();
@@ -67,17 +67,17 @@ ReadingResidual TrajectoryModel::reading(const CalibrationReading& r, const Pose
   double predicted = 0;
   if (r.is_range)
   {
-    const double flat = predictRange(then, r.place, r.T_robot_sensor), slant = std::hypot(flat, r.height);
+    const double flat = predictRange(then, r.landmark, r.T_robot_sensor), slant = std::hypot(flat, r.height);
     const double scale = 1 + valueOf(terms.range_scale);
     predicted = scale * slant + valueOf(terms.range_offset);
-    by_then = (slant > 0 ? scale * flat / slant : 0) * rangeJacobian(then, r.place, offset);
+    by_then = (slant > 0 ? scale * flat / slant : 0) * rangeJacobian(then, r.landmark, offset);
     if (terms.range_scale >= 0) row.shared[terms.range_scale] = slant;
     if (terms.range_offset >= 0) row.shared[terms.range_offset] = 1;
   }
   else
   {
-    predicted = predictBearing(then, r.place, r.T_robot_sensor) + valueOf(terms.bearing_offset);
-    by_then = bearingJacobian(then, r.place, offset);
+    predicted = predictBearing(then, r.landmark, r.T_robot_sensor) + valueOf(terms.bearing_offset);
+    by_then = bearingJacobian(then, r.landmark, offset);
     if (terms.bearing_offset >= 0) row.shared[terms.bearing_offset] = 1;
   }
   row.residual = (r.is_range ? r.value - predicted : wrap(r.value - predicted)) / r.std;
@@ -94,7 +94,7 @@ ReadingResidual TrajectoryModel::reading(const CalibrationReading& r, const Pose
 
 Vector3d TrajectoryModel::linkResidual(std::size_t k, const Pose2& before, const Pose2& pose) const
 {
-  const Pose2 logged = path_.between(way_.poses[k - 1].time, way_.poses[k].time).increment;
+  const Pose2 logged = path_.between(problem_.poses[k - 1].time, problem_.poses[k].time).increment;
   const Pose2 predicted = predictOdometry(between(before, pose));
   return whitening_[k] * Vector3d(logged.x - predicted.x, logged.y - predicted.y, wrap(logged.phi - predicted.phi));
 }
@@ -103,7 +103,7 @@ OdometryResidual TrajectoryModel::link(std::size_t k, const Pose2& before, const
 {
   const Pose2 moved = between(before, pose), predicted = predictOdometry(moved);
   const Vector2d chord = predicted.position(), swing = perpendicular(chord);
-  const double length = moved.position().norm(), way = 1 + valueOf(distance_scale_),
+  const double length = moved.position().norm(), distance = 1 + valueOf(distance_scale_),
                turn = 1 + valueOf(rotation_scale_);
 
   const Matrix2d R = rotation(-before.phi);
@@ -112,22 +112,22 @@ OdometryResidual TrajectoryModel::link(std::size_t k, const Pose2& before, const
   moved_by_before.topRightCorner<2, 1>() = -perpendicular(moved.position());
   moved_by_pose.topLeftCorner<2, 2>() = R;
 
-  Matrix3d told_by_moved = Matrix3d::Identity();
-  told_by_moved.topLeftCorner<2, 2>() = rotation(0.5 * (predicted.phi - moved.phi)) / way;
-  told_by_moved(2, 2) = 1 / turn;
+  Matrix3d predicted_by_moved = Matrix3d::Identity();
+  predicted_by_moved.topLeftCorner<2, 2>() = rotation(0.5 * (predicted.phi - moved.phi)) / distance;
+  predicted_by_moved(2, 2) = 1 / turn;
   if (length > 0)
-    told_by_moved.bottomLeftCorner<1, 2>() = -valueOf(veer_) / turn * moved.position().transpose() / length;
-  // What the turn does to the chord.
-  told_by_moved.topLeftCorner<2, 2>() += 0.5 * swing * told_by_moved.bottomLeftCorner<1, 2>();
-  told_by_moved.topRightCorner<2, 1>() = 0.5 * (1 / turn - 1) * swing;
+    predicted_by_moved.bottomLeftCorner<1, 2>() = -valueOf(veer_) / turn * moved.position().transpose() / length;
+  // The turn rotates the chord.
+  predicted_by_moved.topLeftCorner<2, 2>() += 0.5 * swing * predicted_by_moved.bottomLeftCorner<1, 2>();
+  predicted_by_moved.topRightCorner<2, 1>() = 0.5 * (1 / turn - 1) * swing;
 
   OdometryResidual row{.residual = linkResidual(k, before, pose),
-                       .own = whitening_[k] * told_by_moved * moved_by_before,
-                       .next = whitening_[k] * told_by_moved * moved_by_pose,
+                       .own = whitening_[k] * predicted_by_moved * moved_by_before,
+                       .next = whitening_[k] * predicted_by_moved * moved_by_pose,
                        .shared = Eigen::Matrix<double, 3, Eigen::Dynamic>::Zero(3, values_.size())};
   const auto turned = [&](double by) { return Vector3d(0.5 * by * swing.x(), 0.5 * by * swing.y(), by); };
   if (distance_scale_ >= 0)
-    row.shared.col(distance_scale_) = whitening_[k] * Vector3d(-chord.x() / way, -chord.y() / way, 0);
+    row.shared.col(distance_scale_) = whitening_[k] * Vector3d(-chord.x() / distance, -chord.y() / distance, 0);
   if (rotation_scale_ >= 0) row.shared.col(rotation_scale_) = whitening_[k] * turned(-predicted.phi / turn);
   if (veer_ >= 0) row.shared.col(veer_) = whitening_[k] * turned(-length / turn);
   return row;

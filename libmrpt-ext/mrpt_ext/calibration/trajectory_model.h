@@ -15,27 +15,27 @@ struct ReadingResidual
   Eigen::RowVectorXd shared;  ///< by the errors
 };
 
-/// The way between a pose and the next against odometry, in declared standard deviations.
+/// The motion between a pose and the next against odometry, in declared standard deviations.
 struct OdometryResidual
 {
-  Vector3d residual{0, 0, 0};  ///< told by odometry minus predicted
+  Vector3d residual{0, 0, 0};  ///< odometry minus predicted
   Matrix3d own, next;          ///< of the prediction, by the two poses
   Eigen::Matrix<double, 3, Eigen::Dynamic> shared;
 };
 
-/// What a recording should hold, given its poses and its systematic errors. Odometry is what is measured, with noise:
-/// it is predicted from the poses, never scaled to fit them, or its noise would be taken for way that is too long. The
-/// derivative by a delay is a difference (odometry is a polygon).
+/// Measurement model of a recording, given its poses and its systematic errors. Odometry is a measurement with noise:
+/// it is predicted from the poses, never scaled to fit them, or its noise would count as distance. The derivative by a
+/// delay is a finite difference (odometry is a polygon).
 class TrajectoryModel
 {
  public:
-  /// `way` must outlive the model.
-  TrajectoryModel(const CalibrationProblem& way, std::vector<ErrorTerm> terms);
+  /// `problem` must outlive the model.
+  TrajectoryModel(const CalibrationProblem& problem, std::vector<CalibrationUnknown> unknowns);
 
-  /// `values` in the order of the terms.
+  /// `values` in the order of the unknowns.
   void setErrors(const Eigen::VectorXd& values) { values_ = values; }
   [[nodiscard]] const Eigen::VectorXd& errors() const { return values_; }
-  [[nodiscard]] const std::vector<ErrorTerm>& terms() const { return terms_; }
+  [[nodiscard]] const std::vector<CalibrationUnknown>& unknowns() const { return unknowns_; }
 
   [[nodiscard]] ReadingResidual reading(const CalibrationReading& reading, const Pose2& pose) const;
   /// Between pose `k - 1` and pose `k`, which must be tied.
@@ -44,21 +44,21 @@ class TrajectoryModel
   [[nodiscard]] Vector3d linkResidual(std::size_t k, const Pose2& before, const Pose2& pose) const;
 
  private:
-  /// Numbers of the terms of a sensor, -1: none.
+  /// Numbers of the unknowns of a sensor, -1: none.
   struct SensorTerms
   {
     int delay = -1, bearing_offset = -1, range_offset = -1, range_scale = -1;
   };
   [[nodiscard]] double valueOf(int term) const { return term < 0 ? 0 : values_[term]; }
-  /// What odometry should tell of a motion.
+  /// Odometry that a motion should give.
   [[nodiscard]] Pose2 predictOdometry(const Pose2& moved) const;
-  /// Way by odometry from the stamp to `late` [s] before it.
+  /// Motion by odometry from the stamp to `late` [s] before it.
   [[nodiscard]] Pose2 backBy(double time, double late) const;
 
-  const CalibrationProblem& way_;
-  std::vector<ErrorTerm> terms_;
+  const CalibrationProblem& problem_;
+  std::vector<CalibrationUnknown> unknowns_;
   std::vector<SensorTerms> of_sensor_;
-  int distance_scale_ = -1, rotation_scale_ = -1, veer_ = -1;  // numbers of their terms
+  int distance_scale_ = -1, rotation_scale_ = -1, veer_ = -1;  // numbers of their unknowns
   OdometryPath path_;
   std::vector<Matrix3d> whitening_;  // of each link
   Eigen::VectorXd values_;

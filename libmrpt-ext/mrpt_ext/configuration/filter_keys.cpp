@@ -1,6 +1,7 @@
 #include "mrpt_ext/configuration/filter_keys.h"
 
 #include "mrpt_ext/configuration/localization_choices.h"
+#include "mrpt_ext/configuration/localization_config.h"
 #include "mrpt_ext/settings/key_section.h"
 
 namespace mrpt_ext

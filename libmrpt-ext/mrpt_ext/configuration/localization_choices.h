@@ -1,6 +1,9 @@
 #pragma once
 
-#include "mrpt_ext/configuration/localization_config.h"
+#include "mrpt_ext/configuration/filter_engine.h"
+#include "mrpt_ext/filter/particle_filter.h"
+#include "mrpt_ext/geometry/identity_level.h"
+#include "mrpt_ext/localizers/running_fix_localizer.h"
 #include "mrpt_ext/settings/key_choice.h"
 
 namespace mrpt_ext

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "mrpt_ext/configuration/filter_engine.h"
 #include "mrpt_ext/evaluation/convergence.h"
 #include "mrpt_ext/filter/particle_filter.h"
 #include "mrpt_ext/frames/frame_synchronizer.h"
@@ -13,12 +14,6 @@
 
 namespace mrpt_ext
 {
-enum class FilterEngine
-{
-  batch,  ///< our particle filter
-  mrpt    ///< MRPT's CMonteCarloLocalization2D, the reference
-};
-
 inline constexpr double kRegionMargin = 3;             ///< [m] around the landmarks: where the robot may be
 inline constexpr double kStartStdXy = 0.1;             ///< [m] of a known start
 inline constexpr double kStartStdPhi = degToRad(5.0);  ///< [rad]

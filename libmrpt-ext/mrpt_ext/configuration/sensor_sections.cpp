@@ -1,5 +1,7 @@
 #include "mrpt_ext/configuration/sensor_sections.h"
 
+#include <sstream>
+
 #include "mrpt_ext/configuration/localization_choices.h"
 #include "mrpt_ext/files/number_format.h"
 
@@ -13,7 +15,9 @@ const std::string kPrefix = "Sensor_";
 LandmarkValues landmarkValues(const Settings& settings, const std::string& section, const std::string& key)
 {
   LandmarkValues values;
-  for (const std::string& word : settings.words(section, key))
+  if (!settings.hasValue(section, key)) return values;
+  std::istringstream words(settings.text(section, key));
+  for (std::string word; words >> word;)
   {
     const std::size_t colon = word.find(':');
     const auto id = parseInteger(word.substr(0, colon));

@@ -120,7 +120,7 @@ class CalibrationDataBuilder
     const Vector3d position = map[*landmark].position;
     CalibrationReading r{.pose = result_.problem.poses.size() - 1,
                          .sensor = static_cast<std::size_t>(label - result_.sensors.begin()),
-                         .place = position.head<2>(),
+                         .landmark = position.head<2>(),
                          .T_robot_sensor = reading.T_robot_sensor,
                          .height = reading.horizontal_range ? 0 : position.z() - reading.sensor_height};
     const auto add = [&](bool is_range, double value, double std)

@@ -40,28 +40,28 @@ std::string whyNotObservable(CalibrationParameter kind)
 class Translator
 {
  public:
-  Translator(const RecordingErrors& errors, const std::vector<std::string>& sensors, const LocalizationConfig& config)
+  Translator(const CalibrationResult& errors, const std::vector<std::string>& sensors, const LocalizationConfig& config)
       : errors_(errors), sensors_(sensors), config_(config)
   {
   }
 
-  [[nodiscard]] CalibrationFinding finding(const EstimatedError& error) const
+  [[nodiscard]] CalibrationFinding finding(const ParameterEstimate& error) const
   {
-    CalibrationFinding found = isOfOdometry(error.term.kind) ? ofOdometry(error) : ofSensor(error);
-    if (!error.observable) found.why_not_observable = whyNotObservable(error.term.kind);
+    CalibrationFinding found = isOfOdometry(error.unknown.parameter) ? ofOdometry(error) : ofSensor(error);
+    if (!error.observable) found.why_not_observable = whyNotObservable(error.unknown.parameter);
     return found;
   }
 
  private:
   [[nodiscard]] double valueOf(CalibrationParameter kind) const
   {
-    for (const EstimatedError& error : errors_.errors)
-      if (error.term.kind == kind) return error.value;
+    for (const ParameterEstimate& error : errors_.errors)
+      if (error.unknown.parameter == kind) return error.value;
     return 0;
   }
 
   /// The value is `base + scale * error`.
-  static void set(CalibrationFinding& found, const EstimatedError& error, double base, double scale)
+  static void set(CalibrationFinding& found, const ParameterEstimate& error, double base, double scale)
   {
     found.configured = base;
     found.estimate = base + scale * error.value;
@@ -69,7 +69,8 @@ class Translator
   }
 
   /// Where the configuration states the mean of this error for its estimation, the finding is that mean.
-  bool setAsMean(CalibrationFinding& found, const EstimatedError& error, BiasKind kind, const std::string& label) const
+  bool setAsMean(CalibrationFinding& found, const ParameterEstimate& error, BiasKind kind,
+                 const std::string& label) const
   {
     for (const BiasState& bias : config_.biases)
     {
@@ -84,17 +85,17 @@ class Translator
     return false;
   }
 
-  [[nodiscard]] CalibrationFinding ofOdometry(const EstimatedError& error) const
+  [[nodiscard]] CalibrationFinding ofOdometry(const ParameterEstimate& error) const
   {
     const OdometryCorrection& now = config_.frames.odometry;
     CalibrationFinding found;
-    if (error.term.kind == CalibrationParameter::distance_scale)
+    if (error.unknown.parameter == CalibrationParameter::distance_scale)
     {
       found = {.what = "odometry: true over measured distance", .decimals = 4, .line = {kMotion, "odometry_scale", ""}};
       set(found, error, now.scale, now.scale);
       if (setAsMean(found, error, BiasKind::distance_scale, "")) found.what = "odometry: relative error of distance";
     }
-    if (error.term.kind == CalibrationParameter::rotation_scale)
+    if (error.unknown.parameter == CalibrationParameter::rotation_scale)
     {
       found = {.what = "odometry: true over measured rotation",
                .decimals = 4,
@@ -102,7 +103,7 @@ class Translator
       set(found, error, now.rotation_scale, now.rotation_scale);
       if (setAsMean(found, error, BiasKind::rotation_scale, "")) found.what = "odometry: relative error of rotation";
     }
-    if (error.term.kind == CalibrationParameter::veer)
+    if (error.unknown.parameter == CalibrationParameter::veer)
     {
       found = {.what = "odometry: unmeasured left turn per metre",
                .unit = "deg",
@@ -117,12 +118,12 @@ class Translator
     return found;
   }
 
-  [[nodiscard]] CalibrationFinding ofSensor(const EstimatedError& error) const
+  [[nodiscard]] CalibrationFinding ofSensor(const ParameterEstimate& error) const
   {
-    const std::string label = sensors_[error.term.sensor], section = "Sensor_" + label;
+    const std::string label = sensors_[error.unknown.sensor], section = "Sensor_" + label;
     const SensorConfig& now = configOf(config_.frames.sensors, label);
     CalibrationFinding found;
-    switch (error.term.kind)
+    switch (error.unknown.parameter)
     {
       case CalibrationParameter::delay:
         return delay(error, label, now);
@@ -147,7 +148,7 @@ class Translator
     }
   }
 
-  [[nodiscard]] CalibrationFinding delay(const EstimatedError& error, const std::string& label,
+  [[nodiscard]] CalibrationFinding delay(const ParameterEstimate& error, const std::string& label,
                                          const SensorConfig& now) const
   {
     const bool odometry_is_late = config_.frames.odometry.delay != 0 && sensors_.size() == 1;
@@ -159,7 +160,7 @@ class Translator
     return found;
   }
 
-  const RecordingErrors& errors_;
+  const CalibrationResult& errors_;
   const std::vector<std::string>& sensors_;
   const LocalizationConfig& config_;
 };
@@ -182,32 +183,33 @@ struct Residuals
   double outliers = 0;
 };
 
-bool isOfRanges(const EstimatedError& error)
+bool isOfRanges(const ParameterEstimate& error)
 {
-  return error.term.kind == CalibrationParameter::range_offset || error.term.kind == CalibrationParameter::range_scale;
+  return error.unknown.parameter == CalibrationParameter::range_offset ||
+         error.unknown.parameter == CalibrationParameter::range_scale;
 }
 }  // namespace
 
-std::vector<CalibrationFinding> calibrationFindings(const RecordingErrors& errors,
+std::vector<CalibrationFinding> calibrationFindings(const CalibrationResult& errors,
                                                     const std::vector<std::string>& sensors,
                                                     const LocalizationConfig& config)
 {
   const Translator translator(errors, sensors, config);
   std::vector<CalibrationFinding> findings;
-  for (const EstimatedError& error : errors.errors) findings.push_back(translator.finding(error));
+  for (const ParameterEstimate& error : errors.errors) findings.push_back(translator.finding(error));
   for (std::size_t k = 0; k < findings.size(); ++k)
   {
-    const EstimatedError& error = errors.errors[k];
+    const ParameterEstimate& error = errors.errors[k];
     bool set = differs(findings[k]);
     for (std::size_t j = 0; j < findings.size() && isOfRanges(error); ++j)
-      set = set ||
-            (isOfRanges(errors.errors[j]) && errors.errors[j].term.sensor == error.term.sensor && differs(findings[j]));
+      set = set || (isOfRanges(errors.errors[j]) && errors.errors[j].unknown.sensor == error.unknown.sensor &&
+                    differs(findings[j]));
     settleLine(findings[k], set);
   }
   return findings;
 }
 
-std::vector<CalibrationFinding> noiseFindings(const RecordingErrors& errors, const CalibrationData& data,
+std::vector<CalibrationFinding> noiseFindings(const CalibrationResult& errors, const CalibrationData& data,
                                               const LocalizationConfig& config)
 {
   std::map<std::pair<std::size_t, bool>, Residuals> by_sensor;
@@ -250,7 +252,7 @@ std::vector<CalibrationFinding> noiseFindings(const RecordingErrors& errors, con
   return findings;
 }
 
-std::vector<std::string> landmarkLines(const RecordingErrors& errors, const CalibrationData& data,
+std::vector<std::string> landmarkLines(const CalibrationResult& errors, const CalibrationData& data,
                                        const LandmarkTable& map)
 {
   struct Count

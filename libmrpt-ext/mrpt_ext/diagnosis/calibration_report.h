@@ -30,16 +30,17 @@ struct CalibrationFinding
 /// observable: it is attributed to odometry where the configuration does so and there is one sensor, else to the
 /// sensor. A value differs when it is more than two standard deviations from the configured one; offset and scale of a
 /// range are set together.
-[[nodiscard]] std::vector<CalibrationFinding> calibrationFindings(const RecordingErrors& errors,
+[[nodiscard]] std::vector<CalibrationFinding> calibrationFindings(const CalibrationResult& errors,
                                                                   const std::vector<std::string>& sensors,
                                                                   const LocalizationConfig& config);
 
 /// Measurement noise and share of outliers by sensor; they differ where the configuration states less.
-[[nodiscard]] std::vector<CalibrationFinding> noiseFindings(const RecordingErrors& errors, const CalibrationData& data,
+[[nodiscard]] std::vector<CalibrationFinding> noiseFindings(const CalibrationResult& errors,
+                                                            const CalibrationData& data,
                                                             const LocalizationConfig& config);
 
 /// Shares of outliers by landmark, one line each.
-[[nodiscard]] std::vector<std::string> landmarkLines(const RecordingErrors& errors, const CalibrationData& data,
+[[nodiscard]] std::vector<std::string> landmarkLines(const CalibrationResult& errors, const CalibrationData& data,
                                                      const LandmarkTable& map);
 
 /// A table, one line per finding, with a heading.

@@ -82,7 +82,7 @@ std::vector<RadioEpoch> epochsOf(const Recording& recording, const Radios& radio
 
 std::string withStd(double value, double std) { return fixedText(value, 3) + " +- " + fixedText(std, 3) + " m"; }
 
-RangeBiasReport report(const RadioDelays& delays, const Radios& radios)
+RangeBiasReport report(const RangeBiases& delays, const Radios& radios)
 {
   RangeBiasReport findings;
   findings.lines.push_back("radios: " + std::to_string(delays.epochs) + " epochs, std of the ranges " +
@@ -110,7 +110,7 @@ RangeBiasReport report(const RadioDelays& delays, const Radios& radios)
 RangeBiasReport reportRangeBiases(const Recording& recording)
 {
   const Radios radios = radiosOf(recording);
-  const RadioDelays delays = estimateRadioDelays(epochsOf(recording, radios), radios.std_range);
+  const RangeBiases delays = estimateRangeBiases(epochsOf(recording, radios), radios.std_range);
   if (delays.status == SolveStatus::ok) return report(delays, radios);
   const std::string why = delays.status == SolveStatus::degenerate
                               ? "the ranges leave some of them undetermined"

@@ -19,7 +19,10 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMaxStamps = 2400;  // more than a chart can resolve
 
 /// How many entries are merged into one point of a chart.
-std::size_t entriesPerPoint(std::size_t entries) { return entries / (kMaxStamps + 1) + 1; }
+std::size_t entriesPerPoint(std::size_t entries)
+{
+  return std::max<std::size_t>(1, (entries + kMaxStamps - 1) / kMaxStamps);
+}
 
 Json number(const OptionalNumber& value, int decimals) { return value ? rounded(*value, decimals) : Json(nullptr); }
 

@@ -185,7 +185,7 @@ class Figures(unittest.TestCase):
 
     def test_the_run_has_enough_to_compare(self):
         self.assertGreater(len(self.run_of.stamps), 50)
-        self.assertGreater(len(self.run_of.tracks), 3)
+        self.assertGreater(len(self.run_of.trajectories), 3)
         self.assertIsNotNone(self.run_of.from_stamp)
 
     def test_convergence(self):
