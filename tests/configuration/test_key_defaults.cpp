@@ -49,11 +49,11 @@ TEST(KeyDefaults, OfRecoveryAndVerdictAreThoseOfTheirOptions)
 {
   const ParticleFilterOptions read = emptyConfig().filter, plain;
   EXPECT_EQ(read.recovery.reseed_inlier_ratio, plain.recovery.reseed_inlier_ratio);
-  EXPECT_EQ(read.recovery.lost_share, plain.recovery.lost_share);
+  EXPECT_EQ(read.recovery.lost_inlier_ratio, plain.recovery.lost_inlier_ratio);
   EXPECT_EQ(read.recovery.injected_particle_share, plain.recovery.injected_particle_share);
   EXPECT_EQ(read.recovery.relocalization_prior, plain.recovery.relocalization_prior);
-  EXPECT_EQ(read.companions, plain.companions);
-  EXPECT_EQ(read.redraw_below, plain.redraw_below);
+  EXPECT_EQ(read.mode_kalman_filters, plain.mode_kalman_filters);
+  EXPECT_EQ(read.kalman_proposal_below_ess, plain.kalman_proposal_below_ess);
   EXPECT_EQ(read.verdict.min_best_weight, plain.verdict.min_best_weight);
   EXPECT_EQ(read.verdict.max_std_xy, plain.verdict.max_std_xy);
   EXPECT_EQ(read.verdict.max_std_phi, plain.verdict.max_std_phi);

@@ -15,7 +15,7 @@ struct SimulatedRobot
   double std_bearing = degToRad(1);
   double std_range = 0.05;
   bool measures_range = false;
-  bool named = true;
+  bool identified = true;
   std::size_t detections = 5;
   double clutter = 0.001;
 };
@@ -62,7 +62,7 @@ inline Frame simulatedFrame(const SimulatedRobot& robot, const LandmarkTable& ma
   {
     std::swap(order[i], order[i + random.below(order.size() - i)]);
     const Vector2d landmark = map[order[i]].position.head<2>();
-    Detection detection{.id = robot.named ? map[order[i]].id : kNoId};
+    Detection detection{.id = robot.identified ? map[order[i]].id : kNoId};
     detection.std_bearing = robot.std_bearing;
     detection.bearing = wrap(predictBearing(truth, landmark) + robot.std_bearing * random.gaussian());
     if (robot.measures_range)
@@ -78,6 +78,6 @@ inline Frame simulatedFrame(const SimulatedRobot& robot, const LandmarkTable& ma
 
 inline double distance(const Pose2& a, const Pose2& b) { return (a.position() - b.position()).norm(); }
 
-/// A proposer that has nothing to propose.
+/// A source without hypotheses.
 inline HypothesisSet noProposals() { return {}; }
 }  // namespace mrpt_ext

@@ -7,7 +7,8 @@ namespace mrpt_ext
 {
 namespace
 {
-// Two landmarks on the x axis leave two mirror-image places; the vague range to the third tells them slightly apart.
+// Two landmarks on the x axis leave two mirror-image poses; the imprecise range to the third distinguishes them
+// slightly.
 const LandmarkTable kMap({{.id = 1, .position = {1, 0, 0}},
                           {.id = 2, .position = {3, 0, 0}},
                           {.id = 3, .position = {2, 2.5, 0}}});
@@ -105,7 +106,7 @@ PoseHypothesis proposal(const Pose2& mean, double weight)
   return {.pose = {mean, Vector3d(0.1, 0.1, 0.1).asDiagonal()}, .weight = weight};
 }
 
-/// Seeds that are off the mark, with a share that is plainly wrong, and one where nothing is.
+/// Inexact seeds with wrong weights, and one far from any mode.
 HypothesisSet badProposals()
 {
   return {proposal({2.1, -1.0, 1.5}, 0.8), proposal({1.7, 1.5, -2.2}, 0.1), proposal({4, 2, 0}, 0.1)};
@@ -136,7 +137,7 @@ void expectSamePosterior(const WeightedPoses& found, const WeightedPoses& exact)
 WeightedPoses filtered(const ParticleFilterOptions& options, const std::vector<Frame>& frames)
 {
   ParticleFilter filter(options, kMap, 3, 0);
-  for (const Frame& frame : frames) filter.process(frame, badProposals);
+  for (const Frame& frame : frames) filter.process(frame, {badProposals});
   return particlesOf(filter);
 }
 }  // namespace
@@ -149,7 +150,7 @@ TEST(FilterPosterior, EqualsExactBayesFromAUniformStart)
   options.initial_particles = 400000;
   const WeightedPoses exact = exactPosterior(frames, 0);
   const double upper = moments(exact, true).weight;
-  EXPECT_GT(upper, 0.55);  // both places matter, and not equally
+  EXPECT_GT(upper, 0.55);  // both modes matter, and not equally
   EXPECT_LT(upper, 0.9);
   expectSamePosterior(filtered(options, frames), exact);
 }
@@ -168,14 +169,14 @@ TEST(FilterPosterior, EqualsExactBayesAfterSeveralFrames)
 
 TEST(FilterPosterior, InjectedSeedsWeighWhatTheJumpPriorGivesThem)
 {
-  // The second and third frame fit another place; how much it weighs depends on the prior of a jump.
+  // The second and third frame fit another pose; how much it weighs depends on the prior of a jump.
   const std::vector<Frame> frames{stillFrame(1.6, 1.8, 1.4), stillFrame(1.3, 2.3, 1.6), stillFrame(1.2, 2.5, 2.0)};
   ParticleFilterOptions options = stillOptions();
   options.recovery.reseed_inlier_ratio = 2;  // inject before every frame ...
   options.recovery.min_interval = 0;         // ... without waiting
   options.recovery.injected_particle_share = 2;
   options.recovery.relocalization_prior = 0.3;
-  options.recovery.share_of_slips = 0;  // the robot may be anywhere after a jump, as in the exact posterior
+  options.recovery.slip_share = 0;  // the robot may be anywhere after a jump, as in the exact posterior
   expectSamePosterior(filtered(options, frames), exactPosterior(frames, 0.3));
 }
 
@@ -188,7 +189,7 @@ TEST(FilterPosterior, AGaussianStartHasItsCovarianceEvenWithoutSpreadInOneDirect
   {
     options.initial_pose = {{2, 0, 1}, std.cwiseAbs2().asDiagonal()};
     ParticleFilter filter(options, kMap, 3, 0);
-    const Matrix3d found = filter.process({}, noProposals).modes.modes.front().pose.covariance;
+    const Matrix3d found = filter.process({}, {noProposals}).modes.modes.front().pose.covariance;
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(std::sqrt(found(i, i)), std[i], 0.03 * std[i] + 1e-6) << std.transpose();
   }
 }

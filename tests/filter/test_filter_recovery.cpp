@@ -30,7 +30,7 @@ ParticleFilterOptions recoveryOptions(const SimulatedRobot& robot)
   return options;
 }
 
-/// What a solver would propose: the place, not quite, and two wrong ones.
+/// What a solver would propose: an inexact pose, and two wrong ones.
 HypothesisSet proposalsAround(const Pose2& truth)
 {
   const Matrix3d covariance = Vector3d(0.01, 0.01, 0.002).asDiagonal();
@@ -54,14 +54,14 @@ TEST(FilterRecovery, AKidnappedRobotIsMissedThenFound)
     {
       truth = k == 60 ? Pose2{7, 6, -2} : compose(truth, roundTripStep(k));
       const Frame frame = simulatedFrame(robot, kMap, truth, roundTripStep(k), random);
-      const FilterStep step = filter.process(frame, [&] { return proposalsAround(truth); });
+      const FilterStep step = filter.process(frame, {[&] { return proposalsAround(truth); }});
       const bool right = distance(step.modes.modes.front().pose.mean, truth) < 0.3;
       if (k > 5 && k < 60)
       {
         EXPECT_TRUE(right && step.verdict == Verdict::ok && !step.reseeded) << run << " " << k;
       }
       if (k < 60) continue;
-      reseeded = reseeded || step.reseeded || step.challenged;
+      reseeded = reseeded || step.reseeded || step.verifying;
       wrong_and_ok += !right && step.verdict == Verdict::ok ? 1 : 0;
       not_ok += step.verdict != Verdict::ok ? 1 : 0;
       if (found_after < 0 && right) found_after = k - 60;
@@ -72,7 +72,7 @@ TEST(FilterRecovery, AKidnappedRobotIsMissedThenFound)
     }
     EXPECT_TRUE(reseeded);
     EXPECT_GE(not_ok, 1) << run;
-    EXPECT_LE(wrong_and_ok, 2) << run;  // until the running average has taken notice
+    EXPECT_LE(wrong_and_ok, 2) << run;  // until the inlier ratio has fallen
     EXPECT_GE(found_after, 1) << run;
     EXPECT_LE(found_after, 6) << run;
   }
@@ -119,7 +119,7 @@ TEST(FilterRecovery, AdaptiveSizeShrinksWhenConvergedAndGrowsWhenLost)
   EXPECT_GT(largest_when_lost, 2 * converged);
 }
 
-TEST(FilterRecovery, DetectionsOfThingsThatAreNotInTheMapDoNotMeanLost)
+TEST(FilterRecovery, DetectionsOfLandmarksThatAreNotInTheMapDoNotMeanLost)
 {
   const SimulatedRobot robot = rangeBearingRobot();
   RandomStream random(34);
@@ -132,7 +132,7 @@ TEST(FilterRecovery, DetectionsOfThingsThatAreNotInTheMapDoNotMeanLost)
     for (int other = 0; other < 12; ++other)  // other robots, say
       frame.readings[0].detections.push_back(
           {.id = 100 + other, .bearing = random.uniform(-kPi, kPi), .std_bearing = 0.1});
-    const FilterStep step = filter.process(frame, [&] { return proposalsAround(truth); });
+    const FilterStep step = filter.process(frame, {[&] { return proposalsAround(truth); }});
     if (k > 5)
     {
       EXPECT_EQ(step.verdict, Verdict::ok) << k << " " << step.reason;

@@ -56,7 +56,7 @@ void track(std::uint64_t run, ResamplingMethod method, Tracking& result)
       addInformation(bound_step.measurement_information,
                      bearingJacobian(truth, map[*map.indexOf(detection.id)].position.head<2>()), robot.std_bearing);
     bound_steps.push_back(bound_step);
-    const Mode best = filter.process(frame, noProposals).modes.modes.front();
+    const Mode best = filter.process(frame, {noProposals}).modes.modes.front();
     errors.push_back({best.pose.mean.x - truth.x, best.pose.mean.y - truth.y, wrap(best.pose.mean.phi - truth.phi)});
     covariances.push_back(best.pose.covariance);
   }
@@ -71,7 +71,7 @@ void track(std::uint64_t run, ResamplingMethod method, Tracking& result)
 }
 }  // namespace
 
-TEST(FilterTracking, ReachesThePosteriorCramerRaoBoundWithAnHonestCovariance)
+TEST(FilterTracking, ReachesThePosteriorCramerRaoBoundWithAConsistentCovariance)
 {
   Tracking result;
   for (std::uint64_t run = 0; run < 10; ++run) track(run, ResamplingMethod::systematic, result);
@@ -111,7 +111,7 @@ TEST(FilterTracking, ConvergesFromAnywhereInTheRegion)
     for (int k = 0; k < 60; ++k)
     {
       truth = compose(truth, roundTripStep(k));
-      step = filter.process(simulatedFrame(robot, map, truth, roundTripStep(k), random), noProposals);
+      step = filter.process(simulatedFrame(robot, map, truth, roundTripStep(k), random), {noProposals});
     }
     right += step.verdict == Verdict::ok && distance(step.modes.modes.front().pose.mean, truth) < 0.2 ? 1 : 0;
   }

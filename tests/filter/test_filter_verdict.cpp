@@ -14,13 +14,13 @@ Mode mode(double weight, double std_xy = 0.1, double std_phi = 0.02)
   return {{{}, variance.asDiagonal()}, weight};
 }
 
-VerdictWithReason verdictOn(const std::vector<Mode>& modes, bool lost = false, double explained = 0.95)
+VerdictWithReason verdictOn(const std::vector<Mode>& modes, bool lost = false, double inlier_ratio = 0.95)
 {
-  return judge({modes, {}}, {explained, lost}, {});
+  return judge({modes, {}}, {inlier_ratio, lost}, {});
 }
 }  // namespace
 
-TEST(FilterVerdict, OneSharpPlaceIsOk)
+TEST(FilterVerdict, OnePreciseModeIsOk)
 {
   const VerdictWithReason verdict = verdictOn({mode(0.97), mode(0.03)});
   EXPECT_EQ(verdict.verdict, Verdict::ok);
@@ -29,22 +29,22 @@ TEST(FilterVerdict, OneSharpPlaceIsOk)
   EXPECT_NE(verdict.reason.find("95 %"), std::string::npos) << verdict.reason;
 }
 
-TEST(FilterVerdict, SeveralPlacesAreAmbiguous)
+TEST(FilterVerdict, SeveralModesAreAmbiguous)
 {
   const VerdictWithReason verdict = verdictOn({mode(0.5), mode(0.5)});
   EXPECT_EQ(verdict.verdict, Verdict::ambiguous);
-  EXPECT_NE(verdict.reason.find("2 places"), std::string::npos) << verdict.reason;
+  EXPECT_NE(verdict.reason.find("2 modes"), std::string::npos) << verdict.reason;
   EXPECT_NE(verdict.reason.find("0.50"), std::string::npos) << verdict.reason;
 }
 
-TEST(FilterVerdict, AVaguePlaceIsAmbiguous)
+TEST(FilterVerdict, AnImpreciseModeIsAmbiguous)
 {
   EXPECT_EQ(verdictOn({mode(1, 0.6)}).verdict, Verdict::ambiguous);
   EXPECT_EQ(verdictOn({mode(1, 0.1, degToRad(16))}).verdict, Verdict::ambiguous);
   EXPECT_NE(verdictOn({mode(1, 0.6)}).reason.find("0.60 m"), std::string::npos);
 }
 
-TEST(FilterVerdict, UnexplainedDetectionsMeanLostHoweverSharp)
+TEST(FilterVerdict, OutliersMeanLostHoweverPrecise)
 {
   const VerdictWithReason verdict = verdictOn({mode(1)}, true, 0.12);
   EXPECT_EQ(verdict.verdict, Verdict::lost);
@@ -56,6 +56,21 @@ TEST(FilterVerdict, NoLongerOkBeforeItIsLost)
   const VerdictWithReason verdict = verdictOn({mode(1)}, false, 0.42);
   EXPECT_EQ(verdict.verdict, Verdict::ambiguous);
   EXPECT_NE(verdict.reason.find("only 42 %"), std::string::npos) << verdict.reason;
+}
+
+TEST(FilterVerdict, OkNeedsVerificationEnoughParticlesAndNoContradiction)
+{
+  const auto reason_of = [](const VerdictEvidence& evidence)
+  {
+    const VerdictWithReason verdict = judge({{mode(1)}, {}}, evidence, {});
+    EXPECT_EQ(verdict.verdict, Verdict::ambiguous);
+    return verdict.reason;
+  };
+  EXPECT_EQ(judge({{mode(1)}, {}}, {}, {}).verdict, Verdict::ok);
+  EXPECT_EQ(reason_of({.log_odds = 3.25, .verified = false}),
+            "one mode, not verified yet: log odds 3.2 against the null hypothesis");
+  EXPECT_EQ(reason_of({.effective = 12}), "one mode, but only 12 effective particles");
+  EXPECT_EQ(reason_of({.contradicted = true}), "one mode, but the recent trajectory fits another pose better");
 }
 
 TEST(FilterVerdict, NoParticlesMeanLost) { EXPECT_EQ(verdictOn({}).verdict, Verdict::lost); }

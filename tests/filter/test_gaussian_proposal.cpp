@@ -14,7 +14,7 @@ namespace
 {
 const LandmarkTable kMap({{.id = 1, .position = {4, 0, 0}}, {.id = 2, .position = {0, 3, 0}}});
 
-Frame sharpFrame(const Pose2& truth)
+Frame preciseFrame(const Pose2& truth)
 {
   Reading reading;
   reading.model.clutter_probability = 0.01;
@@ -34,7 +34,7 @@ Frame sharpFrame(const Pose2& truth)
 }
 }  // namespace
 
-TEST(GaussianRedraw, MomentsOfDrawsAreThoseOfTheGaussian)
+TEST(GaussianProposal, MomentsOfDrawsAreThoseOfTheGaussian)
 {
   RandomStream random(3);
   const Eigen::MatrixXd draws = exactNormals(4, 50, random);
@@ -42,24 +42,24 @@ TEST(GaussianRedraw, MomentsOfDrawsAreThoseOfTheGaussian)
   EXPECT_LT((draws * draws.transpose() / 50 - Eigen::MatrixXd::Identity(4, 4)).norm(), 1e-12);
 }
 
-TEST(GaussianRedraw, FewParticlesGiveThePosteriorThatManyGive)
+TEST(GaussianProposal, FewParticlesGiveThePosteriorThatManyGive)
 {
   const Pose2 truth{0.4, -0.3, 0.1};
-  const Frame frame = sharpFrame(truth);
+  const Frame frame = preciseFrame(truth);
   KalmanState prior;
   prior.covariance = Vector3d(0.16, 0.16, 0.01).asDiagonal();
   RandomStream random(4);
-  const auto posterior = [&](std::size_t count, bool redraw)
+  const auto posterior = [&](std::size_t count, bool proposed)
   {
-    const KalmanState aim = redraw ? updateIterated(prior, frame, kMap, {}).state : prior;
+    const KalmanState aim = proposed ? updateIterated(prior, frame, kMap, {}).state : prior;
     ParticleSet particles = drawFromKalmanProposal(ParticleSet(Vector2d(0, 0)), prior, aim, count, random);
     for (const Reading& reading : frame.readings)
       for (std::size_t i = 0; i < particles.size(); ++i)
         particles.log_weight[i] += static_cast<float>(logLikelihood(reading, kMap, particles.pose(i)));
-    normalizeWeights(particles);
-    if (redraw)
+    const double ratio = normalizeWeights(particles).effective_ratio;
+    if (proposed)
     {
-      EXPECT_GT(effectiveSampleRatio(particles), 0.5);
+      EXPECT_GT(ratio, 0.5);
     }
     return *momentsOf(particles, [](std::size_t) { return true; });
   };
@@ -72,7 +72,7 @@ TEST(GaussianRedraw, FewParticlesGiveThePosteriorThatManyGive)
   }
 }
 
-TEST(GaussianRedraw, MomentsIncludeSystematicErrorsAndWrapHeadings)
+TEST(GaussianProposal, MomentsIncludeSystematicErrorsAndWrapHeadings)
 {
   ParticleSet particles(Vector2d(1, 1), {{.kind = BiasKind::range_offset, .std = 1}});
   RandomStream random(5);
@@ -88,5 +88,30 @@ TEST(GaussianRedraw, MomentsIncludeSystematicErrorsAndWrapHeadings)
   EXPECT_GT(moments->covariance(0, 3), 0.003);  // nine tenths are drawn 1.2 times as wide
   EXPECT_LT(moments->covariance(0, 3), 0.0045);
   EXPECT_FALSE(momentsOf(particles, [](std::size_t i) { return i < 3; }));
+}
+
+TEST(GaussianProposal, ReplacesTheParticlesOnlyWhereTooFewAreEffective)
+{
+  const Frame frame = preciseFrame({0.4, -0.3, 0.1});
+  KalmanState prior;
+  prior.covariance = Vector3d(0.16, 0.16, 0.01).asDiagonal();
+  const auto weight = [](const Frame& z, ParticleSet& particles)
+  {
+    for (const Reading& reading : z.readings)
+      for (std::size_t i = 0; i < particles.size(); ++i)
+        particles.log_weight[i] += static_cast<float>(logLikelihood(reading, kMap, particles.pose(i)));
+  };
+  const auto effective_after = [&](const KalmanProposalLimits& limits)
+  {
+    RandomStream random(6);
+    ParticleSet particles = drawFromKalmanProposal(ParticleSet(Vector2d(0, 0)), prior, prior, 500, random);
+    weight(frame, particles);
+    proposeFromKalman(particles, prior, frame, kMap, limits, weight, random);
+    EXPECT_EQ(particles.size(), 500U);
+    return 500 * normalizeWeights(particles).effective_ratio;
+  };
+  EXPECT_LT(effective_after({0, 0.5}), 20) << "never";
+  EXPECT_LT(effective_after({400, 0.001}), 20) << "the ratio allows it";
+  EXPECT_GT(effective_after({400, 0.5}), 200);
 }
 }  // namespace mrpt_ext

@@ -6,7 +6,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kSpacing = 0.3;
+constexpr double kDistance = 0.3;  // [m] the decorrelator's, in a large map
 
 LandmarkTable bigMap() { return LandmarkTable({{.id = 1, .position = {0, 0, 0}}, {.id = 2, .position = {30, 30, 0}}}); }
 
@@ -28,58 +28,69 @@ OdometryMotion motionBy(const Pose2& increment)
           .duration = 1};
 }
 
-class FreshLooksTest : public testing::Test
+class IndependentDetectionsTest : public testing::Test
 {
  protected:
-  std::size_t freshOf(const Reading& reading) { return looks_.take(reading).detections.size(); }
+  std::size_t independentOf(const Reading& reading) { return decorrelator_.independent(reading).detections.size(); }
 
-  DetectionDecorrelator looks_{
-      {.longest = kSpacing}, {.std_phi_per_deg = 0, .std_phi_per_m = 0, .std_phi_per_s = 0}, bigMap()};
+  DetectionDecorrelator decorrelator_{{.std_phi_per_deg = 0, .std_phi_per_m = 0, .std_phi_per_s = 0}, bigMap()};
 };
 }  // namespace
 
-TEST_F(FreshLooksTest, TheSameDirectionFromTheSameSpotIsARepeat)
+TEST_F(IndependentDetectionsTest, TheSameDirectionFromTheSameSpotIsCorrelated)
 {
-  EXPECT_EQ(freshOf(readingOf({0.5})), 1U);
-  for (int k = 0; k < 5; ++k) EXPECT_EQ(freshOf(readingOf({0.5})), 0U);
-  EXPECT_EQ(freshOf(readingOf({0.5, 1.0})), 1U);
+  EXPECT_EQ(independentOf(readingOf({0.5})), 1U);
+  for (int k = 0; k < 5; ++k) EXPECT_EQ(independentOf(readingOf({0.5})), 0U);
+  EXPECT_EQ(independentOf(readingOf({0.5, 1.0})), 1U);
 }
 
-TEST_F(FreshLooksTest, APieceOfWayMakesItFresh)
+TEST_F(IndependentDetectionsTest, ADistanceMakesItIndependent)
 {
-  EXPECT_EQ(freshOf(readingOf({0.5})), 1U);
-  looks_.move(motionBy({0.6 * kSpacing, 0, 0}));
-  EXPECT_EQ(freshOf(readingOf({0.5})), 0U);
-  looks_.move(motionBy({0.6 * kSpacing, 0, 0}));
-  EXPECT_EQ(freshOf(readingOf({0.5})), 1U);
+  EXPECT_EQ(independentOf(readingOf({0.5})), 1U);
+  decorrelator_.move(motionBy({0.6 * kDistance, 0, 0}));
+  EXPECT_EQ(independentOf(readingOf({0.5})), 0U);
+  decorrelator_.move(motionBy({0.6 * kDistance, 0, 0}));
+  EXPECT_EQ(independentOf(readingOf({0.5})), 1U);
 }
 
-TEST_F(FreshLooksTest, TurningOnTheSpotShowsNothingNew)
+TEST_F(IndependentDetectionsTest, RotationOnTheSpotGivesNothingNew)
 {
-  EXPECT_EQ(freshOf(readingOf({0.5})), 1U);
-  looks_.move(motionBy({0, 0, 0.4}));
-  EXPECT_EQ(freshOf(readingOf({0.1})), 0U);
-  EXPECT_EQ(freshOf(readingOf({0.5})), 1U);
+  EXPECT_EQ(independentOf(readingOf({0.5})), 1U);
+  decorrelator_.move(motionBy({0, 0, 0.4}));
+  EXPECT_EQ(independentOf(readingOf({0.1})), 0U);
+  EXPECT_EQ(independentOf(readingOf({0.5})), 1U);
 }
 
-TEST_F(FreshLooksTest, SensorsAndNamesAreApart)
+TEST_F(IndependentDetectionsTest, SensorsAndIdentitiesAreIndependent)
 {
-  EXPECT_EQ(freshOf(readingOf({0.5})), 1U);
-  EXPECT_EQ(freshOf(readingOf({0.5}, 1)), 1U);
+  EXPECT_EQ(independentOf(readingOf({0.5})), 1U);
+  EXPECT_EQ(independentOf(readingOf({0.5}, 1)), 1U);
   Reading other = readingOf({0.5});
   other.sensor = "second";
-  EXPECT_EQ(freshOf(other), 1U);
+  EXPECT_EQ(independentOf(other), 1U);
 }
 
-TEST_F(FreshLooksTest, OnlyRepeatsWithoutANameAreLeftOut)
+TEST_F(IndependentDetectionsTest, OnlyCorrelatedAnonymousBearingsAreLeftOut)
 {
-  const Reading first = looks_.withoutCorrelatedBearings(readingOf({0.5}));
+  const Reading first = decorrelator_.withoutCorrelatedBearings(readingOf({0.5}));
   EXPECT_EQ(first.detections.size(), 1U);
   EXPECT_TRUE(first.model.detection_probability) << "nothing is left out: the reading is whole";
-  const Reading second = looks_.withoutCorrelatedBearings(readingOf({0.5, 1.5}));
+  const Reading second = decorrelator_.withoutCorrelatedBearings(readingOf({0.5, 1.5}));
   ASSERT_EQ(second.detections.size(), 1U);
   EXPECT_EQ(second.detections.front().bearing, 1.5);
-  EXPECT_FALSE(second.model.detection_probability) << "what was missed is told by whole readings";
-  for (int k = 0; k < 3; ++k) EXPECT_EQ(looks_.withoutCorrelatedBearings(readingOf({0.5}, 1)).detections.size(), 1U);
+  EXPECT_FALSE(second.model.detection_probability) << "only whole readings show what was missed";
+  for (int k = 0; k < 3; ++k)
+    EXPECT_EQ(decorrelator_.withoutCorrelatedBearings(readingOf({0.5}, 1)).detections.size(), 1U);
+}
+
+TEST_F(IndependentDetectionsTest, TheDistanceIsShorterInASmallMap)
+{
+  const LandmarkTable small({{.id = 1, .position = {0, 0, 0}}, {.id = 2, .position = {3, 4, 0}}});  // 2 %: 0.1 m
+  DetectionDecorrelator decorrelator({.std_phi_per_deg = 0, .std_phi_per_m = 0, .std_phi_per_s = 0}, small);
+  EXPECT_EQ(decorrelator.independent(readingOf({0.5})).detections.size(), 1U);
+  decorrelator.move(motionBy({0.09, 0, 0}));
+  EXPECT_EQ(decorrelator.independent(readingOf({0.5})).detections.size(), 0U);
+  decorrelator.move(motionBy({0.02, 0, 0}));
+  EXPECT_EQ(decorrelator.independent(readingOf({0.5})).detections.size(), 1U);
 }
 }  // namespace mrpt_ext

@@ -6,25 +6,25 @@
 
 namespace mrpt_ext
 {
-TEST(InlierRatioMonitor, TrustsBeforeAnythingIsSeen)
+TEST(InlierRatioMonitor, IsOneBeforeAnyDetection)
 {
-  InlierRatioMonitor monitor({});
+  InlierRatioMonitor monitor = InlierRatioMonitor::fast({});
   monitor.observe(0, 1, 0);
   EXPECT_EQ(monitor.average(), 1);
   EXPECT_FALSE(monitor.suspicious());
   EXPECT_FALSE(monitor.lost());
 }
 
-TEST(InlierRatioMonitor, TheFirstDetectionsReplaceTheTrust)
+TEST(InlierRatioMonitor, TheFirstDetectionsReplaceTheInitialValue)
 {
-  InlierRatioMonitor monitor({});
+  InlierRatioMonitor monitor = InlierRatioMonitor::fast({});
   monitor.observe(0.4, 0.8, 3);
   EXPECT_NEAR(monitor.average(), 0.5, 1e-12);
 }
 
-TEST(InlierRatioMonitor, PassesThroughSuspicionToLostAndBack)
+TEST(InlierRatioMonitor, FallsThroughSuspiciousToLostAndRecovers)
 {
-  InlierRatioMonitor monitor({.reseed_inlier_ratio = 0.5, .lost_share = 0.3, .memory_detections = 12});
+  InlierRatioMonitor monitor = InlierRatioMonitor::fast({.reseed_inlier_ratio = 0.5, .lost_inlier_ratio = 0.3});
   for (int k = 0; k < 20; ++k) monitor.observe(0.95, 0.95, 1);
   EXPECT_NEAR(monitor.average(), 1, 1e-12);
   int suspicious_at = 0, lost_at = 0;
@@ -43,7 +43,7 @@ TEST(InlierRatioMonitor, PassesThroughSuspicionToLostAndBack)
 
 TEST(InlierRatioMonitor, ManyDetectionsAtOnceCountAsMany)
 {
-  InlierRatioMonitor one_by_one({}), at_once({});
+  InlierRatioMonitor one_by_one = InlierRatioMonitor::fast({}), at_once = one_by_one;
   for (int k = 0; k < 40; ++k) one_by_one.observe(1, 1, 1);
   at_once.observe(1, 1, 40);
   at_once.observe(0, 1, 12);
@@ -51,12 +51,28 @@ TEST(InlierRatioMonitor, ManyDetectionsAtOnceCountAsMany)
   EXPECT_NEAR(one_by_one.average(), 1, 1e-12);
 }
 
-TEST(InlierRatioMonitor, ExplainingMoreThanExpectedIsNoCredit)
+TEST(InlierRatioMonitor, MoreInliersThanExpectedAreNoCredit)
 {
-  InlierRatioMonitor monitor({});
+  InlierRatioMonitor monitor = InlierRatioMonitor::fast({});
   for (int k = 0; k < 10; ++k) monitor.observe(1, 0.5, 1);
   EXPECT_NEAR(monitor.average(), 1, 1e-12);
   monitor.observe(0, 0, 1);  // nothing was expected: still a number
   EXPECT_TRUE(std::isfinite(monitor.average()));
+}
+
+TEST(InlierRatioMonitor, TheImmediateOneFallsFirstAndTheSlowOneLast)
+{
+  InlierRatioMonitor slow = InlierRatioMonitor::slow({}), fast = InlierRatioMonitor::fast({}),
+                     immediate = InlierRatioMonitor::immediate({});
+  const auto suspicious_after = [](InlierRatioMonitor& monitor)
+  {
+    monitor.observe(1, 1, 100);
+    int k = 0;
+    for (; !monitor.suspicious(); ++k) monitor.observe(0, 1, 1);
+    return k;
+  };
+  EXPECT_EQ(suspicious_after(immediate), 3);  // (3/4)^3 < 0.5
+  EXPECT_EQ(suspicious_after(fast), 8);
+  EXPECT_EQ(suspicious_after(slow), 42);
 }
 }  // namespace mrpt_ext

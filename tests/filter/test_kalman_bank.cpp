@@ -98,7 +98,7 @@ TEST(KalmanBank, ManyPlacesThatAllExplainTheDetectionsAreNotLost)
   EXPECT_EQ(step.verdict, Verdict::ambiguous) << step.reason;
 }
 
-// Ranges alone tell a place, but no heading.
+// Ranges alone estimate a position, but no heading.
 TEST(KalmanBank, APlaceWithoutHeadingIsFollowedUnderAllHeadingsUntilOneIsSeen)
 {
   RoundTrip trip({}, 4);
@@ -134,7 +134,7 @@ TEST(KalmanBank, APlaceThatIsTheSameByAllThatIsSeenKeepsItsWeight)
   // Landmarks without names on the corners of a rectangle: turned by half a turn, all looks the same.
   const LandmarkTable map(
       {{.position = {-3, -2, 0}}, {.position = {3, -2, 0}}, {.position = {3, 2, 0}}, {.position = {-3, 2, 0}}});
-  const SimulatedRobot robot{.measures_range = true, .named = false, .detections = 4, .clutter = 0.02};
+  const SimulatedRobot robot{.measures_range = true, .identified = false, .detections = 4, .clutter = 0.02};
   KalmanBank bank(optionsFor(robot, 10), map);
   RandomStream random(41);
   Pose2 truth{1, 0.5, 0.3};

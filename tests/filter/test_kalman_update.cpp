@@ -18,13 +18,13 @@ const Pose2 kTruth{3, 4, 0.5};
 
 Matrix3d diagonal(double xy, double phi) { return Vector3d(xy * xy, xy * xy, phi * phi).asDiagonal(); }
 
-Frame exactFrame(const LandmarkTable& map, const std::vector<std::size_t>& seen, bool named, bool range)
+Frame exactFrame(const LandmarkTable& map, const std::vector<std::size_t>& seen, bool identified, bool range)
 {
   Reading reading;
   reading.model.clutter_probability = 0.05;
   for (const std::size_t j : seen)
   {
-    Detection d{.id = named ? map[j].id : kNoId, .bearing = predictBearing(kTruth, map[j].position.head<2>())};
+    Detection d{.id = identified ? map[j].id : kNoId, .bearing = predictBearing(kTruth, map[j].position.head<2>())};
     d.std_bearing = degToRad(1);
     if (range) d.range = predictRange(kTruth, map[j].position.head<2>());
     d.std_range = 0.05;
@@ -112,7 +112,7 @@ TEST(KalmanUpdate, AFalseDetectionIsLeftOutAndNamed)
   const KalmanUpdate update = updateExtended(prior, frame, map, {});
   EXPECT_TRUE(update.detections[0].landmark);
   EXPECT_FALSE(update.detections[1].landmark);
-  EXPECT_LT(update.detections[1].explained, 1e-6);
+  EXPECT_LT(update.detections[1].inlier_probability, 1e-6);
   EXPECT_EQ(update.degrees_of_freedom, 2);
   EXPECT_LT((update.state.pose().position() - kTruth.position()).norm(), 0.05);
 }
@@ -149,15 +149,15 @@ TEST(KalmanUpdate, ADetectionThatMayShowTwoLandmarksAlikeIsNotUsed)
   const KalmanState prior = startingState({{0, 0, 0}, diagonal(0.1, 0.05)}, {});
   const KalmanUpdate update = updateExtended(prior, frame, twins, {});
   EXPECT_FALSE(update.detections[0].landmark);
-  EXPECT_GT(update.detections[0].explained, 0.9) << "it does show a landmark";
+  EXPECT_GT(update.detections[0].inlier_probability, 0.9) << "it does show a landmark";
 }
 
 TEST(KalmanUpdate, TheEvidenceOfASharpStateIsTheLikelihoodOfThePose)
 {
   const LandmarkTable map = squareMap();
-  for (const bool named : {true, false})
+  for (const bool identified : {true, false})
   {
-    const Frame frame = exactFrame(map, {0, 1, 2, 3}, named, true);
+    const Frame frame = exactFrame(map, {0, 1, 2, 3}, identified, true);
     const KalmanState sharp = startingState({{3.01, 4.02, 0.51}, Matrix3d::Zero()}, {});
     const KalmanUpdate update = updateExtended(sharp, frame, map, {});
     EXPECT_NEAR(update.log_evidence, logLikelihood(frame.readings[0], map, sharp.pose()), 1e-3);

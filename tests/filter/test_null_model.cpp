@@ -27,86 +27,86 @@ Detection bearingOf(double bearing)
   return detection;
 }
 
-OdometryMotion aheadBy(double way) { return {{way, 0, 0}, way, 0, 1}; }
+OdometryMotion aheadBy(double distance) { return {{distance, 0, 0}, distance, 0, 1}; }
 
-const double kEven = -std::log(kTwoPi);
+const double kUniform = -std::log(kTwoPi);
 }  // namespace
 
 TEST(NullModel, TheFirstBearingMayComeFromAnywhere)
 {
-  NullModel world(kExact, 20);
-  EXPECT_NEAR(world.take(camera(), bearingOf(1)), kEven, 1e-12);
+  NullModel model(kExact, 20);
+  EXPECT_NEAR(model.logLikelihood(camera(), bearingOf(1)), kUniform, 1e-12);
 }
 
-TEST(NullModel, WhatIsSeenAgainIsNoSurprise)
+TEST(NullModel, AFeatureIsExpectedAgain)
 {
-  NullModel world(kExact, 20);
-  double last = kEven;
-  for (int k = 0; k < 10; ++k) last = world.take(camera(), bearingOf(1));
-  EXPECT_EQ(world.size(), 1U);
-  EXPECT_GT(last, kEven + 3);
-  EXPECT_LT(world.take(camera(), bearingOf(-1)), kEven);  // new ones have become rare
-  EXPECT_EQ(world.size(), 2U);
+  NullModel model(kExact, 20);
+  double last = kUniform;
+  for (int k = 0; k < 10; ++k) last = model.logLikelihood(camera(), bearingOf(1));
+  EXPECT_EQ(model.size(), 1U);
+  EXPECT_GT(last, kUniform + 3);
+  EXPECT_LT(model.logLikelihood(camera(), bearingOf(-1)), kUniform);  // new features have become rare
+  EXPECT_EQ(model.size(), 2U);
 }
 
-TEST(NullModel, ParallaxIsLearntAndThenExpected)
+TEST(NullModel, ParallaxIsLearnedAndThenExpected)
 {
   const Vector2d post(3, 2);
-  NullModel world(kExact, 20);
+  NullModel model(kExact, 20);
   std::vector<double> densities;
   for (int k = 0; k < 12; ++k)
   {
-    densities.push_back(world.take(camera(), bearingOf(predictBearing({0.3 * k, 0, 0}, post))));
-    world.move(aheadBy(0.3));
+    densities.push_back(model.logLikelihood(camera(), bearingOf(predictBearing({0.3 * k, 0, 0}, post))));
+    model.move(aheadBy(0.3));
   }
-  EXPECT_EQ(world.size(), 1U);
+  EXPECT_EQ(model.size(), 1U);
   EXPECT_GT(densities[11], densities[1]);
-  EXPECT_GT(densities[11], kEven + 3);
+  EXPECT_GT(densities[11], kUniform + 3);
 }
 
-TEST(NullModel, ItsDensityIsOne)
+TEST(NullModel, ItsDensityIntegratesToOne)
 {
-  NullModel world(kExact, 20);
+  NullModel model(kExact, 20);
   for (int k = 0; k < 4; ++k)
     for (const Vector2d& post : {Vector2d(3, 2), Vector2d(4, -1)})
     {
-      (void)world.take(camera(), bearingOf(predictBearing({0.3 * k, 0, 0}, post)));
-      world.move(aheadBy(0.15));
+      (void)model.logLikelihood(camera(), bearingOf(predictBearing({0.3 * k, 0, 0}, post)));
+      model.move(aheadBy(0.15));
     }
   double sum = 0;
   constexpr int kSteps = 3600;
   for (int k = 0; k < kSteps; ++k)
   {
-    NullModel asked = world;
-    sum += std::exp(asked.take(camera(), bearingOf(-kPi + (k + 0.5) * kTwoPi / kSteps))) * kTwoPi / kSteps;
+    NullModel copy = model;
+    sum += std::exp(copy.logLikelihood(camera(), bearingOf(-kPi + (k + 0.5) * kTwoPi / kSteps))) * kTwoPi / kSteps;
   }
   EXPECT_NEAR(sum, 1, 0.01);
 }
 
-TEST(NullModel, BearingsWithoutAnyOrderGainNothing)
+TEST(NullModel, RandomBearingsGainNothing)
 {
   RandomStream random(3);
-  NullModel world(kExact, 20);
+  NullModel model(kExact, 20);
   double gained = 0;
   for (int k = 0; k < 200; ++k)
   {
-    gained += world.take(camera(), bearingOf(random.uniform(-kPi, kPi))) - kEven;
-    world.move(aheadBy(0.3));
+    gained += model.logLikelihood(camera(), bearingOf(random.uniform(-kPi, kPi))) - kUniform;
+    model.move(aheadBy(0.3));
   }
   EXPECT_LT(gained, 5);
 }
 
-TEST(NullModel, ThingsOfAnotherKindOrSensorAreNotExpected)
+TEST(NullModel, FeaturesOfAnotherCategoryOrSensorAreNotExpected)
 {
-  NullModel world(kExact, 20);
-  for (int k = 0; k < 10; ++k) (void)world.take(camera(), bearingOf(1));
+  NullModel model(kExact, 20);
+  for (int k = 0; k < 10; ++k) (void)model.logLikelihood(camera(), bearingOf(1));
   Detection post = bearingOf(1);
   post.category = "post";
-  EXPECT_NEAR(world.take(camera(), post), kEven, 1e-9);
+  EXPECT_NEAR(model.logLikelihood(camera(), post), kUniform, 1e-9);
   Reading other = camera();
   other.sensor = "other";
-  EXPECT_NEAR(world.take(other, bearingOf(1)), kEven, 1e-9);
-  world.clear();
-  EXPECT_EQ(world.size(), 0U);
+  EXPECT_NEAR(model.logLikelihood(other, bearingOf(1)), kUniform, 1e-9);
+  model.clear();
+  EXPECT_EQ(model.size(), 0U);
 }
 }  // namespace mrpt_ext

@@ -27,7 +27,7 @@ ParticleFilterOptions smallOptions()
 ParticleSet particlesAfter(const ParticleFilterOptions& options, std::uint64_t seed)
 {
   SimulatedRobot robot;
-  robot.named = false;
+  robot.identified = false;
   robot.clutter = 0.05;
   RandomStream random(41);
   ParticleFilter filter(options, kMap, seed, 0);
@@ -35,7 +35,7 @@ ParticleSet particlesAfter(const ParticleFilterOptions& options, std::uint64_t s
   for (int k = 0; k < 30; ++k)
   {
     truth = compose(truth, roundTripStep(k));
-    filter.process(simulatedFrame(robot, kMap, truth, roundTripStep(k), random), noProposals);
+    filter.process(simulatedFrame(robot, kMap, truth, roundTripStep(k), random), {noProposals});
   }
   return filter.particles();
 }
@@ -48,25 +48,26 @@ void expectIdentical(const ParticleSet& a, const ParticleSet& b)
   EXPECT_EQ(a.log_weight, b.log_weight);
 }
 
-/// The robot goes straight through a map that half a turn about (5, 5) leaves as it is, and sees no names.
+/// The robot goes straight through a map that half a turn about (5, 5) leaves as it is, and all detections are
+/// anonymous.
 FilterStep symmetricStep(ParticleFilter& filter, const LandmarkTable& map, Pose2& truth, int k, RandomStream& random)
 {
   SimulatedRobot robot;
-  robot.named = false;
+  robot.identified = false;
   robot.measures_range = true;
   robot.clutter = 0.02;
   robot.detections = map.size();
   robot.std_range = 0.2;
   robot.std_bearing = degToRad(3);
   truth = compose(truth, roundTripStep(k));
-  // A solver that finds both places, not quite, and prefers one of them without reason.
+  // A solver that finds both poses inexactly, and prefers one of them without reason.
   const Matrix3d covariance = Vector3d(0.01, 0.01, 0.002).asDiagonal();
   const auto propose = [&]() -> HypothesisSet
   {
     return {{.pose = {{truth.x + 0.03, truth.y, truth.phi}, covariance}, .weight = 0.8},
             {.pose = {{10 - truth.x, 10 - truth.y - 0.03, wrap(truth.phi + kPi)}, covariance}, .weight = 0.2}};
   };
-  return filter.process(simulatedFrame(robot, map, truth, roundTripStep(k), random), propose);
+  return filter.process(simulatedFrame(robot, map, truth, roundTripStep(k), random), {propose});
 }
 }  // namespace
 
@@ -80,13 +81,13 @@ TEST(ParticleFilter, SameSeedSameParticlesOnAnyNumberOfThreads)
   EXPECT_NE(once.x, particlesAfter(options, 2).x);
 }
 
-TEST(ParticleFilter, SymmetricPlacesStayEqualAndAmbiguous)
+TEST(ParticleFilter, SymmetricModesStayEqualAndAmbiguous)
 {
   const LandmarkTable map(
       {{.position = {1, 2, 0}}, {.position = {9, 8, 0}}, {.position = {3, 8, 0}}, {.position = {7, 2, 0}}});
   ParticleFilterOptions options = smallOptions();
   options.initial_particles = 20000;
-  options.particles = 12000;  // what remains of the drift is sampling noise of the evidence of each place
+  options.particles = 12000;  // what remains of the drift is sampling noise of the evidence of each mode
   ParticleFilter filter(options, map, 5, 0);
   RandomStream random(42);
   Pose2 truth{3, 4, 0.3};
@@ -109,7 +110,7 @@ TEST(ParticleFilter, SymmetricPlacesStayEqualAndAmbiguous)
   EXPECT_GT(smallest, 0.3);
 }
 
-TEST(ParticleFilter, TheRegionSaysWhereItStartsNotWhereItMayDrive)
+TEST(ParticleFilter, TheRegionLimitsTheStartNotTheDrive)
 {
   ParticleFilterOptions options = smallOptions();
   options.initial_mode = InitialMode::gaussian;
@@ -122,7 +123,7 @@ TEST(ParticleFilter, TheRegionSaysWhereItStartsNotWhereItMayDrive)
   EXPECT_NEAR(outside, 0.5, 0.06);
 }
 
-TEST(ParticleFilter, AnEmptyMapOrAnEmptyFrameTellsNothing)
+TEST(ParticleFilter, AnEmptyMapOrAnEmptyFrameConstrainsNothing)
 {
   for (const LandmarkTable& map : {LandmarkTable(), kMap})
   {
@@ -133,7 +134,7 @@ TEST(ParticleFilter, AnEmptyMapOrAnEmptyFrameTellsNothing)
       const Frame frame = map.empty() ? simulatedFrame({}, kMap, {3, 3, 0}, {}, random) : Frame{};
       const FilterStep step = filter.process(frame, {});
       EXPECT_EQ(step.verdict, Verdict::ambiguous) << step.reason;
-      EXPECT_EQ(step.particles, smallOptions().initial_particles);  // the place stays open
+      EXPECT_EQ(step.particles, smallOptions().initial_particles);  // still global localization
       for (const float log_w : filter.particles().log_weight) ASSERT_TRUE(std::isfinite(log_w));
     }
   }
@@ -148,7 +149,7 @@ TEST(ParticleFilter, OneParticleAndARegionWithoutExtentAreNoError)
   RandomStream random(44);
   for (int k = 0; k < 10; ++k)
   {
-    const FilterStep step = filter.process(simulatedFrame({}, kMap, {3, 3, 0}, {}, random), noProposals);
+    const FilterStep step = filter.process(simulatedFrame({}, kMap, {3, 3, 0}, {}, random), {noProposals});
     EXPECT_EQ(step.particles, 1u);
     EXPECT_TRUE(isFinite(step.modes.modes.front().pose.mean));
     EXPECT_NEAR(step.modes.modes.front().weight, 1, 1e-6);
@@ -168,9 +169,9 @@ TEST(ParticleFilter, ACompassTurnsTheParticles)
 
 namespace
 {
-/// A map that half a turn leaves as it is, and a filter that is shown the wrong one of two places from the start.
-/// `way`: what it is told about the way behind, given the truth and its twin; empty: it is not told.
-FilterStep stepAtTheTwin(int frames, const std::function<HypothesisSet(const Pose2&)>& way, Pose2& truth)
+/// A map with a symmetry of half a turn, and a filter that is given the wrong one of two poses from the start.
+/// `trajectory`: hypotheses from the trajectory, given the truth; empty: there are none.
+FilterStep stepAtTheTwin(int frames, const std::function<HypothesisSet(const Pose2&)>& trajectory, Pose2& truth)
 {
   const LandmarkTable map({{.id = 1, .position = {2, 2, 0}}, {.id = 2, .position = {8, 8, 0}}});
   const Matrix3d covariance = Vector3d(0.01, 0.01, 0.002).asDiagonal();
@@ -183,16 +184,16 @@ FilterStep stepAtTheTwin(int frames, const std::function<HypothesisSet(const Pos
     truth = compose(truth, roundTripStep(k));
     const Pose2 twin{10 - truth.x, 10 - truth.y, wrap(truth.phi + kPi)};
     const auto propose = [&]() -> HypothesisSet { return {{.pose = {twin, covariance}, .weight = 1}}; };
-    ParticleFilter::TrajectoryHypotheses along_way;
-    if (way) along_way = [&] { return way(truth); };
-    const Frame frame =
-        simulatedFrame({.measures_range = true, .named = false, .clutter = 0.02}, map, truth, roundTripStep(k), random);
-    step = filter.process(frame, propose, {}, along_way);
+    HypothesisSources sources{propose};
+    if (trajectory) sources.trajectory = [&] { return trajectory(truth); };
+    const Frame frame = simulatedFrame({.measures_range = true, .identified = false, .clutter = 0.02}, map, truth,
+                                       roundTripStep(k), random);
+    step = filter.process(frame, sources);
   }
   return step;
 }
 
-HypothesisSet placeOf(const Pose2& pose)
+HypothesisSet hypothesisAt(const Pose2& pose)
 {
   return {{.pose = {pose, Vector3d(0.01, 0.01, 0.002).asDiagonal()}, .weight = 0.97}};
 }
@@ -205,24 +206,24 @@ double weightAt(const FilterStep& step, const Pose2& pose)
 }
 }  // namespace
 
-TEST(ParticleFilter, PutsTheStartOffUntilOnePlaceIsLeftOrAllReadingsAreJoined)
+TEST(ParticleFilter, PostponesTheStartUntilOneModeIsLeftOrTheWindowIsFull)
 {
   const LandmarkTable twofold({{.id = 1, .position = {2, 2, 0}}, {.id = 2, .position = {8, 8, 0}}});
-  const auto particles_after = [](const LandmarkTable& map, bool named, bool complete)
+  const auto particles_after = [](const LandmarkTable& map, bool identified, bool complete)
   {
     ParticleFilter filter(smallOptions(), map, 1, 0);
     RandomStream random(7);
     const Pose2 truth{5, 2, 0}, twin{5, 8, kPi};
     const auto propose = [&]
     {
-      HypothesisSet both = placeOf(truth);
-      both.push_back(placeOf(twin).front());
+      HypothesisSet both = hypothesisAt(truth);
+      both.push_back(hypothesisAt(twin).front());
       Proposal proposal(both);
       proposal.complete = complete;
       return proposal;
     };
-    const SimulatedRobot robot{.measures_range = true, .named = named};
-    const FilterStep step = filter.process(simulatedFrame(robot, map, truth, {}, random), propose);
+    const SimulatedRobot robot{.measures_range = true, .identified = identified};
+    const FilterStep step = filter.process(simulatedFrame(robot, map, truth, {}, random), {propose});
     EXPECT_FALSE(step.modes.modes.empty());
     EXPECT_EQ(step.verdict, Verdict::ambiguous);
     EXPECT_EQ(step.particles, filter.particles().size());
@@ -231,25 +232,26 @@ TEST(ParticleFilter, PutsTheStartOffUntilOnePlaceIsLeftOrAllReadingsAreJoined)
   };
   EXPECT_EQ(particles_after(twofold, false, false), 0u);
   EXPECT_GT(particles_after(twofold, false, true), 1000u);
-  EXPECT_GT(particles_after(kMap, false, false), 1000u) << "one place only";
-  EXPECT_GT(particles_after(twofold, true, false), 1000u) << "names do not wait";
+  EXPECT_GT(particles_after(kMap, false, false), 1000u) << "one mode only";
+  EXPECT_GT(particles_after(twofold, true, false), 1000u) << "identified detections do not wait";
 }
 
-TEST(ParticleFilter, TheWayBehindMovesItToWhereAllThatWasSeenFits)
+TEST(ParticleFilter, TheTrajectoryMovesItToThePoseThatFitsAllMeasurements)
 {
   Pose2 truth;
   EXPECT_LT(weightAt(stepAtTheTwin(6, {}, truth), truth), 0.01);
-  EXPECT_GT(weightAt(stepAtTheTwin(6, placeOf, truth), truth), 0.05);
+  EXPECT_GT(weightAt(stepAtTheTwin(6, hypothesisAt, truth), truth), 0.05);
 }
 
-TEST(ParticleFilter, IsNotOkWhereTheWayBehindFitsAnotherPlaceBetter)
+TEST(ParticleFilter, IsNotOkWhereTheTrajectoryFitsAnotherPoseBetter)
 {
   Pose2 truth;
-  const FilterStep alone = stepAtTheTwin(40, {}, truth);  // nothing tells it from the truth
+  const FilterStep alone = stepAtTheTwin(40, {}, truth);  // it fits as well as the truth
   EXPECT_EQ(alone.verdict, Verdict::ok) << alone.reason;
   EXPECT_LT(weightAt(alone, truth), 0.1);
-  // The way speaks when the twin is proven.
-  const auto late = [calls = 0](const Pose2& pose) mutable { return ++calls > 1 ? placeOf(pose) : HypothesisSet{}; };
+  // The trajectory is searched when the twin is verified.
+  const auto late = [calls = 0](const Pose2& pose) mutable
+  { return ++calls > 1 ? hypothesisAt(pose) : HypothesisSet{}; };
   for (const int frames : {30, 45})
   {
     const FilterStep step = stepAtTheTwin(frames, late, truth);
@@ -257,7 +259,7 @@ TEST(ParticleFilter, IsNotOkWhereTheWayBehindFitsAnotherPlaceBetter)
   }
 }
 
-TEST(ParticleFilter, AKnownStartIsNotOverruledByAWayThatDoesNotKnowIt)
+TEST(ParticleFilter, AKnownStartIsNotOverruledByATrajectorySearchThatDoesNotKnowIt)
 {
   const LandmarkTable map({{.id = 1, .position = {2, 2, 0}}, {.id = 2, .position = {8, 8, 0}}});
   ParticleFilterOptions options = smallOptions();
@@ -270,10 +272,10 @@ TEST(ParticleFilter, AKnownStartIsNotOverruledByAWayThatDoesNotKnowIt)
   for (int k = 0; k < 60; ++k)
   {
     truth = compose(truth, roundTripStep(k));
-    const auto twin = [&] { return placeOf({10 - truth.x, 10 - truth.y, wrap(truth.phi + kPi)}); };
-    const Frame frame =
-        simulatedFrame({.measures_range = true, .named = false, .clutter = 0.02}, map, truth, roundTripStep(k), random);
-    step = filter.process(frame, noProposals, {}, twin);
+    const auto twin = [&] { return hypothesisAt({10 - truth.x, 10 - truth.y, wrap(truth.phi + kPi)}); };
+    const Frame frame = simulatedFrame({.measures_range = true, .identified = false, .clutter = 0.02}, map, truth,
+                                       roundTripStep(k), random);
+    step = filter.process(frame, {noProposals, twin});
     EXPECT_GT(weightAt(step, truth), 0.9) << k;
   }
   EXPECT_EQ(step.verdict, Verdict::ok) << step.reason;

@@ -22,6 +22,8 @@ double weightSum(const ParticleSet& particles)
   const std::vector<double> w = weights(particles);
   return std::accumulate(w.begin(), w.end(), 0.0);
 }
+
+double ratioOf(ParticleSet particles) { return normalizeWeights(particles).effective_ratio; }
 }  // namespace
 
 TEST(ParticleSet, NormalisationReturnsTheLogarithmOfTheSum)
@@ -61,7 +63,7 @@ RC_GTEST_PROP(ParticleSet, WeightsSumToOne, (const std::vector<int>& millionths)
   ParticleSet particles = withLogWeights(log_weights);
   normalizeWeights(particles);
   RC_ASSERT(std::abs(weightSum(particles) - 1) < 1e-6);
-  const double ratio = effectiveSampleRatio(particles), n = static_cast<double>(particles.size());
+  const double ratio = ratioOf(particles), n = static_cast<double>(particles.size());
   RC_ASSERT(ratio <= 1 + 1e-6 && ratio >= 1 / n - 1e-6);
 }
 
@@ -69,21 +71,21 @@ TEST(ParticleSet, EffectiveRatioOfEqualAndOfOneHotWeights)
 {
   ParticleSet equal = withLogWeights(std::vector<double>(50, -7.0));
   normalizeWeights(equal);
-  EXPECT_NEAR(effectiveSampleRatio(equal), 1, 1e-6);
+  EXPECT_NEAR(ratioOf(equal), 1, 1e-6);
   ParticleSet one_hot = withLogWeights(std::vector<double>(50, -1e5));
   one_hot.log_weight[17] = 0;
   normalizeWeights(one_hot);
-  EXPECT_NEAR(effectiveSampleRatio(one_hot), 1.0 / 50, 1e-6);
+  EXPECT_NEAR(ratioOf(one_hot), 1.0 / 50, 1e-6);
   ParticleSet half = withLogWeights({0, 0, -1e5, -1e5});
   normalizeWeights(half);
-  EXPECT_NEAR(effectiveSampleRatio(half), 0.5, 1e-6);
+  EXPECT_NEAR(ratioOf(half), 0.5, 1e-6);
 }
 
 TEST(ParticleSet, EmptyIsAValue)
 {
   ParticleSet none;
   EXPECT_EQ(normalizeWeights(none).log_sum, 0);
-  EXPECT_EQ(effectiveSampleRatio(none), 0);
+  EXPECT_EQ(ratioOf(none), 0);
   EXPECT_TRUE(weights(none).empty());
   EXPECT_TRUE(select(none, {}).empty());
 }

@@ -22,83 +22,83 @@ ParticleSet particlesAt(const Pose2& pose, RandomStream& random)
   return particles;
 }
 
-/// Log odds of a place `off` the true one after each of `steps` frames of a drive.
+/// Log odds of a pose `off` the true one after each of `steps` frames of a drive.
 std::vector<double> oddsAlong(const SimulatedRobot& robot, const Pose2& off, int steps, std::uint64_t seed)
 {
   RandomStream random(seed);
   const LandmarkTable map = randomMap(15, 10, random);
-  SequentialPoseTest evidence({}, motionModelOf({}), map);
+  SequentialPoseTest test(motionModelOf({}), map);
   Pose2 truth{5, 2, 0};
   std::vector<double> odds;
   for (int k = 0; k < steps; ++k)
   {
     truth = compose(truth, roundTripStep(k));
     const Frame frame = simulatedFrame(robot, map, truth, roundTripStep(k), random);
-    evidence.observe(frame, map, particlesAt(compose(truth, off), random));
-    odds.push_back(evidence.logOdds());
+    test.update(frame, map, particlesAt(compose(truth, off), random));
+    odds.push_back(test.logOdds());
   }
   return odds;
 }
 }  // namespace
 
-TEST(SequentialPoseTest, TheRightPlaceIsProvenByItsLooks)
+TEST(SequentialPoseTest, TheRightPoseIsVerifiedByItsDetections)
 {
-  for (const bool named : {true, false})
+  for (const bool identified : {true, false})
     for (std::uint64_t seed = 1; seed <= 10; ++seed)
     {
-      const std::vector<double> odds = oddsAlong({.named = named, .clutter = 0.05}, {}, 60, seed);
-      EXPECT_GE(odds.back(), SequentialPoseTestOptions{}.proven) << "named " << named << ", seed " << seed;
+      const std::vector<double> odds = oddsAlong({.identified = identified, .clutter = 0.05}, {}, 60, seed);
+      EXPECT_GE(odds.back(), SequentialPoseTest::kAcceptLogOdds) << "identified " << identified << ", seed " << seed;
     }
 }
 
-TEST(SequentialPoseTest, AWrongPlaceIsNotProvenThoughReadingsFitNowAndThen)
+TEST(SequentialPoseTest, AWrongPoseIsNotVerifiedThoughSomeReadingsFit)
 {
-  int proven = 0;
+  int verified = 0;
   for (std::uint64_t seed = 1; seed <= 50; ++seed)
   {
     RandomStream random(seed, 1);
     const Pose2 off = compose({-1, -1, 0}, kRegion.sample(random));
-    for (const double odds : oddsAlong({.named = false, .clutter = 0.05}, off, 60, seed))
-      proven += odds >= SequentialPoseTestOptions{}.proven ? 1 : 0;
+    for (const double odds : oddsAlong({.identified = false, .clutter = 0.05}, off, 60, seed))
+      verified += odds >= SequentialPoseTest::kAcceptLogOdds ? 1 : 0;
   }
-  EXPECT_EQ(proven, 0);
+  EXPECT_EQ(verified, 0);
 }
 
-TEST(SequentialPoseTest, AWrongPlaceIsRefuted)
+TEST(SequentialPoseTest, AWrongPoseIsRefuted)
 {
   for (std::uint64_t seed = 1; seed <= 10; ++seed)
-    EXPECT_LE(oddsAlong({.named = true, .clutter = 0.05}, {2, 3, 1}, 30, seed).back(),
-              -SequentialPoseTestOptions{}.refuted);
+    EXPECT_LE(oddsAlong({.identified = true, .clutter = 0.05}, {2, 3, 1}, 30, seed).back(),
+              SequentialPoseTest::kRejectLogOdds);
 }
 
-TEST(SequentialPoseTest, TheSameSightFromTheSameSpotCountsOnce)
+TEST(SequentialPoseTest, TheSameDetectionFromTheSameSpotCountsOnce)
 {
   RandomStream random(1);
   const LandmarkTable map = randomMap(15, 10, random);
   const Pose2 truth{5, 2, 0};
   Frame frame = simulatedFrame({.detections = 1}, map, truth, {}, random);
   frame.motion = {};
-  SequentialPoseTest evidence({}, motionModelOf({}), map);
-  evidence.observe(frame, map, particlesAt(truth, random));
-  const double once = evidence.logOdds();
+  SequentialPoseTest test(motionModelOf({}), map);
+  test.update(frame, map, particlesAt(truth, random));
+  const double once = test.logOdds();
   EXPECT_NE(once, 0);
-  for (int k = 0; k < 20; ++k) evidence.observe(frame, map, particlesAt(truth, random));
-  EXPECT_EQ(evidence.logOdds(), once);
+  for (int k = 0; k < 20; ++k) test.update(frame, map, particlesAt(truth, random));
+  EXPECT_EQ(test.logOdds(), once);
 }
 
-TEST(SequentialPoseTest, WhatAPlaceWasChosenByDoesNotCount)
+TEST(SequentialPoseTest, WhatAModeWasSelectedByDoesNotCount)
 {
   RandomStream random(1);
   const LandmarkTable map = randomMap(15, 10, random);
   const Pose2 truth{5, 2, 0};
   const Frame frame = simulatedFrame({}, map, truth, {}, random);
-  SequentialPoseTest evidence({}, motionModelOf({}), map);
-  evidence.note(frame);
-  evidence.observe(frame, map, particlesAt(truth, random));
-  EXPECT_EQ(evidence.logOdds(), 0);
+  SequentialPoseTest test(motionModelOf({}), map);
+  test.skip(frame);
+  test.update(frame, map, particlesAt(truth, random));
+  EXPECT_EQ(test.logOdds(), 0);
 }
 
-TEST(SequentialPoseTest, ARichFirstFrameSpeaksForItsPlaceAndProvesNothing)
+TEST(SequentialPoseTest, ARichFirstFrameSupportsItsPoseAndVerifiesNothing)
 {
   RandomStream random(3);
   const LandmarkTable map = randomMap(15, 10, random);
@@ -106,7 +106,7 @@ TEST(SequentialPoseTest, ARichFirstFrameSpeaksForItsPlaceAndProvesNothing)
   const auto begun = [&](std::size_t detections)
   {
     const Frame frame = simulatedFrame({.measures_range = true, .detections = detections}, map, truth, {}, random);
-    ParticleSet samples(Vector2d(5, 5));  // of a proposal that knows the place: weights log(prior / density)
+    ParticleSet samples(Vector2d(5, 5));  // of a proposal that knows the pose: weights log(prior / density)
     const double std_xy = 0.05, std_phi = degToRad(1);
     for (int i = 0; i < 4000; ++i)
     {
@@ -115,70 +115,84 @@ TEST(SequentialPoseTest, ARichFirstFrameSpeaksForItsPlaceAndProvesNothing)
       samples.add({truth.x + std_xy * n.x(), truth.y + std_xy * n.y(), truth.phi + std_phi * n.z()},
                   -std::log(kRegion.volume()) - log_density);
     }
-    SequentialPoseTest evidence({}, motionModelOf({}), map);
-    evidence.begin(frame.readings, map, samples);
-    return evidence.logOdds();
+    SequentialPoseTest test(motionModelOf({}), map);
+    test.start(frame.readings, map, samples);
+    return test.logOdds();
   };
-  EXPECT_EQ(begun(8), SequentialPoseTestOptions{}.proven / 2);
+  EXPECT_EQ(begun(8), SequentialPoseTest::kAcceptLogOdds / 2);
   EXPECT_LT(begun(1), begun(8));
 }
 
-TEST(SequentialPoseTest, WhatWasProvenBeforeABlindSpellHasToBeShownAgain)
+TEST(SequentialPoseTest, EvidenceDecaysInAGapWithoutDetections)
 {
-  const SequentialPoseTestOptions options;
+  constexpr double kAfter = SequentialPoseTest::kDecayAfter, kMax = SequentialPoseTest::kMaxLogOdds;
   const LandmarkTable map({{.id = 1, .position = {2, 2, 0}}});
-  const auto after = [&](double blind, double log_odds, bool named = false)
+  const auto after = [&](double gap, bool identified = false)
   {
-    SequentialPoseTest evidence({.most = log_odds}, motionModelOf({}), map);
+    SequentialPoseTest test(motionModelOf({}), map);
     RandomStream random(3);
-    const Frame seen = simulatedFrame({.named = named}, map, {5, 2, 0}, {}, random);
-    evidence.note(seen);
-    evidence.assume();
-    evidence.note({.motion = {.duration = blind - 1}});
-    EXPECT_EQ(evidence.logOdds(), log_odds) << "nothing is seen yet";
-    evidence.note(seen);  // a second later
-    return evidence.logOdds();
+    const Frame seen = simulatedFrame({.identified = identified}, map, {5, 2, 0}, {}, random);
+    test.skip(seen);
+    test.accept();
+    test.skip({.motion = {.duration = gap - 1}});
+    EXPECT_EQ(test.logOdds(), kMax) << "no detection yet";
+    test.skip(seen);  // a second later
+    return test.logOdds();
   };
-  EXPECT_EQ(after(options.decay_after, 14), 14);
-  EXPECT_NEAR(after(options.decay_after + 10, 14), 14 - 10 * options.decay_per_s, 1e-9);
-  EXPECT_LT(after(30, 14), options.proven);
-  EXPECT_EQ(after(600, 14), 0) << "that it was wrong is not shown either";
-  EXPECT_EQ(after(600, -3), -3);
-  EXPECT_EQ(after(600, 14, true), 14) << "a name is not mistaken for another";
+  EXPECT_EQ(after(kAfter), kMax);
+  EXPECT_NEAR(after(kAfter + 10), kMax - 10 * SequentialPoseTest::kDecayPerS, 1e-9);
+  EXPECT_LT(after(30), SequentialPoseTest::kAcceptLogOdds);
+  EXPECT_EQ(after(600), 0) << "a gap refutes nothing";
+  EXPECT_EQ(after(600, true), kMax) << "an identified landmark is not confused with another";
 }
 
-TEST(SequentialPoseTest, ANameInTheFrameEndsABlindSpellWhateverElseItShows)
+TEST(SequentialPoseTest, EvidenceAgainstAPoseDoesNotDecay)
+{
+  RandomStream random(5);
+  const LandmarkTable map = randomMap(15, 10, random);
+  SequentialPoseTest test(motionModelOf({}), map);
+  const Pose2 truth{5, 2, 0};
+  const Frame seen = simulatedFrame({.identified = true}, map, truth, {}, random);
+  test.update(seen, map, particlesAt(compose(truth, {2, 3, 1}), random));
+  const double against = test.logOdds();
+  ASSERT_LT(against, -1);
+  test.skip({.motion = {.duration = 600}});
+  test.skip(simulatedFrame({.identified = false}, map, truth, {}, random));
+  EXPECT_EQ(test.logOdds(), against);
+}
+
+TEST(SequentialPoseTest, AnIdentifiedDetectionInTheFrameEndsAGapWhateverElseItShows)
 {
   const LandmarkTable map({{.id = 1, .position = {2, 2, 0}}, {.id = 2, .position = {7, 3, 0}}});
   RandomStream random(3);
   const Pose2 truth{5, 2, 0};
-  const Reading named = simulatedFrame({}, map, truth, {}, random).readings.front();
-  const Reading anonymous = simulatedFrame({.named = false}, map, truth, {}, random).readings.front();
+  const Reading identified = simulatedFrame({}, map, truth, {}, random).readings.front();
+  const Reading anonymous = simulatedFrame({.identified = false}, map, truth, {}, random).readings.front();
   const ParticleSet particles = particlesAt(truth, random);
   const auto after = [&](const std::vector<Reading>& seen)
   {
-    SequentialPoseTest evidence({}, motionModelOf({}), map);
-    evidence.assume();
-    evidence.note({.motion = {.duration = 600}});
-    evidence.observe({.readings = seen}, map, particles);
-    return evidence.logOdds();
+    SequentialPoseTest test(motionModelOf({}), map);
+    test.accept();
+    test.skip({.motion = {.duration = 600}});
+    test.update({.readings = seen}, map, particles);
+    return test.logOdds();
   };
-  EXPECT_GT(after({named, anonymous}), 12);
-  EXPECT_GT(after({anonymous, named}), 12);
-  EXPECT_GT(after({named}), 12);
-  EXPECT_LT(after({anonymous}), SequentialPoseTestOptions{}.proven) << "all that was known is forgotten";
-  EXPECT_GT(after({}), 13) << "nothing is seen yet";
+  EXPECT_GT(after({identified, anonymous}), 12);
+  EXPECT_GT(after({anonymous, identified}), 12);
+  EXPECT_GT(after({identified}), 12);
+  EXPECT_LT(after({anonymous}), SequentialPoseTest::kAcceptLogOdds) << "the evidence has decayed";
+  EXPECT_GT(after({}), 13) << "no detection yet";
 }
 
-TEST(SequentialPoseTest, RemembersOnlySoMuch)
+TEST(SequentialPoseTest, LimitsTheLogOdds)
 {
   RandomStream random(1);
-  SequentialPoseTest evidence({}, {}, randomMap(5, 10, random));
-  evidence.assume();
-  EXPECT_TRUE(evidence.proven());
-  EXPECT_EQ(evidence.logOdds(), SequentialPoseTestOptions{}.most);
-  evidence.restart();
-  EXPECT_FALSE(evidence.proven());
-  EXPECT_FALSE(evidence.refuted());
+  SequentialPoseTest test({}, randomMap(5, 10, random));
+  test.accept();
+  EXPECT_TRUE(test.verified());
+  EXPECT_EQ(test.logOdds(), SequentialPoseTest::kMaxLogOdds);
+  test.reset();
+  EXPECT_FALSE(test.verified());
+  EXPECT_FALSE(test.refuted());
 }
 }  // namespace mrpt_ext

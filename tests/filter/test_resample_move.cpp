@@ -16,7 +16,7 @@ const BiasModel kBiases{{.kind = BiasKind::range_offset, .mean = 0.5, .std = 0.2
                         {.kind = BiasKind::distance_scale, .mean = 0, .std = 0.1},
                         {.kind = BiasKind::range_scale, .mean = 0.03, .std = 0}};
 
-/// Few places, each of them many times; all in one mode.
+/// Few poses, each of them many times; all in one mode.
 ParticleSet copies(std::size_t ancestors, RandomStream& random)
 {
   ParticleSet few({0, 0}, kBiases), all({0, 0}, kBiases);
@@ -70,14 +70,14 @@ TEST(ResampleMove, CopiesBecomeDrawsOfThePosterior)
 
 TEST(ResampleMove, HeadingsThatDiedOutComeBackAboutThePlacesMeasuredFrom)
 {
-  // The readings were made 3 m behind the robot and tell that place only.
-  const Vector2d pivot(-3, 0), place(5, 1);
+  // The readings were made 3 m behind the robot and constrain that position only.
+  const Vector2d pivot(-3, 0), position(5, 1);
   const auto posterior = [&](ParticleSet& particles)
   {
     for (std::size_t i = 0; i < particles.size(); ++i)
     {
       const Pose2 p = particles.pose(i);
-      const Vector2d off = p.position() + rotation(p.phi) * pivot - place;
+      const Vector2d off = p.position() + rotation(p.phi) * pivot - position;
       particles.log_weight[i] = static_cast<float>(-0.5 * off.squaredNorm() / square(0.1));
     }
     addBiasLogPrior(particles);
@@ -90,7 +90,7 @@ TEST(ResampleMove, HeadingsThatDiedOutComeBackAboutThePlacesMeasuredFrom)
   for (std::size_t i = 0; i < kCount; ++i)
   {
     const Pose2 p = particles.pose(i);
-    EXPECT_LT((p.position() + rotation(p.phi) * pivot - place).norm(), 0.6);
+    EXPECT_LT((p.position() + rotation(p.phi) * pivot - position).norm(), 0.6);
     ++sector[static_cast<std::size_t>((p.phi + kPi) / kTwoPi * 8) % 8];
   }
   for (const std::size_t held : sector) EXPECT_NEAR(static_cast<double>(held), kCount / 8.0, 100);

@@ -4,7 +4,7 @@
 
 namespace mrpt_ext
 {
-TEST(SensorMonitors, KindsAreSensorsAndWhatTheyMeasure)
+TEST(SensorMonitors, KeysAreSensorsAndWhatTheyMeasure)
 {
   Reading reading{.sensor = "eye"};
   reading.detections = {{.id = 1, .bearing = 0.1}};
@@ -15,42 +15,42 @@ TEST(SensorMonitors, KindsAreSensorsAndWhatTheyMeasure)
   EXPECT_EQ(sensorKey(reading), "eye ranges");
 }
 
-TEST(SensorMonitors, ARareSensorIsHeardBesideABusyOne)
+TEST(SensorMonitors, ASlowSensorCountsBesideAFastOne)
 {
-  InlierRatioMonitor together({});
-  SensorMonitors kinds({});
-  const auto observe = [&](const std::string& kind, double explained, std::size_t count)
+  InlierRatioMonitor together = InlierRatioMonitor::fast({});
+  SensorMonitors sensors({});
+  const auto observe = [&](const std::string& sensor, double inliers, std::size_t count)
   {
-    together.observe(explained, 0.95, count);
-    kinds.observe(kind, explained, 0.95, count);
+    together.observe(inliers, 0.95, count);
+    sensors.observe(sensor, inliers, 0.95, count);
   };
   for (int second = 0; second < 60; ++second)
   {
     observe("radio ranges", 0.95, 20);
     observe("camera bearings", 0.95, 1);
-    EXPECT_FALSE(kinds.dropped());
+    EXPECT_FALSE(sensors.dropped());
   }
   int alarm_at = 0;
   for (int second = 1; second <= 20; ++second)
   {
     observe("radio ranges", 0.95, 20);
     observe("camera bearings", 0.02, 1);
-    if (kinds.dropped() && alarm_at == 0) alarm_at = second;
+    if (sensors.dropped() && alarm_at == 0) alarm_at = second;
     EXPECT_FALSE(together.suspicious());
   }
   EXPECT_GT(alarm_at, 4);
-  EXPECT_NE(kinds.finding().find("camera bearings explain only"), std::string::npos);
+  EXPECT_NE(sensors.finding().find("camera bearings: inlier ratio"), std::string::npos);
 }
 
-TEST(SensorMonitors, ASensorThatNeverAgreedIsNamedAndRaisesNoAlarm)
+TEST(SensorMonitors, ASensorThatNeverAgreedIsReportedAndRaisesNoAlarm)
 {
-  SensorMonitors kinds({});
+  SensorMonitors sensors({});
   for (int second = 0; second < 100; ++second)
   {
-    kinds.observe("camera bearings", 0.1, 0.95, 3);
-    kinds.observe("radio ranges", 0.95, 0.95, 3);
-    EXPECT_FALSE(kinds.dropped());
+    sensors.observe("camera bearings", 0.1, 0.95, 3);
+    sensors.observe("radio ranges", 0.95, 0.95, 3);
+    EXPECT_FALSE(sensors.dropped());
   }
-  EXPECT_EQ(kinds.finding(), "camera bearings explain only 11 % of what is expected");
+  EXPECT_EQ(sensors.finding(), "camera bearings: inlier ratio 11 % of the expected value");
 }
 }  // namespace mrpt_ext

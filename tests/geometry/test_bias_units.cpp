@@ -9,7 +9,7 @@ namespace mrpt_ext
 TEST(BiasUnits, EveryKindHasItsRow)
 {
   for (const BiasUnit& row : kBiasUnits) EXPECT_EQ(unitOf(row.kind).name, row.name);
-  EXPECT_STREQ(unitOf(BiasKind::rotation_scale).name, "rotation_scale");
+  EXPECT_STREQ(unitOf(BiasKind::rotation_scale).name, "odometry_rotation_scale");
 }
 
 TEST(BiasUnits, AnglesAreDegreesInFiles)

@@ -15,14 +15,9 @@ const std::string kSensorPrefix = "Sensor_";
 
 // The keys of one kind of error: range_offset_std_m, range_offset_mean_m, range_offset_std_per_sqrt_s_m.
 
-std::string nameOf(const BiasUnit& bias)
-{
-  return (belongsToOdometry(bias.kind) ? "odometry_" : "") + std::string(bias.name);
-}
-
-std::string meanKey(const BiasUnit& bias) { return nameOf(bias) + "_mean" + bias.suffix; }
-std::string stdKey(const BiasUnit& bias) { return nameOf(bias) + "_std" + bias.suffix; }
-std::string driftKey(const BiasUnit& bias) { return nameOf(bias) + "_std_per_sqrt_s" + bias.suffix; }
+std::string meanKey(const BiasUnit& bias) { return std::string(bias.name) + "_mean" + bias.suffix; }
+std::string stdKey(const BiasUnit& bias) { return std::string(bias.name) + "_std" + bias.suffix; }
+std::string driftKey(const BiasUnit& bias) { return std::string(bias.name) + "_std_per_sqrt_s" + bias.suffix; }
 
 std::string definitionOf(BiasKind kind)
 {

@@ -18,16 +18,16 @@ KeyTable filterKeys()
               "Weight of clutter_probability, in detections of a landmark. Its learned outlier rate starts from there.")
       .number("reseed_inlier_ratio", "", filter.recovery.reseed_inlier_ratio, ranges::kShare,
               "Inlier ratio below which hypotheses are injected. Of recent detections, relative to the expected ratio.")
-      .number("lost_inlier_ratio", "", filter.recovery.lost_share, ranges::kShare,
+      .number("lost_inlier_ratio", "", filter.recovery.lost_inlier_ratio, ranges::kShare,
               "Inlier ratio below which the verdict is `lost`.")
       .number("injected_particle_share", "", filter.recovery.injected_particle_share, ranges::kShare,
               "Injected particles per frame, relative to particles_count.")
       .number("relocalization_prior", "", filter.recovery.relocalization_prior, {1e-9, 1},
               "Prior probability of a jump, per injection. That is: the robot is at a pose that no particle has.")
-      .flag("mode_kalman_filters", filter.companions,
+      .flag("mode_kalman_filters", filter.mode_kalman_filters,
             "Weight the modes by Kalman filters. While several modes are possible, one Kalman filter per mode decides "
             "their weights; the particles keep the shape of each mode.")
-      .integer("kalman_proposal_below_ess", "", filter.redraw_below, {0, 1e9},
+      .integer("kalman_proposal_below_ess", "", filter.kalman_proposal_below_ess, {0, 1e9},
                "Effective particles below which a Kalman proposal is used. Particles are drawn around the posterior of "
                "an iterated Kalman update and weighted by importance (up to 4000 particles). 0: never.")
       .number("ok_min_weight", "", filter.verdict.min_best_weight, ranges::kShare,

@@ -92,15 +92,15 @@ ParticleFilterOptions filterOptions(const Settings& settings, const LandmarkTabl
   options.modes = {.cell_xy = settings.number(kFilter, "mode_cell_m"),
                    .cell_phi = settings.radians(kFilter, "mode_cell_deg")};
   options.recovery.reseed_inlier_ratio = settings.number(kFilter, "reseed_inlier_ratio");
-  options.recovery.lost_share = settings.number(kFilter, "lost_inlier_ratio");
+  options.recovery.lost_inlier_ratio = settings.number(kFilter, "lost_inlier_ratio");
   options.recovery.injected_particle_share = settings.number(kFilter, "injected_particle_share");
   options.recovery.relocalization_prior = settings.number(kFilter, "relocalization_prior");
   options.verdict = {
       .min_best_weight = settings.number(kFilter, "ok_min_weight"),
       .max_std_xy = settings.optionalNumber(kFilter, "ok_max_std_m").value_or(limits.within_m),
       .max_std_phi = settings.optionalRadians(kFilter, "ok_max_std_deg").value_or(degToRad(limits.within_deg))};
-  options.companions = settings.flag(kFilter, "mode_kalman_filters");
-  options.redraw_below = static_cast<std::size_t>(settings.integer(kFilter, "kalman_proposal_below_ess"));
+  options.mode_kalman_filters = settings.flag(kFilter, "mode_kalman_filters");
+  options.kalman_proposal_below_ess = static_cast<std::size_t>(settings.integer(kFilter, "kalman_proposal_below_ess"));
   options.learn_reliability = settings.flag(kFilter, "learn_reliability");
   options.reliability_prior_strength = settings.number(kFilter, "reliability_prior");
   return options;

@@ -81,7 +81,7 @@ class CalibrationDataBuilder
  private:
   [[nodiscard]] OdometryMotion moved(double from, double to) const
   {
-    return believedMotion(input_.config.filter.motion, input_.log.overview.odometry.between(from, to));
+    return nominalMotion(input_.config.filter.motion, input_.log.overview.odometry.between(from, to));
   }
 
   void bridgeTo(double time)

@@ -42,8 +42,7 @@ KalmanBankOptions kalmanOptions(const LocalizationConfig& config, bool iterated,
                             .motion = config.filter.motion,
                             .biases = config.biases,
                             .recovery = config.filter.recovery,
-                            .verdict = config.filter.verdict,
-                            .seed_min_std = config.filter.seed_min_std};
+                            .verdict = config.filter.verdict};
   if (config.filter.initial_mode == InitialMode::gaussian) options.start = config.filter.initial_pose;
   return options;
 }

@@ -27,9 +27,9 @@ class MrptFilterLocalizer : public FilterLocalizer
       : options_(config.filter),
         map_(map),
         landmark_map_(std::make_shared<CLandmarkMap2D>(map)),
-        reliability_(map.size(), options_.reliability_prior_strength, options_.max_clutter),
-        fast_ratio_(options_.recovery),
-        slow_ratio_(slowRatioOptions(options_.recovery))
+        reliability_(map.size(), options_.reliability_prior_strength),
+        fast_ratio_(InlierRatioMonitor::fast(options_.recovery)),
+        slow_ratio_(InlierRatioMonitor::slow(options_.recovery))
   {
     mrpt::random::getRandomGenerator().randomize(static_cast<std::uint32_t>(seed));
     auto& pf = engine_.m_options;
@@ -156,14 +156,14 @@ class MrptFilterLocalizer : public FilterLocalizer
     step_.modes = findModes(particles_, options_.modes);
     for (const Reading& reading : scoredReadings(frame))
     {
-      const double inliers = reliability_.observe(reading, map_, particles_, true);
+      const double inlier_ratio = reliability_.observe(reading, map_, particles_, true);
       for (InlierRatioMonitor* ratio : {&fast_ratio_, &slow_ratio_})
-        ratio->observe(inliers, 1 - reading.model.clutter_probability, reading.detections.size());
+        ratio->observe(inlier_ratio, 1 - reading.model.clutter_probability, reading.detections.size());
     }
-    step_.explained_share = fast_ratio_.average();
+    step_.inlier_ratio = fast_ratio_.average();
     const double effective = step_.effective_ratio * static_cast<double>(particles_.size());
-    const double share = fast_ratio_.suspicious() ? fast_ratio_.average() : slow_ratio_.average();
-    const VerdictWithReason verdict = judge(step_.modes, {share, fast_ratio_.lost(), effective}, options_.verdict);
+    const double ratio = fast_ratio_.suspicious() ? fast_ratio_.average() : slow_ratio_.average();
+    const VerdictWithReason verdict = judge(step_.modes, {ratio, fast_ratio_.lost(), effective}, options_.verdict);
     step_.verdict = verdict.verdict;
     step_.reason = verdict.reason;
   }

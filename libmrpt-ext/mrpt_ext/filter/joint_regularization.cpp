@@ -6,18 +6,18 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kReach = 4;  // standard deviations: particles farther from a mode are not its own
-constexpr int kNobody = -1;
+constexpr double kGate = 4;  // standard deviations that the particles of a mode are within
+constexpr int kNone = -1;
 
-/// The mode that each particle is nearest to, if it lies within its reach.
+/// The nearest mode of each particle, if it is within the gate.
 std::vector<int> nearestModes(const ParticleSet& particles, const std::vector<Mode>& modes)
 {
   std::vector<PoseGate> gates;
-  for (const Mode& mode : modes) gates.emplace_back(KalmanState{mode.pose.mean.vector(), mode.pose.covariance}, kReach);
-  std::vector<int> nearest(particles.size(), kNobody);
+  for (const Mode& mode : modes) gates.emplace_back(KalmanState{mode.pose.mean.vector(), mode.pose.covariance}, kGate);
+  std::vector<int> nearest(particles.size(), kNone);
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    double least = kReach * kReach;
+    double least = kGate * kGate;
     for (std::size_t m = 0; m < gates.size(); ++m)
       if (const double distance2 = gates[m].distance2(particles, i); distance2 < least)
       {
@@ -29,7 +29,7 @@ std::vector<int> nearestModes(const ParticleSet& particles, const std::vector<Mo
 }
 }  // namespace
 
-void smoothJointly(ParticleSet& particles, const std::vector<Mode>& compact, double bandwidth, RandomStream& random)
+void regularizeJointly(ParticleSet& particles, const std::vector<Mode>& compact, double bandwidth, RandomStream& random)
 {
   const std::vector<int> nearest = nearestModes(particles, compact);
   const double keep = std::sqrt(1 - square(bandwidth));

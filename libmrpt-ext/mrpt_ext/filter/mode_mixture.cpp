@@ -1,28 +1,31 @@
 #include "mrpt_ext/filter/mode_mixture.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "mrpt_ext/filter/kalman/distinct_hypotheses.h"
+#include "mrpt_ext/geometry/mahalanobis.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr int kNobody = -1;
-constexpr double kNothing = -std::numeric_limits<double>::infinity();
-constexpr double kGate = 5;           // standard deviations of a companion within which a particle is its own
-constexpr double kSamePlace = 3;      // likewise for the mean of a mode
-constexpr double kMinWeight = 0.005;  // of a mode that gets a companion
-constexpr std::size_t kMaxCompanions = 30;
-constexpr double kMaxStdXy = 0.5, kMaxStdPhi = degToRad(20.0);  // wider modes are no places
-constexpr double kForgottenAfter = 60;                          // [s] without particles
-constexpr double kLeastLogWeight = -25;                         // of a place without particles
-constexpr double kDroppedLogWeight = -7;                        // that it starts with
-constexpr double kRevivedAt = 0.05;                             // weight
-// How far companion and particles may differ, in standard deviations and log units: far, because the sampling errors of
-// one frame are felt in the next ones; and how much of it is remembered in the next frame.
-constexpr double kDoubt = 6, kSlack = 1, kRemembered = 0.98;
+constexpr int kNone = -1;
+constexpr double kLogZero = -std::numeric_limits<double>::infinity();
+constexpr double kGate = 5;           // standard deviations that the particles of a component are within
+constexpr double kSameMode = 3;       // likewise for the mean of a mode
+constexpr double kDuplicate = 1;      // likewise for another component
+constexpr double kMinWeight = 0.005;  // of a mode that gets a component
+constexpr std::size_t kMaxComponents = 30;
+constexpr double kMaxStdXy = 0.5, kMaxStdPhi = degToRad(20.0);  // of a compact mode
+constexpr double kMaxUnsupported = 60;                          // [s] without particles
+constexpr double kMinLogWeight = -25;                           // of a mode without particles
+constexpr double kDetachedLogWeight = -7;                       // that it starts with at most
+constexpr double kRespawnWeight = 0.05;
+// Residuals of the log weight within kSlack + kSigmas standard deviations are chance: many, because the sampling error
+// of one frame influences the next ones. And the share that is remembered in the next frame.
+constexpr double kSigmas = 6, kSlack = 1, kMemory = 0.98;
 
 bool isCompact(const Mode& mode)
 {
@@ -30,13 +33,10 @@ bool isCompact(const Mode& mode)
   return C(0, 0) + C(1, 1) < square(kMaxStdXy) && C(2, 2) < square(kMaxStdPhi);
 }
 
-/// Mahalanobis distance of two places, by the uncertainty of both.
-double apart(const KalmanState& a, const GaussianPose& b)
+/// True within so many standard deviations, by the uncertainty of both.
+bool isSame(const GaussianPose& a, const GaussianPose& b, double sigmas)
 {
-  Vector3d d = a.mean.head<3>() - b.mean.vector();
-  d.z() = wrap(d.z());
-  const Matrix3d C = a.gaussianPose().covariance + b.covariance + 1e-9 * Matrix3d::Identity();
-  return std::sqrt(std::max(0.0, d.dot(C.ldlt().solve(d))));
+  return mahalanobis2(a.mean, b.mean, a.covariance + b.covariance + 1e-9 * Matrix3d::Identity()) < square(sigmas);
 }
 
 double logSum(double a, double b)
@@ -45,198 +45,204 @@ double logSum(double a, double b)
   return std::isinf(top) ? top : top + std::log(std::exp(a - top) + std::exp(b - top));
 }
 
-/// Scored particles of one companion, weights relative to the heaviest of all.
-struct ScoredMass
+/// Weighted particles of one component, weights relative to the heaviest of all.
+struct ParticleMass
 {
   double sum = 0, sum2 = 0;
+  void add(double weight)
+  {
+    sum += weight;
+    sum2 += weight * weight;
+  }
   [[nodiscard]] double logSum() const { return std::log(sum); }
   /// Relative variance of the sum: one over the effective number of particles.
   [[nodiscard]] double variance() const { return sum2 / (sum * sum); }
 };
 }  // namespace
 
-double MixtureComponent::settle(double difference, double variance)
+double MixtureComponent::correctWeight(double residual, double variance)
 {
-  owed = kRemembered * owed + difference;
-  owed_variance = kRemembered * kRemembered * owed_variance + variance;
-  if (std::abs(owed) <= kSlack + kDoubt * std::sqrt(owed_variance)) return 0;
-  const double due = owed;
-  owed = owed_variance = 0;
-  return due;
+  weight_residual = kMemory * weight_residual + residual;
+  residual_variance = kMemory * kMemory * residual_variance + variance;
+  if (std::abs(weight_residual) <= kSlack + kSigmas * std::sqrt(residual_variance)) return 0;
+  const double correction = weight_residual;
+  weight_residual = residual_variance = 0;
+  return correction;
 }
 
-void ModeMixture::predictAndUpdate(const ParticleSet& moved_particles, const Frame& frame, const LandmarkTable& map)
+void ModeMixture::predictAndUpdate(const ParticleSet& predicted, const Frame& frame, const LandmarkTable& map)
 {
-  if (companions_.empty()) return;
-  std::vector<PoseGate> gates;
-  for (MixtureComponent& companion : companions_)
+  if (components_.empty()) return;
+  for (MixtureComponent& component : components_)
   {
-    companion.state = predict(companion.state, biases_, motion_, frame.motion);
-    gates.emplace_back(companion.state, kGate);
-    if (!companion.has_particles) companion.alone_for += frame.motion.duration;
+    component.state = predict(component.state, biases_, motion_, frame.motion);
+    if (!component.has_particles) component.unsupported_for += frame.motion.duration;
   }
-  companion_of_.assign(moved_particles.size(), kNobody);
-  prior_mass_.assign(companions_.size(), 0.0);
-  for (std::size_t i = 0; i < moved_particles.size(); ++i)
+  assignParticles(predicted);
+  for (MixtureComponent& component : components_)
+  {
+    KalmanUpdate update = updateIterated(component.state, frame, map, biases_);
+    component.state = std::move(update.state);
+    component.log_evidence = update.log_evidence;
+  }
+}
+
+void ModeMixture::assignParticles(const ParticleSet& predicted)
+{
+  std::vector<PoseGate> gates;
+  for (const MixtureComponent& component : components_) gates.emplace_back(component.state, kGate);
+  component_of_.assign(predicted.size(), kNone);
+  prior_mass_.assign(components_.size(), 0.0);
+  for (std::size_t i = 0; i < predicted.size(); ++i)
   {
     double nearest = square(kGate);
-    for (std::size_t k = 0; k < companions_.size(); ++k)
+    for (std::size_t k = 0; k < components_.size(); ++k)
     {
-      if (!companions_[k].has_particles) continue;
-      const double distance2 = gates[k].distance2(moved_particles, i);
+      if (!components_[k].has_particles) continue;
+      const double distance2 = gates[k].distance2(predicted, i);
       if (!(distance2 < nearest)) continue;
       nearest = distance2;
-      companion_of_[i] = static_cast<int>(k);
+      component_of_[i] = static_cast<int>(k);
     }
-    if (companion_of_[i] == kNobody) continue;
-    prior_mass_[static_cast<std::size_t>(companion_of_[i])] += std::exp(double{moved_particles.log_weight[i]});
-  }
-  for (MixtureComponent& companion : companions_)
-  {
-    KalmanUpdate update = updateIterated(companion.state, frame, map, biases_);
-    companion.state = std::move(update.state);
-    companion.log_evidence = update.log_evidence;
+    if (component_of_[i] == kNone) continue;
+    prior_mass_[static_cast<std::size_t>(component_of_[i])] += std::exp(double{predicted.log_weight[i]});
   }
 }
 
 void ModeMixture::reweight(ParticleSet& particles)
 {
-  if (companions_.empty() || companion_of_.size() != particles.size()) return;
+  if (components_.empty() || component_of_.size() != particles.size()) return;
   const double top = double{*std::max_element(particles.log_weight.begin(), particles.log_weight.end())};
-  std::vector<ScoredMass> scored(companions_.size());
-  double all = 0;
+  std::vector<ParticleMass> masses(components_.size());
+  double sum = 0;
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
     const double w = std::exp(double{particles.log_weight[i]} - top);
-    all += w;
-    if (companion_of_[i] == kNobody) continue;
-    ScoredMass& mass = scored[static_cast<std::size_t>(companion_of_[i])];
-    mass.sum += w;
-    mass.sum2 += w * w;
+    sum += w;
+    if (component_of_[i] != kNone) masses[static_cast<std::size_t>(component_of_[i])].add(w);
   }
 
-  // What companions and particles say, and what is owed by one to the other: that of all of them together is common.
-  const auto counts = [&](std::size_t k) { return prior_mass_[k] > 0 && scored[k].sum > 0; };
-  std::vector<double> said(companions_.size());
-  double log_said = kNothing, log_scored = kNothing;
-  for (std::size_t k = 0; k < companions_.size(); ++k)
+  // Log weights by the Kalman filters, and by the particles; the difference of the sums is common to all components.
+  const auto is_supported = [&](std::size_t k) { return prior_mass_[k] > 0 && masses[k].sum > 0; };
+  std::vector<double> log_weight(components_.size());
+  double log_sum = kLogZero, log_particle_sum = kLogZero;
+  for (std::size_t k = 0; k < components_.size(); ++k)
   {
-    if (!counts(k)) continue;
-    said[k] = std::log(prior_mass_[k]) + companions_[k].log_evidence;
-    log_said = logSum(log_said, said[k]);
-    log_scored = logSum(log_scored, scored[k].logSum());
+    if (!is_supported(k)) continue;
+    log_weight[k] = std::log(prior_mass_[k]) + components_[k].log_evidence;
+    log_sum = logSum(log_sum, log_weight[k]);
+    log_particle_sum = logSum(log_particle_sum, masses[k].logSum());
   }
-  const double common = std::isinf(log_said) ? -top : log_scored - log_said;
-  double total = kNothing;
-  for (std::size_t k = 0; k < companions_.size(); ++k)
+  const double common = std::isinf(log_sum) ? -top : log_particle_sum - log_sum;
+  double total = kLogZero;
+  for (std::size_t k = 0; k < components_.size(); ++k)
   {
-    if (!counts(k)) continue;
-    said[k] += companions_[k].settle(scored[k].logSum() - (said[k] + common), scored[k].variance());
-    total = logSum(total, said[k]);
+    if (!is_supported(k)) continue;
+    log_weight[k] += components_[k].correctWeight(masses[k].logSum() - (log_weight[k] + common), masses[k].variance());
+    total = logSum(total, log_weight[k]);
   }
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    if (companion_of_[i] == kNobody) continue;
-    const auto k = static_cast<std::size_t>(companion_of_[i]);
-    if (counts(k)) particles.log_weight[i] += static_cast<float>(said[k] + log_scored - total - scored[k].logSum());
+    if (component_of_[i] == kNone) continue;
+    const auto k = static_cast<std::size_t>(component_of_[i]);
+    if (is_supported(k))
+      particles.log_weight[i] += static_cast<float>(log_weight[k] + log_particle_sum - total - masses[k].logSum());
   }
-  for (std::size_t k = 0; k < companions_.size(); ++k)
+  for (std::size_t k = 0; k < components_.size(); ++k)
   {
-    MixtureComponent& companion = companions_[k];
-    if (counts(k))
-      companion.log_weight = said[k] + log_scored - total - std::log(all);
+    MixtureComponent& component = components_[k];
+    if (is_supported(k))
+      component.log_weight = log_weight[k] + log_particle_sum - total - std::log(sum);
     else
-      companion.log_weight += companion.log_evidence + common - std::log(all);
+      component.log_weight += component.log_evidence + common - std::log(sum);
   }
 }
 
-bool ModeMixture::revive(ParticleSet& particles, std::size_t count, RandomStream& random)
+bool ModeMixture::respawn(ParticleSet& particles, std::size_t count, RandomStream& random)
 {
   bool any = false;
-  for (MixtureComponent& companion : companions_)
+  for (MixtureComponent& component : components_)
   {
-    if (companion.has_particles || companion.log_weight < std::log(kRevivedAt)) continue;
-    const GaussianDensity density(companion.state);
-    const Eigen::MatrixXd normals = exactNormals(companion.state.mean.size(), count, random);
-    const double log_w = companion.log_weight - std::log(static_cast<double>(count));
+    if (component.has_particles || component.log_weight < std::log(kRespawnWeight)) continue;
+    const GaussianDensity density(component.state);
+    const Eigen::MatrixXd normals = exactNormals(component.state.mean.size(), count, random);
+    const double log_w = component.log_weight - std::log(static_cast<double>(count));
     for (Eigen::Index i = 0; i < normals.cols(); ++i)
     {
       const KalmanVector step = density.factor() * normals.col(i);
-      addParticle(particles, moved(companion.state.mean, step), log_w);
+      addParticle(particles, moved(component.state.mean, step), log_w);
     }
-    companion.has_particles = any = true;
-    companion.alone_for = companion.owed = companion.owed_variance = 0;
+    component.has_particles = any = true;
+    component.unsupported_for = component.weight_residual = component.residual_variance = 0;
   }
   return any;
 }
 
-void ModeMixture::follow(const ModeSet& modes, const ParticleSet& particles)
+void ModeMixture::associate(const ModeSet& modes, const ParticleSet& particles)
 {
-  const auto places = std::count_if(modes.modes.begin(), modes.modes.end(),
-                                    [](const Mode& mode) { return mode.weight > kMinWeight && isCompact(mode); });
-  if (companions_.empty() && places < 2) return;
-  std::vector<bool> followed(companions_.size(), false);
+  const auto compact = std::count_if(modes.modes.begin(), modes.modes.end(),
+                                     [](const Mode& mode) { return mode.weight > kMinWeight && isCompact(mode); });
+  if (components_.empty() && compact < 2) return;
+  std::vector<bool> associated(components_.size(), false);
   for (std::size_t m = 0; m < modes.modes.size(); ++m)
   {
     const Mode& mode = modes.modes[m];
     if (mode.weight < kMinWeight) break;
-    const auto known =
-        std::find_if(companions_.begin(), companions_.end(),
-                     [&](const MixtureComponent& companion) { return apart(companion.state, mode.pose) < kSamePlace; });
-    if (known == companions_.end())
+    const auto known = std::find_if(components_.begin(), components_.end(),
+                                    [&](const MixtureComponent& component)
+                                    { return isSame(component.state.gaussianPose(), mode.pose, kSameMode); });
+    if (known == components_.end())
     {
-      if (isCompact(mode)) seat(modes, m, particles);
+      if (isCompact(mode)) add(modes, m, particles);
       continue;
     }
-    const auto k = static_cast<std::size_t>(known - companions_.begin());
-    if (k < followed.size()) followed[k] = true;
+    const auto k = static_cast<std::size_t>(known - components_.begin());
+    if (k < associated.size()) associated[k] = true;
     if (!known->has_particles) *known = {.state = known->state};  // found again by other means
   }
-  for (std::size_t k = 0; k < followed.size(); ++k)
-    if (!followed[k] && companions_[k].has_particles) retire(companions_[k]);
-  forget();
+  for (std::size_t k = 0; k < associated.size(); ++k)
+    if (!associated[k] && components_[k].has_particles) detach(components_[k]);
+  prune();
 }
 
-void ModeMixture::watch(const Mode& mode, const ParticleSet& particles)
+void ModeMixture::retain(const Mode& mode, const ParticleSet& particles)
 {
-  if (!companions_.empty() || !isCompact(mode)) return;
+  if (!components_.empty() || !isCompact(mode)) return;
   const PoseGate gate(startingState(mode.pose, biases_), kGate);
   if (const auto state = momentsOf(particles, [&](std::size_t i) { return gate.contains(particles, i); }))
-    companions_.push_back({.state = *state});
+    components_.push_back({.state = *state});
 }
 
-void ModeMixture::seat(const ModeSet& modes, std::size_t mode, const ParticleSet& particles)
+void ModeMixture::add(const ModeSet& modes, std::size_t mode, const ParticleSet& particles)
 {
-  if (companions_.size() >= kMaxCompanions) return;
+  if (components_.size() >= kMaxComponents) return;
   const auto state = momentsOf(particles, [&](std::size_t i) { return modes.mode_of[i] == static_cast<int>(mode); });
-  if (state) companions_.push_back({.state = *state, .log_weight = std::log(modes.modes[mode].weight)});
+  if (state) components_.push_back({.state = *state, .log_weight = std::log(modes.modes[mode].weight)});
 }
 
-void ModeMixture::retire(MixtureComponent& companion)
+void ModeMixture::detach(MixtureComponent& component)
 {
-  companion.has_particles = false;
-  companion.log_weight = std::min(companion.log_weight, kDroppedLogWeight);
+  component.has_particles = false;
+  component.log_weight = std::min(component.log_weight, kDetachedLogWeight);
 }
 
-void ModeMixture::forget()
+void ModeMixture::prune()
 {
-  std::erase_if(companions_,
-                [](const MixtureComponent& companion)
+  std::erase_if(components_,
+                [](const MixtureComponent& component)
                 {
-                  return !companion.has_particles &&
-                         (companion.alone_for > kForgottenAfter || companion.log_weight < kLeastLogWeight);
+                  return !component.has_particles &&
+                         (component.unsupported_for > kMaxUnsupported || component.log_weight < kMinLogWeight);
                 });
-  std::vector<MixtureComponent> kept;
-  for (MixtureComponent& companion : companions_)
-    if (std::none_of(kept.begin(), kept.end(),
-                     [&](const MixtureComponent& other)
-                     { return apart(other.state, companion.state.gaussianPose()) < 1; }))
-      kept.push_back(std::move(companion));
-  companions_ = std::move(kept);
-  if (companions_.size() == 1 && companions_.front().has_particles) companions_.clear();
+  keepDistinct(
+      components_,
+      [](const MixtureComponent& a, const MixtureComponent& b)
+      { return isSame(a.state.gaussianPose(), b.state.gaussianPose(), kDuplicate); },
+      [](MixtureComponent&, const MixtureComponent&) {});
+  if (components_.size() == 1 && components_.front().has_particles) components_.clear();
 }
 
-std::size_t countPlaces(const ModeSet& modes)
+std::size_t countCompactModes(const ModeSet& modes)
 {
   double weight = 0;
   for (std::size_t m = 0; m < modes.modes.size() && isCompact(modes.modes[m]); ++m)

@@ -8,65 +8,65 @@
 
 namespace mrpt_ext
 {
-/// A Kalman filter that goes along with one compact mode of the particles.
+/// A Kalman filter that tracks one compact mode of the particles.
 struct MixtureComponent
 {
   KalmanState state;
-  double log_evidence = 0;  ///< of the frame in work
-  double log_weight = 0;    ///< of a place without particles, where those of all particles sum to 1
+  double log_evidence = 0;  ///< of the current frame
+  double log_weight = 0;    ///< of a mode without particles, where those of all particles sum to 1
   bool has_particles = true;
-  double alone_for = 0;                ///< [s] without particles
-  double owed = 0, owed_variance = 0;  ///< log weight that the particles would have given it beyond what it got
+  double unsupported_for = 0;                         ///< [s] without particles
+  double weight_residual = 0, residual_variance = 0;  ///< log weight of the particles minus that of the filter
 
-  /// Books what the particles say beyond the companion (log units), with its sampling variance; returns what is due:
-  /// nothing while the sum may be chance, else all of it.
-  double settle(double difference, double variance);
+  /// Takes how far the particles' log weight exceeds that of the filter in one frame, with its sampling variance.
+  /// Returns the correction: 0 while the sum of the residuals is within chance, else all of it.
+  double correctWeight(double residual, double variance);
 };
 
-/// Keeps the account of several places where the robot may be.
+/// Divides the weight between the modes of an ambiguous posterior.
 ///
-/// With N particles the evidence of a mode has a sampling error of about 1 / sqrt(N) in every frame; it adds up, and
-/// two places that are exactly as likely drift apart although the posterior stays at one half each. A Kalman filter per
-/// mode has no sampling error. So the particles decide how much weight all companied modes have together and how each
-/// is shaped, the companions how the weight is divided among them (a mixture Kalman filter for the weights: Chen and
-/// Liu, J. R. Stat. Soc. B 62(3), 2000). Where a companion's evidence and that of its particles differ by more than
-/// chance explains, because the mode is no Gaussian, the particles have the last word.
+/// With N particles the evidence of a mode has a sampling error of about 1 / sqrt(N) in every frame. The errors
+/// accumulate, and two equally likely modes drift apart although the posterior stays at one half each. A Kalman filter
+/// per mode has no sampling error. So the particles determine the shape of each mode and the weight of all tracked
+/// modes together, the Kalman filters how that is divided (a mixture Kalman filter for the weights: Chen and Liu, J. R.
+/// Stat. Soc. B 62(3), 2000). Where the evidence of a Kalman filter and that of the particles differ significantly,
+/// because the mode is not Gaussian, the particles prevail.
 ///
-/// A place that lost its particles (two of a symmetric room, of which one was dropped; the old place, when the robot
-/// was sought elsewhere) is watched on for a while. When the evidence since then speaks for it again, it gets particles
-/// again: so a choice made too early, or a seed that was believed too soon, is taken back.
+/// A mode that lost its particles (one of two in a symmetric room; the old mode after hypotheses were injected) is
+/// tracked for a while. When it becomes likely again, it gets particles again: a wrong decision can be reversed.
 class ModeMixture
 {
  public:
   ModeMixture(MotionModel motion, BiasModel biases) : motion_(motion), biases_(std::move(biases)) {}
 
-  [[nodiscard]] bool empty() const { return companions_.empty(); }
-  [[nodiscard]] const std::vector<MixtureComponent>& all() const { return companions_; }
-  void clear() { companions_.clear(); }
+  [[nodiscard]] bool empty() const { return components_.empty(); }
+  [[nodiscard]] const std::vector<MixtureComponent>& components() const { return components_; }
+  void clear() { components_.clear(); }
 
-  /// Before the particles are scored: moves and updates all companions, notes which particles are theirs.
-  void predictAndUpdate(const ParticleSet& moved_particles, const Frame& frame, const LandmarkTable& map);
-  /// After the particles were scored, before they are normalised: divides the weight.
+  /// Before the particles are weighted: predicts and updates all components, assigns the particles to them.
+  void predictAndUpdate(const ParticleSet& predicted, const Frame& frame, const LandmarkTable& map);
+  /// After the particles were weighted, before they are normalised: divides the weight.
   void reweight(ParticleSet& particles);
-  /// Particles for the places that have become likely again, `count` for each; true when there were any.
-  bool revive(ParticleSet& particles, std::size_t count, RandomStream& random);
-  /// After the modes were found: new places get a companion, companions of dropped modes stay without particles.
-  void follow(const ModeSet& modes, const ParticleSet& particles);
-  /// Watches a mode even though it is the only one: the robot will be sought elsewhere.
-  void watch(const Mode& mode, const ParticleSet& particles);
+  /// Draws `count` particles for each mode without particles that has become likely again; true when there were any.
+  bool respawn(ParticleSet& particles, std::size_t count, RandomStream& random);
+  /// After the modes were found: new modes get a component, components of lost modes stay without particles.
+  void associate(const ModeSet& modes, const ParticleSet& particles);
+  /// Tracks a mode even though it is the only one: hypotheses from elsewhere will compete with it.
+  void retain(const Mode& mode, const ParticleSet& particles);
 
  private:
-  void seat(const ModeSet& modes, std::size_t mode, const ParticleSet& particles);
-  static void retire(MixtureComponent& companion);
-  void forget();
+  void assignParticles(const ParticleSet& predicted);
+  void add(const ModeSet& modes, std::size_t mode, const ParticleSet& particles);
+  static void detach(MixtureComponent& component);
+  void prune();
 
   MotionModel motion_;
   BiasModel biases_;
-  std::vector<MixtureComponent> companions_;
-  std::vector<int> companion_of_;   // per particle, while a frame is in work
-  std::vector<double> prior_mass_;  // of its particles, before scoring
+  std::vector<MixtureComponent> components_;
+  std::vector<int> component_of_;   // per particle, during a frame
+  std::vector<double> prior_mass_;  // per component: weight of its particles before weighting
 };
 
-/// Number of modes, all of them compact, that together hold 99 % of the weight; 0 when some of it lies elsewhere.
-[[nodiscard]] std::size_t countPlaces(const ModeSet& modes);
+/// Number of modes, all of them compact, that together hold 99 % of the weight; 0 when some of it is elsewhere.
+[[nodiscard]] std::size_t countCompactModes(const ModeSet& modes);
 }  // namespace mrpt_ext

@@ -1,23 +1,20 @@
 #include "mrpt_ext/filter/particle_filter.h"
 
-#include <Eigen/LU>
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "mrpt_ext/filter/gaussian_proposal.h"
+#include "mrpt_ext/filter/initializer.h"
 #include "mrpt_ext/filter/particles/particle_bias.h"
-#include "mrpt_ext/filter/particles/particle_blocks.h"
-#include "mrpt_ext/likelihood/compass_likelihood.h"
-#include "mrpt_ext/likelihood/reading_scorer.h"
-#include "mrpt_ext/likelihood/running_fix_likelihood.h"
+#include "mrpt_ext/filter/proposal_sampling.h"
+#include "mrpt_ext/filter/resample_move.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr std::size_t kMostRedrawn = 4000;  // more particles than that survive a sharp measurement anyway
-constexpr double kPlaceGate = 6;            // standard deviations around a place within which its particles lie
+constexpr double kMajority = 0.5;                    // of the weight along a trajectory
+constexpr std::size_t kMaxForKalmanProposal = 4000;  // more particles survive a precise measurement anyway
+constexpr double kModeGate = 6;                      // standard deviations that the particles of a mode are within
 
 /// In the middle of the map, where single precision is best.
 Vector2d originOf(const LandmarkTable& map, const PoseRegion& region)
@@ -26,226 +23,206 @@ Vector2d originOf(const LandmarkTable& map, const PoseRegion& region)
   const auto [low, high] = map.boundingBox();
   return (low + high) / 2;
 }
-
-constexpr double kFewestEffective = 4;
-
-/// Mean and covariance of n effective particles are themselves uncertain: the covariance that is reported is free of
-/// the bias of a small sample and contains the sampling error of the mean, 1 / n, and `earlier` times as much again of
-/// the first mode.
-void widenForSampling(FilterStep& step, double effective, double earlier)
-{
-  for (Mode& mode : step.modes.modes)
-  {
-    const double n = std::max(kFewestEffective, mode.weight * effective);
-    mode.pose.covariance *= (n + 1) / (n - 1);
-  }
-  if (!step.modes.modes.empty()) step.modes.modes.front().pose.covariance *= 1 + earlier;
-}
 }  // namespace
 
 ParticleFilter::ParticleFilter(const ParticleFilterOptions& options, const LandmarkTable& map, std::uint64_t seed,
                                std::uint64_t stream)
     : options_(options),
-      map_(map),
       random_(seed, stream),
       particles_(originOf(map, options.region), options.biases),
-      reliability_(map.size(), options.reliability_prior_strength, options.max_clutter),
-      monitor_(options.recovery),
-      trust_(slowRatioOptions(options.recovery)),
-      surprise_(immediateRatioOptions(options.recovery)),
-      kinds_(options.recovery),
-      looks_(options.evidence.looks, options.motion, map_),
-      evidence_(options.evidence, options.motion, map_),
-      companions_(options.motion, options.biases),
-      challenge_pause_(options.recovery.challenge_interval)
+      observation_model_(map, options.motion, options.reliability_prior_strength, options.learn_reliability,
+                         options.threads),
+      integrity_(options.recovery, options.verdict, options.motion, options.biases, map),
+      recovery_(options.recovery),
+      injector_(options.recovery, options.region, options.particles),
+      mode_mixture_(options.motion, options.biases),
+      resampler_(options)
 {
 }
 
-FilterStep ParticleFilter::process(const Frame& frame, const HypothesisSource& propose,
-                                   std::span<const Reading> since_start, const TrajectoryHypotheses& along_way)
+FilterStep ParticleFilter::process(const Frame& frame, const HypothesisSources& sources)
 {
-  FilterStep step;
-  bool settled = true;
-  if (particles_.empty())
-    settled = start(frame, propose);
-  else
-    track(frame, propose, along_way, step);
-  step.effective_ratio = normalizeWeights(particles_, options_.threads).effective_ratio;
-  step.modes = findModes(particles_, options_.modes, options_.threads, std::move(mode_memory_));
-  step.particles = particles_.size();
-  if (!settled)
-  {
-    step.reason = "waiting for readings that narrow the place down";
-    mode_memory_ = std::move(step.modes.mode_of);
-    step.modes.mode_of.clear();
-    step.effective_ratio = 1;
-    step.particles = 0;
-    particles_.clear();
-    return step;
-  }
-  followEvidence(frame, step.modes);
-  if (options_.companions) companions_.follow(step.modes, particles_);
-  checkAgreement(frame, isUnimodal(step.modes, options_.verdict) && !monitor_.suspicious());
-  step.explained_share = monitor_.average();
-  const VerdictWithReason verdict = judgeStep(step);
-  step.verdict = verdict.verdict;
-  step.reason = verdict.reason;
-  step.biases = estimateBiases(particles_);
-  for (const std::string& finding :
-       {kinds_.finding(), outlierText(map_, reliability_.histories()), biasText(particles_.bias_states, step.biases)})
-    if (!finding.empty()) step.reason += "; " + finding;
+  if (particles_.empty()) return initialize(frame, sources);
 
-  const double effective = step.effective_ratio * static_cast<double>(step.particles);
-  const std::size_t wanted = wantedParticles(step.modes);
-  const bool too_many = !options_.adaptive_size && particles_.size() > wanted;
-  if (step.effective_ratio < options_.resample_below || too_many)
-  {
-    resample(step.modes, wanted);
-    if (!since_start.empty() && !isUnimodal(step.modes, options_.verdict)) moveByReadings(since_start);
-  }
-  step.particles = particles_.size();
-  mode_memory_ = std::move(step.modes.mode_of);
-  step.modes.mode_of.clear();
-  const double earlier = earlierSamplingError(frame, step.modes);
-  sampling_error_ = earlier + 1 / std::max(kFewestEffective, effective);
-  modes_.modes = step.modes.modes;
-  widenForSampling(step, effective, earlier);
+  // Decide on recovery, from the posterior of the last step
+  const PosteriorState before = assess(frame, sources);
+  const Recovery recovery = recovery_.decide(before, frame.motion.duration);
+  if (recovery.due() && options_.mode_kalman_filters) mode_mixture_.retain(modes_.modes.front(), particles_);
+
+  // Predict: x_t ~ p(x_t | x_{t-1}, u_t)
+  predict(frame.motion);
+
+  // Test the mode, before the same measurements change it
+  integrity_.test(frame, particles_, before.unimodal && !recovery.due());
+
+  // Recover: let hypotheses from elsewhere compete
+  if (recovery.due()) inject(recovery, frame, sources);
+
+  // Weight: w_t = p(z_t | x_t)
+  const bool respawned = weight(observation_model_.select(frame, before.unimodal && before.verified));
+
+  // Estimate: the modes, never their mean
+  FilterStep step = estimate(frame);
+  step.reseeded = recovery.kind == Recovery::Kind::reseed;
+  step.verifying = recovery.kind == Recovery::Kind::verify;
+  step.respawned = respawned;
+
+  // Resample within the modes, where few particles have the weight
+  resample(step, sources);
   return step;
 }
 
-KalmanState ParticleFilter::bestPlaceAfter(const OdometryMotion& motion) const
+FilterStep ParticleFilter::initialize(const Frame& frame, const HypothesisSources& sources)
 {
-  const BiasModel& biases = particles_.bias_states;
-  return predict(startingState(modes_.modes.front().pose, biases), biases, options_.motion, motion);
-}
-
-double ParticleFilter::earlierSamplingError(const Frame& frame, const ModeSet& modes) const
-{
-  if (!isUnimodal(modes_, options_.verdict) || !isUnimodal(modes, options_.verdict)) return 0;
-  const GaussianPose before = modes_.modes.front().pose;
-  // An error e of the prior mean is one of P M^-1 e after the measurement (M, P: covariance before and after it). With
-  // e a share of the covariance of the step before, it is this times that share of P, taken as a mean over directions:
-  const double M = bestPlaceAfter(frame.motion).gaussianPose().covariance.determinant();
-  const double kept = before.covariance.determinant() * modes.modes.front().pose.covariance.determinant() / square(M);
-  return M > 0 && kept > 0 ? sampling_error_ * std::min(1.0, std::cbrt(kept)) : 0;
-}
-
-void ParticleFilter::track(const Frame& frame, const HypothesisSource& propose, const TrajectoryHypotheses& along_way,
-                           FilterStep& step)
-{
-  const bool one_place = isUnimodal(modes_, options_.verdict), settled = one_place && !monitor_.suspicious();
-  step.reseeded = looksElsewhere() && since_injection_ + frame.motion.duration >= options_.recovery.min_interval;
-  // The way does not know what was told about the start: only when nothing agrees with that any more it is asked.
-  const bool asks_way = along_way && (step.reseeded || options_.initial_mode != InitialMode::gaussian);
-  step.challenged = !step.reseeded && challengeDue(frame, one_place, asks_way);
-  const bool injects = step.reseeded || step.challenged;
-  double jump = options_.recovery.relocalization_prior;
-  if (step.challenged)
+  Initialization start =
+      Initializer(options_, observation_model_, random_).initialize(frame, sources.closed_forms, particles_);
+  particles_ = std::move(start.particles);
+  if (!start.accepted)
   {
-    jump *= options_.recovery.challenge_interval / challenge_pause_;
-    challenge_pause_ = std::min(2 * challenge_pause_, options_.recovery.review_interval);
+    FilterStep step{.reason = "not initialized: the measurements do not constrain the pose yet"};
+    normalizeWeights(particles_, options_.threads);
+    step.modes.modes = findModes(particles_, options_.modes, options_.threads).modes;
+    particles_.clear();
+    return step;
   }
-  if (injects && options_.companions) companions_.watch(modes_.modes.front(), particles_);
-  moveParticles(particles_, options_.motion, frame.motion, random_, options_.threads);
-  walkBiases(particles_, frame.motion.duration, random_);
-  since_injection_ += frame.motion.duration;
-  looks_.move(frame.motion);
-  const bool sought = !evidence_.proven() || !one_place;
-  if (one_place && !injects)
-    evidence_.observe(frame, map_, particles_);
+  if (options_.initial_mode == InitialMode::gaussian)
+    integrity_.startVerified(frame);
   else
-    evidence_.note(frame);
-  // Where the way tells of places far off, a challenge needs no closed forms: odometry's slips remain.
-  if (injects) inject(step.challenged && asks_way ? HypothesisSource() : propose, jump);
-  if (injects && asks_way) believe(along_way(), frame.motion);
-  Frame told = frame;
-  told.readings = weighed(frame.readings, sought);
-  companions_.predictAndUpdate(particles_, told, map_);
-  const std::optional<KalmanState> prior = settled ? priorOfOnePlace(told) : std::nullopt;
-  score(told);
-  companions_.reweight(particles_);
-  if (prior) redrawIfFew(*prior, told);
-  if (companions_.empty()) return;
-  const auto revived = static_cast<std::size_t>(
-      std::ceil(options_.recovery.injected_particle_share * static_cast<double>(options_.particles)));
-  normalizeWeights(particles_);
-  step.revived = companions_.revive(particles_, revived, random_);
+    integrity_.start(start.measurements, start.samples);
+  FilterStep step = estimate(frame);
+  resample(step, sources);
+  return step;
 }
 
-std::optional<KalmanState> ParticleFilter::priorOfOnePlace(const Frame& frame) const
+PosteriorState ParticleFilter::assess(const Frame& frame, const HypothesisSources& sources) const
 {
-  if (particles_.size() > kMostRedrawn || !companions_.empty()) return std::nullopt;
-  const PoseGate gate(bestPlaceAfter(frame.motion), kPlaceGate);
+  return {.suspicious = integrity_.relocalizationDue(),
+          .unimodal = isUnimodal(),
+          .verified = integrity_.verified(),
+          .anonymous = hasAnonymous(frame),
+          .has_trajectory = usesTrajectory(sources, Recovery::Kind::verify)};
+}
+
+bool ParticleFilter::usesTrajectory(const HypothesisSources& sources, Recovery::Kind kind) const
+{
+  // A trajectory search does not know the known start: it is asked only when nothing agrees with that any more.
+  return sources.trajectory && (kind == Recovery::Kind::reseed || options_.initial_mode != InitialMode::gaussian);
+}
+
+void ParticleFilter::predict(const OdometryMotion& motion)
+{
+  moveParticles(particles_, options_.motion, motion, random_, options_.threads);
+  walkBiases(particles_, motion.duration, random_);
+  observation_model_.move(motion);
+}
+
+void ParticleFilter::inject(const Recovery& recovery, const Frame& frame, const HypothesisSources& sources)
+{
+  const bool trajectory = usesTrajectory(sources, recovery.kind);
+  // The trajectory finds what is far away; beside it a verification needs the slips of odometry only.
+  const bool closed_forms = sources.closed_forms && !(trajectory && recovery.kind == Recovery::Kind::verify);
+  HypothesisSet proposed = closed_forms ? sources.closed_forms().hypotheses : HypothesisSet{};
+  const HypothesisSet slipped = injector_.withSlip(hypothesesFrom(findModes(particles_, options_.modes)));
+  injector_.inject(particles_, std::move(proposed), slipped, recovery.prior, random_);
+  if (trajectory) injectTrajectory(sources.trajectory(), frame.motion);
+}
+
+void ParticleFilter::injectTrajectory(const HypothesisSet& trajectory, const OdometryMotion& motion)
+{
+  if (trajectory.empty() || modes_.modes.empty()) return;
+  const double elsewhere = weightElsewhere(trajectory, bestModeAfter(motion).pose());
+  const double share = injectedShare(elsewhere, integrity_.logOdds());
+  integrity_.setContradicted(elsewhere > kMajority && share < kMajority);
+  if (share < kMinInjectedWeight) return;
+  normalizeWeights(particles_);
+  injector_.injectTrajectory(particles_, trajectory, share, random_);
+  mode_mixture_.clear();
+}
+
+bool ParticleFilter::weight(const Frame& frame)
+{
+  const auto weight_all = [this](const Frame& z, ParticleSet& particles) { observation_model_.weight(z, particles); };
+  mode_mixture_.predictAndUpdate(particles_, frame, observation_model_.map());
+  const std::optional<KalmanState> prior = kalmanPrior(frame.motion);
+  weight_all(frame, particles_);
+  mode_mixture_.reweight(particles_);
+  // Propose: where few particles would survive, draw them from a Kalman posterior instead
+  if (prior)
+    proposeFromKalman(particles_, *prior, frame, observation_model_.map(),
+                      {options_.kalman_proposal_below_ess, options_.resample_below}, weight_all, random_);
+  if (mode_mixture_.empty()) return false;
+  normalizeWeights(particles_);
+  return mode_mixture_.respawn(particles_, injector_.count(), random_);
+}
+
+std::optional<KalmanState> ParticleFilter::kalmanPrior(const OdometryMotion& motion) const
+{
+  if (!isTracking() || particles_.size() > kMaxForKalmanProposal || !mode_mixture_.empty()) return std::nullopt;
+  const PoseGate gate(bestModeAfter(motion), kModeGate);
   return momentsOf(particles_, [&](std::size_t i) { return gate.contains(particles_, i); });
 }
 
-void ParticleFilter::redrawIfFew(const KalmanState& prior, const Frame& frame)
+KalmanState ParticleFilter::bestModeAfter(const OdometryMotion& motion) const
 {
-  const auto effective = [&]
-  { return normalizeWeights(particles_).effective_ratio * static_cast<double>(particles_.size()); };
-  const double before = effective();
-  if (before > static_cast<double>(options_.redraw_below) ||
-      before > options_.resample_below * static_cast<double>(particles_.size()))
-    return;
-  const KalmanUpdate update = updateIterated(prior, frame, map_, particles_.bias_states);
-  if (update.degrees_of_freedom == 0) return;
-  ParticleSet moved = std::move(particles_);
-  particles_ = drawFromKalmanProposal(moved, prior, update.state, moved.size(), random_);
-  score(frame);
-  if (effective() < before) particles_ = std::move(moved);
+  const KalmanState best = startingState(modes_.modes.front().pose, options_.biases);
+  return mrpt_ext::predict(best, options_.biases, options_.motion, motion);
 }
 
-std::vector<Reading> ParticleFilter::weighed(const std::vector<Reading>& readings, bool sought)
+FilterStep ParticleFilter::estimate(const Frame& frame)
 {
-  std::vector<Reading> fresh;
-  for (const Reading& reading : readings) fresh.push_back(looks_.withoutCorrelatedBearings(reading));
-  return sought ? fresh : readings;
+  FilterStep step;
+  step.effective_ratio = normalizeWeights(particles_, options_.threads).effective_ratio;
+  step.particles = particles_.size();
+  const double effective = step.effective_ratio * static_cast<double>(particles_.size());
+  const bool was_unimodal = isUnimodal();
+  ModeSet found = findModes(particles_, options_.modes, options_.threads, std::move(modes_.mode_of));
+  const double remainder = was_unimodal && mrpt_ext::isUnimodal(found, options_.verdict)
+                               ? SamplingError::remainder(modes_.modes.front().pose.covariance,
+                                                          bestModeAfter(frame.motion).gaussianPose().covariance,
+                                                          found.modes.front().pose.covariance)
+                               : 0;
+  modes_ = std::move(found);
+
+  // A known start is the mode under test, however imprecise it becomes, until something else was tried.
+  const bool known_start = options_.initial_mode == InitialMode::gaussian && !recovery_.hasInjected();
+  if (!known_start && integrity_.followMode(modes_, frame.motion)) recovery_.resetVerification();
+  if (options_.mode_kalman_filters) mode_mixture_.associate(modes_, particles_);
+  integrity_.update(observation_model_.countInliers(frame, particles_, isTracking()));
+
+  const VerdictWithReason verdict = integrity_.verdict(modes_, effective);
+  step.verdict = verdict.verdict;
+  step.reason = verdict.reason;
+  step.inlier_ratio = integrity_.inlierRatio();
+  step.biases = estimateBiases(particles_);
+  for (const std::string& finding :
+       {integrity_.finding(), outlierText(observation_model_.map(), reliability().histories()),
+        biasText(options_.biases, step.biases)})
+    if (!finding.empty()) step.reason += "; " + finding;
+  step.modes.modes = modes_.modes;
+  sampling_error_.correct(step.modes, effective, remainder);
+  return step;
 }
 
-void ParticleFilter::score(const Frame& frame)
+std::size_t ParticleFilter::wantedParticles() const
 {
-  for (const Reading& reading : scoredReadings(frame)) scoreReading(reading);
-  if (frame.compass) addCompassLogLikelihood(*frame.compass, particles_.poses(), particles_.log_weight);
-}
-
-void ParticleFilter::scoreReading(const Reading& reading)
-{
-  const LandmarkClutter clutter =
-      options_.learn_reliability ? reliability_.clutter(reading.model.clutter_probability) : LandmarkClutter{};
-  const ReadingScorer scorer(reading, map_, clutter, particles_.origin);
-  const PoseBatch all = particles_.poses();
-  const std::span<float> out = particles_.log_weight;
-  forEachBlock(particles_.size(), options_.threads,
-               [&](std::size_t first, std::size_t count)
-               { scorer.addTo(all.block(first, count), out.subspan(first, count)); });
-}
-
-std::size_t ParticleFilter::wantedParticles(const ModeSet& modes) const
-{
-  // Every place that may still be the right one needs enough particles for its weight to mean something.
-  const bool certain = isUnimodal(modes, options_.verdict) && !monitor_.suspicious();
+  // Every mode that may be the right one needs enough particles for its weight to be meaningful.
   const std::size_t many = std::max(options_.particles, options_.initial_particles);
-  if (certain) return options_.particles;
-  // ... unless companions see to that: then each place needs what a single one needs.
-  const std::size_t places = options_.companions && !monitor_.suspicious() ? countPlaces(modes) : 0;
-  return places > 0 ? std::min(many, places * options_.particles) : many;
+  if (isTracking()) return options_.particles;
+  // ... unless the mode mixture takes care of the weights: then each mode needs as many as a single one.
+  const std::size_t modes = options_.mode_kalman_filters && !integrity_.suspicious() ? countCompactModes(modes_) : 0;
+  return modes > 0 ? std::min(many, modes * options_.particles) : many;
 }
 
-void ParticleFilter::resample(const ModeSet& modes, std::size_t count)
+void ParticleFilter::resample(FilterStep& step, const HypothesisSources& sources)
 {
-  if (options_.adaptive_size)
-  {
-    // The bins that a resampled set of the present size would occupy decide how many are needed (Fox 2003).
-    const std::vector<std::size_t> trial =
-        drawIndices(options_.resampling, weights(particles_), particles_.size(), random_);
-    const double needed =
-        kldSampleSize(occupiedBins(select(particles_, trial), options_.kld), options_.kld.epsilon, options_.kld.delta);
-    count = static_cast<std::size_t>(
-        std::clamp(needed, static_cast<double>(options_.kld.min_size), static_cast<double>(options_.kld.max_size)));
-  }
-  ParticleSet drawn = resampleByMode(particles_, modes.mode_of, options_.resampling, count, random_, options_.threads,
-                                     std::move(spare_));
-  spare_ = std::exchange(particles_, std::move(drawn));
-  regularizeModes(particles_, modes, options_.smoothing, random_, options_.threads);
+  const std::size_t wanted = wantedParticles();
+  const bool too_many = !options_.adaptive_size && particles_.size() > wanted;
+  if (!(step.effective_ratio < options_.resample_below) && !too_many) return;
+  resampler_.resample(particles_, modes_, wanted, random_);
+  if (!sources.since_start.empty() && !isUnimodal())
+    rejuvenate(
+        particles_, options_, sources.since_start,
+        [this](const Frame& z, ParticleSet& particles) { observation_model_.weight(z, particles); }, random_);
+  step.particles = particles_.size();
 }
 }  // namespace mrpt_ext

@@ -10,7 +10,7 @@ namespace mrpt_ext
 namespace
 {
 constexpr std::size_t kChunk = 512;
-constexpr float kReach2 = 16;  // squared Mahalanobis distance
+constexpr float kGate2 = 16;  // squared Mahalanobis distance of a mode's particles
 using Chunk = float[kChunk];
 
 /// The particles of a chunk, the noise they get, and the mode each is nearest to so far.
@@ -27,9 +27,9 @@ struct Work
 }
 
 MRPT_EXT_VECTOR_CLONES
-void compare(Work& work, const SmoothedMode& mode, std::int32_t number)
+void compare(Work& work, const RegularizedMode& mode, std::int32_t number)
 {
-  const SmoothedMode m = mode;
+  const RegularizedMode m = mode;
   MRPT_EXT_INDEPENDENT_ITERATIONS
   for (std::size_t i = 0; i < kChunk; ++i)
   {
@@ -43,9 +43,9 @@ void compare(Work& work, const SmoothedMode& mode, std::int32_t number)
 }
 
 MRPT_EXT_VECTOR_CLONES
-void move(Work& work, const SmoothedMode& mode, std::int32_t number)
+void move(Work& work, const RegularizedMode& mode, std::int32_t number)
 {
-  const SmoothedMode m = mode;
+  const RegularizedMode m = mode;
   MRPT_EXT_INDEPENDENT_ITERATIONS
   for (std::size_t i = 0; i < kChunk; ++i)
   {
@@ -59,7 +59,8 @@ void move(Work& work, const SmoothedMode& mode, std::int32_t number)
 }
 }  // namespace
 
-SmoothedMode smoothedMode(const GaussianPose& pose, const Vector2d& origin, const Matrix3d& factor, double bandwidth)
+RegularizedMode regularizedMode(const GaussianPose& pose, const Vector2d& origin, const Matrix3d& factor,
+                                double bandwidth)
 {
   const Matrix3d W = factor.triangularView<Eigen::Lower>().solve(Matrix3d::Identity());
   const Matrix3d L = bandwidth * factor;
@@ -82,8 +83,8 @@ SmoothedMode smoothedMode(const GaussianPose& pose, const Vector2d& origin, cons
           .lpp = f(L(2, 2))};
 }
 
-void smoothBlock(ParticleSet& particles, std::span<const SmoothedMode> modes, std::size_t first, std::size_t count,
-                 SimdRandom& random)
+void regularizeBlock(ParticleSet& particles, std::span<const RegularizedMode> modes, std::size_t first,
+                     std::size_t count, SimdRandom& random)
 {
   Work work{};
   for (const std::size_t end = first + count; first < end; first += kChunk)
@@ -93,7 +94,7 @@ void smoothBlock(ParticleSet& particles, std::span<const SmoothedMode> modes, st
     std::copy_n(&particles.x[first], n, work.x);
     std::copy_n(&particles.y[first], n, work.y);
     std::copy_n(&particles.phi[first], n, work.phi);
-    std::fill_n(work.distance2, kChunk, kReach2);
+    std::fill_n(work.distance2, kChunk, kGate2);
     std::fill_n(work.nearest, kChunk, -1);
     for (std::size_t k = 0; k < modes.size(); ++k) compare(work, modes[k], static_cast<std::int32_t>(k));
     for (std::size_t k = 0; k < modes.size(); ++k) move(work, modes[k], static_cast<std::int32_t>(k));

@@ -10,8 +10,8 @@
 namespace mrpt_ext
 {
 /// A compact mode in single precision: mean from the origin of the particles, W with W C W^T = 1 for its covariance C
-/// (lower triangle), and how its particles are moved: x' = mean + keep (x - mean) + L u.
-struct SmoothedMode
+/// (lower triangle), and the kernel: x' = mean + keep (x - mean) + L u.
+struct RegularizedMode
 {
   float x, y, phi;
   float wxx, wyx, wyy, wpx, wpy, wpp;
@@ -20,11 +20,11 @@ struct SmoothedMode
 };
 
 /// `factor`: lower Cholesky factor of the covariance.
-[[nodiscard]] SmoothedMode smoothedMode(const GaussianPose& pose, const Vector2d& origin, const Matrix3d& factor,
-                                        double bandwidth);
+[[nodiscard]] RegularizedMode regularizedMode(const GaussianPose& pose, const Vector2d& origin, const Matrix3d& factor,
+                                              double bandwidth);
 
-/// Moves each of `count` particles from `first` on with the mode that it is nearest to by Mahalanobis distance, if it
-/// lies within 4 standard deviations of it: a wide mode must not draw in a sharp one within its reach.
-void smoothBlock(ParticleSet& particles, std::span<const SmoothedMode> modes, std::size_t first, std::size_t count,
-                 SimdRandom& random);
+/// Moves each of `count` particles from `first` on with the mode that is nearest by Mahalanobis distance, if it is
+/// within 4 standard deviations: a wide mode must not attract the particles of a narrow one inside it.
+void regularizeBlock(ParticleSet& particles, std::span<const RegularizedMode> modes, std::size_t first,
+                     std::size_t count, SimdRandom& random);
 }  // namespace mrpt_ext

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "mrpt_ext/filter/particle_moments.h"
@@ -12,18 +13,18 @@ namespace mrpt_ext
 {
 namespace
 {
-// Shares of the deviations of the mode that a step is as wide as. One is about the best for a Gaussian in five
-// dimensions (2.4 / sqrt(5): Roberts, Gelman, Gilks, Ann. Appl. Probab. 7(1), 1997), the smaller ones are for rings,
+// Steps relative to the standard deviations of the mode. One is about the best for a Gaussian in five dimensions
+// (2.4 / sqrt(5): Roberts, Gelman, Gilks, Ann. Appl. Probab. 7(1), 1997), the smaller ones are for rings,
 // the larger one lets a mode of few ancestors grow.
 constexpr std::array<double, 4> kStepShares{3.0, 1.0, 0.3, 0.1};
-constexpr double kMostStdPhi = degToRad(40.0);  // wider: any heading, uncorrelated with the rest
-constexpr double kLeastVariance = 1e-8;         // so that a mode of copies is moved at all
-constexpr double kTurns = 0.3;                  // share of the steps that turn to any heading
-constexpr std::size_t kMostWalked = 40;         // modes, the heaviest ones; the others only turn
-constexpr int kLeastSweeps = 2, kMostSweeps = 40;
-constexpr double kStillGrowing = 0.1;  // of the logarithm of a mode's volume
+constexpr double kMaxStdPhi = degToRad(40.0);  // wider: any heading, uncorrelated with the rest
+constexpr double kMinVariance = 1e-8;          // so that a mode of copies is moved at all
+constexpr double kRotationShare = 0.3;         // of the steps
+constexpr std::size_t kMaxWalkingModes = 40;   // the heaviest ones; the others only rotate
+constexpr int kMinSweeps = 2, kMaxSweeps = 40;
+constexpr double kMinGrowth = 0.1;  // of the logarithm of a mode's volume
 
-/// What a step of the particles of one mode is drawn with.
+/// Distribution of the steps of the particles of one mode.
 struct StepShape
 {
   KalmanMatrix factor;    // lower, of the covariance of the mode
@@ -57,13 +58,13 @@ StepShape shapeOf(const ModeSums& mode)
 {
   const KalmanVector mean = mode.sum / mode.weight;
   KalmanMatrix C = mode.squares / mode.weight - mean * mean.transpose();
-  if (C(2, 2) > square(kMostStdPhi))
+  if (C(2, 2) > square(kMaxStdPhi))
   {
     C.row(2).setZero();
     C.col(2).setZero();
-    C(2, 2) = square(kMostStdPhi);
+    C(2, 2) = square(kMaxStdPhi);
   }
-  C.diagonal().array() += kLeastVariance;
+  C.diagonal().array() += kMinVariance;
   StepShape shape{C.llt().matrixL(), 0};
   shape.log_volume = shape.factor.diagonal().array().log().sum();
   return shape;
@@ -73,7 +74,7 @@ StepShape shapeOf(const ModeSums& mode)
 std::vector<std::optional<StepShape>> stepShapes(const ParticleSet& particles, const std::vector<float>& log_weight,
                                                  const ModeSet& modes)
 {
-  std::vector<ModeSums> sums(std::min(modes.modes.size(), kMostWalked));
+  std::vector<ModeSums> sums(std::min(modes.modes.size(), kMaxWalkingModes));
   for (std::size_t i = 0; i < particles.size(); ++i)
     if (const auto m = static_cast<std::size_t>(modes.mode_of[i]); m < sums.size())
       sums[m].add(pointOf(particles, i), std::exp(double{log_weight[i]}));
@@ -85,11 +86,11 @@ std::vector<std::optional<StepShape>> stepShapes(const ParticleSet& particles, c
 bool hasGrown(const std::vector<std::optional<StepShape>>& before, const std::vector<std::optional<StepShape>>& after)
 {
   for (std::size_t m = 0; m < after.size(); ++m)
-    if (after[m] && before[m] && after[m]->log_volume > before[m]->log_volume + kStillGrowing) return true;
+    if (after[m] && before[m] && after[m]->log_volume > before[m]->log_volume + kMinGrowth) return true;
   return false;
 }
 
-/// What the readings do not tell stays: the errors of odometry, and what is known.
+/// Only errors that the readings depend on, and that are estimated, are moved.
 bool isMoved(const BiasState& state) { return !belongsToOdometry(state.kind) && state.std > 0; }
 
 void keepOthers(const BiasModel& states, KalmanVector& step)
@@ -98,7 +99,7 @@ void keepOthers(const BiasModel& states, KalmanVector& step)
     if (!isMoved(states[k])) step[static_cast<Eigen::Index>(3 + k)] = 0;
 }
 
-/// The same place of the pivot under another heading.
+/// The pose with another heading and the same position of the pivot.
 Pose2 turned(const Pose2& pose, const Vector2d& pivot, double heading)
 {
   const Vector2d at = pose.position() + rotation(pose.phi) * pivot - rotation(heading) * pivot;
@@ -112,7 +113,7 @@ ParticleSet proposed(const ParticleSet& particles, const ModeSet& modes,
   ParticleSet next = particles;
   for (std::size_t i = 0; i < next.size(); ++i)
   {
-    if (random.chance(kTurns))
+    if (random.chance(kRotationShare))
     {
       next.setPose(i, turned(particles.pose(i), pivot, random.uniform(-kPi, kPi)));
       continue;
@@ -128,7 +129,7 @@ ParticleSet proposed(const ParticleSet& particles, const ModeSet& modes,
   return next;
 }
 
-/// Metropolis: a step to a less likely place is taken as often as it is likely.
+/// Metropolis: accepts a step with the ratio of the posterior densities.
 void accept(ParticleSet& particles, const ParticleSet& next, RandomStream& random)
 {
   for (std::size_t i = 0; i < next.size(); ++i)
@@ -149,7 +150,7 @@ void moveByPosterior(ParticleSet& particles, const ModeSet& modes, const Vector2
   auto shapes = stepShapes(particles, log_weight, modes);
   posterior(particles);
   bool growing = true;
-  for (int sweep = 0; sweep < kLeastSweeps || (growing && sweep < kMostSweeps); ++sweep)
+  for (int sweep = 0; sweep < kMinSweeps || (growing && sweep < kMaxSweeps); ++sweep)
   {
     ParticleSet next = proposed(particles, modes, shapes, pivot, random);
     posterior(next);
@@ -159,6 +160,25 @@ void moveByPosterior(ParticleSet& particles, const ModeSet& modes, const Vector2
     shapes = std::move(moved_shapes);
   }
   particles.log_weight = log_weight;
+}
+
+void rejuvenate(ParticleSet& particles, const ParticleFilterOptions& options, std::span<const Reading> since_start,
+                const WeightParticles& weight, RandomStream& random)
+{
+  Frame all;
+  all.readings.assign(since_start.begin(), since_start.end());
+  Vector2d pivot = Vector2d::Zero();
+  for (const Reading& reading : since_start)
+    pivot += reading.T_robot_sensor.position() / static_cast<double>(since_start.size());
+  const auto posterior = [&](ParticleSet& moved)
+  {
+    std::fill(moved.log_weight.begin(), moved.log_weight.end(), 0.0F);
+    weight(all, moved);
+    addBiasLogPrior(moved);
+    for (std::size_t i = 0; i < moved.size(); ++i)
+      if (!options.region.contains(moved.pose(i))) moved.log_weight[i] = -std::numeric_limits<float>::infinity();
+  };
+  moveByPosterior(particles, findModes(particles, options.modes, options.threads), pivot, posterior, random);
 }
 
 void addBiasLogPrior(ParticleSet& particles)

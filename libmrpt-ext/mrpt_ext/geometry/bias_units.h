@@ -21,8 +21,8 @@ inline constexpr std::array<BiasUnit, 5> kBiasUnits{{
     {BiasKind::range_offset, "range_offset", "m", "_m", 1},
     {BiasKind::range_scale, "range_scale", "", "", 1},
     {BiasKind::bearing_offset, "bearing_offset", "deg", "_deg", radToDeg(1.0)},
-    {BiasKind::distance_scale, "distance_scale", "", "", 1},
-    {BiasKind::rotation_scale, "rotation_scale", "", "", 1},
+    {BiasKind::distance_scale, "odometry_distance_scale", "", "", 1},
+    {BiasKind::rotation_scale, "odometry_rotation_scale", "", "", 1},
 }};
 
 [[nodiscard]] constexpr const BiasUnit& unitOf(BiasKind kind) { return kBiasUnits[static_cast<std::size_t>(kind)]; }

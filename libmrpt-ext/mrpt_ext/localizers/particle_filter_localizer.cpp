@@ -33,7 +33,7 @@ Proposal ParticleFilterLocalizer::proposeFromWindow() const
   ProposalOptions options{.region = region_};
   if (!filter_.particles().empty() || !window_.full()) options.max_tree_nodes = kFewNodes;
   Proposal proposal(proposePoses(evidence, map_, *search_, options));
-  proposal.joined_readings = std::move(readings);
+  proposal.window_readings = std::move(readings);
   proposal.complete = window_.full();
   return proposal;
 }
@@ -53,11 +53,10 @@ Estimate ParticleFilterLocalizer::process(const Frame& frame)
   window_.add(frame);
   range_only_start_.add(frame);
   relocalizer_.add(frame);
-  ParticleFilter::TrajectoryHypotheses from_trajectory;
-  if (relocalizer_.isApplicable()) from_trajectory = [this] { return relocalizer_.search(step_.modes); };
+  HypothesisSources sources{.closed_forms = [this] { return propose(); }, .since_start = range_only_start_.readings()};
+  if (relocalizer_.isApplicable()) sources.trajectory = [this] { return relocalizer_.search(step_.modes); };
   const bool was_ok = step_.verdict == Verdict::ok;
-  step_ = filter_.process(
-      frame, [this] { return propose(); }, range_only_start_.readings(), from_trajectory);
+  step_ = filter_.process(frame, sources);
   if (step_.verdict != Verdict::ambiguous) range_only_start_.end();
   if (was_ok && step_.verdict != Verdict::ok) relocalizer_.resetInterval();
   return estimateFrom(step_, frame.time);

@@ -38,7 +38,7 @@ Estimate RunningFixLocalizer::process(const Frame& frame)
 
 void RunningFixLocalizer::predict(const OdometryMotion& measured)
 {
-  const OdometryMotion motion = believedMotion(options_.motion, measured);
+  const OdometryMotion motion = nominalMotion(options_.motion, measured);
   for (auto& [id, ranges] : pending_)
   {
     for (PendingRange& range : ranges) range.since = concatenated(range.since, motion);

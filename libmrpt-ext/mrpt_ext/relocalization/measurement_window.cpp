@@ -41,7 +41,7 @@ void MeasurementWindow::add(const Frame& frame)
   full_ = frame.time - *first_time_ >= window_;
   for (Reading& reading : newest_.readings) older_.push_back(std::move(reading));
   while (!older_.empty() && older_.front().time < frame.time - window_) older_.pop_front();
-  const OdometryMotion motion = believedMotion(motion_, frame.motion);
+  const OdometryMotion motion = nominalMotion(motion_, frame.motion);
   const Matrix3d S = incrementCovariance(motion_, frame.motion);
   for (Reading& reading : older_) propagate(reading, motion, S);
   newest_ = frame;

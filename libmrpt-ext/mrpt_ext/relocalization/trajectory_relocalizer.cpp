@@ -43,7 +43,7 @@ HypothesisSet TrajectoryRelocalizer::search(const ModeSet& current)
   std::vector<GaussianPose> predicted;
   for (std::size_t m = 0; m < std::min(kMostCurrentModes, current.modes.size()); ++m)
     predicted.push_back(
-        compound(current.modes[m].pose, believedMotion(motion_, last).increment, incrementCovariance(motion_, last)));
+        compound(current.modes[m].pose, nominalMotion(motion_, last).increment, incrementCovariance(motion_, last)));
   std::vector<Frame> frames(frames_.begin(), frames_.end());
   frames.front().motion = {};
   const auto steps = trajectorySteps(frames, motion_, map_, search_->index(), kStepDuration);

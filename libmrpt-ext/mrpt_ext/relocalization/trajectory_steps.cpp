@@ -62,18 +62,18 @@ std::vector<TrajectoryStep> trajectorySteps(std::span<const Frame> frames, const
                                             const LandmarkTable& map, const LandmarkIndex& index, double step_duration)
 {
   std::vector<TrajectoryStep> steps;
-  DetectionDecorrelator decorrelator({}, motion, map);
+  DetectionDecorrelator decorrelator(motion, map);
   for (std::size_t begin = 0, end = 0; begin < frames.size(); begin = end)
   {
     TrajectoryStep step;
     MeasurementWindow window(2 * step_duration + 1, motion);
     for (end = begin; end < frames.size() && frames[end].time - frames[begin].time < step_duration; ++end)
     {
-      extend(step, believedMotion(motion, frames[end].motion).increment,
+      extend(step, nominalMotion(motion, frames[end].motion).increment,
              incrementCovariance(motion, frames[end].motion));
       decorrelator.move(frames[end].motion);
       Frame frame = frames[end];
-      for (Reading& reading : frame.readings) reading = decorrelator.take(reading);
+      for (Reading& reading : frame.readings) reading = decorrelator.independent(reading);
       window.add(frame);
     }
     step.scans = withoutRepeats(scansOf(window.readings(), map, index));

@@ -1,35 +1,22 @@
 #include "mrpt_ext/filter/integrity/filter_diagnostics.h"
 
 #include <cmath>
-#include <cstdio>
+
+#include "mrpt_ext/geometry/bias_units.h"
+#include "mrpt_ext/geometry/formatted.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr double kFewest = 10;  // named detections, to say anything
-constexpr double kOften = 0.3;  // share of named detections that is false
+constexpr double kMinDetections = 10;     // identified ones, to report a landmark at all
+constexpr double kMaxOutlierShare = 0.3;  // of identified detections
 
-const char* nameOf(BiasKind kind)
+/// Outliers among so many detections that kMaxOutlierShare explains: its mean and two standard deviations.
+double maxPlausibleOutliers(double detections)
 {
-  switch (kind)
-  {
-    case BiasKind::range_offset:
-      return "range_offset";
-    case BiasKind::range_scale:
-      return "range_scale";
-    case BiasKind::bearing_offset:
-      return "bearing_offset";
-    case BiasKind::distance_scale:
-      return "odometry_distance_scale";
-    case BiasKind::rotation_scale:
-      return "odometry_rotation_scale";
-  }
-  return "";
+  return kMaxOutlierShare * detections + 2 * std::sqrt(kMaxOutlierShare * (1 - kMaxOutlierShare) * detections);
 }
-
-/// Of so many detections as many as are false where kOften of all are, and two standard deviations more.
-double likelyAtMost(double named) { return kOften * named + 2 * std::sqrt(kOften * (1 - kOften) * named); }
 
 void append(std::string& text, const std::string& more)
 {
@@ -57,26 +44,21 @@ std::vector<BiasEstimate> estimateBiases(const ParticleSet& particles)
 
 std::string biasName(const BiasState& bias)
 {
-  const char* unit = bias.kind == BiasKind::bearing_offset ? "_deg" : bias.kind == BiasKind::range_offset ? "_m" : "";
-  return (bias.sensor.empty() ? "" : bias.sensor + ".") + nameOf(bias.kind) + unit;
+  const BiasUnit& unit = unitOf(bias.kind);
+  return (bias.sensor.empty() ? "" : bias.sensor + ".") + unit.name + unit.suffix;
 }
 
-double fileUnit(const BiasState& bias) { return bias.kind == BiasKind::bearing_offset ? radToDeg(1.0) : 1.0; }
+double fileUnit(const BiasState& bias) { return unitOf(bias.kind).factor; }
 
 std::string biasText(const BiasModel& biases, const std::vector<BiasEstimate>& estimates)
 {
   std::string text;
   for (std::size_t k = 0; k < std::min(biases.size(), estimates.size()); ++k)
   {
-    const bool angle = biases[k].kind == BiasKind::bearing_offset, length = biases[k].kind == BiasKind::range_offset;
-    const double unit = angle ? radToDeg(1.0) : 1.0;
-    char figures[80];
-    std::snprintf(figures, sizeof(figures), " %.4f%s (std %.4f)", unit * estimates[k].mean,
-                  angle    ? " deg"
-                  : length ? " m"
-                           : "",
-                  unit * estimates[k].std);
-    append(text, (biases[k].sensor.empty() ? "" : biases[k].sensor + " ") + nameOf(biases[k].kind) + figures);
+    const BiasUnit& unit = unitOf(biases[k].kind);
+    append(text, (biases[k].sensor.empty() ? "" : biases[k].sensor + " ") +
+                     formatted("%s %.4f%s%s (std %.4f)", unit.name, unit.factor * estimates[k].mean,
+                               *unit.unit == '\0' ? "" : " ", unit.unit, unit.factor * estimates[k].std));
   }
   return text;
 }
@@ -85,7 +67,8 @@ std::vector<std::size_t> outlierLandmarks(const std::vector<LandmarkHistory>& hi
 {
   std::vector<std::size_t> found;
   for (std::size_t j = 0; j < histories.size(); ++j)
-    if (histories[j].named >= kFewest && histories[j].false_named > likelyAtMost(histories[j].named))
+    if (histories[j].identified >= kMinDetections &&
+        histories[j].false_identified > maxPlausibleOutliers(histories[j].identified))
       found.push_back(j);
   return found;
 }
@@ -94,12 +77,8 @@ std::string outlierText(const LandmarkTable& map, const std::vector<LandmarkHist
 {
   std::string text;
   for (const std::size_t j : outlierLandmarks(histories))
-  {
-    char figures[120];
-    std::snprintf(figures, sizeof(figures), "landmark %d is often wrong (%.0f %% of its %.0f detections)", map[j].id,
-                  100 * histories[j].false_named / histories[j].named, histories[j].named);
-    append(text, figures);
-  }
+    append(text, formatted("landmark %d: %.0f %% of %.0f detections are outliers", map[j].id,
+                           100 * histories[j].false_identified / histories[j].identified, histories[j].identified));
   return text;
 }
 }  // namespace mrpt_ext

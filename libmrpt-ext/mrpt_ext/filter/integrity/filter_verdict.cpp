@@ -1,19 +1,16 @@
 #include "mrpt_ext/filter/integrity/filter_verdict.h"
 
 #include <cmath>
-#include <cstdio>
+
+#include "mrpt_ext/geometry/formatted.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-template <typename... Values>
-std::string text(const char* format, Values... values)
-{
-  char buffer[200];
-  std::snprintf(buffer, sizeof(buffer), format, values...);
-  return buffer;
-}
+constexpr double kMinInlierRatio = 0.8;
+constexpr double kMinEffective = 15;  // particles; fewer cannot estimate the covariance
+
 /// Standard deviations of a mode: position [m], both axes together, and heading [rad].
 struct Spread
 {
@@ -43,32 +40,30 @@ bool isUnimodal(const ModeSet& modes, const VerdictOptions& options)
 
 VerdictWithReason judge(const ModeSet& modes, const VerdictEvidence& evidence, const VerdictOptions& options)
 {
-  if (modes.modes.empty()) return {Verdict::lost, "no particle left"};
-  const double percent = 100 * evidence.explained_share;
+  if (modes.modes.empty()) return {Verdict::lost, "no particles left"};
+  const double percent = 100 * evidence.inlier_ratio;
   if (evidence.lost)
     return {Verdict::lost,
-            text("the best pose explains only %.0f %% of the recent detections expected of it", percent)};
+            formatted("inlier ratio only %.0f %% of the expected value over recent detections", percent)};
   const Mode& best = modes.modes.front();
   const Spread spread = spreadOf(best);
+  const auto ambiguous = [](std::string reason) { return VerdictWithReason{Verdict::ambiguous, std::move(reason)}; };
   if (!isDominant(best, options))
-    return {Verdict::ambiguous,
-            text("%zu places explain the detections, the best has weight %.2f", modes.modes.size(), best.weight)};
+    return ambiguous(formatted("%zu modes, the best has weight %.2f", modes.modes.size(), best.weight));
   if (!isPrecise(spread, options))
-    return {Verdict::ambiguous,
-            text("the pose is not sharp yet: %.2f m and %.1f deg standard deviation", spread.xy, radToDeg(spread.phi))};
-  if (!(evidence.explained_share >= options.min_explained_share))
-    return {Verdict::ambiguous,
-            text("one place, but it explains only %.0f %% of the recent detections expected of it", percent)};
-  if (!(evidence.effective >= options.min_effective))
-    return {Verdict::ambiguous, text("one place, but it rests on %.0f effective particles", evidence.effective)};
-  if (!evidence.proven)
-    return {
-        Verdict::ambiguous,
-        text("one place, but fresh readings do not yet tell it from a chance fit (log odds %.1f)", evidence.log_odds)};
-  if (evidence.contradicted)
-    return {Verdict::ambiguous, "one place, but what was seen along the way behind fits another one better"};
-  return {Verdict::ok, text("one place, weight %.2f, %.3f m and %.1f deg standard deviation, explains %.0f %% of the "
-                            "recent detections expected of it",
-                            best.weight, spread.xy, radToDeg(spread.phi), percent)};
+    return ambiguous(formatted("the pose is not precise yet: standard deviation %.2f m and %.1f deg", spread.xy,
+                               radToDeg(spread.phi)));
+  if (!(evidence.inlier_ratio >= kMinInlierRatio))
+    return ambiguous(
+        formatted("one mode, but inlier ratio only %.0f %% of the expected value over recent detections", percent));
+  if (!(evidence.effective >= kMinEffective))
+    return ambiguous(formatted("one mode, but only %.0f effective particles", evidence.effective));
+  if (!evidence.verified)
+    return ambiguous(
+        formatted("one mode, not verified yet: log odds %.1f against the null hypothesis", evidence.log_odds));
+  if (evidence.contradicted) return ambiguous("one mode, but the recent trajectory fits another pose better");
+  return {Verdict::ok, formatted("one mode, weight %.2f, standard deviation %.3f m and %.1f deg, inlier ratio %.0f %% "
+                                 "of the expected value over recent detections",
+                                 best.weight, spread.xy, radToDeg(spread.phi), percent)};
 }
 }  // namespace mrpt_ext

@@ -8,7 +8,9 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kSameDirection = degToRad(6);  // for parallax over a piece of way and odometry's error
+constexpr double kMaxDistance = 0.3;            // [m] after which the same direction is independent again ...
+constexpr double kMaxDistanceShare = 0.02;      // ... or this share of the map's diagonal, if less
+constexpr double kSameDirection = degToRad(6);  // for the parallax over that distance, and odometry's error
 constexpr double kGate = 3;                     // standard deviations
 
 /// The reading with the detections that `keep` marks.
@@ -23,64 +25,65 @@ Reading only(const Reading& reading, const std::vector<bool>& keep)
 }
 }  // namespace
 
-DetectionDecorrelator::DetectionDecorrelator(const DecorrelationOptions& spacing, const MotionModel& motion,
-                                             const LandmarkTable& map)
-    : motion_(motion), look_way_(spacing.longest)
+DetectionDecorrelator::DetectionDecorrelator(const MotionModel& motion, const LandmarkTable& map)
+    : motion_(motion), min_distance_(kMaxDistance)
 {
   if (map.size() < 2) return;
   const auto [low, high] = map.boundingBox();
-  look_way_ = std::min(look_way_, spacing.share * (high - low).norm());
+  min_distance_ = std::min(min_distance_, kMaxDistanceShare * (high - low).norm());
 }
 
 void DetectionDecorrelator::move(const OdometryMotion& motion)
 {
   odometry_.move(motion_, motion);
-  std::erase_if(looks_, [&](const Look& look) { return (look.from - odometry_.pose.position()).norm() > look_way_; });
+  std::erase_if(recent_, [&](const RecentDetection& other)
+                { return (other.from - odometry_.pose.position()).norm() > min_distance_; });
 }
 
-DetectionDecorrelator::Look DetectionDecorrelator::lookOf(const Reading& reading, const Detection& detection) const
+DetectionDecorrelator::RecentDetection DetectionDecorrelator::inOdometryAxes(const Reading& reading,
+                                                                             const Detection& detection) const
 {
-  Look look{reading.sensor, detection, odometry_.pose.position(), 0, odometry_.heading_variance};
-  if (detection.bearing) look.direction = odometry_.pose.phi + reading.T_robot_sensor.phi + *detection.bearing;
-  return look;
+  RecentDetection result{reading.sensor, detection, odometry_.pose.position(), 0, odometry_.heading_variance};
+  if (detection.bearing) result.direction = odometry_.pose.phi + reading.T_robot_sensor.phi + *detection.bearing;
+  return result;
 }
 
-bool DetectionDecorrelator::isRepeat(const Look& look) const
+bool DetectionDecorrelator::isCorrelated(const RecentDetection& detection) const
 {
-  const auto same = [&](const Look& other)
+  const auto same = [&](const RecentDetection& other)
   {
-    const Detection &a = look.detection, &b = other.detection;
-    if (look.sensor != other.sensor || a.id != b.id || a.category != b.category) return false;
+    const Detection &a = detection.detection, &b = other.detection;
+    if (detection.sensor != other.sensor || a.id != b.id || a.category != b.category) return false;
     if (a.bearing.has_value() != b.bearing.has_value() || a.range.has_value() != b.range.has_value()) return false;
-    const double turned = look.heading_variance - other.heading_variance;
+    const double drift = detection.heading_variance - other.heading_variance;
     const double bearing_gate =
-        kSameDirection + kGate * std::sqrt(square(a.std_bearing) + square(b.std_bearing) + turned);
-    if (a.bearing && std::abs(wrap(look.direction - other.direction)) > bearing_gate) return false;
-    const double range_gate = look_way_ + kGate * std::hypot(a.std_range, b.std_range);
+        kSameDirection + kGate * std::sqrt(square(a.std_bearing) + square(b.std_bearing) + drift);
+    if (a.bearing && std::abs(wrap(detection.direction - other.direction)) > bearing_gate) return false;
+    const double range_gate = min_distance_ + kGate * std::hypot(a.std_range, b.std_range);
     return a.id != kNoId || !a.range || std::abs(*a.range - *b.range) <= range_gate;
   };
-  return std::any_of(looks_.begin(), looks_.end(), same);
+  return std::any_of(recent_.begin(), recent_.end(), same);
 }
 
-std::vector<bool> DetectionDecorrelator::freshOnes(const Reading& reading)
+std::vector<bool> DetectionDecorrelator::markIndependent(const Reading& reading)
 {
-  std::vector<bool> fresh;
-  std::vector<Look> added;
+  std::vector<bool> independent;
+  std::vector<RecentDetection> added;
   for (const Detection& detection : reading.detections)
   {
-    Look look = lookOf(reading, detection);
-    fresh.push_back(!isRepeat(look));
-    if (fresh.back()) added.push_back(std::move(look));
+    RecentDetection recent = inOdometryAxes(reading, detection);
+    independent.push_back(!isCorrelated(recent));
+    if (independent.back()) added.push_back(std::move(recent));
   }
-  std::move(added.begin(), added.end(), std::back_inserter(looks_));
-  return fresh;
+  std::move(added.begin(), added.end(), std::back_inserter(recent_));
+  return independent;
 }
 
-Reading DetectionDecorrelator::take(const Reading& reading) { return only(reading, freshOnes(reading)); }
+Reading DetectionDecorrelator::independent(const Reading& reading) { return only(reading, markIndependent(reading)); }
 
 Reading DetectionDecorrelator::withoutCorrelatedBearings(const Reading& reading)
 {
-  std::vector<bool> keep = freshOnes(reading);
+  std::vector<bool> keep = markIndependent(reading);
   for (std::size_t d = 0; d < keep.size(); ++d)
     keep[d] = keep[d] || reading.detections[d].id != kNoId || reading.detections[d].range.has_value();
   const bool all = std::all_of(keep.begin(), keep.end(), [](bool kept) { return kept; });

@@ -14,7 +14,8 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr std::size_t kSamples = 64;  // draws from the posterior: enough for a probability to a few per cent
+constexpr std::size_t kSamples = 64;  // draws from the posterior: a probability to a few per cent
+constexpr double kMaxClutter = 0.7;   // a landmark is never trusted less
 
 /// Weights of the particles of one block, and their sum.
 struct BlockWeights
@@ -49,7 +50,7 @@ std::vector<std::size_t> spacedDraws(const ParticleSet& particles, unsigned thre
                  for (std::size_t i = 0; i < count && draw < kSamples && wanted(draw) < end; ++i)
                  {
                    reached += double{weights.weight[i]};
-                   // What rounding leaves over belongs to the last one.
+                   // The last one takes what rounding leaves.
                    for (; draw < kSamples && wanted(draw) < (i + 1 < count ? reached : end); ++draw)
                      draws[draw] = first + i;
                  }
@@ -84,8 +85,9 @@ LandmarkClutter LandmarkReliability::clutter(double sensor_clutter) const
   for (std::size_t j = 0; j < histories_.size(); ++j)
   {
     const LandmarkHistory& history = histories_[j];
-    const double share = (prior_strength_ * sensor_clutter + history.false_named) / (prior_strength_ + history.named);
-    result[j] = std::min(share, std::max(max_clutter_, sensor_clutter));
+    const double share =
+        (prior_strength_ * sensor_clutter + history.false_identified) / (prior_strength_ + history.identified);
+    result[j] = std::min(share, std::max(kMaxClutter, sensor_clutter));
   }
   return result;
 }
@@ -98,7 +100,7 @@ double LandmarkReliability::observe(const Reading& reading, const LandmarkTable&
   const LandmarkClutter current = clutter(reading.model.clutter_probability);
   const double share = 1.0 / static_cast<double>(draws.size());
   const PoseBatch poses = particles.poses();
-  double explained = 0;
+  double inliers = 0;
   for (const std::size_t draw : draws)
   {
     const Pose2 robot = particles.pose(draw);
@@ -109,19 +111,19 @@ double LandmarkReliability::observe(const Reading& reading, const LandmarkTable&
       {
         const double p = probabilities[d][j];
         const Detection& detection = reading.detections[d];
-        const bool named = detection.id != kNoId && detection.id == map[j].id;
-        explained += share * p;
+        const bool identified = detection.id != kNoId && detection.id == map[j].id;
+        inliers += share * p;
         if (!learn) continue;
-        histories_[j].seen += share * (named ? 1.0 : p);
+        histories_[j].seen += share * (identified ? 1.0 : p);
         histories_[j].associated += share * p;
-        histories_[j].named += named ? share : 0.0;
-        histories_[j].false_named += named ? share * (1 - p) : 0.0;
+        histories_[j].identified += identified ? share : 0.0;
+        histories_[j].false_identified += identified ? share * (1 - p) : 0.0;
         if (!(p > 0.01)) continue;
         LandmarkPrediction prediction = predict(map[j], reading, robot);
         applyBias(prediction, bias);
         addResiduals(histories_[j], detection, prediction, share * p);
       }
   }
-  return explained / static_cast<double>(reading.detections.size());
+  return inliers / static_cast<double>(reading.detections.size());
 }
 }  // namespace mrpt_ext

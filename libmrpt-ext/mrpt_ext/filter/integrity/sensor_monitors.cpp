@@ -1,13 +1,14 @@
 #include "mrpt_ext/filter/integrity/sensor_monitors.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "mrpt_ext/geometry/formatted.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr double kDropped = 0.6;  // of the long average
+constexpr double kDropped = 0.6;  // fast relative to slow ratio
 }  // namespace
 
 std::string sensorKey(const Reading& reading)
@@ -21,32 +22,31 @@ std::string sensorKey(const Reading& reading)
   return reading.sensor + (bearings && ranges ? " ranges and bearings" : bearings ? " bearings" : " ranges");
 }
 
-void SensorMonitors::observe(const std::string& kind, double explained_share, double expected_share,
+void SensorMonitors::observe(const std::string& sensor, double inlier_ratio, double expected_ratio,
                              std::size_t detections)
 {
   const auto [entry, added] =
-      kinds_.try_emplace(kind, Averages{InlierRatioMonitor(options_), InlierRatioMonitor(slowRatioOptions(options_))});
-  entry->second.quick.observe(explained_share, expected_share, detections);
-  entry->second.slow.observe(explained_share, expected_share, detections);
+      ratios_.try_emplace(sensor, Ratios{InlierRatioMonitor::fast(options_), InlierRatioMonitor::slow(options_)});
+  entry->second.fast.observe(inlier_ratio, expected_ratio, detections);
+  entry->second.slow.observe(inlier_ratio, expected_ratio, detections);
 }
 
 bool SensorMonitors::dropped() const
 {
-  return std::any_of(kinds_.begin(), kinds_.end(),
+  return std::any_of(ratios_.begin(), ratios_.end(),
                      [](const auto& entry)
                      {
-                       const Averages& kind = entry.second;
-                       return kind.quick.suspicious() && kind.quick.average() < kDropped * kind.slow.average();
+                       const Ratios& ratios = entry.second;
+                       return ratios.fast.suspicious() && ratios.fast.average() < kDropped * ratios.slow.average();
                      });
 }
 
 std::string SensorMonitors::finding() const
 {
-  const auto worst = std::min_element(kinds_.begin(), kinds_.end(),
-                                      [](const auto& a, const auto& b)
-                                      { return a.second.quick.average() < b.second.quick.average(); });
-  if (worst == kinds_.end() || !worst->second.quick.suspicious()) return {};
-  return worst->first + " explain only " + std::to_string(std::lround(100 * worst->second.quick.average())) +
-         " % of what is expected";
+  const auto worst =
+      std::min_element(ratios_.begin(), ratios_.end(),
+                       [](const auto& a, const auto& b) { return a.second.fast.average() < b.second.fast.average(); });
+  if (worst == ratios_.end() || !worst->second.fast.suspicious()) return {};
+  return worst->first + formatted(": inlier ratio %.0f %% of the expected value", 100 * worst->second.fast.average());
 }
 }  // namespace mrpt_ext

@@ -8,33 +8,33 @@
 
 namespace mrpt_ext
 {
-/// "camera bearings", "stereo ranges and bearings": what one sensor measures is one kind.
+/// "camera bearings", "stereo ranges and bearings": a sensor and what it measures.
 [[nodiscard]] std::string sensorKey(const Reading& reading);
 
-/// Agreement of each kind of measurement with the posterior, over a short and over a long time.
+/// Inlier ratio of every sensor, fast and slow.
 ///
-/// One average over all detections is ruled by the sensor that speaks most often: a camera that contradicts the place
-/// once a second is not heard beside a radio that agrees twenty times. A kind raises the alarm when it agrees much less
-/// than it used to (w_fast against w_slow of augmented Monte Carlo localization: Thrun, Burgard, Fox, Probabilistic
-/// Robotics, 8.3.5); one that never agreed has another fault and is only named.
+/// One average over all detections is dominated by the sensor with the highest rate: a camera that contradicts the pose
+/// once a second disappears beside a radio that agrees twenty times. A sensor raises the alarm when its ratio falls far
+/// below what it used to be (w_fast against w_slow: Probabilistic Robotics, 8.3.5). One that never agreed has another
+/// fault; it is reported only.
 class SensorMonitors
 {
  public:
   explicit SensorMonitors(const RecoveryOptions& options) : options_(options) {}
 
-  /// As InlierRatioMonitor::observe(), of detections of one kind.
-  void observe(const std::string& kind, double explained_share, double expected_share, std::size_t detections);
-  /// Some kind agrees no longer.
+  /// As InlierRatioMonitor::observe(), of detections of the sensor with this key.
+  void observe(const std::string& sensor, double inlier_ratio, double expected_ratio, std::size_t detections);
+  /// The inlier ratio of some sensor has fallen.
   [[nodiscard]] bool dropped() const;
-  /// "camera bearings explain only 12 % of what is expected": the worst kind below what is suspicious; else empty.
+  /// "camera bearings: inlier ratio 12 % of the expected value": the worst suspicious sensor; empty without one.
   [[nodiscard]] std::string finding() const;
 
  private:
-  struct Averages
+  struct Ratios
   {
-    InlierRatioMonitor quick, slow;
+    InlierRatioMonitor fast, slow;
   };
   RecoveryOptions options_;
-  std::map<std::string, Averages> kinds_;
+  std::map<std::string, Ratios> ratios_;
 };
 }  // namespace mrpt_ext

@@ -17,17 +17,17 @@ Association associate(const Detection& detection, const Reading& reading, const 
                       const KalmanState& state, const BiasModel& biases, double default_max_range)
 {
   const double clutter = std::clamp(reading.model.clutter_probability, kMinClutter, 1.0);
-  const bool named = detection.id != kNoId;
+  const bool identified = detection.id != kNoId;
   Association result;
-  double chance_sum = 0, likelihood_sum = 0, best = 0;
+  double view_sum = 0, likelihood_sum = 0, best = 0;
   const auto consider = [&](std::size_t j)
   {
     const DetectionRows rows = linearise(detection, reading, map[j], state.mean, biases);
-    const double chance = named ? 1.0 : rows.chance;  // what is named was reported, so it was in view
-    if (!(chance > 0)) return;
+    const double in_view = identified ? 1.0 : rows.chance;  // what is identified was in view
+    if (!(in_view > 0)) return;
     const Innovation innovation = innovationOf(rowsOf(rows), state.covariance);
-    const double likelihood = chance * std::exp(innovation.log_density);
-    chance_sum += chance;
+    const double likelihood = in_view * std::exp(innovation.log_density);
+    view_sum += in_view;
     likelihood_sum += likelihood;
     if (!(likelihood > best)) return;
     best = likelihood;
@@ -35,7 +35,7 @@ Association associate(const Detection& detection, const Reading& reading, const 
     result.landmark = j;
     result.rows = rows;
   };
-  if (named)
+  if (identified)
   {
     if (const auto known = map.indexOf(detection.id)) consider(*known);
   }
@@ -43,11 +43,11 @@ Association associate(const Detection& detection, const Reading& reading, const 
     for (std::size_t j = 0; j < map.size(); ++j)
       if (mayShow(detection, map[j])) consider(j);
 
-  const double scale = chance_sum > 0 ? (1 - clutter) / chance_sum : 0;
+  const double scale = view_sum > 0 ? (1 - clutter) / view_sum : 0;
   const double from_clutter =
-      (chance_sum > 0 ? clutter : 1.0) / measurementVolume(detection, reading.model, default_max_range);
+      (view_sum > 0 ? clutter : 1.0) / measurementVolume(detection, reading.model, default_max_range);
   result.evidence = scale * likelihood_sum + from_clutter;
-  result.explained = scale * likelihood_sum / result.evidence;
+  result.inlier_probability = scale * likelihood_sum / result.evidence;
   result.best = scale * best / result.evidence;
   return result;
 }

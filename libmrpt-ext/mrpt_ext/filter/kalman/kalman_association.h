@@ -6,19 +6,19 @@
 
 namespace mrpt_ext
 {
-/// A detection weighed against all landmarks it may show, and against being clutter.
+/// A detection against all landmarks it may show, and against clutter.
 struct Association
 {
-  double evidence = 0;       ///< p(z)
-  double explained = 0;      ///< share of it that landmarks have
-  double best = 0;           ///< share of the likeliest landmark
-  std::size_t landmark = 0;  ///< that one, where best > 0
-  double nis = 0;            ///< normalised innovation squared to it
-  DetectionRows rows;        ///< to it
+  double evidence = 0;            ///< p(z)
+  double inlier_probability = 0;  ///< share of it that the landmarks have
+  double best = 0;                ///< share of the likeliest landmark
+  std::size_t landmark = 0;       ///< the likeliest, where best > 0
+  double nis = 0;                 ///< normalised innovation squared to it
+  DetectionRows rows;             ///< to it
 };
 
-/// Terms of the mixture that kalman_update.h describes. `default_max_range` [m] stands in for a limit that the sensor
-/// does not declare.
+/// Terms of the mixture that kalman_update.h describes. `default_max_range` [m] is used for a sensor that
+/// declares none.
 [[nodiscard]] Association associate(const Detection& detection, const Reading& reading, const LandmarkTable& map,
                                     const KalmanState& state, const BiasModel& biases, double default_max_range);
 

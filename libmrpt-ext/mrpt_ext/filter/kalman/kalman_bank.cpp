@@ -4,22 +4,24 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mrpt_ext/geometry/formatted.h"
+
 namespace mrpt_ext
 {
 namespace
 {
-constexpr double kSeedInflation = 2.0;      // of the deviations of a proposal
-constexpr double kClearWeight = 0.9;        // of one place, or of all that are lost
-constexpr double kSharp = 0.5;              // of the deviations that the verdict `ok` allows
-constexpr double kPatience = 15;            // [s] after which filters start from what there is
-constexpr double kLongestPause = 8;         // [s] between two looks elsewhere
+constexpr double kInflation = 2.0;          // of the standard deviations of a proposal
+constexpr double kClearWeight = 0.9;        // of one hypothesis, or of all that are lost
+constexpr double kPrecise = 0.5;            // of the standard deviations that the verdict `ok` allows
+constexpr double kMaxWait = 15;             // [s] after which filters start from what there is
+constexpr double kMaxReseedInterval = 8;    // [s]
 constexpr double kMinWeight = 1e-6;         // lighter hypotheses are dropped
-constexpr std::size_t kHeadings = 30;       // filters for a place with any heading: each sharp enough to start
-constexpr std::size_t kMinDetections = 12;  // a filter that started by itself has to agree with before it is trusted
+constexpr std::size_t kHeadings = 30;       // filters for a pose of unknown heading: each narrow enough to start
+constexpr std::size_t kMinDetections = 12;  // that a filter has to agree with before it is trusted
 
 double logVolume(const Matrix3d& covariance) { return 0.5 * std::log(std::max(covariance.determinant(), 1e-30)); }
 
-/// A place that ranges alone tell has any heading: one Gaussian for each sector of the circle.
+/// A hypothesis of unknown heading (ranges alone) as one Gaussian per sector of the circle.
 HypothesisSet withHeadings(const HypothesisSet& proposals)
 {
   HypothesisSet result;
@@ -37,15 +39,20 @@ HypothesisSet withHeadings(const HypothesisSet& proposals)
   return result;
 }
 
-/// So that a proposal's own readings, where they are the frame's, do not count for much twice.
-void widen(KalmanHypothesis& filter) { filter.state.covariance.topLeftCorner<3, 3>() *= square(kSeedInflation); }
+/// The readings that a proposal rests on may be those of the frame: it is widened, so that they hardly count twice.
+void widen(KalmanHypothesis& filter) { filter.state.covariance.topLeftCorner<3, 3>() *= square(kInflation); }
 }  // namespace
+
+KalmanBank::KalmanBank(KalmanBankOptions options, const LandmarkTable& map)
+    : options_(std::move(options)), map_(map), recovery_(options_.recovery, kMaxReseedInterval)
+{
+}
 
 KalmanStep KalmanBank::process(const Frame& frame, const HypothesisSource& propose)
 {
   KalmanStep step;
   if (hypotheses_.empty())
-    start(frame, propose);
+    initialize(frame, propose);
   else
     track(frame, propose, step);
   step.modes = modesOf(hypotheses_);
@@ -63,8 +70,8 @@ KalmanHypothesis KalmanBank::filterAt(const GaussianPose& pose, double log_weigh
 {
   return {.state = startingState(pose, options_.biases),
           .log_weight = log_weight,
-          .quick = InlierRatioMonitor(options_.recovery),
-          .trust = InlierRatioMonitor(slowRatioOptions(options_.recovery))};
+          .fast_ratio = InlierRatioMonitor::fast(options_.recovery),
+          .slow_ratio = InlierRatioMonitor::slow(options_.recovery)};
 }
 
 KalmanHypotheses KalmanBank::filtersFor(const HypothesisSet& proposals) const
@@ -74,7 +81,7 @@ KalmanHypotheses KalmanBank::filtersFor(const HypothesisSet& proposals) const
   {
     if (!isFinite(proposal.pose.mean) || !proposal.pose.covariance.allFinite()) continue;
     GaussianPose pose = proposal.pose;
-    pose.covariance.diagonal() += options_.seed_min_std.cwiseAbs2();
+    pose.covariance.diagonal() += kMinSeedStd.cwiseAbs2();
     filters.push_back(filterAt(pose, proposal.log_score + logVolume(pose.covariance)));
   }
   rank(filters);
@@ -86,35 +93,36 @@ KalmanHypotheses KalmanBank::filtersFor(const HypothesisSet& proposals) const
 bool KalmanBank::isPrecise(const KalmanHypothesis& filter) const
 {
   const Matrix3d C = filter.state.gaussianPose().covariance;
-  return C(0, 0) + C(1, 1) <= square(kSharp * options_.verdict.max_std_xy) &&
-         C(2, 2) <= square(kSharp * options_.verdict.max_std_phi);
+  return C(0, 0) + C(1, 1) <= square(kPrecise * options_.verdict.max_std_xy) &&
+         C(2, 2) <= square(kPrecise * options_.verdict.max_std_phi);
 }
 
-bool KalmanBank::mayStart(const KalmanHypotheses& filters, bool complete) const
+bool KalmanBank::mayInitialize(const KalmanHypotheses& filters, bool complete) const
 {
   if (filters.empty()) return false;
-  if (waited_ > kPatience) return true;
-  double sharp = 0;
+  if (waited_ > kMaxWait) return true;
+  double precise = 0;
   for (const KalmanHypothesis& filter : filters)
-    if (isPrecise(filter)) sharp += std::exp(filter.log_weight);
-  if (!(sharp > kClearWeight)) return false;
+    if (isPrecise(filter)) precise += std::exp(filter.log_weight);
+  if (!(precise > kClearWeight)) return false;
   const bool clear = std::exp(filters.front().log_weight) > kClearWeight;
   return options_.max_hypotheses > 1 || clear || complete;
 }
 
-void KalmanBank::start(const Frame& frame, const HypothesisSource& propose)
+void KalmanBank::initialize(const Frame& frame, const HypothesisSource& propose)
 {
   if (options_.start)
   {
     hypotheses_ = {filterAt(*options_.start, 0)};
     update(hypotheses_.front(), updated(hypotheses_.front().state, frame), frame);
-    hypotheses_.front().detections = kMinDetections;  // the start was told
+    hypotheses_.front().detections = kMinDetections;  // a known start is trusted
+    recovery_.start();
     return rank(hypotheses_);
   }
   const Proposal proposal = propose ? propose() : Proposal{};
   KalmanHypotheses filters = filtersFor(proposal.hypotheses);
   waited_ += frame.motion.duration;
-  if (!mayStart(filters, proposal.complete)) return;
+  if (!mayInitialize(filters, proposal.complete)) return;
   prune(filters, options_.max_hypotheses, 0);
   for (KalmanHypothesis& filter : filters)
   {
@@ -124,16 +132,14 @@ void KalmanBank::start(const Frame& frame, const HypothesisSource& propose)
     filter.log_weight = weight;
   }
   hypotheses_ = std::move(filters);
-  since_restart_ = 0;
+  recovery_.start();
 }
 
 void KalmanBank::track(const Frame& frame, const HypothesisSource& propose, KalmanStep& step)
 {
-  since_restart_ += frame.motion.duration;
   for (KalmanHypothesis& h : hypotheses_) h.state = predict(h.state, options_.biases, options_.motion, frame.motion);
-  const KalmanHypothesis& first = hypotheses_.front();
-  if (!first.quick.suspicious() && first.detections >= kMinDetections) pause_ = options_.recovery.min_interval;
-  if (first.quick.suspicious() && since_restart_ >= pause_) lookElsewhere(propose, step);
+  const Recovery recovery = decideRecovery(frame.motion.duration);
+  if (recovery.due()) step.restarted = inject(recovery.prior, propose);
   std::size_t best = 0;
   for (std::size_t i = 0; i < hypotheses_.size(); ++i)
   {
@@ -148,32 +154,37 @@ void KalmanBank::track(const Frame& frame, const HypothesisSource& propose, Kalm
   prune(hypotheses_, options_.max_hypotheses, kMinWeight);
 }
 
-void KalmanBank::lookElsewhere(const HypothesisSource& propose, KalmanStep& step)
+Recovery KalmanBank::decideRecovery(double elapsed)
 {
-  const bool single = options_.max_hypotheses == 1;
-  if (single && !hypotheses_.front().quick.lost()) return;
-  since_restart_ = 0;
-  pause_ = std::min(2 * pause_, std::max(kLongestPause, options_.recovery.min_interval));
+  const KalmanHypothesis& best = hypotheses_.front();
+  const bool suspicious = best.fast_ratio.suspicious();
+  if (!suspicious && best.detections >= kMinDetections) recovery_.resetReseeding();
+  // A single filter gives its hypothesis up: only when it is lost.
+  const bool may_replace = options_.max_hypotheses > 1 || best.fast_ratio.lost();
+  return recovery_.decide({.suspicious = suspicious && may_replace}, elapsed);
+}
+
+bool KalmanBank::inject(double prior, const HypothesisSource& propose)
+{
   KalmanHypotheses filters = filtersFor(propose ? propose().hypotheses : HypothesisSet{});
   std::erase_if(filters, [this](const KalmanHypothesis& filter) { return !isPrecise(filter); });
-  if (filters.empty()) return;
+  if (filters.empty()) return false;
   rank(filters);
   for (KalmanHypothesis& filter : filters) widen(filter);
-  step.restarted = true;
-  if (single)
+  if (options_.max_hypotheses == 1)
   {
     filters.resize(1, filters.front());
     filters.front().log_weight = 0;
     hypotheses_ = std::move(filters);
-    return;
+    return true;
   }
-  const double jump = options_.recovery.relocalization_prior;
-  for (KalmanHypothesis& h : hypotheses_) h.log_weight += std::log1p(-jump);
+  for (KalmanHypothesis& h : hypotheses_) h.log_weight += std::log1p(-prior);
   for (KalmanHypothesis& filter : filters)
   {
-    filter.log_weight += std::log(jump);
+    filter.log_weight += std::log(prior);
     hypotheses_.push_back(std::move(filter));
   }
+  return true;
 }
 
 void KalmanBank::judgeStep(KalmanStep& step) const
@@ -181,18 +192,18 @@ void KalmanBank::judgeStep(KalmanStep& step) const
   if (hypotheses_.empty())
   {
     step.verdict = Verdict::lost;
-    step.reason = "waiting for readings that narrow the place down";
+    step.reason = "not initialized: the measurements do not constrain the pose yet";
     return;
   }
   const KalmanHypothesis& best = hypotheses_.front();
-  const double share = best.quick.suspicious() ? best.quick.average() : best.trust.average();
+  const double ratio = best.fast_ratio.suspicious() ? best.fast_ratio.average() : best.slow_ratio.average();
   double lost_weight = 0;
   for (const KalmanHypothesis& h : hypotheses_)
-    if (h.quick.lost()) lost_weight += std::exp(h.log_weight);
+    if (h.fast_ratio.lost()) lost_weight += std::exp(h.log_weight);
   const bool lost = lost_weight > kClearWeight;
-  VerdictWithReason verdict = judge(step.modes, {.explained_share = share, .lost = lost}, options_.verdict);
+  VerdictWithReason verdict = judge(step.modes, {.inlier_ratio = ratio, .lost = lost}, options_.verdict);
   if (verdict.verdict == Verdict::ok && best.detections < kMinDetections)
-    verdict = {Verdict::ambiguous, "one place, but known for " + std::to_string(best.detections) + " detections only"};
+    verdict = {Verdict::ambiguous, formatted("one mode, but only %zu detections so far", best.detections)};
   step.verdict = verdict.verdict;
   step.reason = verdict.reason;
 }

@@ -1,24 +1,20 @@
 #include "mrpt_ext/filter/kalman/kalman_hypothesis.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+
+#include "mrpt_ext/filter/kalman/distinct_hypotheses.h"
+#include "mrpt_ext/geometry/log_probability.h"
+#include "mrpt_ext/geometry/mahalanobis.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-bool liesWithin(const Vector3d& difference, const Matrix3d& covariance)
+bool isSame(const KalmanHypothesis& a, const KalmanHypothesis& b)
 {
-  return difference.dot(covariance.llt().solve(difference)) < 1;
-}
-
-bool samePlace(const KalmanHypothesis& a, const KalmanHypothesis& b)
-{
-  Vector3d difference = a.state.mean.head<3>() - b.state.mean.head<3>();
-  difference.z() = wrap(difference.z());
-  return liesWithin(difference, a.state.gaussianPose().covariance) &&
-         liesWithin(difference, b.state.gaussianPose().covariance);
+  const GaussianPose p = a.state.gaussianPose(), q = b.state.gaussianPose();
+  return mahalanobis2(p.mean, q.mean, p.covariance) < 1 && mahalanobis2(p.mean, q.mean, q.covariance) < 1;
 }
 }  // namespace
 
@@ -27,18 +23,18 @@ void update(KalmanHypothesis& hypothesis, const KalmanUpdate& result, const Fram
   hypothesis.state = result.state;
   hypothesis.log_weight += result.log_evidence;
   if (result.detections.empty()) return;
-  double explained = 0;
-  for (const DetectionUse& use : result.detections) explained += use.explained;
+  double inliers = 0;
+  for (const DetectionUse& use : result.detections) inliers += use.inlier_probability;
   const auto count = static_cast<double>(result.detections.size());
-  double clutter = 0, sensors = 0;
+  double clutter = 0, sum = 0;
   for (const Reading& reading : frame.readings)
   {
     clutter += reading.model.clutter_probability * static_cast<double>(reading.detections.size());
-    sensors += static_cast<double>(reading.detections.size());
+    sum += static_cast<double>(reading.detections.size());
   }
-  const double expected = sensors > 0 ? 1 - clutter / sensors : 1;
-  hypothesis.quick.observe(explained / count, expected, result.detections.size());
-  hypothesis.trust.observe(explained / count, expected, result.detections.size());
+  const double expected = sum > 0 ? 1 - clutter / sum : 1;
+  hypothesis.fast_ratio.observe(inliers / count, expected, result.detections.size());
+  hypothesis.slow_ratio.observe(inliers / count, expected, result.detections.size());
   hypothesis.detections += result.detections.size();
 }
 
@@ -55,17 +51,9 @@ void rank(KalmanHypotheses& hypotheses)
 
 void merge(KalmanHypotheses& hypotheses)
 {
-  KalmanHypotheses kept;
-  for (KalmanHypothesis& candidate : hypotheses)
-  {
-    const auto twin =
-        std::find_if(kept.begin(), kept.end(), [&](const auto& other) { return samePlace(other, candidate); });
-    if (twin == kept.end())
-      kept.push_back(std::move(candidate));
-    else
-      twin->log_weight += std::log1p(std::exp(candidate.log_weight - twin->log_weight));
-  }
-  hypotheses = std::move(kept);
+  keepDistinct(hypotheses, isSame,
+               [](KalmanHypothesis& kept, const KalmanHypothesis& other)
+               { kept.log_weight = logSum(kept.log_weight, other.log_weight); });
   rank(hypotheses);
 }
 

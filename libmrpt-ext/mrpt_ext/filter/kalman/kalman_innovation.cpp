@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mrpt_ext/geometry/log_probability.h"
+
 namespace mrpt_ext
 {
 namespace
@@ -16,8 +18,7 @@ double varianceOf(const KalmanRow& row, const KalmanMatrix& covariance)
 
 Innovation single(double residual, double variance)
 {
-  const double nis = residual * residual / variance;
-  return {-0.5 * (nis + std::log(kTwoPi * variance)), nis};
+  return {logNormal(residual, variance), residual * residual / variance};
 }
 }  // namespace
 

@@ -16,7 +16,7 @@ Matrix3d withFloor(Matrix3d covariance)
   return covariance;
 }
 
-/// Sum of the states of this kind.
+/// Sum of the errors of this kind.
 double total(const KalmanVector& mean, const BiasModel& biases, BiasKind kind)
 {
   double sum = 0;
@@ -51,12 +51,12 @@ KalmanVector moved(const KalmanVector& mean, const KalmanVector& step)
 KalmanState predict(const KalmanState& state, const BiasModel& biases, const MotionModel& model,
                     const OdometryMotion& motion)
 {
-  const Pose2 told = believedMotion(model, motion).increment;
+  const Pose2 measured = nominalMotion(model, motion).increment;
   const double distance_scale = total(state.mean, biases, BiasKind::distance_scale);
   const double rotation_scale = total(state.mean, biases, BiasKind::rotation_scale);
-  const Vector2d direction = rotation(0.5 * rotation_scale * told.phi) * told.position();
+  const Vector2d direction = rotation(0.5 * rotation_scale * measured.phi) * measured.position();
   const Vector2d chord = (1 + distance_scale) * direction;
-  const Pose2 increment{chord.x(), chord.y(), (1 + rotation_scale) * told.phi};
+  const Pose2 increment{chord.x(), chord.y(), (1 + rotation_scale) * measured.phi};
 
   const auto size = static_cast<int>(state.mean.size());
   const Pose2 before = state.pose();
@@ -65,10 +65,10 @@ KalmanState predict(const KalmanState& state, const BiasModel& biases, const Mot
   F.topLeftCorner<3, 3>() = composeJacobianFirst(before, increment);
   for (std::size_t k = 0; k < biases.size(); ++k)
   {
-    const Vector3d by_way(direction.x(), direction.y(), 0);
-    const Vector3d by_turn(-0.5 * told.phi * chord.y(), 0.5 * told.phi * chord.x(), told.phi);
-    if (biases[k].kind == BiasKind::distance_scale) F.block<3, 1>(0, kPose + static_cast<int>(k)) = G * by_way;
-    if (biases[k].kind == BiasKind::rotation_scale) F.block<3, 1>(0, kPose + static_cast<int>(k)) = G * by_turn;
+    const Vector3d by_distance(direction.x(), direction.y(), 0);
+    const Vector3d by_rotation(-0.5 * measured.phi * chord.y(), 0.5 * measured.phi * chord.x(), measured.phi);
+    if (biases[k].kind == BiasKind::distance_scale) F.block<3, 1>(0, kPose + static_cast<int>(k)) = G * by_distance;
+    if (biases[k].kind == BiasKind::rotation_scale) F.block<3, 1>(0, kPose + static_cast<int>(k)) = G * by_rotation;
   }
 
   KalmanState next = state;

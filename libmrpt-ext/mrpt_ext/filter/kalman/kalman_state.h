@@ -8,14 +8,14 @@
 
 namespace mrpt_ext
 {
-/// The pose and at most this many systematic errors: storage without allocation.
+/// The pose and at most this many systematic errors: no heap memory.
 inline constexpr int kMaxKalmanStates = 16;
 
 using KalmanVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxKalmanStates, 1>;
 using KalmanRowVector = Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, kMaxKalmanStates>;
 using KalmanMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxKalmanStates, kMaxKalmanStates>;
 
-/// Gaussian belief: x, y [m], phi [rad, wrapped], then the systematic errors in the order of the model. The covariance
+/// Gaussian state: x, y [m], phi [rad, wrapped], then the systematic errors in the order of the model. The covariance
 /// is symmetric and positive definite.
 struct KalmanState
 {
@@ -26,13 +26,13 @@ struct KalmanState
   [[nodiscard]] GaussianPose gaussianPose() const { return {pose(), covariance.topLeftCorner<3, 3>()}; }
 };
 
-/// The pose as given, the errors as the model knows them at the start, uncorrelated. A deviation of zero is raised to
-/// one millionth of a unit, so that the covariance can be inverted.
+/// The pose as given, the errors with their prior, uncorrelated. A standard deviation of zero is raised to one
+/// millionth of a unit, so that the covariance can be inverted.
 [[nodiscard]] KalmanState startingState(const GaussianPose& pose, const BiasModel& biases);
 
-/// The state after a motion told by odometry. The scale errors lengthen the way and widen the turn (the chord of an arc
-/// swings by half of what the turn grows); incrementCovariance() is added in the axes of the robot, and the random walk
-/// of the errors.
+/// The state after a motion measured by odometry. The scale errors multiply distance and rotation (the chord of an arc
+/// turns by half of what the rotation grows); incrementCovariance() is added in the axes of the robot, and the random
+/// walk of the errors.
 [[nodiscard]] KalmanState predict(const KalmanState& state, const BiasModel& biases, const MotionModel& model,
                                   const OdometryMotion& motion);
 

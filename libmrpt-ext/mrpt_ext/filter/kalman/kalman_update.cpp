@@ -13,9 +13,9 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kCompassClutter = 0.05;  // iron nearby, as for particles
+constexpr double kCompassClutter = 0.05;  // magnetic disturbances, as for particles
 
-/// The frame's detections in the order in which they are taken in.
+/// The frame's detections in the order of the update.
 std::vector<DetectionUse> ordered(const std::vector<Reading>& readings, const LandmarkTable& map,
                                   const KalmanState& prior, const BiasModel& biases, double default_max_range)
 {
@@ -28,15 +28,15 @@ std::vector<DetectionUse> ordered(const std::vector<Reading>& readings, const La
       order.push_back({.reading = r, .detection = d});
     }
   if (!anonymous) return order;
-  std::vector<std::pair<double, DetectionUse>> sureness;
+  std::vector<std::pair<double, DetectionUse>> certainty;
   for (const DetectionUse& use : order)
   {
     const Reading& reading = readings[use.reading];
     const Detection& detection = reading.detections[use.detection];
-    sureness.emplace_back(associate(detection, reading, map, prior, biases, default_max_range).best, use);
+    certainty.emplace_back(associate(detection, reading, map, prior, biases, default_max_range).best, use);
   }
-  std::stable_sort(sureness.begin(), sureness.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = sureness[i].second;
+  std::stable_sort(certainty.begin(), certainty.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = certainty[i].second;
   return order;
 }
 
@@ -44,9 +44,9 @@ void useCompass(const CompassRecord& compass, KalmanUpdate& update)
 {
   const KalmanRow row = lineariseHeading(compass.heading, compass.std_heading, update.state.mean);
   const Innovation innovation = innovationOf({&row, 1}, update.state.covariance);
-  const double agrees = (1 - kCompassClutter) * std::exp(innovation.log_density), lies = kCompassClutter / kTwoPi;
-  update.log_evidence += std::log(agrees + lies);
-  if (!(agrees > lies)) return;
+  const double inlier = (1 - kCompassClutter) * std::exp(innovation.log_density), outlier = kCompassClutter / kTwoPi;
+  update.log_evidence += std::log(inlier + outlier);
+  if (!(inlier > outlier)) return;
   applyRows({&row, 1}, update.state);
   update.nis += innovation.nis;
   ++update.degrees_of_freedom;
@@ -83,7 +83,7 @@ KalmanUpdate updateExtended(const KalmanState& prior, const Frame& frame, const 
     const Detection& detection = reading.detections[use.detection];
     const Association found = associate(detection, reading, map, update.state, biases, default_max_range);
     update.log_evidence += std::log(found.evidence);
-    use.explained = found.explained;
+    use.inlier_probability = found.inlier_probability;
     if (!(found.best > 0.5)) continue;
     use.landmark = found.landmark;
     update.nis += found.nis;

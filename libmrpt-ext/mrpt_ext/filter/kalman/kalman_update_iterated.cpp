@@ -20,7 +20,7 @@ KalmanVector difference(const KalmanVector& to, const KalmanVector& from)
   return step;
 }
 
-/// What the posterior's maximum is sought of.
+/// The cost function.
 class UsedMeasurements
 {
  public:

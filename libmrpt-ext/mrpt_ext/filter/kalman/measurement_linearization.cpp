@@ -29,11 +29,11 @@ DetectionRows linearise(const Detection& detection, const Reading& reading, cons
                         const KalmanVector& mean, const BiasModel& biases)
 {
   const Pose2 robot{mean[0], mean[1], mean[2]};
-  const Vector2d place = landmark.position.head<2>(), offset = reading.T_robot_sensor.position();
+  const Vector2d position = landmark.position.head<2>(), offset = reading.T_robot_sensor.position();
   const LandmarkPrediction unbiased = predict(landmark, reading, robot);
   const SensorBias bias = biasOf(mean, biases, reading.sensor);
-  LandmarkPrediction told = unbiased;
-  applyBias(told, bias);
+  LandmarkPrediction biased = unbiased;
+  applyBias(biased, bias);
 
   DetectionRows result;
   result.chance = unbiased.visibility;
@@ -45,20 +45,20 @@ DetectionRows linearise(const Detection& detection, const Reading& reading, cons
   if (detection.bearing)
   {
     KalmanRow& row = result.rows[static_cast<std::size_t>(result.count++)];
-    row = rowOf(bearingJacobian(robot, place, offset), mean.size());
-    row.residual = wrap(*detection.bearing - told.bearing);
-    row.variance = square(detection.std_bearing) + told.bearing_variance;
+    row = rowOf(bearingJacobian(robot, position, offset), mean.size());
+    row.residual = wrap(*detection.bearing - biased.bearing);
+    row.variance = square(detection.std_bearing) + biased.bearing_variance;
     add_derivative(row, BiasKind::bearing_offset, 1);
   }
   if (detection.range)
   {
     KalmanRow& row = result.rows[static_cast<std::size_t>(result.count++)];
-    const double horizontal = predictRange(robot, place, reading.T_robot_sensor);
+    const double horizontal = predictRange(robot, position, reading.T_robot_sensor);
     const double slope =
         (1 + bias.range_scale) * horizontal / unbiased.range;  // of a slant range over a horizontal one
-    row = rowOf(slope * rangeJacobian(robot, place, offset), mean.size());
-    row.residual = *detection.range - told.range;
-    row.variance = square(detection.std_range) + told.range_variance;
+    row = rowOf(slope * rangeJacobian(robot, position, offset), mean.size());
+    row.residual = *detection.range - biased.range;
+    row.variance = square(detection.std_range) + biased.range_variance;
     add_derivative(row, BiasKind::range_offset, 1);
     add_derivative(row, BiasKind::range_scale, unbiased.range);
   }

@@ -13,7 +13,7 @@ struct KalmanRow
 {
   KalmanRowVector jacobian;
   double residual = 0;  ///< bearings wrapped
-  double variance = 1;  ///< of the sensor, and of where the map and a carried sensor put things
+  double variance = 1;  ///< of the sensor, the map and the odometry between a past scan and now
 };
 
 /// The rows of one detection, if it shows one given landmark: bearing, range or both.
@@ -28,6 +28,6 @@ struct DetectionRows
 [[nodiscard]] DetectionRows linearise(const Detection& detection, const Reading& reading, const Landmark& landmark,
                                       const KalmanVector& mean, const BiasModel& biases);
 
-/// A heading told by a compass.
+/// A heading measured by a compass.
 [[nodiscard]] KalmanRow lineariseHeading(double heading, double std_heading, const KalmanVector& mean);
 }  // namespace mrpt_ext

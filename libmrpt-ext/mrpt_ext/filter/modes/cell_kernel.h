@@ -14,7 +14,7 @@ struct CellAxis
   float offset[kCellChunk];
 };
 
-/// Divides `count` values, at most a chunk, into cells of `size`; `shift` [cells] tells where zero lies in its cell.
+/// Divides `count` values, at most a chunk, into cells of `size`; `shift` [cells]: position of zero in its cell.
 void divideIntoCells(const float* values, std::size_t count, float shift, float size, CellAxis& axis);
 
 /// Sums over the particles of one cell, with d = (1, dx, dy, dphi) the offsets from the cell's middle: of w d, of the
@@ -26,7 +26,7 @@ struct alignas(32) CellSums
   void operator+=(const CellSums& more);
 };
 
-/// The particles of one chunk, and the number of the cell that each lies in.
+/// The particles of one chunk, and the number of the cell that each is in.
 struct CellChunk
 {
   CellAxis x, y, phi;

@@ -12,6 +12,7 @@ namespace mrpt_ext
 namespace
 {
 constexpr int kNone = -1;
+constexpr double kCoreShare = 0.05;  // of the heaviest cell; lighter cells separate modes
 
 /// Labels connected heavy cells; returns the number of labels.
 int labelCores(const PoseHistogram& grid, double threshold, std::vector<int>& label)
@@ -122,7 +123,7 @@ ModeSet findModes(const ParticleSet& particles, const ModeOptions& options, unsi
   double heaviest = 0;
   for (std::size_t cell = 0; cell < grid.size(); ++cell) heaviest = std::max(heaviest, grid.weight(cell));
   std::vector<int> label(grid.size(), kNone);
-  const int labels = labelRest(grid, labelCores(grid, options.core_share * heaviest, label), label);
+  const int labels = labelRest(grid, labelCores(grid, kCoreShare * heaviest, label), label);
 
   std::vector<std::vector<std::size_t>> cells(static_cast<std::size_t>(labels));
   for (std::size_t cell = 0; cell < grid.size(); ++cell) cells[static_cast<std::size_t>(label[cell])].push_back(cell);

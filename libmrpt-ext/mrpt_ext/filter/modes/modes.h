@@ -12,7 +12,6 @@ struct ModeOptions
 {
   double cell_xy = 0.25;             ///< [m] two peaks closer than about two cells are one mode
   double cell_phi = degToRad(20.0);  ///< [rad]
-  double core_share = 0.05;          ///< cells lighter than this share of the heaviest separate modes
 };
 
 /// One peak of the posterior.

@@ -82,7 +82,7 @@ PoseHistogram::PoseHistogram(const ParticleSet& particles, double cell_xy, doubl
                { gather(particles, first, count, blocks[first / kParticleBlock]); });
   for (const Gathered& block : blocks)
   {
-    auto& numbers = joined_.emplace_back();
+    auto& numbers = global_cells_.emplace_back();
     for (std::size_t k = 0; k < block.cells.size(); ++k)
     {
       numbers.push_back(index_.insert(block.cells[k], cells_));
@@ -98,7 +98,8 @@ std::vector<int> PoseHistogram::labelParticles(const std::vector<int>& label_of_
                [&](std::size_t first, std::size_t count)
                {
                  std::vector<int> labels;
-                 for (const std::uint32_t cell : joined_[first / kParticleBlock]) labels.push_back(label_of_cell[cell]);
+                 for (const std::uint32_t cell : global_cells_[first / kParticleBlock])
+                   labels.push_back(label_of_cell[cell]);
                  for (std::size_t i = first; i < first + count; ++i)
                    cell_of_[i] = labels[static_cast<std::size_t>(cell_of_[i])];
                });

@@ -81,7 +81,7 @@ class PoseHistogram
   Index index_;
   std::vector<Cell> cells_;
   std::vector<CellSums> sums_;
-  std::vector<std::vector<std::uint32_t>> joined_;  // of each block: the numbers of its cells among all
-  std::vector<int> cell_of_;                        // among those of the particle's block
+  std::vector<std::vector<std::uint32_t>> global_cells_;  // of each block: the numbers of its cells among all
+  std::vector<int> cell_of_;                              // among those of the particle's block
 };
 }  // namespace mrpt_ext

@@ -19,8 +19,8 @@ struct Poses
   std::size_t count;
 };
 
-/// What each particle believes the increment to be, before noise.
-struct Believed
+/// The increment of each particle, before noise.
+struct Increments
 {
   alignas(64) Chunk x, y, turn;
 };
@@ -55,27 +55,27 @@ void moveTogether(const Poses& at, const MotionStep& motion, const Noise& noise)
 }
 
 MRPT_EXT_VECTOR_CLONES
-void moveEach(const Poses& at, const MotionStep& motion, const Believed& believed, const Noise& noise)
+void moveEach(const Poses& at, const MotionStep& motion, const Increments& increments, const Noise& noise)
 {
   const Poses poses = at;
   const MotionStep step = motion;
   MRPT_EXT_INDEPENDENT_ITERATIONS
   for (std::size_t i = 0; i < poses.count; ++i)
-    moveOne(poses, i, step, believed.x[i], believed.y[i], believed.turn[i], noise);
+    moveOne(poses, i, step, increments.x[i], increments.y[i], increments.turn[i], noise);
 }
 
-/// `way` and `turn` hold one plus the scale errors.
+/// `distance` and `turn` hold one plus the scale errors.
 MRPT_EXT_VECTOR_CLONES
-void believe(const MotionStep& motion, const Chunk& way, const Chunk& turn, Believed& believed)
+void scaleIncrements(const MotionStep& motion, const Chunk& distance, const Chunk& turn, Increments& increments)
 {
   const MotionStep step = motion;
   MRPT_EXT_INDEPENDENT_ITERATIONS
   for (std::size_t i = 0; i < kChunk; ++i)
   {
     const auto [s, c] = vector_math::sineCosineOf(0.5F * (turn[i] - 1.0F) * step.turn);
-    believed.x[i] = way[i] * (c * step.x - s * step.y);
-    believed.y[i] = way[i] * (s * step.x + c * step.y);
-    believed.turn[i] = turn[i] * step.turn;
+    increments.x[i] = distance[i] * (c * step.x - s * step.y);
+    increments.y[i] = distance[i] * (s * step.x + c * step.y);
+    increments.turn[i] = turn[i] * step.turn;
   }
 }
 
@@ -88,19 +88,19 @@ bool hasScales(const ParticleSet& particles)
 void moveByScales(const ParticleSet& particles, const Poses& poses, const MotionStep& step, std::size_t first,
                   const Noise& noise)
 {
-  alignas(64) Chunk way, turn;
-  std::fill_n(way, kChunk, 1.0F);
+  alignas(64) Chunk distance, turn;
+  std::fill_n(distance, kChunk, 1.0F);
   std::fill_n(turn, kChunk, 1.0F);
   for (std::size_t k = 0; k < particles.bias_states.size(); ++k)
   {
     const BiasKind kind = particles.bias_states[k].kind;
     if (!belongsToOdometry(kind)) continue;
-    Chunk& scale = kind == BiasKind::distance_scale ? way : turn;
+    Chunk& scale = kind == BiasKind::distance_scale ? distance : turn;
     for (std::size_t i = 0; i < poses.count; ++i) scale[i] += particles.bias[k][first + i];
   }
-  Believed believed;
-  believe(step, way, turn, believed);
-  moveEach(poses, step, believed, noise);
+  Increments increments;
+  scaleIncrements(step, distance, turn, increments);
+  moveEach(poses, step, increments, noise);
 }
 }  // namespace
 

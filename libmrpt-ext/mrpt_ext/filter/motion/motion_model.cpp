@@ -9,7 +9,7 @@ namespace mrpt_ext
 {
 namespace
 {
-/// Where a small heading error moves the end of the way: the chord, turned by 90 degrees.
+/// Derivative of the end point by a heading error: the chord, rotated by 90 degrees.
 Vector2d swingDirection(const MotionModel& model, const OdometryMotion& motion)
 {
   if (model.type == MotionType::random_walk) return Vector2d::Zero();
@@ -27,11 +27,11 @@ Matrix2d lowerFactor(const Matrix2d& matrix)
 }
 }  // namespace
 
-OdometryMotion believedMotion(const MotionModel& model, const OdometryMotion& motion)
+OdometryMotion nominalMotion(const MotionModel& model, const OdometryMotion& motion)
 {
-  OdometryMotion believed = motion;
-  if (model.type == MotionType::random_walk) believed.increment = {};
-  return believed;
+  OdometryMotion nominal = motion;
+  if (model.type == MotionType::random_walk) nominal.increment = {};
+  return nominal;
 }
 
 Vector3d incrementStd(const MotionModel& model, const OdometryMotion& motion)
@@ -64,7 +64,7 @@ void moveParticles(ParticleSet& particles, const MotionModel& model, const Odome
   Matrix2d independent = std.head<2>().cwiseAbs2().asDiagonal();
   independent += square(std.z()) / 12 * swing * swing.transpose();
   const Matrix2d factor = lowerFactor(independent);
-  const Pose2 mean = believedMotion(model, motion).increment;
+  const Pose2 mean = nominalMotion(model, motion).increment;
   const MotionStep step{.x = static_cast<float>(mean.x),
                         .y = static_cast<float>(mean.y),
                         .turn = static_cast<float>(mean.phi),

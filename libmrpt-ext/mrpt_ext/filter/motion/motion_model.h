@@ -10,7 +10,7 @@ enum class MotionType
 {
   odometry,    ///< measured displacement, noise along and across
   velocity,    ///< commanded velocities integrated as arcs: noise along the path and in heading only
-  random_walk  ///< no odometry: the robot may go anywhere, slowly
+  random_walk  ///< no odometry: any slow motion
 };
 
 /// Noise of the odometry. Each value is a standard deviation after one unit of distance, rotation or time; variances
@@ -25,20 +25,20 @@ struct MotionModel
   double std_phi_per_s = degToRad(0.3);  ///< [rad] after one second, also at standstill
 };
 
-/// The motion that the model believes in: the measured one, or, for a random walk, none (its noise covers the way).
-[[nodiscard]] OdometryMotion believedMotion(const MotionModel& model, const OdometryMotion& motion);
+/// The motion without noise: the measured one, or none for a random walk (its noise covers the motion).
+[[nodiscard]] OdometryMotion nominalMotion(const MotionModel& model, const OdometryMotion& motion);
 
 /// Standard deviations (x, y, phi) that `motion` adds by itself, in the robot frame at its start.
 [[nodiscard]] Vector3d incrementStd(const MotionModel& model, const OdometryMotion& motion);
 
-/// Covariance of the increment: the square of incrementStd, and the heading error, which builds up evenly along the way
-/// and swings the rest of it: std_phi^2 / 3 across the chord, std_phi^2 / 2 between that and the heading, per metre of
-/// chord. So one long motion spreads like many short ones.
+/// Covariance of the increment: the square of incrementStd, and the effect of the heading error, which accumulates
+/// evenly along the motion, on the position: std_phi^2 / 3 across the chord, std_phi^2 / 2 between that and the
+/// heading, per metre of chord. So one long motion spreads like many short ones.
 [[nodiscard]] Matrix3d incrementCovariance(const MotionModel& model, const OdometryMotion& motion);
 
-/// Moves every particle by the increment plus its own noise (noise of incrementCovariance added to the increment, then
-/// composed). Of a particle that carries scale errors of odometry, (1 + way scale) times the way is believed and
-/// (1 + turn scale) times the turn; the chord of an arc turns by half of what the arc's end turns more.
+/// Moves every particle by the increment plus noise of its own (drawn from incrementCovariance, added to the increment,
+/// then composed). Scale errors of odometry that a particle carries multiply distance and rotation by (1 + scale); the
+/// chord of an arc turns by half of what the rotation grows.
 /// One number is drawn from `random`, which seeds all blocks of particles; `threads` change nothing but the time.
 void moveParticles(ParticleSet& particles, const MotionModel& model, const OdometryMotion& motion, RandomStream& random,
                    unsigned threads = 1);

@@ -26,7 +26,7 @@ RelativeSums relativeSums(std::span<const float> log_weights)
 }
 
 /// Of all blocks together.
-RelativeSums joined(const std::vector<RelativeSums>& blocks)
+RelativeSums combined(const std::vector<RelativeSums>& blocks)
 {
   RelativeSums all;
   for (const RelativeSums& block : blocks) all.largest = std::max(all.largest, block.largest);
@@ -45,7 +45,7 @@ RelativeSums relativeSums(std::span<const float> log_weights, unsigned threads)
   forEachBlock(log_weights.size(), threads,
                [&](std::size_t first, std::size_t count)
                { blocks[first / kParticleBlock] = relativeSums(log_weights.subspan(first, count)); });
-  return joined(blocks);
+  return combined(blocks);
 }
 
 double effectiveRatio(const WeightSums& sums, std::size_t count)
@@ -119,11 +119,6 @@ Normalization normalizeWeights(ParticleSet& particles, unsigned threads)
                [&, best = largest](std::size_t first, std::size_t count)
                { subtractAll(logs.subspan(first, count), best, static_cast<float>(log_sum)); });
   return {largest + log_sum, effectiveRatio(sums, logs.size())};
-}
-
-double effectiveSampleRatio(const ParticleSet& particles)
-{
-  return particles.empty() ? 0 : effectiveRatio(weightSums(particles.log_weight, 0), particles.size());
 }
 
 std::vector<double> weights(const ParticleSet& particles)

@@ -12,7 +12,7 @@ namespace mrpt_ext
 struct ParticleSet
 {
   ParticleSet() = default;
-  /// No particles yet; `set_origin` [m, map frame] best lies in the middle of where they will be.
+  /// No particles yet; `set_origin` [m, map frame] ideally in the middle of their poses.
   explicit ParticleSet(const Vector2d& set_origin, BiasModel biases = {})
       : origin(set_origin), bias_states(std::move(biases)), bias(bias_states.size())
   {
@@ -38,7 +38,7 @@ struct ParticleSet
   void addCopy(const ParticleSet& from, std::size_t i, double log_w);
   void clear();
   void reserve(std::size_t count);
-  /// To `count` particles; what new ones hold means nothing yet.
+  /// To `count` particles; new ones are uninitialized.
   void resize(std::size_t count);
   /// An empty set with the same origin and bias states.
   [[nodiscard]] ParticleSet emptyLikeThis() const { return ParticleSet(origin, bias_states); }
@@ -46,20 +46,17 @@ struct ParticleSet
 
 struct Normalization
 {
-  double log_sum = 0;          ///< logarithm of what the weights summed to before
-  double effective_ratio = 0;  ///< effectiveSampleRatio()
+  double log_sum = 0;          ///< logarithm of the sum of the weights before
+  double effective_ratio = 0;  ///< effective sample size 1 / sum w^2 over the particle count, in (0, 1]
 };
 
 /// Scales the weights to sum 1. If what they sum to is not a positive number, all weights become equal.
 /// `threads` change nothing but the time.
 Normalization normalizeWeights(ParticleSet& particles, unsigned threads = 1);
 
-/// Effective sample size 1 / sum w^2 of normalised weights, as a share of the particle count, in (0, 1].
-[[nodiscard]] double effectiveSampleRatio(const ParticleSet& particles);
-
 /// The weights themselves (normalised particles).
 [[nodiscard]] std::vector<double> weights(const ParticleSet& particles);
 
-/// The particles named by `indices` with equal weights summing to 1.
+/// The particles at `indices` with equal weights summing to 1.
 [[nodiscard]] ParticleSet select(const ParticleSet& particles, const std::vector<std::size_t>& indices);
 }  // namespace mrpt_ext

@@ -10,7 +10,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kRounding = 1e-9;  // a count this close below a whole number is meant to be whole
+constexpr double kRounding = 1e-9;  // a count this close below a whole number counts as whole
 
 /// Walks once through the cumulative weights: `points` ascending in [0, 1).
 void drawAt(const std::vector<double>& weights, double sum, const std::vector<double>& points,
@@ -78,25 +78,6 @@ std::vector<std::size_t> drawIndices(ResamplingMethod method, const std::vector<
   return indices;
 }
 
-std::vector<std::size_t> allotSystematically(const std::vector<double>& weights, std::size_t count,
-                                             RandomStream& random)
-{
-  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0), offset = random.uniform();
-  std::vector<std::size_t> allotted(weights.size(), 0);
-  double cumulative = 0;
-  std::size_t given = 0;
-  for (std::size_t i = 0; i < weights.size(); ++i)
-  {
-    cumulative += weights[i];
-    // The points (k + offset) sum / count lie one in each equal part of the line of weights.
-    const double below = static_cast<double>(count) * cumulative / sum + (1 - offset);
-    const std::size_t reached = std::clamp(static_cast<std::size_t>(below), given, count);
-    allotted[i] = reached - given;
-    given = reached;
-  }
-  return allotted;
-}
-
 ParticleSet resampleByMode(const ParticleSet& particles, const std::vector<int>& mode_of, ResamplingMethod method,
                            std::size_t count, RandomStream& random, unsigned threads, ParticleSet memory)
 {
@@ -121,9 +102,9 @@ ParticleSet resampleByMode(const ParticleSet& particles, const std::vector<int>&
     if (allotted[mode] == 0) continue;
     std::vector<double> member_weights;
     for (const std::size_t i : members[mode]) member_weights.push_back(w[i]);
-    // A mode that expects less than one particle gets one now and then, and must then stand for the times it got none.
-    const double stands_for = std::max(mode_weight[mode], total / static_cast<double>(count));
-    const double log_w = std::log(stands_for / static_cast<double>(allotted[mode]));
+    // A mode that expects less than one particle gets one at random, which then represents the times it got none.
+    const double represented = std::max(mode_weight[mode], total / static_cast<double>(count));
+    const double log_w = std::log(represented / static_cast<double>(allotted[mode]));
     for (const std::size_t k : drawIndices(method, member_weights, allotted[mode], random))
       result.addCopy(particles, members[mode][k], log_w);
   }

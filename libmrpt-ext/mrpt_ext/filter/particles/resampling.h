@@ -21,10 +21,6 @@ enum class ResamplingMethod
 [[nodiscard]] std::vector<std::size_t> drawIndices(ResamplingMethod method, const std::vector<double>& weights,
                                                    std::size_t count, RandomStream& random);
 
-/// How many of `count` draws each of some weights of positive sum gets: its expected number, rounded up or down.
-[[nodiscard]] std::vector<std::size_t> allotSystematically(const std::vector<double>& weights, std::size_t count,
-                                                           RandomStream& random);
-
 /// Resamples every mode by itself, so that equal modes keep their weights instead of drifting apart by chance (global
 /// resampling makes the share of two equal modes a random walk). `mode_of[i]` numbers the mode of particle i from 0.
 /// A mode of weight w gets about count * w particles, each of weight w / its number. A mode with count * w < 1 gets one

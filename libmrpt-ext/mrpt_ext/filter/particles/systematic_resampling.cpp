@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "mrpt_ext/filter/particles/particle_blocks.h"
-#include "mrpt_ext/filter/particles/resampling.h"
 #include "mrpt_ext/filter/particles/weight_kernels.h"
 
 namespace mrpt_ext
@@ -16,11 +15,11 @@ namespace
 {
 constexpr std::size_t kMaxSums = 1 << 20;
 
-/// Points k + offset, k = 0, 1, ... `count` - 1, on a line on which the mode's weights lie end to end, scaled so that
+/// Points k + offset, k = 0, 1, ... `count` - 1, on a line of the mode's cumulative weights, scaled so that
 /// they reach `count`.
 struct ModePoints
 {
-  std::size_t count = 0, place = 0;  ///< of its survivors: how many, and where the first one goes
+  std::size_t count = 0, first = 0;  ///< number of its survivors, and index of the first one in the result
   double scale = 0, offset = 0;
   float log_weight = 0;  ///< of each survivor
 
@@ -37,31 +36,31 @@ std::vector<ModePoints> pointsOf(const std::vector<double>& mode_weight, std::si
   const std::vector<std::size_t> allotted = allotSystematically(mode_weight, count, random);
   const double total = std::accumulate(mode_weight.begin(), mode_weight.end(), 0.0);
   double sum = 0;
-  const auto stands_for = [&](std::size_t mode)
+  const auto represented = [&](std::size_t mode)
   {
-    // A mode that expects less than one particle gets one now and then, and must then stand for the times it got none.
+    // A mode that expects less than one particle gets one at random, which then represents the times it got none.
     return std::max(mode_weight[mode], total / static_cast<double>(count));
   };
-  std::size_t place = 0;
+  std::size_t first = 0;
   for (std::size_t mode = 0; mode < points.size(); ++mode)
   {
     ModePoints& p = points[mode];
     p.count = allotted[mode];
-    p.place = place;
-    place += p.count;
+    p.first = first;
+    first += p.count;
     if (p.count == 0) continue;
     p.scale = static_cast<double>(p.count) / mode_weight[mode];
     p.offset = std::min(random.uniform(), 1 - 1e-6);  // the last point stays below the end in spite of rounding
-    sum += stands_for(mode);
+    sum += represented(mode);
   }
   for (std::size_t mode = 0; mode < points.size(); ++mode)
     if (points[mode].count > 0)
       points[mode].log_weight =
-          static_cast<float>(std::log(stands_for(mode) / (sum * static_cast<double>(points[mode].count))));
+          static_cast<float>(std::log(represented(mode) / (sum * static_cast<double>(points[mode].count))));
   return points;
 }
 
-ParticleSet placesFor(std::size_t count, const ParticleSet& particles, ParticleSet memory)
+ParticleSet roomFor(std::size_t count, const ParticleSet& particles, ParticleSet memory)
 {
   memory.origin = particles.origin;
   memory.bias_states = particles.bias_states;
@@ -103,8 +102,8 @@ class BlockWeights
   alignas(64) float weight_[kParticleBlock];
 };
 
-/// Copies survivors of one block to their places. Which ones is noted first, and then each column copied by itself:
-/// that is easier on the cache than all columns at once.
+/// Copies survivors of one block. Their numbers are collected first, then each column is copied by itself: that is
+/// easier on the cache than all columns at once.
 class Survivors
 {
  public:
@@ -113,7 +112,7 @@ class Survivors
   {
   }
 
-  /// The places [from, to) of a mode go to a particle of the block.
+  /// The survivors [from, to) of a mode are copies of a particle of the block.
   void put(std::size_t particle, const ModePoints& mode, std::size_t from, std::size_t to)
   {
     if (&mode != mode_ || to - from_ > kRoom) begin(mode, from);
@@ -128,7 +127,7 @@ class Survivors
     copyColumn(particles_.y, result_.y);
     copyColumn(particles_.phi, result_.phi);
     for (std::size_t k = 0; k < result_.bias.size(); ++k) copyColumn(particles_.bias[k], result_.bias[k]);
-    std::fill_n(result_.log_weight.begin() + static_cast<std::ptrdiff_t>(mode_->place + from_), count_,
+    std::fill_n(result_.log_weight.begin() + static_cast<std::ptrdiff_t>(mode_->first + from_), count_,
                 mode_->log_weight);
     count_ = 0;
   }
@@ -143,7 +142,7 @@ class Survivors
     from_ = from;
   }
 
-  /// Several are noted at once, which is quicker than asking how many: the next ones overwrite what is too much.
+  /// Always writes several, which is faster than a loop of the right length: the next ones overwrite the excess.
   void note(std::size_t particle, std::size_t times)
   {
     const auto number = static_cast<std::uint32_t>(particle);
@@ -156,13 +155,13 @@ class Survivors
   void copyColumn(const std::vector<float>& from, std::vector<float>& to) const
   {
     const float* in = from.data() + first_;
-    float* out = to.data() + mode_->place + from_;
+    float* out = to.data() + mode_->first + from_;
     for (std::size_t k = 0; k < count_; ++k) out[k] = in[numbers_[k]];
   }
 
   const ParticleSet& particles_;
   ParticleSet& result_;
-  const ModePoints* mode_ = nullptr;          // whose places are noted, ...
+  const ModePoints* mode_ = nullptr;          // whose survivors are collected, ...
   std::size_t first_, from_ = 0, count_ = 0;  // ... and which ones
   std::uint32_t numbers_[kRoom + kAtOnce];
 };
@@ -184,6 +183,25 @@ void copySurvivors(const ParticleSet& particles, const BlockWeights& weights, st
   survivors.copy();
 }
 }  // namespace
+
+std::vector<std::size_t> allotSystematically(const std::vector<double>& weights, std::size_t count,
+                                             RandomStream& random)
+{
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0), offset = random.uniform();
+  std::vector<std::size_t> allotted(weights.size(), 0);
+  double cumulative = 0;
+  std::size_t given = 0;
+  for (std::size_t i = 0; i < weights.size(); ++i)
+  {
+    cumulative += weights[i];
+    // The points (k + offset) sum / count lie one in each equal part of the line of weights.
+    const double below = static_cast<double>(count) * cumulative / sum + (1 - offset);
+    const std::size_t reached = std::clamp(static_cast<std::size_t>(below), given, count);
+    allotted[i] = reached - given;
+    given = reached;
+  }
+  return allotted;
+}
 
 std::optional<ParticleSet> resampleSystematically(const ParticleSet& particles, const std::vector<int>& mode_of,
                                                   std::size_t count, RandomStream& random, unsigned threads,
@@ -207,7 +225,7 @@ std::optional<ParticleSet> resampleSystematically(const ParticleSet& particles, 
   if (!(std::accumulate(mode_weight.begin(), mode_weight.end(), 0.0) > 0)) return std::nullopt;
 
   const std::vector<ModePoints> points = pointsOf(mode_weight, count, random);
-  ParticleSet result = placesFor(count, particles, std::move(memory));
+  ParticleSet result = roomFor(count, particles, std::move(memory));
   forEachBlock(particles.size(), threads,
                [&](std::size_t first, std::size_t size)
                {

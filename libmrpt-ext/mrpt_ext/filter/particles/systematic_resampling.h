@@ -8,10 +8,14 @@
 
 namespace mrpt_ext
 {
-/// resampleByMode() for the systematic method without a list of indices: every block of particles knows from the sums
-/// of the blocks before it which points fall on its own, and copies its survivors to their places, mode after mode.
-/// `memory` is used for the result, whatever it holds. Nothing when the modes are too many for sums per block and mode,
-/// or when no weight is positive.
+/// How many of `count` draws each of some weights of positive sum gets: its expected number, rounded up or down.
+[[nodiscard]] std::vector<std::size_t> allotSystematically(const std::vector<double>& weights, std::size_t count,
+                                                           RandomStream& random);
+
+/// resampleByMode() for the systematic method without a list of indices: the sums of all blocks
+/// before it determine which points fall on a block of particles, and it copies its survivors to their final positions,
+/// mode after mode. `memory` is used for the result, whatever it holds. Nothing when there are too many modes for sums
+/// per block and mode, or when no weight is positive.
 [[nodiscard]] std::optional<ParticleSet> resampleSystematically(const ParticleSet& particles,
                                                                 const std::vector<int>& mode_of, std::size_t count,
                                                                 RandomStream& random, unsigned threads,

@@ -1,4 +1,4 @@
-#include "mrpt_ext/filter/initialization.h"
+#include "mrpt_ext/filter/proposal_sampling.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@ namespace
 const PoseRegion kRegion{{-1, 0}, {3, 2}};
 constexpr std::size_t kCount = 40000;
 
-HypothesisSet twoPlaces()
+HypothesisSet twoPoses()
 {
   return {{.pose = {{0, 1, 0.5}, Vector3d(0.01, 0.01, 0.01).asDiagonal()}, .weight = 0.7},
           {.pose = {{2.9, 0.1, 3}, Vector3d(0.04, 0.04, 0.04).asDiagonal()}, .weight = 0.3}};  // leaks over the corner
@@ -23,16 +23,16 @@ ParticleSet seedsOf(const HypothesisSet& hypotheses, double uniform_share)
 }
 }  // namespace
 
-TEST(SampleSeeds, AllLieInTheRegionAndAreAsManyAsAsked)
+TEST(SampleSeeds, AreInTheRegionAndAsManyAsRequested)
 {
-  const ParticleSet seeds = seedsOf(twoPlaces(), 0.3);
+  const ParticleSet seeds = seedsOf(twoPoses(), 0.3);
   ASSERT_EQ(seeds.size(), kCount);
   for (std::size_t i = 0; i < kCount; ++i) EXPECT_TRUE(kRegion.contains(seeds.pose(i)));
 }
 
 TEST(SampleSeeds, WeightedTheyAreTheUniformPrior)
 {
-  ParticleSet seeds = seedsOf(twoPlaces(), 0.3);
+  ParticleSet seeds = seedsOf(twoPoses(), 0.3);
   normalizeWeights(seeds);
   Vector2d mean = Vector2d::Zero(), square_mean = Vector2d::Zero();
   double ahead = 0;  // share of headings in the half circle about 0
@@ -52,7 +52,7 @@ TEST(SampleSeeds, WeightedTheyAreTheUniformPrior)
 
 TEST(SampleSeeds, WeightsArePriorOverProposal)
 {
-  const ProposalDistribution mixture(twoPlaces(), kRegion, 0.3, 2, {0.03, 0.03, 0.02});
+  const ProposalDistribution mixture(twoPoses(), kRegion, 0.3, 2, {0.03, 0.03, 0.02});
   RandomStream random(4);
   const ParticleSet seeds = sampleSeeds(mixture, kRegion, 200, random);
   for (std::size_t i = 0; i < seeds.size(); ++i)
@@ -61,7 +61,7 @@ TEST(SampleSeeds, WeightsArePriorOverProposal)
 
 TEST(SampleSeeds, MostAreWhereTheHypothesesAre)
 {
-  const ParticleSet seeds = seedsOf(twoPlaces(), 0.3);
+  const ParticleSet seeds = seedsOf(twoPoses(), 0.3);
   std::size_t near = 0;
   for (std::size_t i = 0; i < kCount; ++i)
     near +=
@@ -69,13 +69,13 @@ TEST(SampleSeeds, MostAreWhereTheHypothesesAre)
   EXPECT_GT(near, kCount * 45 / 100);
 }
 
-TEST(SampleSeeds, WithoutHypothesesAllWeighTheSame)
+TEST(SampleSeeds, WithoutHypothesesAllWeightsAreEqual)
 {
   const ParticleSet seeds = seedsOf({}, 0.3);
   for (const float log_w : seeds.log_weight) EXPECT_NEAR(log_w, 0, 1e-6);
 }
 
-TEST(HypothesesOf, AreTheModesHeaviestFirst)
+TEST(HypothesesFrom, AreTheModesHeaviestFirst)
 {
   ModeSet modes;
   modes.modes = {{{{1, 2, 3}, Matrix3d::Identity() * 0.1}, 0.8}, {{{4, 5, 6}, Matrix3d::Identity()}, 0.19995}};
@@ -89,7 +89,7 @@ TEST(HypothesesOf, AreTheModesHeaviestFirst)
   EXPECT_TRUE(hypotheses[0].heading_known);
 }
 
-TEST(HypothesesOf, LeavesTheLightOnesToTheUniformShare)
+TEST(HypothesesFrom, LeavesTheLightOnesToTheUniformShare)
 {
   ModeSet modes;
   modes.modes = {{{}, 0.9999}, {{}, 0.00009}};
@@ -98,35 +98,13 @@ TEST(HypothesesOf, LeavesTheLightOnesToTheUniformShare)
   EXPECT_EQ(hypothesesFrom(modes).size(), 500u);
   EXPECT_TRUE(hypothesesFrom({}).empty());
 }
-TEST(SharpAndWide, HoldsEveryHypothesisTwice)
-{
-  const HypothesisSet both = withWideCopies(twoPlaces(), {0.3, 0.4, 0.5});
-  ASSERT_EQ(both.size(), 4u);
-  EXPECT_EQ(both[1].pose.covariance, twoPlaces()[1].pose.covariance);
-  EXPECT_EQ(both[3].pose.mean.x, twoPlaces()[1].pose.mean.x);
-  EXPECT_NEAR(both[3].pose.covariance(1, 1), 0.04 + 0.16, 1e-12);
-}
 
-TEST(AnnealingExponent, KeepsAsManyEffectiveSamplesAsAsked)
+TEST(WithWideCopies, HoldsEveryHypothesisTwice)
 {
-  RandomStream random(5);
-  std::vector<float> prior(5000), weight(5000);
-  for (std::size_t i = 0; i < prior.size(); ++i)
-  {
-    prior[i] = static_cast<float>(random.gaussian() * 0.1);
-    const double x = random.uniform(-1, 1);
-    weight[i] = prior[i] + static_cast<float>(-0.5 * square(x / 1e-3));  // a likelihood that few samples feel
-  }
-  const double exponent = annealingExponent(prior, weight, 200);
-  ASSERT_LT(exponent, 1);
-  double sum = 0, squares = 0;
-  for (std::size_t i = 0; i < prior.size(); ++i)
-  {
-    const double w = std::exp(double{prior[i]} + exponent * double{weight[i] - prior[i]});
-    sum += w;
-    squares += w * w;
-  }
-  EXPECT_NEAR(sum * sum / squares, 200, 5);
-  EXPECT_EQ(annealingExponent(prior, prior, 200), 1);
+  const HypothesisSet both = withWideCopies(twoPoses(), {0.3, 0.4, 0.5});
+  ASSERT_EQ(both.size(), 4u);
+  EXPECT_EQ(both[1].pose.covariance, twoPoses()[1].pose.covariance);
+  EXPECT_EQ(both[3].pose.mean.x, twoPoses()[1].pose.mean.x);
+  EXPECT_NEAR(both[3].pose.covariance(1, 1), 0.04 + 0.16, 1e-12);
 }
 }  // namespace mrpt_ext

@@ -1,0 +1,131 @@
+#include "mrpt_ext/filter/initializer.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "mrpt_ext/filter/particles/particle_bias.h"
+#include "mrpt_ext/filter/proposal_sampling.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kUniformShare = 0.3, kUniformShareRefined = 0.1;
+constexpr int kRefinements = 2, kMaxRefinements = 12;  // draws from the modes of the sample before
+constexpr double kMinEffective = 40;                   // samples, to draw the next ones from
+constexpr int kHalvings = 14;                          // of the interval of the exponent
+constexpr double kMinExponent = 1e-4;
+
+/// Symmetric square root; directions without spread are allowed.
+Matrix3d squareRoot(const Matrix3d& covariance)
+{
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(covariance);
+  const Matrix3d& V = eigen.eigenvectors();
+  return V * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() * V.transpose();
+}
+
+/// The measurements to start with: those of the window, if there is one.
+Frame measurementsOf(const Frame& frame, const Proposal& proposal)
+{
+  Frame measurements = frame;
+  if (!proposal.window_readings.empty()) measurements.readings = proposal.window_readings;
+  // The newest first: they have the least error of odometry.
+  std::reverse(measurements.readings.begin(), measurements.readings.end());
+  return measurements;
+}
+}  // namespace
+
+Initialization Initializer::initialize(const Frame& frame, const std::function<Proposal()>& closed_forms,
+                                       const ParticleSet& like)
+{
+  if (options_.initial_mode == InitialMode::gaussian) return atKnownPose(frame, like);
+  const bool analytic = options_.initial_mode == InitialMode::analytic;
+  const Proposal proposal = analytic && closed_forms ? closed_forms() : Proposal{};
+  model_.restart();
+  Initialization start{.particles = like.emptyLikeThis(),
+                       .measurements = model_.select(measurementsOf(frame, proposal), false)};
+  double exponent = draw(start, proposal.hypotheses, kUniformShare);
+  start.accepted = accepts(proposal, start);
+  if (!start.accepted || !analytic) return start;
+  // Population Monte Carlo (Cappe et al., J. Comput. Graph. Stat. 13(4), 2004): draw again around the modes.
+  for (int pass = 0; (pass < kRefinements || exponent < 1) && pass < kMaxRefinements; ++pass)
+  {
+    normalizeWeights(start.particles);
+    HypothesisSet modes = hypothesesFrom(findModes(start.particles, options_.modes));
+    // The modes of an annealed likelihood are blurred: the hypotheses stay, so that none of them is lost.
+    if (exponent < 1) modes.insert(modes.end(), proposal.hypotheses.begin(), proposal.hypotheses.end());
+    exponent = draw(start, modes, kUniformShareRefined);
+  }
+  return start;
+}
+
+double Initializer::draw(Initialization& start, const HypothesisSet& hypotheses, double uniform_share)
+{
+  const std::size_t count = std::max(options_.initial_particles, options_.particles);
+  start.samples = sampleSeeds(proposalAround(hypotheses, options_.region, uniform_share), options_.region, count,
+                              random_, start.particles);
+  start.particles = start.samples;
+  model_.weight(start.measurements, start.particles);
+  if (options_.initial_mode != InitialMode::analytic) return 1;
+  const std::vector<float>& prior = start.samples.log_weight;
+  std::vector<float>& weight = start.particles.log_weight;
+  const double exponent = annealingExponent(prior, weight, kMinEffective);
+  if (exponent < 1)
+    for (std::size_t i = 0; i < count; ++i)
+      weight[i] = prior[i] + static_cast<float>(exponent) * (weight[i] - prior[i]);
+  return exponent;
+}
+
+bool Initializer::accepts(const Proposal& proposal, Initialization& start) const
+{
+  if (proposal.complete) return true;
+  if (proposal.hypotheses.empty()) return false;
+  if (!hasAnonymous(start.measurements)) return true;
+  normalizeWeights(start.particles);
+  return isUnimodal(findModes(start.particles, options_.modes), options_.verdict);
+}
+
+Initialization Initializer::atKnownPose(const Frame& frame, const ParticleSet& like)
+{
+  Initialization start{.accepted = true, .particles = like.emptyLikeThis(), .measurements = frame};
+  const Matrix3d factor = squareRoot(options_.initial_pose.covariance);
+  const Pose2& mean = options_.initial_pose.mean;
+  for (std::size_t i = 0; i < options_.particles; ++i)
+  {
+    const double a = random_.gaussian(), b = random_.gaussian(), c = random_.gaussian();
+    const Vector3d offset = factor * Vector3d(a, b, c);
+    start.particles.add({mean.x + offset.x(), mean.y + offset.y(), wrap(mean.phi + offset.z())}, 0);
+  }
+  drawBiases(start.particles, 0, random_);
+  start.samples = start.particles;
+  model_.weight(frame, start.particles);
+  return start;
+}
+
+double annealingExponent(std::span<const float> log_prior, std::span<const float> log_weight, double effective)
+{
+  const auto effective_at = [&](double exponent)
+  {
+    const auto at = [&](std::size_t i)
+    { return double{log_prior[i]} + exponent * (double{log_weight[i]} - double{log_prior[i]}); };
+    double best = at(0), sum = 0, squares = 0;
+    for (std::size_t i = 1; i < log_prior.size(); ++i) best = std::max(best, at(i));
+    for (std::size_t i = 0; i < log_prior.size(); ++i)
+    {
+      const double w = std::exp(at(i) - best);
+      sum += w;
+      squares += w * w;
+    }
+    return sum * sum / squares;
+  };
+  if (log_prior.empty() || effective_at(1) >= effective) return 1;
+  double low = 0, high = 1;
+  for (int k = 0; k < kHalvings; ++k)
+  {
+    const double middle = (low + high) / 2;
+    (effective_at(middle) >= effective ? low : high) = middle;
+  }
+  return std::max(low, kMinExponent);
+}
+}  // namespace mrpt_ext

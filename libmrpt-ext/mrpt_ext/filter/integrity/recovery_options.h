@@ -1,0 +1,15 @@
+#pragma once
+
+namespace mrpt_ext
+{
+/// When, and how strongly, a filter injects hypotheses.
+struct RecoveryOptions
+{
+  double reseed_inlier_ratio = 0.5;       ///< below this inlier ratio (relative to what is expected) it injects
+  double lost_inlier_ratio = 0.3;         ///< below this the verdict is `lost`
+  double injected_particle_share = 0.25;  ///< particles of one injection, relative to the particle count
+  double relocalization_prior = 0.02;     ///< probability per injection that the robot is somewhere else
+  double min_interval = 0.5;              ///< [s] between two injections, which are costly
+  double slip_share = 0.5;                ///< share of relocalizations that are slips of odometry; others go anywhere
+};
+}  // namespace mrpt_ext

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <limits>
+
+#include "mrpt_ext/filter/integrity/recovery_options.h"
+
+namespace mrpt_ext
+{
+/// What a recovery depends on: the posterior before the frame, and what the frame offers.
+struct PosteriorState
+{
+  bool suspicious = false;      ///< the measurements do not agree with it
+  bool unimodal = false;        ///< one precise mode
+  bool verified = false;        ///< ... that the pose test has accepted
+  bool anonymous = false;       ///< the frame has anonymous detections
+  bool has_trajectory = false;  ///< hypotheses from the recent trajectory can be had
+};
+
+struct Recovery
+{
+  enum class Kind
+  {
+    none,
+    reseed,  ///< the measurements do not agree with the posterior: find the robot again
+    verify   ///< they agree, but so may another pose: let hypotheses from elsewhere compete
+  };
+  Kind kind = Kind::none;
+  double prior = 0;  ///< probability that the robot is elsewhere: weight of all injected hypotheses together
+
+  [[nodiscard]] bool due() const { return kind != Kind::none; }
+};
+
+/// Decides when a filter injects hypotheses. Augmented Monte Carlo localization (Probabilistic Robotics, table 8.3)
+/// injects in every step; here an injection costs as much as many steps, so it happens at intervals:
+/// - reseed: at RecoveryOptions::min_interval, which doubles up to `max_reseed_interval`;
+/// - verify: at an interval that doubles with every verification that the mode survives, while the prior falls in
+///   proportion; a verified mode is tested at the longest interval, where another pose could fit as well.
+class RecoveryPolicy
+{
+ public:
+  static constexpr double kMinVerificationInterval = 3, kMaxVerificationInterval = 20;  ///< [s]
+
+  explicit RecoveryPolicy(const RecoveryOptions& options, double max_reseed_interval = 0)
+      : options_(options), max_reseed_interval_(max_reseed_interval)
+  {
+  }
+
+  /// `elapsed` [s]: since the last decision. The caller injects what is due.
+  [[nodiscard]] Recovery decide(const PosteriorState& state, double elapsed);
+  /// The filter was initialized from hypotheses: the intervals begin.
+  void start() { since_injection_ = 0; }
+  /// The measurements agree with the posterior: the next reseeding need not wait.
+  void resetReseeding() { reseed_interval_ = options_.min_interval; }
+  /// Another mode is under test: verify it as often as a new one.
+  void resetVerification() { verification_interval_ = kMinVerificationInterval; }
+  [[nodiscard]] bool hasInjected() const { return since_injection_ < std::numeric_limits<double>::infinity(); }
+
+ private:
+  [[nodiscard]] bool isVerificationDue(const PosteriorState& state) const;
+
+  RecoveryOptions options_;
+  double max_reseed_interval_;
+  double since_injection_ = std::numeric_limits<double>::infinity();  // [s]
+  double reseed_interval_ = options_.min_interval;                    // [s]
+  double verification_interval_ = kMinVerificationInterval;           // [s]
+};
+}  // namespace mrpt_ext

@@ -1,0 +1,99 @@
+#include "mrpt_ext/filter/integrity_monitor.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mrpt_ext/likelihood/running_fix_likelihood.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kMajority = 0.5;  // of the weight
+}  // namespace
+
+IntegrityMonitor::IntegrityMonitor(const RecoveryOptions& recovery, const VerdictOptions& verdict,
+                                   const MotionModel& motion, const BiasModel& biases, const LandmarkTable& map)
+    : options_(verdict),
+      motion_(motion),
+      biases_(biases),
+      map_(map),
+      fast_ratio_(InlierRatioMonitor::fast(recovery)),
+      slow_ratio_(InlierRatioMonitor::slow(recovery)),
+      immediate_ratio_(InlierRatioMonitor::immediate(recovery)),
+      sensor_ratios_(recovery),
+      pose_test_(motion, map)
+{
+}
+
+void IntegrityMonitor::start(const Frame& measurements, const ParticleSet& samples)
+{
+  pose_test_.start(scoredReadings(measurements), map_, samples);
+}
+
+void IntegrityMonitor::startVerified(const Frame& frame)
+{
+  pose_test_.skip(frame);
+  pose_test_.accept();
+}
+
+void IntegrityMonitor::test(const Frame& frame, const ParticleSet& predicted, bool counts)
+{
+  if (counts)
+    pose_test_.update(frame, map_, predicted);
+  else
+    pose_test_.skip(frame);
+}
+
+bool IntegrityMonitor::hasLeft(const Mode& best) const
+{
+  const bool precise = isUnimodal({{{tested_mode_->gaussianPose(), 1}}, {}}, options_);
+  const Vector2d away = best.pose.mean.position() - tested_mode_->mean.head<2>();
+  const double turned = wrap(best.pose.mean.phi - tested_mode_->mean.z());
+  const bool elsewhere = away.norm() > options_.max_std_xy || std::abs(turned) > options_.max_std_phi;
+  return !precise || (elsewhere && best.weight > kMajority);
+}
+
+bool IntegrityMonitor::followMode(const ModeSet& modes, const OdometryMotion& motion)
+{
+  if (modes.modes.empty()) return false;
+  const Mode& best = modes.modes.front();
+  const bool unimodal = isUnimodal(modes, options_);
+  if (tested_mode_) tested_mode_ = predict(*tested_mode_, biases_, motion_, motion);
+  const bool restart = tested_mode_ ? hasLeft(best) : !unimodal;
+  if (restart)
+  {
+    tested_mode_.reset();
+    pose_test_.reset();
+  }
+  if (unimodal) tested_mode_ = startingState(best.pose, biases_);
+  return restart;
+}
+
+void IntegrityMonitor::update(const InlierReport& report)
+{
+  double inliers = 0, expected = 0, expected_by_sensor = 0;
+  std::size_t detections = 0;
+  for (const SensorInliers& reading : report)
+  {
+    const auto count = static_cast<double>(std::max<std::size_t>(1, reading.detections));
+    sensor_ratios_.observe(reading.sensor, reading.inliers / count, reading.expected / count, reading.detections);
+    inliers += reading.inliers;
+    expected += reading.expected;
+    expected_by_sensor += reading.expected_by_sensor;
+    detections += reading.detections;
+  }
+  if (detections == 0) return;
+  const auto count = static_cast<double>(detections);
+  fast_ratio_.observe(inliers / count, expected / count, detections);
+  slow_ratio_.observe(inliers / count, expected_by_sensor / count, detections);
+  immediate_ratio_.observe(inliers / count, expected_by_sensor / count, detections);
+}
+
+VerdictWithReason IntegrityMonitor::verdict(const ModeSet& modes, double effective) const
+{
+  const bool falling = immediate_ratio_.suspicious() || fast_ratio_.suspicious();
+  const double ratio = falling ? std::min(immediate_ratio_.average(), fast_ratio_.average()) : slow_ratio_.average();
+  return judge(modes, {ratio, fast_ratio_.lost(), effective, logOdds(), verified(), contradicted_}, options_);
+}
+}  // namespace mrpt_ext

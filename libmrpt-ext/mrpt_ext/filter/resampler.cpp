@@ -1,0 +1,26 @@
+#include "mrpt_ext/filter/resampler.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "mrpt_ext/filter/regularization.h"
+
+namespace mrpt_ext
+{
+std::size_t Resampler::kldSize(const ParticleSet& particles, RandomStream& random) const
+{
+  // The bins that a resampled set of the present size would occupy (Fox 2003).
+  const std::vector<std::size_t> trial = drawIndices(method_, weights(particles), particles.size(), random);
+  const double needed = kldSampleSize(occupiedBins(select(particles, trial), kld_), kld_.epsilon, kld_.delta);
+  return static_cast<std::size_t>(
+      std::clamp(needed, static_cast<double>(kld_.min_size), static_cast<double>(kld_.max_size)));
+}
+
+void Resampler::resample(ParticleSet& particles, const ModeSet& modes, std::size_t count, RandomStream& random)
+{
+  if (adaptive_) count = kldSize(particles, random);
+  ParticleSet drawn = resampleByMode(particles, modes.mode_of, method_, count, random, threads_, std::move(memory_));
+  memory_ = std::exchange(particles, std::move(drawn));
+  regularizeModes(particles, modes, {}, random, threads_);
+}
+}  // namespace mrpt_ext
