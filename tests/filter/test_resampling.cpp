@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "mrpt_ext/filter/particles/systematic_resampling.h"
+
 namespace mrpt_ext
 {
 namespace

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <functional>
-#include <span>
+#include <vector>
 
 #include "mrpt_ext/hypotheses/proposal.h"
 
@@ -17,6 +17,6 @@ struct HypothesisSources
   std::function<HypothesisSet()> trajectory;
   /// All readings since the start, transformed to the newest frame, as long as odometry between them is more precise
   /// than they are; else empty.
-  std::span<const Reading> since_start;
+  std::vector<Reading> since_start;
 };
 }  // namespace mrpt_ext
