@@ -48,7 +48,8 @@ Matrix3d priorCovariance(const ParticleFilterOptions& filter)
 {
   if (filter.initial_mode == InitialMode::gaussian) return filter.initial_pose.covariance;
   const Vector2d extent = filter.region.extent();
-  return Vector3d(square(extent.x()), square(extent.y()), square(filter.region.headingExtent())).asDiagonal() * (1.0 / 12);
+  return Vector3d(square(extent.x()), square(extent.y()), square(filter.region.headingExtent())).asDiagonal() *
+         (1.0 / 12);
 }
 
 /// The recursion of the bound along the true poses.

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "mrpt_ext/geometry/vector_clones.h"
+#include "mrpt_ext/geometry/vector_math.h"
 #include "mrpt_ext/likelihood/density_kernels.h"
 #include "mrpt_ext/likelihood/detection_density.h"
-#include "mrpt_ext/geometry/vector_math.h"
 
 namespace mrpt_ext
 {

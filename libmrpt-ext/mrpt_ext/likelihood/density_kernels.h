@@ -26,8 +26,8 @@ void addLogGaussians(const SensorTile& tile, std::span<const PreparedDetection> 
 void addDensities(const SensorTile& tile, std::span<const PreparedDetection> detections, DetectionKind kind,
                   SensorTile::Column& sum);
 
-/// The same for any noise: that of the landmark's position, that of the sensor's (`sensor_covariance`, sensor axes), and
-/// bearings of any width. With limits, each density is weighted by the visibility of the landmark.
+/// The same for any noise: that of the landmark's position, that of the sensor's (`sensor_covariance`, sensor axes),
+/// and bearings of any width. With limits, each density is weighted by the visibility of the landmark.
 void addBroadDensities(const SensorTile& tile, std::span<const PreparedDetection> detections, DetectionKind kind,
                        const Matrix2d& sensor_covariance, const VisibilityLimits& limits, SensorTile::Column& sum);
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "mrpt_ext/geometry/vector_clones.h"
-#include "mrpt_ext/likelihood/missed_detections.h"
 #include "mrpt_ext/geometry/vector_math.h"
+#include "mrpt_ext/likelihood/missed_detections.h"
 
 namespace mrpt_ext
 {

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "mrpt_ext/geometry/vector_math.h"
 #include "mrpt_ext/likelihood/prepared_detection.h"
 #include "mrpt_ext/likelihood/sensor_tile.h"
-#include "mrpt_ext/geometry/vector_math.h"
 #include "mrpt_ext/likelihood/visibility_limits.h"
 
 /// Geometry of one landmark seen by one robot of a tile; inlined into vector loops.

@@ -20,7 +20,7 @@ template <bool LimitsBearing>
 
 template <bool LimitsBearing>
 [[gnu::always_inline]] inline void sumVisibility(const SensorTile& tile, std::span<const ViewedLandmark> landmarks,
-                                                   const TileLimits& limits, float* visibility, float* clutter)
+                                                 const TileLimits& limits, float* visibility, float* clutter)
 {
   for (const ViewedLandmark& landmark : landmarks) MRPT_EXT_INDEPENDENT_ITERATIONS
   for (std::size_t i = 0; i < kSize; ++i)

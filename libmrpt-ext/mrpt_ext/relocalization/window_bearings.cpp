@@ -55,7 +55,8 @@ class WindowBuilder
       for (const AnonymousDetection& d : scan.detections)
         if (d.bearing && d.category != kUnknownCategory)
           bearings_.push_back({compose(relative.mean, scan.T_robot_sensor), *d.bearing,
-                               std::sqrt(square(d.std_bearing) + square(kStdParallax) + odometry_variance), d.category});
+                               std::sqrt(square(d.std_bearing) + square(kStdParallax) + odometry_variance),
+                               d.category});
   }
 
   std::span<const TrajectoryStep> trajectory_;

@@ -14,7 +14,7 @@ namespace mrpt_ext
 ///- checks that lose no solution: rays that do not meet, area, range limit, and the joint test (enough of the remaining
 ///  bearings must have a landmark within the gate);
 ///- up to `max_unmatched` bearings may stay unmatched. If one may, and there are six or more, two trees are searched:
-///one
+/// one
 ///  with the first three bearings matched, and one from three others with one of the first three unmatched. Two initial
 ///  triples of bearings are fewer than the four of a single tree in which any bearing may stay unmatched.
 /// Complete assignments are refined to their least-squares pose, from the crossing and, should that fail, from near

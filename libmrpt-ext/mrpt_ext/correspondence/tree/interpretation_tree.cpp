@@ -86,8 +86,7 @@ Interpretations interpretBearings(std::span<const Vector2d> landmarks, std::span
   result.tested_by_depth = std::move(search.tested);
   result.valid_by_depth = std::move(search.valid);
   result.finished = search.finished;
-  result.solutions =
-      options.max_unmatched > 0 ? withoutParts(std::move(search.found)) : std::move(search.found);
+  result.solutions = options.max_unmatched > 0 ? withoutParts(std::move(search.found)) : std::move(search.found);
   std::stable_sort(result.solutions.begin(), result.solutions.end(),
                    [](const Interpretation& a, const Interpretation& b)
                    { return a.log_likelihood > b.log_likelihood; });
