@@ -34,8 +34,8 @@ struct FilterStep
 
 /// Monte Carlo localization against a landmark map (Probabilistic Robotics, table 8.2; the deviations are in
 /// README.md). Particles are a structure of arrays; every reading is scored for all of them in one call. Pose
-/// hypotheses initialize it, and are injected when the detections stop agreeing with the posterior; their importance
-/// weights against the uniform prior make a wrong hypothesis cost particles, no accuracy.
+/// hypotheses initialize it, and are injected when the detections stop agreeing with the posterior, importance-weighted
+/// against the prior of a relocalization (hypothesis_injector.h).
 class ParticleFilter
 {
  public:

@@ -7,7 +7,7 @@ enum class Verdict
 {
   ok,         ///< one precise mode, verified by the measurements
   ambiguous,  ///< several modes, one imprecise mode, or one that is not verified yet
-  lost        ///< no mode fits the measurements better than the null hypothesis
+  lost        ///< no estimate, or the recent detections do not agree with it: their inlier ratio is too low
 };
 
 [[nodiscard]] constexpr const char* toString(Verdict verdict)
