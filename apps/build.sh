@@ -18,7 +18,8 @@ else
   [ $# -eq 0 ] || targets=(--target "$@")
 fi
 if [ ! -f "$build/CMakeCache.txt" ]; then
-  settings+=(-G Ninja -DCMAKE_BUILD_TYPE=Release)
+  # Several source files are compiled as one (a unity build): half the time from nothing.
+  settings+=(-G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON)
 fi
 # Warnings are errors with the compiler we test with; another one may have new warnings, which are no reason to stop.
 [ "$("${CXX:-g++}" -dumpversion | cut -d. -f1)" = 12 ] && settings+=(-DMRPT_EXT_WARNINGS_AS_ERRORS=ON)

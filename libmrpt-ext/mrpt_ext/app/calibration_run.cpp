@@ -14,7 +14,6 @@ namespace mrpt_ext
 {
 namespace
 {
-const std::string kExperiment = "LocalizationExperiment";
 
 /// The errors that this log can determine.
 std::vector<CalibrationUnknown> termsOf(const LocalizationInput& input, const CalibrationData& data)
@@ -73,10 +72,10 @@ int runCalibration(Settings settings, const CalibrationRequest& request, std::os
   if (!request.calibrated.empty() && !std::filesystem::exists(request.calibrated))
     throw dataError("--calibrate " + request.calibrated.string() + ": no such file");
   const std::string ini = request.calibrated.empty() ? "" : readTextFile(request.calibrated);
-  if (settings.hasValue(kExperiment, "ground_truth_path_file"))
-    settings.set(kExperiment, "ground_truth_path_file", "", "--diagnose");
+  if (settings.hasValue(kExperimentSection, "ground_truth_path_file"))
+    settings.set(kExperimentSection, "ground_truth_path_file", "", "--diagnose");
   const LocalizationInput input = loadLocalization(settings, request.window);
-  settings.set(kExperiment, "frame_window_s", "0", "--diagnose");
+  settings.set(kExperimentSection, "frame_window_s", "0", "--diagnose");
   const LocalizationInput by_stamp = loadLocalization(settings, request.window);
 
   const std::vector<PoseEstimate> trajectory = confidentTrajectory(input, input.config.seed);

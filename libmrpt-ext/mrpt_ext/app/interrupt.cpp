@@ -6,18 +6,18 @@ namespace mrpt_ext
 {
 namespace
 {
-std::atomic<bool> interrupted{false};
+std::atomic<bool> interrupt_requested{false};
 
 extern "C" void onSignal(int signal)
 {
-  interrupted = true;
+  interrupt_requested = true;
   std::signal(signal, SIG_DFL);
 }
 }  // namespace
 
 InterruptGuard::InterruptGuard()
 {
-  interrupted = false;
+  interrupt_requested = false;
   std::signal(SIGINT, onSignal);
   std::signal(SIGTERM, onSignal);
 }
@@ -28,5 +28,5 @@ InterruptGuard::~InterruptGuard()
   std::signal(SIGTERM, SIG_DFL);
 }
 
-const std::atomic<bool>& InterruptGuard::flag() const { return interrupted; }
+const std::atomic<bool>& InterruptGuard::flag() const { return interrupt_requested; }
 }  // namespace mrpt_ext

@@ -11,7 +11,6 @@ namespace mrpt_ext
 {
 namespace
 {
-const std::string kExperiment = "LocalizationExperiment";
 
 /// "A:B" -> trials A ... B-1.
 void parseTrials(const std::string& text, LocalizationRequest& request)
@@ -111,21 +110,22 @@ Settings settingsOf(const LocalizationOptions& options, const AppShell& shell)
   {
     if (!file.empty()) settings.set(section, key, std::filesystem::absolute(file).string(), option + ' ' + file);
   };
-  replace(options.rawlog, kExperiment, "rawlog_file", "RAWLOG");
-  replace(options.truth, kExperiment, "ground_truth_path_file", "--ground-truth");
+  replace(options.rawlog, kExperimentSection, "rawlog_file", "RAWLOG");
+  replace(options.truth, kExperimentSection, "ground_truth_path_file", "--ground-truth");
   replace(options.map, "MetricMap_landmarkMap2D_00_creationOpts", "landmarks_file", "--map");
   if (const auto seed = shell.options().seed)
-    settings.set(kExperiment, "random_seed", std::to_string(*seed), "--seed " + std::to_string(*seed));
+    settings.set(kExperimentSection, "random_seed", std::to_string(*seed), "--seed " + std::to_string(*seed));
   return settings;
 }
 
 /// A log with the truth of the configuration, which may be that of another log.
 std::string truthNote(const LocalizationOptions& options, const Settings& settings)
 {
-  if (options.rawlog.empty() || !options.truth.empty() || !settings.hasValue(kExperiment, "ground_truth_path_file"))
+  if (options.rawlog.empty() || !options.truth.empty() ||
+      !settings.hasValue(kExperimentSection, "ground_truth_path_file"))
     return {};
   return "note     the ground truth is the configured one, " +
-         settings.path(kExperiment, "ground_truth_path_file").string() +
+         settings.path(kExperimentSection, "ground_truth_path_file").string() +
          ": give --ground-truth if it does not belong to this log\n";
 }
 
@@ -135,7 +135,7 @@ int runRequest(const LocalizationOptions& options, const AppShell& shell, std::o
   LocalizationRequest request = options.request;
   if (options.diagnose || !options.calibrated.empty())
     return runCalibration(settings, {request.window, options.calibrated, shell.options().quiet}, out);
-  const auto repetitions = settings.integer(kExperiment, "experimentRepetitions");
+  const auto repetitions = settings.integer(kExperimentSection, "experimentRepetitions");
   request.last_trial = options.repeat > 0 ? options.repeat : static_cast<int>(repetitions);
   request.trial_folders = options.repeat > 0 || repetitions > 1;
   if (!options.trials.empty()) parseTrials(options.trials, request);

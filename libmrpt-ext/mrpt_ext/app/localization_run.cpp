@@ -35,13 +35,12 @@ namespace mrpt_ext
 namespace
 {
 namespace fs = std::filesystem;
-const std::string kExperiment = "LocalizationExperiment";
 constexpr std::size_t kShownParticles = 2000;
 
 fs::path outputFolder(const Settings& settings, const LocalizationRequest& request)
 {
   if (!request.output.empty()) return request.output;
-  if (settings.hasValue(kExperiment, "logOutput_dir")) return settings.path(kExperiment, "logOutput_dir");
+  if (settings.hasValue(kExperimentSection, "logOutput_dir")) return settings.path(kExperimentSection, "logOutput_dir");
   return fs::path("out") / settings.file().stem();
 }
 

@@ -15,11 +15,11 @@ namespace
 {
 constexpr std::size_t kLeastEpochs = 10, kLeastRanges = 4;
 constexpr int kMostIterations = 60;
-constexpr double kLossScale = 2;     // standard deviations
-constexpr double kOutlier = 4;       // scatters
-constexpr double kSettled = 1e-7;    // [m]
-constexpr double kSingular = 1e-9;   // of the largest information: undetermined
-constexpr double kPosePrior = 1e-9;  // keeps a pose with ranges in line solvable
+constexpr double kLossScale = 2;        // standard deviations
+constexpr double kOutlier = 4;          // scatters
+constexpr double kConverged = 1e-7;     // [m]
+constexpr double kUndetermined = 1e-9;  // of the largest information
+constexpr double kPosePrior = 1e-9;     // keeps a pose with ranges in line solvable
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
@@ -83,7 +83,7 @@ class Adjustment
     for (const EpochWithPose& epoch : epochs_) blocks.push_back(addEpoch(epoch, information, gradient));
     information_ = information;
     const Eigen::SelfAdjointEigenSolver<Matrix> eigen(information);
-    if (!(eigen.eigenvalues().minCoeff() > kSingular * eigen.eigenvalues().maxCoeff())) return false;
+    if (!(eigen.eigenvalues().minCoeff() > kUndetermined * eigen.eigenvalues().maxCoeff())) return false;
     const Vector by = information.ldlt().solve(gradient);
     delays_ += by;
     for (std::size_t k = 0; k < epochs_.size(); ++k)
@@ -195,7 +195,7 @@ RangeBiases estimateRangeBiases(const std::vector<RadioEpoch>& epochs, double st
   Adjustment adjustment(std::move(started), sensors, landmarks, std_range);
   result.status = SolveStatus::degenerate;
   double change = 1;
-  for (int k = 0; k < kMostIterations && change > kSettled; ++k)
+  for (int k = 0; k < kMostIterations && change > kConverged; ++k)
     if (!adjustment.step(change)) return result;
   describeResiduals(adjustment, landmarks, result);
   const Vector &delays = adjustment.delays(), stds = adjustment.standardDeviations(result.scatter);

@@ -11,7 +11,6 @@ namespace mrpt_ext
 {
 namespace
 {
-const std::string kExperiment = "LocalizationExperiment";
 const std::string kMotion = "MotionModel";
 const std::string kFilter = "ParticleFilter";
 
@@ -28,10 +27,10 @@ MotionModel motionModel(const Settings& settings)
 PoseRegion poseRegion(const Settings& settings, const LandmarkTable& map)
 {
   const auto [low, high] = map.boundingBox();
-  const double margin = settings.number(kExperiment, "init_PDF_margin_m");
+  const double margin = settings.number(kExperimentSection, "init_PDF_margin_m");
   PoseRegion region;
   const auto bound = [&](const char* key, double fallback)
-  { return settings.optionalNumber(kExperiment, key).value_or(fallback); };
+  { return settings.optionalNumber(kExperimentSection, key).value_or(fallback); };
   region.low = {bound("init_PDF_min_x", low.x() - margin), bound("init_PDF_min_y", low.y() - margin)};
   region.high = {bound("init_PDF_max_x", high.x() + margin), bound("init_PDF_max_y", high.y() + margin)};
   for (const auto& [axis, min, max] :
@@ -40,8 +39,8 @@ PoseRegion poseRegion(const Settings& settings, const LandmarkTable& map)
     {
       const std::string key = std::string("init_PDF_max_") + axis;
       const std::string complaint = "expected a value above init_PDF_min_" + std::string(axis);
-      throw settings.isSet(kExperiment, key)
-          ? settings.errorAt(kExperiment, key, complaint)
+      throw settings.isSet(kExperimentSection, key)
+          ? settings.errorAt(kExperimentSection, key, complaint)
           : configurationError(settings.file().string() +
                                ": the box of possible positions is empty, set init_PDF_min_x ... "
                                "init_PDF_max_y or init_PDF_margin_m");
@@ -66,10 +65,11 @@ KldOptions kldOptions(const Settings& settings)
 GaussianPose knownStart(const Settings& settings)
 {
   GaussianPose start;
-  start.mean = {settings.number(kExperiment, "init_PDF_mean_x"), settings.number(kExperiment, "init_PDF_mean_y"),
-                wrap(settings.radians(kExperiment, "init_PDF_mean_phi_deg"))};
-  const double xy = settings.number(kExperiment, "init_PDF_std_xy");
-  const double phi = settings.radians(kExperiment, "init_PDF_std_phi_deg");
+  start.mean = {settings.number(kExperimentSection, "init_PDF_mean_x"),
+                settings.number(kExperimentSection, "init_PDF_mean_y"),
+                wrap(settings.radians(kExperimentSection, "init_PDF_mean_phi_deg"))};
+  const double xy = settings.number(kExperimentSection, "init_PDF_std_xy");
+  const double phi = settings.radians(kExperimentSection, "init_PDF_std_phi_deg");
   start.covariance.diagonal() << square(xy), square(xy), square(phi);
   return start;
 }
@@ -77,12 +77,12 @@ GaussianPose knownStart(const Settings& settings)
 ParticleFilterOptions filterOptions(const Settings& settings, const LandmarkTable& map, const ConvergenceLimits& limits)
 {
   ParticleFilterOptions options;
-  const bool counted = settings.hasValue(kExperiment, "particles_count");
-  options.particles = static_cast<std::size_t>(counted ? settings.integer(kExperiment, "particles_count")
+  const bool counted = settings.hasValue(kExperimentSection, "particles_count");
+  options.particles = static_cast<std::size_t>(counted ? settings.integer(kExperimentSection, "particles_count")
                                                        : settings.integer("PF_options", "sampleSize"));
-  options.initial_particles = static_cast<std::size_t>(settings.integer(kExperiment, "initial_particles_count"));
+  options.initial_particles = static_cast<std::size_t>(settings.integer(kExperimentSection, "initial_particles_count"));
   options.region = poseRegion(settings, map);
-  options.initial_mode = settings.choice(kExperiment, "init_PDF_mode", initialModes());
+  options.initial_mode = settings.choice(kExperimentSection, "init_PDF_mode", initialModes());
   options.initial_pose = knownStart(settings);
   options.motion = motionModel(settings);
   options.resampling = settings.choice("PF_options", "resamplingMethod", resamplingMethods());
@@ -109,7 +109,7 @@ ParticleFilterOptions filterOptions(const Settings& settings, const LandmarkTabl
 RunningFixOptions runningFixOptions(const Settings& settings, const ParticleFilterOptions& filter)
 {
   RunningFixOptions options;
-  options.heading_source = settings.choice(kExperiment, "heading_source", headingSources());
+  options.heading_source = settings.choice(kExperimentSection, "heading_source", headingSources());
   if (filter.initial_mode == InitialMode::gaussian)
     options.start_heading = HeadingPrior{filter.initial_pose.mean.phi, std::sqrt(filter.initial_pose.covariance(2, 2))};
   options.region = filter.region;
@@ -121,35 +121,35 @@ RunningFixOptions runningFixOptions(const Settings& settings, const ParticleFilt
 LocalizationConfig localizationConfig(const Settings& settings, const LandmarkTable& map)
 {
   LocalizationConfig config;
-  config.seed = static_cast<std::uint64_t>(settings.integer(kExperiment, "random_seed"));
-  config.repetitions = static_cast<int>(settings.integer(kExperiment, "experimentRepetitions"));
-  config.limits = {.within_m = settings.number(kExperiment, "converged_within_m"),
-                   .within_deg = settings.number(kExperiment, "converged_within_deg"),
-                   .max_convergence_s = settings.number(kExperiment, "max_convergence_s")};
+  config.seed = static_cast<std::uint64_t>(settings.integer(kExperimentSection, "random_seed"));
+  config.repetitions = static_cast<int>(settings.integer(kExperimentSection, "experimentRepetitions"));
+  config.limits = {.within_m = settings.number(kExperimentSection, "converged_within_m"),
+                   .within_deg = settings.number(kExperimentSection, "converged_within_deg"),
+                   .max_convergence_s = settings.number(kExperimentSection, "max_convergence_s")};
   config.biases = biasModel(settings);
   config.filter = filterOptions(settings, map, config.limits);
   config.filter.biases = config.biases;
   config.running_fix = runningFixOptions(settings, config.filter);
-  config.engine = settings.choice(kExperiment, "filter_engine", filterEngines());
+  config.engine = settings.choice(kExperimentSection, "filter_engine", filterEngines());
   config.mrpt_algorithm = settings.choice("PF_options", "PF_algorithm", mrptAlgorithms());
   if (config.engine == FilterEngine::batch && config.mrpt_algorithm != 0)
     throw settings.errorAt("PF_options", "PF_algorithm",
                            "needs filter_engine = mrpt, the batch engine has pfStandardProposal only");
-  config.frames = {.window = settings.number(kExperiment, "frame_window_s"),
-                   .independent = settings.flag(kExperiment, "independent_frames"),
+  config.frames = {.window = settings.number(kExperimentSection, "frame_window_s"),
+                   .independent = settings.flag(kExperimentSection, "independent_frames"),
                    .odometry = {.scale = settings.number(kMotion, "odometry_scale"),
                                 .rotation_scale = settings.number(kMotion, "odometry_rotation_scale"),
                                 .turn_per_m = settings.radians(kMotion, "odometry_turn_per_m_deg"),
                                 .delay = settings.number(kMotion, "odometry_delay_s")},
                    .sensors = sensorConfigs(settings)};
-  for (const std::string& category : settings.words(kExperiment, "objects"))
+  for (const std::string& category : settings.words(kExperimentSection, "objects"))
     config.frames.object_categories.insert(category);
-  config.join_window = settings.number(kExperiment, "join_window_s");
-  config.seed_window = settings.number(kExperiment, "seed_window_s");
-  config.methods = settings.words(kExperiment, "methods");
+  config.join_window = settings.number(kExperimentSection, "join_window_s");
+  config.seed_window = settings.number(kExperimentSection, "seed_window_s");
+  config.methods = settings.words(kExperimentSection, "methods");
   std::erase(config.methods, "all");
-  config.final_scene = settings.flag(kExperiment, "save_final_scene");
-  config.scene_every = static_cast<std::size_t>(settings.integer(kExperiment, "save_scene_every"));
+  config.final_scene = settings.flag(kExperimentSection, "save_final_scene");
+  config.scene_every = static_cast<std::size_t>(settings.integer(kExperimentSection, "save_scene_every"));
   return config;
 }
 }  // namespace mrpt_ext

@@ -14,6 +14,8 @@
 
 namespace mrpt_ext
 {
+inline const std::string kExperimentSection = "LocalizationExperiment";  ///< of the .ini file
+
 inline constexpr double kRegionMargin = 3;             ///< [m] around the landmarks: where the robot may be
 inline constexpr double kStartStdXy = 0.1;             ///< [m] of a known start
 inline constexpr double kStartStdPhi = degToRad(5.0);  ///< [rad]

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mrpt_ext/evaluation/odometry_alignment.h"
+#include "mrpt_ext/evaluation/rmse_interval.h"
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/geometry/quantile.h"
 #include "mrpt_ext/geometry/random.h"
@@ -13,8 +14,6 @@ namespace mrpt_ext
 namespace
 {
 constexpr std::size_t kMinBlocks = 5;
-constexpr std::size_t kBlockOfStamps = 10;
-constexpr int kResamples = 1000;
 
 const MethodScore* find(const RunScore& score, const std::string& name)
 {

@@ -9,9 +9,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr std::size_t kBlockOfStamps = 10;
 constexpr std::size_t kMinValues = 5;
-constexpr int kResamples = 1000;
 }  // namespace
 
 std::optional<ConfidenceInterval> rmseInterval(const std::vector<ErrorSample>& errors, double from)

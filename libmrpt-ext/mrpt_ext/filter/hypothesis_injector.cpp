@@ -12,7 +12,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kUniformShare = 0.3;
+constexpr double kInjectedUniformShare = 0.3;
 const Vector3d kSlipStd{0.3, 0.3, degToRad(25.0)};          // of odometry when wheels slip: x, y [m], phi [rad]
 constexpr double kMaxOdds = 10;                             // of a trajectory
 constexpr double kNearXy = 0.7, kNearPhi = degToRad(20.0);  // a trajectory estimates poses roughly
@@ -45,7 +45,7 @@ void HypothesisInjector::inject(ParticleSet& particles, HypothesisSet proposed, 
                                 double prior, RandomStream& random) const
 {
   proposed.insert(proposed.end(), slipped.begin(), slipped.end());
-  const ProposalDistribution proposal = proposalAround(proposed, region_, kUniformShare);
+  const ProposalDistribution proposal = proposalAround(proposed, region_, kInjectedUniformShare);
   const ProposalDistribution slips(slipped, region_, 0, 1, Vector3d::Zero());
   const double slip_share = slipped.empty() ? 0 : options_.slip_share;
   scaleWeights(particles, prior);

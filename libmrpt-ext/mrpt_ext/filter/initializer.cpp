@@ -13,7 +13,7 @@ namespace
 {
 constexpr double kUniformShare = 0.3, kUniformShareRefined = 0.1;
 constexpr int kRefinements = 2, kMaxRefinements = 12;  // draws from the modes of the sample before
-constexpr double kMinEffective = 40;                   // samples, to draw the next ones from
+constexpr double kMinEffectiveSamples = 40;            // samples, to draw the next ones from
 constexpr int kHalvings = 14;                          // of the interval of the exponent
 constexpr double kMinExponent = 1e-4;
 
@@ -70,7 +70,7 @@ double Initializer::draw(Initialization& start, const HypothesisSet& hypotheses,
   if (options_.initial_mode != InitialMode::analytic) return 1;
   const std::vector<float>& prior = start.samples.log_weight;
   std::vector<float>& weight = start.particles.log_weight;
-  const double exponent = annealingExponent(prior, weight, kMinEffective);
+  const double exponent = annealingExponent(prior, weight, kMinEffectiveSamples);
   if (exponent < 1)
     for (std::size_t i = 0; i < count; ++i)
       weight[i] = prior[i] + static_cast<float>(exponent) * (weight[i] - prior[i]);

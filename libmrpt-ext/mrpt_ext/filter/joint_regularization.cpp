@@ -7,14 +7,14 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kGate = 4;  // standard deviations that the particles of a mode are within
-constexpr int kNone = -1;
+constexpr int kNoMode = -1;
 
 /// The nearest mode of each particle, if it is within the gate.
 std::vector<int> nearestModes(const ParticleSet& particles, const std::vector<Mode>& modes)
 {
   std::vector<PoseGate> gates;
   for (const Mode& mode : modes) gates.emplace_back(KalmanState{mode.pose.mean.vector(), mode.pose.covariance}, kGate);
-  std::vector<int> nearest(particles.size(), kNone);
+  std::vector<int> nearest(particles.size(), kNoMode);
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
     double least = kGate * kGate;

@@ -5,23 +5,24 @@
 #include <limits>
 
 #include "mrpt_ext/filter/kalman/distinct_hypotheses.h"
+#include "mrpt_ext/geometry/log_probability.h"
 #include "mrpt_ext/geometry/mahalanobis.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr int kNone = -1;
+constexpr int kNoComponent = -1;
 constexpr double kLogZero = -std::numeric_limits<double>::infinity();
-constexpr double kGate = 5;           // standard deviations that the particles of a component are within
-constexpr double kSameMode = 3;       // likewise for the mean of a mode
-constexpr double kDuplicate = 1;      // likewise for another component
-constexpr double kMinWeight = 0.005;  // of a mode that gets a component
+constexpr double kGate = 5;               // standard deviations that the particles of a component are within
+constexpr double kSameModeGate = 3;       // likewise for the mean of a mode
+constexpr double kDuplicate = 1;          // likewise for another component
+constexpr double kMinModeWeight = 0.005;  // of a mode that gets a component
 constexpr std::size_t kMaxComponents = 30;
-constexpr double kMaxStdXy = 0.5, kMaxStdPhi = degToRad(20.0);  // of a compact mode
-constexpr double kMaxUnsupported = 60;                          // [s] without particles
-constexpr double kMinLogWeight = -25;                           // of a mode without particles
-constexpr double kDetachedLogWeight = -7;                       // that it starts with at most
+constexpr double kCompactStdXy = 0.5, kCompactStdPhi = degToRad(20.0);  // of a compact mode
+constexpr double kMaxUnsupported = 60;                                  // [s] without particles
+constexpr double kMinLogWeight = -25;                                   // of a mode without particles
+constexpr double kDetachedLogWeight = -7;                               // that it starts with at most
 constexpr double kRespawnWeight = 0.05;
 // Residuals of the log weight within kSlack + kSigmas standard deviations are chance: many, because the sampling error
 // of one frame influences the next ones. And the share that is remembered in the next frame.
@@ -30,19 +31,13 @@ constexpr double kSigmas = 6, kSlack = 1, kMemory = 0.98;
 bool isCompact(const Mode& mode)
 {
   const Matrix3d& C = mode.pose.covariance;
-  return C(0, 0) + C(1, 1) < square(kMaxStdXy) && C(2, 2) < square(kMaxStdPhi);
+  return C(0, 0) + C(1, 1) < square(kCompactStdXy) && C(2, 2) < square(kCompactStdPhi);
 }
 
 /// True within so many standard deviations, by the uncertainty of both.
 bool isSame(const GaussianPose& a, const GaussianPose& b, double sigmas)
 {
   return mahalanobis2(a.mean, b.mean, a.covariance + b.covariance + 1e-9 * Matrix3d::Identity()) < square(sigmas);
-}
-
-double logSum(double a, double b)
-{
-  const double top = std::max(a, b);
-  return std::isinf(top) ? top : top + std::log(std::exp(a - top) + std::exp(b - top));
 }
 
 /// Weighted particles of one component, weights relative to the heaviest of all.
@@ -91,7 +86,7 @@ void ModeMixture::assignParticles(const ParticleSet& predicted)
 {
   std::vector<PoseGate> gates;
   for (const MixtureComponent& component : components_) gates.emplace_back(component.state, kGate);
-  component_of_.assign(predicted.size(), kNone);
+  component_of_.assign(predicted.size(), kNoComponent);
   prior_mass_.assign(components_.size(), 0.0);
   for (std::size_t i = 0; i < predicted.size(); ++i)
   {
@@ -104,7 +99,7 @@ void ModeMixture::assignParticles(const ParticleSet& predicted)
       nearest = distance2;
       component_of_[i] = static_cast<int>(k);
     }
-    if (component_of_[i] == kNone) continue;
+    if (component_of_[i] == kNoComponent) continue;
     prior_mass_[static_cast<std::size_t>(component_of_[i])] += std::exp(double{predicted.log_weight[i]});
   }
 }
@@ -119,7 +114,7 @@ void ModeMixture::reweight(ParticleSet& particles)
   {
     const double w = std::exp(double{particles.log_weight[i]} - top);
     sum += w;
-    if (component_of_[i] != kNone) masses[static_cast<std::size_t>(component_of_[i])].add(w);
+    if (component_of_[i] != kNoComponent) masses[static_cast<std::size_t>(component_of_[i])].add(w);
   }
 
   // Log weights by the Kalman filters, and by the particles; the difference of the sums is common to all components.
@@ -143,7 +138,7 @@ void ModeMixture::reweight(ParticleSet& particles)
   }
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    if (component_of_[i] == kNone) continue;
+    if (component_of_[i] == kNoComponent) continue;
     const auto k = static_cast<std::size_t>(component_of_[i]);
     if (is_supported(k))
       particles.log_weight[i] += static_cast<float>(log_weight[k] + log_particle_sum - total - masses[k].logSum());
@@ -181,16 +176,16 @@ bool ModeMixture::respawn(ParticleSet& particles, std::size_t count, RandomStrea
 void ModeMixture::associate(const ModeSet& modes, const ParticleSet& particles)
 {
   const auto compact = std::count_if(modes.modes.begin(), modes.modes.end(),
-                                     [](const Mode& mode) { return mode.weight > kMinWeight && isCompact(mode); });
+                                     [](const Mode& mode) { return mode.weight > kMinModeWeight && isCompact(mode); });
   if (components_.empty() && compact < 2) return;
   std::vector<bool> associated(components_.size(), false);
   for (std::size_t m = 0; m < modes.modes.size(); ++m)
   {
     const Mode& mode = modes.modes[m];
-    if (mode.weight < kMinWeight) break;
+    if (mode.weight < kMinModeWeight) break;
     const auto known = std::find_if(components_.begin(), components_.end(),
                                     [&](const MixtureComponent& component)
-                                    { return isSame(component.state.gaussianPose(), mode.pose, kSameMode); });
+                                    { return isSame(component.state.gaussianPose(), mode.pose, kSameModeGate); });
     if (known == components_.end())
     {
       if (isCompact(mode)) add(modes, m, particles);

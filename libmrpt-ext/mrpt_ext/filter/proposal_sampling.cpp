@@ -11,7 +11,7 @@ namespace
 {
 constexpr double kInflation = 2.0;                     // a proposal is wider than the posterior it proposes for
 const Vector3d kMinStd{0.002, 0.002, degToRad(0.02)};  // of a proposal
-constexpr double kMinWeight = 1e-4;
+constexpr double kMinProposalWeight = 1e-4;
 constexpr std::size_t kMaxModes = 500;
 }  // namespace
 
@@ -52,7 +52,7 @@ HypothesisSet hypothesesFrom(const ModeSet& modes)
   HypothesisSet hypotheses;
   for (const Mode& mode : modes.modes)
   {
-    if (mode.weight < kMinWeight || hypotheses.size() == kMaxModes) break;
+    if (mode.weight < kMinProposalWeight || hypotheses.size() == kMaxModes) break;
     hypotheses.push_back(
         {.pose = mode.pose, .log_score = std::log(mode.weight), .weight = mode.weight, .source = "particles"});
   }

@@ -10,7 +10,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kMinWeight = 0.01;                             // lighter modes are not worth it
+constexpr double kMinRegularizedWeight = 0.01;                  // lighter modes are not worth it
 constexpr double kMaxStdXy = 0.5, kMaxStdPhi = degToRad(20.0);  // wider modes have enough distinct poses
 
 /// Modes narrow enough to be regularized whose covariance is not singular: else there is no spread to preserve.
@@ -21,7 +21,7 @@ std::vector<Mode> compactModes(const ModeSet& modes)
   {
     const Matrix3d& C = mode.pose.covariance;
     const bool narrow = C(0, 0) + C(1, 1) < square(kMaxStdXy) && C(2, 2) < square(kMaxStdPhi);
-    if (mode.weight >= kMinWeight && narrow && Eigen::LLT<Matrix3d>(C).info() == Eigen::Success)
+    if (mode.weight >= kMinRegularizedWeight && narrow && Eigen::LLT<Matrix3d>(C).info() == Eigen::Success)
       compact.push_back(mode);
   }
   return compact;

@@ -17,10 +17,10 @@ namespace
 // (2.4 / sqrt(5): Roberts, Gelman, Gilks, Ann. Appl. Probab. 7(1), 1997), the smaller ones are for rings,
 // the larger one lets a mode of few ancestors grow.
 constexpr std::array<double, 4> kStepShares{3.0, 1.0, 0.3, 0.1};
-constexpr double kMaxStdPhi = degToRad(40.0);  // wider: any heading, uncorrelated with the rest
-constexpr double kMinVariance = 1e-8;          // so that a mode of copies is moved at all
-constexpr double kRotationShare = 0.3;         // of the steps
-constexpr std::size_t kMaxWalkingModes = 40;   // the heaviest ones; the others only rotate
+constexpr double kAnyHeadingStdPhi = degToRad(40.0);  // wider: any heading, uncorrelated with the rest
+constexpr double kMinVariance = 1e-8;                 // so that a mode of copies is moved at all
+constexpr double kRotationShare = 0.3;                // of the steps
+constexpr std::size_t kMaxWalkingModes = 40;          // the heaviest ones; the others only rotate
 constexpr int kMinSweeps = 2, kMaxSweeps = 40;
 constexpr double kMinGrowth = 0.1;  // of the logarithm of a mode's volume
 
@@ -58,11 +58,11 @@ StepShape shapeOf(const ModeSums& mode)
 {
   const KalmanVector mean = mode.sum / mode.weight;
   KalmanMatrix C = mode.squares / mode.weight - mean * mean.transpose();
-  if (C(2, 2) > square(kMaxStdPhi))
+  if (C(2, 2) > square(kAnyHeadingStdPhi))
   {
     C.row(2).setZero();
     C.col(2).setZero();
-    C(2, 2) = square(kMaxStdPhi);
+    C(2, 2) = square(kAnyHeadingStdPhi);
   }
   C.diagonal().array() += kMinVariance;
   StepShape shape{C.llt().matrixL(), 0};

@@ -8,7 +8,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kMinEffective = 4;  // particles
+constexpr double kMinEffectiveParticles = 4;  // particles
 }  // namespace
 
 double SamplingError::remainder(const Matrix3d& before, const Matrix3d& predicted, const Matrix3d& after)
@@ -23,10 +23,10 @@ double SamplingError::remainder(const Matrix3d& before, const Matrix3d& predicte
 void SamplingError::correct(ModeSet& modes, double effective, double remainder)
 {
   const double earlier = variance_ * remainder;
-  variance_ = earlier + 1 / std::max(kMinEffective, effective);
+  variance_ = earlier + 1 / std::max(kMinEffectiveParticles, effective);
   for (Mode& mode : modes.modes)
   {
-    const double n = std::max(kMinEffective, mode.weight * effective);
+    const double n = std::max(kMinEffectiveParticles, mode.weight * effective);
     mode.pose.covariance *= (n + 1) / (n - 1);
   }
   if (!modes.modes.empty()) modes.modes.front().pose.covariance *= 1 + earlier;

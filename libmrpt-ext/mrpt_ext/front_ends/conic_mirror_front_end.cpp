@@ -2,13 +2,13 @@
 
 #include <cmath>
 
+#include "mrpt_ext/front_ends/images_keys.h"
 #include "mrpt_ext/geometry/input_error.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr const char* kSection = "ConicMirror";
 
 /// All four numbers or none: without them the mirror's axis is taken for the camera's.
 std::optional<MirrorAxis> axisFrom(const CameraNumbers& numbers)
@@ -24,8 +24,8 @@ std::optional<MirrorAxis> axisFrom(const CameraNumbers& numbers)
 
 ConicMirrorSettings readModel(const Settings& settings, const CameraFile& camera)
 {
-  const CameraNumbers of_camera(settings, kSection, camera);
-  const auto number = [&](const char* key) { return settings.number(kSection, key); };
+  const CameraNumbers of_camera(settings, kConicMirrorSection, camera);
+  const auto number = [&](const char* key) { return settings.number(kConicMirrorSection, key); };
   ConicMirrorSettings model;
   model.image_size = {static_cast<int>(of_camera.optional("image_width", "width").value_or(0)),
                       static_cast<int>(of_camera.optional("image_height", "height").value_or(0))};
@@ -33,26 +33,28 @@ ConicMirrorSettings readModel(const Settings& settings, const CameraFile& camera
   model.axis = axisFrom(of_camera);
   model.outline = {number("rim_radius_min"), number("rim_radius_max"),    number("rim_aspect_min"),
                    number("rim_aspect_max"), number("rim_visible_share"), number("rim_contrast")};
-  model.grid = {static_cast<int>(settings.integer(kSection, "azimuths")),
-                static_cast<int>(settings.integer(kSection, "radii")), number("ring_inner"), number("ring_outer")};
+  model.grid = {static_cast<int>(settings.integer(kConicMirrorSection, "azimuths")),
+                static_cast<int>(settings.integer(kConicMirrorSection, "radii")), number("ring_inner"),
+                number("ring_outer")};
   if (!(model.grid.inner < model.grid.outer))
-    throw settings.errorAt(kSection, "ring_inner", "expected less than ring_outer");
-  model.edges.smoothing = settings.radians(kSection, "edge_smoothing_deg");
+    throw settings.errorAt(kConicMirrorSection, "ring_inner", "expected less than ring_outer");
+  model.edges.smoothing = settings.radians(kConicMirrorSection, "edge_smoothing_deg");
   model.edges.min_length = number("edge_length");
   model.edges.min_significance = number("edge_significance");
   model.edges.min_contrast = number("edge_contrast");
-  model.edges.max_width = settings.radians(kSection, "edge_width_deg");
+  model.edges.max_width = settings.radians(kConicMirrorSection, "edge_width_deg");
   model.edges.blur = number("edge_blur_px");
   model.edges.min_prominence = number("edge_prominence");
-  model.edges.std_floor = settings.radians(kSection, "std_floor_deg");
+  model.edges.std_floor = settings.radians(kConicMirrorSection, "std_floor_deg");
   return model;
 }
 }  // namespace
 
 ConicMirrorFrontEnd::ConicMirrorFrontEnd(const Settings& settings, const CameraFile& camera)
     : model_(readModel(settings, camera)),
-      T_robot_sensor_{settings.number(kSection, "sensor_x_m"), settings.number(kSection, "sensor_y_m"), 0},
-      label_(settings.text(kSection, "sensor_label"))
+      T_robot_sensor_{settings.number(kConicMirrorSection, "sensor_x_m"),
+                      settings.number(kConicMirrorSection, "sensor_y_m"), 0},
+      label_(settings.text(kConicMirrorSection, "sensor_label"))
 {
 }
 

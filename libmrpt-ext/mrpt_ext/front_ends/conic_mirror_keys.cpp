@@ -6,7 +6,7 @@ namespace mrpt_ext
 KeyTable conicMirrorKeys()
 {
   constexpr ValueRange kShare{0.01, 1}, kAspect{0.5, 2}, kRadius{0.05, 2};
-  return KeySection("ConicMirror")
+  return KeySection(kConicMirrorSection)
       .text("sensor_label", "", "omni", "Label of the observations.")
       .integer("image_width", "px", kUnset, {64, 20000}, "Not set: width of camera.json; neither: any.")
       .integer("image_height", "px", kUnset, {64, 20000}, "Not set: height of camera.json; neither: any.")

@@ -4,6 +4,10 @@
 
 namespace mrpt_ext
 {
+inline constexpr const char* kConicMirrorSection = "ConicMirror";
+inline constexpr const char* kMovisSection = "Movis";
+inline constexpr const char* kStereoGoalSection = "StereoGoal";
+
 /// The keys of images2rawlog's .ini files.
 [[nodiscard]] KeyTable imagesKeys();
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mrpt_ext/files/number_format.h"
+#include "mrpt_ext/front_ends/images_keys.h"
 #include "mrpt_ext/front_ends/movis_settings.h"
 #include "mrpt_ext/solvers/camera_yaw_calibration.h"
 #include "mrpt_ext/solvers/movis_frame.h"
@@ -12,16 +13,15 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr const char* kSection = "Movis";
 constexpr std::array kLabels{"M1", "M2", "M3"};
 
 std::vector<int> wholeNumbers(const Settings& settings, const char* key)
 {
   std::vector<int> result;
-  if (!settings.hasValue(kSection, key)) return result;
-  for (const double number : settings.numbers(kSection, key))
+  if (!settings.hasValue(kMovisSection, key)) return result;
+  for (const double number : settings.numbers(kMovisSection, key))
   {
-    if (number != std::floor(number)) throw settings.errorAt(kSection, key, "expected whole numbers");
+    if (number != std::floor(number)) throw settings.errorAt(kMovisSection, key, "expected whole numbers");
     result.push_back(static_cast<int>(number));
   }
   return result;
@@ -39,7 +39,7 @@ MovisFrontEnd::MovisFrontEnd(const Settings& settings, const CameraFile& camera)
     : pole_ids_(wholeNumbers(settings, "pole_ids")), calibration_frames_(wholeNumbers(settings, "calibration_frame"))
 {
   if (pole_ids_.size() != 2 || pole_ids_[0] == pole_ids_[1] || std::min(pole_ids_[0], pole_ids_[1]) < 0)
-    throw settings.errorAt(kSection, "pole_ids", "expected two different ids, of p and of q");
+    throw settings.errorAt(kMovisSection, "pole_ids", "expected two different ids, of p and of q");
   const MovisSettings movis = movisSettings(settings, camera);
   field_ = movis.field;
   pole_height_ = movis.cameras[0].sizes.pole_height;

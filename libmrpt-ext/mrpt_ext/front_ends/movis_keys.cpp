@@ -7,9 +7,9 @@ namespace
 {
 constexpr ValueRange kShare{0.001, 1}, kSize{1e-4, 1000}, kLength{1e-3, 100}, kAngle{-360, 360};
 
-KeyTable cameraKeys()
+KeyTable movisCameraKeys()
 {
-  return KeySection("Movis")
+  return KeySection(kMovisSection)
       .integer("image_width", "px", kUnset, {64, 20000}, "Not set: width of camera.json; neither: any.")
       .integer("image_height", "px", kUnset, {64, 20000}, "Not set: height of camera.json; neither: any.")
       .number("mount_radius_m", "m", kUnset, kLength,
@@ -37,7 +37,7 @@ KeyTable cameraKeys()
 
 KeyTable fieldKeys()
 {
-  return KeySection("Movis")
+  return KeySection(kMovisSection)
       .number("field_half_width_m", "m", kUnset, kLength, "Poles p and q are at -x and x. Not set: Fw of camera.json.")
       .number("field_depth_m", "m", kUnset, {-100, 100}, "y of the poles. Not set: Fd of camera.json.")
       .number("pole_radius_m", "m", kUnset, kLength, "Not set: pole_radius of camera.json.")
@@ -49,7 +49,7 @@ KeyTable fieldKeys()
 
 KeyTable colourKeys()
 {
-  return KeySection("Movis")
+  return KeySection(kMovisSection)
       .numbers("orange_hue_deg", "deg", {-10, 33}, kAngle,
                "Hues of the ball, in linear light after white balance; red is 0, green 120, blue 240.")
       .numbers("yellow_hue_deg", "deg", {33, 80}, kAngle, "Hues of the yellow bands.")
@@ -63,7 +63,7 @@ KeyTable colourKeys()
 
 KeyTable searchKeys()
 {
-  return KeySection("Movis")
+  return KeySection(kMovisSection)
       .integer("columns", "", 900, {180, 20000}, "Columns of the panorama in which colours are sought.")
       .number("lowest_slope", "", -1.5, {-20, -0.05}, "Tangent of the elevation where the panorama ends.")
       .number("min_distance_m", "m", 0.3, kLength, "Nearest object.")
@@ -78,5 +78,5 @@ KeyTable searchKeys()
 }
 }  // namespace
 
-KeyTable movisKeys() { return cameraKeys().append(fieldKeys()).append(colourKeys()).append(searchKeys()); }
+KeyTable movisKeys() { return movisCameraKeys().append(fieldKeys()).append(colourKeys()).append(searchKeys()); }
 }  // namespace mrpt_ext

@@ -2,25 +2,25 @@
 
 #include <cmath>
 
+#include "mrpt_ext/front_ends/images_keys.h"
 #include "mrpt_ext/geometry/input_error.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr const char* kSection = "Movis";
 constexpr double kHolderShare = 1.1;  ///< radius of a mirror's holder over that of its rim, when it is not configured
 
 class Reader
 {
  public:
   Reader(const Settings& settings, const CameraFile& camera)
-      : settings_(settings), file_(camera), of_camera_(settings, kSection, camera)
+      : settings_(settings), file_(camera), of_camera_(settings, kMovisSection, camera)
   {
   }
 
-  [[nodiscard]] double number(const char* key) const { return settings_.number(kSection, key); }
-  [[nodiscard]] int whole(const char* key) const { return static_cast<int>(settings_.integer(kSection, key)); }
+  [[nodiscard]] double number(const char* key) const { return settings_.number(kMovisSection, key); }
+  [[nodiscard]] int whole(const char* key) const { return static_cast<int>(settings_.integer(kMovisSection, key)); }
   [[nodiscard]] const CameraNumbers& ofCamera() const { return of_camera_; }
   [[nodiscard]] int pixels(const char* key, const char* name) const
   {
@@ -28,26 +28,26 @@ class Reader
   }
   [[nodiscard]] std::vector<double> centres() const
   {
-    const bool own = settings_.hasValue(kSection, "centres");
-    const auto all = own ? settings_.numbers(kSection, "centres") : file_.centres();
+    const bool own = settings_.hasValue(kMovisSection, "centres");
+    const auto all = own ? settings_.numbers(kMovisSection, "centres") : file_.centres();
     if (!all) throw of_camera_.missing("centres", "centers");
     if (all->size() == 6) return *all;
-    if (own) throw settings_.errorAt(kSection, "centres", "expected cx cy of M1, M2 and M3");
+    if (own) throw settings_.errorAt(kMovisSection, "centres", "expected cx cy of M1, M2 and M3");
     throw dataError("camera.json: centers: expected [cx, cy] of three cameras");
   }
   [[nodiscard]] std::vector<double> several(const char* key, std::size_t count, const char* expected) const
   {
-    auto values = settings_.numbers(kSection, key);
-    if (values.size() != count) throw settings_.errorAt(kSection, key, std::string("expected ") + expected);
+    auto values = settings_.numbers(kMovisSection, key);
+    if (values.size() != count) throw settings_.errorAt(kMovisSection, key, std::string("expected ") + expected);
     return values;
   }
   [[nodiscard]] HueSector hues(const char* key) const
   {
     const auto ends = several(key, 2, "the first and the last hue");
-    if (!(ends[0] < ends[1])) throw settings_.errorAt(kSection, key, "expected the smaller hue first");
+    if (!(ends[0] < ends[1])) throw settings_.errorAt(kMovisSection, key, "expected the smaller hue first");
     return {degToRad(ends[0]), degToRad(ends[1])};
   }
-  [[nodiscard]] bool has(const char* key) const { return settings_.hasValue(kSection, key); }
+  [[nodiscard]] bool has(const char* key) const { return settings_.hasValue(kMovisSection, key); }
 
  private:
   const Settings& settings_;
@@ -118,7 +118,7 @@ MovisSettings movisSettings(const Settings& settings, const CameraFile& camera)
   const auto centres = read.centres();
   OmniCameraSettings common = readCamera(read);
   const double holder =
-      settings.optionalNumber(kSection, "holder_radius_m").value_or(kHolderShare * common.mirror.rim_radius);
+      settings.optionalNumber(kMovisSection, "holder_radius_m").value_or(kHolderShare * common.mirror.rim_radius);
   common.blocked = neighbours(holder, result.mount_radius);
   for (std::size_t i = 0; i < 3; ++i)
   {

@@ -2,17 +2,17 @@
 
 #include <cmath>
 
+#include "mrpt_ext/front_ends/images_keys.h"
 #include "mrpt_ext/geometry/input_error.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr const char* kSection = "StereoGoal";
 
 StereoCamera readCameraModel(const Settings& settings, const CameraFile& camera)
 {
-  const CameraNumbers numbers(settings, kSection, camera);
+  const CameraNumbers numbers(settings, kStereoGoalSection, camera);
   const auto number = [&](const char* key, const char* name) { return numbers.required(key, name); };
   StereoCamera model;
   model.size = {static_cast<int>(number("image_width", "width")), static_cast<int>(number("image_height", "height"))};
@@ -23,33 +23,33 @@ StereoCamera readCameraModel(const Settings& settings, const CameraFile& camera)
   model.pitch = degToRad(number("pitch_deg", "pitch_deg"));
   for (const double size : {model.fx, model.fy, model.baseline, model.height})
     if (!(size > 0)) throw dataError("camera.json: expected fx, fy, baseline and height_m above 0");
-  model.whole_pixels = settings.choice(kSection, "disparity") == "whole_pixels";
+  model.whole_pixels = settings.choice(kStereoGoalSection, "disparity") == "whole_pixels";
   return model;
 }
 
 GoalColour readColour(const Settings& settings, const std::string& name)
 {
   const auto share = [&](const char* channel)
-  { return static_cast<float>(settings.number(kSection, name + "_" + channel)); };
+  { return static_cast<float>(settings.number(kStereoGoalSection, name + "_" + channel)); };
   return GoalColour({share("blue"), share("green"), share("red")});
 }
 
 StereoGoalSettings readModel(const Settings& settings, const CameraFile& camera)
 {
-  const auto number = [&](const char* key) { return settings.number(kSection, key); };
+  const auto number = [&](const char* key) { return settings.number(kStereoGoalSection, key); };
   StereoGoalSettings model;
   model.camera = readCameraModel(settings, camera);
-  const std::string features = settings.choice(kSection, "features");
+  const std::string features = settings.choice(kStereoGoalSection, "features");
   model.with_corners = features != "lines", model.with_lines = features != "corners";
   GoalCornerSettings& corners = model.corners;
   corners.colours = {readColour(settings, "yellow"), readColour(settings, "blue")};
-  corners.scan_step = static_cast<int>(settings.integer(kSection, "scan_step"));
+  corners.scan_step = static_cast<int>(settings.integer(kStereoGoalSection, "scan_step"));
   corners.goal_height = number("goal_height_m"), corners.height_tolerance = number("goal_height_tolerance");
   corners.goal_depth = number("goal_depth_m");
   corners.min_range = number("min_range_m"), corners.max_range = number("max_range_m");
   if (!(corners.min_range < corners.max_range))
-    throw settings.errorAt(kSection, "min_range_m", "expected less than max_range_m");
-  corners.min_rows = static_cast<int>(settings.integer(kSection, "min_rows"));
+    throw settings.errorAt(kStereoGoalSection, "min_range_m", "expected less than max_range_m");
+  corners.min_rows = static_cast<int>(settings.integer(kStereoGoalSection, "min_rows"));
   corners.std_column = number("std_column_px"), corners.std_disparity = number("std_disparity_px");
   model.markings = {number("line_width_m"),      number("line_max_range_m"), number("line_contrast"),
                     number("line_significance"), number("wall_contrast"),    number("wall_height_m"),
@@ -78,15 +78,15 @@ Detection detectionOf(const StereoMeasurement& measured)
 
 StereoGoalFrontEnd::StereoGoalFrontEnd(const Settings& settings, const CameraFile& camera)
     : model_(readModel(settings, camera)),
-      T_robot_sensor_{CameraNumbers(settings, kSection, camera).required("sensor_x_m", "forward"),
-                      CameraNumbers(settings, kSection, camera)
+      T_robot_sensor_{CameraNumbers(settings, kStereoGoalSection, camera).required("sensor_x_m", "forward"),
+                      CameraNumbers(settings, kStereoGoalSection, camera)
                           .optional("sensor_y_m", "left")
                           .value_or(0.5 * model_.camera.baseline),
                       0},
-      label_(settings.text(kSection, "sensor_label")),
-      line_label_(settings.text(kSection, "line_label"))
+      label_(settings.text(kStereoGoalSection, "sensor_label")),
+      line_label_(settings.text(kStereoGoalSection, "line_label"))
 {
-  const auto id = [&](const char* key) { return static_cast<int>(settings.integer(kSection, key)); };
+  const auto id = [&](const char* key) { return static_cast<int>(settings.integer(kStereoGoalSection, key)); };
   names_ = {{{"yellow_l", id("yellow_l_id")},
              {"yellow_r", id("yellow_r_id")},
              {"blue_l", id("blue_l_id")},

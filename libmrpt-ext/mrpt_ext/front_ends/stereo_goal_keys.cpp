@@ -5,12 +5,11 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr const char* kSection = "StereoGoal";
 
 KeyTable cameraKeys()
 {
   constexpr ValueRange kLength{1e-4, 100}, kPixels{1, 1e5};
-  return KeySection(kSection)
+  return KeySection(kStereoGoalSection)
       .integer("image_width", "px", kUnset, {64, 20000}, "Not set: width of camera.json.")
       .integer("image_height", "px", kUnset, {64, 20000}, "Not set: height of camera.json.")
       .number("focal_u_px", "px", kUnset, kPixels, "Not set: fx of camera.json.")
@@ -30,7 +29,7 @@ KeyTable cameraKeys()
 KeyTable goalKeys()
 {
   constexpr ValueRange kShare{0.01, 1.3}, kId{0, 1e6};
-  return KeySection(kSection)
+  return KeySection(kStereoGoalSection)
       .integer("scan_step", "px", 4, {1, 16}, "Every such pixel of every such row is examined; 1 is a full scan.")
       .number("goal_height_m", "m", 0.05, {0.001, 10}, "What is not as high where it stands is no goal.")
       .number("goal_depth_m", "m", 0.15, {0, 10}, "From the goal line to the goal's back.")
@@ -56,7 +55,7 @@ KeyTable goalKeys()
 
 KeyTable lineKeys()
 {
-  return KeySection(kSection)
+  return KeySection(kStereoGoalSection)
       .number("line_width_m", "m", 0.003, {1e-4, 1}, "Of the field's markings.")
       .number("line_max_range_m", "m", 0.7, {0.05, 100}, "Farthest markings; beyond it they are too thin.")
       .number("line_contrast", "", 0.15, {0.01, 1}, "Markings against the floor, share of the image's white.")
@@ -72,7 +71,7 @@ KeyTable lineKeys()
 KeyTable stereoGoalKeys()
 {
   KeyTable table =
-      KeySection(kSection)
+      KeySection(kStereoGoalSection)
           .text("sensor_label", "", "stereo", "Label of the goal corners' observations.")
           .text("line_label", "", "stereo_lines", "Label of the line landmarks' observations.")
           .choice("features", "both",

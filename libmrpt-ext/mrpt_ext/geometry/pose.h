@@ -37,6 +37,12 @@ struct Pose2
   return {T_a_b.x + c * T_b_c.x - s * T_b_c.y, T_a_b.y + s * T_b_c.x + c * T_b_c.y, wrap(T_a_b.phi + T_b_c.phi)};
 }
 
+/// `step` (x, y, phi) added to the components of `pose`, the heading wrapped.
+[[nodiscard]] inline Pose2 added(const Pose2& pose, const Vector3d& step)
+{
+  return {pose.x + step.x(), pose.y + step.y(), wrap(pose.phi + step.z())};
+}
+
 /// T_b_a from T_a_b.
 [[nodiscard]] inline Pose2 inverse(const Pose2& T_a_b)
 {

@@ -1,6 +1,7 @@
 #include "mrpt_ext/geometry/quantile.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mrpt_ext
 {
@@ -20,11 +21,4 @@ std::optional<double> quantile(std::vector<double> sample, double probability)
 }
 
 std::optional<double> median(std::vector<double> sample) { return quantile(std::move(sample), 0.5); }
-
-double upperMedian(std::vector<double> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 }  // namespace mrpt_ext

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -17,5 +19,15 @@ namespace mrpt_ext
 
 /// The middle value, of an even number the upper one of the two in the middle: always one of the values, found in
 /// linear time. There must be one.
-[[nodiscard]] double upperMedian(std::vector<double> values);
+template <typename Value = double>
+[[nodiscard]] Value upperMedian(std::vector<Value> values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Median of the absolute values of a standard normal variable: a median absolute deviation divided by it estimates the
+/// standard deviation.
+constexpr double kNormalMedianDeviation = 0.6745;
 }  // namespace mrpt_ext

@@ -11,7 +11,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kGate = 4;             // standard deviations
+constexpr double kOutlierGate = 4;      // standard deviations
 constexpr std::size_t kMaxPairs = 200;  // of landmarks, evenly sampled
 
 /// A landmark of the map and its candidate positions in the robot frame.
@@ -37,7 +37,7 @@ void addPair(const Located& a, const Located& b, HypothesisSet& result)
     {
       const std::array seen{SeenLandmark{a.landmark, at_a.in_robot}, SeenLandmark{b.landmark, at_b.in_robot}};
       const PointPose fit = solvePointPose(seen);
-      if (fit.status == SolveStatus::ok && fit.chi2 <= square(kGate))
+      if (fit.status == SolveStatus::ok && fit.chi2 <= square(kOutlierGate))
         result.push_back({.pose = fit.pose, .source = "window_landmarks"});
     }
 }
@@ -65,7 +65,7 @@ std::vector<WindowMeasurements> inliers(std::vector<WindowMeasurements> readings
                   {
                     const JacobianRow row = jacobian(m, pose) * composeJacobianSecond(pose);
                     const double variance = square(m.std) + row * reading.odometry_covariance * row.transpose();
-                    return square(residual(m, pose)) > square(kGate) * variance;
+                    return square(residual(m, pose)) > square(kOutlierGate) * variance;
                   });
   return readings;
 }

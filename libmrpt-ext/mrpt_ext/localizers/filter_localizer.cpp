@@ -6,7 +6,6 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kMinReportedWeight = 0.002;
 constexpr std::size_t kMaxReportedModes = 20;
 }  // namespace
 

@@ -9,7 +9,6 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kMinReportedWeight = 0.002;
 constexpr double kEqual = 0.99;  // share of the best weight, from which on two hypotheses cannot be ranked
 }  // namespace
 

@@ -10,6 +10,8 @@
 
 namespace mrpt_ext
 {
+inline constexpr double kMinReportedWeight = 0.002;  ///< of a mode among the candidates of a filter
+
 /// Output of a method after one frame.
 struct Estimate
 {

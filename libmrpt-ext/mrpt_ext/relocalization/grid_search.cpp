@@ -9,9 +9,9 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kGate = 3;            // standard deviations at which the misfit of a bearing is truncated
+constexpr double kTruncation = 3;      // standard deviations at which the misfit of a bearing is truncated
 constexpr double kMaxWork = 4e8;       // bearings x landmarks x cells
-constexpr double kTypicalRange = 3;    // [m] converts the side of a cell into an angle
+constexpr double kCellRange = 3;       // [m] converts the side of a cell into an angle
 constexpr float kBehind = 1e12F;       // squared tangent for landmarks behind the ray
 constexpr double kSpreadOfCell = 0.5;  // of its side, as a standard deviation: above the uniform 0.29, for curvature
 
@@ -81,8 +81,7 @@ class Grid
   {
     std::vector<float> nearest(columns_);
     const auto side = cell();
-    const double cell_variance =
-        square(kSpreadOfCell * turn()) + square(kSpreadOfCell * side.maxCoeff() / kTypicalRange);
+    const double cell_variance = square(kSpreadOfCell * turn()) + square(kSpreadOfCell * side.maxCoeff() / kCellRange);
     for (const WindowBearing& bearing : bearings)
     {
       std::vector<float> x, y;
@@ -103,7 +102,8 @@ class Grid
         for (std::size_t j = 0; j < rows_; ++j)
           addRay(ray, x.data(), y.data(), x.size(), static_cast<float>(0.5 * side.x()),
                  static_cast<float>((static_cast<double>(j) + 0.5) * side.y()), static_cast<float>(side.x()),
-                 static_cast<float>(0.5 * kGate * kGate), nearest.data(), scores_.data() + at(0, j, t), columns_);
+                 static_cast<float>(0.5 * kTruncation * kTruncation), nearest.data(), scores_.data() + at(0, j, t),
+                 columns_);
       }
     }
   }

@@ -10,7 +10,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kGate = 3.3;                // standard deviations
+constexpr double kPairGate = 3.3;            // standard deviations
 constexpr double kParallax = degToRad(2.0);  // of a landmark within a step
 
 double bearingInRobot(const Scan& scan, const AnonymousDetection& d) { return *d.bearing + scan.T_robot_sensor.phi; }
@@ -20,9 +20,9 @@ bool isRepeated(const Scan& scan_a, const AnonymousDetection& a, const Scan& sca
 {
   if (a.category != b.category || a.bearing.has_value() != b.bearing.has_value()) return false;
   const double std = std::hypot(a.std_bearing, b.std_bearing);
-  if (a.bearing && std::abs(wrap(bearingInRobot(scan_a, a) - bearingInRobot(scan_b, b))) > kGate * std + kParallax)
+  if (a.bearing && std::abs(wrap(bearingInRobot(scan_a, a) - bearingInRobot(scan_b, b))) > kPairGate * std + kParallax)
     return false;
-  return !(a.range && b.range) || std::abs(*a.range - *b.range) <= kGate * std::hypot(a.std_range, b.std_range);
+  return !(a.range && b.range) || std::abs(*a.range - *b.range) <= kPairGate * std::hypot(a.std_range, b.std_range);
 }
 
 bool isRepeatedIn(const std::vector<Scan>& later, const Scan& scan, const AnonymousDetection& detection)

@@ -18,12 +18,6 @@ namespace
 using Json = nlohmann::ordered_json;
 constexpr std::size_t kMaxStamps = 2400;  // more than a chart can resolve
 
-/// How many entries are merged into one point of a chart.
-std::size_t entriesPerPoint(std::size_t entries)
-{
-  return std::max<std::size_t>(1, (entries + kMaxStamps - 1) / kMaxStamps);
-}
-
 Json number(const OptionalNumber& value, int decimals) { return value ? rounded(*value, decimals) : Json(nullptr); }
 
 Json columns(const std::vector<std::vector<OptionalNumber>>& methods, int decimals)
@@ -101,7 +95,7 @@ Json confidenceData(const RunContext& context, const RunRecord& record)
   const MethodTrajectory* trajectory = judgedMethod(record);
   if (!trajectory || trajectory->points.empty()) return nullptr;
   Json t = Json::array(), weight = Json::array(), ess = Json::array();
-  const std::size_t merged = entriesPerPoint(trajectory->points.size());
+  const std::size_t merged = entriesPerPoint(trajectory->points.size(), kMaxStamps);
   for (auto point = trajectory->points.begin(); point != trajectory->points.end();)
   {
     double least_weight = 1;
@@ -129,7 +123,7 @@ Json neesData(const RunContext& context, const RunScore& score)
 {
   if (score.filter.nees.empty() || !score.judged_method) return nullptr;
   Json t = Json::array(), value = Json::array(), covariance = Json::array();
-  const std::size_t merged = entriesPerPoint(score.filter.nees.size());
+  const std::size_t merged = entriesPerPoint(score.filter.nees.size(), kMaxStamps);
   const auto& samples = score.filter.nees;
   for (std::size_t i = 0; i < samples.size(); i += merged)
   {
@@ -158,7 +152,7 @@ Json biasData(const RunContext& context, const RunRecord& record)
     curves[name] = {{"name", name}, {"t", Json::array()}, {"mean", Json::array()}, {"std", Json::array()}};
   for (const BiasRow& row : record.biases)
   {
-    if (next[row.name]++ % entriesPerPoint(count[row.name]) != 0) continue;
+    if (next[row.name]++ % entriesPerPoint(count[row.name], kMaxStamps) != 0) continue;
     Json& curve = curves[row.name];
     curve["t"].push_back(rounded(row.time - context.start_time, 3));
     curve["mean"].push_back(rounded(row.mean, 6));

@@ -21,7 +21,7 @@ ErrorSeries errorSeries(const RunContext& context, const RunScore& score, std::s
     for (const ErrorSample& error : method.errors) all.insert(error.stamp);
   ErrorSeries series;
   if (all.empty()) return series;
-  series.stamps_per_entry = (all.size() - 1) / max_stamps + 1;
+  series.stamps_per_entry = entriesPerPoint(all.size(), max_stamps);
   std::map<double, std::size_t> entry_of;
   for (const double stamp : all)
   {

@@ -9,7 +9,7 @@ namespace mrpt_ext
 {
 namespace
 {
-bool isUsable(const KnownBearing& b)
+bool isUsableBearing(const KnownBearing& b)
 {
   return b.landmark.allFinite() && std::isfinite(b.bearing) && std::isfinite(b.std) && b.std > 0;
 }
@@ -17,7 +17,7 @@ bool isUsable(const KnownBearing& b)
 
 SolveStatus checkBearings(std::span<const KnownBearing> bearings)
 {
-  if (!std::all_of(bearings.begin(), bearings.end(), isUsable)) return SolveStatus::bad_input;
+  if (!std::all_of(bearings.begin(), bearings.end(), isUsableBearing)) return SolveStatus::bad_input;
   if (bearings.size() < 3) return SolveStatus::too_few;
   double extent = 0;
   for (const KnownBearing& b : bearings) extent = std::max(extent, (b.landmark - bearings[0].landmark).norm());

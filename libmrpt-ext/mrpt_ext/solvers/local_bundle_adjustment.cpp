@@ -171,8 +171,8 @@ double snooped(const Scalar& scalar, const Matrix2d& landmark, const Matrix3d& p
   return square(scalar.error) / std::max(1 - explained, kLeast);
 }
 
-bool isUsable(std::span<const ScanPose> places, std::span<const LandmarkObservation> sightings,
-              const std::vector<Vector2d>& start)
+bool isUsableProblem(std::span<const ScanPose> places, std::span<const LandmarkObservation> sightings,
+                     const std::vector<Vector2d>& start)
 {
   const bool places_ok =
       std::all_of(places.begin(), places.end(),
@@ -199,7 +199,7 @@ BundleAdjustment adjustBundle(std::span<const ScanPose> places, std::span<const 
 {
   BundleAdjustment result;
   result.status = SolveStatus::bad_input;
-  if (!isUsable(places, sightings, start)) return result;
+  if (!isUsableProblem(places, sightings, start)) return result;
   int readings = 0;
   for (const LandmarkObservation& s : sightings) readings += (s.bearing ? 1 : 0) + (s.range ? 1 : 0);
   result.degrees = readings - 2 * static_cast<int>(start.size());

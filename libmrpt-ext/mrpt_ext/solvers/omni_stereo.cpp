@@ -8,7 +8,7 @@ namespace
 {
 constexpr double kParallel = 1e-12;  // sine of the angle between the rays
 
-bool isUsable(const SightRay& ray)
+bool isUsableRay(const SightRay& ray)
 {
   return ray.origin.allFinite() && std::isfinite(ray.angle) && std::isfinite(ray.std_angle) && ray.std_angle >= 0;
 }
@@ -26,7 +26,7 @@ Matrix2d pointCovariance(const SightRay& first, double first_distance, const Sig
 Triangulation triangulate(const SightRay& first, const SightRay& second)
 {
   Triangulation result;
-  if (!isUsable(first) || !isUsable(second)) return result;
+  if (!isUsableRay(first) || !isUsableRay(second)) return result;
   const Vector2d d1 = direction(first.angle), d2 = direction(second.angle);
   const Vector2d baseline = second.origin - first.origin;
   const double sine = cross(d1, d2);

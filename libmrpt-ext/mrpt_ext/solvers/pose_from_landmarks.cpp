@@ -36,11 +36,6 @@ struct Minimum
   }
 };
 
-Pose2 moved(const Pose2& pose, const Vector3d& step)
-{
-  return {pose.x + step.x(), pose.y + step.y(), wrap(pose.phi + step.z())};
-}
-
 Minimum refined(const PoseResiduals& rows, const Pose2& start)
 {
   Minimum minimum{start, rows.model(start)};
@@ -50,7 +45,7 @@ Minimum refined(const PoseResiduals& rows, const Pose2& start)
     if (!(there.cost < bound)) return std::nullopt;
     return there;
   };
-  descendFrom<3>(minimum.pose, minimum.at, improved, moved, kDescent);
+  descendFrom<3>(minimum.pose, minimum.at, improved, added, kDescent);
   return minimum;
 }
 
@@ -118,7 +113,7 @@ double stretchAt(const PoseResiduals& rows, const Minimum& minimum, const PoseCu
   double stretch = 1;
   for (const double z : {-kFarOut, kFarOut})
   {
-    const double cost = rows.model(moved(minimum.pose, z * curvature.weakest + z * z * curvature.bend)).cost;
+    const double cost = rows.model(added(minimum.pose, z * curvature.weakest + z * z * curvature.bend)).cost;
     stretch = std::max(stretch, z * z / std::max(cost - minimum.at.cost, 1e-9));
   }
   return stretch;

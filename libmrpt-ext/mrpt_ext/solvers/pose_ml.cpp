@@ -51,11 +51,6 @@ NormalEquations<3> modelAt(const PoseResiduals& rows, const PoseMlOptions& optio
   return sum;
 }
 
-Pose2 moved(const Pose2& pose, const Vector3d& step)
-{
-  return {pose.x + step.x(), pose.y + step.y(), wrap(pose.phi + step.z())};
-}
-
 bool ranOff(std::span<const PoseMeasurement> measurements, const Pose2& pose)
 {
   SceneExtent scene(pose.position());
@@ -98,7 +93,7 @@ PoseMl refinePose(std::span<const PoseMeasurement> measurements, const Pose2& st
     if (!(there.cost < bound)) return std::nullopt;
     return there;
   };
-  const DescentReport report = descendFrom<3>(pose, now, improved, moved, {options.max_iterations});
+  const DescentReport report = descendFrom<3>(pose, now, improved, added, {options.max_iterations});
   result.chi2 = now.cost;
   result.iterations = report.iterations;
   result.converged = report.converged;

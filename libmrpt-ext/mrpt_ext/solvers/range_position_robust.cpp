@@ -11,7 +11,7 @@ namespace
 {
 constexpr std::size_t kRefined = 8;  // proposals that are worth refining
 constexpr int kSettleRounds = 5;
-constexpr double kSamePlace = 1e-6;
+constexpr double kSameResult = 1e-6;
 
 struct Proposal
 {
@@ -103,7 +103,7 @@ RobustRangePositions solveRangePositionRobust(std::span<const KnownRange> ranges
     const auto same = [&](const RobustRangePosition& other)
     {
       const double distance = (other.fit.position.mean - candidate->fit.position.mean).norm();
-      return distance <= kSamePlace * (1 + candidate->fit.position.mean.norm());
+      return distance <= kSameResult * (1 + candidate->fit.position.mean.norm());
     };
     if (candidate && std::none_of(settled.begin(), settled.end(), same)) settled.push_back(std::move(*candidate));
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mrpt_ext/geometry/log_probability.h"
 #include "mrpt_ext/geometry/measurement_jacobian.h"
 #include "mrpt_ext/solvers/plane.h"
 
@@ -68,7 +69,7 @@ double bearingLogDensity(const RunningFixReading& fix, const Vector2d& landmark,
   const JacobianRow J = bearingJacobian(pose.mean, landmark, fix.T_robot_sensor.position());
   const double variance = square(fix.second_bearing_std) + J * pose.covariance * J.transpose();
   const double innovation = wrap(*fix.second_bearing - predictBearing(pose.mean, landmark, fix.T_robot_sensor));
-  return -0.5 * square(innovation) / variance - 0.5 * std::log(kTwoPi * variance);
+  return logNormal(innovation, variance);
 }
 }  // namespace
 

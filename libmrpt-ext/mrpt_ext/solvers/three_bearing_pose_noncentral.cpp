@@ -10,7 +10,7 @@ namespace
 {
 constexpr double kSingular = 1e-10;  // relative, below this rounding decides
 
-bool isUsable(const NoncentralBearing& line)
+bool isUsableLine(const NoncentralBearing& line)
 {
   return line.landmark.allFinite() && line.origin.allFinite() && line.direction.allFinite() &&
          std::abs(line.direction.squaredNorm() - 1) < 1e-6;
@@ -63,7 +63,7 @@ struct Lines
 NoncentralThreeBearingPose solveBearingTripleOnPath(const std::array<NoncentralBearing, 3>& lines)
 {
   NoncentralThreeBearingPose result;
-  if (!std::all_of(lines.begin(), lines.end(), isUsable)) return result;
+  if (!std::all_of(lines.begin(), lines.end(), isUsableLine)) return result;
   result.status = SolveStatus::degenerate;
   const Lines set(lines);
   double A = 0, B = 0, E = 0, lever = 0, reach = 0;

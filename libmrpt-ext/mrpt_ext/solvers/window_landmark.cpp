@@ -22,7 +22,7 @@ using Sightings = std::span<const WindowObservation>;
 double worldAngle(const WindowObservation& s) { return *s.bearing + s.T_robot_sensor.phi; }
 SightRay rayOf(const WindowObservation& s) { return {s.T_robot_sensor.position(), worldAngle(s), s.std_bearing}; }
 
-bool isUsable(const WindowObservation& s)
+bool isUsableObservation(const WindowObservation& s)
 {
   const bool bearing = !s.bearing || (std::isfinite(*s.bearing) && s.std_bearing > 0 && std::isfinite(s.std_bearing));
   const bool range =
@@ -154,7 +154,7 @@ WindowLandmark locateLandmark(std::span<const WindowObservation> oldest_first)
 {
   WindowLandmark result;
   result.status = SolveStatus::bad_input;
-  if (!std::all_of(oldest_first.begin(), oldest_first.end(), isUsable)) return result;
+  if (!std::all_of(oldest_first.begin(), oldest_first.end(), isUsableObservation)) return result;
   for (const WindowObservation& s : oldest_first) result.readings += (s.bearing ? 1 : 0) + (s.range ? 1 : 0);
   result.status = SolveStatus::too_few;
   if (result.readings < 2) return result;

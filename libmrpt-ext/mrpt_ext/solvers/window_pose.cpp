@@ -32,11 +32,6 @@ bool isUsableReading(const WindowMeasurements& reading)
          std::all_of(reading.measurements.begin(), reading.measurements.end(), isUsable);
 }
 
-Pose2 moved(const Pose2& pose, const Vector3d& step)
-{
-  return {pose.x + step.x(), pose.y + step.y(), wrap(pose.phi + step.z())};
-}
-
 bool ranOff(std::span<const WindowMeasurements> readings, const Pose2& pose)
 {
   SceneExtent scene(pose.position());
@@ -60,7 +55,7 @@ PoseMl refineCarriedPose(std::span<const WindowMeasurements> oldest_first, const
   const auto model = [&](const Pose2& p) { return modelAt(oldest_first, p); };
   const auto cost = [&](const Pose2& p) { return modelAt(oldest_first, p).cost; };
   result.start_chi2 = cost(start);
-  const DescentReport report = descend<3>(pose, model, cost, moved, {max_iterations, 1e-10});
+  const DescentReport report = descend<3>(pose, model, cost, added, {max_iterations, 1e-10});
   const NormalEquations<3> at_solution = model(pose);
   result.chi2 = at_solution.cost;
   result.iterations = report.iterations;

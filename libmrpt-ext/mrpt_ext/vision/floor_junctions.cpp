@@ -13,7 +13,7 @@ namespace
 const double kLeastSine = std::sin(degToRad(35));  ///< of the angle between lines that meet
 constexpr double kReach = 0.025;                   ///< [m] lines may end before they meet, beside three pixels
 constexpr double kFitReach = 0.02;    ///< [m] points around the meeting that are fitted again, beside five pixels
-constexpr double kOff = 0.005;        ///< [m] a point may be off its line, beside half a pixel
+constexpr double kLineOff = 0.005;    ///< [m] a point may be off its line, beside half a pixel
 constexpr double kArmStart = 0.003;   ///< [m] from the meeting, beside two and a half pixels
 constexpr double kArmLength = 0.025;  ///< [m] and at least four pixels
 constexpr double kArmOff = 0.003;     ///< [m] a point may be off an arm, beside three quarters of a pixel
@@ -133,7 +133,7 @@ class JunctionFinder
   {
     const Eigen::Vector2d footprint = footprintAt(position);
     const double reach = kFitReach + 5 * pixelAlong(footprint, line.direction);
-    const double off = kOff + 0.5 * pixelAcross(footprint, line.direction);
+    const double off = kLineOff + 0.5 * pixelAcross(footprint, line.direction);
     Eigen::Vector2d sum(0, 0);
     double xx = 0, xy = 0, yy = 0;
     int n = 0;

@@ -10,7 +10,7 @@ namespace
 {
 constexpr float kLeastBrightness = 0.4F, kMostBrightness = 1.3F;  ///< of the bright channel, share of the white's
 constexpr float kMiddleFactor = 2;      ///< the middle channel may differ from the model by this factor
-constexpr int kGap = 2, kMean = 3;      ///< [px] from the step to where a side's level begins, and pixels averaged
+constexpr int kStepGap = 2, kMean = 3;  ///< [px] from the step to where a side's level begins, and pixels averaged
 constexpr double kWhiteQuantile = 0.9;  ///< of the pixels are darker than the image's white
 constexpr float kWhiteShare = 0.45F;    ///< of it is still white, in the shade
 constexpr float kLeastShare = 0.25F;    ///< of the white's level the dark channel must fall by
@@ -76,8 +76,8 @@ cv::Vec3f meanAround(const cv::Mat& bgr, int row, int column)
 std::vector<double> colourStepsInRow(const cv::Mat& bgr, int row, int first_column, int last_column,
                                      const GoalColour& colour, int side, const cv::Vec3f& least_white)
 {
-  constexpr int kReach = kGap + kMean;
-  const int first = std::max(first_column, kGap), last = std::min(last_column, bgr.cols - 1 - kGap);
+  constexpr int kReach = kStepGap + kMean;
+  const int first = std::max(first_column, kStepGap), last = std::min(last_column, bgr.cols - 1 - kStepGap);
   std::vector<double> columns;
   if (row < 0 || row >= bgr.rows) return columns;
   const cv::Vec3b* const pixels = bgr.ptr<cv::Vec3b>(row);
@@ -90,7 +90,7 @@ std::vector<double> colourStepsInRow(const cv::Mat& bgr, int row, int first_colu
   {
     const float here = fall(u);
     if (here <= 0 || here < fall(u - 1) || here <= fall(u + 1)) continue;
-    cv::Vec3f left = meanOf(pixels, bgr.cols, u - kReach + 1), right = meanOf(pixels, bgr.cols, u + kGap + 1);
+    cv::Vec3f left = meanOf(pixels, bgr.cols, u - kReach + 1), right = meanOf(pixels, bgr.cols, u + kStepGap + 1);
     const cv::Vec3f &white = side > 0 ? left : right, &dyed = side > 0 ? right : left;
     if (!isWhite(white, least_white)) continue;
     if (white[channel] - dyed[channel] < kLeastShare * white[channel] || !colour.matches(white, dyed)) continue;

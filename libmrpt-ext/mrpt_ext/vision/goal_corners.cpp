@@ -6,18 +6,18 @@
 #include <optional>
 
 #include "mrpt_ext/geometry/angle.h"
+#include "mrpt_ext/geometry/quantile.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr int kWindow = 10;            ///< [px] around the candidate's column
-constexpr int kWhiteStep = 16;         ///< [px] between pixels that define white
-constexpr int kInside = 4;             ///< [px] from the step to where the coloured side's height is measured
-constexpr double kSameFeature = 1.5;   ///< [px] disparities of one feature agree
-constexpr double kOutlier = 3;         ///< in robust standard deviations
-constexpr double kLeastScatter = 0.2;  ///< [px] least robust standard deviation of a row's column
-constexpr double kMedianOfNormal = 0.6745;
+constexpr int kWindow = 10;             ///< [px] around the candidate's column
+constexpr int kWhiteStep = 16;          ///< [px] between pixels that define white
+constexpr int kInside = 4;              ///< [px] from the step to where the coloured side's height is measured
+constexpr double kSameFeature = 1.5;    ///< [px] disparities of one feature agree
+constexpr double kOutlier = 3;          ///< in robust standard deviations
+constexpr double kLeastScatter = 0.2;   ///< [px] least robust standard deviation of a row's column
 constexpr double kAgreeingShare = 0.5;  ///< of the rows of the left image
 constexpr float kAsWhite = 0.6F;        ///< of the white beside the step is still it, share of each channel
 constexpr double kEndOfRows = 1.5;      ///< [px] a height in the image is known to
@@ -32,13 +32,6 @@ struct RowStep
   double disparity = 0;
 };
 
-double median(std::vector<double> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Removes rows whose value is an outlier against the median and its scatter.
 template <typename Value>
 void removeOutliers(std::vector<RowStep>& rows, const Value& value)
@@ -46,9 +39,9 @@ void removeOutliers(std::vector<RowStep>& rows, const Value& value)
   if (rows.empty()) return;
   std::vector<double> values;
   for (const RowStep& r : rows) values.push_back(value(r));
-  const double middle = median(values);
+  const double middle = upperMedian(values);
   for (double& v : values) v = std::abs(v - middle);
-  const double limit = kOutlier * std::max(kLeastScatter, median(values) / kMedianOfNormal);
+  const double limit = kOutlier * std::max(kLeastScatter, upperMedian(values) / kNormalMedianDeviation);
   rows.erase(
       std::remove_if(rows.begin(), rows.end(), [&](const RowStep& r) { return std::abs(value(r) - middle) > limit; }),
       rows.end());

@@ -6,14 +6,14 @@
 #include <opencv2/imgproc.hpp>
 
 #include "mrpt_ext/geometry/angle.h"
+#include "mrpt_ext/geometry/quantile.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr double kWhiteShare = 0.98;  ///< of the pixels are not brighter than the image's white
-constexpr double kLeastNoise = 0.5;   ///< [grey levels]
-constexpr double kMedianOfNormal = 0.6745;
+constexpr double kWhiteShare = 0.98;    ///< of the pixels are not brighter than the image's white
+constexpr double kLeastNoise = 0.5;     ///< [grey levels]
 constexpr double kDirectionStd = 0.10;  ///< [rad] of a gradient's direction in the image
 constexpr double kSlant = 2.2;          ///< a stripe cut at a slant is so many times as wide
 constexpr double kBlur = 2.5;           ///< [px] blur adds to a stripe's width
@@ -47,7 +47,7 @@ Levels levelsOf(const cv::Mat& whiteness)
     return value;
   };
   return {static_cast<double>(quantile(counts, kWhiteShare * total)),
-          std::max(kLeastNoise, quantile(steps, 0.5 * pairs) / kMedianOfNormal / std::sqrt(2.0))};
+          std::max(kLeastNoise, quantile(steps, 0.5 * pairs) / kNormalMedianDeviation / std::sqrt(2.0))};
 }
 
 class PointFinder

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "mrpt_ext/geometry/angle.h"
+#include "mrpt_ext/geometry/quantile.h"
 #include "mrpt_ext/geometry/random.h"
 #include "mrpt_ext/vision/mirror_votes.h"
 
@@ -25,7 +27,6 @@ constexpr int kHalfStep = 2;              ///< [px] brightness is compared this 
 
 constexpr int kNoiseGrid = 13;  ///< [px] spacing of the pixels at which the noise is estimated
 constexpr double kStepSignificance = 3.5;
-constexpr double kMedianOfNormal = 0.6745;
 
 /// A step of brightness across the suspected rim.
 struct RimStep
@@ -176,9 +177,8 @@ double leastStep(const cv::Mat& grey, const OutlineSettings& settings)
       steps.push_back(std::abs(row[u + 2] + row[u + 1] - row[u - 1] - row[u - 2]));
   }
   if (steps.empty()) return settings.min_contrast;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return std::max(settings.min_contrast, kStepSignificance * *middle / (2 * kMedianOfNormal));
+  return std::max(settings.min_contrast,
+                  kStepSignificance * upperMedian(std::move(steps)) / (2 * kNormalMedianDeviation));
 }
 
 std::optional<MirrorOutline> refine(const cv::Mat& grey, const AxisEllipse& coarse, double least_step,

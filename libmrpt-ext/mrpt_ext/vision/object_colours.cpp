@@ -7,11 +7,11 @@ namespace mrpt_ext
 {
 namespace
 {
-using Levels = std::array<float, 256>;
+using LevelTable = std::array<float, 256>;
 
-Levels makeLinear()
+LevelTable makeLinear()
 {
-  Levels levels{};
+  LevelTable levels{};
   for (std::size_t i = 0; i < levels.size(); ++i)
   {
     const double v = static_cast<double>(i) / 255;
@@ -20,9 +20,9 @@ Levels makeLinear()
   return levels;
 }
 
-Levels scaled(const Levels& levels, double factor)
+LevelTable scaled(const LevelTable& levels, double factor)
 {
-  Levels result{};
+  LevelTable result{};
   std::transform(levels.begin(), levels.end(), result.begin(),
                  [factor](float v) { return static_cast<float>(v * factor); });
   return result;
@@ -51,7 +51,7 @@ float hueOf(float b, float g, float r, float max, float min)
 
 const std::array<float, 256>& linearLight()
 {
-  static const Levels levels = makeLinear();
+  static const LevelTable levels = makeLinear();
   return levels;
 }
 
@@ -59,7 +59,7 @@ cv::Vec3d whiteOf(const cv::Mat& image, double share)
 {
   std::array<std::size_t, 256> counts{};
   std::array<cv::Vec3d, 256> sums{};
-  const Levels& linear = linearLight();
+  const LevelTable& linear = linearLight();
   for (int row = 0; row < image.rows; ++row)
   {
     const auto* pixel = image.ptr<cv::Vec3b>(row);
@@ -84,7 +84,7 @@ cv::Vec3d whiteOf(const cv::Mat& image, double share)
 
 cv::Mat1b classifyColours(const cv::Mat& image, const ColourModel& model, const cv::Vec3d& white)
 {
-  std::array<Levels, 3> levels;
+  std::array<LevelTable, 3> levels;
   for (int c = 0; c < 3; ++c) levels[static_cast<std::size_t>(c)] = scaled(linearLight(), 1 / std::max(white[c], 1e-6));
   const Sector orange(model.orange), yellow(model.yellow), blue(model.blue);
   const auto min_brightness = static_cast<float>(model.min_brightness);

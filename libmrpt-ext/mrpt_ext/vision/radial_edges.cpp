@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "mrpt_ext/geometry/angle.h"
+#include "mrpt_ext/geometry/quantile.h"
 #include "mrpt_ext/vision/radial_votes.h"
 
 namespace mrpt_ext
@@ -132,9 +134,7 @@ double medianBrightness(const PolarImage& polar)
   std::vector<float> values;
   for (int row = 0; row < polar.grey.rows; row += 4)
     for (int j = 0; j < polar.grey.cols; j += 8) values.push_back(polar.grey.at<float>(row, j));
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return upperMedian(std::move(values));
 }
 }  // namespace
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <utility>
+
+#include "mrpt_ext/geometry/quantile.h"
 
 namespace mrpt_ext
 {
@@ -13,7 +16,6 @@ constexpr float kExcessShare = 0.05F;   ///< what is above counts little, only t
 constexpr float kVoteThreshold = 0.7F;  ///< a row below it is evidence against the edge
 constexpr float kLeastNoise = 0.15F;    ///< [grey levels] that rounding leaves even in a perfect image
 constexpr int kNoiseStride = 4;         ///< every fourth column is enough for a median
-constexpr double kMedianOfNormal = 0.6745;
 
 /// Derivative of a Gaussian, each half summing to 1.
 cv::Mat stepKernel(double sigma)
@@ -32,9 +34,7 @@ float noiseOf(const cv::Mat& row)
   std::vector<float> sizes;
   const float* const values = row.ptr<float>();
   for (int j = 0; j < row.cols; j += kNoiseStride) sizes.push_back(std::abs(values[j]));
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  return std::max(kLeastNoise, static_cast<float>(*middle / kMedianOfNormal));
+  return std::max(kLeastNoise, static_cast<float>(upperMedian(std::move(sizes)) / kNormalMedianDeviation));
 }
 }  // namespace
 

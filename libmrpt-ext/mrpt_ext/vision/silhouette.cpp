@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mrpt_ext/geometry/angle.h"
+#include "mrpt_ext/geometry/quantile.h"
 #include "mrpt_ext/vision/object_colours.h"
 
 namespace mrpt_ext
@@ -123,13 +124,6 @@ std::optional<SliceResult> measureSlice(const cv::Mat& image, const HyperbolicMi
   return result;
 }
 
-double median(std::vector<double> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Keeps the results whose `value` is near the median of all.
 template <typename Value>
 void dropOutliers(std::vector<SliceResult>& results, double floor, const Value& value)
@@ -137,9 +131,9 @@ void dropOutliers(std::vector<SliceResult>& results, double floor, const Value& 
   std::vector<double> values;
   for (const SliceResult& r : results) values.push_back(value(r));
   if (values.empty()) return;
-  const double centre = median(values);
+  const double centre = upperMedian(values);
   for (double& v : values) v = std::abs(v - centre);
-  const double limit = kOutlier * std::max(1.4826 * median(values), floor);
+  const double limit = kOutlier * std::max(1.4826 * upperMedian(values), floor);
   std::erase_if(results, [&](const SliceResult& r) { return std::abs(value(r) - centre) > limit; });
 }
 }  // namespace

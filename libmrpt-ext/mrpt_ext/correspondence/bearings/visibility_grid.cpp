@@ -9,7 +9,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kMaxCells = 400'000;
+constexpr double kMaxGridCells = 400'000;
 constexpr float kCloseHalfWidth = 0.6F;  // [rad] about two radii from the middle of the cell
 constexpr int kSamples = 16;             // per side, to learn how far landmarks are
 
@@ -50,7 +50,7 @@ std::optional<VisibilityGrid::Layout> VisibilityGrid::chooseLayout(const Landmar
   if (!(around.in_range > 0)) return std::nullopt;
   const double typical_distance = around.in_range / around.inverse_distance;
   layout.cell = std::sqrt(2.0) * motion * kBinWidth * typical_distance;
-  if ((extent / layout.cell).array().ceil().prod() > kMaxCells) return std::nullopt;
+  if ((extent / layout.cell).array().ceil().prod() > kMaxGridCells) return std::nullopt;
   layout.columns = static_cast<int>(std::ceil(extent.x() / layout.cell));
   layout.rows = static_cast<int>(std::ceil(extent.y() / layout.cell));
   const double bins_set =

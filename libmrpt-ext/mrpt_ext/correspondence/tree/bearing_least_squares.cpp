@@ -12,8 +12,7 @@ namespace
 {
 constexpr int kIterations = 30;
 constexpr double kRelativeStep = 1e-4;
-constexpr double kClosest = 1e-4;  // to a landmark, relative to the distance of the next one
-constexpr double kNear = 0.1;      // [rad] near it other bearings change by so much
+constexpr double kNear = 0.1;  // [rad] near it other bearings change by so much
 
 /// Predicted minus measured [rad]; `heading` is the unit vector of the pose's.
 double bearingResidual(const MatchedBearing& m, const Vector2d& heading, const Vector2d& to_landmark)
@@ -88,7 +87,7 @@ std::optional<Pose2> startNearLandmark(std::span<const MatchedBearing> matched, 
   }
   Pose2 pose = fitBearings(others, {at.landmark.x(), at.landmark.y(), first + (least + most) / 2}).pose;
   const Vector2d ray = direction(pose.phi + at.bearing);
-  const double distance = std::max((at.landmark - pose.position()).dot(ray), kClosest * next);
+  const double distance = std::max((at.landmark - pose.position()).dot(ray), kClosestApproach * next);
   const Vector2d position = at.landmark - distance * ray;
   return Pose2{position.x(), position.y(), pose.phi};
 }

@@ -7,6 +7,9 @@
 
 namespace mrpt_ext
 {
+/// Distance of a pose to a landmark, relative to that of the next one, below which it has no meaning.
+inline constexpr double kClosestApproach = 1e-4;
+
 /// A landmark matched to a bearing.
 struct MatchedBearing
 {

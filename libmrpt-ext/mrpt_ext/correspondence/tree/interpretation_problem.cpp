@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mrpt_ext/correspondence/tree/bearing_least_squares.h"
 #include "mrpt_ext/solvers/pose_information.h"
 #include "mrpt_ext/solvers/pose_ml.h"
 
@@ -9,8 +10,6 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kClosest = 1e-4;  // to a landmark, relative to the distance of the next one
-
 bool withinRange(std::span<const PoseMeasurement> measurements, const Pose2& pose, double max_range)
 {
   return std::all_of(measurements.begin(), measurements.end(),
@@ -31,7 +30,8 @@ std::optional<Pose2> startNearLandmark(std::span<const PoseMeasurement> measurem
     nearest = std::min(nearest, distance);
   }
   if (!(nearest > 0 && nearest < 0.1 * next)) return std::nullopt;
-  const Vector2d position = landmark + (pose.position() - landmark) / nearest * std::max(nearest, kClosest * next);
+  const Vector2d position =
+      landmark + (pose.position() - landmark) / nearest * std::max(nearest, kClosestApproach * next);
   return Pose2{position.x(), position.y(), pose.phi};
 }
 

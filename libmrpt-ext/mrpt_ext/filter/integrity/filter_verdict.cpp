@@ -9,7 +9,7 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kMinInlierRatio = 0.8;
-constexpr double kMinEffective = 15;  // particles; fewer cannot estimate the covariance
+constexpr double kMinEffectiveForOk = 15;  // particles; fewer cannot estimate the covariance
 
 /// Standard deviations of a mode: position [m], both axes together, and heading [rad].
 struct Spread
@@ -56,7 +56,7 @@ VerdictWithReason judge(const ModeSet& modes, const VerdictEvidence& evidence, c
   if (!(evidence.inlier_ratio >= kMinInlierRatio))
     return ambiguous(
         formatted("one mode, but inlier ratio only %.0f %% of the expected value over recent detections", percent));
-  if (!(evidence.effective >= kMinEffective))
+  if (!(evidence.effective >= kMinEffectiveForOk))
     return ambiguous(formatted("one mode, but only %.0f effective particles", evidence.effective));
   if (!evidence.verified)
     return ambiguous(

@@ -8,15 +8,10 @@
 
 namespace mrpt_ext
 {
-namespace
-{
-constexpr double kMinClutter = 1e-9;  // keeps the evidence finite
-}  // namespace
-
 Association associate(const Detection& detection, const Reading& reading, const LandmarkTable& map,
                       const KalmanState& state, const BiasModel& biases, double default_max_range)
 {
-  const double clutter = std::clamp(reading.model.clutter_probability, kMinClutter, 1.0);
+  const double clutter = std::clamp(reading.model.clutter_probability, kMinClutterProbability, 1.0);
   const bool identified = detection.id != kNoId;
   Association result;
   double view_sum = 0, likelihood_sum = 0, best = 0;

@@ -11,7 +11,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr int kNone = -1;
+constexpr int kNoLabel = -1;
 constexpr double kCoreShare = 0.05;  // of the heaviest cell; lighter cells separate modes
 
 /// Labels connected heavy cells; returns the number of labels.
@@ -21,7 +21,7 @@ int labelCores(const PoseHistogram& grid, double threshold, std::vector<int>& la
   std::vector<std::size_t> open;
   for (std::size_t start = 0; start < grid.size(); ++start)
   {
-    if (label[start] != kNone || grid.weight(start) < threshold) continue;
+    if (label[start] != kNoLabel || grid.weight(start) < threshold) continue;
     open.assign(1, start);
     label[start] = labels;
     while (!open.empty())
@@ -31,7 +31,7 @@ int labelCores(const PoseHistogram& grid, double threshold, std::vector<int>& la
       grid.forNeighbours(cell,
                          [&](std::size_t next)
                          {
-                           if (label[next] != kNone || grid.weight(next) < threshold) return;
+                           if (label[next] != kNoLabel || grid.weight(next) < threshold) return;
                            label[next] = labels;
                            open.push_back(next);
                          });
@@ -50,16 +50,16 @@ int labelRest(const PoseHistogram& grid, int labels, std::vector<int>& label)
                    [&](std::size_t a, std::size_t b) { return grid.weight(a) > grid.weight(b); });
   for (const std::size_t cell : order)
   {
-    if (label[cell] != kNone) continue;
+    if (label[cell] != kNoLabel) continue;
     double best = -1;
     grid.forNeighbours(cell,
                        [&](std::size_t next)
                        {
-                         if (label[next] == kNone || grid.weight(next) <= best) return;
+                         if (label[next] == kNoLabel || grid.weight(next) <= best) return;
                          best = grid.weight(next);
                          label[cell] = label[next];
                        });
-    if (label[cell] == kNone) label[cell] = labels++;
+    if (label[cell] == kNoLabel) label[cell] = labels++;
   }
   return labels;
 }
@@ -122,7 +122,7 @@ ModeSet findModes(const ParticleSet& particles, const ModeOptions& options, unsi
   PoseHistogram grid(particles, options.cell_xy, options.cell_phi, threads, std::move(memory));
   double heaviest = 0;
   for (std::size_t cell = 0; cell < grid.size(); ++cell) heaviest = std::max(heaviest, grid.weight(cell));
-  std::vector<int> label(grid.size(), kNone);
+  std::vector<int> label(grid.size(), kNoLabel);
   const int labels = labelRest(grid, labelCores(grid, kCoreShare * heaviest, label), label);
 
   std::vector<std::vector<std::size_t>> cells(static_cast<std::size_t>(labels));
