@@ -24,7 +24,7 @@ Spread spreadAfter(const MotionModel& model, const OdometryMotion& motion, int s
   ParticleSet particles;
   for (std::size_t i = 0; i < kParticles; ++i) particles.add(start, 0);
   RandomStream random(11);
-  for (int k = 0; k < steps; ++k) moveParticles(particles, model, motion, random);
+  for (int k = 0; k < steps; ++k) sampleMotion(particles, model, motion, random);
   Spread spread;
   for (std::size_t i = 0; i < kParticles; ++i) spread.mean += particles.pose(i).vector() / kParticles;
   for (std::size_t i = 0; i < kParticles; ++i)
@@ -142,7 +142,7 @@ TEST(MotionModel, WithoutNoiseTheIncrementIsExact)
   ParticleSet particles;
   particles.add({1, 2, 3}, -1.5);
   RandomStream random(1);
-  moveParticles(particles, exact, {{0.5, 0.1, 0.4}, 0.6, 0.4, 1}, random);
+  sampleMotion(particles, exact, {{0.5, 0.1, 0.4}, 0.6, 0.4, 1}, random);
   const Pose2 expected = compose({1, 2, 3}, {0.5, 0.1, 0.4});
   EXPECT_NEAR(particles.x[0], expected.x, 1e-6);
   EXPECT_NEAR(particles.y[0], expected.y, 1e-6);
@@ -158,7 +158,7 @@ TEST(MotionModel, ScaleErrorsOfOdometryAreThoseOfTheParticle)
   for (int i = 0; i < 2; ++i) particles.add({1, 2, 0}, 0);
   particles.bias = {{0.0F, 0.1F}, {0.0F, -0.2F}};
   RandomStream random(1);
-  moveParticles(particles, exact, {{0.5, 0.1, 0.4}, 0.6, 0.4, 1}, random);
+  sampleMotion(particles, exact, {{0.5, 0.1, 0.4}, 0.6, 0.4, 1}, random);
   EXPECT_TRUE(particles.pose(0).vector().isApprox(compose({1, 2, 0}, {0.5, 0.1, 0.4}).vector(), 1e-6));
   const Vector2d chord = 1.1 * (rotation(-0.2 * 0.4 / 2) * Vector2d(0.5, 0.1));
   EXPECT_TRUE(particles.pose(1).vector().isApprox(Vector3d(1 + chord.x(), 2 + chord.y(), 0.8 * 0.4), 1e-6));
@@ -171,7 +171,7 @@ TEST(MotionModel, ThreadsChangeNothing)
     ParticleSet particles;
     for (std::size_t i = 0; i < kParticles; ++i) particles.add({0, 0, 0}, 0);
     RandomStream random(7);
-    moveParticles(particles, kModel, straight(1, 1), random, threads);
+    sampleMotion(particles, kModel, straight(1, 1), random, threads);
     return particles.x;
   };
   EXPECT_EQ(moved(1), moved(2));

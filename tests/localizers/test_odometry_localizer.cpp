@@ -53,7 +53,7 @@ TEST(OdometryLocalizer, CovarianceIsThatOfPropagatedParticles)
   for (int k = 0; k < 20; ++k)
   {
     const Frame frame = moved(k, {0.2, 0.02, 0.1});
-    moveParticles(robots, model, frame.motion, random);
+    sampleMotion(robots, model, frame.motion, random);
     estimate = odometry.process(frame);
   }
   const GaussianPose& pose = estimate.point->pose;

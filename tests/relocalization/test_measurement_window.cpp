@@ -53,7 +53,7 @@ std::vector<SampledError> sampleErrors(const std::vector<OdometryMotion>& steps,
   Pose2 end;
   for (const OdometryMotion& step : steps)
   {
-    moveParticles(robots, kModel, step, random);
+    sampleMotion(robots, kModel, step, random);
     end = compose(end, step.increment);
   }
   const Pose2 nominal = between(end, T_robot_sensor);
@@ -187,7 +187,7 @@ TEST(MeasurementWindow, KeepsTheCovarianceOfTheOdometry)
   const int n = 40000;
   for (int i = 0; i < n; ++i) robots.add({}, 0);
   RandomStream random(6);
-  for (const OdometryMotion& step : curve) moveParticles(robots, kModel, step, random);
+  for (const OdometryMotion& step : curve) sampleMotion(robots, kModel, step, random);
   Matrix3d sampled = Matrix3d::Zero();
   for (std::size_t i = 0; i < n; ++i)
   {
@@ -226,7 +226,7 @@ std::vector<Reading> windowOfDrive(const Pose2& end, RandomStream& random)
   {
     noisy.clear();
     noisy.add({}, 0);
-    moveParticles(noisy, kModel, measured, random);
+    sampleMotion(noisy, kModel, measured, random);
     poses.insert(poses.begin(), compose(poses.front(), inverse(noisy.pose(0))));
   }
   MeasurementWindow window(100, kModel);

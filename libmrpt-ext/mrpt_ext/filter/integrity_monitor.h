@@ -6,8 +6,8 @@
 #include "mrpt_ext/filter/integrity/filter_verdict.h"
 #include "mrpt_ext/filter/integrity/inlier_ratio_monitor.h"
 #include "mrpt_ext/filter/integrity/inlier_report.h"
-#include "mrpt_ext/filter/integrity/pose_verification_test.h"
 #include "mrpt_ext/filter/integrity/sensor_monitors.h"
+#include "mrpt_ext/filter/integrity/sequential_pose_test.h"
 #include "mrpt_ext/filter/kalman/kalman_state.h"
 
 namespace mrpt_ext

@@ -111,7 +111,7 @@ bool ParticleFilter::usesTrajectory(const HypothesisSources& sources, Recovery::
 
 void ParticleFilter::predict(const OdometryMotion& motion)
 {
-  moveParticles(particles_, options_.motion, motion, random_, options_.threads);
+  sampleMotion(particles_, options_.motion, motion, random_, options_.threads);
   walkBiases(particles_, motion.duration, random_);
   observation_model_.move(motion);
 }

@@ -27,7 +27,7 @@ struct VerdictEvidence
   double inlier_ratio = 1;    ///< of recent detections, relative to the expected one
   bool lost = false;          ///< the fast inlier ratio is below the limit for `lost`
   double effective = 1e9;     ///< effective number of particles
-  double log_odds = 0;        ///< of the mode against the null hypothesis (pose_verification_test.h)
+  double log_odds = 0;        ///< of the mode against the null hypothesis (sequential_pose_test.h)
   bool verified = true;       ///< ... are enough
   bool contradicted = false;  ///< the recent trajectory fits another pose better
 };

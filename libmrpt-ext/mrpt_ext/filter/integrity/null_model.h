@@ -13,7 +13,7 @@ namespace mrpt_ext
 /// where it was seen before, shifted by parallax.
 ///
 /// A pose that fits an anonymous bearing once goes on to fit the same feature, right or wrong: the next bearing of it
-/// is no evidence. So the likelihood of a pose (pose_verification_test.h) is compared with this model, not with a
+/// is no evidence. So the likelihood of a pose (sequential_pose_test.h) is compared with this model, not with a
 /// uniform density. Each tracked feature is a direction in odometry's axes and a distribution over its range. A bearing
 /// comes from one of the features in view, or from a new one, with the frequency of new features so far.
 class NullModel

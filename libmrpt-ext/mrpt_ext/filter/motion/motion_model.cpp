@@ -37,11 +37,11 @@ OdometryMotion nominalMotion(const MotionModel& model, const OdometryMotion& mot
 Vector3d incrementStd(const MotionModel& model, const OdometryMotion& motion)
 {
   const double time_xy = square(model.std_xy_per_s) * motion.duration;
-  const double way_xy = square(model.std_xy_per_m) * motion.path_length;
+  const double distance_xy = square(model.std_xy_per_m) * motion.path_length;
   const double phi = square(model.std_phi_per_deg) * motion.turned * degToRad(1.0) +
                      square(model.std_phi_per_m) * motion.path_length + square(model.std_phi_per_s) * motion.duration;
-  const double across = model.type == MotionType::velocity ? time_xy : time_xy + way_xy;
-  return {std::sqrt(time_xy + way_xy), std::sqrt(across), std::sqrt(phi)};
+  const double across = model.type == MotionType::velocity ? time_xy : time_xy + distance_xy;
+  return {std::sqrt(time_xy + distance_xy), std::sqrt(across), std::sqrt(phi)};
 }
 
 Matrix3d incrementCovariance(const MotionModel& model, const OdometryMotion& motion)
@@ -55,8 +55,8 @@ Matrix3d incrementCovariance(const MotionModel& model, const OdometryMotion& mot
   return covariance;
 }
 
-void moveParticles(ParticleSet& particles, const MotionModel& model, const OdometryMotion& motion, RandomStream& random,
-                   unsigned threads)
+void sampleMotion(ParticleSet& particles, const MotionModel& model, const OdometryMotion& motion, RandomStream& random,
+                  unsigned threads)
 {
   const Vector3d std = incrementStd(model, motion);
   const Vector2d swing = swingDirection(model, motion);

@@ -40,6 +40,6 @@ struct MotionModel
 /// then composed). Scale errors of odometry that a particle carries multiply distance and rotation by (1 + scale); the
 /// chord of an arc turns by half of what the rotation grows.
 /// One number is drawn from `random`, which seeds all blocks of particles; `threads` change nothing but the time.
-void moveParticles(ParticleSet& particles, const MotionModel& model, const OdometryMotion& motion, RandomStream& random,
-                   unsigned threads = 1);
+void sampleMotion(ParticleSet& particles, const MotionModel& model, const OdometryMotion& motion, RandomStream& random,
+                  unsigned threads = 1);
 }  // namespace mrpt_ext

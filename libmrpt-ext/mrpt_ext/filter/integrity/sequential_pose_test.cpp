@@ -1,4 +1,4 @@
-#include "mrpt_ext/filter/integrity/pose_verification_test.h"
+#include "mrpt_ext/filter/integrity/sequential_pose_test.h"
 
 #include <algorithm>
 #include <cmath>
