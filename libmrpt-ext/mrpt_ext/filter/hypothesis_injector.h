@@ -8,30 +8,31 @@
 
 namespace mrpt_ext
 {
-/// Weight below which a hypothesis gets no particles.
+/// A hypothesis with less weight gets no particles.
 inline constexpr double kMinInjectedWeight = 0.002;
 
-/// Adds particles for hypotheses that compete with the posterior, weighted so that the set represents
-/// (1 - prior) * posterior + prior * p(elsewhere): a wrong hypothesis costs particles, no accuracy.
+/// Adds particles for pose hypotheses that compete with the posterior. The weighted set then represents
+/// (1 - prior) * posterior + prior * p(elsewhere): a wrong hypothesis costs particles but no accuracy.
 class HypothesisInjector
 {
  public:
-  /// `region`: where the robot can be found again. `particles`: of a filter with one mode.
+  /// `region`: all poses that a relocalization considers. `particles`: their number while there is one mode.
   HypothesisInjector(const RecoveryOptions& options, const PoseRegion& region, std::size_t particles)
       : options_(options), region_(region), particles_(particles)
   {
   }
 
-  /// Number of particles of one injection.
+  /// Number of particles that inject() adds.
   [[nodiscard]] std::size_t count() const;
-  /// Injects draws from a mixture of the proposed hypotheses, the slipped modes and the region; importance weights
-  /// against p(elsewhere), which is the slipped modes and the uniform distribution over the region.
+  /// Draws particles from a mixture of the proposed hypotheses, the slipped modes and the uniform distribution over the
+  /// region. Their importance weights refer to p(elsewhere): slipped modes and uniform distribution. `prior`:
+  /// probability that the robot is elsewhere.
   void inject(ParticleSet& particles, HypothesisSet proposed, const HypothesisSet& slipped, double prior,
               RandomStream& random) const;
-  /// The modes, as uncertain as they are after a slip of odometry; empty if those are switched off.
+  /// The modes with the covariance that a wheel slip leaves; empty if RecoveryOptions::slip_share is 0.
   [[nodiscard]] HypothesisSet withSlip(HypothesisSet modes) const;
-  /// Gives `share` of the weight of normalised particles to hypotheses of the trajectory, in proportion to their
-  /// weights; those below kMinInjectedWeight get none. Systematic errors are drawn from their prior.
+  /// Gives `share` of the weight of normalised particles to the hypotheses of a trajectory search, in proportion to
+  /// their weights; those below kMinInjectedWeight get none. Systematic errors are drawn from their prior.
   void injectTrajectory(ParticleSet& particles, const HypothesisSet& trajectory, double share,
                         RandomStream& random) const;
 
@@ -41,13 +42,13 @@ class HypothesisInjector
   std::size_t particles_;
 };
 
-/// Weight of the hypotheses of a trajectory that are not at the pose of the `best` mode; what is missing to 1 is
-/// unknown.
+/// Total weight of those hypotheses of a trajectory search that are not near the `best` mode. All weights together may
+/// be less than 1: the rest belongs to no hypothesis.
 [[nodiscard]] double weightElsewhere(const HypothesisSet& trajectory, const Pose2& best);
 
-/// Share of the posterior that the hypotheses of a trajectory get, in [0, 1), when those elsewhere have the weight
-/// `elsewhere`. Their odds are limited to ten to one: of the poses that trajectory searches by bearings give 99.9 % on
-/// MRCLAM, one in ten is wrong (errors are correlated along a trajectory). `log_odds`: evidence for the best mode since
-/// it has been under test; it counts against them.
+/// Share of the posterior, in [0, 1), for the hypotheses of a trajectory search; those not near the best mode have the
+/// weight `elsewhere`. Their odds are limited to ten to one: on MRCLAM, one in ten poses with a weight of 99.9 % from a
+/// search by bearings is wrong, because errors are correlated along a trajectory. The `log_odds` of the best mode
+/// (SequentialPoseTest) count against them.
 [[nodiscard]] double injectedShare(double elsewhere, double log_odds);
 }  // namespace mrpt_ext

@@ -9,13 +9,13 @@
 
 namespace mrpt_ext
 {
-/// The first particles.
+/// Result of an initialization.
 struct Initialization
 {
-  bool accepted = false;  ///< false: a later frame gives a better start
-  ParticleSet particles;  ///< weighted with the measurements; of a declined start too
-  ParticleSet samples;    ///< the same before weighting: log weights log(prior / density)
-  Frame measurements;     ///< that they were weighted with
+  bool accepted = false;  ///< false: wait, a later frame will constrain the pose better
+  ParticleSet particles;  ///< weighted with `measurements`, also when not accepted
+  ParticleSet samples;    ///< the same before weighting: log weights log(prior / proposal density)
+  Frame measurements;     ///< what the particles were weighted with
 };
 
 /// Draws the first particles: around a known pose, uniformly, or by annealed importance sampling from a mixture of pose
@@ -23,24 +23,24 @@ struct Initialization
 class Initializer
 {
  public:
-  /// All must outlive this object. `model` restarts; it weights the particles.
+  /// All must outlive this object. `model` is restarted and then weights the particles.
   Initializer(const ParticleFilterOptions& options, ObservationModel& model, RandomStream& random)
       : options_(options), model_(model), random_(random)
   {
   }
 
-  /// `like`: a set with the origin and the systematic errors of the particles. Declined while Proposal::complete is
-  /// false and there are no hypotheses, or anonymous detections leave several modes: the right one may be an inlier
-  /// short of them.
+  /// `like` gives origin and systematic errors of the new particle set. Before Proposal::complete, an initialization is
+  /// not accepted without hypotheses, nor while anonymous detections leave several modes: the right pose may have one
+  /// inlier too few so far, and be missing.
   [[nodiscard]] Initialization initialize(const Frame& frame, const std::function<Proposal()>& closed_forms,
                                           const ParticleSet& like);
 
  private:
   [[nodiscard]] Initialization atKnownPose(const Frame& frame, const ParticleSet& like);
-  /// Draws from the mixture and weights with the likelihood to the power that keeps enough effective samples, which is
-  /// returned: 1 if possible.
+  /// Draws from the mixture of hypotheses and uniform prior, and weights with likelihood^exponent. Returns the
+  /// exponent: the largest one that keeps enough effective samples, 1 if possible.
   double draw(Initialization& start, const HypothesisSet& hypotheses, double uniform_share);
-  /// Normalises the particles.
+  /// True if the filter may start from these particles, which are normalised here.
   [[nodiscard]] bool accepts(const Proposal& proposal, Initialization& start) const;
 
   const ParticleFilterOptions& options_;
@@ -48,9 +48,9 @@ class Initializer
   RandomStream& random_;
 };
 
-/// Largest exponent in (0, 1] such that the samples weighted with likelihood^exponent have `effective` effective
-/// samples (annealed importance sampling: Neal, Stat. Comput. 11(2), 2001). `log_prior`: log weights before the
-/// likelihood, `log_weight`: with it.
+/// Largest exponent in (0, 1] for which the effective sample size, after weighting with likelihood^exponent, reaches
+/// `effective` (annealed importance sampling: Neal, Stat. Comput. 11(2), 2001). `log_prior`: log weights without the
+/// likelihood; `log_weight`: with it.
 [[nodiscard]] double annealingExponent(std::span<const float> log_prior, std::span<const float> log_weight,
                                        double effective);
 }  // namespace mrpt_ext

@@ -12,35 +12,35 @@
 
 namespace mrpt_ext
 {
-/// Does the best mode deserve trust? Combines the inlier ratios (fast, slow, immediate, per sensor), the sequential
-/// test of the mode against the null hypothesis, and contradiction by the recent trajectory, and gives the verdict.
+/// Judges the best mode without ground truth. The verdict combines the inlier ratios (fast, slow, immediate, per
+/// sensor), the sequential test of the mode against the null hypothesis, and contradiction by the recent trajectory.
 class IntegrityMonitor
 {
  public:
   IntegrityMonitor(const RecoveryOptions& recovery, const VerdictOptions& verdict, const MotionModel& motion,
                    const BiasModel& biases, const LandmarkTable& map);
 
-  /// Initialized globally with these measurements: SequentialPoseTest::start().
+  /// The filter was initialized globally; for the arguments see SequentialPoseTest::start().
   void start(const Frame& measurements, const ParticleSet& samples);
-  /// Initialized at a known pose: it is verified.
+  /// The filter was initialized at a known pose: the mode is verified.
   void startVerified(const Frame& frame);
-  /// Tests the mode on a frame, before the particles (moved to it, normalised) are weighted with it. Without `counts`
-  /// the frame is only remembered: several modes, or injected hypotheses, are selected by it.
+  /// Tests the mode with a frame. `predicted`: normalised particles after the motion, not yet weighted with the frame.
+  /// `counts` is false when the frame selects between modes or injected hypotheses: it is no evidence for the winner.
   void test(const Frame& frame, const ParticleSet& predicted, bool counts);
-  /// Takes the trajectory's hypotheses: they may contradict the mode.
+  /// `contradicted`: the result of the trajectory search fits another pose better than the best mode.
   void setContradicted(bool contradicted) { contradicted_ = contradicted; }
-  /// Follows the mode under test by odometry. The test starts anew, and true is returned, when another mode has most of
-  /// the weight or the mode under test is not precise any more. A rival that comes and goes takes nothing from the
-  /// evidence so far.
+  /// Predicts the mode under test by odometry. When another mode has most of the weight, or the mode under test is not
+  /// precise any more, the test starts again and the result is true. A second mode that only appears for a while leaves
+  /// the log odds as they are.
   bool followMode(const ModeSet& modes, const OdometryMotion& motion);
-  /// Takes the inliers of the updated posterior.
+  /// Updates the inlier ratios with the inliers of the weighted particles.
   void update(const InlierReport& report);
 
   [[nodiscard]] bool verified() const { return pose_test_.verified(); }
   [[nodiscard]] double logOdds() const { return pose_test_.logOdds(); }
-  /// Too few inliers.
+  /// The fast inlier ratio is below RecoveryOptions::reseed_inlier_ratio.
   [[nodiscard]] bool suspicious() const { return fast_ratio_.suspicious(); }
-  /// Too few inliers, in total or of one sensor, or refuted by the test: search elsewhere.
+  /// True if the inlier ratio is low, in total or for one sensor, or the test has refuted the mode.
   [[nodiscard]] bool relocalizationDue() const
   {
     return suspicious() || sensor_ratios_.dropped() || pose_test_.refuted();
@@ -62,7 +62,7 @@ class IntegrityMonitor
   InlierRatioMonitor fast_ratio_, slow_ratio_, immediate_ratio_;  // fast: against the learned clutter of the landmarks
   SensorMonitors sensor_ratios_;
   SequentialPoseTest pose_test_;
-  std::optional<KalmanState> tested_mode_;  // what pose_test_ is about
+  std::optional<KalmanState> tested_mode_;  // the mode under test, predicted by odometry
   bool contradicted_ = false;
 };
 }  // namespace mrpt_ext

@@ -72,7 +72,7 @@ class ParticleFilter
   ParticleFilterOptions options_;
   RandomStream random_;
   ParticleSet particles_;
-  ModeSet modes_;  // of the last step, before the correction for sampling; mode_of is memory only
+  ModeSet modes_;  // of the last step, before the correction for sampling; mode_of is only a buffer
   ObservationModel observation_model_;
   IntegrityMonitor integrity_;
   RecoveryPolicy recovery_;

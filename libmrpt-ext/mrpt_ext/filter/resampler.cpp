@@ -19,8 +19,8 @@ std::size_t Resampler::kldSize(const ParticleSet& particles, RandomStream& rando
 void Resampler::resample(ParticleSet& particles, const ModeSet& modes, std::size_t count, RandomStream& random)
 {
   if (adaptive_) count = kldSize(particles, random);
-  ParticleSet drawn = resampleByMode(particles, modes.mode_of, method_, count, random, threads_, std::move(memory_));
-  memory_ = std::exchange(particles, std::move(drawn));
+  ParticleSet drawn = resampleByMode(particles, modes.mode_of, method_, count, random, threads_, std::move(buffer_));
+  buffer_ = std::exchange(particles, std::move(drawn));
   regularizeModes(particles, modes, {}, random, threads_);
 }
 }  // namespace mrpt_ext

@@ -25,6 +25,6 @@ class Resampler
   bool adaptive_;
   KldOptions kld_;
   unsigned threads_;
-  ParticleSet memory_;  // to resample into
+  ParticleSet buffer_;  // reused by every resampling
 };
 }  // namespace mrpt_ext

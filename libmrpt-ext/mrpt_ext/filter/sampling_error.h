@@ -4,20 +4,21 @@
 
 namespace mrpt_ext
 {
-/// Sampling error of mean and covariance over few particles. The reported covariance of n effective particles is free
-/// of the bias of a small sample, and contains the sampling variance of the mean: 1 / n of the covariance, and what is
-/// left of that of the steps before.
+/// Corrects the reported covariance for the finite number n of effective particles. It removes the bias of a small
+/// sample, n / (n - 1), and adds the sampling variance of the mean: 1 / n of the covariance, and what remains of the
+/// sampling variance of earlier steps.
 class SamplingError
 {
  public:
-  /// Share of the sampling variance of the mean that a measurement leaves, both relative to the covariance at their
-  /// time. `before`: covariance of the last step, `predicted`: after the motion, `after`: after the measurement.
+  /// Share of the mean's sampling variance that remains after a step; the variance is relative to the covariance of its
+  /// time. Covariances: `before` the step, `predicted` by the motion, `after` the measurement.
   [[nodiscard]] static double remainder(const Matrix3d& before, const Matrix3d& predicted, const Matrix3d& after);
 
-  /// Corrects the covariances of the modes. `remainder`: as above; 0 where there were several modes, or are now.
+  /// Corrects the covariances of the modes. `effective`: effective particles of all modes together. `remainder`: from
+  /// remainder(), or 0 if there were several modes before the step or are after it.
   void correct(ModeSet& modes, double effective, double remainder);
 
  private:
-  double variance_ = 0;  // of the last mean, relative to its covariance
+  double variance_ = 0;  // sampling variance of the mean in the last step, relative to the covariance
 };
 }  // namespace mrpt_ext

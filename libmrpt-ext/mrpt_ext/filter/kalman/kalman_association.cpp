@@ -18,7 +18,7 @@ Association associate(const Detection& detection, const Reading& reading, const 
   const auto consider = [&](std::size_t j)
   {
     const DetectionRows rows = linearise(detection, reading, map[j], state.mean, biases);
-    const double in_view = identified ? 1.0 : rows.chance;  // what is identified was in view
+    const double in_view = identified ? 1.0 : rows.visibility;  // what is identified was in view
     if (!(in_view > 0)) return;
     const Innovation innovation = innovationOf(rowsOf(rows), state.covariance);
     const double likelihood = in_view * std::exp(innovation.log_density);

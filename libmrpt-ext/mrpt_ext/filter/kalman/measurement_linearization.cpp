@@ -36,7 +36,7 @@ DetectionRows linearise(const Detection& detection, const Reading& reading, cons
   applyBias(biased, bias);
 
   DetectionRows result;
-  result.chance = unbiased.visibility;
+  result.visibility = unbiased.visibility;
   const auto add_derivative = [&](KalmanRow& row, BiasKind kind, double value)
   {
     for (std::size_t k = 0; k < biases.size(); ++k)

@@ -13,21 +13,22 @@ struct KalmanRow
 {
   KalmanRowVector jacobian;
   double residual = 0;  ///< bearings wrapped
-  double variance = 1;  ///< of the sensor, the map and the odometry between a past scan and now
+  double variance = 1;  ///< of the sensor, of the landmark, and of the odometry since a past scan
 };
 
-/// The rows of one detection, if it shows one given landmark: bearing, range or both.
+/// The rows of one detection, associated with one landmark: bearing, range or both.
 struct DetectionRows
 {
   std::array<KalmanRow, 2> rows;
   int count = 0;
-  double chance = 1;  ///< that the sensor reports this landmark from there at all
+  double visibility = 1;  ///< probability that the landmark is in view (LandmarkPrediction::visibility)
 };
 
-/// Linearises at `mean`: sensor offset, slant range, systematic errors of the sensor, deviations of the landmark.
+/// Linearises at `mean`. Accounts for the mounting of the sensor, slant range, systematic errors of the sensor and the
+/// standard deviations of the landmark.
 [[nodiscard]] DetectionRows linearise(const Detection& detection, const Reading& reading, const Landmark& landmark,
                                       const KalmanVector& mean, const BiasModel& biases);
 
-/// A heading measured by a compass.
+/// The row of a heading that a compass measured.
 [[nodiscard]] KalmanRow lineariseHeading(double heading, double std_heading, const KalmanVector& mean);
 }  // namespace mrpt_ext

@@ -115,11 +115,11 @@ Mode describe(const PoseHistogram& grid, const std::vector<std::size_t>& cells)
 }
 }  // namespace
 
-ModeSet findModes(const ParticleSet& particles, const ModeOptions& options, unsigned threads, std::vector<int> memory)
+ModeSet findModes(const ParticleSet& particles, const ModeOptions& options, unsigned threads, std::vector<int> buffer)
 {
   ModeSet result;
   if (particles.empty()) return result;
-  PoseHistogram grid(particles, options.cell_xy, options.cell_phi, threads, std::move(memory));
+  PoseHistogram grid(particles, options.cell_xy, options.cell_phi, threads, std::move(buffer));
   double heaviest = 0;
   for (std::size_t cell = 0; cell < grid.size(); ++cell) heaviest = std::max(heaviest, grid.weight(cell));
   std::vector<int> label(grid.size(), kNoLabel);

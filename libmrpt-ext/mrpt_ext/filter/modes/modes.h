@@ -29,7 +29,7 @@ struct ModeSet
 
 /// Splits normalised particles into modes: cells of a grid over (x, y, phi, wrapped) that are heavy enough and touch
 /// form a core; every lighter cell climbs to its heaviest neighbour until it reaches a core or a peak of its own.
-/// `threads` change nothing but the time, and neither does `memory`, which `mode_of` may be put into.
+/// The result does not depend on `threads`. `buffer` is reused for `mode_of`.
 [[nodiscard]] ModeSet findModes(const ParticleSet& particles, const ModeOptions& options, unsigned threads = 1,
-                                std::vector<int> memory = {});
+                                std::vector<int> buffer = {});
 }  // namespace mrpt_ext

@@ -68,11 +68,11 @@ class PoseHistogram::NearCells
 };
 
 PoseHistogram::PoseHistogram(const ParticleSet& particles, double cell_xy, double cell_phi, unsigned threads,
-                             std::vector<int> memory)
+                             std::vector<int> buffer)
     : origin_(particles.origin),
       cell_xy_(cell_xy),
       turns_(static_cast<std::int32_t>(std::max(1LL, std::llround(kTwoPi / cell_phi)))),
-      cell_of_(std::move(memory))
+      cell_of_(std::move(buffer))
 {
   cell_of_.resize(particles.size());
   cell_phi_ = kTwoPi / turns_;

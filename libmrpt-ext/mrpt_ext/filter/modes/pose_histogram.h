@@ -8,8 +8,8 @@
 
 namespace mrpt_ext
 {
-/// Sums over the particles of one cell: weight, and first and second moments about the cell's middle, order (x, y, phi)
-/// [m, m, rad].
+/// Moments of the particles of one cell: sum of the weights, first and second moments about the centre of the cell in
+/// the order (x, y, phi) [m, m, rad].
 struct CellMoments
 {
   double weight = 0;
@@ -17,8 +17,9 @@ struct CellMoments
   Matrix3d second = Matrix3d::Zero();
 };
 
-/// The cells of a grid over (x, y, phi) that particles occupy, in order of first appearance; headings close at +-pi.
-/// Blocks of particles are gathered each by itself and joined in order, so that nothing depends on the threads.
+/// Histogram of particles over (x, y, phi). It keeps the occupied cells only, in order of first appearance; the heading
+/// wraps at +-pi. Each block of particles has a histogram of its own, and the blocks are joined in order, so the result
+/// does not depend on the number of threads.
 class PoseHistogram
 {
  public:
@@ -28,18 +29,18 @@ class PoseHistogram
     [[nodiscard]] bool operator==(const Cell& other) const { return x == other.x && y == other.y && phi == other.phi; }
   };
 
-  /// Cells of `cell_xy` [m] and about `cell_phi` [rad]; normalised particles. `memory` holds the labels then.
+  /// `particles`: normalised. Cells of `cell_xy` [m] and about `cell_phi` [rad]. `buffer` is reused for cell numbers.
   PoseHistogram(const ParticleSet& particles, double cell_xy, double cell_phi, unsigned threads,
-                std::vector<int> memory = {});
+                std::vector<int> buffer = {});
 
   [[nodiscard]] std::size_t size() const { return cells_.size(); }
   [[nodiscard]] double weight(std::size_t cell) const { return sums_[cell].first[0]; }
   [[nodiscard]] CellMoments moments(std::size_t cell) const;
   [[nodiscard]] Pose2 middle(std::size_t cell) const;
-  /// The label of every particle's cell. The cells forget their particles then.
+  /// The label of every particle's cell. Call it last: it consumes the cell numbers of the particles.
   [[nodiscard]] std::vector<int> labelParticles(const std::vector<int>& label_of_cell, unsigned threads) &&;
 
-  /// Calls `visit(cell)` for the occupied ones of the 26 cells around.
+  /// Calls `visit(cell)` for every occupied one of the 26 neighbours of a cell.
   template <typename Visit>
   void forNeighbours(std::size_t cell, Visit&& visit) const
   {
@@ -56,7 +57,7 @@ class PoseHistogram
  private:
   static constexpr std::uint32_t kNone = 0xffffffff;
 
-  /// Open addressing: cells by hash, in a table of a power of two.
+  /// Hash table of cell numbers with open addressing; its size is a power of two.
   struct Index
   {
     std::vector<std::uint32_t> slots = std::vector<std::uint32_t>(64, kNone);
@@ -81,7 +82,7 @@ class PoseHistogram
   Index index_;
   std::vector<Cell> cells_;
   std::vector<CellSums> sums_;
-  std::vector<std::vector<std::uint32_t>> global_cells_;  // of each block: the numbers of its cells among all
-  std::vector<int> cell_of_;                              // among those of the particle's block
+  std::vector<std::vector<std::uint32_t>> global_cells_;  // per block: the numbers of its cells in `cells_`
+  std::vector<int> cell_of_;                              // per particle: its cell's number within its block
 };
 }  // namespace mrpt_ext

@@ -79,10 +79,10 @@ std::vector<std::size_t> drawIndices(ResamplingMethod method, const std::vector<
 }
 
 ParticleSet resampleByMode(const ParticleSet& particles, const std::vector<int>& mode_of, ResamplingMethod method,
-                           std::size_t count, RandomStream& random, unsigned threads, ParticleSet memory)
+                           std::size_t count, RandomStream& random, unsigned threads, ParticleSet buffer)
 {
   if (method == ResamplingMethod::systematic)
-    if (auto resampled = resampleSystematically(particles, mode_of, count, random, threads, std::move(memory)))
+    if (auto resampled = resampleSystematically(particles, mode_of, count, random, threads, std::move(buffer)))
       return *std::move(resampled);
   const int modes = mode_of.empty() ? 0 : *std::max_element(mode_of.begin(), mode_of.end()) + 1;
   std::vector<std::vector<std::size_t>> members(static_cast<std::size_t>(modes));

@@ -25,8 +25,8 @@ enum class ResamplingMethod
 /// resampling makes the share of two equal modes a random walk). `mode_of[i]` numbers the mode of particle i from 0.
 /// A mode of weight w gets about count * w particles, each of weight w / its number. A mode with count * w < 1 gets one
 /// particle of weight 1 / count with probability count * w, else none: its expected weight is kept as well.
-/// `threads` change nothing but the time, and neither does `memory`, which the result may be put into.
+/// The result does not depend on `threads`. `buffer` is reused for it.
 [[nodiscard]] ParticleSet resampleByMode(const ParticleSet& particles, const std::vector<int>& mode_of,
                                          ResamplingMethod method, std::size_t count, RandomStream& random,
-                                         unsigned threads = 1, ParticleSet memory = {});
+                                         unsigned threads = 1, ParticleSet buffer = {});
 }  // namespace mrpt_ext

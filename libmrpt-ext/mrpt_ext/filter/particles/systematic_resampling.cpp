@@ -60,13 +60,13 @@ std::vector<ModePoints> pointsOf(const std::vector<double>& mode_weight, std::si
   return points;
 }
 
-ParticleSet roomFor(std::size_t count, const ParticleSet& particles, ParticleSet memory)
+ParticleSet resized(ParticleSet buffer, std::size_t count, const ParticleSet& particles)
 {
-  memory.origin = particles.origin;
-  memory.bias_states = particles.bias_states;
-  memory.bias.resize(particles.bias.size());
-  memory.resize(count);
-  return memory;
+  buffer.origin = particles.origin;
+  buffer.bias_states = particles.bias_states;
+  buffer.bias.resize(particles.bias.size());
+  buffer.resize(count);
+  return buffer;
 }
 
 /// The weights of one block, and their sums per mode as both walks through them add them up.
@@ -205,7 +205,7 @@ std::vector<std::size_t> allotSystematically(const std::vector<double>& weights,
 
 std::optional<ParticleSet> resampleSystematically(const ParticleSet& particles, const std::vector<int>& mode_of,
                                                   std::size_t count, RandomStream& random, unsigned threads,
-                                                  ParticleSet memory)
+                                                  ParticleSet buffer)
 {
   const std::size_t blocks = blockCount(particles.size());
   const auto modes =
@@ -225,7 +225,7 @@ std::optional<ParticleSet> resampleSystematically(const ParticleSet& particles, 
   if (!(std::accumulate(mode_weight.begin(), mode_weight.end(), 0.0) > 0)) return std::nullopt;
 
   const std::vector<ModePoints> points = pointsOf(mode_weight, count, random);
-  ParticleSet result = roomFor(count, particles, std::move(memory));
+  ParticleSet result = resized(std::move(buffer), count, particles);
   forEachBlock(particles.size(), threads,
                [&](std::size_t first, std::size_t size)
                {

@@ -14,10 +14,10 @@ namespace mrpt_ext
 
 /// resampleByMode() for the systematic method without a list of indices: the sums of all blocks
 /// before it determine which points fall on a block of particles, and it copies its survivors to their final positions,
-/// mode after mode. `memory` is used for the result, whatever it holds. Nothing when there are too many modes for sums
-/// per block and mode, or when no weight is positive.
+/// mode after mode. `buffer` is reused for the result. Returns nothing if there are too many modes for sums per block
+/// and mode, or if no weight is positive.
 [[nodiscard]] std::optional<ParticleSet> resampleSystematically(const ParticleSet& particles,
                                                                 const std::vector<int>& mode_of, std::size_t count,
                                                                 RandomStream& random, unsigned threads,
-                                                                ParticleSet memory = {});
+                                                                ParticleSet buffer = {});
 }  // namespace mrpt_ext
