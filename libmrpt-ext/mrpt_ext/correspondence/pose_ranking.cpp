@@ -7,7 +7,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kSamePose = 4;  // standard deviations below which two poses are one
+constexpr double kSameRankedPose = 4;  // standard deviations below which two poses are one
 constexpr double kStandsOut = 0.95;
 constexpr double kMaxExpectedFalse = 0.05;
 
@@ -17,9 +17,9 @@ bool isSamePose(const ConsistentPose& a, const ConsistentPose& b)
   const Vector3d e(b.pose.mean.x - a.pose.mean.x, b.pose.mean.y - a.pose.mean.y,
                    wrap(b.pose.mean.phi - a.pose.mean.phi));
   // Cheap first: most poses are far apart.
-  if (square(e.x()) > square(kSamePose) * a.pose.covariance(0, 0)) return false;
-  if (square(e.y()) > square(kSamePose) * a.pose.covariance(1, 1)) return false;
-  return e.dot(a.pose.covariance.ldlt().solve(e)) < square(kSamePose);
+  if (square(e.x()) > square(kSameRankedPose) * a.pose.covariance(0, 0)) return false;
+  if (square(e.y()) > square(kSameRankedPose) * a.pose.covariance(1, 1)) return false;
+  return e.dot(a.pose.covariance.ldlt().solve(e)) < square(kSameRankedPose);
 }
 
 std::vector<ConsistentPose> withoutRepeats(std::vector<ConsistentPose> sorted)

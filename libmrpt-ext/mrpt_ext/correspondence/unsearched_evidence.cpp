@@ -12,7 +12,6 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kLogZero = -std::numeric_limits<double>::infinity();
 constexpr double kMinDetection = 1e-9;
 
 /// Product of two polynomials given by the logarithms of their coefficients.

@@ -13,8 +13,7 @@ namespace mrpt_ext
 namespace
 {
 constexpr int kNoComponent = -1;
-constexpr double kLogZero = -std::numeric_limits<double>::infinity();
-constexpr double kGate = 5;               // standard deviations that the particles of a component are within
+constexpr double kComponentGate = 5;      // standard deviations that the particles of a component are within
 constexpr double kSameModeGate = 3;       // likewise for the mean of a mode
 constexpr double kDuplicate = 1;          // likewise for another component
 constexpr double kMinModeWeight = 0.005;  // of a mode that gets a component
@@ -85,12 +84,12 @@ void ModeMixture::predictAndUpdate(const ParticleSet& predicted, const Frame& fr
 void ModeMixture::assignParticles(const ParticleSet& predicted)
 {
   std::vector<PoseGate> gates;
-  for (const MixtureComponent& component : components_) gates.emplace_back(component.state, kGate);
+  for (const MixtureComponent& component : components_) gates.emplace_back(component.state, kComponentGate);
   component_of_.assign(predicted.size(), kNoComponent);
   prior_mass_.assign(components_.size(), 0.0);
   for (std::size_t i = 0; i < predicted.size(); ++i)
   {
-    double nearest = square(kGate);
+    double nearest = square(kComponentGate);
     for (std::size_t k = 0; k < components_.size(); ++k)
     {
       if (!components_[k].has_particles) continue;
@@ -203,7 +202,7 @@ void ModeMixture::associate(const ModeSet& modes, const ParticleSet& particles)
 void ModeMixture::retain(const Mode& mode, const ParticleSet& particles)
 {
   if (!components_.empty() || !isCompact(mode)) return;
-  const PoseGate gate(startingState(mode.pose, biases_), kGate);
+  const PoseGate gate(startingState(mode.pose, biases_), kComponentGate);
   if (const auto state = momentsOf(particles, [&](std::size_t i) { return gate.contains(particles, i); }))
     components_.push_back({.state = *state});
 }

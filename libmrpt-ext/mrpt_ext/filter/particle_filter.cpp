@@ -12,9 +12,9 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kMajority = 0.5;                    // of the weight along a trajectory
+constexpr double kTrajectoryMajority = 0.5;          // of the weight along a trajectory
 constexpr std::size_t kMaxForKalmanProposal = 4000;  // more particles survive a precise measurement anyway
-constexpr double kModeGate = 6;                      // standard deviations that the particles of a mode are within
+constexpr double kProposalGate = 6;                  // standard deviations that the particles of a mode are within
 
 /// In the middle of the map, where single precision is best.
 Vector2d originOf(const LandmarkTable& map, const PoseRegion& region)
@@ -132,7 +132,7 @@ void ParticleFilter::injectTrajectory(const HypothesisSet& trajectory, const Odo
   if (trajectory.empty() || modes_.modes.empty()) return;
   const double elsewhere = weightElsewhere(trajectory, bestModeAfter(motion).pose());
   const double share = injectedShare(elsewhere, integrity_.logOdds());
-  integrity_.setContradicted(elsewhere > kMajority && share < kMajority);
+  integrity_.setContradicted(elsewhere > kTrajectoryMajority && share < kTrajectoryMajority);
   if (share < kMinInjectedWeight) return;
   normalizeWeights(particles_);
   injector_.injectTrajectory(particles_, trajectory, share, random_);
@@ -158,7 +158,7 @@ bool ParticleFilter::weight(const Frame& frame)
 std::optional<KalmanState> ParticleFilter::kalmanPrior(const OdometryMotion& motion) const
 {
   if (!isTracking() || particles_.size() > kMaxForKalmanProposal || !mode_mixture_.empty()) return std::nullopt;
-  const PoseGate gate(bestModeAfter(motion), kModeGate);
+  const PoseGate gate(bestModeAfter(motion), kProposalGate);
   return momentsOf(particles_, [&](std::size_t i) { return gate.contains(particles_, i); });
 }
 

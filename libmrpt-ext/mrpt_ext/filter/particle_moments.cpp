@@ -8,7 +8,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kMinVariance = 1e-12;
+constexpr double kMinMomentVariance = 1e-12;
 }  // namespace
 
 Vector3d offsetFrom(const Pose2& from, const ParticleSet& particles, std::size_t i)
@@ -40,7 +40,7 @@ std::optional<KalmanState> momentsOf(const ParticleSet& particles, const std::fu
   if (!(weight > 0) || weight * weight < least * weight2) return std::nullopt;
   sum /= weight;
   KalmanState state{moved(reference, sum), squares / weight - sum * sum.transpose()};
-  state.covariance.diagonal().array() += kMinVariance;
+  state.covariance.diagonal().array() += kMinMomentVariance;
   return state;
 }
 

@@ -9,15 +9,15 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kInflation = 2.0;                     // a proposal is wider than the posterior it proposes for
-const Vector3d kMinStd{0.002, 0.002, degToRad(0.02)};  // of a proposal
+constexpr double kProposalInflation = 2.0;                    // a proposal is wider than the posterior it proposes for
+const Vector3d kMinSeedingStd{0.002, 0.002, degToRad(0.02)};  // of a proposal
 constexpr double kMinProposalWeight = 1e-4;
 constexpr std::size_t kMaxModes = 500;
 }  // namespace
 
 ProposalDistribution proposalAround(const HypothesisSet& hypotheses, const PoseRegion& region, double uniform_share)
 {
-  return {withWideCopies(hypotheses, kMinSeedStd), region, uniform_share, kInflation, kMinStd};
+  return {withWideCopies(hypotheses, kMinSeedStd), region, uniform_share, kProposalInflation, kMinSeedingStd};
 }
 
 HypothesisSet withWideCopies(const HypothesisSet& hypotheses, const Vector3d& wide_std)

@@ -18,7 +18,7 @@ namespace
 // the larger one lets a mode of few ancestors grow.
 constexpr std::array<double, 4> kStepShares{3.0, 1.0, 0.3, 0.1};
 constexpr double kAnyHeadingStdPhi = degToRad(40.0);  // wider: any heading, uncorrelated with the rest
-constexpr double kMinVariance = 1e-8;                 // so that a mode of copies is moved at all
+constexpr double kMinMoveVariance = 1e-8;             // so that a mode of copies is moved at all
 constexpr double kRotationShare = 0.3;                // of the steps
 constexpr std::size_t kMaxWalkingModes = 40;          // the heaviest ones; the others only rotate
 constexpr int kMinSweeps = 2, kMaxSweeps = 40;
@@ -64,7 +64,7 @@ StepShape shapeOf(const ModeSums& mode)
     C.col(2).setZero();
     C(2, 2) = square(kAnyHeadingStdPhi);
   }
-  C.diagonal().array() += kMinVariance;
+  C.diagonal().array() += kMinMoveVariance;
   StepShape shape{C.llt().matrixL(), 0};
   shape.log_volume = shape.factor.diagonal().array().log().sum();
   return shape;

@@ -22,7 +22,7 @@ std::optional<MirrorAxis> axisFrom(const CameraNumbers& numbers)
   return MirrorAxis{{*u, *v}, degToRad(*cone), degToRad(*rim)};
 }
 
-ConicMirrorSettings readModel(const Settings& settings, const CameraFile& camera)
+ConicMirrorSettings readConicModel(const Settings& settings, const CameraFile& camera)
 {
   const CameraNumbers of_camera(settings, kConicMirrorSection, camera);
   const auto number = [&](const char* key) { return settings.number(kConicMirrorSection, key); };
@@ -51,7 +51,7 @@ ConicMirrorSettings readModel(const Settings& settings, const CameraFile& camera
 }  // namespace
 
 ConicMirrorFrontEnd::ConicMirrorFrontEnd(const Settings& settings, const CameraFile& camera)
-    : model_(readModel(settings, camera)),
+    : model_(readConicModel(settings, camera)),
       T_robot_sensor_{settings.number(kConicMirrorSection, "sensor_x_m"),
                       settings.number(kConicMirrorSection, "sensor_y_m"), 0},
       label_(settings.text(kConicMirrorSection, "sensor_label"))

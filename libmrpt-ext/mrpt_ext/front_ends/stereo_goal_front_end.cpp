@@ -34,7 +34,7 @@ GoalColour readColour(const Settings& settings, const std::string& name)
   return GoalColour({share("blue"), share("green"), share("red")});
 }
 
-StereoGoalSettings readModel(const Settings& settings, const CameraFile& camera)
+StereoGoalSettings readStereoModel(const Settings& settings, const CameraFile& camera)
 {
   const auto number = [&](const char* key) { return settings.number(kStereoGoalSection, key); };
   StereoGoalSettings model;
@@ -77,7 +77,7 @@ Detection detectionOf(const StereoMeasurement& measured)
 }  // namespace
 
 StereoGoalFrontEnd::StereoGoalFrontEnd(const Settings& settings, const CameraFile& camera)
-    : model_(readModel(settings, camera)),
+    : model_(readStereoModel(settings, camera)),
       T_robot_sensor_{CameraNumbers(settings, kStereoGoalSection, camera).required("sensor_x_m", "forward"),
                       CameraNumbers(settings, kStereoGoalSection, camera)
                           .optional("sensor_y_m", "left")

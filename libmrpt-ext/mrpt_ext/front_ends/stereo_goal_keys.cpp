@@ -8,7 +8,7 @@ namespace
 
 KeyTable cameraKeys()
 {
-  constexpr ValueRange kLength{1e-4, 100}, kPixels{1, 1e5};
+  constexpr ValueRange kCameraLength{1e-4, 100}, kPixels{1, 1e5};
   return KeySection(kStereoGoalSection)
       .integer("image_width", "px", kUnset, {64, 20000}, "Not set: width of camera.json.")
       .integer("image_height", "px", kUnset, {64, 20000}, "Not set: height of camera.json.")
@@ -16,9 +16,9 @@ KeyTable cameraKeys()
       .number("focal_v_px", "px", kUnset, kPixels, "Not set: fy of camera.json.")
       .number("centre_u_px", "px", kUnset, {-1e5, 1e5}, "Not set: cx of camera.json.")
       .number("centre_v_px", "px", kUnset, {-1e5, 1e5}, "Not set: cy of camera.json.")
-      .number("baseline_m", "m", kUnset, kLength,
+      .number("baseline_m", "m", kUnset, kCameraLength,
               "From the left to the right camera. Not set: baseline of camera.json.")
-      .number("camera_height_m", "m", kUnset, kLength, "Above the floor. Not set: height_m of camera.json.")
+      .number("camera_height_m", "m", kUnset, kCameraLength, "Above the floor. Not set: height_m of camera.json.")
       .number("pitch_deg", "deg", kUnset, {-60, 60}, "Looking down is positive. Not set: pitch_deg of camera.json.")
       .number("sensor_x_m", "m", kUnset, {-100, 100}, "Forward of the robot's origin. Not set: forward of camera.json.")
       .number(
@@ -28,7 +28,7 @@ KeyTable cameraKeys()
 
 KeyTable goalKeys()
 {
-  constexpr ValueRange kShare{0.01, 1.3}, kId{0, 1e6};
+  constexpr ValueRange kColourShare{0.01, 1.3}, kId{0, 1e6};
   return KeySection(kStereoGoalSection)
       .integer("scan_step", "px", 4, {1, 16}, "Every such pixel of every such row is examined; 1 is a full scan.")
       .number("goal_height_m", "m", 0.05, {0.001, 10}, "What is not as high where it stands is no goal.")
@@ -41,12 +41,12 @@ KeyTable goalKeys()
               "Standard deviation of a corner's column that noise does not explain.")
       .number("std_disparity_px", "px", 0.12, {0, 10},
               "Likewise of its disparity; both images share much of the former.")
-      .number("yellow_red", "", 1.0, kShare, "Yellow goal beside white: share of the white's red as coded.")
-      .number("yellow_green", "", 0.9, kShare, "Share of the white's green.")
-      .number("yellow_blue", "", 0.22, kShare, "Share of the white's blue.")
-      .number("blue_red", "", 0.22, kShare, "Blue goal beside white: share of the white's red as coded.")
-      .number("blue_green", "", 0.37, kShare, "Share of the white's green.")
-      .number("blue_blue", "", 0.85, kShare, "Share of the white's blue.")
+      .number("yellow_red", "", 1.0, kColourShare, "Yellow goal beside white: share of the white's red as coded.")
+      .number("yellow_green", "", 0.9, kColourShare, "Share of the white's green.")
+      .number("yellow_blue", "", 0.22, kColourShare, "Share of the white's blue.")
+      .number("blue_red", "", 0.22, kColourShare, "Blue goal beside white: share of the white's red as coded.")
+      .number("blue_green", "", 0.37, kColourShare, "Share of the white's green.")
+      .number("blue_blue", "", 0.85, kColourShare, "Share of the white's blue.")
       .integer("blue_l_id", "", 1, kId, "Landmark of the blue goal's left corner, seen from the field.")
       .integer("blue_r_id", "", 2, kId, "Landmark of the blue goal's right corner.")
       .integer("yellow_r_id", "", 3, kId, "Landmark of the yellow goal's right corner.")

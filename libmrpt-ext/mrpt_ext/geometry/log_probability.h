@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mrpt_ext/geometry/angle.h"
 
 namespace mrpt_ext
 {
+inline constexpr double kLogZero = -std::numeric_limits<double>::infinity();
+
 /// log(exp(a) + exp(b)) without overflow; either may be minus infinity.
 [[nodiscard]] inline double logSum(double a, double b)
 {

@@ -68,7 +68,7 @@ Verdict verdictOf(const std::string& name)
   return name == "ok" ? Verdict::ok : name == "ambiguous" ? Verdict::ambiguous : Verdict::lost;
 }
 
-TrialScore trialOf(const Json& detail)
+TrialScore readTrial(const Json& detail)
 {
   TrialScore trial;
   trial.trial = detail.at("trial");
@@ -102,7 +102,7 @@ RunScore runScoreOf(const nlohmann::ordered_json& summary)
   score.cost = {numberOf(cost.at("cpu_s")), numberOf(cost.at("wall_s")), numberOf(cost.at("peak_memory_mb")),
                 numberOf(cost.at("realtime_factor"))};
   score.converged_at_s = numberOf(summary.at("filter").at("converged_at_s"));
-  score.trials = {trialOf(summary.at("trials_detail").at(0))};
+  score.trials = {readTrial(summary.at("trials_detail").at(0))};
   score.success_rate = numberOf(summary.at("success_rate"));
   score.verdict = verdictOf(summary.at("verdict"));
   score.verdict_reason = summary.at("verdict_reason");

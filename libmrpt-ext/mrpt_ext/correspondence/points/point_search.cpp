@@ -9,13 +9,14 @@
 #include "mrpt_ext/correspondence/scan_bearing.h"
 #include "mrpt_ext/correspondence/triple_schedule.h"
 #include "mrpt_ext/correspondence/unsearched_evidence.h"
+#include "mrpt_ext/geometry/log_probability.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr std::size_t kNearPoints = 4;      // a triangle is made of a point and two of its nearest
-constexpr std::size_t kMaxVerified = 2000;  // poses; each costs some ten microseconds
+constexpr std::size_t kNearPoints = 4;          // a triangle is made of a point and two of its nearest
+constexpr std::size_t kMaxVerifiedFits = 2000;  // poses; each costs some ten microseconds
 constexpr std::size_t kMaxPending = 50000;
 constexpr std::size_t kMaxPairs = 15;  // widest first: they fix the heading best
 /// So few inliers need not be near neighbours of one another, as the triangles of the index are.
@@ -24,7 +25,6 @@ constexpr double kDoubtful =
     0.05;  // probability elsewhere, or expected number of false poses, from which on pairs are tried
 constexpr double kPlaneGate = 1.15;  // a gate in the plane reaches further than one on a line for the same share
 constexpr double kSamePose = 0.5;    // standard deviations
-constexpr double kLogZero = -std::numeric_limits<double>::infinity();
 
 class PointSearchRun
 {
@@ -249,7 +249,7 @@ class PointSearchRun
       if (candidate.inliers < leastInliers()) break;
       const GaussianPose pose = candidate.fit.pose();
       if (alreadyFound(pose)) continue;
-      if (result_.work.verified >= kMaxVerified)
+      if (result_.work.verified >= kMaxVerifiedFits)
       {
         result_.finished = false;
         break;

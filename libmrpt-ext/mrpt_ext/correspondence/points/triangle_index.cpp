@@ -9,7 +9,7 @@ namespace mrpt_ext
 namespace
 {
 constexpr std::size_t kNeighbours = 12;
-constexpr int kMaxBins = 160;  // per side: 4 million buckets
+constexpr int kMaxLengthBins = 160;  // per side: 4 million buckets
 constexpr double kEntriesPerBucket = 4;
 constexpr double kFlat = 1e-3;  // sine of the smallest angle: the orientation of flatter triangles is not certain
 
@@ -64,7 +64,7 @@ TriangleIndex::TriangleIndex(const LandmarkIndex& map)
   std::vector<Entry> entries;
   collect(map, entries);
   const double count = static_cast<double>(entries.size());
-  bins_ = std::clamp(static_cast<int>(3 * std::cbrt(count / kEntriesPerBucket)), 1, kMaxBins);
+  bins_ = std::clamp(static_cast<int>(3 * std::cbrt(count / kEntriesPerBucket)), 1, kMaxLengthBins);
   // Few triangles are longer than most: they share the last bucket.
   std::vector<std::uint16_t> longest;
   for (const Entry& e : entries) longest.push_back(e.side[2]);

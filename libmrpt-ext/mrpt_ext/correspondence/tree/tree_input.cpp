@@ -6,7 +6,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kRangeMargin = 1.3;  // a pose from few bearings may put its landmarks a little too far away
+constexpr double kTreeRangeMargin = 1.3;  // a pose from few bearings may put its landmarks a little too far away
 
 std::vector<int> landmarksOfCategory(const LandmarkIndex& map, int category)
 {
@@ -41,7 +41,7 @@ InterpretationOptions treeOptions(const TreeInput& input, const PoseSearchOption
   tree.gate = InterpretationGate::covariance;
   tree.max_residual = options.gate * input.std_bearing;
   tree.std_bearing = input.std_bearing;
-  if (input.scan->model.max_range) tree.max_range = kRangeMargin * *input.scan->model.max_range;
+  if (input.scan->model.max_range) tree.max_range = kTreeRangeMargin * *input.scan->model.max_range;
   tree.max_tested = std::min(options.max_tree_nodes, options.max_tested);
   if (options.area)
   {

@@ -13,7 +13,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr int kLeastMatches = 4;          // every constellation matches three bearings
+constexpr int kLeastTreeMatches = 4;      // every constellation matches three bearings
 constexpr double kPosesPerTriple = 0.25;  // share of landmark triples that can be seen so from within the map
 
 void verifyAll(const Interpretations& found, const LandmarkIndex& map, std::span<const Scan> scans,
@@ -23,7 +23,7 @@ void verifyAll(const Interpretations& found, const LandmarkIndex& map, std::span
   for (const Interpretation& interpretation : found.solutions)
   {
     const GaussianPose robot = robotPose(interpretation.pose, input.scan->T_robot_sensor);
-    if (auto pose = verifyPose(map, scans, options, robot, kLeastMatches)) search.poses.push_back(std::move(*pose));
+    if (auto pose = verifyPose(map, scans, options, robot, kLeastTreeMatches)) search.poses.push_back(std::move(*pose));
   }
   search.work.verified += found.solutions.size();
   for (const std::uint64_t tested : found.tested_by_depth) search.work.tested += tested;
@@ -48,11 +48,11 @@ PoseSearchResult searchByTree(const LandmarkIndex& map, std::span<const Scan> sc
   PoseSearchResult search;
   const TreeInput input = scanWithMostBearings(map, scans);
   const int count = static_cast<int>(input.bearings.size());
-  if (count < kLeastMatches) return search;
+  if (count < kLeastTreeMatches) return search;
 
   InterpretationOptions tree = treeOptions(input, options);
   int unmatched = 0;
-  for (int found_at = count; unmatched <= std::min(found_at + 1, count - kLeastMatches); ++unmatched)
+  for (int found_at = count; unmatched <= std::min(found_at + 1, count - kLeastTreeMatches); ++unmatched)
   {
     tree.max_unmatched = unmatched;
     const Interpretations found = interpretBearings(map.positions(), input.bearings, tree);

@@ -10,14 +10,14 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kInflation = 2.0;          // of the standard deviations of a proposal
-constexpr double kClearWeight = 0.9;        // of one hypothesis, or of all that are lost
-constexpr double kPrecise = 0.5;            // of the standard deviations that the verdict `ok` allows
-constexpr double kMaxWait = 15;             // [s] after which filters start from what there is
-constexpr double kMaxReseedInterval = 8;    // [s]
-constexpr double kMinWeight = 1e-6;         // lighter hypotheses are dropped
-constexpr std::size_t kHeadings = 30;       // filters for a pose of unknown heading: each narrow enough to start
-constexpr std::size_t kMinDetections = 12;  // that a filter has to agree with before it is trusted
+constexpr double kSeedInflation = 2.0;            // of the standard deviations of a proposal
+constexpr double kClearWeight = 0.9;              // of one hypothesis, or of all that are lost
+constexpr double kPrecise = 0.5;                  // of the standard deviations that the verdict `ok` allows
+constexpr double kMaxWait = 15;                   // [s] after which filters start from what there is
+constexpr double kMaxReseedInterval = 8;          // [s]
+constexpr double kMinWeight = 1e-6;               // lighter hypotheses are dropped
+constexpr std::size_t kHeadings = 30;             // filters for a pose of unknown heading: each narrow enough to start
+constexpr std::size_t kMinJudgedDetections = 12;  // that a filter has to agree with before it is trusted
 
 double logVolume(const Matrix3d& covariance) { return 0.5 * std::log(std::max(covariance.determinant(), 1e-30)); }
 
@@ -40,7 +40,7 @@ HypothesisSet withHeadings(const HypothesisSet& proposals)
 }
 
 /// The readings that a proposal rests on may be those of the frame: it is widened, so that they hardly count twice.
-void widen(KalmanHypothesis& filter) { filter.state.covariance.topLeftCorner<3, 3>() *= square(kInflation); }
+void widen(KalmanHypothesis& filter) { filter.state.covariance.topLeftCorner<3, 3>() *= square(kSeedInflation); }
 }  // namespace
 
 KalmanBank::KalmanBank(KalmanBankOptions options, const LandmarkTable& map)
@@ -115,7 +115,7 @@ void KalmanBank::initialize(const Frame& frame, const HypothesisSource& propose)
   {
     hypotheses_ = {filterAt(*options_.start, 0)};
     update(hypotheses_.front(), updated(hypotheses_.front().state, frame), frame);
-    hypotheses_.front().detections = kMinDetections;  // a known start is trusted
+    hypotheses_.front().detections = kMinJudgedDetections;  // a known start is trusted
     recovery_.start();
     return rank(hypotheses_);
   }
@@ -158,7 +158,7 @@ Recovery KalmanBank::decideRecovery(double elapsed)
 {
   const KalmanHypothesis& best = hypotheses_.front();
   const bool suspicious = best.fast_ratio.suspicious();
-  if (!suspicious && best.detections >= kMinDetections) recovery_.resetReseeding();
+  if (!suspicious && best.detections >= kMinJudgedDetections) recovery_.resetReseeding();
   // A single filter gives its hypothesis up: only when it is lost.
   const bool may_replace = options_.max_hypotheses > 1 || best.fast_ratio.lost();
   return recovery_.decide({.suspicious = suspicious && may_replace}, elapsed);
@@ -202,7 +202,7 @@ void KalmanBank::judgeStep(KalmanStep& step) const
     if (h.fast_ratio.lost()) lost_weight += std::exp(h.log_weight);
   const bool lost = lost_weight > kClearWeight;
   VerdictWithReason verdict = judge(step.modes, {.inlier_ratio = ratio, .lost = lost}, options_.verdict);
-  if (verdict.verdict == Verdict::ok && best.detections < kMinDetections)
+  if (verdict.verdict == Verdict::ok && best.detections < kMinJudgedDetections)
     verdict = {Verdict::ambiguous, formatted("one mode, but only %zu detections so far", best.detections)};
   step.verdict = verdict.verdict;
   step.reason = verdict.reason;

@@ -70,10 +70,10 @@ ParticleSet resized(ParticleSet buffer, std::size_t count, const ParticleSet& pa
 }
 
 /// The weights of one block, and their sums per mode as both walks through them add them up.
-class BlockWeights
+class WeightBlocks
 {
  public:
-  BlockWeights(const ParticleSet& particles, const std::vector<int>& mode_of, std::size_t first, std::size_t count)
+  WeightBlocks(const ParticleSet& particles, const std::vector<int>& mode_of, std::size_t first, std::size_t count)
       : modes_(mode_of.data() + first), count_(count)
   {
     exponentials(std::span(particles.log_weight).subspan(first, count), 0, std::span(weight_).first(count));
@@ -166,7 +166,7 @@ class Survivors
   std::uint32_t numbers_[kRoom + kAtOnce];
 };
 
-void copySurvivors(const ParticleSet& particles, const BlockWeights& weights, std::size_t first,
+void copySurvivors(const ParticleSet& particles, const WeightBlocks& weights, std::size_t first,
                    std::span<const ModePoints> points, std::span<const double> sums_before, ParticleSet& result)
 {
   std::vector<double> sums(points.size(), 0.0);
@@ -217,7 +217,7 @@ std::optional<ParticleSet> resampleSystematically(const ParticleSet& particles, 
   forEachBlock(particles.size(), threads,
                [&](std::size_t first, std::size_t size)
                {
-                 BlockWeights(particles, mode_of, first, size)
+                 WeightBlocks(particles, mode_of, first, size)
                      .accumulate(sums_before(first / kParticleBlock + 1), [](std::size_t, std::size_t, double) {});
                });
   for (std::size_t k = modes; k < before.size(); ++k) before[k] += before[k - modes];
@@ -229,7 +229,7 @@ std::optional<ParticleSet> resampleSystematically(const ParticleSet& particles, 
   forEachBlock(particles.size(), threads,
                [&](std::size_t first, std::size_t size)
                {
-                 copySurvivors(particles, BlockWeights(particles, mode_of, first, size), first, points,
+                 copySurvivors(particles, WeightBlocks(particles, mode_of, first, size), first, points,
                                sums_before(first / kParticleBlock), result);
                });
   return result;
