@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "mrpt_ext/evaluation/odometry_alignment.h"
-#include "mrpt_ext/evaluation/rmse_interval.h"
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/geometry/quantile.h"
 #include "mrpt_ext/geometry/random.h"

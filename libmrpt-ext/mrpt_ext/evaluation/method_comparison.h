@@ -6,6 +6,9 @@
 
 namespace mrpt_ext
 {
+inline constexpr std::size_t kBlockOfStamps = 10;  ///< neighbouring stamps that are resampled together
+inline constexpr int kResamples = 1000;            ///< of the bootstrap
+
 /// Ratio of two RMSE with the 95 % interval of its resamples.
 struct RmseRatio
 {

@@ -7,9 +7,6 @@
 
 namespace mrpt_ext
 {
-inline constexpr std::size_t kBlockOfStamps = 10;  ///< neighbouring stamps that are resampled together
-inline constexpr int kResamples = 1000;            ///< of the bootstrap
-
 /// Interval that contains 95 % of the resamples.
 struct ConfidenceInterval
 {
