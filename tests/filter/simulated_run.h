@@ -14,10 +14,11 @@ struct SimulatedRobot
   Vector3d odometry_std{0.01, 0.01, 0.01};  ///< per step, body axes
   double std_bearing = degToRad(1);
   double std_range = 0.05;
-  bool measures_range = false;
+  bool measures_range = false, measures_bearing = true;
   bool identified = true;
   std::size_t detections = 5;
   double clutter = 0.001;
+  std::size_t false_detections = 0;  ///< per frame, anywhere, under any name
 };
 
 /// Motion model whose noise per step (one second, however long) is that of the robot.
@@ -63,8 +64,11 @@ inline Frame simulatedFrame(const SimulatedRobot& robot, const LandmarkTable& ma
     std::swap(order[i], order[i + random.below(order.size() - i)]);
     const Vector2d landmark = map[order[i]].position.head<2>();
     Detection detection{.id = robot.identified ? map[order[i]].id : kNoId};
-    detection.std_bearing = robot.std_bearing;
-    detection.bearing = wrap(predictBearing(truth, landmark) + robot.std_bearing * random.gaussian());
+    if (robot.measures_bearing)
+    {
+      detection.std_bearing = robot.std_bearing;
+      detection.bearing = wrap(predictBearing(truth, landmark) + robot.std_bearing * random.gaussian());
+    }
     if (robot.measures_range)
     {
       detection.std_range = robot.std_range;
@@ -74,6 +78,20 @@ inline Frame simulatedFrame(const SimulatedRobot& robot, const LandmarkTable& ma
   }
   frame.readings = {reading};
   return frame;
+}
+
+/// Adds the false detections of the robot to its only reading.
+inline void addFalseDetections(const SimulatedRobot& robot, const LandmarkTable& map, Frame& frame,
+                               RandomStream& random)
+{
+  for (std::size_t k = 0; k < robot.false_detections; ++k)
+  {
+    Detection detection = frame.readings.front().detections.front();
+    if (robot.identified) detection.id = map[random.below(map.size())].id;
+    if (detection.bearing) detection.bearing = random.uniform(-kPi, kPi);
+    if (detection.range) detection.range = random.uniform(0.5, 14);
+    frame.readings.front().detections.push_back(detection);
+  }
 }
 
 inline double distance(const Pose2& a, const Pose2& b) { return (a.position() - b.position()).norm(); }

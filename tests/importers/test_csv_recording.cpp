@@ -34,6 +34,16 @@ TEST(CsvRecording, RowsOfOneTimeAndSensorAreOneReading)
   EXPECT_NEAR(*readings[2].detections[0].bearing, degToRad(-170), 1e-12);
 }
 
+TEST(CsvRecording, OdometryIsOptional)
+{
+  const DamagedCopy copy("csv");
+  std::filesystem::remove(copy.path() / "odometry.csv");
+  const Recording recording = importFolder(copy.path());
+  EXPECT_TRUE(recordsOf<OdometryRecord>(recording).empty());
+  EXPECT_EQ(recordsOf<Reading>(recording).size(), 3U);
+  EXPECT_TRUE(hasNote(recording, "no odometry.csv"));
+}
+
 TEST(CsvRecording, VelocitiesAreIntegratedAndPosesTakenAsTheyAre)
 {
   const auto arcs = recordsOf<OdometryRecord>(importFolder(testing::sampleFolder("csv")));

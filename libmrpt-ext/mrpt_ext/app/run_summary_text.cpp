@@ -51,6 +51,7 @@ std::string inputText(const LocalizationInput& input)
   for (const std::string& label : input.unmatched_sensors)
     result += "         [Sensor_" + label + "] applies to no record, the log has sensors " +
               joined(input.logged_sensors) + "\n";
+  for (const std::string& note : input.notes) result += "note     " + note + "\n";
   result += formatted("frames   %zu, %zu detections\n", input.log.frames, input.log.detections);
   return result + truthText(context);
 }

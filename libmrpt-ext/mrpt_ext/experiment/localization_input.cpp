@@ -5,6 +5,7 @@
 #include <set>
 
 #include "mrpt_ext/evaluation/scoring.h"
+#include "mrpt_ext/experiment/log_adaptation.h"
 #include "mrpt_ext/experiment/method_factory.h"
 #include "mrpt_ext/files/landmark_csv.h"
 #include "mrpt_ext/files/mrpt_index_truth.h"
@@ -18,7 +19,6 @@ namespace mrpt_ext
 {
 namespace
 {
-const std::string kExperiment = "LocalizationExperiment";
 const std::string kMapSection = "MetricMap_landmarkMap2D_00_creationOpts";
 constexpr double kSparseGap = 0.5;  // [s] truth that is mostly further apart cannot be interpolated
 
@@ -56,9 +56,9 @@ RecordStream recordsOf(RawlogSource& source, const LogWindow& window)
 
 Trajectory indexedTruth(const Settings& settings, const std::filesystem::path& path, const RawlogSource& source)
 {
-  const std::vector<double> origin = settings.numbers(kExperiment, "ground_truth_origin");
+  const std::vector<double> origin = settings.numbers(kExperimentSection, "ground_truth_origin");
   if (origin.size() != 3)
-    throw settings.errorAt(kExperiment, "ground_truth_origin", "expected three numbers: x y phi_deg");
+    throw settings.errorAt(kExperimentSection, "ground_truth_origin", "expected three numbers: x y phi_deg");
   if (source.stepTimes().empty())
     throw configurationError(path.string() +
                              ": ground_truth_format = mrpt-index needs a log of actions and sensory "
@@ -76,10 +76,10 @@ Trajectory indexedTruth(const Settings& settings, const std::filesystem::path& p
 
 Trajectory loadTruth(const Settings& settings, const RawlogSource& source)
 {
-  if (!settings.hasValue(kExperiment, "ground_truth_path_file")) return {};
-  const auto path = settings.existingPath(kExperiment, "ground_truth_path_file");
+  if (!settings.hasValue(kExperimentSection, "ground_truth_path_file")) return {};
+  const auto path = settings.existingPath(kExperimentSection, "ground_truth_path_file");
   const bool indexed =
-      settings.choice(kExperiment, "ground_truth_format") == "mrpt-index" && path.extension() != ".tum";
+      settings.choice(kExperimentSection, "ground_truth_format") == "mrpt-index" && path.extension() != ".tum";
   if (indexed) return indexedTruth(settings, path, source);
   return readTum(path);
 }
@@ -97,8 +97,8 @@ std::vector<InputFile> inputFiles(const Settings& settings)
 {
   std::vector<InputFile> files{{"configuration", settings.file().string(), {}},
                                {"map", settings.path(kMapSection, "landmarks_file").string(), {}}};
-  if (settings.hasValue(kExperiment, "ground_truth_path_file"))
-    files.push_back({"truth", settings.path(kExperiment, "ground_truth_path_file").string(), {}});
+  if (settings.hasValue(kExperimentSection, "ground_truth_path_file"))
+    files.push_back({"truth", settings.path(kExperimentSection, "ground_truth_path_file").string(), {}});
   for (InputFile& file : files) file.sha256 = sha256OfFile(file.path);
   return files;
 }
@@ -180,7 +180,7 @@ LocalizationInput loadLocalization(const Settings& settings, const LogWindow& wi
   LocalizationInput input;
   input.context.map = loadMap(settings);
   input.config = localizationConfig(settings, input.context.map);
-  input.log.path = requiredPath(settings, kExperiment, "rawlog_file", "RAWLOG");
+  input.log.path = requiredPath(settings, kExperimentSection, "rawlog_file", "RAWLOG");
   input.log.window = window;
   input.context.config_path = settings.file().string();
   input.context.rawlog_path = input.log.path.string();
@@ -191,6 +191,7 @@ LocalizationInput loadLocalization(const Settings& settings, const LogWindow& wi
   input.context.truth_is_sparse = isSparse(input.context.truth);
   readFrames(input);
   checkAnythingToScore(input);
+  adaptToLog(input.config, input.log.available, input.notes);
   (void)MethodFactory(input.config, input.context.map,
                       input.log.available);  // reports an unknown method before the work
   input.context.inputs = inputFiles(settings);

@@ -17,6 +17,7 @@ namespace mrpt_ext
 void AvailableMeasurements::add(const Frame& frame)
 {
   fix = fix || !frame.fixes.empty();
+  heading = heading || frame.compass || fix;
   for (const Reading& reading : frame.readings)
   {
     const Vector2d position = reading.T_robot_sensor.position();
@@ -24,6 +25,7 @@ void AvailableMeasurements::add(const Frame& frame)
     for (const Detection& d : reading.detections)
     {
       const bool identified = d.id != kNoId;
+      heading = heading || d.bearing || (d.range && position.norm() > d.std_range);
       identified_bearing = identified_bearing || (identified && d.bearing);
       identified_range = identified_range || (identified && d.range);
       identified_point = identified_point || (identified && d.bearing && d.range);
@@ -40,6 +42,7 @@ KalmanBankOptions kalmanOptions(const LocalizationConfig& config, bool iterated,
   KalmanBankOptions options{.max_hypotheses = max_hypotheses,
                             .iterated = iterated,
                             .motion = config.filter.motion,
+                            .heading_observable = config.filter.heading_observable,
                             .biases = config.biases,
                             .recovery = config.filter.recovery,
                             .verdict = config.filter.verdict};

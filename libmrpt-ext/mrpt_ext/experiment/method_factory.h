@@ -28,6 +28,8 @@ struct AvailableMeasurements
   bool anonymous_bearing = false, fix = false;
   bool separate_sensors = false;  ///< sensors at different positions on the robot
   bool odometry = false;
+  bool heading =
+      false;  ///< a measurement depends on the heading: a bearing, a compass, a range from off the robot's origin
 
   void add(const Frame& frame);
 };

@@ -1,5 +1,6 @@
 #include "mrpt_ext/filter/particle_filter.h"
 
+#include <limits>
 #include <utility>
 
 #include "mrpt_ext/filter/gaussian_proposal.h"
@@ -62,7 +63,7 @@ FilterStep ParticleFilter::process(const Frame& frame, const HypothesisSources& 
   const bool respawned = weight(observation_model_.select(frame, before.unimodal && before.verified));
 
   // Estimate: the modes, never their mean
-  FilterStep step = estimate(frame);
+  FilterStep step = estimate(frame, recovery.kind);
   step.reseeded = recovery.kind == Recovery::Kind::reseed;
   step.verifying = recovery.kind == Recovery::Kind::verify;
   step.respawned = respawned;
@@ -79,7 +80,8 @@ FilterStep ParticleFilter::initialize(const Frame& frame, const HypothesisSource
   particles_ = std::move(start.particles);
   if (!start.accepted)
   {
-    FilterStep step{.reason = "not initialized: the measurements do not constrain the pose yet"};
+    FilterStep step{.heading_known = options_.heading_observable,
+                    .reason = "not initialized: the measurements do not constrain the pose yet"};
     normalizeWeights(particles_, options_.threads);
     step.modes.modes = findModes(particles_, options_.modes, options_.threads).modes;
     particles_.clear();
@@ -89,7 +91,7 @@ FilterStep ParticleFilter::initialize(const Frame& frame, const HypothesisSource
     integrity_.startVerified(frame);
   else
     integrity_.start(start.measurements, start.samples);
-  FilterStep step = estimate(frame);
+  FilterStep step = estimate(frame, Recovery::Kind::none);
   resample(step, sources);
   return step;
 }
@@ -168,9 +170,9 @@ KalmanState ParticleFilter::bestModeAfter(const OdometryMotion& motion) const
   return mrpt_ext::predict(best, options_.biases, options_.motion, motion);
 }
 
-FilterStep ParticleFilter::estimate(const Frame& frame)
+FilterStep ParticleFilter::estimate(const Frame& frame, Recovery::Kind injected)
 {
-  FilterStep step;
+  FilterStep step{.heading_known = options_.heading_observable};
   step.effective_ratio = normalizeWeights(particles_, options_.threads).effective_ratio;
   step.particles = particles_.size();
   const double effective = step.effective_ratio * static_cast<double>(particles_.size());
@@ -189,7 +191,10 @@ FilterStep ParticleFilter::estimate(const Frame& frame)
   if (options_.mode_kalman_filters) mode_mixture_.associate(modes_, particles_);
   integrity_.update(observation_model_.countInliers(frame, particles_, isTracking()));
 
-  const VerdictWithReason verdict = integrity_.verdict(modes_, effective);
+  // Hypotheses that are injected into a verified mode leave it few effective particles, for this frame only.
+  const bool thinned = injected == Recovery::Kind::verify && integrity_.verified();
+  const VerdictWithReason verdict =
+      integrity_.verdict(modes_, thinned ? std::numeric_limits<double>::infinity() : effective);
   step.verdict = verdict.verdict;
   step.reason = verdict.reason;
   step.inlier_ratio = integrity_.inlierRatio();

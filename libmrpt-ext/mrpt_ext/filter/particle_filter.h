@@ -22,6 +22,7 @@ struct FilterStep
 {
   ModeSet modes;                     ///< without mode_of: resampling has renumbered the particles
   double effective_ratio = 1;        ///< after weighting, before resampling
+  bool heading_known = true;         ///< false: the heading cannot be told, that of the modes is meaningless
   double inlier_ratio = 1;           ///< of recent detections, relative to the expected one
   bool reseeded = false;             ///< hypotheses were injected: the detections do not agree with the modes
   bool verifying = false;            ///< hypotheses were injected: they agree, but not verified (recovery_policy.h)
@@ -56,7 +57,7 @@ class ParticleFilter
   void injectTrajectory(const HypothesisSet& trajectory, const OdometryMotion& motion);
   /// True when a mode got its particles back.
   bool weight(const Frame& frame);
-  [[nodiscard]] FilterStep estimate(const Frame& frame);
+  [[nodiscard]] FilterStep estimate(const Frame& frame, Recovery::Kind injected);
   void resample(FilterStep& step, const HypothesisSources& sources);
 
   [[nodiscard]] bool isUnimodal() const { return mrpt_ext::isUnimodal(modes_, options_.verdict); }

@@ -26,7 +26,8 @@ struct ParticleFilterOptions
   InitialMode initial_mode = InitialMode::analytic;
   GaussianPose initial_pose;  ///< for InitialMode::gaussian
   MotionModel motion;
-  BiasModel biases;  ///< systematic errors estimated with the pose
+  BiasModel biases;                ///< systematic errors estimated with the pose
+  bool heading_observable = true;  ///< false: neither sensors nor motion tell the heading; position alone is estimated
   ResamplingMethod resampling = ResamplingMethod::systematic;
   double resample_below = 0.5;  ///< effective sample ratio
   bool adaptive_size = false;   ///< KLD sample size

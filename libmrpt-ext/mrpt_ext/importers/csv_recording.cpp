@@ -143,9 +143,9 @@ CsvFiles findCsvFiles(const std::vector<fs::path>& inputs)
   {
     const fs::path& folder = inputs[0];
     if (!fs::is_directory(folder)) throw dataError(folder.string() + ": no such folder, expected landmarks.csv in it");
-    const fs::path truth = folder / "ground_truth.tum";
-    return {folder / "landmarks.csv", folder / "odometry.csv", folder / "detections.csv",
-            fs::exists(truth) ? truth : fs::path()};
+    const auto optional = [&](const char* name) { return fs::exists(folder / name) ? folder / name : fs::path(); };
+    return {folder / "landmarks.csv", optional("odometry.csv"), folder / "detections.csv",
+            optional("ground_truth.tum")};
   }
   if (inputs.size() != 3 && inputs.size() != 4)
     throw configurationError("csv: " + std::to_string(inputs.size()) +
@@ -157,7 +157,10 @@ Recording importCsv(const CsvFiles& files)
 {
   Recording recording;
   recording.map = readLandmarkCsv(files.landmarks);
-  addOdometry(recording, files.odometry);
+  if (files.odometry.empty())
+    recording.notes.emplace_back("no odometry.csv: the log has no odometry");
+  else
+    addOdometry(recording, files.odometry);
   addReadings(recording, files.detections);
   if (files.ground_truth.empty())
     recording.notes.emplace_back("no truth file");

@@ -38,8 +38,11 @@ Estimate KalmanLocalizer::process(const Frame& frame)
   Estimate estimate;
   for (const Mode& mode : step_.modes.modes)
     if (mode.weight >= kMinReportedWeight)
-      estimate.candidates.push_back(
-          {.pose = mode.pose, .log_score = std::log(mode.weight), .weight = mode.weight, .source = name_});
+      estimate.candidates.push_back({.pose = mode.pose,
+                                     .log_score = std::log(mode.weight),
+                                     .weight = mode.weight,
+                                     .source = name_,
+                                     .heading_known = heading_known_});
   if (estimate.candidates.empty()) return estimate;
   estimate.status = SolveStatus::ok;
   estimate.ambiguous = step_.verdict == Verdict::ambiguous;
@@ -47,6 +50,7 @@ Estimate KalmanLocalizer::process(const Frame& frame)
     return estimate;
   estimate.point = PoseEstimate{.time = frame.time,
                                 .pose = estimate.candidates.front().pose,
+                                .heading_known = heading_known_,
                                 .modes = static_cast<int>(estimate.candidates.size()),
                                 .best_weight = estimate.candidates.front().weight,
                                 .verdict = step_.verdict};

@@ -26,6 +26,7 @@ class KalmanLocalizer : public Localizer
         bank_(options, map),
         motion_(options.motion),
         biases_(options.biases),
+        heading_known_(options.heading_observable),
         seed_window_(seed_window)
   {
   }
@@ -47,6 +48,7 @@ class KalmanLocalizer : public Localizer
   KalmanBank bank_;
   MotionModel motion_;
   BiasModel biases_;
+  bool heading_known_;
   double seed_window_;
   std::deque<Frame> recent_;  // of the seed window, evaluated only when hypotheses are needed
   double first_time_ = 0;

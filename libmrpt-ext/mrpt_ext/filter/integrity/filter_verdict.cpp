@@ -50,9 +50,10 @@ VerdictWithReason judge(const ModeSet& modes, const VerdictEvidence& evidence, c
   const auto ambiguous = [](std::string reason) { return VerdictWithReason{Verdict::ambiguous, std::move(reason)}; };
   if (!isDominant(best, options))
     return ambiguous(formatted("%zu modes, the best has weight %.2f", modes.modes.size(), best.weight));
+  const bool heading_counts = std::isfinite(options.max_std_phi);
+  const std::string heading = heading_counts ? formatted(" and %.1f deg", radToDeg(spread.phi)) : ", heading unknown";
   if (!isPrecise(spread, options))
-    return ambiguous(formatted("the pose is not precise yet: standard deviation %.2f m and %.1f deg", spread.xy,
-                               radToDeg(spread.phi)));
+    return ambiguous(formatted("the pose is not precise yet: standard deviation %.2f m", spread.xy) + heading);
   if (!(evidence.inlier_ratio >= kMinInlierRatio))
     return ambiguous(
         formatted("one mode, but inlier ratio only %.0f %% of the expected value over recent detections", percent));
@@ -62,8 +63,8 @@ VerdictWithReason judge(const ModeSet& modes, const VerdictEvidence& evidence, c
     return ambiguous(
         formatted("one mode, not verified yet: log odds %.1f against the null hypothesis", evidence.log_odds));
   if (evidence.contradicted) return ambiguous("one mode, but the recent trajectory fits another pose better");
-  return {Verdict::ok, formatted("one mode, weight %.2f, standard deviation %.3f m and %.1f deg, inlier ratio %.0f %% "
-                                 "of the expected value over recent detections",
-                                 best.weight, spread.xy, radToDeg(spread.phi), percent)};
+  return {Verdict::ok, formatted("one mode, weight %.2f, standard deviation %.3f m%s, inlier ratio %.0f %% of the "
+                                 "expected value over recent detections",
+                                 best.weight, spread.xy, heading.c_str(), percent)};
 }
 }  // namespace mrpt_ext

@@ -12,7 +12,7 @@ struct VerdictOptions
 {
   double min_best_weight = 0.9;
   double max_std_xy = 0.5;              ///< [m] standard deviation of the position: root of the sum of both variances
-  double max_std_phi = degToRad(15.0);  ///< [rad] of the heading
+  double max_std_phi = degToRad(15.0);  ///< [rad] of the heading; infinite: it is not observable and does not count
 };
 
 struct VerdictWithReason

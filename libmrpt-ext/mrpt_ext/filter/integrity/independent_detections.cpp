@@ -25,25 +25,29 @@ Reading only(const Reading& reading, const std::vector<bool>& keep)
 }
 }  // namespace
 
-DetectionDecorrelator::DetectionDecorrelator(const MotionModel& motion, const LandmarkTable& map)
-    : motion_(motion), min_distance_(kMaxDistance)
+double decorrelationDistance(const LandmarkTable& map)
 {
-  if (map.size() < 2) return;
+  if (map.size() < 2) return kMaxDistance;
   const auto [low, high] = map.boundingBox();
-  min_distance_ = std::min(min_distance_, kMaxDistanceShare * (high - low).norm());
+  return std::min(kMaxDistance, kMaxDistanceShare * (high - low).norm());
+}
+
+DetectionDecorrelator::DetectionDecorrelator(const MotionModel& motion, const LandmarkTable& map)
+    : motion_(motion), min_distance_(decorrelationDistance(map))
+{
 }
 
 void DetectionDecorrelator::move(const OdometryMotion& motion)
 {
   odometry_.move(motion_, motion);
   std::erase_if(recent_, [&](const RecentDetection& other)
-                { return (other.from - odometry_.pose.position()).norm() > min_distance_; });
+                { return squaredDistance(other.from, odometry_) > square(min_distance_); });
 }
 
 DetectionDecorrelator::RecentDetection DetectionDecorrelator::inOdometryAxes(const Reading& reading,
                                                                              const Detection& detection) const
 {
-  RecentDetection result{reading.sensor, detection, odometry_.pose.position(), 0, odometry_.heading_variance};
+  RecentDetection result{reading.sensor, detection, odometry_, 0};
   if (detection.bearing) result.direction = odometry_.pose.phi + reading.T_robot_sensor.phi + *detection.bearing;
   return result;
 }
@@ -55,12 +59,13 @@ bool DetectionDecorrelator::isCorrelated(const RecentDetection& detection) const
     const Detection &a = detection.detection, &b = other.detection;
     if (detection.sensor != other.sensor || a.id != b.id || a.category != b.category) return false;
     if (a.bearing.has_value() != b.bearing.has_value() || a.range.has_value() != b.range.has_value()) return false;
-    const double drift = detection.heading_variance - other.heading_variance;
+    if (a.id != kNoId) return true;
+    const double drift = detection.from.heading_variance - other.from.heading_variance;
     const double bearing_gate =
         kSameDirection + kGate * std::sqrt(square(a.std_bearing) + square(b.std_bearing) + drift);
     if (a.bearing && std::abs(wrap(detection.direction - other.direction)) > bearing_gate) return false;
     const double range_gate = min_distance_ + kGate * std::hypot(a.std_range, b.std_range);
-    return a.id != kNoId || !a.range || std::abs(*a.range - *b.range) <= range_gate;
+    return !a.range || std::abs(*a.range - *b.range) <= range_gate;
   };
   return std::any_of(recent_.begin(), recent_.end(), same);
 }

@@ -9,12 +9,17 @@
 
 namespace mrpt_ext
 {
+/// How far the robot has to move between independent detections of one landmark [m]: 0.3 m,
+/// or 2 % of the diagonal of the map if that is less.
+[[nodiscard]] double decorrelationDistance(const LandmarkTable& map);
+
 /// Separates independent detections from temporally correlated ones.
 ///
 /// Detections of one landmark from one spot share their errors (calibration, map, occlusion): fifty of them are not
-/// fifty independent measurements. A detection counts as independent when no similar one was made in that direction, by
-/// odometry, since the robot last was a minimal distance from here: 0.3 m, or 2 % of the map's diagonal if that is
-/// less.
+/// fifty independent measurements. A detection counts as independent when no detection of the same landmark, or if it
+/// is anonymous none in a similar direction by odometry, was made since the robot last was decorrelationDistance() from
+/// here. Without odometry (random walk) the distance is
+/// the standard deviation of the motion in the meantime.
 class DetectionDecorrelator
 {
  public:
@@ -31,14 +36,13 @@ class DetectionDecorrelator
   [[nodiscard]] Reading withoutCorrelatedBearings(const Reading& reading);
 
  private:
-  /// A detection in odometry's axes: sensor position [m] and direction [rad].
+  /// A detection in odometry's axes: where the robot was, and the direction [rad].
   struct RecentDetection
   {
     std::string sensor;
     Detection detection;
-    Vector2d from;
+    DeadReckoning from;
     double direction = 0;
-    double heading_variance = 0;  ///< of odometry, since the start [rad^2]
   };
 
   [[nodiscard]] RecentDetection inOdometryAxes(const Reading& reading, const Detection& detection) const;

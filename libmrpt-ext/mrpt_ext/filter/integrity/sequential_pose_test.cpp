@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mrpt_ext/filter/integrity/sensor_monitors.h"
 #include "mrpt_ext/likelihood/detection_density.h"
 #include "mrpt_ext/likelihood/reading_scorer.h"
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
@@ -27,7 +28,7 @@ bool isAnonymousBearing(const Detection& d) { return d.id == kNoId && d.bearing 
 }  // namespace
 
 SequentialPoseTest::SequentialPoseTest(const MotionModel& motion, const LandmarkTable& map)
-    : decorrelator_(motion, map), null_model_(motion, defaultMaxRange(map))
+    : decorrelator_(motion, map), null_model_(motion, defaultMaxRange(map)), spot_(motion, decorrelationDistance(map))
 {
 }
 
@@ -35,13 +36,18 @@ void SequentialPoseTest::skip(const Frame& frame)
 {
   move(frame.motion);
   decayAfterGap(frame);
-  for (const Reading& reading : scoredReadings(frame)) (void)nullLogLikelihood(decorrelator_.independent(reading), 1);
+  for (const Reading& reading : scoredReadings(frame))
+  {
+    (void)nullLogLikelihood(decorrelator_.independent(reading), 1);
+    if (hasAnonymous(reading)) (void)spot_.isFirstOf(sensorKey(reading));
+  }
 }
 
 void SequentialPoseTest::move(const OdometryMotion& motion)
 {
   decorrelator_.move(motion);
   null_model_.move(motion);
+  if (spot_.move(motion)) decorrelator_.clear();
   gap_ += motion.duration;
 }
 
@@ -97,8 +103,9 @@ void SequentialPoseTest::test(const std::vector<Reading>& readings, const Landma
     if (independent.detections.empty()) continue;
     const ReadingScorer scorer(independent, map, clutter, particles.origin);
     scorer.addTo(particles.poses(), particles.log_weight);
-    log_odds_ += normalizeWeights(particles).log_sum - nullLogLikelihood(independent, defaultMaxRange(map));
+    const double log_ratio = normalizeWeights(particles).log_sum - nullLogLikelihood(independent, defaultMaxRange(map));
+    const bool first = !hasAnonymous(reading) || spot_.isFirstOf(sensorKey(reading));
+    log_odds_ += spot_.counted(std::min(log_ratio, kMaxLogOdds - log_odds_), first);
   }
-  log_odds_ = std::min(log_odds_, kMaxLogOdds);
 }
 }  // namespace mrpt_ext

@@ -4,6 +4,7 @@
 
 #include "mrpt_ext/filter/integrity/independent_detections.h"
 #include "mrpt_ext/filter/integrity/null_model.h"
+#include "mrpt_ext/filter/integrity/spot_evidence.h"
 #include "mrpt_ext/filter/motion/motion_model.h"
 #include "mrpt_ext/filter/particles/particle_set.h"
 #include "mrpt_ext/geometry/frame.h"
@@ -19,7 +20,8 @@ namespace mrpt_ext
 /// So only independent detections count (independent_detections.h), with their likelihood under the particles *before*
 /// they are weighted. Each adds its log-likelihood ratio against the null model (null_model.h). Under the null
 /// hypothesis the odds exceed 1/a with probability a at most, at any time (Ville's inequality); at the right pose they
-/// grow with every independent detection.
+/// grow with every independent detection. Detections that repeat themselves at one spot neither prove nor refute
+/// (spot_evidence.h).
 class SequentialPoseTest
 {
  public:
@@ -59,6 +61,7 @@ class SequentialPoseTest
 
   DetectionDecorrelator decorrelator_;
   NullModel null_model_;
+  SpotEvidence spot_;
   double log_odds_ = 0;
   double gap_ = 0;  // [s] since the last detection
 };

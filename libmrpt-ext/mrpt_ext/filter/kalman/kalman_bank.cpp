@@ -22,12 +22,12 @@ constexpr std::size_t kMinJudgedDetections = 12;  // that a filter has to agree 
 double logVolume(const Matrix3d& covariance) { return 0.5 * std::log(std::max(covariance.determinant(), 1e-30)); }
 
 /// A hypothesis of unknown heading (ranges alone) as one Gaussian per sector of the circle.
-HypothesisSet withHeadings(const HypothesisSet& proposals)
+HypothesisSet withHeadings(const HypothesisSet& proposals, std::size_t sectors)
 {
   HypothesisSet result;
   for (PoseHypothesis proposal : proposals)
   {
-    const std::size_t headings = proposal.heading_known ? 1 : kHeadings;
+    const std::size_t headings = proposal.heading_known ? 1 : sectors;
     const double spacing = kTwoPi / static_cast<double>(headings);
     if (!proposal.heading_known) proposal.pose.covariance(2, 2) = square(spacing / 4);  // widened later
     for (std::size_t k = 0; k < headings; ++k)
@@ -77,7 +77,7 @@ KalmanHypothesis KalmanBank::filterAt(const GaussianPose& pose, double log_weigh
 KalmanHypotheses KalmanBank::filtersFor(const HypothesisSet& proposals) const
 {
   KalmanHypotheses filters;
-  for (const PoseHypothesis& proposal : withHeadings(proposals))
+  for (const PoseHypothesis& proposal : withHeadings(proposals, options_.heading_observable ? kHeadings : 1))
   {
     if (!isFinite(proposal.pose.mean) || !proposal.pose.covariance.allFinite()) continue;
     GaussianPose pose = proposal.pose;

@@ -17,6 +17,7 @@ struct KalmanBankOptions
   bool iterated = false;              ///< updateIterated() instead of updateExtended()
   std::optional<GaussianPose> start;  ///< known start; absent: initialized from hypotheses
   MotionModel motion;
+  bool heading_observable = true;  ///< false: one filter for all headings of a position
   BiasModel biases;
   RecoveryOptions recovery;
   VerdictOptions verdict;
@@ -41,7 +42,8 @@ struct KalmanStep
 /// light ones dropped. When the detections stop agreeing with the best one, new proposals enter with the prior
 /// probability of a relocalization (RecoveryPolicy). The estimate is the heaviest hypothesis, never a mean.
 ///
-/// A proposal with unknown heading (ranges alone) becomes thirty filters, one per sector of the circle.
+/// A proposal with unknown heading (ranges alone) becomes thirty filters, one per sector of the circle; where nothing
+/// will ever tell the heading, one.
 ///
 /// A proposal with a large covariance is not Gaussian, and a linearised filter there soon becomes overconfident: the
 /// bank waits until nine tenths of the weight have half the standard deviations that `ok` allows, up to 15 s.

@@ -25,6 +25,12 @@ struct MotionModel
   double std_phi_per_s = degToRad(0.3);  ///< [rad] after one second, also at standstill
 };
 
+/// A log without odometry: a robot or a person at walking speed, turning at will.
+[[nodiscard]] inline MotionModel walkingSpeedRandomWalk()
+{
+  return {.type = MotionType::random_walk, .std_xy_per_s = 0.5, .std_phi_per_s = degToRad(30.0)};
+}
+
 /// The motion without noise: the measured one, or none for a random walk (its noise covers the motion).
 [[nodiscard]] OdometryMotion nominalMotion(const MotionModel& model, const OdometryMotion& motion);
 

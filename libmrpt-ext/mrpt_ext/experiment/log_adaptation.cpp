@@ -1,0 +1,29 @@
+#include "mrpt_ext/experiment/log_adaptation.h"
+
+#include <limits>
+
+#include "mrpt_ext/geometry/formatted.h"
+
+namespace mrpt_ext
+{
+void adaptToLog(LocalizationConfig& config, const AvailableMeasurements& available, std::vector<std::string>& notes)
+{
+  if (config.frames.independent || available.odometry) return;
+  ParticleFilterOptions& filter = config.filter;
+  if (filter.motion.type != MotionType::random_walk)
+  {
+    filter.motion = config.running_fix.motion = walkingSpeedRandomWalk();
+    notes.push_back(formatted(
+        "no odometry in the log: the motion is taken for a random walk of %.1f m and %.0f deg after one second "
+        "([MotionModel] type = random_walk, std_xy_per_sqrt_s, std_phi_deg_per_sqrt_s)",
+        filter.motion.std_xy_per_s, radToDeg(filter.motion.std_phi_per_s)));
+  }
+  if (available.heading) return;
+  filter.heading_observable = false;
+  filter.modes.cell_phi = kTwoPi;
+  filter.verdict.max_std_phi = std::numeric_limits<double>::infinity();
+  notes.emplace_back(
+      "nothing in the log tells the heading (ranges to the robot's origin, no odometry): positions are "
+      "estimated and judged, headings are unknown");
+}
+}  // namespace mrpt_ext
