@@ -49,7 +49,8 @@ class RawlogDamage : public RawlogTest
     if (!result.error.empty()) return;
     std::size_t ignored = 0;
     for (const auto& [name, count] : result.statistics.observations) ignored += count.ignored;
-    EXPECT_EQ(result.records.size() + ignored, recording_.records.size());
+    // A comment in a damaged version counts as ignored.
+    EXPECT_GE(result.records.size() + ignored, recording_.records.size());
   }
 
   [[nodiscard]] ReadResult readDamaged(const std::string& bytes) const

@@ -19,6 +19,7 @@ namespace
 {
 namespace fs = std::filesystem;
 
+const std::set<std::string> kNeeded = {"CObservationImage", "CObservationStereoImages", "CObservationOdometry"};
 constexpr double kLeastHorizontal = 0.9;  ///< of the optical axis' vertical part
 
 /// Position of the camera and direction of its image's u axis, seen from above. With the default pose a camera that
@@ -68,7 +69,8 @@ CameraFile cameraOf(const mrpt::obs::CObservationStereoImages& stereo)
 class ImageRawlog : public ImageSequence
 {
  public:
-  ImageRawlog(const fs::path& rawlog, std::vector<std::string> roles) : reader_(rawlog), roles_(std::move(roles))
+  ImageRawlog(const fs::path& rawlog, std::vector<std::string> roles)
+      : reader_(rawlog, kNeeded), roles_(std::move(roles))
   {
     mrpt::img::CImage::setImagesPathBase(mrpt::obs::CRawlog::detectImagesDirectory(rawlog.string()));
     // The first image comes with the camera.

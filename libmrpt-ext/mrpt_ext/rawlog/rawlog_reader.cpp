@@ -1,19 +1,24 @@
 #include "mrpt_ext/rawlog/rawlog_reader.h"
 
-#include <mrpt/io/CFileGZInputStream.h>
-#include <mrpt/obs/CObservationComment.h>
+#include <mrpt/obs/CSensoryFrame.h>
 #include <mrpt/serialization/CArchive.h>
 
 #include <regex>
 #include <sstream>
-#include <stdexcept>
 
 #include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/rawlog/object_header.h"
+#include "mrpt_ext/rawlog/rawlog_comment.h"
+#include "mrpt_ext/rawlog/rawlog_content.h"
+#include "mrpt_ext/rawlog/unreadable_class.h"
 
 namespace mrpt_ext
 {
 namespace
 {
+constexpr const char* kFrameClass = "mrpt::obs::CSensoryFrame";
+constexpr int kFrameVersion = 2;  ///< the number of observations and the observations, nothing else
+
 /// The sentence in MRPT's exception text, which also holds source lines and a backtrace.
 std::string firstSentence(const std::string& text)
 {
@@ -23,49 +28,19 @@ std::string firstSentence(const std::string& text)
   return text.substr(0, text.find('\n'));
 }
 
-std::optional<std::string> unknownClass(const std::string& text)
+/// An observation that the caller does not need.
+bool isSkippable(const ObjectHeader& header, const std::optional<std::set<std::string>>& needed)
 {
-  static const std::regex kUnknown("class '([^']*)' which is not registered");
-  std::smatch match;
-  return std::regex_search(text, match, kUnknown) ? std::optional<std::string>(match[1]) : std::nullopt;
-}
-
-std::string causeOf(const std::string& text)
-{
-  if (const auto name = unknownClass(text))
-    return "unknown class '" + *name +
-           "', expected a class of MRPT or of a loaded plugin: run with LD_PRELOAD=<library that defines it>.so";
-  return "not readable (" + firstSentence(text) + ")";
+  const std::string name = withoutNamespace(header.class_name);
+  return name.starts_with("CObservation") && needed && needed->count(name) == 0;
 }
 }  // namespace
 
-/// The decompressed bytes, counted: the log ends where none is left, and nowhere else.
-class RawlogReader::Content : public mrpt::io::CStream
-{
- public:
-  Content(const std::filesystem::path& path, std::uint64_t size) : file_(path.string()), size_(size) {}
-
-  size_t Read(void* buffer, size_t count) override
-  {
-    const size_t got = file_.Read(buffer, count);
-    position_ += got;
-    return got;
-  }
-  size_t Write(const void*, size_t) override { throw std::logic_error("the content of a rawlog is only read"); }
-  std::uint64_t Seek(std::int64_t, CStream::TSeekOrigin) override { throw std::logic_error("not seekable"); }
-  std::uint64_t getTotalBytesCount() const override { return size_; }
-  std::uint64_t getPosition() const override { return position_; }
-  std::string getStreamDescription() const override { return file_.getStreamDescription(); }
-  [[nodiscard]] bool atEnd() const { return position_ >= size_; }
-
- private:
-  mrpt::io::CFileGZInputStream file_;
-  std::uint64_t size_;
-  std::uint64_t position_ = 0;
-};
-
-RawlogReader::RawlogReader(const std::filesystem::path& path)
-    : path_(path), file_(checkRawlogFile(path)), content_(std::make_unique<Content>(path, file_.content))
+RawlogReader::RawlogReader(const std::filesystem::path& path, std::optional<std::set<std::string>> needed)
+    : path_(path),
+      needed_(std::move(needed)),
+      file_(checkRawlogFile(path)),
+      content_(std::make_unique<RawlogContent>(path, file_.content))
 {
   if (!file_.damage.empty()) findDamagedRecord();
 }
@@ -77,39 +52,96 @@ std::string RawlogReader::where() const
   return path_.string() + ": record " + std::to_string(entries_ == 0 ? 0 : entries_ - 1) + ": ";
 }
 
-std::shared_ptr<mrpt::serialization::CSerializable> RawlogReader::next()
+RawlogReader::ObjectPtr RawlogReader::next()
 {
   while (!content_->atEnd())
-  {
-    auto object = nextObject();
-    const auto* comment = dynamic_cast<const mrpt::obs::CObservationComment*>(object.get());
-    if (!comment)
-    {
-      ++entries_;
-      return object;
-    }
-    comment_ += comment->text + '\n';
-  }
+    if (auto object = nextEntry()) return object;
   compareWithStatedEntries();
   return nullptr;
 }
 
-std::shared_ptr<mrpt::serialization::CSerializable> RawlogReader::nextObject()
+RawlogReader::ObjectPtr RawlogReader::nextEntry()
 {
   const std::string where = path_.string() + ": record " + std::to_string(entries_) + ": ";
+  const auto header = headerAt(content_->peek(kLongestHeader));
+  const auto is = [&](const char* name) { return header && header->class_name == name; };
+  try
+  {
+    if (is(kCommentClass) && header->version <= kLatestCommentVersion)
+    {
+      auto archive = mrpt::serialization::archiveFrom(*content_);
+      comment_ += readComment(archive, *header) + '\n';
+      return nullptr;
+    }
+    auto object = is(kFrameClass) && header->version == kFrameVersion ? readFrame(*header) : readObject(header, false);
+    entries_ += is(kCommentClass) ? 0 : 1;
+    return object;
+  }
+  catch (const InputError& error)
+  {
+    throw dataError(where + error.what());
+  }
+  catch (const std::exception& error)
+  {
+    if (content_->atEnd()) throw dataError(where + "cut off, the log ends in the middle of it");
+    throw dataError(where + (entries_ == 0 ? "not readable, expected a rawlog"
+                                           : "not readable (" + firstSentence(error.what()) + ")"));
+  }
+}
+
+/// Observation by observation, so that one that cannot be read is skipped alone.
+RawlogReader::ObjectPtr RawlogReader::readFrame(const ObjectHeader& header)
+{
+  content_->skip(header.size());
+  auto archive = mrpt::serialization::archiveFrom(*content_);
+  auto frame = mrpt::obs::CSensoryFrame::Create();
+  const auto count = archive.ReadAs<std::uint32_t>();
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    const auto object = readObject(headerAt(content_->peek(kLongestHeader)), i + 1 == count);
+    if (!object) continue;
+    const auto observation = std::dynamic_pointer_cast<mrpt::obs::CObservation>(object);
+    if (!observation) throw std::runtime_error("a sensory frame holds what is no observation");
+    frame->insert(observation);
+  }
+  if (archive.ReadAs<std::uint8_t>() != kObjectEnd) throw std::runtime_error("the end of the sensory frame is missing");
+  return frame;
+}
+
+/// Null: skipped.
+RawlogReader::ObjectPtr RawlogReader::readObject(const std::optional<ObjectHeader>& header, bool ends_frame)
+{
+  if (header && unreadable_.count({header->class_name, header->version}) > 0)
+  {
+    content_->skip(header->size());
+    return skip(*header, ends_frame);
+  }
+  std::optional<UnreadableClass> unreadable;
   try
   {
     auto object = mrpt::serialization::archiveFrom(*content_).ReadObject();
     if (object) return object;
+    throw dataError("empty, expected an observation, a sensory frame or an action collection");
+  }
+  catch (const InputError&)
+  {
+    throw;
   }
   catch (const std::exception& error)
   {
-    if (content_->atEnd() && !unknownClass(error.what()))
-      throw dataError(where + "cut off, the log ends in the middle of it");
-    const bool nothing_read = entries_ == 0 && !unknownClass(error.what());
-    throw dataError(where + (nothing_read ? "not readable, expected a rawlog" : causeOf(error.what())));
+    if (header) unreadable = unreadableClass(*header, error.what());
+    if (!unreadable) throw;
   }
-  throw dataError(where + "empty, expected an observation, a sensory frame or an action collection");
+  if (!unreadable->version || !isSkippable(*header, needed_)) throw dataError(unreadable->explanation());
+  unreadable_[{header->class_name, header->version}] = unreadable->reason();
+  return skip(*header, ends_frame);
+}
+
+RawlogReader::ObjectPtr RawlogReader::skip(const ObjectHeader& header, bool ends_frame)
+{
+  if (!skipObject(*content_, ends_frame)) throw std::runtime_error("its end is missing");
+  ++skipped_[{withoutNamespace(header.class_name), unreadable_.at({header.class_name, header.version})}];
+  return nullptr;
 }
 
 void RawlogReader::findDamagedRecord()

@@ -1,7 +1,6 @@
 #include "mrpt_ext/rawlog/rawlog_sink.h"
 
 #include <mrpt/io/CFileGZOutputStream.h>
-#include <mrpt/obs/CObservationComment.h>
 #include <mrpt/obs/CObservationIMU.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/serialization/CArchive.h>
@@ -17,6 +16,7 @@
 #include "mrpt_ext/observations/CObservationStereoRanges.h"
 #include "mrpt_ext/observations/observation_conversions.h"
 #include "mrpt_ext/observations/timestamps.h"
+#include "mrpt_ext/rawlog/rawlog_comment.h"
 #include "mrpt_ext/rawlog/rawlog_file_check.h"
 
 namespace mrpt_ext
@@ -66,15 +66,6 @@ class ObservationMaker
   std::set<std::string> ranging_sensors_;
 };
 
-ObservationPtr countComment(const LogSummary& summary)
-{
-  auto comment = mrpt::obs::CObservationComment::Create();
-  comment->text = "entries=" + std::to_string(summary.entries);
-  comment->sensorLabel = "entries";
-  comment->timestamp = timestampOf(summary.first_time);
-  return comment;
-}
-
 /// Reads all records, and throws where they cannot be written.
 LogSummary summaryOf(const std::filesystem::path& path, const RecordStream& records)
 {
@@ -102,7 +93,7 @@ void writeTo(const std::filesystem::path& file, const LogSummary& summary, const
   if (!stream.open(file.string())) throw std::runtime_error("cannot be opened");
   auto archive = mrpt::serialization::archiveFrom(stream);
   const ObservationMaker make(summary.ranging_sensors);
-  archive << *countComment(summary);
+  writeComment(archive, "entries=" + std::to_string(summary.entries), summary.first_time);
   while (const auto record = records()) archive << *std::visit(make, *record);
 }
 }  // namespace

@@ -11,7 +11,7 @@
 namespace mrpt_ext
 {
 RawlogSource::RawlogSource(const std::filesystem::path& path)
-    : reader_(std::make_unique<RawlogReader>(path)),
+    : reader_(std::make_unique<RawlogReader>(path, translatedClasses())),
       translator_(std::make_unique<RawlogTranslator>()),
       queue_(kReorderWindow)
 {
@@ -63,11 +63,19 @@ void RawlogSource::push(Record record, std::optional<std::size_t> step)
 
 RawlogStatistics RawlogSource::statistics() const
 {
-  return {.entries = reader_->entries(),
-          .observations = translator_->observations(),
-          .unusable = translator_->unusable(),
-          .first_time = first_time_.value_or(0),
-          .last_time = last_time_.value_or(0)};
+  RawlogStatistics statistics{.entries = reader_->entries(),
+                              .observations = translator_->observations(),
+                              .unusable = translator_->unusable(),
+                              .first_time = first_time_.value_or(0),
+                              .last_time = last_time_.value_or(0)};
+  for (const auto& [skipped, number] : reader_->skipped())
+  {
+    const auto& [class_name, reason] = skipped;
+    statistics.observations[class_name].total += number;
+    statistics.observations[class_name].ignored += number;
+    statistics.unusable[class_name + ": skipped (" + reason + ")"] += number;
+  }
+  return statistics;
 }
 
 std::vector<Record> readAll(RawlogSource& source)

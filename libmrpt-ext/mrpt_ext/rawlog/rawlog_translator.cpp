@@ -47,6 +47,15 @@ std::optional<double> latestTime(const mrpt::obs::CSensoryFrame& frame)
 }
 }  // namespace
 
+const std::set<std::string>& translatedClasses()
+{
+  static const std::set<std::string> kClasses = {"CObservationOdometry",         "CObservationIMU",
+                                                 "CObservationLandmarkBearings", "CObservationStereoRanges",
+                                                 "CObservationBearingRange",     "CObservationBeaconRanges",
+                                                 "CObservationRunningFix"};
+  return kClasses;
+}
+
 std::optional<std::vector<RawlogTranslator::Output>> RawlogTranslator::translate(
     const mrpt::serialization::CSerializable& entry)
 {

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -86,4 +87,7 @@ class RawlogTranslator
   Pose2 dead_reckoned_;
   std::vector<PendingAction> pending_actions_;  // since the last frame
 };
+
+/// The classes of observations, without namespace, that can become records.
+[[nodiscard]] const std::set<std::string>& translatedClasses();
 }  // namespace mrpt_ext
