@@ -6,7 +6,9 @@ namespace mrpt_ext
 {
 namespace
 {
-/// What a log of one frame with one detection contains.
+constexpr double kDuration = 10;  // [s]
+
+/// What a log of a hundred frames with one detection each contains.
 AvailableMeasurements logWith(const Detection& detection, const Pose2& T_robot_sensor)
 {
   Reading reading;
@@ -15,7 +17,7 @@ AvailableMeasurements logWith(const Detection& detection, const Pose2& T_robot_s
   Frame frame;
   frame.readings = {reading};
   AvailableMeasurements available;
-  available.add(frame);
+  for (int k = 0; k < 100; ++k) available.add(frame);
   return available;
 }
 
@@ -29,7 +31,7 @@ TEST(LogAdaptation, ALogWithOdometryIsTakenAsConfigured)
   available.odometry = true;
   LocalizationConfig config;
   std::vector<std::string> notes;
-  adaptToLog(config, available, notes);
+  adaptToLog(config, available, kDuration, notes);
   EXPECT_TRUE(notes.empty());
   EXPECT_EQ(config.filter.motion.type, MotionType::odometry);
   EXPECT_TRUE(config.filter.heading_observable);
@@ -39,7 +41,7 @@ TEST(LogAdaptation, WithoutOdometryTheMotionIsARandomWalkAndTheUserIsTold)
 {
   LocalizationConfig config;
   std::vector<std::string> notes;
-  adaptToLog(config, logWith(kBearing, {}), notes);
+  adaptToLog(config, logWith(kBearing, {}), kDuration, notes);
   EXPECT_EQ(config.filter.motion.type, MotionType::random_walk);
   EXPECT_GT(config.filter.motion.std_xy_per_s, 0.1);
   EXPECT_TRUE(config.filter.heading_observable);
@@ -53,9 +55,17 @@ TEST(LogAdaptation, AConfiguredRandomWalkIsKept)
   config.filter.motion.type = MotionType::random_walk;
   config.filter.motion.std_xy_per_s = 0.1;
   std::vector<std::string> notes;
-  adaptToLog(config, logWith(kBearing, {}), notes);
+  adaptToLog(config, logWith(kBearing, {}), kDuration, notes);
   EXPECT_EQ(config.filter.motion.std_xy_per_s, 0.1);
   EXPECT_TRUE(notes.empty());
+}
+
+TEST(LogAdaptation, TheStationaryDeviationBalancesWalkAndInformation)
+{
+  // p' = walk - information p^2 = 0
+  const double p = square(stationaryStd(0.01, 4));
+  EXPECT_NEAR(0.01 - 4 * square(p), 0, 1e-15);
+  EXPECT_TRUE(std::isinf(stationaryStd(0.01, 0)));
 }
 
 TEST(LogAdaptation, RangesToTheOriginAloneDoNotTellTheHeading)
@@ -64,8 +74,8 @@ TEST(LogAdaptation, RangesToTheOriginAloneDoNotTellTheHeading)
   {
     LocalizationConfig config;
     std::vector<std::string> notes;
-    adaptToLog(config, logWith(kRange, T_robot_sensor), notes);
-    const bool lever_arm = T_robot_sensor.x > kRange.std_range;
+    adaptToLog(config, logWith(kRange, T_robot_sensor), kDuration, notes);
+    const bool lever_arm = T_robot_sensor.x > 0.1;
     EXPECT_EQ(config.filter.heading_observable, lever_arm) << T_robot_sensor.x;
     EXPECT_EQ(std::isinf(config.filter.verdict.max_std_phi), !lever_arm) << T_robot_sensor.x;
     EXPECT_EQ(notes.size(), lever_arm ? 1U : 2U);

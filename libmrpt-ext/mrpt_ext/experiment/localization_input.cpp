@@ -191,7 +191,7 @@ LocalizationInput loadLocalization(const Settings& settings, const LogWindow& wi
   input.context.truth_is_sparse = isSparse(input.context.truth);
   readFrames(input);
   checkAnythingToScore(input);
-  adaptToLog(input.config, input.log.available, input.notes);
+  adaptToLog(input.config, input.log.available, input.context.duration_s, input.notes);
   (void)MethodFactory(input.config, input.context.map,
                       input.log.available);  // reports an unknown method before the work
   input.context.inputs = inputFiles(settings);

@@ -1,12 +1,20 @@
 #include "mrpt_ext/experiment/log_adaptation.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "mrpt_ext/geometry/formatted.h"
 
 namespace mrpt_ext
 {
-void adaptToLog(LocalizationConfig& config, const AvailableMeasurements& available, std::vector<std::string>& notes)
+double stationaryStd(double walk, double information)
+{
+  return information > 0 ? std::pow(walk / information, 0.25) : std::numeric_limits<double>::infinity();
+}
+
+void adaptToLog(LocalizationConfig& config, const AvailableMeasurements& available, double duration,
+                std::vector<std::string>& notes)
 {
   if (config.frames.independent || available.odometry) return;
   ParticleFilterOptions& filter = config.filter;
@@ -18,12 +26,13 @@ void adaptToLog(LocalizationConfig& config, const AvailableMeasurements& availab
         "([MotionModel] type = random_walk, std_xy_per_sqrt_s, std_phi_deg_per_sqrt_s)",
         filter.motion.std_xy_per_s, radToDeg(filter.motion.std_phi_per_s)));
   }
-  if (available.heading) return;
+  const double information = available.heading_information / std::max(duration, 1.0);
+  if (stationaryStd(square(filter.motion.std_phi_per_s), information) <= filter.verdict.max_std_phi) return;
   filter.heading_observable = false;
   filter.modes.cell_phi = kTwoPi;
   filter.verdict.max_std_phi = std::numeric_limits<double>::infinity();
   notes.emplace_back(
-      "nothing in the log tells the heading (ranges to the robot's origin, no odometry): positions are "
+      "nothing in the log tells the heading (no odometry, and ranges to the robot's origin or near it): positions are "
       "estimated and judged, headings are unknown");
 }
 }  // namespace mrpt_ext

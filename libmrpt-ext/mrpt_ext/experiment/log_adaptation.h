@@ -11,7 +11,15 @@ namespace mrpt_ext
 /// Adapts the configuration to what the log contains, and adds a line to `notes` for each adaptation:
 /// - Without odometry, a motion model of type `odometry` or `velocity` has nothing to work on: the motion is a random
 ///   walk at walking speed.
-/// - Where moreover no measurement depends on the heading (ranges to the robot's origin), the heading is unobservable:
-///   the filters estimate and judge the position alone.
-void adaptToLog(LocalizationConfig& config, const AvailableMeasurements& available, std::vector<std::string>& notes);
+/// - Where moreover the measurements hardly depend on the heading (ranges to the robot's origin or near it), the
+/// heading
+///   is unobservable: the filters estimate and judge the position alone. "Hardly": between the random walk of the
+///   heading and the information per second, its stationary standard deviation is larger than `ok` allows.
+/// `duration` [s]: of the log.
+void adaptToLog(LocalizationConfig& config, const AvailableMeasurements& available, double duration,
+                std::vector<std::string>& notes);
+
+/// Standard deviation [rad] at which a random walk of variance `walk` [rad^2/s] is held by measurements with
+/// `information` [1/(rad^2 s)]: the stationary solution of the Riccati equation, (walk / information)^(1/4).
+[[nodiscard]] double stationaryStd(double walk, double information);
 }  // namespace mrpt_ext

@@ -17,7 +17,7 @@ namespace mrpt_ext
 void AvailableMeasurements::add(const Frame& frame)
 {
   fix = fix || !frame.fixes.empty();
-  heading = heading || frame.compass || fix;
+  if (frame.compass) heading_information += 1 / square(frame.compass->std_heading);
   for (const Reading& reading : frame.readings)
   {
     const Vector2d position = reading.T_robot_sensor.position();
@@ -25,7 +25,9 @@ void AvailableMeasurements::add(const Frame& frame)
     for (const Detection& d : reading.detections)
     {
       const bool identified = d.id != kNoId;
-      heading = heading || d.bearing || (d.range && position.norm() > d.std_range);
+      if (d.bearing) heading_information += 1 / square(d.std_bearing);
+      // A lever arm, seen from all directions: half of it is across the range on average.
+      if (d.range) heading_information += 0.5 * position.squaredNorm() / square(d.std_range);
       identified_bearing = identified_bearing || (identified && d.bearing);
       identified_range = identified_range || (identified && d.range);
       identified_point = identified_point || (identified && d.bearing && d.range);

@@ -28,8 +28,9 @@ struct AvailableMeasurements
   bool anonymous_bearing = false, fix = false;
   bool separate_sensors = false;  ///< sensors at different positions on the robot
   bool odometry = false;
-  bool heading =
-      false;  ///< a measurement depends on the heading: a bearing, a compass, a range from off the robot's origin
+  /// Fisher information on the heading, if the position were known [1/rad^2]: of bearings, compass, and ranges to
+  /// sensors off the robot's origin.
+  double heading_information = 0;
 
   void add(const Frame& frame);
 };
