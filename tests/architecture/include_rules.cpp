@@ -37,7 +37,7 @@ const std::map<std::string, Names> kAllowed{
     {"configuration", {"geometry", "files", "settings", "frames", "evaluation", "filter", "localizers", "simulation"}},
     {"rawlog", {"geometry", "files", "frames", "importers", "observations"}},
     {"front_ends", {"geometry", "files", "settings", "rawlog", "observations", "solvers", "vision"}},
-    {"scene", {"geometry", "evaluation", "localizers", "maps", "display"}},
+    {"scene", {"geometry", "files", "evaluation", "localizers", "maps", "display"}},
     {"experiment",
      {"geometry", "files", "solvers", "correspondence", "likelihood", "hypotheses", "filter", "relocalization",
       "localizers", "evaluation", "observations", "maps", "settings", "frames", "configuration", "rawlog", "scene"}},

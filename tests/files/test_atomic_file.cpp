@@ -1,6 +1,9 @@
 #include "mrpt_ext/files/atomic_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
 
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/geometry/input_error.h"
@@ -47,16 +50,17 @@ TEST(WriteFileAtomically, FailureKeepsTheOldContentAndCleansUp)
 
 TEST(WriteFileAtomically, FullDiskIsAnInputError)
 {
-  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   const ScratchFolder folder;
-  // The next temporary name becomes a link to a device that is always full.
-  const auto path = folder.path() / "out.txt";
-  const std::string name = temporaryNameFor(path).string();
-  const std::size_t dash = name.rfind('-');
-  const std::string next = name.substr(0, dash + 1) + std::to_string(std::stoul(name.substr(dash + 1)) + 1);
-  std::filesystem::create_symlink("/dev/full", next);
-  const auto message = messageOf<InputError>([&] { writeFileAtomically(path, "content"); });
-  EXPECT_NE(message.find("No space left"), std::string::npos) << message;
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit full{1000, before.rlim_max};
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);  // as the apps do: an error instead of a signal
+  setrlimit(RLIMIT_FSIZE, &full);
+  const auto message =
+      messageOf<InputError>([&] { writeFileAtomically(folder.path() / "out.txt", std::string(2000, 'x')); });
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_NE(message.find("out.txt: cannot be written (File too large)"), std::string::npos) << message;
   EXPECT_EQ(filesIn(folder.path()), 0);
 }
 }  // namespace mrpt_ext

@@ -5,14 +5,15 @@
 #include <functional>
 #include <string_view>
 
+#include "mrpt_ext/files/staged_file.h"
+
 namespace mrpt_ext
 {
 /// Takes a text piece by piece.
 using TextSink = std::function<void(std::string_view)>;
 
-/// A file that readers see either with its old content or with all of the new: written under a temporary name in the
-/// same folder, then renamed. Missing parent folders are created. Throws InputError (data) when the folder is not
-/// writable or the disk is full, and leaves no temporary file behind.
+/// A file that readers see either with its old content or with all of the new. Missing parent folders are created.
+/// Throws InputError (data) when the folder is not writable or the disk is full, and leaves no temporary file behind.
 class AtomicFile
 {
  public:
@@ -26,19 +27,11 @@ class AtomicFile
   void commit();
 
  private:
-  [[noreturn]] void fail(int error) const;
-
-  std::filesystem::path path_, temporary_;
-  std::FILE* file_ = nullptr;
+  StagedFile staged_;
+  std::FILE* stream_ = nullptr;
 };
 
 /// Writes what `content` gives as an AtomicFile.
 void writeFileAtomically(const std::filesystem::path& path, const std::function<void(const TextSink&)>& content);
 void writeFileAtomically(const std::filesystem::path& path, std::string_view content);
-
-/// A name beside `path` for writers that stream into a file themselves; follow with renameIntoPlace().
-[[nodiscard]] std::filesystem::path temporaryNameFor(const std::filesystem::path& path);
-
-/// Renames `temporary` to `path`; on failure removes `temporary` and throws InputError (data).
-void renameIntoPlace(const std::filesystem::path& temporary, const std::filesystem::path& path);
 }  // namespace mrpt_ext

@@ -9,8 +9,9 @@
 #include <limits>
 #include <set>
 
-#include "mrpt_ext/files/atomic_file.h"
+#include "mrpt_ext/files/staged_file.h"
 #include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/geometry/physical_limits.h"
 #include "mrpt_ext/observations/CObservationLandmarkBearings.h"
 #include "mrpt_ext/observations/CObservationRunningFix.h"
 #include "mrpt_ext/observations/CObservationStereoRanges.h"
@@ -24,7 +25,6 @@ namespace mrpt_ext
 namespace
 {
 using ObservationPtr = mrpt::obs::CObservation::Ptr;
-constexpr double kLatestTime = 1e11;  ///< [s] well inside what MRPT's stamps can hold
 
 /// What must be known of all records before the first one is written.
 struct LogSummary
@@ -76,7 +76,7 @@ LogSummary summaryOf(const std::filesystem::path& path, const RecordStream& reco
     const auto fail = [&](const std::string& what)
     { return dataError(path.string() + ": record " + std::to_string(summary.entries) + ": " + what); };
     const double time = timeOf(*record);
-    if (!std::isfinite(time) || std::abs(time) > kLatestTime) throw fail("time is not a finite Unix time");
+    if (const std::string why = whyImpossible(*record); !why.empty()) throw fail(why);
     if (time < latest) throw fail("earlier than the record before it, expected the order of time");
     if (summary.entries == 0) summary.first_time = time;
     latest = time;
@@ -106,22 +106,19 @@ void writeRawlog(const std::filesystem::path& path, const Recording& recording)
 std::size_t writeRawlog(const std::filesystem::path& path, const std::function<RecordStream()>& records)
 {
   const LogSummary summary = summaryOf(path, records());
-  const std::filesystem::path temporary = temporaryNameFor(path);
+  StagedFile staged(path);
   try
   {
-    if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
-    writeTo(temporary, summary, records());
+    writeTo(staged.path(), summary, records());
     // Closing does not report a full disk: check the trailing checksum.
-    if (!checkRawlogFile(temporary).damage.empty()) throw std::runtime_error("is the disk full?");
+    if (!checkRawlogFile(staged.path()).damage.empty()) throw std::runtime_error("is the disk full?");
   }
   catch (const std::exception& error)
   {
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
     const std::string text = error.what();
     throw dataError(path.string() + ": cannot be written (" + text.substr(0, text.find('\n')) + ")");
   }
-  renameIntoPlace(temporary, path);
+  staged.commit();
   return summary.entries;
 }
 }  // namespace mrpt_ext

@@ -10,10 +10,11 @@
 #include <mrpt/poses/CPosePDFParticles.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
 
-#include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/files/staged_file.h"
 #include "mrpt_ext/maps/CLandmarkMap2D.h"
 
 namespace mrpt_ext
@@ -124,8 +125,8 @@ std::shared_ptr<gl::COpenGLScene> runScene(const LandmarkTable& map, const Playb
 
 void writeScene(const std::filesystem::path& path, const LandmarkTable& map, const PlaybackStep& step)
 {
-  const std::filesystem::path temporary = path.string() + ".tmp";
-  if (!runScene(map, step)->saveToFile(temporary.string())) throw dataError(path.string() + ": cannot be written");
-  std::filesystem::rename(temporary, path);
+  StagedFile staged(path);
+  if (!runScene(map, step)->saveToFile(staged.path().string())) staged.fail(errno);
+  staged.commit();
 }
 }  // namespace mrpt_ext
