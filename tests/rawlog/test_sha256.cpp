@@ -21,6 +21,7 @@ TEST(Sha256, OfTheTestVectors)
 
 TEST(Sha256, OfAFileThatDoesNotExistIsEmpty)
 {
+  EXPECT_EQ(sha256OfText("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
   EXPECT_EQ(sha256OfFile("no/such/file"), "");
   const testing::ScratchFolder folder;
   const std::string path = folder.write("abc", "abc").string();

@@ -77,6 +77,7 @@ std::pair<int, int> LandmarkIndex::span(double offset, double radius, int count)
 {
   const double last = count - 1;
   const double from = std::floor((offset - radius) / bucket_), to = std::floor((offset + radius) / bucket_);
+  if (!(from <= to)) return {0, -1};  // not finite: nothing is there
   // Outside the map the range is empty or ends at its edge.
   return {static_cast<int>(std::clamp(from, 0.0, last)), static_cast<int>(std::clamp(to, 0.0, last))};
 }

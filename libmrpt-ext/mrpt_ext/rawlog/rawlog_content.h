@@ -29,6 +29,7 @@ class RawlogContent : public mrpt::io::CStream
   [[nodiscard]] std::span<const unsigned char> peek(std::size_t count);
   void skip(std::size_t count);
   [[nodiscard]] bool atEnd() const { return position_ >= size_; }
+  [[nodiscard]] std::uint64_t bytesLeft() const { return atEnd() ? 0 : size_ - position_; }
 
  private:
   [[nodiscard]] std::size_t buffered() const { return buffer_.size() - begin_; }

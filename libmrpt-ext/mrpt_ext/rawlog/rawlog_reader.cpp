@@ -1,12 +1,15 @@
 #include "mrpt_ext/rawlog/rawlog_reader.h"
 
 #include <mrpt/obs/CSensoryFrame.h>
+#include <mrpt/rtti/CObject.h>
 #include <mrpt/serialization/CArchive.h>
 
+#include <new>
 #include <regex>
 #include <sstream>
 
 #include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/rawlog/allocation_limit.h"
 #include "mrpt_ext/rawlog/object_header.h"
 #include "mrpt_ext/rawlog/rawlog_comment.h"
 #include "mrpt_ext/rawlog/rawlog_content.h"
@@ -18,14 +21,29 @@ namespace
 {
 constexpr const char* kFrameClass = "mrpt::obs::CSensoryFrame";
 constexpr int kFrameVersion = 2;  ///< the number of observations and the observations, nothing else
+const std::string kOriginal = "Original exception:\n";
+
+/// A record in memory may be larger than in the file, but not by any factor.
+constexpr std::uint64_t kSmallRecord = 16 << 20, kMemoryPerByte = 16;  // [bytes]
 
 /// The sentence in MRPT's exception text, which also holds source lines and a backtrace.
 std::string firstSentence(const std::string& text)
 {
   static const std::regex kMessage("Message:\\s*([^\\n]*)");
+  // MRPT wraps an exception into another one; the first one says what is wrong.
+  const std::size_t inner = text.rfind(kOriginal);
+  const std::string cause = inner == std::string::npos ? text : text.substr(inner + kOriginal.size());
   std::smatch match;
-  if (std::regex_search(text, match, kMessage)) return match[1];
-  return text.substr(0, text.find('\n'));
+  if (std::regex_search(cause, match, kMessage)) return match[1];
+  return cause.substr(0, cause.find('\n'));
+}
+
+/// MRPT writes lines of its own about a class without objects; this comes before it.
+void expectConcreteClass(const ObjectHeader& header)
+{
+  const std::string name = header.class_name.substr(0, header.class_name.find('\0'));  // as MRPT takes it
+  const auto* id = mrpt::rtti::findRegisteredClass(name);
+  if (id && !id->ptrCreateObject) throw std::runtime_error("no object can be of the class '" + name + "'");
 }
 
 /// An observation that the caller does not need.
@@ -65,6 +83,7 @@ RawlogReader::ObjectPtr RawlogReader::nextEntry()
   const std::string where = path_.string() + ": record " + std::to_string(entries_) + ": ";
   const auto header = headerAt(content_->peek(kLongestHeader));
   const auto is = [&](const char* name) { return header && header->class_name == name; };
+  const AllocationLimit limit(kSmallRecord + kMemoryPerByte * content_->bytesLeft());
   try
   {
     if (is(kCommentClass) && header->version <= kLatestCommentVersion)
@@ -80,6 +99,10 @@ RawlogReader::ObjectPtr RawlogReader::nextEntry()
   catch (const InputError& error)
   {
     throw dataError(where + error.what());
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw dataError(where + "not readable, it states a length of more bytes than the log has left");
   }
   catch (const std::exception& error)
   {
@@ -117,6 +140,7 @@ RawlogReader::ObjectPtr RawlogReader::readObject(const std::optional<ObjectHeade
     return skip(*header, ends_frame);
   }
   std::optional<UnreadableClass> unreadable;
+  if (header) expectConcreteClass(*header);
   try
   {
     auto object = mrpt::serialization::archiveFrom(*content_).ReadObject();

@@ -4,6 +4,7 @@
 
 #include "mrpt_ext/files/number_format.h"
 #include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/geometry/physical_limits.h"
 #include "mrpt_ext/observations/observation_conversions.h"
 #include "mrpt_ext/rawlog/rawlog_reader.h"
 #include "mrpt_ext/rawlog/rawlog_translator.h"
@@ -29,7 +30,9 @@ std::optional<Record> RawlogSource::next()
   if (!queue_.canPop()) return std::nullopt;
   LoggedRecord logged = queue_.pop();
   step_ = logged.step;
-  last_time_ = timeOf(logged.record);
+  const double time = timeOf(logged.record);
+  if (last_time_) gaps_.add(*last_time_, time);
+  last_time_ = time;
   if (!first_time_) first_time_ = last_time_;
   return std::move(logged.record);
 }
@@ -54,6 +57,11 @@ void RawlogSource::readEntry()
 void RawlogSource::push(Record record, std::optional<std::size_t> step)
 {
   const double time = timeOf(record);
+  if (const std::string why = whyImpossible(record); !why.empty()) throw dataError(reader_->where() + why);
+  if (time - queue_.newestTime() > kLongestGap && std::isfinite(queue_.newestTime()))
+    throw dataError(reader_->where() + "its time " + fixedText(time, 3) + " s is " +
+                    fixedText((time - queue_.newestTime()) / 86400, 1) +
+                    " days after that of an earlier record, expected at most 30");
   if (queue_.isTooLate(time))
     throw dataError(reader_->where() + "its time " + fixedText(time, 3) + " s is " +
                     fixedText(queue_.newestTime() - time, 3) +
@@ -67,7 +75,8 @@ RawlogStatistics RawlogSource::statistics() const
                               .observations = translator_->observations(),
                               .unusable = translator_->unusable(),
                               .first_time = first_time_.value_or(0),
-                              .last_time = last_time_.value_or(0)};
+                              .last_time = last_time_.value_or(0),
+                              .gaps = gaps_};
   for (const auto& [skipped, number] : reader_->skipped())
   {
     const auto& [class_name, reason] = skipped;
@@ -76,6 +85,15 @@ RawlogStatistics RawlogSource::statistics() const
     statistics.unusable[class_name + ": skipped (" + reason + ")"] += number;
   }
   return statistics;
+}
+
+void LogGaps::add(double from, double to)
+{
+  if (to - from <= kTold) return;
+  ++count;
+  if (to - from <= longest) return;
+  longest = to - from;
+  begin = from;
 }
 
 std::vector<Record> readAll(RawlogSource& source)

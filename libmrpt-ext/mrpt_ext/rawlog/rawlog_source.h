@@ -16,6 +16,16 @@ namespace mrpt_ext
 class RawlogReader;
 class RawlogTranslator;
 
+/// Long pauses between the records of a log.
+struct LogGaps
+{
+  static constexpr double kTold = 3600;  ///< [s]
+
+  std::size_t count = 0;          ///< of gaps longer than that
+  double begin = 0, longest = 0;  ///< [s] time of the longest one, and how long it is
+  void add(double from, double to);
+};
+
 /// Contents of a log and their use; complete once the source has returned its last record.
 struct RawlogStatistics
 {
@@ -23,12 +33,14 @@ struct RawlogStatistics
   std::map<std::string, ObservationCount> observations;  ///< by class, without namespace
   UnusableCounts unusable;                               ///< "<class>: <reason>": detections, or whole observations
   double first_time = 0, last_time = 0;                  ///< [s] of the records given; 0 when there were none
+  LogGaps gaps;
   [[nodiscard]] double duration() const { return last_time - first_time; }
 };
 
 /// A rawlog of either form as plain records in order of time; see RawlogTranslator for how entries
-/// become records. Damage, unknown classes and times that go back by more than kReorderWindow are an InputError
-/// (data): damaged compression at construction, the rest when it is reached.
+/// become records. Damage, unknown classes, values beyond the physical limits (geometry/physical_limits.h) and times
+/// that go back by more than kReorderWindow are an InputError (data): damaged compression at construction, the rest
+/// when it is reached.
 class RawlogSource
 {
  public:
@@ -59,6 +71,7 @@ class RawlogSource
   bool ended_ = false;
   std::optional<std::size_t> step_;
   std::optional<double> first_time_, last_time_;
+  LogGaps gaps_;
 };
 
 /// All records of a source at once.

@@ -26,6 +26,13 @@ std::string Sha256::hex()
   return text;
 }
 
+std::string sha256OfText(std::string_view text)
+{
+  Sha256 digest;
+  digest.add({reinterpret_cast<const unsigned char*>(text.data()), text.size()});
+  return digest.hex();
+}
+
 std::string sha256OfFile(const std::filesystem::path& path)
 {
   std::ifstream file(path, std::ios::binary);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 
 struct evp_md_ctx_st;  // of OpenSSL
 
@@ -21,6 +22,8 @@ class Sha256
  private:
   std::unique_ptr<evp_md_ctx_st, void (*)(evp_md_ctx_st*)> context_;
 };
+
+[[nodiscard]] std::string sha256OfText(std::string_view text);
 
 /// Of a whole file; empty when it cannot be read.
 [[nodiscard]] std::string sha256OfFile(const std::filesystem::path& path);

@@ -26,8 +26,8 @@ void CObservationRunningFix::serializeFrom(mrpt::serialization::CArchive& in, st
   {
     case 0:
       readHeader(in, *this, sensor_pose);
-      in >> horizontal >> id >> first_timestamp >> first_range >> first_std >> second_range >> second_std >>
-          displacement;
+      horizontal = readFlag(in);
+      in >> id >> first_timestamp >> first_range >> first_std >> second_range >> second_std >> displacement;
       for (int i = 0; i < 9; ++i) in >> displacement_covariance(i / 3, i % 3);
       second_bearing = readOptional(in);
       in >> second_bearing_std;

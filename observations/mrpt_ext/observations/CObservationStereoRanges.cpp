@@ -40,7 +40,8 @@ void CObservationStereoRanges::serializeFrom(mrpt::serialization::CArchive& in, 
   {
     case 0:
       readHeader(in, *this, sensor_pose);
-      in >> field_of_view >> max_range >> baseline_focal >> horizontal;
+      in >> field_of_view >> max_range >> baseline_focal;
+      horizontal = readFlag(in);
       detections.assign(readDetectionCount(in), {});
       for (Detection& d : detections)
       {

@@ -4,6 +4,7 @@
 #include <mrpt/poses/CPose3D.h>
 #include <mrpt/serialization/CArchive.h>
 
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -53,9 +54,17 @@ inline void writeOptional(mrpt::serialization::CArchive& out, const std::optiona
   if (value) out << *value;
 }
 
+/// A bool whose byte may be damaged.
+[[nodiscard]] inline bool readFlag(mrpt::serialization::CArchive& in)
+{
+  const auto byte = in.ReadAs<std::uint8_t>();
+  if (byte > 1) throw std::runtime_error("a flag of " + std::to_string(byte) + ", expected 0 or 1");
+  return byte == 1;
+}
+
 [[nodiscard]] inline std::optional<double> readOptional(mrpt::serialization::CArchive& in)
 {
-  if (!in.ReadAs<bool>()) return std::nullopt;
+  if (!readFlag(in)) return std::nullopt;
   return in.ReadAs<double>();
 }
 

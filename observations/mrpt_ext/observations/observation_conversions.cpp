@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <map>
 
 #include "mrpt_ext/observations/CObservationLandmarkBearings.h"
@@ -26,6 +28,14 @@ Plain withHeader(const mrpt::obs::CObservation& observation, const mrpt::poses::
   plain.T_robot_sensor = {sensor_pose.x(), sensor_pose.y(), sensor_pose.yaw()};
   plain.sensor_height = sensor_pose.z();
   return plain;
+}
+
+/// A flag that MRPT has read from a log, where any byte may stand for it.
+bool isTrue(const bool& flag)
+{
+  std::uint8_t byte = 0;
+  std::memcpy(&byte, &flag, 1);
+  return byte == 1;
 }
 
 SensorModel declaredModel(double field_of_view, double max_range)
@@ -72,7 +82,7 @@ Reading toReading(const mrpt::obs::CObservationBearingRange& observation)
   {
     Detection d{.id = measurement.landmarkID, .category = {}, .bearing = measurement.yaw, .range = {}};
     if (measurement.range != 0) d.range = measurement.range;
-    const bool own = observation.validCovariances;
+    const bool own = isTrue(observation.validCovariances);
     d.std_range = own ? std::sqrt(measurement.covariance(0, 0)) : observation.sensor_std_range;
     d.std_bearing = own ? std::sqrt(measurement.covariance(1, 1)) : observation.sensor_std_yaw;
     reading.detections.push_back(d);

@@ -4,16 +4,19 @@
 #include <cmath>
 #include <vector>
 
+#include "mrpt_ext/geometry/physical_limits.h"
+
 namespace mrpt_ext
 {
 namespace
 {
-bool isStd(double value) { return std::isfinite(value) && value >= 0; }
+bool isStd(double value) { return isCoordinate(value) && value >= 0; }
 
 std::string whyRangeUnusable(double range, double std)
 {
   if (!std::isfinite(range)) return "range not finite";
   if (range <= 0) return "range not positive";
+  if (!isCoordinate(range)) return "range beyond any sensor";
   return isStd(std) ? "" : "range std negative or not finite";
 }
 
