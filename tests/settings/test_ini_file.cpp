@@ -68,6 +68,16 @@ TEST(IniFile, NamesTheLineOfEveryMistake)
   EXPECT_EQ(errorOf("[A\n"), "my.ini:1: '[A': expected [Section]");
 }
 
+TEST(IniFile, RefusesMoreThanAnybodyWrites)
+{
+  std::string sections;
+  for (std::size_t i = 0; i <= IniFile::kMostSections; ++i) sections += "[S" + std::to_string(i) + "]\n";
+  EXPECT_EQ(errorOf(sections), "my.ini:1001: [S1000] is one section too many, expected at most 1000");
+  EXPECT_EQ(errorOf("[A]\n" + std::string(IniFile::kMostLines, '\n')),
+            "my.ini:20001: an .ini file of more than 20000 lines, expected a configuration");
+  EXPECT_EQ(errorOf(std::string(1000, 'x')), "my.ini:1: '" + std::string(100, 'x') + "...': expected key = value");
+}
+
 TEST(IniFile, MissingFileAndFolderAreErrors)
 {
   EXPECT_THROW((void)IniFile::read("no/such/file.ini"), InputError);

@@ -118,6 +118,14 @@ TEST(Settings, ChecksValues)
             "/data/my.ini:2: origin = 1 x: expected numbers separated by blanks, each finite m m deg");
 }
 
+TEST(Settings, NumbersBeyondAnyMeaningAreRefused)
+{
+  EXPECT_EQ(errorOf("[Run]\norigin = 1e308 0 0\n"),
+            "/data/my.ini:2: origin = 1e308 0 0: expected numbers separated by blanks, each finite m m deg, and none "
+            "beyond 1e+09");
+  EXPECT_EQ(parse("[Run]\nseed = 1000000000000\n").integer("Run", "seed"), 1'000'000'000'000) << "a seed may be any";
+}
+
 TEST(Settings, OverridesWinAndNameTheOptionWhenWrong)
 {
   const Settings settings = parse("[Run]\nseed = 7\n", {"Run.seed=9", "Sensor_new.max_range_m=2"});

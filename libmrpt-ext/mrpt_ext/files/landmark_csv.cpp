@@ -22,8 +22,8 @@ int readId(const TextTable& table, std::size_t row, std::size_t column)
 
 double readStd(const TextTable& table, std::size_t row, std::optional<std::size_t> column)
 {
-  if (!column) return 0;
-  const double value = table.optionalNumber(row, *column).value_or(0);
+  if (!column || table.text(row, *column).empty()) return 0;
+  const double value = table.coordinate(row, *column);
   if (value < 0) throw table.errorAt(row, table.columns()[*column] + " is negative, expected >= 0");
   return value;
 }
@@ -36,9 +36,9 @@ std::string categoryText(const Landmark& landmark)
 }
 }  // namespace
 
-LandmarkTable readLandmarkCsv(const std::filesystem::path& path)
+LandmarkTable readLandmarkCsv(const std::filesystem::path& path, const RowLimit& limit)
 {
-  const TextTable table(path, {});
+  const TextTable table(path, {.limit = limit});
   table.expectOnlyColumns({"id", "x", "y", "z", "category", "std_x", "std_y"});
   const std::size_t id = table.column("id"), x = table.column("x"), y = table.column("y");
   const auto z = table.findColumn("z"), category = table.findColumn("category");
@@ -52,7 +52,9 @@ LandmarkTable readLandmarkCsv(const std::filesystem::path& path)
     landmark.id = readId(table, row, id);
     if (landmark.id != kNoId && !seen.insert(landmark.id).second)
       throw table.errorAt(row, "landmark id " + std::to_string(landmark.id) + " occurs twice, ids must be unique");
-    landmark.position = {table.number(row, x), table.number(row, y), z ? table.optionalNumber(row, *z).value_or(0) : 0};
+    const bool has_height = z && !table.text(row, *z).empty();
+    landmark.position = {table.coordinate(row, x), table.coordinate(row, y),
+                         has_height ? table.coordinate(row, *z) : 0};
     if (category) landmark.category = table.text(row, *category);
     landmark.stddev = {readStd(table, row, std_x), readStd(table, row, std_y)};
     landmarks.push_back(std::move(landmark));

@@ -27,7 +27,7 @@ std::map<int, Pose2> readMrptIndexTruth(const std::filesystem::path& path, const
     const int step = readStep(table, row);
     if (!poses.empty() && step <= poses.rbegin()->first)
       throw table.errorAt(row, "step " + std::to_string(step) + " is not after the one before, expected ascending");
-    poses[step] = compose(T_map_file, {table.number(row, 1), table.number(row, 2), table.number(row, 3)});
+    poses[step] = compose(T_map_file, {table.coordinate(row, 1), table.coordinate(row, 2), table.number(row, 3)});
   }
   return poses;
 }

@@ -38,7 +38,13 @@ void forEachBlock(const std::filesystem::path& path, const std::function<void(st
 std::string readTextFile(const std::filesystem::path& path)
 {
   std::string content;
-  forEachBlock(path, [&](std::string_view block) { content += block; });
+  const auto take = [&](std::string_view block)
+  {
+    content += block;
+    if (content.size() > kLargestText)
+      throw dataError(path.string() + ": more than " + std::to_string(kLargestText >> 20) + " MB" + kExpected);
+  };
+  forEachBlock(path, take);
   return content;
 }
 
@@ -54,6 +60,9 @@ void forEachLine(const std::filesystem::path& path, const std::function<void(std
       begun.clear();
     }
     begun += block;
+    if (begun.size() > kLongestLine)
+      throw dataError(path.string() + ": a line of more than " + std::to_string(kLongestLine >> 20) + " MB" +
+                      kExpected);
   };
   forEachBlock(path, split);
   if (!begun.empty()) take(begun);

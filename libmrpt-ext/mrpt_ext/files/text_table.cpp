@@ -1,10 +1,13 @@
 #include "mrpt_ext/files/text_table.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "mrpt_ext/files/number_format.h"
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/files/trimmed.h"
+#include "mrpt_ext/geometry/formatted.h"
+#include "mrpt_ext/geometry/physical_limits.h"
 
 namespace mrpt_ext
 {
@@ -102,6 +105,9 @@ void TextTable::addLine(std::string_view line_text, int line)
   if (fields.size() != columns().size())
     throw errorAtLine(line, std::to_string(fields.size()) + " fields, expected " + std::to_string(columns().size()) +
                                 " (" + commaSeparated(columns()) + ")");
+  if (++count_ > format_.limit.rows)
+    throw errorAtLine(line, "more than " + std::to_string(format_.limit.rows) + " rows, expected no more" +
+                                (format_.limit.set_by.empty() ? "" : ": set " + format_.limit.set_by));
   rows_.push_back({line, std::move(fields)});
 }
 
@@ -133,10 +139,19 @@ const std::string& TextTable::text(std::size_t row, std::size_t column) const
   return rows_.at(row).fields.at(column);
 }
 
-double TextTable::number(std::size_t row, std::size_t column) const
+double TextTable::numberWithin(std::size_t row, std::size_t column, double limit) const
 {
-  if (const auto value = parseNumber(text(row, column))) return *value;
-  throw wrongField(row, column, "a number");
+  const auto value = parseNumber(text(row, column));
+  if (!value) throw wrongField(row, column, "a number");
+  if (std::abs(*value) > limit) throw wrongField(row, column, formatted("within %g either way", limit));
+  return *value;
+}
+
+double TextTable::number(std::size_t row, std::size_t column) const { return numberWithin(row, column, kLargestTime); }
+
+double TextTable::coordinate(std::size_t row, std::size_t column) const
+{
+  return numberWithin(row, column, kLargestCoordinate);
 }
 
 std::optional<double> TextTable::optionalNumber(std::size_t row, std::size_t column) const

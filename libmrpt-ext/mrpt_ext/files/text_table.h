@@ -24,6 +24,13 @@ struct RowTypes
   std::vector<std::string> others;  ///< types that are skipped; any other type is an error
 };
 
+/// How many rows are read at most, and the key or option that sets it, for the error about one more.
+struct RowLimit
+{
+  std::size_t rows = 50'000'000;
+  std::string set_by = {};
+};
+
 /// How a table file is laid out.
 struct TextTableFormat
 {
@@ -31,6 +38,7 @@ struct TextTableFormat
   std::string comment_prefix = "#";  ///< lines that begin with it are skipped; empty: no comments
   std::vector<std::string> columns;  ///< names, in file order; empty: the first row is a header that names them
   RowTypes types = {};
+  RowLimit limit = {};
 };
 
 /// A delimited text file in memory. Every row has one field per column: a row of another length is an error, so that a
@@ -50,10 +58,12 @@ class TextTable
   [[nodiscard]] std::size_t column(std::string_view name) const;
 
   [[nodiscard]] const std::string& text(std::size_t row, std::size_t column) const;
-  /// A finite number, or an error.
+  /// A number, or an error; finite, and not beyond the largest time: no unit of a table needs larger ones.
   [[nodiscard]] double number(std::size_t row, std::size_t column) const;
   /// Nothing for an empty field.
   [[nodiscard]] std::optional<double> optionalNumber(std::size_t row, std::size_t column) const;
+  /// A number within what a coordinate or a distance in metres can be (geometry/physical_limits.h), or an error.
+  [[nodiscard]] double coordinate(std::size_t row, std::size_t column) const;
   [[nodiscard]] int integer(std::size_t row, std::size_t column) const;
 
   /// `file:line: <message>` for this row, to be thrown by readers that check the meaning of a value.
@@ -75,11 +85,13 @@ class TextTable
   /// False for rows of a type that is skipped.
   [[nodiscard]] bool isWanted(const std::string& type, int line) const;
   [[nodiscard]] InputError errorAtLine(int line, const std::string& message) const;
+  [[nodiscard]] double numberWithin(std::size_t row, std::size_t column, double limit) const;
   [[nodiscard]] InputError wrongField(std::size_t row, std::size_t column, std::string_view expected) const;
 
   std::filesystem::path path_;
   TextTableFormat format_;
   int header_line_ = 1;
+  std::size_t count_ = 0;  // of rows, also of those that are not kept
   std::vector<Row> rows_;
 };
 

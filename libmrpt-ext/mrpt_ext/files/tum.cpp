@@ -35,7 +35,7 @@ Trajectory readTum(const std::filesystem::path& path)
       throw table.errorAt(0, "time " + table.text(0, 0) + " is not after the one before, expected ascending times");
     const std::optional<double> yaw = readYaw(table, 0);
     static_cast<void>(table.number(0, 3));  // the height is checked, and not used in the plane
-    trajectory.push_back({time, {table.number(0, 1), table.number(0, 2), yaw.value_or(0)}, yaw.has_value()});
+    trajectory.push_back({time, {table.coordinate(0, 1), table.coordinate(0, 2), yaw.value_or(0)}, yaw.has_value()});
   };
   forEachRow(path, {Delimiter::white_space, "#", {"timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw"}}, add);
   trajectory.shrink_to_fit();

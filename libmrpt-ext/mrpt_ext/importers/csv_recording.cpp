@@ -25,8 +25,9 @@ std::vector<OdometryRecord> readPoses(const TextTable& table)
   std::vector<OdometryRecord> odometry;
   for (std::size_t row = 0; row < table.size(); ++row)
   {
-    const OdometryRecord record{orderedTime(table, row, t),
-                                {table.number(row, x), table.number(row, y), wrap(degToRad(table.number(row, phi)))}};
+    const OdometryRecord record{
+        orderedTime(table, row, t),
+        {table.coordinate(row, x), table.coordinate(row, y), wrap(degToRad(table.number(row, phi)))}};
     // Of rows with one stamp the last one counts.
     if (!odometry.empty() && odometry.back().time == record.time) odometry.pop_back();
     odometry.push_back(record);

@@ -22,6 +22,13 @@ std::string_view withoutComment(std::string_view line)
   return line;
 }
 
+/// As much of a line as a message needs.
+std::string excerpt(const std::string& line)
+{
+  constexpr std::size_t kLongest = 100;
+  return line.size() <= kLongest ? line : line.substr(0, kLongest) + "...";
+}
+
 /// Hands out logical lines: comments taken off, continued lines joined, numbered by their first physical line.
 class LineReader
 {
@@ -62,6 +69,10 @@ const IniEntry* IniSection::find(std::string_view key) const
 
 IniFile IniFile::read(const std::filesystem::path& file)
 {
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(file, ignored) && std::filesystem::file_size(file, ignored) > kMostBytes)
+    throw configurationError(file.string() + ": larger than " + std::to_string(kMostBytes >> 20) +
+                             " MB, expected an .ini file");
   std::ifstream stream(file, std::ios::binary);
   std::ostringstream text;
   if (!std::filesystem::is_regular_file(file) || !stream || !(text << stream.rdbuf()))
@@ -78,21 +89,26 @@ IniFile IniFile::parse(std::string_view text, std::string name)
   std::string line;
   for (int number = 0; lines.next(line, number);)
   {
-    if (line.empty()) continue;
     const auto fail = [&](const std::string& message)
     { return configurationError(ini.name_ + ":" + std::to_string(number) + ": " + message); };
+    if (static_cast<std::size_t>(number) > kMostLines)
+      throw fail("an .ini file of more than " + std::to_string(kMostLines) + " lines, expected a configuration");
+    if (line.empty()) continue;
     if (line.front() == '[')
     {
-      if (line.back() != ']' || line.size() < 3) throw fail("'" + line + "': expected [Section]");
+      if (line.back() != ']' || line.size() < 3) throw fail("'" + excerpt(line) + "': expected [Section]");
       const std::string section(trimmed(std::string_view(line).substr(1, line.size() - 2)));
       if (const IniSection* earlier = ini.find(section))
         throw fail("section [" + section + "] is already in line " + std::to_string(earlier->line));
+      if (ini.sections_.size() == kMostSections)
+        throw fail("[" + excerpt(section) + "] is one section too many, expected at most " +
+                   std::to_string(kMostSections));
       ini.sections_.push_back({section, number, {}});
       continue;
     }
     const std::size_t equals = line.find('=');
     const std::string key(trimmed(std::string_view(line).substr(0, equals)));
-    if (equals == std::string::npos || key.empty()) throw fail("'" + line + "': expected key = value");
+    if (equals == std::string::npos || key.empty()) throw fail("'" + excerpt(line) + "': expected key = value");
     if (ini.sections_.empty()) throw fail("'" + key + "' comes before the first [Section]");
     IniSection& section = ini.sections_.back();
     if (const IniEntry* earlier = section.find(key))

@@ -27,10 +27,13 @@ struct IniSection
 
 /// An .ini file in MRPT's form, read strictly: `[Section]`, `key = value`, comments after ; # or // (at the start of a
 /// line or after a blank), a backslash at the end of a line continues the value. A key before the first section, a key
-/// or a section written twice, and a line that is none of these are InputErrors (configuration) with file and line.
+/// or a section written twice, and a line that is none of these are InputErrors (configuration) with file and line, and
+/// so are more sections, lines or bytes than anybody writes.
 class IniFile
 {
  public:
+  static constexpr std::size_t kMostSections = 1000, kMostLines = 20'000, kMostBytes = 4 << 20;
+
   /// Throws InputError (configuration) when the file cannot be read.
   static IniFile read(const std::filesystem::path& file);
   /// `name` stands for the file in error messages.

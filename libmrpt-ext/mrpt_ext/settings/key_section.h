@@ -15,7 +15,7 @@ namespace ranges
 {
 inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 inline constexpr ValueRange kAny{}, kPositive{1e-9, kUnbounded}, kNotNegative{0, kUnbounded}, kShare{0, 1},
-    kCount{1, 1e8};
+    kCount{1, 1e7};
 }  // namespace ranges
 
 /// Writes the keys of one section, a call per key:

@@ -49,7 +49,18 @@ std::optional<std::string> complaintAboutNames(const std::string& value, const s
   return std::nullopt;
 }
 
-bool inside(const ValueRange& range, double value) { return value >= range.low && value <= range.high; }
+bool inside(const ValueRange& range, double value)
+{
+  return value >= range.low && value <= range.high && std::abs(value) <= kLargestNumber;
+}
+
+/// For values that are numbers, but larger than any meaning.
+std::string hugeNumberText(const std::string& value)
+{
+  for (const double number : parseNumbers(value).value_or(std::vector<double>{}))
+    if (std::abs(number) > kLargestNumber) return ", and none beyond " + plain(kLargestNumber);
+  return {};
+}
 }  // namespace
 
 std::string KeySpec::expected() const
@@ -89,7 +100,7 @@ std::optional<std::string> KeySpec::complaintAbout(const std::string& value) con
   else if (type == KeyType::integer)
   {
     const auto integer = parseWholeNumber(value);
-    good = integer && inside(range, static_cast<double>(*integer));
+    good = integer && static_cast<double>(*integer) >= range.low && static_cast<double>(*integer) <= range.high;
   }
   else if (type == KeyType::flag)
     good = parseFlag(value).has_value();
@@ -103,7 +114,8 @@ std::optional<std::string> KeySpec::complaintAbout(const std::string& value) con
   else if (type == KeyType::names)
     return complaintAboutNames(value, choices);
   if (good) return std::nullopt;
-  return "expected " + expected();
+  const bool real = type == KeyType::number || type == KeyType::numbers;
+  return "expected " + expected() + (real ? hugeNumberText(value) : "");
 }
 
 bool fitsPattern(std::string_view section, std::string_view pattern)

@@ -29,6 +29,9 @@ struct ValueRange
   double high = std::numeric_limits<double>::infinity();
 };
 
+/// No number of an .ini file is larger, either way: what is computed from them stays finite, and ends.
+inline constexpr double kLargestNumber = 1e9;
+
 /// One key of an .ini file: its meaning, its allowed values and its default. KeySection (key_section.h) writes it in
 /// one line. `section` may be a pattern: `Sensor_<label>` stands for every section that starts with Sensor_. The name
 /// `*` accepts every key of the section as text (sections that are passed to MRPT).
