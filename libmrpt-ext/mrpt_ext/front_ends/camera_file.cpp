@@ -1,5 +1,6 @@
 #include "mrpt_ext/front_ends/camera_file.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "mrpt_ext/files/text_file.h"
@@ -22,7 +23,9 @@ std::optional<double> numberIn(const Json* object, const std::string& name)
   if (!object || !object->contains(name)) return std::nullopt;
   const Json& value = (*object)[name];
   if (!value.is_number()) throw dataError("camera.json: " + name + " is no number");
-  return value.get<double>();
+  const double number = value.get<double>();
+  if (!(std::abs(number) <= kLargestNumber)) throw dataError("camera.json: " + name + " is beyond any meaning");
+  return number;
 }
 }  // namespace
 

@@ -2,10 +2,17 @@
 
 #include <filesystem>
 #include <opencv2/core/mat.hpp>
+#include <string>
 
 namespace mrpt_ext
 {
-/// The pixels of an image file, 8 bits, grey or BGR. Empty when the file is missing, no image, or cut off: decoders
-/// fill what is missing with grey, in which edges would be found.
-[[nodiscard]] cv::Mat readImageFile(const std::filesystem::path& file);
+/// The pixels of an image file, 8 bits, grey or BGR; or none and why. A missing file has neither.
+struct ImageContent
+{
+  cv::Mat pixels;
+  std::string problem;
+};
+
+/// Reads a JPEG or PNG file that is whole (image_integrity.h).
+[[nodiscard]] ImageContent readImageFile(const std::filesystem::path& file);
 }  // namespace mrpt_ext

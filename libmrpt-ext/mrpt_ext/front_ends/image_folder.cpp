@@ -27,7 +27,7 @@ class PoseColumns
   [[nodiscard]] std::optional<Pose2> at(std::size_t row) const
   {
     if (!present_) return std::nullopt;
-    return Pose2{table_.number(row, columns_[0]), table_.number(row, columns_[1]),
+    return Pose2{table_.coordinate(row, columns_[0]), table_.coordinate(row, columns_[1]),
                  wrap(degToRad(table_.number(row, columns_[2])) + heading_offset_)};
   }
 
@@ -83,7 +83,7 @@ LandmarkTable readMap(const fs::path& file)
   {
     Landmark landmark;
     landmark.id = table.integer(row, table.column("id"));
-    landmark.position = {table.number(row, table.column("x_m")), table.number(row, table.column("y_m")), 0};
+    landmark.position = {table.coordinate(row, table.column("x_m")), table.coordinate(row, table.column("y_m")), 0};
     if (const auto category = table.findColumn("category")) landmark.category = table.text(row, *category);
     landmarks.push_back(landmark);
   }
@@ -139,7 +139,8 @@ class ImageFolder : public ImageSequence
     for (const std::string& role : roles_)
     {
       const std::string name = names_.at(row, role);
-      frame.images.push_back({role, name, name.empty() ? cv::Mat() : readImageFile(folder_ / name), {}});
+      ImageContent content = name.empty() ? ImageContent() : readImageFile(folder_ / name);
+      frame.images.push_back({role, name, std::move(content.pixels), {}, std::move(content.problem)});
     }
     return frame;
   }

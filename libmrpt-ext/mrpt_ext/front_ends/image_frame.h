@@ -13,13 +13,17 @@
 
 namespace mrpt_ext
 {
-/// One image of a frame; `pixels` is empty when the file is missing or cannot be decoded.
+/// One image of a frame; `pixels` is empty when the file is missing, damaged or too large.
 struct FrameImage
 {
   std::string role;  ///< "image", "left" and "right", or "M1", "M2", "M3"
   std::string name;  ///< for messages and for the names of debug pictures
   cv::Mat pixels;    ///< 8 bits, grey or BGR
   Pose2 T_robot_camera;
+  std::string problem = {};  ///< why there are no pixels, where that is known
+
+  /// What is wrong with the image, else what its view complains about; empty when nothing is.
+  [[nodiscard]] std::string complaint(const std::string& of_view) const { return problem.empty() ? of_view : problem; }
 };
 
 /// Images taken at one time.

@@ -82,9 +82,9 @@ FrameMeasurements MovisFrontEnd::measure(const ImageFrame& frame, bool with_draw
     any = true;
     const OmniView view = mounted.camera.view(image->pixels);
     if (with_drawings) result.drawings.push_back({image->name, mounted.camera.draw(image->pixels, view, mounted.yaw)});
-    if (!view.problem.empty())
+    if (const std::string problem = image->complaint(view.problem); !problem.empty())
     {
-      result.problems.push_back(frame.nameOf(*image) + ": " + view.problem);
+      result.problems.push_back(frame.nameOf(*image) + ": " + problem);
       continue;
     }
     Reading reading;

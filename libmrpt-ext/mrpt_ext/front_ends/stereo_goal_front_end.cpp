@@ -109,7 +109,14 @@ FrameMeasurements StereoGoalFrontEnd::measure(const ImageFrame& frame, bool with
   }
   const StereoGoalView view = viewStereoGoal(left->pixels, right->pixels, model_);
   if (with_drawings) result.drawings.push_back({left->name, drawStereoGoal(left->pixels, view, model_)});
-  if (!view.problem.empty()) result.problems.push_back(frame.nameOf(*left) + ": " + view.problem);
+  if (!left->problem.empty() || !right->problem.empty())
+    for (const FrameImage* image : {left, right})
+    {
+      if (!image->problem.empty())
+        result.problems.push_back(frame.nameOf(*left) + ": " + image->role + " " + image->problem);
+    }
+  else if (!view.problem.empty())
+    result.problems.push_back(frame.nameOf(*left) + ": " + view.problem);
 
   Reading corners;
   corners.time = frame.time;
