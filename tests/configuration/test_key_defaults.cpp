@@ -94,6 +94,8 @@ TEST(KeyDefaults, OfARunAreThoseOfItsConfig)
   EXPECT_EQ(read.limits.max_convergence_s, plain.limits.max_convergence_s);
   EXPECT_EQ(read.final_scene, plain.final_scene);
   EXPECT_EQ(read.scene_every, plain.scene_every);
+  EXPECT_EQ(read.max_detections, plain.max_detections);
+  EXPECT_EQ(read.max_landmarks, plain.max_landmarks);
 }
 
 TEST(KeyDefaults, OfASensorAreThoseOfItsConfig)

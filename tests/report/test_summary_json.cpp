@@ -36,10 +36,11 @@ TEST(SummaryJson, HasEveryKeyOfTheContractInItsOrder)
   const RunContext context = syntheticContext();
   const Json json = summaryOf(context, syntheticRecord(context));
   EXPECT_EQ(keysOf(json),
-            (Keys{"schema", "version", "config", "seed", "trials", "success_rate", "trials_detail", "rawlog",
+            (Keys{"schema", "version", "config", "seed", "trials", "success_rate", "trials_detail", "rawlog", "inputs",
                   "observations", "methods", "filter", "landmarks", "limit", "verdict", "verdict_reason", "cost"}));
   EXPECT_EQ(keysOf(json["trials_detail"][0]), (Keys{"trial", "seed", "success", "verdict", "rmse", "converged_at_s"}));
   EXPECT_EQ(keysOf(json["rawlog"]), (Keys{"path", "sha256", "entries", "duration_s"}));
+  EXPECT_EQ(keysOf(json["inputs"]), (Keys{"log", "map", "truth", "config"}));
   EXPECT_EQ(keysOf(json["observations"]["CObservationImage"]), (Keys{"total", "used", "ignored"}));
   for (const auto& [name, method] : json["methods"].items())
   {

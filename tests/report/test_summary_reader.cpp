@@ -58,6 +58,14 @@ TEST(SummaryReader, RejectsSummariesOfOtherRuns)
   other = context;
   other.rawlog_sha256 = "another log";
   EXPECT_FALSE(readTrialScore(folder.path(), other, 0));
+  other = context;
+  other.settings_sha256 = "other settings";
+  EXPECT_FALSE(readTrialScore(folder.path(), other, 0));
+  other = context;
+  other.inputs = {{"map", "map.csv", "an edited map"}};
+  EXPECT_FALSE(readTrialScore(folder.path(), other, 0));
+  other.inputs = {{"truth", "truth.tum", "another truth"}};
+  EXPECT_FALSE(readTrialScore(folder.path(), other, 0));
   RunScore interrupted = scoreOfTrial(context, 0);
   interrupted.verdict_reason = kInterruptedReason + std::string("; one mode");
   folder.write("summary.json", summaryJson(context, interrupted));

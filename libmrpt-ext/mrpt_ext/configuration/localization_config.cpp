@@ -149,6 +149,8 @@ LocalizationConfig localizationConfig(const Settings& settings, const LandmarkTa
   config.methods = settings.words(kExperimentSection, "methods");
   std::erase(config.methods, "all");
   config.final_scene = settings.flag(kExperimentSection, "save_final_scene");
+  config.max_detections = static_cast<std::size_t>(settings.integer(kExperimentSection, "max_detections"));
+  config.max_landmarks = static_cast<std::size_t>(settings.integer(kExperimentSection, "max_landmarks"));
   config.scene_every = static_cast<std::size_t>(settings.integer(kExperimentSection, "save_scene_every"));
   return config;
 }

@@ -37,7 +37,9 @@ struct LocalizationConfig
   std::vector<std::string> methods;  ///< empty: all that the log has measurements for
   ConvergenceLimits limits;
   bool final_scene = false;
-  std::size_t scene_every = 0;  ///< a scene of every N-th frame; 0: none
+  std::size_t scene_every = 0;          ///< a scene of every N-th frame; 0: none
+  std::size_t max_detections = 2000;    ///< of a frame
+  std::size_t max_landmarks = 100'000;  ///< of the map
 };
 
 /// Reads the configuration; the map is needed for the default box of possible positions. Throws InputError

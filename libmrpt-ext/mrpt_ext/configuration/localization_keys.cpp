@@ -88,7 +88,11 @@ KeyTable methodKeys()
               "Longest time to converge of a successful trial.")
       .flag("save_final_scene", config.final_scene, "Write final.3Dscene: map, particles and modes at the end.")
       .integer("save_scene_every", "", config.scene_every, ranges::kNotNegative,
-               "Write scenes/NNNNNN.3Dscene of every N-th frame. For SceneViewer3D; 0 writes none.");
+               "Write scenes/NNNNNN.3Dscene of every N-th frame. For SceneViewer3D; 0 writes none.")
+      .integer("max_detections", "", config.max_detections, ranges::kCount,
+               "Most detections of a frame. A frame with more is an error: memory and time grow with them.")
+      .integer("max_landmarks", "", config.max_landmarks, ranges::kCount,
+               "Most landmarks of the map. A map with more is an error: memory and time grow with them.");
 }
 
 KeyTable motionKeys()

@@ -142,7 +142,7 @@ struct RunRecord
 /// A file that a run read.
 struct InputFile
 {
-  std::string role;  ///< configuration, map, truth
+  std::string role;  ///< "configuration" (the .ini), "map", "truth"
   std::string path, sha256;
 };
 
@@ -155,6 +155,7 @@ struct RunContext
   std::size_t rawlog_entries = 0;
   double start_time = 0, duration_s = 0;
   std::vector<InputFile> inputs;  ///< other than the log
+  std::string settings_sha256;    ///< of config_resolved.ini: the .ini with all options and defaults
   std::string built_with;         ///< versions of the compiler and of the libraries
   std::map<std::string, ObservationCount> observations;
   LandmarkTable map;

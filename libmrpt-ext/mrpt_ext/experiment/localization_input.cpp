@@ -9,6 +9,7 @@
 #include "mrpt_ext/experiment/method_factory.h"
 #include "mrpt_ext/files/landmark_csv.h"
 #include "mrpt_ext/files/mrpt_index_truth.h"
+#include "mrpt_ext/files/number_format.h"
 #include "mrpt_ext/files/tum.h"
 #include "mrpt_ext/frames/log_overview.h"
 #include "mrpt_ext/geometry/input_error.h"
@@ -33,7 +34,8 @@ std::filesystem::path requiredPath(const Settings& settings, const std::string& 
 LandmarkTable loadMap(const Settings& settings)
 {
   const auto path = requiredPath(settings, kMapSection, "landmarks_file", "--map FILE");
-  LandmarkTable map = readLandmarkCsv(path);
+  const auto most = static_cast<std::size_t>(settings.integer(kExperiment, "max_landmarks"));
+  LandmarkTable map = readLandmarkCsv(path, {most, "[" + kExperiment + "] max_landmarks"});
   if (map.empty()) throw configurationError(path.string() + ": holds no landmark, at least one is needed");
   return map;
 }
@@ -141,6 +143,17 @@ void readOverview(LocalizationInput& input, RawlogSource& source)
   context.rawlog_entries = statistics.entries;
   context.observations = statistics.observations;
   input.unusable = statistics.unusable;
+  input.gaps = statistics.gaps;
+}
+
+void expectFewDetections(const LocalizationInput& input, const Frame& frame)
+{
+  std::size_t detections = 0;
+  for (const Reading& reading : frame.readings) detections += reading.detections.size();
+  if (detections <= input.config.max_detections) return;
+  throw dataError(input.context.rawlog_path + ": frame at " + fixedText(frame.time, 3) +
+                  " s: " + std::to_string(detections) + " detections, expected at most " +
+                  std::to_string(input.config.max_detections) + ": set [" + kExperiment + "] max_detections");
 }
 
 /// Second pass: properties of the frames.
@@ -154,6 +167,7 @@ void readFrames(LocalizationInput& input)
   while (const auto frame = frames.next())
   {
     static_cast<void>(frames.takeObjectFrames());
+    expectFewDetections(input, *frame);
     ++log.frames;
     log.available.add(*frame);
     if (const auto geometry = frameGeometry(*frame, context.map, context.truth, max_gap))

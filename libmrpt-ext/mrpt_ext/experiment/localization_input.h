@@ -10,6 +10,7 @@
 #include "mrpt_ext/experiment/method_factory.h"
 #include "mrpt_ext/frames/frame_synchronizer.h"
 #include "mrpt_ext/observations/usable_detections.h"
+#include "mrpt_ext/rawlog/rawlog_source.h"
 
 namespace mrpt_ext
 {
@@ -39,6 +40,8 @@ struct LocalizationInput
   FrameLog log;
   std::vector<std::string> notes;              ///< what the log lacks, and what is assumed for it
   UnusableCounts unusable;                     ///< detections that were left out, by reason
+  UnusableCounts unusable;  ///< detections that were left out, by reason
+  LogGaps gaps;
   std::vector<std::string> logged_sensors;     ///< labels of the records
   std::vector<std::string> unmatched_sensors;  ///< labels of [Sensor_<label>] without records, perhaps misspelt
 };

@@ -38,10 +38,17 @@ std::string firstSentence(const std::string& text)
   return cause.substr(0, cause.find('\n'));
 }
 
-/// MRPT writes lines of its own about a class without objects; this comes before it.
-void expectConcreteClass(const ObjectHeader& header)
+/// MRPT writes lines of its own about a class without objects; this comes before it. `bytes`: the next of the log.
+void expectConcreteClass(std::span<const unsigned char> bytes)
 {
-  const std::string name = header.class_name.substr(0, header.class_name.find('\0'));  // as MRPT takes it
+  if (bytes.empty()) return;
+  const std::size_t length = bytes[0] & 0x7f;  // of the class name, which ends at a NUL for MRPT
+  std::string name;
+  for (const unsigned char c : bytes.subspan(1, std::min(length, bytes.size() - 1)))
+  {
+    if (c == 0) break;
+    name += static_cast<char>(c);
+  }
   const auto* id = mrpt::rtti::findRegisteredClass(name);
   if (id && !id->ptrCreateObject) throw std::runtime_error("no object can be of the class '" + name + "'");
 }
@@ -140,7 +147,7 @@ RawlogReader::ObjectPtr RawlogReader::readObject(const std::optional<ObjectHeade
     return skip(*header, ends_frame);
   }
   std::optional<UnreadableClass> unreadable;
-  if (header) expectConcreteClass(*header);
+  expectConcreteClass(content_->peek(kLongestHeader));
   try
   {
     auto object = mrpt::serialization::archiveFrom(*content_).ReadObject();

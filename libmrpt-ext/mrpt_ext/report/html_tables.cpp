@@ -6,6 +6,7 @@
 #include "mrpt_ext/report/html_parts.h"
 #include "mrpt_ext/report/html_text.h"
 #include "mrpt_ext/report/landmark_quality.h"
+#include "mrpt_ext/report/map_view.h"
 #include "mrpt_ext/report/number_text.h"
 
 namespace mrpt_ext
@@ -77,7 +78,10 @@ std::string landmarkTable(const RunScore& score)
 {
   if (score.landmarks.empty()) return {};
   std::string rows;
-  for (const std::string& id : landmarkOrder(score))
+  std::vector<std::string> ids = landmarkOrder(score);
+  const std::size_t all = ids.size();
+  ids.resize(std::min(all, kMostShownLandmarks));
+  for (const std::string& id : ids)
   {
     const LandmarkScore& landmark = score.landmarks.at(id);
     const std::string warning = landmarkWarning(landmark);
@@ -87,8 +91,10 @@ std::string landmarkTable(const RunScore& score)
                  numberText(landmark.residual_std, 2), warning.empty() ? "" : element("span", "badge warn", warning)},
                 warning.empty() ? "" : "warned");
   }
-  return htmlTable(
+  const std::string table = htmlTable(
       {"landmark", "seen", "associated", "inlier rate", "residual mean / σ", "residual std / σ", "warning"}, rows);
+  if (ids.size() == all) return table;
+  return table + element("p", "note", std::to_string(all - ids.size()) + " more landmarks are in summary.json.");
 }
 
 std::string observationTable(const RunContext& context)

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "mrpt_ext/report/landmark_quality.h"
+
 namespace mrpt_ext
 {
 namespace
@@ -17,6 +19,20 @@ MapView::MapView(const Vector2d& low, const Vector2d& high) : centre_(0.5 * (low
   const Vector2d extent = (high - low).cwiseMax(kSmallestExtent);
   scale_ = std::min((kWidth - 2 * kMargin) / extent.x(), (kMaxHeight - 2 * kMargin) / extent.y());
   height_ = std::clamp(extent.y() * scale_ + 2 * kMargin, kMinHeight, kMaxHeight);
+}
+
+std::vector<Landmark> shownLandmarks(const LandmarkTable& map, const std::map<std::string, LandmarkScore>& scores)
+{
+  const std::size_t stride = map.size() / kMostShownLandmarks + 1;
+  std::vector<Landmark> shown;
+  std::size_t i = 0;
+  for (const Landmark& landmark : map.all())
+  {
+    const auto score = scores.find(std::to_string(landmark.id));
+    const bool warned = score != scores.end() && !landmarkWarning(score->second).empty();
+    if (i++ % stride == 0 || (warned && shown.size() < 2 * kMostShownLandmarks)) shown.push_back(landmark);
+  }
+  return shown;
 }
 
 Vector2d MapView::draw(const Vector2d& position) const

@@ -1,11 +1,22 @@
 #pragma once
 
+#include <map>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "mrpt_ext/evaluation/run_record.h"
+#include "mrpt_ext/evaluation/run_score.h"
 
 namespace mrpt_ext
 {
+/// A page holds no more landmarks than can be told apart.
+inline constexpr std::size_t kMostShownLandmarks = 5000;
+
+/// All landmarks of a map; of a larger one every n-th, and those with a warning.
+[[nodiscard]] std::vector<Landmark> shownLandmarks(const LandmarkTable& map,
+                                                   const std::map<std::string, LandmarkScore>& scores);
+
 /// From map coordinates [m], y upwards, to drawing units, y downwards, with equal scale on both axes.
 class MapView
 {

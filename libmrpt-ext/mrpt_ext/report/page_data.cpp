@@ -33,7 +33,7 @@ Json methodsOf(const RunScore& score)
 Json landmarksOf(const RunContext& context, const RunScore& score)
 {
   Json list = Json::array();
-  for (const Landmark& landmark : context.map.all())
+  for (const Landmark& landmark : shownLandmarks(context.map, score.landmarks))
   {
     const std::string id = landmark.id == kNoId ? std::string() : std::to_string(landmark.id);
     const auto known = score.landmarks.find(id);

@@ -116,6 +116,21 @@ Json landmarks(const std::map<std::string, LandmarkScore>& scores)
 }
 }  // namespace
 
+Json inputDigests(const RunContext& context)
+{
+  const auto digest = [](const std::string& sha256) { return sha256.empty() ? Json(nullptr) : Json(sha256); };
+  const auto of_file = [&](const std::string& role)
+  {
+    for (const InputFile& file : context.inputs)
+      if (file.role == role) return digest(file.sha256);
+    return Json(nullptr);
+  };
+  return {{"log", digest(context.rawlog_sha256)},
+          {"map", of_file("map")},
+          {"truth", of_file("truth")},
+          {"config", digest(context.settings_sha256)}};
+}
+
 std::string summaryJson(const RunContext& context, const RunScore& score)
 {
   const Json summary = {{"schema", 1},
@@ -126,6 +141,7 @@ std::string summaryJson(const RunContext& context, const RunScore& score)
                         {"success_rate", number(score.success_rate)},
                         {"trials_detail", trialsDetail(score.trials)},
                         {"rawlog", rawlog(context)},
+                        {"inputs", inputDigests(context)},
                         {"observations", observations(context)},
                         {"methods", methods(score.methods)},
                         {"filter", filter(score)},

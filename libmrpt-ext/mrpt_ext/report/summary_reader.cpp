@@ -3,6 +3,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "mrpt_ext/report/summary_json.h"
+
 namespace mrpt_ext
 {
 namespace
@@ -82,11 +84,10 @@ TrialScore readTrial(const Json& detail)
 
 bool belongsTo(const Json& summary, const RunContext& context, int trial)
 {
-  const Json& log = summary.at("rawlog").at("sha256");
   const std::string reason = summary.at("verdict_reason");
   return !reason.starts_with(kInterruptedReason) && summary.at("schema") == 1 && summary.at("trials") == 1 &&
          summary.at("seed") == context.seed && summary.at("trials_detail").at(0).at("trial") == trial &&
-         (log.is_string() ? log.get<std::string>() : std::string()) == context.rawlog_sha256;
+         summary.at("inputs") == inputDigests(context);
 }
 }  // namespace
 

@@ -17,8 +17,8 @@ inline constexpr const char* kInterruptedReason = "interrupted";
 
 /// The score of trial number `trial` from the summary.json in its folder: all that a merged score needs. What is not in
 /// the file stays empty: single errors, `continuous` and the judged method, which the caller knows. Nothing without the
-/// file, or when it is damaged or of an interrupted trial, another trial, another log or another random seed than those
-/// of `context`.
+/// file, or when it is damaged or of an interrupted trial, another trial, another random seed or other
+/// inputs (log, map, truth, settings) than those of `context`.
 [[nodiscard]] std::optional<RunScore> readTrialScore(const std::filesystem::path& folder, const RunContext& context,
                                                      int trial);
 }  // namespace mrpt_ext

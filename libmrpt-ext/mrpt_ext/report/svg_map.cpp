@@ -54,7 +54,7 @@ std::string landmarkShapes(const LandmarkTable& map, const std::map<std::string,
                            const MapView& view)
 {
   std::string svg;
-  for (const Landmark& landmark : map.all())
+  for (const Landmark& landmark : shownLandmarks(map, scores))
   {
     const Vector2d p = view.draw(landmark.position.head<2>());
     std::string name = landmark.id == kNoId ? std::string() : std::to_string(landmark.id);
@@ -175,6 +175,12 @@ std::string outsideNote(const RunRecord& record, const RunScore& score, const Ma
   if (outside == 0) return {};
   return element("p", "note", std::to_string(outside) + " estimates are outside of this view.") + "\n";
 }
+std::string thinnedNote(const RunContext& context, const RunScore& score)
+{
+  const std::size_t shown = shownLandmarks(context.map, score.landmarks).size(), all = context.map.size();
+  if (shown == all) return {};
+  return element("p", "note", std::to_string(shown) + " of " + std::to_string(all) + " landmarks are drawn.") + "\n";
+}
 }  // namespace
 
 std::string svgMap(const RunContext& context, const RunRecord& record, const RunScore& score)
@@ -190,6 +196,6 @@ std::string svgMap(const RunContext& context, const RunRecord& record, const Run
   svg += landmarkShapes(context.map, score.landmarks, view) + endShapes(record, view);
   for (const ModeSummary& mode : record.filter.modes_at_end) svg += modeShape(mode, view);
   svg += scaleBar(view) + "</svg>\n";
-  return svg + legend(context, record, score) + outsideNote(record, score, view);
+  return svg + legend(context, record, score) + outsideNote(record, score, view) + thinnedNote(context, score);
 }
 }  // namespace mrpt_ext
