@@ -18,11 +18,11 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 export PATH=$PATH:$here/../../build/bin
 program=$(command -v landmark-localization)
 
-# One line "first:last folder" per part; the folder's name sorts like its trials.
+# One line "first:last name" per part; the name of its folder sorts like its trials.
 for ((part = 0; part < parts; part++)); do
   first=$((trials * part / parts)) last=$((trials * (part + 1) / parts))
-  [ "$first" -lt "$last" ] && printf '%d:%d %s/part_%06d\n' "$first" "$last" "$out" "$first"
+  [ "$first" -lt "$last" ] && printf '%d:%d part_%06d\n' "$first" "$last" "$first"
 done | parallel ${SSHLOGIN:+--sshlogin "$SSHLOGIN"} --workdir "$PWD" --colsep ' ' --joblog "$out/jobs.log" --quote \
-  "$program" "$config" --trials '{1}' -o '{2}' --resume -q "$@" >"$out/log.txt"
+  "$program" "$config" --trials '{1}' -o "$out/{2}" --resume -q "$@" >"$out/log.txt"
 
 localization-report "$out"/part_* -o "$out/report.html"

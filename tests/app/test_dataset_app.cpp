@@ -48,13 +48,13 @@ bool isOneLine(const std::string& text)
 TEST(DatasetApp, ReportsThatAShortRecordingCalibratesNothing)
 {
   const testing::ScratchFolder folder;
-  const auto ini = folder.write("a.ini", "[S]\na = 1\n");
+  const auto ini = folder.write("a.ini", "[Sensor_a]\nstd_range_m = 1\n");
   const Outcome outcome =
       runApp({"cuhksz", testing::sampleFolder("cuhksz"), "-o", folder.path() / "c.rawlog", "--calibrate", ini});
   EXPECT_EQ(outcome.exit_code, kExitDone) << outcome.err;
   EXPECT_NE(outcome.out.find("radios: range biases not observable, fewer than ten epochs"), std::string::npos)
       << outcome.out;
-  EXPECT_EQ(readTextFile(ini), "[S]\na = 1\n");
+  EXPECT_EQ(readTextFile(ini), "[Sensor_a]\nstd_range_m = 1\n");
   const Outcome missing = runApp({"cuhksz", testing::sampleFolder("cuhksz"), "-o", folder.path() / "d.rawlog",
                                   "--calibrate", folder.path() / "none.ini"});
   EXPECT_EQ(missing.exit_code, kExitFailed);

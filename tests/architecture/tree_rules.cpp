@@ -11,19 +11,13 @@ namespace
 {
 constexpr std::size_t kMaxLines = 400, kMaxMainLines = 50, kMaxFolderLines = 5000;
 
-const std::set<std::string> kTopLevel{"CMakeLists.txt",
-                                      "CMakePresets.json",
-                                      "LICENSE",
-                                      "README.md",
-                                      "CONTRIBUTING.md",
-                                      "CHANGELOG.md",
-                                      "apps",
-                                      "datasets",
-                                      "ini",
-                                      "libmrpt-ext",
-                                      "maps",
-                                      "observations",
-                                      "tests"};
+const std::set<std::string> kTopLevel{"CMakeLists.txt",  "CMakePresets.json",
+                                      "LICENSE",         "README.md",
+                                      "CONTRIBUTING.md", "CHANGELOG.md",
+                                      "SECURITY.md",     "apps",
+                                      "datasets",        "ini",
+                                      "libmrpt-ext",     "maps",
+                                      "observations",    "tests"};
 
 std::string parentOf(const std::string& path) { return path.substr(0, path.rfind('/')); }
 std::string nameOf(const std::string& path) { return path.substr(path.rfind('/') + 1); }

@@ -31,6 +31,11 @@ rm -r parts/part_000004/trial_006 parts/part_000008/summary.json parts/report.ht
 same
 [ -s parts/report.html ]
 
+# A folder and an option with blanks.
+"$apps/study_parallel.sh" "$config" "two words" 2 2 "${brief[@]}" --set "LocalizationExperiment.objects=a ball"
+[ "$(cd "two words" && echo part_*/trial_*)" = "part_000000/trial_000 part_000001/trial_001" ] || { ls -R .; exit 1; }
+[ ! -e two ] || exit 1
+
 "$apps/sweep.sh" "$config" sweep 2 LocalizationExperiment.particles_count=100,300 PF_options.BETA=0.3,0.6 -- "${brief[@]:0:4}" >/dev/null
 head -1 sweep/sweep.csv | grep -q '^LocalizationExperiment.particles_count,PF_options.BETA,run,log,method,trials,'
 [ "$(wc -l <sweep/sweep.csv)" -eq 5 ] || { cat sweep/sweep.csv; exit 1; }

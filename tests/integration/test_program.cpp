@@ -27,7 +27,7 @@ using namespace std::chrono_literals;
 class Child
 {
  public:
-  Child(const Arguments& arguments, const fs::path& out, const fs::path& err)
+  Child(const Arguments& arguments, const fs::path& out, const fs::path& err, bool ignores_interrupts = false)
   {
     Arguments words = testing::joined({fs::path(MRPT_EXT_BINARY_DIR) / "bin" / "landmark-localization"}, arguments);
     std::vector<char*> argv;
@@ -35,6 +35,7 @@ class Child
     argv.push_back(nullptr);
     pid_ = fork();
     if (pid_ != 0) return;
+    if (ignores_interrupts) std::signal(SIGINT, SIG_IGN);
     dup2(open(out.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600), STDOUT_FILENO);
     dup2(open(err.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600), STDERR_FILENO);
     execv(argv[0], argv.data());
@@ -47,7 +48,7 @@ class Child
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  void interrupt() const { kill(pid_, SIGINT); }
+  void interrupt(int signal = SIGINT) const { kill(pid_, signal); }
   [[nodiscard]] bool running()
   {
     if (!ended_) ended_ = waitpid(pid_, &status_, WNOHANG) == pid_;
@@ -100,6 +101,53 @@ TEST(Program, InterruptedLeavesValidPartialOutput)
   EXPECT_EQ(TextTable(run / "hypotheses.csv", {}).size(), steps.size()) << "one mode per step";
   for (const auto& entry : fs::directory_iterator(run))
     EXPECT_EQ(entry.path().filename().string().find(".tmp-"), std::string::npos) << entry.path() << " is left over";
+}
+
+// A map that takes long to read: the signal comes before any trial.
+TEST(Program, InterruptedWhileItLoadsEndsWithALineWithinASecond)
+{
+  const testing::ScratchFolder folder;
+  std::string map = "id,x,y\n";
+  for (int i = 0; i < 3'000'000; ++i) map += std::to_string(i) + ",1,2\n";
+  const fs::path out = folder.path() / "out.txt", err = folder.path() / "err.txt", run = folder.path() / "run";
+  const Arguments arguments{
+      testing::shipped("landmark-localization", "room"), "--map", folder.write("map.csv", map), "-o", run, "--set",
+      "LocalizationExperiment.max_landmarks=9000000"};
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+  {
+    Child child(arguments, out, err);
+    std::this_thread::sleep_for(300ms);
+    const auto begin = std::chrono::steady_clock::now();
+    child.interrupt(signal);
+    EXPECT_EQ(child.exitCode(), 1) << signal;
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, 1s);
+    EXPECT_EQ(readTextFile(err), "interrupted: what was finished is on disk, the rest ends here\n");
+  }
+  EXPECT_FALSE(fs::exists(run));
+}
+
+TEST(Program, AnInheritedIgnoreOfInterruptsIsKept)
+{
+  const testing::ScratchFolder folder;
+  const fs::path out = folder.path() / "out.txt", err = folder.path() / "err.txt";
+  Child child({testing::shipped("landmark-localization", "quickstart"), "-o", folder.path() / "run", "--duration", "5"},
+              out, err, true);
+  for (int i = 0; i < 5 && child.running(); ++i)
+  {
+    std::this_thread::sleep_for(50ms);
+    child.interrupt();
+  }
+  EXPECT_EQ(child.exitCode(), 0) << readTextFile(err);
+}
+
+TEST(Program, OutputThatCannotBeWrittenIsAFailure)
+{
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  const testing::ScratchFolder folder;
+  const fs::path err = folder.path() / "err.txt";
+  Child child({"--list-keys"}, "/dev/full", err);
+  EXPECT_EQ(child.exitCode(), 1);
+  EXPECT_EQ(readTextFile(err), "landmark-localization: standard output cannot be written (No space left on device)\n");
 }
 
 TEST(Program, SaysOneLineAboutDamage)

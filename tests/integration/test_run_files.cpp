@@ -48,12 +48,13 @@ void expectStatistics(const Json& statistics)
 void expectSchema1(const Json& s)
 {
   EXPECT_EQ(keysOf(s),
-            (Keys{"schema", "version", "config", "seed", "trials", "success_rate", "trials_detail", "rawlog",
+            (Keys{"schema", "version", "config", "seed", "trials", "success_rate", "trials_detail", "rawlog", "inputs",
                   "observations", "methods", "filter", "landmarks", "limit", "verdict", "verdict_reason", "cost"}));
   EXPECT_EQ(s.at("schema"), 1);
   for (const Json& trial : s.at("trials_detail"))
     EXPECT_EQ(keysOf(trial), (Keys{"trial", "seed", "success", "verdict", "rmse", "converged_at_s"}));
   EXPECT_EQ(keysOf(s.at("rawlog")), (Keys{"path", "sha256", "entries", "duration_s"}));
+  EXPECT_EQ(keysOf(s.at("inputs")), (Keys{"log", "map", "truth", "config"}));
   for (const Json& counts : s.at("observations")) EXPECT_EQ(keysOf(counts), (Keys{"total", "used", "ignored"}));
   for (const Json& method : s.at("methods"))
   {

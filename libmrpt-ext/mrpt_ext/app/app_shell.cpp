@@ -1,7 +1,9 @@
 #include "mrpt_ext/app/app_shell.h"
 
-#include <ostream>
+#include <cerrno>
+#include <cstring>
 
+#include "mrpt_ext/app/interrupt.h"
 #include "mrpt_ext/app/version.h"
 #include "mrpt_ext/geometry/input_error.h"
 
@@ -55,11 +57,22 @@ Settings AppShell::loadSettings(const std::filesystem::path& config, const KeyTa
 
 int AppShell::run(const std::vector<std::string>& arguments, const std::function<int()>& job)
 {
+  const InterruptGuard interrupt;
+  errno = 0;
+  const int code = answer(arguments, job);
+  if (out_.flush()) return code;
+  err_ << name_ << ": standard output cannot be written (" << std::strerror(errno != 0 ? errno : EIO) << ")\n"
+       << std::flush;
+  return kExitFailed;
+}
+
+int AppShell::answer(const std::vector<std::string>& arguments, const std::function<int()>& job)
+{
   try
   {
     const auto text = command_line_.parse(arguments);
     if (!text) return job();
-    out_ << *text << std::flush;
+    out_ << *text;
     return kExitDone;
   }
   catch (const InputError& error)

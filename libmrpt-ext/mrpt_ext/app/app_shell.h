@@ -10,6 +10,7 @@
 
 #include "mrpt_ext/app/command_line.h"
 #include "mrpt_ext/app/exit_codes.h"
+#include "mrpt_ext/app/printable_stream.h"
 #include "mrpt_ext/settings/settings.h"
 
 namespace mrpt_ext
@@ -33,7 +34,7 @@ struct AppDescription
 };
 
 /// What all apps have in common around their job: the command line, one clear line for an error, the exit code.
-/// Apps add their own options to `commandLine()` and pass their job to `run`; results go to `out`, all else to `err`.
+/// Apps add their own options to `commandLine()` and pass their job to `run`; results go to out(), all else to err().
 class AppShell
 {
  public:
@@ -44,6 +45,7 @@ class AppShell
 
   [[nodiscard]] CommandLine& commandLine() { return command_line_; }
   [[nodiscard]] const CommonOptions& options() const { return options_; }
+  /// Where results and everything else go, free of control characters.
   [[nodiscard]] std::ostream& out() { return out_; }
   [[nodiscard]] std::ostream& err() { return err_; }
 
@@ -51,13 +53,15 @@ class AppShell
   [[nodiscard]] Settings loadSettings(const std::filesystem::path& config, const KeyTable& table) const;
 
   /// Parses `arguments` (without the program's name) and runs `job`, which returns an exit code. An InputError or any
-  /// other exception becomes one line on `err`: exit code 2 for a mistake in usage or configuration, else 1.
+  /// other exception becomes one line on err(): exit code 2 for a mistake in usage or configuration, else 1; so does a
+  /// signal (interrupt.h), and output that cannot be written.
   int run(const std::vector<std::string>& arguments, const std::function<int()>& job);
 
  private:
+  [[nodiscard]] int answer(const std::vector<std::string>& arguments, const std::function<int()>& job);
+
   std::string name_;
-  std::ostream& out_;
-  std::ostream& err_;
+  PrintableStream out_, err_;
   CommandLine command_line_;
   CommonOptions options_;
 };

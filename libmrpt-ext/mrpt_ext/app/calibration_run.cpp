@@ -3,11 +3,11 @@
 #include <ostream>
 #include <set>
 
+#include "mrpt_ext/app/calibrated_file.h"
 #include "mrpt_ext/app/exit_codes.h"
 #include "mrpt_ext/diagnosis/calibration_report.h"
 #include "mrpt_ext/files/atomic_file.h"
 #include "mrpt_ext/files/number_format.h"
-#include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/geometry/input_error.h"
 
 namespace mrpt_ext
@@ -69,9 +69,7 @@ std::vector<IniAssignment> linesToSet(const std::vector<CalibrationFinding>& fin
 
 int runCalibration(Settings settings, const CalibrationRequest& request, std::ostream& out)
 {
-  if (!request.calibrated.empty() && !std::filesystem::exists(request.calibrated))
-    throw dataError("--calibrate " + request.calibrated.string() + ": no such file");
-  const std::string ini = request.calibrated.empty() ? "" : readTextFile(request.calibrated);
+  const std::string ini = request.calibrated.empty() ? "" : readFileToCalibrate(request.calibrated);
   if (settings.hasValue(kExperimentSection, "ground_truth_path_file"))
     settings.set(kExperimentSection, "ground_truth_path_file", "", "--diagnose");
   const LocalizationInput input = loadLocalization(settings, request.window);

@@ -3,13 +3,13 @@
 
 #include "mrpt_ext/app/app_shell.h"
 #include "mrpt_ext/app/apps.h"
+#include "mrpt_ext/app/calibrated_file.h"
 #include "mrpt_ext/app/dataset_formats.h"
 #include "mrpt_ext/app/rawlog_output.h"
 #include "mrpt_ext/configuration/localization_choices.h"
 #include "mrpt_ext/diagnosis/range_bias_report.h"
 #include "mrpt_ext/files/atomic_file.h"
 #include "mrpt_ext/files/landmark_csv.h"
-#include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/files/tum.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/importers/recording_notes.h"
@@ -90,7 +90,7 @@ class Conversion
 
   int run()
   {
-    const RawlogOutput files = rawlogOutput("dataset2rawlog", shell_.options().output);
+    const RawlogOutput files = rawlogOutput("dataset2rawlog", shell_.options().output, options_.request.inputs);
     if (const auto& overrides = shell_.options().overrides; !overrides.empty())
       throw configurationError("--set " + overrides.front() + ": dataset2rawlog has no configuration");
     DatasetRequest request = options_.request;
@@ -99,13 +99,11 @@ class Conversion
     if (!options_.identity.empty()) request.identity = namedValue(options_.identity, identityLevels());
     if (!options_.measurements.empty())
       request.measurements = namedValue(options_.measurements, measurementSelections());
-    if (const fs::path& ini = options_.calibrated; !ini.empty() && !fs::exists(ini))
-      throw dataError("--calibrate " + ini.string() + ": no such file");
+    const std::string ini = options_.calibrated.empty() ? "" : readFileToCalibrate(options_.calibrated);
 
     const Recording recording = importDataset(request);
     printNotes(recording);
     if (!hasReading(recording)) throw dataError(request.inputs[0].string() + ": holds no reading, nothing was written");
-    const std::string ini = options_.calibrated.empty() ? "" : readTextFile(options_.calibrated);
     write(recording, files);
     if (options_.diagnose || !ini.empty()) diagnose(recording, ini);
     return kExitDone;

@@ -91,20 +91,19 @@ std::vector<FrameAtPose> framesAtPose(ImageSequence& images, const std::vector<i
   return found;
 }
 
-int convert(const ImageOptions& options, const Settings& settings, const AppShell& shell, std::ostream& out,
-            std::ostream& err)
+int convert(const ImageOptions& options, const Settings& settings, AppShell& shell)
 {
-  const RawlogOutput files = rawlogOutput("images2rawlog", shell.options().output);
+  const RawlogOutput files = rawlogOutput("images2rawlog", shell.options().output, {options.input});
   const auto images = openImages(options.input, settings);
   const auto front_end = makeFrontEnd(settings, images->camera);
   const auto print = [&](const std::string& line)
   {
-    if (!shell.options().quiet) out << line << '\n';
+    if (!shell.options().quiet) shell.out() << line << '\n';
   };
   if (const auto numbers = front_end->calibrationFrames(); !numbers.empty())
     for (const std::string& line : front_end->calibrate(framesAtPose(*openImages(options.input, settings), numbers)))
       print(line);
-  const Outcome outcome = measureAll(*images, *front_end, options.debug_images, err);
+  const Outcome outcome = measureAll(*images, *front_end, options.debug_images, shell.err());
   if (outcome.frames == 0) throw dataError(options.input.string() + ": no images in it");
 
   if (images->ignored > 0) print(std::to_string(images->ignored) + " records that are no images were left out");
@@ -144,7 +143,6 @@ int runImages2Rawlog(const std::vector<std::string>& arguments, std::ostream& ou
             .help = "Folder for the images with the measurements drawn in"});
   const KeyTable keys = imagesKeys();
   shell.answerQuestionsAbout(keys);
-  return shell.run(arguments,
-                   [&] { return convert(options, shell.loadSettings(options.config, keys), shell, out, err); });
+  return shell.run(arguments, [&] { return convert(options, shell.loadSettings(options.config, keys), shell); });
 }
 }  // namespace mrpt_ext

@@ -4,6 +4,7 @@
 #include "mrpt_ext/app/apps.h"
 #include "mrpt_ext/app/calibration_run.h"
 #include "mrpt_ext/app/localization_run.h"
+#include "mrpt_ext/app/shell_quote.h"
 #include "mrpt_ext/configuration/localization_keys.h"
 #include "mrpt_ext/geometry/input_error.h"
 
@@ -29,15 +30,6 @@ void parseTrials(const std::string& text, LocalizationRequest& request)
   request.first_trial = first;
   request.last_trial = last;
   request.trial_folders = true;
-}
-
-/// The options as the user wrote them, for the report.
-std::string commandLine(const std::vector<std::string>& arguments)
-{
-  std::string line = "landmark-localization";
-  for (const std::string& argument : arguments)
-    line += argument.find(' ') == std::string::npos ? " " + argument : " '" + argument + "'";
-  return line;
 }
 
 /// The options as given, before they become a request.
@@ -129,12 +121,12 @@ std::string truthNote(const LocalizationOptions& options, const Settings& settin
          ": give --ground-truth if it does not belong to this log\n";
 }
 
-int runRequest(const LocalizationOptions& options, const AppShell& shell, std::ostream& out, std::ostream& err)
+int runRequest(const LocalizationOptions& options, AppShell& shell)
 {
   const Settings settings = settingsOf(options, shell);
   LocalizationRequest request = options.request;
   if (options.diagnose || !options.calibrated.empty())
-    return runCalibration(settings, {request.window, options.calibrated, shell.options().quiet}, out);
+    return runCalibration(settings, {request.window, options.calibrated, shell.options().quiet}, shell.out());
   const auto repetitions = settings.integer(kExperimentSection, "experimentRepetitions");
   request.last_trial = options.repeat > 0 ? options.repeat : static_cast<int>(repetitions);
   request.trial_folders = options.repeat > 0 || repetitions > 1;
@@ -143,7 +135,7 @@ int runRequest(const LocalizationOptions& options, const AppShell& shell, std::o
   request.output = shell.options().output;
   request.quiet = shell.options().quiet;
   request.verbose = shell.options().verbose;
-  return runLocalization(settings, request, out, err);
+  return runLocalization(settings, request, shell.out(), shell.err());
 }
 }  // namespace
 
@@ -157,7 +149,7 @@ int runLandmarkLocalization(const std::vector<std::string>& arguments, std::ostr
   shell.answerQuestionsAbout(localizationKeys());
   LocalizationOptions options;
   addOptions(shell.commandLine(), options);
-  options.request.command_line = commandLine(arguments);
-  return shell.run(arguments, [&] { return runRequest(options, shell, out, err); });
+  options.request.command_line = "landmark-localization " + shellLine(arguments);
+  return shell.run(arguments, [&] { return runRequest(options, shell); });
 }
 }  // namespace mrpt_ext

@@ -20,8 +20,10 @@
 #include "mrpt_ext/experiment/trial_pool.h"
 #include "mrpt_ext/experiment/trial_runner.h"
 #include "mrpt_ext/files/atomic_file.h"
+#include "mrpt_ext/files/number_format.h"
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/rawlog/sha256.h"
 #include "mrpt_ext/report/comparison_table.h"
 #include "mrpt_ext/report/html_tables.h"
 #include "mrpt_ext/report/run_writer.h"
@@ -70,11 +72,20 @@ void complete(RunScore& score, const Methods& methods)
   if (const MethodTrajectory* judged = judgedMethod(record)) score.judged_method = judged->name;
 }
 
+/// What config_resolved.ini holds: all that determines the results, but the contents of other files and the seed.
+std::string resolvedConfiguration(const Settings& settings, const LogWindow& window)
+{
+  std::string text = settings.resolvedText();
+  if (window.start > 0) text += "; --start " + shortestText(window.start) + "\n";
+  if (window.duration) text += "; --duration " + shortestText(*window.duration) + "\n";
+  return text;
+}
+
 /// A folder with results of other settings must not become a mixture.
-void expectSameSettings(const fs::path& folder, const Settings& settings)
+void expectSameSettings(const fs::path& folder, const std::string& resolved)
 {
   const fs::path file = folder / "config_resolved.ini";
-  if (fs::exists(file) && readTextFile(file) != settings.resolvedText())
+  if (fs::exists(file) && readTextFile(file) != resolved)
     throw configurationError("--resume: " + file.string() +
                              " has other settings, expected the same ones, or -o with another folder");
 }
@@ -119,7 +130,7 @@ class TrialBatch
 
   void run()
   {
-    const InterruptGuard interrupt;
+    const DeferredInterrupt interrupt;
     ProgressLine line(!request_.quiet, "localizing");
     const auto threads = static_cast<unsigned>(std::min(request_.jobs, request_.last_trial - request_.first_trial));
     runTrials(request_.first_trial, request_.last_trial, threads,
@@ -266,8 +277,10 @@ int runLocalization(const Settings& settings, const LocalizationRequest& request
 
   const fs::path folder = outputFolder(settings, request);
   createFolder(folder);
-  if (request.resume) expectSameSettings(folder, settings);
-  writeFileAtomically(folder / "config_resolved.ini", settings.resolvedText());
+  const std::string resolved = resolvedConfiguration(settings, request.window);
+  input.context.settings_sha256 = sha256OfText(resolved);
+  if (request.resume) expectSameSettings(folder, resolved);
+  writeFileAtomically(folder / "config_resolved.ini", resolved);
   const std::uint64_t seed = input.config.seed;
   input.context.seed = seed;
   input.context.objects_wanted = !input.config.frames.object_categories.empty();

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace mrpt_ext
 {
@@ -11,6 +12,8 @@ struct RawlogOutput
   std::filesystem::path rawlog, map, truth;
 };
 
-/// From the option -o/--output of an app. Throws InputError (configuration) for anything but STEM.rawlog.
-[[nodiscard]] RawlogOutput rawlogOutput(const std::string& app, const std::filesystem::path& output);
+/// From the option -o/--output of an app. Throws InputError (configuration) for anything but STEM.rawlog, and for
+/// one of `inputs`: a recording is not written over.
+[[nodiscard]] RawlogOutput rawlogOutput(const std::string& app, const std::filesystem::path& output,
+                                        const std::vector<std::filesystem::path>& inputs = {});
 }  // namespace mrpt_ext

@@ -48,6 +48,6 @@ int runLocalizationReport(const std::vector<std::string>& arguments, std::ostrea
       .add({.names = "--table",
             .target = &table,
             .help = "Write the figures as a table too: FILE.csv (with the settings that differ) or FILE.md"});
-  return shell.run(arguments, [&] { return compareRuns(folders, table, shell.options(), out); });
+  return shell.run(arguments, [&] { return compareRuns(folders, table, shell.options(), shell.out()); });
 }
 }  // namespace mrpt_ext

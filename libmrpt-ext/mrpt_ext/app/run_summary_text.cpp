@@ -23,6 +23,14 @@ std::string mapText(const RunContext& context)
                    high.y() - low.y());
 }
 
+std::string gapText(const LocalizationInput& input)
+{
+  const LogGaps& gaps = input.gaps;
+  if (gaps.count == 0) return {};
+  return formatted("gap      %zu of more than an hour; the longest, %.1f h, begins %.1f s after the start\n",
+                   gaps.count, gaps.longest / 3600, gaps.begin - input.context.start_time);
+}
+
 std::string truthText(const RunContext& context)
 {
   if (context.truth.empty()) return "truth    none: no errors are computed\n";
@@ -48,6 +56,7 @@ std::string inputText(const LocalizationInput& input)
   }
   for (const auto& [reason, count] : input.unusable)
     result += formatted("         %6zu unusable: ", count) + reason + "\n";
+  result += gapText(input);
   for (const std::string& label : input.unmatched_sensors)
     result += "         [Sensor_" + label + "] applies to no record, the log has sensors " +
               joined(input.logged_sensors) + "\n";

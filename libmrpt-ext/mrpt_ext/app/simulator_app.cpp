@@ -65,6 +65,7 @@ int runLandmarkSimulator(const std::vector<std::string>& arguments, std::ostream
                            .required = true});
   const KeyTable keys = simulatorKeys();
   shell.answerQuestionsAbout(keys);
-  return shell.run(arguments, [&] { return simulateToFiles(shell.loadSettings(config, keys), shell.options(), out); });
+  return shell.run(arguments,
+                   [&] { return simulateToFiles(shell.loadSettings(config, keys), shell.options(), shell.out()); });
 }
 }  // namespace mrpt_ext
