@@ -34,8 +34,8 @@ std::filesystem::path requiredPath(const Settings& settings, const std::string& 
 LandmarkTable loadMap(const Settings& settings)
 {
   const auto path = requiredPath(settings, kMapSection, "landmarks_file", "--map FILE");
-  const auto most = static_cast<std::size_t>(settings.integer(kExperiment, "max_landmarks"));
-  LandmarkTable map = readLandmarkCsv(path, {most, "[" + kExperiment + "] max_landmarks"});
+  const auto most = static_cast<std::size_t>(settings.integer(kExperimentSection, "max_landmarks"));
+  LandmarkTable map = readLandmarkCsv(path, {most, "[" + kExperimentSection + "] max_landmarks"});
   if (map.empty()) throw configurationError(path.string() + ": holds no landmark, at least one is needed");
   return map;
 }
@@ -153,7 +153,7 @@ void expectFewDetections(const LocalizationInput& input, const Frame& frame)
   if (detections <= input.config.max_detections) return;
   throw dataError(input.context.rawlog_path + ": frame at " + fixedText(frame.time, 3) +
                   " s: " + std::to_string(detections) + " detections, expected at most " +
-                  std::to_string(input.config.max_detections) + ": set [" + kExperiment + "] max_detections");
+                  std::to_string(input.config.max_detections) + ": set [" + kExperimentSection + "] max_detections");
 }
 
 /// Second pass: properties of the frames.

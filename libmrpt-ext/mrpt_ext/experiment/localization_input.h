@@ -38,9 +38,8 @@ struct LocalizationInput
   RunContext context;  ///< without version and command line
   LocalizationConfig config;
   FrameLog log;
-  std::vector<std::string> notes;              ///< what the log lacks, and what is assumed for it
-  UnusableCounts unusable;                     ///< detections that were left out, by reason
-  UnusableCounts unusable;  ///< detections that were left out, by reason
+  std::vector<std::string> notes;  ///< what the log lacks, and what is assumed for it
+  UnusableCounts unusable;         ///< detections that were left out, by reason
   LogGaps gaps;
   std::vector<std::string> logged_sensors;     ///< labels of the records
   std::vector<std::string> unmatched_sensors;  ///< labels of [Sensor_<label>] without records, perhaps misspelt
