@@ -28,7 +28,7 @@ TEST(CellKernel, ValuesLieInTheirCellsAtTheirOffsets)
   }
 }
 
-TEST(CellKernel, WhatIsTooFarIsOneCell)
+TEST(CellKernel, AllValuesBeyondTheGridShareOneCell)
 {
   const float values[] = {1e30F, 2e30F, -1e30F, -2e30F};
   CellAxis axis;

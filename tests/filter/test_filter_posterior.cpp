@@ -155,7 +155,7 @@ TEST(FilterPosterior, EqualsExactBayesFromAUniformStart)
   expectSamePosterior(filtered(options, frames), exact);
 }
 
-TEST(FilterPosterior, BadSeedsDoNotChangeIt)
+TEST(FilterPosterior, DoesNotDependOnWrongHypotheses)
 {
   const std::vector<Frame> frames{stillFrame(1.6, 1.8, 1.4)};
   expectSamePosterior(filtered(stillOptions(), frames), exactPosterior(frames, 0));
@@ -167,7 +167,7 @@ TEST(FilterPosterior, EqualsExactBayesAfterSeveralFrames)
   expectSamePosterior(filtered(stillOptions(), frames), exactPosterior(frames, 0));
 }
 
-TEST(FilterPosterior, InjectedSeedsWeighWhatTheJumpPriorGivesThem)
+TEST(FilterPosterior, InjectedHypothesesHaveTheWeightOfTheirPrior)
 {
   // The second and third frame fit another pose; how much it weighs depends on the prior of a jump.
   const std::vector<Frame> frames{stillFrame(1.6, 1.8, 1.4), stillFrame(1.3, 2.3, 1.6), stillFrame(1.2, 2.5, 2.0)};

@@ -40,7 +40,7 @@ HypothesisSet proposalsAround(const Pose2& truth)
 }
 }  // namespace
 
-TEST(FilterRecovery, AKidnappedRobotIsMissedThenFound)
+TEST(FilterRecovery, DetectsAKidnappingAndRecovers)
 {
   const SimulatedRobot robot = rangeBearingRobot();
   for (std::uint64_t run = 0; run < 5; ++run)

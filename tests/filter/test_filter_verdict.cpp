@@ -75,7 +75,7 @@ TEST(FilterVerdict, OkNeedsVerificationEnoughParticlesAndNoContradiction)
 
 TEST(FilterVerdict, NoParticlesMeanLost) { EXPECT_EQ(verdictOn({}).verdict, Verdict::lost); }
 
-TEST(FilterVerdict, WhatIsNotANumberIsNeverOk)
+TEST(FilterVerdict, NotANumberIsNeverOk)
 {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(verdictOn({mode(kNaN)}).verdict, Verdict::ok);

@@ -58,7 +58,7 @@ TEST(HypothesisInjector, InjectedParticlesHaveThePriorOfTheRelocalization)
   EXPECT_NEAR(weight_near, 0.3 * kPi / 100, 0.003);
 }
 
-TEST(HypothesisInjector, ASlipOfOdometryIsNearTheMode)
+TEST(HypothesisInjector, AWheelSlipIsNearTheMode)
 {
   RandomStream random(3);
   const HypothesisInjector injector = injectorOf(4000, {.injected_particle_share = 1, .slip_share = 0.5});
@@ -83,7 +83,7 @@ TEST(HypothesisInjector, ATrajectoryThatAgreesWithTheBestModeInjectsNothing)
   EXPECT_EQ(injectedShare(0, 0), 0);
 }
 
-TEST(HypothesisInjector, OthersCountByTheirOddsUpToTen)
+TEST(HypothesisInjector, HypothesesElsewhereCountByTheirOddsUpToTen)
 {
   EXPECT_NEAR(weightElsewhere({hypothesis(kThere, 0.5), hypothesis(kHere, 0.3)}, kHere), 0.5, 1e-12);
   EXPECT_NEAR(injectedShare(0.5, 0), 0.5, 1e-12);
@@ -91,7 +91,7 @@ TEST(HypothesisInjector, OthersCountByTheirOddsUpToTen)
   EXPECT_NEAR(injectedShare(1, -3), 10.0 / 11, 1e-12);
 }
 
-TEST(HypothesisInjector, EvidenceForTheBestModeCountsAgainstThem)
+TEST(HypothesisInjector, TheLogOddsOfTheBestModeCountAgainstOtherHypotheses)
 {
   EXPECT_LT(injectedShare(1, 9), kMinInjectedWeight);
   EXPECT_NEAR(injectedShare(1, std::log(10)), 0.5, 1e-12);
@@ -121,7 +121,7 @@ TEST(HypothesisInjector, TrajectoryHypothesesGetTheirShareAndTheirCovariance)
   EXPECT_LT((mean / there - kThere.position()).norm(), 1e-4);  // the drawn moments are exact
 }
 
-TEST(HypothesisInjector, NoTrajectoryIsNoChange)
+TEST(HypothesisInjector, WithoutTrajectoryHypothesesNothingChanges)
 {
   RandomStream random(1);
   ParticleSet particles = oneHundredAt(kHere);

@@ -77,7 +77,7 @@ TEST(Initializer, AUniformStartIgnoresHypotheses)
   EXPECT_NEAR(weightNear(start.particles, kTwin), kPi * 0.25 / 100, 0.006);
 }
 
-TEST(Initializer, HypothesesShareTheWeightByTheirLikelihoodNotByTheirOwnWeight)
+TEST(Initializer, HypothesesAreWeightedByTheirLikelihoodNotByTheirOwnWeight)
 {
   Scene scene;
   const Frame frame = scene.frame(false);
@@ -93,7 +93,7 @@ TEST(Initializer, HypothesesShareTheWeightByTheirLikelihoodNotByTheirOwnWeight)
   EXPECT_NEAR(weightNear(start.particles, kTwin), 0.5, 0.15);
 }
 
-TEST(Initializer, DeclinesAnAmbiguousStartWhileTheWindowIsNotFull)
+TEST(Initializer, DoesNotAcceptAnAmbiguousStartBeforeTheWindowIsFull)
 {
   const auto accepted = [](bool identified, bool complete, const HypothesisSet& hypotheses)
   {

@@ -51,7 +51,7 @@ TEST(InlierRatioMonitor, ManyDetectionsAtOnceCountAsMany)
   EXPECT_NEAR(one_by_one.average(), 1, 1e-12);
 }
 
-TEST(InlierRatioMonitor, MoreInliersThanExpectedAreNoCredit)
+TEST(InlierRatioMonitor, MoreInliersThanExpectedDoNotRaiseTheRatio)
 {
   InlierRatioMonitor monitor = InlierRatioMonitor::fast({});
   for (int k = 0; k < 10; ++k) monitor.observe(1, 0.5, 1);

@@ -33,7 +33,7 @@ Frame afterMoving(double distance)
 }
 }  // namespace
 
-TEST(IntegrityMonitor, AKnownStartIsOkUntilOutliersSayOtherwise)
+TEST(IntegrityMonitor, AKnownStartIsOkUntilTheInlierRatioFalls)
 {
   IntegrityMonitor monitor = monitorOf();
   EXPECT_EQ(monitor.verdict(modesAt({}), 1e4).verdict, Verdict::ambiguous) << "not verified";
@@ -51,7 +51,7 @@ TEST(IntegrityMonitor, AKnownStartIsOkUntilOutliersSayOtherwise)
   EXPECT_NE(monitor.finding().find("camera bearings"), std::string::npos);
 }
 
-TEST(IntegrityMonitor, OneSensorOfManyAsksForARelocalization)
+TEST(IntegrityMonitor, FewInliersOfOneSensorMakeRelocalizationDue)
 {
   IntegrityMonitor monitor = monitorOf();
   const auto both = [&](double camera_inliers)
@@ -77,7 +77,7 @@ TEST(IntegrityMonitor, ContradictionByTheTrajectoryWithholdsOk)
   EXPECT_EQ(monitor.verdict(modesAt({}), 1e4).verdict, Verdict::ok);
 }
 
-TEST(IntegrityMonitor, TheEvidenceFollowsItsModeByOdometry)
+TEST(IntegrityMonitor, TheLogOddsStayWithTheirModeAsItMoves)
 {
   IntegrityMonitor monitor = monitorOf();
   monitor.startVerified({});
@@ -99,7 +99,7 @@ TEST(IntegrityMonitor, WithoutAModeUnderTestNothingIsVerified)
   EXPECT_FALSE(monitor.verified());
 }
 
-TEST(IntegrityMonitor, AFrameThatTheModeWasSelectedByIsNoEvidence)
+TEST(IntegrityMonitor, AFrameThatSelectedTheModeIsNoEvidence)
 {
   RandomStream random(1);
   const Pose2 truth{4, 3, 0.5};

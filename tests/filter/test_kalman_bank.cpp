@@ -20,7 +20,7 @@ PoseHypothesis proposalAt(const Pose2& pose, double log_score)
   return {.pose = {pose, diagonal(0.1, 0.03)}, .log_score = log_score};
 }
 
-/// A robot on its round trip, and what it reports.
+/// A robot that drives in a circle, and its simulated frames.
 class RoundTrip
 {
  public:
@@ -48,7 +48,7 @@ class RoundTrip
 };
 }  // namespace
 
-TEST(KalmanBank, WaitsUntilThereIsSomethingToStartFrom)
+TEST(KalmanBank, IsLostWithoutProposals)
 {
   RoundTrip trip({}, 1);
   KalmanBank bank(optionsFor({}, 10), trip.map);
@@ -57,7 +57,7 @@ TEST(KalmanBank, WaitsUntilThereIsSomethingToStartFrom)
   EXPECT_EQ(step.verdict, Verdict::lost);
 }
 
-TEST(KalmanBank, EvidenceDecidesBetweenPlacesAndUntilThenItIsAmbiguous)
+TEST(KalmanBank, IsAmbiguousUntilTheEvidenceDecidesBetweenTwoHypotheses)
 {
   for (std::uint64_t run = 0; run < 10; ++run)
   {
@@ -77,7 +77,7 @@ TEST(KalmanBank, EvidenceDecidesBetweenPlacesAndUntilThenItIsAmbiguous)
   }
 }
 
-TEST(KalmanBank, ManyPlacesThatAllExplainTheDetectionsAreNotLost)
+TEST(KalmanBank, ManyHypothesesThatFitAllDetectionsAreAmbiguousNotLost)
 {
   // One landmark seen with range and bearing: the robot is anywhere on a ring.
   const LandmarkTable map({{.id = 1, .position = {0, 0, 0}}});
@@ -98,8 +98,8 @@ TEST(KalmanBank, ManyPlacesThatAllExplainTheDetectionsAreNotLost)
   EXPECT_EQ(step.verdict, Verdict::ambiguous) << step.reason;
 }
 
-// Ranges alone estimate a position, but no heading.
-TEST(KalmanBank, APlaceWithoutHeadingIsFollowedUnderAllHeadingsUntilOneIsSeen)
+// Ranges alone give a position without heading.
+TEST(KalmanBank, AProposalWithUnknownHeadingBecomesOneFilterPerSector)
 {
   RoundTrip trip({}, 4);
   const auto proposal = [&] {
@@ -110,14 +110,14 @@ TEST(KalmanBank, APlaceWithoutHeadingIsFollowedUnderAllHeadingsUntilOneIsSeen)
   std::vector<double> share(12);
   for (const Mode& mode : step.modes.modes)
     share[static_cast<std::size_t>((mode.pose.mean.phi + kPi) / kTwoPi * 12) % 12] += mode.weight;
-  for (const double held : share) EXPECT_NEAR(held, 1.0 / 12, 0.04);
+  for (const double weight : share) EXPECT_NEAR(weight, 1.0 / 12, 0.04);
   EXPECT_EQ(step.verdict, Verdict::ambiguous);
   for (int k = 0; k < 5; ++k) step = bank.process(trip.next(), noProposals);
   EXPECT_LT(std::abs(wrap(step.modes.modes.front().pose.mean.phi - trip.truth.phi)), degToRad(5));
   EXPECT_GT(step.modes.modes.front().weight, 0.9);
 }
 
-TEST(KalmanBank, TwinsBecomeOneWithTheSumOfTheirWeights)
+TEST(KalmanBank, MergesDuplicateHypothesesAndAddsTheirWeights)
 {
   RoundTrip trip({}, 3);
   KalmanBank bank(optionsFor({}, 10), trip.map);
@@ -129,9 +129,9 @@ TEST(KalmanBank, TwinsBecomeOneWithTheSumOfTheirWeights)
   EXPECT_NEAR(step.modes.modes.front().weight, 1, 1e-9);
 }
 
-TEST(KalmanBank, APlaceThatIsTheSameByAllThatIsSeenKeepsItsWeight)
+TEST(KalmanBank, HypothesesInASymmetricMapKeepEqualWeights)
 {
-  // Landmarks without names on the corners of a rectangle: turned by half a turn, all looks the same.
+  // Anonymous landmarks at the corners of a rectangle: after half a turn about its centre, the map is the same.
   const LandmarkTable map(
       {{.position = {-3, -2, 0}}, {.position = {3, -2, 0}}, {.position = {3, 2, 0}}, {.position = {-3, 2, 0}}});
   const SimulatedRobot robot{.measures_range = true, .identified = false, .detections = 4, .clutter = 0.02};
@@ -151,7 +151,7 @@ TEST(KalmanBank, APlaceThatIsTheSameByAllThatIsSeenKeepsItsWeight)
   }
 }
 
-TEST(KalmanBank, FindsAKidnappedRobotAgain)
+TEST(KalmanBank, RecoversFromAKidnapping)
 {
   for (const std::size_t hypotheses : {std::size_t{1}, std::size_t{20}})
   {
@@ -165,21 +165,21 @@ TEST(KalmanBank, FindsAKidnappedRobotAgain)
     for (int k = 0; k < 20; ++k) step = bank.process(trip.next(), propose);
     EXPECT_EQ(step.verdict, Verdict::ok) << step.reason;
     trip.truth = {3, 6, -1};
-    bool restarted = false, noticed = false;
+    bool restarted = false, detected = false;
     for (int k = 0; k < 30; ++k)
     {
       step = bank.process(trip.next(), propose);
       restarted = restarted || step.restarted;
-      noticed = noticed || step.verdict != Verdict::ok;
+      detected = detected || step.verdict != Verdict::ok;
     }
     EXPECT_TRUE(restarted);
-    EXPECT_TRUE(noticed);
+    EXPECT_TRUE(detected);
     EXPECT_LT(distance(step.modes.modes.front().pose.mean, trip.truth), 0.3);
     EXPECT_EQ(step.verdict, Verdict::ok) << step.reason;
   }
 }
 
-TEST(KalmanBank, ASingleFilterWaitsForAClearPlaceOrForAllReadings)
+TEST(KalmanBank, ASingleFilterWaitsForADominantProposalOrAFullWindow)
 {
   RoundTrip trip({}, 7);
   KalmanBank bank(optionsFor({}, 1), trip.map);
@@ -195,6 +195,6 @@ TEST(KalmanBank, ASingleFilterWaitsForAClearPlaceOrForAllReadings)
   const KalmanStep step = bank.process(trip.next(), propose);
   ASSERT_EQ(step.modes.modes.size(), 1u);
   EXPECT_LT(distance(step.modes.modes.front().pose.mean, trip.truth), 0.5);
-  EXPECT_NE(step.verdict, Verdict::ok) << "it has agreed with few detections so far";
+  EXPECT_NE(step.verdict, Verdict::ok) << "too few detections so far";
 }
 }  // namespace mrpt_ext

@@ -21,7 +21,7 @@ OdometryMotion motionOf(const Pose2& increment)
 double drawn(double low, double high) { return low + (high - low) * 1e-6 * *rc::gen::inRange(0, 1000001); }
 }  // namespace
 
-TEST(KalmanState, StartsFromThePoseAndFromWhatIsKnownOfTheErrors)
+TEST(KalmanState, StartsFromThePoseAndThePriorOfTheSystematicErrors)
 {
   const GaussianPose pose{{1, 2, 3}, Matrix3d::Identity() * 0.25};
   const KalmanState state = startingState(pose, kScales);
@@ -32,18 +32,18 @@ TEST(KalmanState, StartsFromThePoseAndFromWhatIsKnownOfTheErrors)
   EXPECT_NEAR(state.covariance(5, 5), 0.04, 1e-9);
 }
 
-TEST(KalmanState, AScaleLengthensTheWayAndBendsIt)
+TEST(KalmanState, ScaleErrorsCorrectDistanceAndRotation)
 {
   const KalmanState start = startingState({{0, 0, 0}, Matrix3d::Zero()}, kScales);
-  // A quarter of a circle as odometry tells it, with no noise: the true one is 4 % longer and turns 2 % less.
-  const OdometryMotion told = motionOf({1, 1, kPi / 2});
-  const KalmanState end = predict(start, kScales, {}, told);
+  // Odometry measures a quarter of a circle without noise; the true arc is 4 % longer and turns 2 % less.
+  const OdometryMotion measured = motionOf({1, 1, kPi / 2});
+  const KalmanState end = predict(start, kScales, {}, measured);
   EXPECT_NEAR(end.mean[2], 0.98 * kPi / 2, 1e-12);
   EXPECT_NEAR(end.mean.head<2>().norm(), 1.04 * std::sqrt(2.0), 1e-12);
   EXPECT_NEAR(std::atan2(end.mean[1], end.mean[0]), 0.98 * kPi / 4, 1e-12) << "the chord of the arc";
 }
 
-TEST(KalmanState, ErrorsWander)
+TEST(KalmanState, SystematicErrorsAreRandomWalks)
 {
   const KalmanState start = startingState({}, kScales);
   const KalmanState end = predict(start, kScales, {}, {{}, 0, 0, 4});
@@ -51,7 +51,7 @@ TEST(KalmanState, ErrorsWander)
   EXPECT_EQ(end.covariance(3, 3), start.covariance(3, 3));
 }
 
-RC_GTEST_PROP(KalmanState, PredictionIsTheDerivativeOfTheMotion, ())
+RC_GTEST_PROP(KalmanState, PredictsTheCovarianceWithTheJacobianOfTheMotion, ())
 {
   const Pose2 pose{drawn(-5, 5), drawn(-5, 5), drawn(-3, 3)};
   const OdometryMotion motion = motionOf({drawn(-1, 1), drawn(-0.2, 0.2), drawn(-0.5, 0.5)});
@@ -63,7 +63,7 @@ RC_GTEST_PROP(KalmanState, PredictionIsTheDerivativeOfTheMotion, ())
   constexpr double kStep = 1e-5;
   for (int k = 0; k < 6; ++k)
   {
-    // The spread of one component alone moves along the derivative.
+    // A variance of one component alone is propagated by one column of the Jacobian.
     state.covariance.setZero();
     state.covariance(k, k) = 1;
     KalmanVector up = KalmanVector::Zero(6);

@@ -20,13 +20,13 @@ using UpdateRule = KalmanUpdate (*)(const KalmanState&, const Frame&, const Land
 struct Tracking
 {
   double error2 = 0, bound2 = 0;
-  double nees_at_end = 0;  // of the last step of each run: these are independent
+  double nees_at_end = 0;  // of the last step of each run; the runs are independent
   double nis = 0;
   double degrees_of_freedom = 0;
   int count = 0;
 };
 
-/// One run in a 10 m square with 10 landmarks, 5 of them seen per step as bearings of one degree.
+/// One run in a 10 m square with 10 landmarks. Each step has 5 bearings with a standard deviation of one degree.
 void track(std::uint64_t run, UpdateRule rule, Tracking& result)
 {
   const SimulatedRobot robot;
@@ -67,7 +67,7 @@ void track(std::uint64_t run, UpdateRule rule, Tracking& result)
 }
 }  // namespace
 
-TEST(KalmanTracking, ReachesTheBoundWithAnHonestCovariance)
+TEST(KalmanTracking, ReachesThePosteriorCramerRaoBoundWithAConsistentCovariance)
 {
   for (const UpdateRule rule : {updateExtended, updateIterated})
   {
@@ -75,17 +75,17 @@ TEST(KalmanTracking, ReachesTheBoundWithAnHonestCovariance)
     for (std::uint64_t run = 0; run < kRuns; ++run) track(run, rule, result);
     const double ratio = std::sqrt(result.error2 / result.bound2);
     EXPECT_LT(ratio, 1.08);
-    EXPECT_GT(ratio, 0.9) << "better than the bound: the comparison itself would be wrong";
+    EXPECT_GT(ratio, 0.9) << "better than the bound: an error of this test";
     // Independent runs: the sum of their NEES is chi-square with three degrees of freedom each.
     EXPECT_GT(result.nees_at_end, chiSquareQuantile(3.0 * kRuns, 0.025));
     EXPECT_LT(result.nees_at_end, chiSquareQuantile(3.0 * kRuns, 0.975));
-    // Innovations of an honest filter are white: their sum is chi-square too.
+    // Innovations of a consistent filter are white: the sum of their NIS is chi-square too.
     EXPECT_GT(result.nis, chiSquareQuantile(result.degrees_of_freedom, 0.005));
     EXPECT_LT(result.nis, chiSquareQuantile(result.degrees_of_freedom, 0.995));
   }
 }
 
-TEST(KalmanTracking, FindsTheSystematicErrorsBesideThePose)
+TEST(KalmanTracking, EstimatesSystematicErrorsTogetherWithThePose)
 {
   const BiasModel biases{{.kind = BiasKind::range_scale, .std = 0.1},
                          {.kind = BiasKind::range_offset, .std = 0.3},
@@ -107,12 +107,12 @@ TEST(KalmanTracking, FindsTheSystematicErrorsBesideThePose)
     Pose2 truth = kStart;
     for (int k = 0; k < 400; ++k)
     {
-      // Odometry tells a way that is 4 % too short and turns that are 5 % too large.
+      // Odometry measures distances that are 4 % too short and rotations that are 5 % too large.
       const Pose2 increment = k > 0 ? Pose2{0.1, 0, 0.04} : Pose2{};
       truth = compose(truth, increment);
       Frame frame = simulatedFrame(robot, map, truth, increment, random);
-      Pose2& told = frame.motion.increment;
-      told = {told.x / 1.04, told.y / 1.04, told.phi / 0.95};
+      Pose2& measured = frame.motion.increment;
+      measured = {measured.x / 1.04, measured.y / 1.04, measured.phi / 0.95};
       for (Detection& d : frame.readings[0].detections)
       {
         d.range = 1.05 * *d.range - 0.2;

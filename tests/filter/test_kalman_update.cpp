@@ -51,7 +51,7 @@ bool isPositiveDefinite(const KalmanMatrix& covariance)
 
 double drawn(double low, double high) { return low + (high - low) * 1e-6 * *rc::gen::inRange(0, 1000001); }
 
-/// The pose at the least of the nonlinear squares: prior and measurements, by Gauss-Newton in the information form.
+/// The nonlinear least squares solution for prior and measurements, by Gauss-Newton in information form.
 Pose2 leastSquares(const KalmanState& prior, const Frame& frame, const LandmarkTable& map)
 {
   KalmanVector mean = prior.mean;
@@ -78,7 +78,7 @@ Pose2 leastSquares(const KalmanState& prior, const Frame& frame, const LandmarkT
 }
 }  // namespace
 
-TEST(KalmanUpdate, PullsAWrongPoseToTheTruthAndSharpensIt)
+TEST(KalmanUpdate, CorrectsThePoseAndReducesItsCovariance)
 {
   const LandmarkTable map = squareMap();
   const KalmanState prior = startingState({{3.2, 3.9, 0.55}, diagonal(0.3, 0.1)}, {});
@@ -91,7 +91,7 @@ TEST(KalmanUpdate, PullsAWrongPoseToTheTruthAndSharpensIt)
   for (const DetectionUse& use : update.detections) EXPECT_TRUE(use.landmark);
 }
 
-TEST(KalmanUpdate, WithoutMeasurementsNothingChanges)
+TEST(KalmanUpdate, WithoutMeasurementsTheStateStaysAsItIs)
 {
   const KalmanState prior = startingState({kTruth, diagonal(0.3, 0.1)}, {});
   for (const auto& rule : {updateExtended, updateIterated})
@@ -103,7 +103,7 @@ TEST(KalmanUpdate, WithoutMeasurementsNothingChanges)
   }
 }
 
-TEST(KalmanUpdate, AFalseDetectionIsLeftOutAndNamed)
+TEST(KalmanUpdate, RejectsAFalseDetectionAndReportsIt)
 {
   const LandmarkTable map = squareMap();
   const KalmanState prior = startingState({{3.02, 4, 0.5}, diagonal(0.05, 0.02)}, {});
@@ -117,7 +117,7 @@ TEST(KalmanUpdate, AFalseDetectionIsLeftOutAndNamed)
   EXPECT_LT((update.state.pose().position() - kTruth.position()).norm(), 0.05);
 }
 
-TEST(KalmanUpdate, AnIdThatTheMapDoesNotKnowIsClutter)
+TEST(KalmanUpdate, ADetectionWithAnUnknownIdIsClutter)
 {
   Frame frame = exactFrame(squareMap(), {0}, true, false);
   frame.readings[0].detections[0].id = 99;
@@ -127,7 +127,7 @@ TEST(KalmanUpdate, AnIdThatTheMapDoesNotKnowIsClutter)
   EXPECT_NEAR(update.log_evidence, std::log(1 / kTwoPi), 1e-12);
 }
 
-TEST(KalmanUpdate, NamelessDetectionsFindTheirLandmarks)
+TEST(KalmanUpdate, AssociatesAnonymousDetectionsWithTheirLandmarks)
 {
   const LandmarkTable map = squareMap();
   const KalmanState prior = startingState({{3.1, 3.9, 0.52}, diagonal(0.2, 0.05)}, {});
@@ -139,7 +139,7 @@ TEST(KalmanUpdate, NamelessDetectionsFindTheirLandmarks)
   }
 }
 
-TEST(KalmanUpdate, ADetectionThatMayShowTwoLandmarksAlikeIsNotUsed)
+TEST(KalmanUpdate, ADetectionWithAnAmbiguousAssociationIsNotUsed)
 {
   const LandmarkTable twins({{.id = 1, .position = {5, 0.05, 0}}, {.id = 2, .position = {5, -0.05, 0}}});
   Frame frame;
@@ -149,22 +149,22 @@ TEST(KalmanUpdate, ADetectionThatMayShowTwoLandmarksAlikeIsNotUsed)
   const KalmanState prior = startingState({{0, 0, 0}, diagonal(0.1, 0.05)}, {});
   const KalmanUpdate update = updateExtended(prior, frame, twins, {});
   EXPECT_FALSE(update.detections[0].landmark);
-  EXPECT_GT(update.detections[0].inlier_probability, 0.9) << "it does show a landmark";
+  EXPECT_GT(update.detections[0].inlier_probability, 0.9) << "it is an inlier of one of them";
 }
 
-TEST(KalmanUpdate, TheEvidenceOfASharpStateIsTheLikelihoodOfThePose)
+TEST(KalmanUpdate, TheEvidenceOfAStateWithZeroCovarianceIsTheLikelihoodOfItsPose)
 {
   const LandmarkTable map = squareMap();
   for (const bool identified : {true, false})
   {
     const Frame frame = exactFrame(map, {0, 1, 2, 3}, identified, true);
-    const KalmanState sharp = startingState({{3.01, 4.02, 0.51}, Matrix3d::Zero()}, {});
-    const KalmanUpdate update = updateExtended(sharp, frame, map, {});
-    EXPECT_NEAR(update.log_evidence, logLikelihood(frame.readings[0], map, sharp.pose()), 1e-3);
+    const KalmanState exact = startingState({{3.01, 4.02, 0.51}, Matrix3d::Zero()}, {});
+    const KalmanUpdate update = updateExtended(exact, frame, map, {});
+    EXPECT_NEAR(update.log_evidence, logLikelihood(frame.readings[0], map, exact.pose()), 1e-3);
   }
 }
 
-TEST(KalmanUpdate, ACompassIsUsedUnlessItLies)
+TEST(KalmanUpdate, ACompassHeadingIsUsedUnlessItIsAnOutlier)
 {
   Frame frame;
   frame.compass = CompassRecord{.sensor = "c", .heading = 0.6, .std_heading = 0.05};
@@ -176,7 +176,7 @@ TEST(KalmanUpdate, ACompassIsUsedUnlessItLies)
   EXPECT_EQ(unused.state.pose().phi, kTruth.phi);
 }
 
-RC_GTEST_PROP(KalmanUpdate, IteratedFindsTheLeastSquares, ())
+RC_GTEST_PROP(KalmanUpdate, TheIteratedUpdateMinimizesTheSquares, ())
 {
   const LandmarkTable map = squareMap();
   const bool range = *rc::gen::arbitrary<bool>();
@@ -191,7 +191,7 @@ RC_GTEST_PROP(KalmanUpdate, IteratedFindsTheLeastSquares, ())
   RC_ASSERT(std::abs(wrap(update.state.pose().phi - expected.phi)) < 1e-4);
 }
 
-RC_GTEST_PROP(KalmanUpdate, WhateverIsMeasuredTheStateStaysSound, ())
+RC_GTEST_PROP(KalmanUpdate, AnyMeasurementLeavesAFiniteStateAndAPositiveDefiniteCovariance, ())
 {
   const LandmarkTable map = squareMap();
   const BiasModel biases{{.kind = BiasKind::range_scale, .std = 0.1}, {.kind = BiasKind::bearing_offset, .std = 0}};

@@ -59,7 +59,7 @@ TEST(LandmarkReliability, StartsAtTheSensorsClutter)
   EXPECT_EQ(initial.clutter(0.9), LandmarkClutter(3, 0.9));
 }
 
-TEST(LandmarkReliability, FindsTheFaultyLandmark)
+TEST(LandmarkReliability, LearnsTheClutterOfAFaultyLandmark)
 {
   const LandmarkClutter clutter = learned(0.4, true, 1000).clutter(kSensorClutter);
   EXPECT_NEAR(clutter[0], 0.4, 0.05);

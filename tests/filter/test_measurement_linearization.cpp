@@ -25,7 +25,7 @@ Reading readingOf(const Pose2& T_robot_sensor, double height)
 double drawn(double low, double high) { return low + (high - low) * 1e-6 * *rc::gen::inRange(0, 1000001); }
 }  // namespace
 
-TEST(KalmanRows, TheErrorsOfTheSensorAreInThePrediction)
+TEST(MeasurementLinearization, ThePredictionContainsTheSystematicErrorsOfTheSensor)
 {
   const KalmanState state = startingState({{0, 0, 0}, Matrix3d::Identity()}, kBiases);
   const Landmark landmark{.id = 1, .position = {3, 4, 0}};
@@ -36,13 +36,13 @@ TEST(KalmanRows, TheErrorsOfTheSensorAreInThePrediction)
   EXPECT_NEAR(rows.rows[1].residual, 6 - (1.05 * 5 + 0.1), 1e-12);
   EXPECT_NEAR(rows.rows[1].variance, 0.04, 1e-12);
   EXPECT_EQ(rows.rows[0].jacobian[5], 1);
-  EXPECT_EQ(rows.rows[0].jacobian[6], 0) << "another sensor's";
+  EXPECT_EQ(rows.rows[0].jacobian[6], 0) << "of another sensor";
   EXPECT_EQ(rows.rows[1].jacobian[3], 1);
   EXPECT_NEAR(rows.rows[1].jacobian[4], 5, 1e-12);
-  EXPECT_EQ(rows.rows[1].jacobian[7], 0) << "odometry's";
+  EXPECT_EQ(rows.rows[1].jacobian[7], 0) << "of odometry";
 }
 
-TEST(KalmanRows, TheMapsDeviationsWidenTheVariance)
+TEST(MeasurementLinearization, TheVarianceContainsTheStandardDeviationsOfTheLandmark)
 {
   const KalmanState state = startingState({}, {});
   const Landmark landmark{.id = 1, .position = {2, 0, 0}, .stddev = {0.3, 0.4}};
@@ -52,7 +52,7 @@ TEST(KalmanRows, TheMapsDeviationsWidenTheVariance)
   EXPECT_NEAR(rows.rows[1].variance, 0.04 + square(0.3), 1e-9);
 }
 
-TEST(KalmanRows, AHeadingIsARow)
+TEST(MeasurementLinearization, ACompassHeadingIsOneRow)
 {
   KalmanState state = startingState({{0, 0, 3}, Matrix3d::Identity()}, {});
   const KalmanRow row = lineariseHeading(-3, 0.1, state.mean);
@@ -60,7 +60,7 @@ TEST(KalmanRows, AHeadingIsARow)
   EXPECT_NEAR(row.variance, 0.01, 1e-15);
 }
 
-RC_GTEST_PROP(KalmanRows, JacobiansAreTheDerivativesOfThePredictions, ())
+RC_GTEST_PROP(MeasurementLinearization, JacobiansAreTheDerivativesOfThePredictions, ())
 {
   const Pose2 pose{drawn(-5, 5), drawn(-5, 5), drawn(-3, 3)};
   const Reading reading = readingOf({drawn(-0.3, 0.3), drawn(-0.3, 0.3), drawn(-3, 3)}, drawn(0, 2));

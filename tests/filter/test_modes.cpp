@@ -49,7 +49,7 @@ TEST(Modes, TwoClustersAreTwoModes)
   for (std::size_t i = 0; i < particles.size(); ++i) EXPECT_EQ(set.mode_of[i], particles.x[i] < 3.5 ? 1 : 0);
 }
 
-TEST(Modes, OppositeHeadingsAtOnePlaceAreTwoModes)
+TEST(Modes, OppositeHeadingsAtTheSamePositionAreTwoModes)
 {
   ParticleSet particles;
   RandomStream random(2);
@@ -60,7 +60,7 @@ TEST(Modes, OppositeHeadingsAtOnePlaceAreTwoModes)
   for (const Mode& mode : set.modes) EXPECT_NEAR(std::abs(std::cos(mode.pose.mean.phi)), 1, 1e-3);
 }
 
-TEST(Modes, AHeadingAroundPiIsOneMode)
+TEST(Modes, AClusterWithHeadingsAroundPiIsOneMode)
 {
   ParticleSet particles;
   RandomStream random(3);
@@ -71,7 +71,7 @@ TEST(Modes, AHeadingAroundPiIsOneMode)
   EXPECT_NEAR(std::sqrt(set.modes[0].pose.covariance(2, 2)), 0.15, 0.01);
 }
 
-TEST(Modes, TheBestModeIsNeverBetweenTheClusters)
+TEST(Modes, TheBestModeIsNeverTheMeanOfTwoClusters)
 {
   for (std::uint64_t seed = 0; seed < 50; ++seed)
   {
@@ -94,11 +94,12 @@ TEST(Modes, ABroadGaussianIsOneMode)
     EXPECT_GT(set.modes.front().weight, 0.99) << std;
     EXPECT_NEAR(set.modes.front().pose.mean.x, 2, 0.05);
     EXPECT_NEAR(std::sqrt(set.modes.front().pose.covariance(0, 0)), std, 0.05 * std);
-    for (std::size_t i = 1; i < set.modes.size(); ++i) EXPECT_LT(set.modes[i].weight, 0.005);  // strays in the tails
+    for (std::size_t i = 1; i < set.modes.size(); ++i)
+      EXPECT_LT(set.modes[i].weight, 0.005);  // single particles in the tails
   }
 }
 
-TEST(Modes, AUniformCloudIsOneWideModeNotManySharpOnes)
+TEST(Modes, AUniformDistributionIsOneWideModeNotManyNarrowOnes)
 {
   ParticleSet particles;
   RandomStream random(5);
@@ -110,7 +111,7 @@ TEST(Modes, AUniformCloudIsOneWideModeNotManySharpOnes)
   EXPECT_NEAR(weightSum(set), 1, 1e-5);
 }
 
-TEST(Modes, ALightRidgeBetweenTwoPeaksDoesNotJoinThem)
+TEST(Modes, AFewParticlesBetweenTwoPeaksDoNotMergeThem)
 {
   ParticleSet particles;
   RandomStream random(6);
@@ -122,7 +123,7 @@ TEST(Modes, ALightRidgeBetweenTwoPeaksDoesNotJoinThem)
   for (const Mode& mode : set.modes) EXPECT_NEAR(mode.weight, 0.5, 0.01);
 }
 
-TEST(Modes, OneParticle)
+TEST(Modes, OneParticleIsOneModeWithZeroCovariance)
 {
   ParticleSet particles;
   particles.add({1, 2, 3}, 0);
@@ -134,14 +135,14 @@ TEST(Modes, OneParticle)
   EXPECT_EQ(set.mode_of, std::vector<int>{0});
 }
 
-TEST(Modes, NoParticles)
+TEST(Modes, NoParticlesGiveNoModes)
 {
   const ModeSet set = findModes({}, {});
   EXPECT_TRUE(set.modes.empty());
   EXPECT_TRUE(set.mode_of.empty());
 }
 
-TEST(Modes, ModesAreOrderedByWeightAndDeterministic)
+TEST(Modes, ModesAreSortedByWeightAndDeterministic)
 {
   ParticleSet particles;
   RandomStream random(8);

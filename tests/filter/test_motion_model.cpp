@@ -38,7 +38,7 @@ Spread spreadAfter(const MotionModel& model, const OdometryMotion& motion, int s
 
 OdometryMotion straight(double length, double duration) { return {{length, 0, 0}, length, 0, duration}; }
 
-/// Standard deviations agree within the sampling error of kParticles (0.35 % each) at four sigma.
+/// The standard deviations agree within the sampling error of kParticles (0.35 % each).
 void expectSameStd(const Matrix3d& a, const Matrix3d& b, double tolerance = 0.02)
 {
   for (int i = 0; i < 3; ++i)
@@ -46,29 +46,29 @@ void expectSameStd(const Matrix3d& a, const Matrix3d& b, double tolerance = 0.02
 }
 }  // namespace
 
-TEST(MotionModel, FiguresAreStandardDeviationsAfterOneUnit)
+TEST(MotionModel, ParametersAreStandardDeviationsAfterOneUnit)
 {
-  const MotionModel way{
+  const MotionModel distance{
       .std_xy_per_m = 0.05, .std_phi_per_deg = 0, .std_phi_per_m = 0.04, .std_xy_per_s = 0, .std_phi_per_s = 0};
-  EXPECT_TRUE(incrementStd(way, {.path_length = 1}).isApprox(Vector3d(0.05, 0.05, 0.04), 1e-12));
-  const MotionModel turn{
+  EXPECT_TRUE(incrementStd(distance, {.path_length = 1}).isApprox(Vector3d(0.05, 0.05, 0.04), 1e-12));
+  const MotionModel rotation{
       .std_xy_per_m = 0, .std_phi_per_deg = 0.3, .std_phi_per_m = 0, .std_xy_per_s = 0, .std_phi_per_s = 0};
-  EXPECT_NEAR(incrementStd(turn, {.turned = degToRad(1)}).z(), degToRad(0.3), 1e-12);
-  EXPECT_NEAR(incrementStd(turn, {.turned = degToRad(90)}).z(), degToRad(0.3) * std::sqrt(90), 1e-12);
+  EXPECT_NEAR(incrementStd(rotation, {.turned = degToRad(1)}).z(), degToRad(0.3), 1e-12);
+  EXPECT_NEAR(incrementStd(rotation, {.turned = degToRad(90)}).z(), degToRad(0.3) * std::sqrt(90), 1e-12);
   const MotionModel time{
       .std_xy_per_m = 0, .std_phi_per_deg = 0, .std_phi_per_m = 0, .std_xy_per_s = 0.01, .std_phi_per_s = 0.02};
   EXPECT_TRUE(incrementStd(time, {.duration = 4}).isApprox(Vector3d(0.02, 0.02, 0.04), 1e-12));
   EXPECT_EQ(incrementStd(kModel, {}), Vector3d::Zero());
 }
 
-TEST(MotionModel, VariancesAddUpAlongTheWay)
+TEST(MotionModel, VariancesAddUpAlongThePath)
 {
   const OdometryMotion whole{{}, 3.0, 2.0, 6.0}, part{{}, 0.3, 0.2, 0.6};
   const Vector3d variance = incrementStd(kModel, whole).cwiseAbs2();
   EXPECT_TRUE(variance.isApprox(10 * incrementStd(kModel, part).cwiseAbs2(), 1e-12));
 }
 
-TEST(MotionModel, ParticlesSpreadAsStated)
+TEST(MotionModel, ATurnOnTheSpotSpreadsParticlesAsTheModelPredicts)
 {
   const OdometryMotion turning{{0.001, 0, 0.5}, 0.001, 0.5, 1.0};
   const Spread spread = spreadAfter(kModel, turning, 1);
@@ -76,7 +76,7 @@ TEST(MotionModel, ParticlesSpreadAsStated)
   EXPECT_NEAR(spread.mean.z(), 0.5, 1e-3);
 }
 
-TEST(MotionModel, NoiseIsInTheRobotFrame)
+TEST(MotionModel, NoiseIsAppliedInTheRobotFrame)
 {
   MotionModel model = kModel;
   model.type = MotionType::velocity;
@@ -88,7 +88,7 @@ TEST(MotionModel, NoiseIsInTheRobotFrame)
   EXPECT_NEAR(std::sqrt(spread.covariance(1, 1)), 0.05, 0.001);
 }
 
-TEST(MotionModel, ParticlesSpreadAsTheCovarianceOfTheIncrementSays)
+TEST(MotionModel, ParticlesHaveTheCovarianceOfTheIncrement)
 {
   for (const OdometryMotion& motion : {straight(2, 1), OdometryMotion{{1, 0.5, 0.4}, 1.2, 0.6, 2.0}})
   {
@@ -101,7 +101,7 @@ TEST(MotionModel, ParticlesSpreadAsTheCovarianceOfTheIncrementSays)
   }
 }
 
-TEST(MotionModel, SubdividingAMotionGivesTheSameSpread)
+TEST(MotionModel, ManySmallIncrementsHaveTheCovarianceOfOneLargeIncrement)
 {
   const int steps = 40;
   const Spread once = spreadAfter(kModel, straight(4, 8), 1);
@@ -112,7 +112,7 @@ TEST(MotionModel, SubdividingAMotionGivesTheSameSpread)
   EXPECT_NEAR(often.mean.x(), once.mean.x(), 0.01 * 4);
 }
 
-TEST(MotionModel, VelocityHasNoLateralNoise)
+TEST(MotionModel, TheVelocityModelHasNoLateralNoise)
 {
   MotionModel model = kModel;
   model.type = MotionType::velocity;
@@ -123,7 +123,7 @@ TEST(MotionModel, VelocityHasNoLateralNoise)
   EXPECT_NEAR(spreadAfter(model, straight(2, 1), 1).covariance(1, 1), 0, 1e-12);
 }
 
-TEST(MotionModel, RandomWalkIgnoresTheIncrement)
+TEST(MotionModel, ARandomWalkIgnoresTheIncrement)
 {
   MotionModel model = kModel;
   model.type = MotionType::random_walk;
@@ -135,7 +135,7 @@ TEST(MotionModel, RandomWalkIgnoresTheIncrement)
   EXPECT_NEAR(std::sqrt(spread.covariance(0, 0)), 0.6, 0.012);
 }
 
-TEST(MotionModel, WithoutNoiseTheIncrementIsExact)
+TEST(MotionModel, WithoutNoiseParticlesMoveByTheExactIncrement)
 {
   const MotionModel exact{
       .std_xy_per_m = 0, .std_phi_per_deg = 0, .std_phi_per_m = 0, .std_xy_per_s = 0, .std_phi_per_s = 0};
@@ -150,7 +150,7 @@ TEST(MotionModel, WithoutNoiseTheIncrementIsExact)
   EXPECT_EQ(particles.log_weight[0], -1.5);
 }
 
-TEST(MotionModel, ScaleErrorsOfOdometryAreThoseOfTheParticle)
+TEST(MotionModel, EachParticleAppliesItsOwnOdometryScaleErrors)
 {
   const MotionModel exact{
       .std_xy_per_m = 0, .std_phi_per_deg = 0, .std_phi_per_m = 0, .std_xy_per_s = 0, .std_phi_per_s = 0};
@@ -164,7 +164,7 @@ TEST(MotionModel, ScaleErrorsOfOdometryAreThoseOfTheParticle)
   EXPECT_TRUE(particles.pose(1).vector().isApprox(Vector3d(1 + chord.x(), 2 + chord.y(), 0.8 * 0.4), 1e-6));
 }
 
-TEST(MotionModel, ThreadsChangeNothing)
+TEST(MotionModel, TheResultDoesNotDependOnTheNumberOfThreads)
 {
   const auto moved = [](unsigned threads)
   {

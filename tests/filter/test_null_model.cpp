@@ -32,7 +32,7 @@ OdometryMotion aheadBy(double distance) { return {{distance, 0, 0}, distance, 0,
 const double kUniform = -std::log(kTwoPi);
 }  // namespace
 
-TEST(NullModel, TheFirstBearingMayComeFromAnywhere)
+TEST(NullModel, TheFirstBearingHasAUniformDensity)
 {
   NullModel model(kExact, 20);
   EXPECT_NEAR(model.logLikelihood(camera(), bearingOf(1)), kUniform, 1e-12);
@@ -83,7 +83,7 @@ TEST(NullModel, ItsDensityIntegratesToOne)
   EXPECT_NEAR(sum, 1, 0.01);
 }
 
-TEST(NullModel, RandomBearingsGainNothing)
+TEST(NullModel, RandomBearingsDoNotFitBetterThanAUniformDensity)
 {
   RandomStream random(3);
   NullModel model(kExact, 20);

@@ -29,7 +29,7 @@ ParticleSet particlesAt(const Pose2& pose, std::size_t count = 50)
 }
 }  // namespace
 
-TEST(ObservationModel, WeighsByTheLikelihoodOfAllReadingsAndTheCompass)
+TEST(ObservationModel, WeightsWithTheLikelihoodOfAllReadingsAndTheCompass)
 {
   RandomStream random(1);
   Frame frame = frameOf(true, random);
@@ -67,7 +67,7 @@ TEST(ObservationModel, AnUnverifiedModeIsNotWeightedWithCorrelatedAnonymousBeari
   EXPECT_EQ(model.select(frame, false).readings.front().detections.size(), 2U);
 }
 
-TEST(ObservationModel, CountsInliersAgainstWhatTheSensorAndWhatExperiencePromise)
+TEST(ObservationModel, ExpectsInliersBySensorClutterAndByLearnedClutter)
 {
   RandomStream random(2);
   ObservationModel model = modelOf();
@@ -83,7 +83,7 @@ TEST(ObservationModel, CountsInliersAgainstWhatTheSensorAndWhatExperiencePromise
   EXPECT_LT(model.countInliers(frame, particlesAt({8, 8, 3}), false)[0].inliers, 0.3);
 }
 
-TEST(ObservationModel, LearnsFaultyLandmarksOnlyWhenTold)
+TEST(ObservationModel, LearnsFaultyLandmarksOnlyIfSwitchedOn)
 {
   RandomStream random(3);
   const auto clutter_after = [&](bool model_learns, bool learn)

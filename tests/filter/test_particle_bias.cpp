@@ -33,7 +33,7 @@ Moments momentsOf(const std::vector<float>& values)
 }
 }  // namespace
 
-TEST(ParticleBias, IsDrawnFromWhatIsKnownAtTheStart)
+TEST(ParticleBias, IsDrawnFromThePrior)
 {
   ParticleSet particles = manyWith({{.kind = BiasKind::range_offset, .mean = 0.3, .std = 0.1},
                                     {.kind = BiasKind::distance_scale, .mean = 0.05, .std = 0}});

@@ -48,7 +48,7 @@ TEST(ParticleSet, VeryUnlikelyParticlesAreNormalisedWithoutUnderflow)
   for (const float log_w : particles.log_weight) EXPECT_TRUE(std::isfinite(log_w));
 }
 
-TEST(ParticleSet, WhenNoParticleIsPossibleAllCountTheSame)
+TEST(ParticleSet, WhenNoParticleIsPossibleAllWeightsAreEqual)
 {
   ParticleSet particles = withLogWeights(std::vector<double>(4, -std::numeric_limits<double>::infinity()));
   normalizeWeights(particles);
@@ -81,7 +81,7 @@ TEST(ParticleSet, EffectiveRatioOfEqualAndOfOneHotWeights)
   EXPECT_NEAR(ratioOf(half), 0.5, 1e-6);
 }
 
-TEST(ParticleSet, EmptyIsAValue)
+TEST(ParticleSet, AnEmptySetIsValid)
 {
   ParticleSet none;
   EXPECT_EQ(normalizeWeights(none).log_sum, 0);
@@ -115,7 +115,7 @@ TEST(ParticleSet, FarFromZeroPosesAreAsPreciseAsNearby)
   EXPECT_EQ(particles.poses()[0].vector(), particles.pose(0).vector());
 }
 
-TEST(ParticleSet, SystematicErrorsGoWithTheirParticle)
+TEST(ParticleSet, ParticlesKeepTheirSystematicErrors)
 {
   ParticleSet particles({1, 1}, {{.kind = BiasKind::range_offset, .mean = 0.5}, {.kind = BiasKind::distance_scale}});
   for (int i = 0; i < 3; ++i) particles.add({0, 0, 0}, 0);

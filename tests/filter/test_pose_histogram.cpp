@@ -74,7 +74,7 @@ TEST(PoseHistogram, MomentsOfAllCellsAreThoseOfTheParticles)
   EXPECT_NEAR(xx, expected_xx, 1e-3);
 }
 
-TEST(PoseHistogram, HeadingsCloseAtHalfATurn)
+TEST(PoseHistogram, HeadingCellsWrapAtPi)
 {
   ParticleSet particles;
   particles.add({0.1, 0.1, degToRad(175)}, 0);
@@ -89,7 +89,7 @@ TEST(PoseHistogram, HeadingsCloseAtHalfATurn)
   EXPECT_EQ(near, std::set<std::size_t>{static_cast<std::size_t>(cell_of[1])});
 }
 
-TEST(PoseHistogram, ThreadsChangeNothing)
+TEST(PoseHistogram, TheResultDoesNotDependOnTheNumberOfThreads)
 {
   const ParticleSet particles = spread(50000);
   const PoseHistogram one(particles, kSize, kTurn, 1), four(particles, kSize, kTurn, 4);

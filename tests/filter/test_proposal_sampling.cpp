@@ -23,14 +23,14 @@ ParticleSet seedsOf(const HypothesisSet& hypotheses, double uniform_share)
 }
 }  // namespace
 
-TEST(SampleSeeds, AreInTheRegionAndAsManyAsRequested)
+TEST(SampleSeeds, LieInTheRegionInTheRequestedNumber)
 {
   const ParticleSet seeds = seedsOf(twoPoses(), 0.3);
   ASSERT_EQ(seeds.size(), kCount);
   for (std::size_t i = 0; i < kCount; ++i) EXPECT_TRUE(kRegion.contains(seeds.pose(i)));
 }
 
-TEST(SampleSeeds, WeightedTheyAreTheUniformPrior)
+TEST(SampleSeeds, WeightedSamplesRepresentTheUniformPrior)
 {
   ParticleSet seeds = seedsOf(twoPoses(), 0.3);
   normalizeWeights(seeds);

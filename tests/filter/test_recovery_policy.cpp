@@ -28,7 +28,7 @@ TEST(RecoveryPolicy, ReseedsAtOnceAndThenAtTheInterval)
   EXPECT_TRUE(policy.hasInjected());
 }
 
-TEST(RecoveryPolicy, ReseedingInVainBecomesRarerUntilTheMeasurementsAgree)
+TEST(RecoveryPolicy, ReseedingWithoutSuccessBecomesRarerUntilTheMeasurementsAgree)
 {
   RecoveryPolicy policy({.min_interval = 0.5}, 4);
   policy.start();
@@ -38,7 +38,7 @@ TEST(RecoveryPolicy, ReseedingInVainBecomesRarerUntilTheMeasurementsAgree)
   EXPECT_EQ(timesOf(policy, {.suspicious = true}, Kind::reseed, 2), (std::vector<double>{0.5, 1.5}));
 }
 
-TEST(RecoveryPolicy, VerifiesANewModeEverMoreRarelyWithAFallingPrior)
+TEST(RecoveryPolicy, VerifiesANewModeAtGrowingIntervalsWithAFallingPrior)
 {
   RecoveryPolicy policy({.relocalization_prior = 0.08});
   policy.start();

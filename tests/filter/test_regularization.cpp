@@ -38,7 +38,7 @@ GaussianPose momentsOf(const ParticleSet& particles, std::size_t first, std::siz
   return {{mean.x(), mean.y(), wrap(around + mean.z())}, covariance};
 }
 
-std::size_t distinctPlaces(const ParticleSet& particles)
+std::size_t distinctPositions(const ParticleSet& particles)
 {
   return std::set<float>(particles.x.begin(), particles.x.end()).size();
 }
@@ -49,7 +49,7 @@ TEST(Regularization, KeepsMeanAndCovariance)
   RandomStream random(1);
   ParticleSet particles;
   constexpr int kCount = 20000;
-  addCluster(particles, {2, -1, kPi - 0.05}, {0.1, 0.2, 0.08}, kCount, random);  // headings across the seam
+  addCluster(particles, {2, -1, kPi - 0.05}, {0.1, 0.2, 0.08}, kCount, random);  // headings wrap at pi
   const GaussianPose before = momentsOf(particles, 0, kCount, kPi);
   const ModeSet modes{{{before, 1}}, std::vector<int>(kCount, 0)};
   const ParticleSet unmoved = particles;
@@ -64,7 +64,7 @@ TEST(Regularization, KeepsMeanAndCovariance)
   for (const float phi : particles.phi) EXPECT_LE(std::abs(phi), static_cast<float>(kPi));
 }
 
-TEST(Regularization, SystematicErrorsStayApartTogetherWithThePose)
+TEST(Regularization, KeepsTheJointCovarianceOfPoseAndSystematicErrors)
 {
   const BiasModel biases{{.kind = BiasKind::range_scale, .std = 0.05}};
   ParticleSet particles(Vector2d(3, 2), biases);
@@ -86,7 +86,7 @@ TEST(Regularization, SystematicErrorsStayApartTogetherWithThePose)
   EXPECT_NEAR(after.covariance(0, 0) / before.covariance(0, 0), 1, 0.15);
 }
 
-TEST(Regularization, SeparateModesAreNotMixed)
+TEST(Regularization, KeepsSeparateModesSeparate)
 {
   RandomStream random(2);
   ParticleSet particles;
@@ -105,7 +105,7 @@ TEST(Regularization, SeparateModesAreNotMixed)
   }
 }
 
-TEST(Regularization, AModeInTheTailOfAWiderOneIsNotDrawnTowardsIt)
+TEST(Regularization, AModeInTheTailOfAWiderModeKeepsItsMean)
 {
   RandomStream random(3);
   ParticleSet particles;
@@ -116,24 +116,24 @@ TEST(Regularization, AModeInTheTailOfAWiderOneIsNotDrawnTowardsIt)
   EXPECT_NEAR(momentsOf(particles, 4000, 1000, 0).mean.x, 0.9, 0.05);
 }
 
-TEST(Regularization, StandingStillKeepsParticlesApartOver300Frames)
+TEST(Regularization, PreventsSampleImpoverishmentAtStandstill)
 {
   constexpr std::size_t kCount = 4000;
   RandomStream random(4);
-  ParticleSet smoothed;
-  addCluster(smoothed, {1, 1, 1}, {0.1, 0.1, 0.05}, kCount, random);
-  ParticleSet copied = smoothed;
-  const GaussianPose before = momentsOf(smoothed, 0, kCount, 1);
+  ParticleSet regularized;
+  addCluster(regularized, {1, 1, 1}, {0.1, 0.1, 0.05}, kCount, random);
+  ParticleSet copied = regularized;
+  const GaussianPose before = momentsOf(regularized, 0, kCount, 1);
   for (int frame = 0; frame < 300; ++frame)
-    for (ParticleSet* particles : {&smoothed, &copied})
+    for (ParticleSet* particles : {&regularized, &copied})
     {
       const ModeSet modes = findModes(*particles, {});
       *particles = resampleByMode(*particles, modes.mode_of, ResamplingMethod::multinomial, kCount, random);
-      if (particles == &smoothed) regularizeModes(*particles, modes, {}, random);
+      if (particles == &regularized) regularizeModes(*particles, modes, {}, random);
     }
-  EXPECT_LT(distinctPlaces(copied), 100u);                 // what resampling alone does
-  EXPECT_GT(distinctPlaces(smoothed), kCount * 97 / 100);  // strays far out in the tails may be copies
-  const GaussianPose after = momentsOf(smoothed, 0, kCount, 1);
+  EXPECT_LT(distinctPositions(copied), 100u);                    // by resampling alone
+  EXPECT_GT(distinctPositions(regularized), kCount * 97 / 100);  // copies may remain in the tails
+  const GaussianPose after = momentsOf(regularized, 0, kCount, 1);
   for (int i = 0; i < 3; ++i)
   {
     EXPECT_GT(after.covariance(i, i), 0.3 * before.covariance(i, i));
@@ -141,7 +141,7 @@ TEST(Regularization, StandingStillKeepsParticlesApartOver300Frames)
   }
 }
 
-TEST(Regularization, WideAndNegligibleModesAreLeftAlone)
+TEST(Regularization, DoesNotMoveParticlesOfWideOrLightModes)
 {
   RandomStream random(5);
   ParticleSet wide;
@@ -157,7 +157,7 @@ TEST(Regularization, WideAndNegligibleModesAreLeftAlone)
   EXPECT_EQ(light.x, as_it_was.x);
 }
 
-TEST(Regularization, AModeWithoutSpreadStaysAndFinite)
+TEST(Regularization, AModeWithZeroCovarianceStaysWhereItIs)
 {
   RandomStream random(6);
   ParticleSet particles;

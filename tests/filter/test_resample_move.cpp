@@ -63,7 +63,7 @@ TEST(ResampleMove, CopiesBecomeDrawsOfThePosterior)
   EXPECT_NEAR(std::sqrt(all->covariance(2, 2)), 0.3, 0.03);
   EXPECT_NEAR(all->mean[3], 0.5, 0.02);
   EXPECT_NEAR(std::sqrt(all->covariance(3, 3)), 0.2, 0.02);
-  EXPECT_EQ(particles.bias[1], distance_scale) << "readings of now tell nothing about odometry";
+  EXPECT_EQ(particles.bias[1], distance_scale) << "readings of one time do not depend on odometry errors";
   EXPECT_EQ(distinct(particles.bias[2]), 1U) << "what is known stays";
   EXPECT_EQ(particles.log_weight, weight);
 }

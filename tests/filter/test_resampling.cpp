@@ -71,7 +71,7 @@ TEST_P(EveryMethod, IsUnbiased)
   }
 }
 
-TEST_P(EveryMethod, GivesAsManyAsAskedAndOnlyValidOnes)
+TEST_P(EveryMethod, DrawsTheRequestedNumberOfValidIndices)
 {
   RandomStream random(4);
   for (const std::size_t count : {1, 2, 7, 1000})
@@ -82,7 +82,7 @@ TEST_P(EveryMethod, GivesAsManyAsAskedAndOnlyValidOnes)
   }
 }
 
-TEST_P(EveryMethod, NothingToDrawFromIsEmpty)
+TEST_P(EveryMethod, DrawsNothingWithoutWeights)
 {
   RandomStream random(5);
   EXPECT_TRUE(drawIndices(GetParam(), {}, 5, random).empty());
@@ -228,7 +228,7 @@ TEST(Resampling, ACloudOfSingleParticleModesKeepsItsDistribution)
   EXPECT_NEAR(mean, 2.0 / 3, 0.01);
 }
 
-TEST(Resampling, NoParticlesStayNone)
+TEST(Resampling, ResamplesNoParticlesToNone)
 {
   RandomStream random(13);
   EXPECT_TRUE(resampleByMode({}, {}, ResamplingMethod::systematic, 100, random).empty());

@@ -16,7 +16,7 @@ double corrected(SamplingError& error, double effective, double remainder, doubl
 }
 }  // namespace
 
-TEST(SamplingError, WidensByTheSizeOfTheSample)
+TEST(SamplingError, EnlargesTheCovarianceOfASmallSample)
 {
   SamplingError error;
   EXPECT_NEAR(corrected(error, 101, 0), 102.0 / 100, 1e-12);
@@ -24,7 +24,7 @@ TEST(SamplingError, WidensByTheSizeOfTheSample)
   EXPECT_NEAR(corrected(error, 1, 0), 5.0 / 3, 1e-12) << "four particles at least";
 }
 
-TEST(SamplingError, AccumulatesWhatMeasurementsLeave)
+TEST(SamplingError, AccumulatesTheRemainingSamplingVariance)
 {
   SamplingError error;
   (void)corrected(error, 100, 0);

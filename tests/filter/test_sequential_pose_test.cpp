@@ -86,7 +86,7 @@ TEST(SequentialPoseTest, TheSameDetectionFromTheSameSpotCountsOnce)
   EXPECT_EQ(test.logOdds(), once);
 }
 
-TEST(SequentialPoseTest, WhatAModeWasSelectedByDoesNotCount)
+TEST(SequentialPoseTest, DetectionsThatSelectedTheModeDoNotCount)
 {
   RandomStream random(1);
   const LandmarkTable map = randomMap(15, 10, random);
@@ -98,7 +98,7 @@ TEST(SequentialPoseTest, WhatAModeWasSelectedByDoesNotCount)
   EXPECT_EQ(test.logOdds(), 0);
 }
 
-TEST(SequentialPoseTest, ARichFirstFrameSupportsItsPoseAndVerifiesNothing)
+TEST(SequentialPoseTest, AFirstFrameWithManyDetectionsDoesNotVerifyAPose)
 {
   RandomStream random(3);
   const LandmarkTable map = randomMap(15, 10, random);
@@ -161,7 +161,7 @@ TEST(SequentialPoseTest, EvidenceAgainstAPoseDoesNotDecay)
   EXPECT_EQ(test.logOdds(), against);
 }
 
-TEST(SequentialPoseTest, AnIdentifiedDetectionInTheFrameEndsAGapWhateverElseItShows)
+TEST(SequentialPoseTest, AnIdentifiedDetectionInTheFramePreventsTheDecayAfterAGap)
 {
   const LandmarkTable map({{.id = 1, .position = {2, 2, 0}}, {.id = 2, .position = {7, 3, 0}}});
   RandomStream random(3);

@@ -65,7 +65,7 @@ TEST(SystematicResampling, ModesKeepTheirWeightToTheLastDigit)
   }
 }
 
-TEST(SystematicResampling, ThreadsChangeNothing)
+TEST(SystematicResampling, TheResultDoesNotDependOnTheNumberOfThreads)
 {
   const Drawn drawn = twoModes(40000);
   RandomStream first(3), second(3);
@@ -76,7 +76,7 @@ TEST(SystematicResampling, ThreadsChangeNothing)
   EXPECT_EQ(one->log_weight, four->log_weight);
 }
 
-TEST(SystematicResampling, OneParticleWithAllTheWeightFillsEveryPlace)
+TEST(SystematicResampling, OneParticleWithAllTheWeightIsCopiedToEveryIndex)
 {
   Drawn drawn = twoModes(5000);
   std::fill(drawn.particles.log_weight.begin(), drawn.particles.log_weight.end(), -1e6F);
@@ -88,7 +88,7 @@ TEST(SystematicResampling, OneParticleWithAllTheWeightFillsEveryPlace)
   EXPECT_NEAR(weightOf(*result, 1e9), 1, 1e-3);
 }
 
-TEST(SystematicResampling, WhatTheMemoryHeldMeansNothing)
+TEST(SystematicResampling, TheResultDoesNotDependOnTheContentOfTheBuffer)
 {
   const Drawn drawn = twoModes(3000);
   ParticleSet used(Vector2d(7, 7), {{.kind = BiasKind::distance_scale}});
@@ -105,7 +105,7 @@ TEST(SystematicResampling, WhatTheMemoryHeldMeansNothing)
   EXPECT_EQ(fresh->log_weight, reused->log_weight);
 }
 
-TEST(SystematicResampling, NothingWithoutWeightOrCount)
+TEST(SystematicResampling, ReturnsNothingWithoutWeightOrCount)
 {
   const Drawn drawn = twoModes(1000);
   RandomStream random(1);

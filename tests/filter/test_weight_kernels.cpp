@@ -65,7 +65,7 @@ TEST(WeightKernels, SumsOfWeightsAndSquares)
   }
 }
 
-TEST(WeightKernels, WhatIsTooSmallIsZero)
+TEST(WeightKernels, WeightsThatUnderflowAreZero)
 {
   const std::vector<float> logs{0, -90, -std::numeric_limits<float>::infinity()};
   std::vector<float> weights(3);
