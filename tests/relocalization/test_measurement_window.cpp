@@ -259,7 +259,7 @@ TEST(MeasurementWindow, ThePoseOfAWindowIsConsistent)
   for (int trial = 0; trial < trials; ++trial)
   {
     const Pose2 end{random.uniform(1, 4), random.uniform(1, 4), random.uniform(-kPi, kPi)};
-    const PoseMl fit = refineCarriedPose(windowMeasurements(windowOfDrive(end, random), kMap), end);
+    const PoseMl fit = refineWindowPose(windowMeasurements(windowOfDrive(end, random), kMap), end);
     ASSERT_EQ(fit.status, SolveStatus::ok);
     Vector3d e = fit.pose.mean.vector() - end.vector();
     e.z() = wrap(e.z());

@@ -58,7 +58,7 @@ TEST(NoncentralThreeBearingPose, FindsTheTruthAndOnlyPosesThatExplainTheLines)
     const Scene scene = randomScene(random, 3);
     const Origins origins = someOrigins(random, 2);
     const auto lines = linesFor(scene, origins);
-    const NoncentralThreeBearingPose answer = solveBearingTripleOnPath(lines);
+    const NoncentralThreeBearingPose answer = solveNoncentralThreeBearingPose(lines);
     ASSERT_EQ(answer.status, SolveStatus::ok);
     two += answer.count == 2;
     if (answer.quality < 1e-3) continue;
@@ -82,9 +82,9 @@ TEST(NoncentralThreeBearingPose, TurningAndShiftingTheWorldTurnsAndShiftsThePose
   {
     const Scene scene = randomScene(random, 3);
     auto lines = linesFor(scene, someOrigins(random, 1));
-    const NoncentralThreeBearingPose before = solveBearingTripleOnPath(lines);
+    const NoncentralThreeBearingPose before = solveNoncentralThreeBearingPose(lines);
     for (NoncentralBearing& l : lines) l.landmark = transform(move, l.landmark);
-    const NoncentralThreeBearingPose after = solveBearingTripleOnPath(lines);
+    const NoncentralThreeBearingPose after = solveNoncentralThreeBearingPose(lines);
     ASSERT_EQ(after.count, before.count);
     if (before.quality < 0.01) continue;
     for (std::size_t k = 0; k < static_cast<std::size_t>(before.count); ++k)
@@ -98,8 +98,8 @@ TEST(NoncentralThreeBearingPose, TheOrderOfTheLinesDoesNotMatter)
   for (int trial = 0; trial < 200; ++trial)
   {
     const auto lines = linesFor(randomScene(random, 3), someOrigins(random, 1));
-    const NoncentralThreeBearingPose first = solveBearingTripleOnPath(lines);
-    const NoncentralThreeBearingPose turned = solveBearingTripleOnPath({lines[2], lines[0], lines[1]});
+    const NoncentralThreeBearingPose first = solveNoncentralThreeBearingPose(lines);
+    const NoncentralThreeBearingPose turned = solveNoncentralThreeBearingPose({lines[2], lines[0], lines[1]});
     ASSERT_EQ(first.count, turned.count);
     EXPECT_NEAR(first.quality, turned.quality, 1e-12);
     if (first.quality < 0.01) continue;
@@ -124,7 +124,7 @@ TEST(NoncentralThreeBearingPose, WithOneOriginItIsTheThreeBearingPose)
       seen[i] = {l.landmark.x(), l.landmark.y(), l.direction.x(), l.direction.y()};
     }
     const ThreeBearingPose<double> one = solveThreeBearingPose(seen[0], seen[1], seen[2]);
-    const NoncentralThreeBearingPose path = solveBearingTripleOnPath(lines);
+    const NoncentralThreeBearingPose path = solveNoncentralThreeBearingPose(lines);
     ASSERT_EQ(path.count, one.outcome == ThreeBearingOutcome::pose ? 1 : 0) << trial;
     EXPECT_EQ(path.status, path.count == 1 ? SolveStatus::ok : SolveStatus::behind);
     if (path.count == 0 || path.quality < 1e-3) continue;
@@ -135,7 +135,7 @@ TEST(NoncentralThreeBearingPose, WithOneOriginItIsTheThreeBearingPose)
 TEST(NoncentralThreeBearingPose, WhatCannotBeSolvedSaysWhy)
 {
   const auto status = [](const std::array<NoncentralBearing, 3>& lines)
-  { return solveBearingTripleOnPath(lines).status; };
+  { return solveNoncentralThreeBearingPose(lines).status; };
   const Vector2d east(1, 0), north(0, 1), nought(0, 0);
   EXPECT_EQ(status({{{{5, 1}, {0, 1}, east}, {{6, -1}, {0, -1}, east}, {{7, 3}, {0, 3}, east}}}),
             SolveStatus::degenerate)
@@ -175,7 +175,7 @@ TEST(NoncentralThreeBearingPose, ScattersAsTheInformationSays)
   {
     auto lines = exact;
     for (NoncentralBearing& l : lines) l.direction = direction(angleOf(l.direction) + std * random.gaussian());
-    const NoncentralThreeBearingPose answer = solveBearingTripleOnPath(lines);
+    const NoncentralThreeBearingPose answer = solveNoncentralThreeBearingPose(lines);
     const Pose2& pose = *std::min_element(answer.poses.begin(), answer.poses.end(),
                                           [&](const Pose2& a, const Pose2& b)
                                           { return difference(a, scene.robot) < difference(b, scene.robot); });

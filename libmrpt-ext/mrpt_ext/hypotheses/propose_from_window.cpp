@@ -26,7 +26,7 @@ std::vector<Located> locateAll(std::span<const Reading> oldest_first, const Land
   std::vector<Located> result;
   for (const auto& [landmark, observations] : windowObservations(oldest_first, map))
     if (WindowLandmark found = locateLandmark(observations); found.status == SolveStatus::ok)
-      result.push_back({map[landmark].position.head<2>(), std::move(found.places)});
+      result.push_back({map[landmark].position.head<2>(), std::move(found.candidates)});
   return result;
 }
 
@@ -98,10 +98,10 @@ std::optional<GaussianPose> refineOnWindow(std::span<const Reading> oldest_first
                                            const Pose2& start)
 {
   const std::vector<WindowMeasurements> all = windowMeasurements(oldest_first, map);
-  const PoseMl first = refineCarriedPose(inliers(all, start), start);
+  const PoseMl first = refineWindowPose(inliers(all, start), start);
   if (first.status != SolveStatus::ok || !first.converged) return std::nullopt;
   // Once more with the inliers of the better pose.
-  const PoseMl fit = refineCarriedPose(inliers(all, first.pose.mean), first.pose.mean);
+  const PoseMl fit = refineWindowPose(inliers(all, first.pose.mean), first.pose.mean);
   if (fit.status != SolveStatus::ok || !fit.converged) return std::nullopt;
   return fit.pose;
 }

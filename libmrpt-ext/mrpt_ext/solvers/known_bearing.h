@@ -17,7 +17,7 @@ struct KnownBearing
 };
 
 /// What the closed forms need before they can start: `bad_input` (not finite, std <= 0), `too_few` (less than three),
-/// `degenerate` (another landmark in the place of landmark 0), else `ok`.
+/// `degenerate` (another landmark at the position of landmark 0), else `ok`.
 [[nodiscard]] SolveStatus checkBearings(std::span<const KnownBearing> bearings);
 
 /// Mean of the landmarks; iterations work relative to it, so that large map coordinates cost no digits.

@@ -11,7 +11,7 @@ struct LandmarkInRobotFrame
 {
   CircleRelation relation = CircleRelation::not_finite;
   int count = 0;                       ///< 2: mirror images about the line of motion; 1: on that line; else 0
-  std::array<Vector2d, 2> candidates;  ///< from the second place, robot axes [m]
+  std::array<Vector2d, 2> candidates;  ///< from the second position, robot axes [m]
   LandmarkInRobotFrame() { candidates.fill(Vector2d::Zero()); }
 };
 

@@ -16,18 +16,18 @@ struct PositionLocus
   bool straight = false;
 };
 
-/// All places at `radius` from `centre`: a range.
+/// All positions at the distance `radius` from `centre`: a range.
 [[nodiscard]] PositionLocus circleAbout(const Vector2d& centre, double radius);
 
 /// The line through `point`: a bearing with the heading known.
 [[nodiscard]] PositionLocus lineThrough(const Vector2d& point, const Vector2d& direction);
 
-/// All places that see `a` and `b` under the directed angle between `unit_a` and `unit_b` or its supplement: two
-/// bearings (inscribed angle). A line when the angle is 0 or pi; nothing when `a` and `b` coincide.
+/// All positions from which `a` and `b` are seen under the directed angle between `unit_a` and `unit_b` or its
+/// supplement: two bearings (inscribed angle). A line when the angle is 0 or pi; nothing when `a` and `b` coincide.
 [[nodiscard]] std::optional<PositionLocus> circleOfAngle(const Vector2d& a, const Vector2d& b, const Vector2d& unit_a,
                                                          const Vector2d& unit_b);
 
-/// Common places of two loci; when they miss each other, the place between them.
+/// Common points of two loci; if they do not meet, the point between them.
 struct LocusCrossing
 {
   int count = 0;  ///< 0 for parallel lines and concentric circles

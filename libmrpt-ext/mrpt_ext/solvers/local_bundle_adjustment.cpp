@@ -17,7 +17,7 @@ constexpr double kCauchyScale = 3;  // standard deviations
 using Rows3 = Eigen::Matrix<double, 2, 3>;
 using Block = Eigen::Matrix<double, 2, Eigen::Dynamic>;
 
-/// An error of the robot's pose now moves a landmark in the robot frame.
+/// Derivative of a landmark in the robot frame by an error of the present pose.
 Rows3 swingOf(const Vector2d& v)
 {
   Rows3 swing;
@@ -25,34 +25,34 @@ Rows3 swingOf(const Vector2d& v)
   return swing;
 }
 
-/// Places that differ by nothing but the sensor share their error.
-struct Moments
+/// Errors of odometry (x, y, phi) since the scans, as unknowns. Scans of one time by several sensors share one error.
+struct PoseErrors
 {
-  std::vector<int> of_place;
-  std::vector<Matrix3d> covariance;  // of the way since, oldest first
+  std::vector<int> of_scan;          // index of its error
+  std::vector<Matrix3d> covariance;  // prior of each error, oldest first
 
-  explicit Moments(std::span<const ScanPose> places)
+  explicit PoseErrors(std::span<const ScanPose> poses)
   {
-    for (const ScanPose& place : places)
+    for (const ScanPose& pose : poses)
     {
       const bool same = !covariance.empty() &&
-                        (covariance.back() - place.odometry_covariance).norm() <= 1e-9 * covariance.back().norm();
-      if (!same) covariance.push_back(place.odometry_covariance);
-      of_place.push_back(static_cast<int>(covariance.size()) - 1);
+                        (covariance.back() - pose.odometry_covariance).norm() <= 1e-9 * covariance.back().norm();
+      if (!same) covariance.push_back(pose.odometry_covariance);
+      of_scan.push_back(static_cast<int>(covariance.size()) - 1);
     }
   }
   [[nodiscard]] Eigen::Index unknowns() const { return 3 * static_cast<Eigen::Index>(covariance.size()); }
 
-  /// Information of odometry about the errors: independent pieces of way between the moments, the last up to now.
+  /// Prior information: the motions between successive scans, and from the last scan to the present, are independent.
   [[nodiscard]] Eigen::MatrixXd information() const
   {
     Eigen::MatrixXd information = Eigen::MatrixXd::Zero(unknowns(), unknowns());
     for (std::size_t k = 0; k < covariance.size(); ++k)
     {
       const bool last = k + 1 == covariance.size();
-      Matrix3d piece = covariance[k] - (last ? Matrix3d(Matrix3d::Zero()) : covariance[k + 1]);
-      piece.diagonal().array() += 1e-12;  // [m^2], [rad^2]: a robot that stood still
-      const Matrix3d W = piece.inverse();
+      Matrix3d motion = covariance[k] - (last ? Matrix3d(Matrix3d::Zero()) : covariance[k + 1]);
+      motion.diagonal().array() += 1e-12;  // [m^2], [rad^2]: invertible at standstill
+      const Matrix3d W = motion.inverse();
       const auto i = 3 * static_cast<Eigen::Index>(k);
       information.block<3, 3>(i, i) += W;
       if (last) continue;
@@ -64,31 +64,32 @@ struct Moments
   }
 };
 
-/// One reading: its residual and how it depends on its landmark and on the error of its place [standard deviations].
+/// One scalar reading: its residual and its derivatives by the landmark and by the pose error of its scan, all divided
+/// by its standard deviation.
 struct Scalar
 {
   double error = 0;
-  Eigen::RowVector2d own;
-  Eigen::RowVector3d shared;
+  Eigen::RowVector2d own;     // by the landmark
+  Eigen::RowVector3d shared;  // by the pose error
 };
 
-/// Normal equations with the landmarks' blocks kept apart.
+/// Normal equations; the block of each landmark is stored separately.
 struct System
 {
-  Eigen::MatrixXd way;       // information of the errors
-  Eigen::VectorXd way_side;  // gradient
+  Eigen::MatrixXd shared;       // information about the pose errors
+  Eigen::VectorXd shared_side;  // its gradient
   std::vector<Matrix2d> own;
   std::vector<Vector2d> own_side;
   std::vector<Block> mixed;
-  std::vector<std::vector<Scalar>> scalars;  // of each sighting
+  std::vector<std::vector<Scalar>> scalars;  // of each observation
   double chi2 = 0;
 };
 
 struct Problem
 {
-  std::span<const ScanPose> places;
-  std::span<const LandmarkObservation> sightings;
-  Moments moments;
+  std::span<const ScanPose> poses;
+  std::span<const LandmarkObservation> observations;
+  PoseErrors pose_errors;
   Eigen::MatrixXd prior;
   bool robust = false;
 
@@ -98,12 +99,12 @@ struct Problem
     system.own.assign(landmarks.size(), Matrix2d::Zero());
     system.own_side.assign(landmarks.size(), Vector2d::Zero());
     system.mixed.assign(landmarks.size(), Block::Zero(2, errors.size()));
-    for (const LandmarkObservation& s : sightings)
+    for (const LandmarkObservation& s : observations)
     {
-      const auto at = 3 * static_cast<Eigen::Index>(moments.of_place[s.place]);
+      const auto at = 3 * static_cast<Eigen::Index>(pose_errors.of_scan[s.scan]);
       const Vector3d error = errors.segment<3>(at);
       const Rows3 swing = swingOf(landmarks[s.landmark]);
-      const Vector2d d = landmarks[s.landmark] + swing * error - places[s.place].T_robot_sensor.position();
+      const Vector2d d = landmarks[s.landmark] + swing * error - poses[s.scan].T_robot_sensor.position();
       const double r2 = std::max(d.squaredNorm(), 1e-12), r = std::sqrt(r2);
       Matrix2d turn;  // d (v + swing(v) error) / d v
       turn << 1, -error.z(), error.z(), 1;
@@ -119,10 +120,10 @@ struct Problem
         system.own[s.landmark] += own.transpose() * own;
         system.own_side[s.landmark] += own.transpose() * e;
         system.mixed[s.landmark].middleCols<3>(at) += own.transpose() * shared;
-        system.way.block<3, 3>(at, at) += shared.transpose() * shared;
-        system.way_side.segment<3>(at) += shared.transpose() * e;
+        system.shared.block<3, 3>(at, at) += shared.transpose() * shared;
+        system.shared_side.segment<3>(at) += shared.transpose() * e;
       };
-      const Pose2& sensor = places[s.place].T_robot_sensor;
+      const Pose2& sensor = poses[s.scan].T_robot_sensor;
       if (s.bearing)
         add(wrap(angleOf(d) - *s.bearing - sensor.phi) / s.std_bearing,
             perpendicular(d).transpose() / (r2 * s.std_bearing));
@@ -132,10 +133,10 @@ struct Problem
   }
 };
 
-/// The landmarks eliminated: what all sightings together say about the errors of the way.
+/// Solution after eliminating the landmarks (Schur complement).
 struct Reduced
 {
-  Eigen::MatrixXd covariance;  // of the errors
+  Eigen::MatrixXd covariance;  // of the pose errors
   Eigen::VectorXd step;
   std::vector<Matrix2d> inverse_own;
 };
@@ -143,73 +144,73 @@ struct Reduced
 std::optional<Reduced> reduce(const System& system)
 {
   Reduced reduced;
-  Eigen::MatrixXd way = system.way;
-  Eigen::VectorXd side = system.way_side;
+  Eigen::MatrixXd information = system.shared;
+  Eigen::VectorXd side = system.shared_side;
   for (std::size_t j = 0; j < system.own.size(); ++j)
   {
     const std::optional<Matrix2d> inverse = covarianceFromInformation(system.own[j]);
     if (!inverse) return std::nullopt;
-    way -= system.mixed[j].transpose() * *inverse * system.mixed[j];
+    information -= system.mixed[j].transpose() * *inverse * system.mixed[j];
     side -= system.mixed[j].transpose() * (*inverse * system.own_side[j]);
     reduced.inverse_own.push_back(*inverse);
   }
-  const Eigen::LLT<Eigen::MatrixXd> llt(way);
+  const Eigen::LLT<Eigen::MatrixXd> llt(information);
   if (llt.info() != Eigen::Success) return std::nullopt;
-  reduced.covariance = llt.solve(Eigen::MatrixXd::Identity(way.rows(), way.cols()));
+  reduced.covariance = llt.solve(Eigen::MatrixXd::Identity(information.rows(), information.cols()));
   reduced.step = -llt.solve(side);
   return reduced;
 }
 
-/// What is left of a reading's residual, over what its fit should have left of it (data snooping, Baarda 1968): a
-/// reading that determines its landmark nearly alone hides its error from the plain residual.
-double snooped(const Scalar& scalar, const Matrix2d& landmark, const Matrix3d& place, const Rows3& cross)
+/// Squared residual of a reading over the variance that is expected after the fit (data snooping, Baarda 1968). The
+/// plain residual is small, wrong or not, for a reading that determines its landmark nearly alone.
+double snooped(const Scalar& scalar, const Matrix2d& landmark, const Matrix3d& pose_error, const Rows3& cross)
 {
-  constexpr double kLeast = 0.02;  // of the variance: below, nothing checks the reading
+  constexpr double kLeast = 0.02;  // of the variance: below, no other reading checks this one
   const double explained = scalar.own * landmark * scalar.own.transpose() +
                            2.0 * scalar.own.dot(scalar.shared * cross.transpose()) +
-                           scalar.shared.dot(scalar.shared * place);
+                           scalar.shared.dot(scalar.shared * pose_error);
   return square(scalar.error) / std::max(1 - explained, kLeast);
 }
 
-bool isUsableProblem(std::span<const ScanPose> places, std::span<const LandmarkObservation> sightings,
+bool isUsableProblem(std::span<const ScanPose> poses, std::span<const LandmarkObservation> observations,
                      const std::vector<Vector2d>& start)
 {
-  const bool places_ok =
-      std::all_of(places.begin(), places.end(),
+  const bool poses_ok =
+      std::all_of(poses.begin(), poses.end(),
                   [](const ScanPose& p) { return isFinite(p.T_robot_sensor) && p.odometry_covariance.allFinite(); });
   const auto usable = [&](const LandmarkObservation& s)
   {
     const bool bearing = !s.bearing || (std::isfinite(*s.bearing) && s.std_bearing > 0);
     const bool range = !s.range || (*s.range >= 0 && std::isfinite(*s.range) && s.std_range > 0);
-    return s.place < places.size() && s.landmark < start.size() && bearing && range;
+    return s.scan < poses.size() && s.landmark < start.size() && bearing && range;
   };
-  return places_ok && std::all_of(sightings.begin(), sightings.end(), usable) &&
+  return poses_ok && std::all_of(observations.begin(), observations.end(), usable) &&
          std::all_of(start.begin(), start.end(), [](const Vector2d& v) { return v.allFinite(); });
 }
 
-/// The place as it was: an error (x, y, phi) of the robot's pose now had moved it with everything else.
-ScanPose corrected(const ScanPose& place, const Vector3d& error, const Matrix3d& covariance)
+/// The scan's pose without the error (x, y, phi) of the present pose, by which it was displaced.
+ScanPose corrected(const ScanPose& pose, const Vector3d& error, const Matrix3d& covariance)
 {
-  return {compose(inverse({error.x(), error.y(), error.z()}), place.T_robot_sensor), covariance};
+  return {compose(inverse({error.x(), error.y(), error.z()}), pose.T_robot_sensor), covariance};
 }
 }  // namespace
 
-BundleAdjustment adjustBundle(std::span<const ScanPose> places, std::span<const LandmarkObservation> sightings,
+BundleAdjustment adjustBundle(std::span<const ScanPose> poses, std::span<const LandmarkObservation> observations,
                               std::vector<Vector2d> start, bool robust)
 {
   BundleAdjustment result;
   result.status = SolveStatus::bad_input;
-  if (!isUsableProblem(places, sightings, start)) return result;
+  if (!isUsableProblem(poses, observations, start)) return result;
   int readings = 0;
-  for (const LandmarkObservation& s : sightings) readings += (s.bearing ? 1 : 0) + (s.range ? 1 : 0);
+  for (const LandmarkObservation& s : observations) readings += (s.bearing ? 1 : 0) + (s.range ? 1 : 0);
   result.degrees = readings - 2 * static_cast<int>(start.size());
   result.status = SolveStatus::too_few;
   if (start.empty() || result.degrees < 0) return result;
 
-  Problem problem{places, sightings, Moments(places), {}, robust};
-  problem.prior = problem.moments.information();
+  Problem problem{poses, observations, PoseErrors(poses), {}, robust};
+  problem.prior = problem.pose_errors.information();
   std::vector<Vector2d> landmarks = std::move(start);
-  Eigen::VectorXd errors = Eigen::VectorXd::Zero(problem.moments.unknowns());
+  Eigen::VectorXd errors = Eigen::VectorXd::Zero(problem.pose_errors.unknowns());
   result.status = SolveStatus::degenerate;
   for (int iteration = 0; iteration < kIterations; ++iteration)
   {
@@ -235,20 +236,20 @@ BundleAdjustment adjustBundle(std::span<const ScanPose> places, std::span<const 
     const Block pull = reduced->inverse_own[j] * system.mixed[j];
     result.landmarks.push_back({landmarks[j], reduced->inverse_own[j] + pull * reduced->covariance * pull.transpose()});
   }
-  for (std::size_t k = 0; k < places.size(); ++k)
+  for (std::size_t k = 0; k < poses.size(); ++k)
   {
-    const auto at = 3 * static_cast<Eigen::Index>(problem.moments.of_place[k]);
-    result.places.push_back(corrected(places[k], errors.segment<3>(at), reduced->covariance.block<3, 3>(at, at)));
+    const auto at = 3 * static_cast<Eigen::Index>(problem.pose_errors.of_scan[k]);
+    result.poses.push_back(corrected(poses[k], errors.segment<3>(at), reduced->covariance.block<3, 3>(at, at)));
   }
-  for (std::size_t i = 0; i < sightings.size(); ++i)
+  for (std::size_t i = 0; i < observations.size(); ++i)
   {
-    const std::size_t j = sightings[i].landmark;
-    const auto at = 3 * static_cast<Eigen::Index>(problem.moments.of_place[sightings[i].place]);
+    const std::size_t j = observations[i].landmark;
+    const auto at = 3 * static_cast<Eigen::Index>(problem.pose_errors.of_scan[observations[i].scan]);
     const Rows3 cross = -reduced->inverse_own[j] * system.mixed[j] * reduced->covariance.middleCols<3>(at);
-    const Matrix3d place = reduced->covariance.block<3, 3>(at, at);
+    const Matrix3d pose_error = reduced->covariance.block<3, 3>(at, at);
     double misfit = 0;
     for (const Scalar& scalar : system.scalars[i])
-      misfit += snooped(scalar, result.landmarks[j].covariance, place, cross);
+      misfit += snooped(scalar, result.landmarks[j].covariance, pose_error, cross);
     result.misfits.push_back(misfit);
   }
   result.chi2 = system.chi2;

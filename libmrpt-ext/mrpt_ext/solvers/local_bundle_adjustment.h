@@ -14,15 +14,15 @@ struct ScanPose
 {
   Pose2 T_robot_sensor;  ///< present robot frame
   Matrix3d odometry_covariance =
-      Matrix3d::Zero();  ///< of odometry since then, as an error of the present pose (robot axes)
+      Matrix3d::Zero();  ///< of odometry since that time, as an error of the present pose (robot axes)
 };
 
 /// One landmark of the local map, observed in one scan.
 struct LandmarkObservation
 {
-  std::size_t place = 0, landmark = 0;
-  std::optional<double> bearing;  ///< [rad, CCW from the sensor's forward axis]
-  std::optional<double> range;    ///< [m, horizontal, from the sensor]
+  std::size_t scan = 0, landmark = 0;  ///< indices into `poses` and `start` of adjustBundle()
+  std::optional<double> bearing;       ///< [rad, CCW from the sensor's forward axis]
+  std::optional<double> range;         ///< [m, horizontal, from the sensor]
   double std_bearing = 0, std_range = 0;
 };
 
@@ -30,8 +30,8 @@ struct BundleAdjustment
 {
   SolveStatus status = SolveStatus::too_few;
   std::vector<GaussianPoint> landmarks;  ///< present robot frame [m]
-  std::vector<ScanPose> places;          ///< corrected, with what remains of their covariance
-  std::vector<double> misfits;           ///< of each observation: squared residuals over their expected variance
+  std::vector<ScanPose> poses;           ///< of the scans, corrected, with the covariance that remains
+  std::vector<double> misfits;           ///< per observation: squared residuals over their expected variance
   double chi2 = 0;                       ///< of observations and odometry together
   int degrees = 0;
 };
@@ -44,7 +44,7 @@ struct BundleAdjustment
 /// be wrong; the covariances then count each by its weight. Gauss-Newton; status `ok`, `too_few` (fewer readings than
 /// unknowns), `degenerate` (a landmark without parallax), `bad_input` (an index out of range or a number that is not
 /// finite).
-[[nodiscard]] BundleAdjustment adjustBundle(std::span<const ScanPose> places,
-                                            std::span<const LandmarkObservation> sightings, std::vector<Vector2d> start,
-                                            bool robust = false);
+[[nodiscard]] BundleAdjustment adjustBundle(std::span<const ScanPose> poses,
+                                            std::span<const LandmarkObservation> observations,
+                                            std::vector<Vector2d> start, bool robust = false);
 }  // namespace mrpt_ext

@@ -51,7 +51,7 @@ class Proposer
     for (const PoseResidual& m : rows.sightings())
     {
       reference_ += share * m.offset;
-      one_place_ = one_place_ && m.offset == rows.sightings().front().offset;
+      same_position_ = same_position_ && m.offset == rows.sightings().front().offset;
     }
   }
 
@@ -131,7 +131,7 @@ class Proposer
  private:
   void fromTriple(const PoseResidual& a, const PoseResidual& b, const PoseResidual& c)
   {
-    if (one_place_)
+    if (same_position_)
     {
       const auto seen = [](const PoseResidual& m) {
         return VisibleLandmark<double>{m.landmark.x(), m.landmark.y(), m.unit.x(), m.unit.y()};
@@ -142,7 +142,7 @@ class Proposer
       propose(Vector2d(triple.x, triple.y) - PoseResiduals::turned(a.offset, heading), heading);
       return;
     }
-    const NoncentralThreeBearingPose triple = solveBearingTripleOnPath(
+    const NoncentralThreeBearingPose triple = solveNoncentralThreeBearingPose(
         {{{a.landmark, a.offset, a.unit}, {b.landmark, b.offset, b.unit}, {c.landmark, c.offset, c.unit}}});
     for (int k = 0; k < triple.count; ++k)
     {
@@ -151,7 +151,7 @@ class Proposer
     }
   }
 
-  /// What confines the position of the robot's reference point.
+  /// A measurement that gives a line of position for the robot's reference point.
   struct Source
   {
     enum class Kind
@@ -207,8 +207,8 @@ class Proposer
     return sum.squaredNorm() > 0 ? sum.normalized() : sum;
   }
 
-  /// Both crossings of two loci. Sensors in different places: where they are depends on the heading, which is corrected
-  /// a few times.
+  /// Both crossings of two loci. With sensors at different positions the loci depend on the heading, which is corrected
+  /// in a few iterations.
   void fromPair(const Source& a, const Source& b)
   {
     if (rows_.bearings().empty() && rows_.headings().empty())
@@ -226,7 +226,7 @@ class Proposer
     {
       std::optional<Vector2d> position;
       Vector2d heading = compass;
-      for (int round = 0; round < (one_place_ ? 1 : kRounds); ++round)
+      for (int round = 0; round < (same_position_ ? 1 : kRounds); ++round)
       {
         const LocusCrossing there = crossing(a, b, heading);
         if (static_cast<std::size_t>(there.count) <= side) break;
@@ -250,8 +250,8 @@ class Proposer
 
   const PoseResiduals& rows_;
   std::vector<PoseGuess>& seeds_;
-  Vector2d reference_{0, 0};  ///< mean of the sensors' places, robot axes
-  bool one_place_ = true;     ///< all sensors are there
+  Vector2d reference_{0, 0};   ///< mean position of the sensors, robot axes
+  bool same_position_ = true;  ///< all measurements were taken there
 };
 }  // namespace
 

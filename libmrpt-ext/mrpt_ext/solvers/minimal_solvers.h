@@ -17,6 +17,6 @@ struct PoseGuess
 /// (three_bearing_pose.h, or three_bearing_pose_noncentral.h for sensors at different positions), the rigid fit of
 /// landmarks seen with range and bearing, and crossings of circles and lines (ranges, pairs of bearings, bearings under
 /// a known heading) with the mean of the headings that the bearings then imply. The subsets are spread evenly over
-/// the measurements, some tens of them. Ranges of sensors in different places: every twelfth of a turn as heading.
+/// the measurements, some tens of them. For ranges alone, twelve headings are tried.
 [[nodiscard]] std::vector<PoseGuess> solveMinimalSubsets(const PoseResiduals& rows, std::size_t most);
 }  // namespace mrpt_ext

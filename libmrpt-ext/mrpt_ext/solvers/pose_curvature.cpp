@@ -57,10 +57,10 @@ PoseCurvature poseCurvature(const PoseResiduals& rows, const Pose2& pose, const 
       shifts[k] = {along.dot(moved), across.dot(moved), L(2, k)};
       whitened[k] = derivative(shifts[k], r);
     }
-    std::size_t place = 0;
+    std::size_t index = 0;
     for (std::size_t k = 0; k < 3; ++k)
       for (std::size_t l = k; l < 3; ++l)
-        bends[place++] += square(m.weight) * bend(shifts[k], shifts[l], lever, r) * whitened;
+        bends[index++] += square(m.weight) * bend(shifts[k], shifts[l], lever, r) * whitened;
   };
   for (const PoseResidual& m : rows.bearings())
     add(
@@ -72,10 +72,10 @@ PoseCurvature poseCurvature(const PoseResiduals& rows, const Pose2& pose, const 
   // E[(z^T A z)(z^T B z)] = tr A tr B + 2 tr AB for standard normal z.
   const Vector3d trace = bends[0] + bends[3] + bends[5];
   Matrix3d moment = trace * trace.transpose();
-  for (std::size_t place = 0; place < 6; ++place)
+  for (std::size_t index = 0; index < 6; ++index)
   {
-    const bool diagonal = place == 0 || place == 3 || place == 5;
-    moment += (diagonal ? 2 : 4) * bends[place] * bends[place].transpose();
+    const bool diagonal = index == 0 || index == 3 || index == 5;
+    moment += (diagonal ? 2 : 4) * bends[index] * bends[index].transpose();
   }
   moment /= 4;
   return {std::sqrt(moment.trace()), L * moment * L.transpose(), L.col(0), -0.5 * L * bends[0]};

@@ -106,8 +106,8 @@ double chiSquareTail(double chi2, int degrees_of_freedom)
   return 0.5 * std::erfc(z / std::sqrt(2.0));
 }
 
-/// Where the position is known worst, how much less than foretold does the cost rise along the bent ridge of the
-/// likelihood? A second place just not far enough for a minimum of its own shows so.
+/// Along the direction of the largest standard deviation, following the curved ridge of the likelihood: by which factor
+/// does the cost rise less than the covariance predicts? Large where a second pose is almost a minimum of its own.
 double stretchAt(const PoseResiduals& rows, const Minimum& minimum, const PoseCurvature& curvature)
 {
   double stretch = 1;
@@ -119,7 +119,7 @@ double stretchAt(const PoseResiduals& rows, const Minimum& minimum, const PoseCu
   return stretch;
 }
 
-/// What is to be solved: the measurements, and whether they tell the heading.
+/// The measurements, and whether they determine the heading.
 struct Problem
 {
   std::span<const PoseMeasurement> measurements;
@@ -128,21 +128,21 @@ struct Problem
   double offset = 0;  ///< longest, of a sensor that turns with an unknown heading [m]
 };
 
-/// Ranges tell a heading only when their sensors are in different places.
-bool tellsHeading(std::span<const PoseMeasurement> measurements)
+/// Ranges determine a heading only if their sensors have different positions on the robot.
+bool determinesHeading(std::span<const PoseMeasurement> measurements)
 {
-  const auto tells = [&](const PoseMeasurement& m)
+  const auto determines = [&](const PoseMeasurement& m)
   {
     return m.kind != PoseMeasurement::Kind::range ||
            (measurements.size() >= 3 && m.T_robot_sensor.position() != measurements.front().T_robot_sensor.position());
   };
-  return std::any_of(measurements.begin(), measurements.end(), tells);
+  return std::any_of(measurements.begin(), measurements.end(), determines);
 }
 
 /// Without a heading the rows hold for the sensor, and its heading is called 0 with the spread of any heading.
 Problem problemOf(std::span<const PoseMeasurement> measurements)
 {
-  if (tellsHeading(measurements)) return {measurements, true, PoseResiduals(measurements)};
+  if (determinesHeading(measurements)) return {measurements, true, PoseResiduals(measurements)};
   std::vector<PoseMeasurement> centred(measurements.begin(), measurements.end());
   double offset = 0;
   for (PoseMeasurement& m : centred)
@@ -187,7 +187,7 @@ IdentifiedPose solvePoseFromLandmarks(std::span<const PoseMeasurement> measureme
   result.status = SolveStatus::bad_input;
   if (!std::all_of(measurements.begin(), measurements.end(), isUsable)) return result;
   result.status = SolveStatus::too_few;
-  const int needed = tellsHeading(measurements) ? 3 : 2;
+  const int needed = determinesHeading(measurements) ? 3 : 2;
   result.degrees_of_freedom = std::max(0, static_cast<int>(measurements.size()) - needed);
   if (static_cast<int>(measurements.size()) < needed) return result;
 
@@ -205,7 +205,7 @@ IdentifiedPose solvePoseFromLandmarks(std::span<const PoseMeasurement> measureme
   for (PoseCandidate& candidate : result.candidates) sum += candidate.probability;
   for (PoseCandidate& candidate : result.candidates) candidate.probability /= sum;
   result.consistency = chiSquareTail(best.chi2, result.degrees_of_freedom);
-  const bool likeliest = best.chi2 <= minima.front().at.cost;  // what fits best may be a place that nothing holds
+  const bool likeliest = best.chi2 <= minima.front().at.cost;  // the best fit may be a degenerate pose
   const bool sharp = likeliest && best.relative_error <= options.max_relative_error &&
                      best.curvature <= options.max_curvature && best.stretch <= options.max_stretch;
   if (sharp) result.status = result.consistency >= options.min_consistency ? SolveStatus::ok : SolveStatus::none;

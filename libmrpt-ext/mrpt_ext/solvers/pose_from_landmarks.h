@@ -48,7 +48,7 @@ struct IdentifiedPose
 /// Pose from measurements of known landmarks: bearings, ranges, headings in any mix, by sensors anywhere on the robot.
 /// Closed forms from minimal subsets (minimal_solvers.h) are judged by all measurements, the best are refined to the
 /// maximum of the likelihood, and every distinct maximum that is nearly as likely as the best is returned: two ranges
-/// give two mirror places, three and more bearings one pose as a rule. Status: `ok`; `too_few` the heading or the
+/// give two mirror images, three and more bearings one pose as a rule. Status: `ok`; `too_few` the heading or the
 /// position stays on a curve whatever the values are (less than three measurements; two when they are ranges, which
 /// give a position without heading); `degenerate` the geometry leaves the pose to noise: singular information, a
 /// standard deviation of the position beyond `max_relative_error`, or a likelihood too bent for its covariance (robot

@@ -5,8 +5,8 @@
 
 namespace mrpt_ext
 {
-/// All poses from which one landmark is seen at the same place: one range and bearing leave the heading free, and with
-/// it the position on a circle about the landmark (paper 004; equations of the running fix, observability).
+/// All poses with the same range and bearing of one landmark: the heading is free, and with it the position on a circle
+/// about the landmark (paper 004; equations of the running fix, observability).
 struct PoseRing
 {
   Vector2d landmark{0, 0};      ///< world frame [m]

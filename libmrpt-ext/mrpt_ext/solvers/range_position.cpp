@@ -66,7 +66,7 @@ std::optional<Vector2d> linearSeed(std::span<const KnownRange> ranges)
   return Vector2d(mean + A.inverse() * v);
 }
 
-/// Both places (or the middle of the gap) that two ranges allow.
+/// Both positions that two ranges allow, or the middle of the gap between their circles.
 std::vector<RunningFixCandidate> pairCandidates(const KnownRange& a, const KnownRange& b)
 {
   return runningFix({b.landmark, a.landmark - b.landmark, a.range, b.range, a.std, b.std}).candidates;

@@ -34,6 +34,6 @@ struct RangePositions
 /// returned (two ranges, or landmarks on one line), as is a second minimum that fits within chi2 + 9 of the best.
 /// Two circles that miss each other give the midpoint of their gap. Covariance: inverse Fisher information, or, where
 /// the sensor is in line with the landmarks, the ring width of the worst range along the undetermined direction.
-/// Status: `degenerate` when all landmarks are in one place, `too_few` below two ranges, `bad_input`.
+/// Status: `degenerate` when all landmarks have the same position, `too_few` below two ranges, `bad_input`.
 [[nodiscard]] RangePositions solveRangePosition(std::span<const KnownRange> ranges);
 }  // namespace mrpt_ext

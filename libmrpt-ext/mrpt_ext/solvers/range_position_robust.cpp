@@ -35,7 +35,7 @@ std::vector<bool> inliersAt(std::span<const KnownRange> ranges, const Vector2d& 
   return inliers;
 }
 
-/// The places of every pair of ranges, best first.
+/// The candidates of every pair of ranges, best first.
 std::vector<Proposal> propose(std::span<const KnownRange> ranges, double gate)
 {
   std::vector<Proposal> proposals;

@@ -27,9 +27,10 @@ struct RobustRangePositions
 };
 
 /// Position from ranges of which some may be grossly wrong (reflections, a wrong beacon): every pair of ranges proposes
-/// its two places, each place is judged by the truncated cost over all ranges (exhaustive minimal subsets: nothing is
-/// drawn at random), the best are refined on their inliers until these settle. With k good ranges of n >= 4 the truth
-/// is found when k >= 3; three ranges of which one is wrong cannot tell which, and all their candidates are returned.
+/// its two positions, each position is judged by the truncated cost over all ranges (exhaustive minimal subsets:
+/// nothing is drawn at random), the best are refined on their inliers until these settle. With k good ranges of n >= 4
+/// the truth is found when k >= 3; three ranges of which one is wrong cannot tell which, and all their candidates are
+/// returned.
 [[nodiscard]] RobustRangePositions solveRangePositionRobust(std::span<const KnownRange> ranges,
                                                             const RobustRangeOptions& options = {});
 }  // namespace mrpt_ext

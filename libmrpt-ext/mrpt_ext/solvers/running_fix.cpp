@@ -9,13 +9,13 @@ namespace mrpt_ext
 {
 namespace
 {
-/// Standard deviation of the first range as seen from the second place.
+/// Standard deviation of the first range, with the error of the displacement, about the second position.
 double firstStd(const RangePair& in, const Vector2d& unit)
 {
   return std::sqrt(square(in.first_std) + std::max(0.0, unit.dot(in.displacement_covariance * unit)));
 }
 
-/// Spread of the places that two nearly touching circles allow, about `point`.
+/// Covariance of the positions that two nearly tangent circles allow, about `point`.
 Matrix2d tangentCovariance(const RangePair& in, const TwoCircles& circles, const Vector2d& point)
 {
   const Vector2d across = (point - in.landmark).normalized();  // along the line of centres, near a tangent point

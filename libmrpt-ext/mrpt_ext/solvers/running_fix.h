@@ -10,21 +10,21 @@
 
 namespace mrpt_ext
 {
-/// Two horizontal ranges to one landmark from two places of the sensor.
+/// Two horizontal ranges to one landmark from two positions of the sensor.
 struct RangePair
 {
   Vector2d landmark{0, 0};                              ///< world frame [m]
-  Vector2d displacement{0, 0};                          ///< second minus first place, world axes [m]
+  Vector2d displacement{0, 0};                          ///< second minus first position, world axes [m]
   double first_range = 0, second_range = 0;             ///< [m]
   double first_std = 0, second_std = 0;                 ///< [m]
   Matrix2d displacement_covariance = Matrix2d::Zero();  ///< world axes [m^2]
 };
 
-/// One place where the sensor may have been.
+/// One possible pair of sensor positions.
 struct RunningFixCandidate
 {
-  GaussianPoint second;    ///< where the second range was taken, world frame
-  Vector2d first{0, 0};    ///< where the first range was taken
+  GaussianPoint second;    ///< position at the second range, world frame
+  Vector2d first{0, 0};    ///< position at the first range
   bool linearised = true;  ///< false: the covariance is the spread about a tangent point or a gap, see runningFix
 };
 

@@ -52,8 +52,8 @@ Matrix3d withHeading(const Matrix2d& position, const Vector2d& d_position, doubl
   return covariance;
 }
 
-/// d (second place) / d heading when both ranges must keep fitting while the displacement turns.
-Vector2d placeShift(const TurnedFix& turned, const RunningFixCandidate& candidate)
+/// d (second position) / d heading: both ranges are kept while the displacement turns.
+Vector2d positionShift(const TurnedFix& turned, const RunningFixCandidate& candidate)
 {
   const Vector2d u1 = (candidate.first - turned.ranges.landmark).normalized();
   const Vector2d u2 = (candidate.second.mean - turned.ranges.landmark).normalized();
@@ -80,17 +80,17 @@ RunningFixPoses runningFixPoses(const RunningFixReading& fix, const Vector2d& la
                       isFinite(fix.displacement) && isFinite(fix.T_robot_sensor);
   if (!usable) return result;
   const TurnedFix turned = turn(fix, landmark, heading.heading);
-  const RunningFix places = runningFix(turned.ranges);
-  result.status = places.status;
-  result.relation = places.relation;
-  for (const RunningFixCandidate& place : places.candidates)
+  const RunningFix fixes = runningFix(turned.ranges);
+  result.status = fixes.status;
+  result.relation = fixes.relation;
+  for (const RunningFixCandidate& position : fixes.candidates)
   {
-    const Vector2d robot = place.second.mean - turned.offset;
-    const Vector2d d_robot = placeShift(turned, place) - perpendicular(turned.offset);
+    const Vector2d robot = position.second.mean - turned.offset;
+    const Vector2d d_robot = positionShift(turned, position) - perpendicular(turned.offset);
     RunningFixPose candidate;
     candidate.pose.mean = {robot.x(), robot.y(), wrap(heading.heading)};
-    candidate.pose.covariance = withHeading(place.second.covariance, d_robot, square(heading.std_heading));
-    candidate.from_gap = !places.intersects;
+    candidate.pose.covariance = withHeading(position.second.covariance, d_robot, square(heading.std_heading));
+    candidate.from_gap = !fixes.intersects;
     candidate.log_score = bearingLogDensity(fix, landmark, candidate.pose);
     result.candidates.push_back(candidate);
   }

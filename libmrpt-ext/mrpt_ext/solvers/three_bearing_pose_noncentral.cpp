@@ -60,7 +60,7 @@ struct Lines
 };
 }  // namespace
 
-NoncentralThreeBearingPose solveBearingTripleOnPath(const std::array<NoncentralBearing, 3>& lines)
+NoncentralThreeBearingPose solveNoncentralThreeBearingPose(const std::array<NoncentralBearing, 3>& lines)
 {
   NoncentralThreeBearingPose result;
   if (!std::all_of(lines.begin(), lines.end(), isUsableLine)) return result;

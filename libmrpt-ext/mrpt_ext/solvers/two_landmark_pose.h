@@ -27,6 +27,6 @@ struct PointPose
 /// heading starts at atan2 of the landmark difference in the world minus that in the robot frame (paper 001, eq 5, for
 /// landmarks anywhere), the position from the weighted mean of both; Gauss-Newton steps then weigh each point by its
 /// whole covariance. Covariances all zero: equal weights, covariance scaled to one metre.
-/// Status `degenerate`: all landmarks (or all their images) in one place.
+/// Status `degenerate`: all landmarks (or all their images) have the same position.
 [[nodiscard]] PointPose solvePointPose(std::span<const SeenLandmark> seen);
 }  // namespace mrpt_ext

@@ -28,7 +28,7 @@ struct TwoPolePose
 /// Slope and position from the poles seen at `p` and `q` in the robot frame (paper 001, eq 3-7).
 /// Deviations: atan2 in eq 5; eq 6-7 print p's coordinates with the signs that belong to q (an error of 2 Fw), both
 /// correct forms are given here; the paper takes (X_r, Y_r) for world coordinates, which they are at beta = 0 only.
-/// Status `degenerate`: poles in one place. No app uses it; two_landmark_pose.h is the general form.
+/// Status `degenerate`: both poles have the same position. No app uses it; two_landmark_pose.h is the general form.
 [[nodiscard]] TwoPolePose solveTwoPolePose(const Vector2d& p, const Vector2d& q, const PoleField& field);
 
 /// Pose in our frames (heading from the forward axis), position by the mean of both poles.

@@ -12,12 +12,12 @@ namespace mrpt_ext
 /// One observation of a landmark within a window: a bearing, a range, or both.
 struct WindowObservation
 {
-  Pose2 T_robot_sensor;  ///< pose of the sensor then, in the present robot frame
+  Pose2 T_robot_sensor;  ///< pose of the sensor at that time, in the present robot frame
   Matrix3d odometry_covariance =
-      Matrix3d::Zero();                   ///< of odometry since then, as an error of the present pose (robot axes)
+      Matrix3d::Zero();                   ///< of odometry since that time, as an error of the present pose (robot axes)
   std::optional<double> bearing;          ///< [rad, CCW from the sensor's forward axis]
   std::optional<double> range;            ///< [m, horizontal, from the sensor]
-  double std_bearing = 0, std_range = 0;  ///< of the sensor alone, > 0 where it measured
+  double std_bearing = 0, std_range = 0;  ///< of the sensor alone; > 0 for what it measured
 };
 
 struct LocalizedLandmark
@@ -30,8 +30,8 @@ struct LocalizedLandmark
 struct WindowLandmark
 {
   SolveStatus status = SolveStatus::too_few;
-  int readings = 0;                       ///< bearings and ranges counted
-  std::vector<LocalizedLandmark> places;  ///< best first; mirror images where the readings leave them
+  int readings = 0;                           ///< bearings and ranges counted
+  std::vector<LocalizedLandmark> candidates;  ///< best first; two mirror images where the readings do not decide
 };
 
 /// Maximum-likelihood position of a landmark in the robot frame, observations oldest first; generalizes the

@@ -41,7 +41,7 @@ bool ranOff(std::span<const WindowMeasurements> readings, const Pose2& pose)
 }
 }  // namespace
 
-PoseMl refineCarriedPose(std::span<const WindowMeasurements> oldest_first, const Pose2& start, int max_iterations)
+PoseMl refineWindowPose(std::span<const WindowMeasurements> oldest_first, const Pose2& start, int max_iterations)
 {
   PoseMl result;
   result.status = SolveStatus::bad_input;

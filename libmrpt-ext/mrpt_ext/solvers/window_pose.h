@@ -10,9 +10,9 @@ namespace mrpt_ext
 /// Measurements of known landmarks by one sensor at one time of the window.
 struct WindowMeasurements
 {
-  /// Of odometry from then until now, as an error of the present pose: (x, y, phi), robot axes.
+  /// Covariance of odometry since that time, as an error (x, y, phi) of the present pose, robot axes.
   Matrix3d odometry_covariance = Matrix3d::Zero();
-  /// T_robot_sensor: pose of the sensor then, in the present robot frame. std: of the sensor alone.
+  /// T_robot_sensor: pose of the sensor at that time, in the present robot frame. std: of the sensor alone.
   std::vector<PoseMeasurement> measurements;
 };
 
@@ -21,6 +21,6 @@ struct WindowMeasurements
 /// window; counting the measurements as independent, with larger standard deviations, would be overconfident, the more
 /// of them share a time. With `odometry_covariance` zero everywhere it is refinePose. Status as refinePose; `bad_input`
 /// also for a covariance that is not finite or has a negative diagonal.
-[[nodiscard]] PoseMl refineCarriedPose(std::span<const WindowMeasurements> oldest_first, const Pose2& start,
-                                       int max_iterations = 50);
+[[nodiscard]] PoseMl refineWindowPose(std::span<const WindowMeasurements> oldest_first, const Pose2& start,
+                                      int max_iterations = 50);
 }  // namespace mrpt_ext

@@ -46,8 +46,8 @@ std::optional<GaussianPoint> predictedPoint(const LandmarkTrack& track, std::spa
       some.members.push_back(track.members[(k + 1) * track.members.size() / kEnoughToPredict - 1]);
   }
   const WindowLandmark found = locateLandmark(observationsOf(some, scans, reference));
-  if (found.status != SolveStatus::ok || found.places.size() != 1) return std::nullopt;
-  return found.places.front().in_robot;
+  if (found.status != SolveStatus::ok || found.candidates.size() != 1) return std::nullopt;
+  return found.candidates.front().in_robot;
 }
 }  // namespace
 

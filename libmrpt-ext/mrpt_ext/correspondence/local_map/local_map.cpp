@@ -42,7 +42,7 @@ AdjustedTracks adjust(const std::vector<LandmarkTrack>& tracks, std::span<const 
   std::vector<ScanPose> scan_poses;
   for (const PastScan& p : scans) scan_poses.push_back({p.scan.T_robot_sensor, p.odometry_covariance});
   result.adjusted = adjustBundle(scan_poses, observations, std::move(start), robust);
-  if (result.adjusted.status != SolveStatus::ok) result.adjusted.places = std::move(scan_poses);
+  if (result.adjusted.status != SolveStatus::ok) result.adjusted.poses = std::move(scan_poses);
   return result;
 }
 
@@ -69,7 +69,7 @@ bool dropWorst(std::vector<LandmarkTrack>& tracks, const AdjustedTracks& adjuste
     std::erase_if(tracks[j].members, [&](const auto& m) { return m.scan == member[j].scan; });
     const bool enough = tracks[j].members.size() >= (d.range ? 1 : leastBearings(scans.size()));
     const auto found = enough ? locateLandmark(observationsOf(tracks[j], scans, Matrix3d::Zero())) : WindowLandmark{};
-    if (found.places.empty()) tracks.erase(tracks.begin() + static_cast<std::ptrdiff_t>(j));
+    if (found.candidates.empty()) tracks.erase(tracks.begin() + static_cast<std::ptrdiff_t>(j));
   }
   return any;
 }
@@ -98,9 +98,9 @@ std::vector<PastScan> correctedScans(const std::vector<LandmarkTrack>& tracks, s
   if (adjusted.status != SolveStatus::ok) return corrected;
   for (std::size_t k = 0; k < scans.size(); ++k)
   {
-    corrected[k].scan.T_robot_sensor = adjusted.places[k].T_robot_sensor;
+    corrected[k].scan.T_robot_sensor = adjusted.poses[k].T_robot_sensor;
     corrected[k].odometry_covariance.setZero();
-    const Matrix3d& E = adjusted.places[k].odometry_covariance;
+    const Matrix3d& E = adjusted.poses[k].odometry_covariance;
     for (AnonymousDetection& d : corrected[k].scan.detections)
     {
       d.std_bearing = std::sqrt(square(d.std_bearing) + E(2, 2));
@@ -191,7 +191,7 @@ LocalLandmarkMap buildLocalMap(std::span<const PastScan> oldest_first)
       result.points.push_back(
           {adjusted_tracks.adjusted.landmarks[j], tracks[j].category, std::move(tracks[j].members)});
   result.sensor = commonModel(oldest_first);
-  result.rest = unmatchedDetections(oldest_first, adjusted_tracks.adjusted.places, result.points);
+  result.rest = unmatchedDetections(oldest_first, adjusted_tracks.adjusted.poses, result.points);
   return result;
 }
 

@@ -108,9 +108,9 @@ class TrackSearch
                     [&](const auto& m) { return detectionsOf(m.scan)[m.detection].range.has_value(); });
     if (track.members.empty() || (!has_range && track.members.size() < leastBearings(scans_.size()))) return;
     const WindowLandmark found = locateLandmark(observationsOf(track, scans_, Matrix3d::Zero()));
-    if (found.status != SolveStatus::ok || found.places.size() != 1) return;
-    track.point = found.places.front().in_robot;
-    const double evidence = kWorth * static_cast<double>(track.members.size()) - found.places.front().chi2;
+    if (found.status != SolveStatus::ok || found.candidates.size() != 1) return;
+    track.point = found.candidates.front().in_robot;
+    const double evidence = kWorth * static_cast<double>(track.members.size()) - found.candidates.front().chi2;
     candidates_.push({std::move(track), evidence, born_++});
   }
 
