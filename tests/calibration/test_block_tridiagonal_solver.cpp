@@ -52,7 +52,7 @@ TEST(PoseChainSystem, SolvesLikeTheFullSystem)
       row.tail(kShared) = shared;
       full.add(row, residual, weight);
     }
-    if (k + 1 == kPoses || k == 2) continue;  // two pieces of way
+    if (k + 1 == kPoses || k == 2) continue;  // two separate trajectories
     const Matrix3d own = randomMatrix(3, 3, random), next = randomMatrix(3, 3, random);
     const PoseChainSystem::SharedRows shared = randomMatrix(3, kShared, random);
     const Vector3d residual = randomMatrix(3, 1, random);

@@ -14,7 +14,7 @@ namespace
 {
 const std::vector<Vector2d> kPlaces{{0, 0}, {7, 0.3}, {6.5, 6}, {0.2, 5.5}, {3.4, 6.2}};
 const std::vector<Vector2d> kOffsets{{-0.1, -0.2}, {-0.1, 0.2}, {0.25, 0.1}};
-const std::vector<double> kSensorDelays{0.20, 0.15, 0.17}, kLandmarkDelays{-0.06, 0.05, 0.08, -0.09, 0.02};
+const std::vector<double> kSensorBiases{0.20, 0.15, 0.17}, kLandmarkBiases{-0.06, 0.05, 0.08, -0.09, 0.02};
 constexpr double kHeight = 0.6, kStd = 0.03;
 
 RadioEpoch epochAt(const Pose2& pose, RandomStream& random)
@@ -24,7 +24,7 @@ RadioEpoch epochAt(const Pose2& pose, RandomStream& random)
     for (std::size_t j = 0; j < kPlaces.size(); ++j)
     {
       const double flat = predictRange(pose, kPlaces[j], {kOffsets[i].x(), kOffsets[i].y(), 0});
-      const double error = kSensorDelays[i] + kLandmarkDelays[j] + kStd * random.gaussian();
+      const double error = kSensorBiases[i] + kLandmarkBiases[j] + kStd * random.gaussian();
       epoch.push_back({i, j, kPlaces[j], kOffsets[i], kHeight, std::hypot(flat, kHeight) + error});
     }
   return epoch;
@@ -44,25 +44,25 @@ TEST(RangeBiases, AreToldByRangesFromManyPlaces)
 {
   std::vector<RadioEpoch> all = epochs(150);
   for (std::size_t k = 0; k < all.size(); k += 5) all[k][1].range += 1.5;  // one echo in 75 ranges, all of landmark 1
-  const RangeBiases delays = estimateRangeBiases(all, 0.1);
-  ASSERT_EQ(delays.status, SolveStatus::ok);
-  EXPECT_EQ(delays.epochs, 150U);
-  for (std::size_t i = 0; i < kSensorDelays.size(); ++i)
+  const RangeBiases biases = estimateRangeBiases(all, 0.1);
+  ASSERT_EQ(biases.status, SolveStatus::ok);
+  EXPECT_EQ(biases.epochs, 150U);
+  for (std::size_t i = 0; i < kSensorBiases.size(); ++i)
   {
-    EXPECT_NEAR(delays.sensor[i], kSensorDelays[i], 5 * delays.std_sensor[i]);
-    EXPECT_LT(delays.std_sensor[i], 0.01);
+    EXPECT_NEAR(biases.sensor[i], kSensorBiases[i], 5 * biases.std_sensor[i]);
+    EXPECT_LT(biases.std_sensor[i], 0.01);
   }
   double sum = 0;
-  for (std::size_t j = 0; j < kLandmarkDelays.size(); ++j)
+  for (std::size_t j = 0; j < kLandmarkBiases.size(); ++j)
   {
-    EXPECT_NEAR(delays.landmark[j], kLandmarkDelays[j], 5 * delays.std_landmark[j] + 0.003);
-    EXPECT_LT(delays.std_landmark[j], 0.01);
-    sum += delays.landmark[j];
+    EXPECT_NEAR(biases.landmark[j], kLandmarkBiases[j], 5 * biases.std_landmark[j] + 0.003);
+    EXPECT_LT(biases.std_landmark[j], 0.01);
+    sum += biases.landmark[j];
   }
   EXPECT_NEAR(sum, 0, 1e-9);
-  EXPECT_NEAR(delays.scatter, kStd, 0.2 * kStd);
-  EXPECT_GT(delays.outlier_share[1], 0.05);
-  EXPECT_LT(delays.outlier_share[0], 0.02);
+  EXPECT_NEAR(biases.scatter, kStd, 0.2 * kStd);
+  EXPECT_GT(biases.outlier_share[1], 0.05);
+  EXPECT_LT(biases.outlier_share[0], 0.02);
 }
 
 TEST(RangeBiases, OfAStandstillAreHardlyTold)

@@ -124,11 +124,11 @@ TEST(CalibrationResult, DelaysOfEitherSignAreFound)
 TEST(CalibrationResult, DeclaredDeviationsNeedNotBeRight)
 {
   RandomStream random(4);
-  CalibrationProblem way = recordedDrive(erroneous(), random);
-  for (CalibrationReading& r : way.readings) r.std *= r.is_range ? 4 : 0.3;
-  for (TrajectoryPose& pose : way.poses)
+  CalibrationProblem problem = recordedDrive(erroneous(), random);
+  for (CalibrationReading& r : problem.readings) r.std *= r.is_range ? 4 : 0.3;
+  for (TrajectoryPose& pose : problem.poses)
     if (pose.since_previous) *pose.since_previous *= 9;
-  const CalibrationResult found = calibrate(way, kAll);
+  const CalibrationResult found = calibrate(problem, kAll);
   ASSERT_EQ(found.status, SolveStatus::ok);
   EXPECT_NEAR(found.scatter[0].range, 0.25, 0.05);
   EXPECT_NEAR(found.scatter[0].bearing, 3.3, 0.7);
@@ -181,11 +181,11 @@ TEST(CalibrationResult, BadOrLittleInputIsAStatus)
 {
   RandomStream random(9);
   EXPECT_EQ(calibrate({}, {}).status, SolveStatus::too_few);
-  CalibrationProblem way = recordedDrive({}, random);
-  way.readings[4].value = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(calibrate(way, kAll).status, SolveStatus::bad_input);
-  way.readings.resize(3);
-  EXPECT_EQ(calibrate(way, kAll).status, SolveStatus::too_few);
-  EXPECT_EQ(calibrate(way, {{Kind::delay, 3}}).status, SolveStatus::bad_input);
+  CalibrationProblem problem = recordedDrive({}, random);
+  problem.readings[4].value = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(calibrate(problem, kAll).status, SolveStatus::bad_input);
+  problem.readings.resize(3);
+  EXPECT_EQ(calibrate(problem, kAll).status, SolveStatus::too_few);
+  EXPECT_EQ(calibrate(problem, {{Kind::delay, 3}}).status, SolveStatus::bad_input);
 }
 }  // namespace mrpt_ext

@@ -24,8 +24,8 @@ struct Scene
 {
   testing::DrivePlan plan;
   RandomStream random{2};
-  CalibrationProblem way = testing::recordedDrive(plan, random);
-  TrajectoryModel model{way, kTerms};
+  CalibrationProblem problem = testing::recordedDrive(plan, random);
+  TrajectoryModel model{problem, kTerms};
 
   Scene()
   {
@@ -45,10 +45,10 @@ struct Scene
 TEST(TrajectoryModel, DerivativesOfReadingsAreTheirDifferences)
 {
   Scene scene;
-  for (std::size_t i = 0; i < scene.way.readings.size(); i += 37)
+  for (std::size_t i = 0; i < scene.problem.readings.size(); i += 37)
   {
-    const CalibrationReading& r = scene.way.readings[i];
-    const Pose2 pose = scene.way.poses[r.pose].pose;
+    const CalibrationReading& r = scene.problem.readings[i];
+    const Pose2 pose = scene.problem.poses[r.pose].pose;
     const ReadingResidual row = scene.model.reading(r, pose);
     const auto predictedAt = [&](const Pose2& at) { return -scene.model.reading(r, at).residual; };
     for (int axis = 0; axis < 3; ++axis)
@@ -68,9 +68,9 @@ TEST(TrajectoryModel, DerivativesOfReadingsAreTheirDifferences)
 TEST(TrajectoryModel, DerivativesOfLinksAreTheirDifferences)
 {
   Scene scene;
-  for (std::size_t k = 1; k < scene.way.poses.size(); k += 23)
+  for (std::size_t k = 1; k < scene.problem.poses.size(); k += 23)
   {
-    const Pose2 before = scene.way.poses[k - 1].pose, pose = scene.way.poses[k].pose;
+    const Pose2 before = scene.problem.poses[k - 1].pose, pose = scene.problem.poses[k].pose;
     const OdometryResidual row = scene.model.link(k, before, pose);
     const double unit = row.next.norm();
     for (int axis = 0; axis < 3; ++axis)

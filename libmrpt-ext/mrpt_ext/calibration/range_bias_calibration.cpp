@@ -55,37 +55,37 @@ std::vector<EpochWithPose> startingPoses(const std::vector<RadioEpoch>& epochs, 
   return started;
 }
 
-/// The common unknowns: delays of the sensors, then of the landmarks.
+/// The common unknowns: range biases of the sensors, then of the landmarks.
 class Adjustment
 {
  public:
   Adjustment(std::vector<EpochWithPose> epochs, std::size_t sensors, std::size_t landmarks, double std_range)
       : epochs_(std::move(epochs)),
         sensors_(static_cast<Eigen::Index>(sensors)),
-        delays_(Vector::Zero(static_cast<Eigen::Index>(sensors + landmarks))),
+        biases_(Vector::Zero(static_cast<Eigen::Index>(sensors + landmarks))),
         scale_(kLossScale * std_range)
   {
   }
 
-  /// One Gauss-Newton step; false when some delay is undetermined.
+  /// One Gauss-Newton step; false when some bias is undetermined.
   bool step(double& change)
   {
-    const Eigen::Index n = delays_.size();
+    const Eigen::Index n = biases_.size();
     Matrix information = Matrix::Zero(n, n);
     Vector gradient = Vector::Zero(n);
-    // The landmarks' delays sum to zero: what they share belongs to the sensors.
+    // The biases of the landmarks sum to zero: their mean is part of those of the sensors.
     Vector sum = Vector::Zero(n);
     sum.tail(n - sensors_).setOnes();
     const double weight = static_cast<double>(epochs_.size());
     information += weight * sum * sum.transpose();
-    gradient -= weight * sum * sum.dot(delays_);
+    gradient -= weight * sum * sum.dot(biases_);
     std::vector<Block> blocks;
     for (const EpochWithPose& epoch : epochs_) blocks.push_back(addEpoch(epoch, information, gradient));
     information_ = information;
     const Eigen::SelfAdjointEigenSolver<Matrix> eigen(information);
     if (!(eigen.eigenvalues().minCoeff() > kUndetermined * eigen.eigenvalues().maxCoeff())) return false;
     const Vector by = information.ldlt().solve(gradient);
-    delays_ += by;
+    biases_ += by;
     for (std::size_t k = 0; k < epochs_.size(); ++k)
     {
       const Vector3d move = blocks[k].inverse * (blocks[k].gradient - blocks[k].coupling * by);
@@ -100,17 +100,17 @@ class Adjustment
   [[nodiscard]] double residual(const RadioRange& r, const Pose2& pose) const
   {
     const double flat = predictRange(pose, r.position, {r.offset.x(), r.offset.y(), 0});
-    return r.range - std::hypot(flat, r.height) - delays_[sensorOf(r)] - delays_[landmarkOf(r)];
+    return r.range - std::hypot(flat, r.height) - biases_[sensorOf(r)] - biases_[landmarkOf(r)];
   }
   [[nodiscard]] const std::vector<EpochWithPose>& epochs() const { return epochs_; }
-  [[nodiscard]] const Vector& delays() const { return delays_; }
+  [[nodiscard]] const Vector& biases() const { return biases_; }
   [[nodiscard]] Vector standardDeviations(double scatter) const
   {
     return scatter * information_.inverse().diagonal().cwiseMax(0).cwiseSqrt();
   }
 
  private:
-  /// What a pose adds to the delays' normal equations.
+  /// Contribution of a pose to the normal equations of the biases.
   struct Block
   {
     Matrix3d inverse;
@@ -127,7 +127,7 @@ class Adjustment
   Block addEpoch(const EpochWithPose& epoch, Matrix& information, Vector& gradient) const
   {
     Matrix3d own = kPosePrior * Matrix3d::Identity();
-    Block block{{}, Vector3d::Zero(), Eigen::Matrix<double, 3, Eigen::Dynamic>::Zero(3, delays_.size())};
+    Block block{{}, Vector3d::Zero(), Eigen::Matrix<double, 3, Eigen::Dynamic>::Zero(3, biases_.size())};
     for (const RadioRange& r : *epoch.ranges)
     {
       const double e = residual(r, epoch.pose), w = 1 / (1 + square(e / scale_));
@@ -150,7 +150,7 @@ class Adjustment
 
   std::vector<EpochWithPose> epochs_;
   Eigen::Index sensors_;
-  Vector delays_;
+  Vector biases_;
   double scale_;
   Matrix information_;
 };
@@ -198,10 +198,10 @@ RangeBiases estimateRangeBiases(const std::vector<RadioEpoch>& epochs, double st
   for (int k = 0; k < kMostIterations && change > kConverged; ++k)
     if (!adjustment.step(change)) return result;
   describeResiduals(adjustment, landmarks, result);
-  const Vector &delays = adjustment.delays(), stds = adjustment.standardDeviations(result.scatter);
+  const Vector &biases = adjustment.biases(), stds = adjustment.standardDeviations(result.scatter);
   const auto ns = static_cast<Eigen::Index>(sensors);
-  result.sensor.assign(delays.data(), delays.data() + ns);
-  result.landmark.assign(delays.data() + ns, delays.data() + delays.size());
+  result.sensor.assign(biases.data(), biases.data() + ns);
+  result.landmark.assign(biases.data() + ns, biases.data() + biases.size());
   result.std_sensor.assign(stds.data(), stds.data() + ns);
   result.std_landmark.assign(stds.data() + ns, stds.data() + stds.size());
   result.status = SolveStatus::ok;

@@ -32,11 +32,12 @@ struct RangeBiases
   std::size_t epochs = 0;             ///< that were used
 };
 
-/// Delays of the radios, as lengths, from the ranges alone: all poses and all delays are adjusted together (least
-/// squares with a Cauchy loss of scale 2 `std_range`; poses eliminated by the Schur complement), since a wrong delay
-/// pulls the poses at different positions into different directions. No motion is assumed between epochs. Each epoch
-/// needs four ranges or more, with two sensors or more, and starts at its own best pose. Status: `too_few` below ten
-/// such epochs; `degenerate` when some delay stays undetermined; `bad_input`. Delays that are hardly observable (a
-/// robot that never moved) have large standard deviations.
+/// Range biases of the radios (their antenna delays, as lengths) from the ranges alone. All poses and all biases are
+/// adjusted together: least squares with a Cauchy loss of scale 2 `std_range`, poses eliminated by the Schur
+/// complement. The biases are observable because a wrong one pulls the poses at different positions into different
+/// directions. No motion is assumed between epochs. Each epoch needs four ranges or more, with two sensors or more, and
+/// starts at its own best pose. Status: `too_few` below ten such epochs; `degenerate` when some bias stays
+/// undetermined; `bad_input`. Biases that are hardly observable (a robot that never moved) have large standard
+/// deviations.
 [[nodiscard]] RangeBiases estimateRangeBiases(const std::vector<RadioEpoch>& epochs, double std_range);
 }  // namespace mrpt_ext

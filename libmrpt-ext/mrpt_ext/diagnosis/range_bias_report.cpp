@@ -82,25 +82,25 @@ std::vector<RadioEpoch> epochsOf(const Recording& recording, const Radios& radio
 
 std::string withStd(double value, double std) { return fixedText(value, 3) + " +- " + fixedText(std, 3) + " m"; }
 
-RangeBiasReport report(const RangeBiases& delays, const Radios& radios)
+RangeBiasReport report(const RangeBiases& biases, const Radios& radios)
 {
   RangeBiasReport findings;
-  findings.lines.push_back("radios: " + std::to_string(delays.epochs) + " epochs, std of the ranges " +
-                           fixedText(delays.scatter, 3) + " m");
+  findings.lines.push_back("radios: " + std::to_string(biases.epochs) + " epochs, std of the ranges " +
+                           fixedText(biases.scatter, 3) + " m");
   std::string by_landmark;
   for (std::size_t j = 0; j < radios.landmarks.size(); ++j)
   {
     const std::string id = std::to_string(radios.landmarks[j]);
-    by_landmark += (j > 0 ? " " : "") + id + ":" + fixedText(delays.landmark[j], 3);
-    findings.lines.push_back("landmark " + id + ": range bias " + withStd(delays.landmark[j], delays.std_landmark[j]) +
-                             " relative to the mean, " + fixedText(100 * delays.outlier_share[j], 1) + " % outliers");
+    by_landmark += (j > 0 ? " " : "") + id + ":" + fixedText(biases.landmark[j], 3);
+    findings.lines.push_back("landmark " + id + ": range bias " + withStd(biases.landmark[j], biases.std_landmark[j]) +
+                             " relative to the mean, " + fixedText(100 * biases.outlier_share[j], 1) + " % outliers");
   }
   for (std::size_t i = 0; i < radios.sensors.size(); ++i)
   {
     findings.lines.push_back("sensor " + radios.sensors[i] + ": range bias " +
-                             withStd(delays.sensor[i], delays.std_sensor[i]));
+                             withStd(biases.sensor[i], biases.std_sensor[i]));
     const std::string section = "Sensor_" + radios.sensors[i];
-    findings.configuration.push_back({section, "bias_range_m", fixedText(delays.sensor[i], 3)});
+    findings.configuration.push_back({section, "bias_range_m", fixedText(biases.sensor[i], 3)});
     findings.configuration.push_back({section, "landmark_bias_range_m", by_landmark});
   }
   return findings;
@@ -110,9 +110,9 @@ RangeBiasReport report(const RangeBiases& delays, const Radios& radios)
 RangeBiasReport reportRangeBiases(const Recording& recording)
 {
   const Radios radios = radiosOf(recording);
-  const RangeBiases delays = estimateRangeBiases(epochsOf(recording, radios), radios.std_range);
-  if (delays.status == SolveStatus::ok) return report(delays, radios);
-  const std::string why = delays.status == SolveStatus::degenerate
+  const RangeBiases biases = estimateRangeBiases(epochsOf(recording, radios), radios.std_range);
+  if (biases.status == SolveStatus::ok) return report(biases, radios);
+  const std::string why = biases.status == SolveStatus::degenerate
                               ? "the ranges leave some of them undetermined"
                               : "fewer than ten epochs in which several sensors range to landmarks";
   return {{"radios: range biases not observable, " + why}, {}};
