@@ -7,11 +7,12 @@
 
 namespace mrpt_ext
 {
-/// How large the scene is that some measurements speak of; the guard of descents against poses that run off.
-class SceneExtent
+/// Detects that an iteration diverged: compares the distance of the robot from the landmarks with the extent of the
+/// scene, which is that of the landmarks, the sensor positions and the ranges.
+class DivergenceGuard
 {
  public:
-  explicit SceneExtent(const Vector2d& robot) : robot_(robot) {}
+  explicit DivergenceGuard(const Vector2d& robot) : robot_(robot) {}
 
   void add(const PoseMeasurement& m)
   {
@@ -21,11 +22,11 @@ class SceneExtent
     extent_ = std::max({extent_, (m.landmark - first_->landmark).norm(), m.T_robot_sensor.position().norm(),
                         m.kind == PoseMeasurement::Kind::range ? m.value : 0.0});
   }
-  /// True if the robot is further from the landmarks than anything the measurements can speak of.
-  [[nodiscard]] bool ranOff() const { return first_ && nearest_ > kFarAway * extent_; }
+  /// True if the nearest landmark is 10 000 times farther away than the scene is large.
+  [[nodiscard]] bool diverged() const { return first_ && nearest_ > kFarAway * extent_; }
 
  private:
-  static constexpr double kFarAway = 1e4;  // times the extent of the scene
+  static constexpr double kFarAway = 1e4;
 
   Vector2d robot_;
   const PoseMeasurement* first_ = nullptr;

@@ -85,7 +85,7 @@ struct System
   double chi2 = 0;
 };
 
-struct Problem
+struct BundleProblem
 {
   std::span<const ScanPose> poses;
   std::span<const LandmarkObservation> observations;
@@ -207,7 +207,7 @@ BundleAdjustment adjustBundle(std::span<const ScanPose> poses, std::span<const L
   result.status = SolveStatus::too_few;
   if (start.empty() || result.degrees < 0) return result;
 
-  Problem problem{poses, observations, PoseErrors(poses), {}, robust};
+  BundleProblem problem{poses, observations, PoseErrors(poses), {}, robust};
   problem.prior = problem.pose_errors.information();
   std::vector<Vector2d> landmarks = std::move(start);
   Eigen::VectorXd errors = Eigen::VectorXd::Zero(problem.pose_errors.unknowns());

@@ -51,11 +51,11 @@ NormalEquations<3> modelAt(const PoseResiduals& rows, const PoseMlOptions& optio
   return sum;
 }
 
-bool ranOff(std::span<const PoseMeasurement> measurements, const Pose2& pose)
+bool diverged(std::span<const PoseMeasurement> measurements, const Pose2& pose)
 {
-  SceneExtent scene(pose.position());
-  for (const PoseMeasurement& m : measurements) scene.add(m);
-  return scene.ranOff();
+  DivergenceGuard guard(pose.position());
+  for (const PoseMeasurement& m : measurements) guard.add(m);
+  return guard.diverged();
 }
 
 void describe(PoseMl& result, std::span<const PoseMeasurement> measurements, const PoseMlOptions& options,
@@ -101,7 +101,7 @@ PoseMl refinePose(std::span<const PoseMeasurement> measurements, const Pose2& st
   describe(result, measurements, options, pose);
 
   const std::optional<Matrix3d> covariance = covarianceFromInformation(now.hessian);
-  if (!covariance || ranOff(measurements, pose))
+  if (!covariance || diverged(measurements, pose))
   {
     result.status = SolveStatus::degenerate;
     return result;

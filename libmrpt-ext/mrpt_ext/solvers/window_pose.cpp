@@ -32,12 +32,12 @@ bool isUsableReading(const WindowMeasurements& reading)
          std::all_of(reading.measurements.begin(), reading.measurements.end(), isUsable);
 }
 
-bool ranOff(std::span<const WindowMeasurements> readings, const Pose2& pose)
+bool diverged(std::span<const WindowMeasurements> readings, const Pose2& pose)
 {
-  SceneExtent scene(pose.position());
+  DivergenceGuard guard(pose.position());
   for (const WindowMeasurements& reading : readings)
-    for (const PoseMeasurement& m : reading.measurements) scene.add(m);
-  return scene.ranOff();
+    for (const PoseMeasurement& m : reading.measurements) guard.add(m);
+  return guard.diverged();
 }
 }  // namespace
 
@@ -67,7 +67,7 @@ PoseMl refineWindowPose(std::span<const WindowMeasurements> oldest_first, const 
 
   const std::optional<Matrix3d> covariance = covarianceFromInformation(at_solution.hessian);
   result.status = SolveStatus::degenerate;
-  if (!covariance || ranOff(oldest_first, pose)) return result;
+  if (!covariance || diverged(oldest_first, pose)) return result;
   result.status = SolveStatus::ok;
   result.pose = {{pose.x, pose.y, wrap(pose.phi)}, *covariance};
   return result;
