@@ -8,8 +8,8 @@
 
 namespace mrpt_ext
 {
-// Ranking, pruning and merging for weighted hypotheses of any type: `log_weight(h)` is the logarithm of its weight or
-// likelihood up to a common constant, `same(better, other)` tells duplicates.
+// Sorting, pruning and removing duplicates, for weighted hypotheses of any type. `log_weight(h)` is the logarithm of a
+// weight or likelihood up to a common constant; `same(better, other)` is true for duplicates.
 
 /// Sorts best first; equal hypotheses keep their order.
 template <typename Hypothesis, typename LogWeight>

@@ -16,6 +16,6 @@ struct SensorInliers
   std::size_t detections = 0;
 };
 
-/// Of one frame, one entry per reading.
+/// Of one frame, one entry per reading; from ObservationModel::countInliers().
 using InlierReport = std::vector<SensorInliers>;
 }  // namespace mrpt_ext
