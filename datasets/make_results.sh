@@ -42,7 +42,7 @@ study cuhksz-fast cuhksz "$trials" cuhksz "$recordings/cuhksz_uwb_planar"
 for robot in 1 2 3 4 5; do
   study "mrclam6-robot$robot" mrclam "$trials" mrclam "$recordings/mrclam/MRCLAM_Dataset6" --robot "$robot"
 done
-# Independent frames draw nothing: one trial tells all.
+# Independent frames use no random numbers: one trial is enough.
 for set in 1 2 3 5 6; do
   study "mrclam$set-snapshots" mrclam-snapshots 1 mrclam-snapshots "$recordings/mrclam/MRCLAM_Dataset$set"
 done
@@ -54,9 +54,10 @@ localization-report "${folders[@]}" -o "$out/report.html" --table "$out/table.md
   echo
   echo "Made by \`datasets/make_results.sh\`: unknown start, the shipped configurations, up to $trials random seeds per"
   echo "recording; every figure is the median over the trials. Position errors count from the convergence of the filter on"
-  echo "(\`converged_within_m\` of the configuration); independent frames count all. \`successes\` converged in time and"
-  echo "stayed; like \`lost\` and the time to converge it tells of the particle filter, also in the rows of other methods."
-  echo "Closed forms give a pose for some frames only; an oracle chose among its candidates with the truth."
+  echo "(\`converged_within_m\` of the configuration); independent frames count all. \`successes\` are trials that"
+  echo "converged in time and stayed converged. \`successes\`, \`lost\` and the time to converge refer to the particle filter, in"
+  echo "the rows of other methods too. Closed forms give a pose for some frames only; an oracle uses the ground truth to choose"
+  echo "among its candidates."
   echo
   cat "$out/table.md"
 } >"$root/datasets/RESULTS.md"

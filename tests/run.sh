@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds everything (warnings are errors) and runs all tests. Exit code 0: all passed.
-# Arguments go to ctest, e.g.  bash tests/run.sh -R solvers
+# Arguments go to ctest, e.g.  bash tests/run.sh -R KalmanUpdate
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
