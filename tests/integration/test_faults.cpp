@@ -3,6 +3,7 @@
 #include "mrpt_ext/files/atomic_file.h"
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/rawlog/rawlog_sink.h"
+#include "mrpt_ext/rawlog/sha256.h"
 #include "scratch_folder.h"
 #include "whole_runs.h"
 
@@ -100,10 +101,10 @@ TEST(Faults, AHugeIniIsRefused)
 TEST(Faults, ALogIsNotCalibrated)
 {
   const ScratchFolder folder;
-  const std::string bytes = "\x1f\x8b not even a log";
-  const fs::path log = folder.write("precious.rawlog", bytes);
+  const fs::path log = folder.path() / "precious.rawlog";
+  fs::copy_file(dataset("room.rawlog"), log);
   expectRefused(localize({kRoom, "--calibrate", log}), 2, "precious.rawlog: only a configuration (.ini)");
-  EXPECT_EQ(readTextFile(folder.write("copy", bytes)), readTextFile(log)) << "it was overwritten";
+  EXPECT_EQ(sha256OfFile(log), sha256OfFile(dataset("room.rawlog"))) << "it was overwritten";
 }
 
 TEST(Faults, ControlCharactersDoNotReachTheTerminal)
@@ -128,13 +129,13 @@ TEST(Faults, ResumeTakesOnlyTrialsOfTheSameInputs)
 
   // A run of other settings that was cut off after its first trial.
   const std::string other = readTextFile(fs::path(out) / "trial_001/summary.json");
-  EXPECT_NE(run({"--set", "ParticleFilter.kalman_companions=false"}).exit_code, 1);
+  EXPECT_NE(run({"--set", "LocalizationExperiment.converged_within_m=0.4"}).exit_code, 1);
   writeFileAtomically(fs::path(out) / "trial_001/summary.json", other);
-  EXPECT_NE(run({"--set", "ParticleFilter.kalman_companions=false", "--resume"}).out.find("resumed  1 of 2"),
+  EXPECT_NE(run({"--set", "LocalizationExperiment.converged_within_m=0.4", "--resume"}).out.find("resumed  1 of 2"),
             std::string::npos);
 
   writeFileAtomically(map, readTextFile(map) + "99,1,1,0,edge\n");
-  const AppOutcome edited = run({"--set", "ParticleFilter.kalman_companions=false", "--resume"});
+  const AppOutcome edited = run({"--set", "LocalizationExperiment.converged_within_m=0.4", "--resume"});
   EXPECT_EQ(edited.out.find("resumed"), std::string::npos) << edited.out;
   expectRefused(localize(testing::joined({kRoom, "--repeat", "2", "-o", out, "--resume"}, kBrief)), 2,
                 "has other settings");

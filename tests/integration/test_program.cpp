@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <fstream>
 #include <thread>
 
 #include "mrpt_ext/files/text_file.h"
@@ -49,6 +50,17 @@ class Child
   Child& operator=(const Child&) = delete;
 
   void interrupt(int signal = SIGINT) const { kill(pid_, signal); }
+  /// Until the program has begun: before, its libraries are loaded.
+  void waitUntilItHandles(int signal)
+  {
+    const fs::path status = fs::path("/proc") / std::to_string(pid_) / "status";
+    for (bool handled = false; !handled && running(); std::this_thread::sleep_for(5ms))
+    {
+      std::ifstream lines(status);
+      for (std::string line; std::getline(lines, line);)
+        if (line.starts_with("SigCgt:")) handled = (std::stoull(line.substr(7), nullptr, 16) >> (signal - 1) & 1) != 0;
+    }
+  }
   [[nodiscard]] bool running()
   {
     if (!ended_) ended_ = waitpid(pid_, &status_, WNOHANG) == pid_;
@@ -80,10 +92,10 @@ TEST(Program, InterruptedLeavesValidPartialOutput)
   const testing::ScratchFolder folder;
   const auto log = testing::simulated(folder.path(), "long", {"--set", "Simulation.duration_s=400"});
   const fs::path run = folder.path() / "run", out = folder.path() / "out.txt", err = folder.path() / "err.txt";
-  // So many particles that the whole log would take minutes.
+  // So many particles that the whole log would take half a minute.
   Child child(testing::joined({testing::shipped("landmark-localization", "long")},
                               testing::joined(log.arguments(),
-                                              {"-o", run, "--set", "LocalizationExperiment.particles_count=100000"})),
+                                              {"-o", run, "--set", "LocalizationExperiment.particles_count=30000"})),
               out, err);
   while (child.running() && !fs::exists(run / "config_resolved.ini")) std::this_thread::sleep_for(50ms);
   std::this_thread::sleep_for(2s);
@@ -92,6 +104,10 @@ TEST(Program, InterruptedLeavesValidPartialOutput)
 
   EXPECT_EQ(lines(err), 1) << readTextFile(err);
   EXPECT_NE(readTextFile(err).find("interrupted"), std::string::npos);
+  for (const auto& entry : fs::directory_iterator(run))
+    EXPECT_EQ(entry.path().filename().string().find(".tmp-"), std::string::npos) << entry.path() << " is left over";
+  if (readTextFile(err).find("the rest ends here") != std::string::npos)
+    GTEST_SKIP() << "this machine is too busy to write the rest within a second";
   EXPECT_EQ(testing::summaryOf(run).at("schema"), 1);
   EXPECT_TRUE(readTextFile(run / "steps.csv").ends_with('\n'));
   const auto steps = testing::stepsOf(run);
@@ -99,8 +115,6 @@ TEST(Program, InterruptedLeavesValidPartialOutput)
   ASSERT_FALSE(steps.empty());
   EXPECT_LT(steps.back().time, truth.back().time - 1) << "it was not interrupted at all";
   EXPECT_EQ(TextTable(run / "hypotheses.csv", {}).size(), steps.size()) << "one mode per step";
-  for (const auto& entry : fs::directory_iterator(run))
-    EXPECT_EQ(entry.path().filename().string().find(".tmp-"), std::string::npos) << entry.path() << " is left over";
 }
 
 // A map that takes long to read: the signal comes before any trial.
@@ -116,7 +130,7 @@ TEST(Program, InterruptedWhileItLoadsEndsWithALineWithinASecond)
   for (const int signal : {SIGINT, SIGTERM, SIGHUP})
   {
     Child child(arguments, out, err);
-    std::this_thread::sleep_for(300ms);
+    child.waitUntilItHandles(signal);
     const auto begin = std::chrono::steady_clock::now();
     child.interrupt(signal);
     EXPECT_EQ(child.exitCode(), 1) << signal;
@@ -132,11 +146,8 @@ TEST(Program, AnInheritedIgnoreOfInterruptsIsKept)
   const fs::path out = folder.path() / "out.txt", err = folder.path() / "err.txt";
   Child child({testing::shipped("landmark-localization", "quickstart"), "-o", folder.path() / "run", "--duration", "5"},
               out, err, true);
-  for (int i = 0; i < 5 && child.running(); ++i)
-  {
-    std::this_thread::sleep_for(50ms);
-    child.interrupt();
-  }
+  child.waitUntilItHandles(SIGTERM);
+  child.interrupt();
   EXPECT_EQ(child.exitCode(), 0) << readTextFile(err);
 }
 

@@ -75,6 +75,7 @@ TEST(IniFile, RefusesMoreThanAnybodyWrites)
   EXPECT_EQ(errorOf(sections), "my.ini:1001: [S1000] is one section too many, expected at most 1000");
   EXPECT_EQ(errorOf("[A]\n" + std::string(IniFile::kMostLines, '\n')),
             "my.ini:20001: an .ini file of more than 20000 lines, expected a configuration");
+  EXPECT_EQ(errorOf(std::string("[A]\0", 4)), "my.ini: holds bytes that are no text, expected an .ini file");
   EXPECT_EQ(errorOf(std::string(1000, 'x')), "my.ini:1: '" + std::string(100, 'x') + "...': expected key = value");
 }
 

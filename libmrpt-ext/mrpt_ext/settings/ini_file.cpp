@@ -84,6 +84,8 @@ IniFile IniFile::parse(std::string_view text, std::string name)
 {
   IniFile ini;
   ini.name_ = std::move(name);
+  if (text.find('\0') != std::string_view::npos)
+    throw configurationError(ini.name_ + ": holds bytes that are no text, expected an .ini file");
   if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
   LineReader lines(text);
   std::string line;
