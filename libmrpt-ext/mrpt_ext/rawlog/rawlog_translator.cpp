@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+#include "mrpt_ext/observations/logged_flag.h"
 #include "mrpt_ext/observations/observation_conversions.h"
 #include "mrpt_ext/observations/timestamps.h"
 
@@ -134,8 +135,8 @@ std::string RawlogTranslator::useOdometry(const mrpt::obs::CObservation& observa
 std::string RawlogTranslator::useCompass(const mrpt::obs::CObservation& observation, double time)
 {
   const auto& imu = dynamic_cast<const mrpt::obs::CObservationIMU&>(observation);
-  if (!imu.has(mrpt::obs::IMU_YAW)) return "no absolute yaw";
-  const double heading = imu.get(mrpt::obs::IMU_YAW) - imu.sensorPose.yaw();
+  if (!isTrue(imu.dataIsPresent.at(mrpt::obs::IMU_YAW))) return "no absolute yaw";
+  const double heading = imu.rawMeasurements.at(mrpt::obs::IMU_YAW) - imu.sensorPose.yaw();
   if (!std::isfinite(heading)) return "not finite";
   emit(CompassRecord{.time = time, .sensor = labelOf(observation), .heading = wrap(heading), .std_heading = 0});
   return "";

@@ -5,13 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <map>
 
 #include "mrpt_ext/observations/CObservationLandmarkBearings.h"
 #include "mrpt_ext/observations/CObservationRunningFix.h"
 #include "mrpt_ext/observations/CObservationStereoRanges.h"
+#include "mrpt_ext/observations/logged_flag.h"
 #include "mrpt_ext/observations/timestamps.h"
 
 namespace mrpt_ext
@@ -28,14 +27,6 @@ Plain withHeader(const mrpt::obs::CObservation& observation, const mrpt::poses::
   plain.T_robot_sensor = {sensor_pose.x(), sensor_pose.y(), sensor_pose.yaw()};
   plain.sensor_height = sensor_pose.z();
   return plain;
-}
-
-/// A flag that MRPT has read from a log, where any byte may stand for it.
-bool isTrue(const bool& flag)
-{
-  std::uint8_t byte = 0;
-  std::memcpy(&byte, &flag, 1);
-  return byte == 1;
 }
 
 SensorModel declaredModel(double field_of_view, double max_range)
