@@ -1,0 +1,111 @@
+#include "fuzz_targets.h"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "mrpt_ext/configuration/localization_keys.h"
+#include "mrpt_ext/files/landmark_csv.h"
+#include "mrpt_ext/files/tum.h"
+#include "mrpt_ext/front_ends/camera_file.h"
+#include "mrpt_ext/front_ends/image_file.h"
+#include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/maps/register_all_classes.h"
+#include "mrpt_ext/rawlog/rawlog_source.h"
+#include "mrpt_ext/report/summary_reader.h"
+#include "mrpt_ext/settings/settings.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+/// A file of the bytes that no disk ever sees.
+class MemoryFile
+{
+ public:
+  explicit MemoryFile(std::string_view bytes) : descriptor_(memfd_create("fuzz", MFD_CLOEXEC))
+  {
+    if (descriptor_ < 0 || write(descriptor_, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size()))
+      throw std::logic_error("no file in memory");
+  }
+  ~MemoryFile() { close(descriptor_); }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+
+  [[nodiscard]] std::filesystem::path path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+
+ private:
+  int descriptor_;
+};
+
+void readRawlog(std::string_view bytes)
+{
+  static const bool registered = (registerAllClasses(), true);
+  static_cast<void>(registered);
+  const MemoryFile file(bytes);
+  RawlogSource source(file.path());
+  while (source.next()) continue;
+}
+
+void readIni(std::string_view bytes)
+{
+  const Settings settings = Settings::parse(std::string(bytes), "/data/fuzz.ini", localizationKeys());
+  static_cast<void>(Settings::parse(settings.resolvedText(), "/data/again.ini", localizationKeys()));
+}
+
+void readMap(std::string_view bytes)
+{
+  static_cast<void>(readLandmarkCsv(MemoryFile(bytes).path(), {1000, "the test"}));
+}
+void readTruth(std::string_view bytes) { static_cast<void>(readTum(MemoryFile(bytes).path())); }
+
+void readCamera(std::string_view bytes)
+{
+  const CameraFile camera = CameraFile::read(MemoryFile(bytes).path());
+  static_cast<void>(camera.number("width"));
+  static_cast<void>(camera.fieldNumber("length"));
+  static_cast<void>(camera.centres());
+}
+
+void readImage(std::string_view bytes) { static_cast<void>(readImageFile(MemoryFile(bytes).path())); }
+
+void readSummary(std::string_view bytes)
+{
+  const nlohmann::ordered_json summary = nlohmann::ordered_json::parse(bytes, nullptr, false);
+  try
+  {
+    static_cast<void>(runScoreOf(summary));
+  }
+  catch (const nlohmann::json::exception&)
+  {
+    // As its callers take it: not a summary.
+  }
+}
+
+/// What is refused is fine.
+template <FuzzTarget read>
+void refusedOrRead(std::string_view bytes)
+{
+  try
+  {
+    read(bytes);
+  }
+  catch (const InputError&)
+  {
+  }
+}
+}  // namespace
+
+const std::map<std::string, FuzzTarget>& fuzzTargets()
+{
+  static const std::map<std::string, FuzzTarget> kTargets{
+      {"rawlog", refusedOrRead<readRawlog>},  {"ini", refusedOrRead<readIni>},
+      {"map", refusedOrRead<readMap>},        {"tum", refusedOrRead<readTruth>},
+      {"camera", refusedOrRead<readCamera>},  {"image", refusedOrRead<readImage>},
+      {"summary", refusedOrRead<readSummary>}};
+  return kTargets;
+}
+}  // namespace mrpt_ext

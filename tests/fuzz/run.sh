@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# Fuzzes every reader of foreign input for MINUTES, with the address and undefined behaviour sanitizers:
+#   run.sh MINUTES [TARGET ...]
+# Builds into build-fuzz with clang. A fault is left in build-fuzz/faults and makes the exit code 1; put it into
+# tests/fuzz/corpus/<target> together with its correction. Prints the executions of each target.
+set -euo pipefail
+if [ $# -lt 1 ]; then
+  sed -n '2,5s/^# \{0,1\}//p' "$0" >&2
+  exit 2
+fi
+minutes=$1
+shift
+targets=("$@")
+[ ${#targets[@]} -gt 0 ] || targets=(rawlog ini map tum camera image summary)
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+root=$here/../..
+build=$root/build-fuzz
+
+CC=clang CXX=clang++ cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DMRPT_EXT_BUILD_TESTS=ON \
+  -DMRPT_EXT_FUZZ=ON -DMRPT_EXT_SANITIZE=address,undefined -DCMAKE_UNITY_BUILD=ON \
+  -DCMAKE_CXX_FLAGS=-fsanitize=fuzzer-no-link >/dev/null
+cmake --build "$build" --target "${targets[@]/#/fuzz_}"
+
+mkdir -p "$build/faults"
+status=0
+for target in "${targets[@]}"; do
+  mkdir -p "$build/corpus/$target"
+  # Clang's address sanitizer has an operator new of its own, beside which the limit of a log's allocations does not act.
+  memory=1024
+  [ "$target" != rawlog ] || memory=8192
+  "$build/bin/fuzz_$target" -max_total_time=$((60 * minutes)) -timeout=5 -rss_limit_mb="$memory" -malloc_limit_mb="$memory" -max_len=65536 \
+    -print_final_stats=1 -artifact_prefix="$build/faults/$target-" "$build/corpus/$target" "$here/corpus/$target" \
+    >"$build/$target.log" 2>&1 || status=1
+  printf '%-8s %s executions\n' "$target" "$(sed -n 's/^stat::number_of_executed_units: *//p' "$build/$target.log")"
+done
+exit $status
