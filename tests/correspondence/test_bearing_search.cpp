@@ -235,8 +235,8 @@ TEST(BearingSearch, StopsWhenToldTo)
   const SearchSceneOptions options;
   const SceneMap map = randomMap(options, random);
   const LandmarkIndex index = map.index();
-  PoseSearchOptions hurried;
-  hurried.max_tested = 1000;
+  WorkBudget budget(1000);
+  const PoseSearchOptions hurried{.budget = &budget};
   const PoseSearchResult found = searchOne(index, observeSomewhere(map, index, options, random).scan, hurried);
   EXPECT_FALSE(found.finished);
   EXPECT_FALSE(found.unique);

@@ -234,13 +234,12 @@ TEST(PointSearch, AnUnfinishedSearchCallsNothingUnique)
   const SceneMap map = randomMap(options, random);
   const LandmarkIndex index = map.index();
   const PointSearch search(index);
-  PoseSearchOptions hurried;
-  hurried.max_tested = 1;
   int unfinished = 0;
   for (int t = 0; t < 20; ++t)
   {
     const SceneScan view = observeSomewhere(map, index, options, random);
-    const PoseSearchResult result = search.search({&view.scan, 1}, hurried);
+    WorkBudget budget(1000);
+    const PoseSearchResult result = search.search({&view.scan, 1}, {.budget = &budget});
     unfinished += !result.finished;
     EXPECT_FALSE(result.unique && !result.finished);
   }

@@ -56,8 +56,10 @@ TEST(TreeInput, TheSensorMayBeAsFarOutsideAsItSitsFromTheMiddleOfTheRobot)
   EXPECT_GT(*options.max_range, 5);
   EXPECT_NEAR(options.max_residual, 0.03, 1e-12);
   EXPECT_EQ(options.max_tested, search.max_tree_nodes);
-  search.max_tested = 7;
-  EXPECT_EQ(treeOptions(input, search).max_tested, 7u);
+  EXPECT_EQ(options.budget, nullptr);
+  WorkBudget budget(7);
+  search.budget = &budget;
+  EXPECT_EQ(treeOptions(input, search).budget, &budget);
 }
 
 TEST(TreeInput, ThePoseOfTheRobotIsAsUncertainAsThatOfItsSensor)

@@ -54,7 +54,8 @@ void follow(const LandmarkIndex& index, const SceneScan& view, Fate& fate)
     hypotheses.scans = {seen};
     hypotheses.max_range = range;
     hypotheses.gate = kGate;
-    hypotheses.max_tested = 1'000'000'000;
+    WorkBudget unlimited;
+    hypotheses.budget = &unlimited;
     ProposalStore store(4, 500'000);
     hypotheses.run(store);
     GatedLandmarks scratch;

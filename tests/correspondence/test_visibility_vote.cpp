@@ -13,6 +13,7 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+WorkBudget unlimited;
 
 SearchSceneOptions everythingInView(int false_detections)
 {
@@ -132,7 +133,7 @@ TEST_P(VisibilityVote, TheBoxOfTheTruthSurvivesWhateverIsFalse)
       within += std::abs(misfit) <= kGate * bearings[r].std ? 1 : 0;
     }
     const VisibilityGrid grid(scene.index, *VisibilityGrid::chooseLayout(scene.index, scene.area, kNoLimit, 2));
-    const PoseBoxes hits = voteForPoses(grid, bearings, kGate, within, 10'000'000);
+    const PoseBoxes hits = voteForPoses(grid, bearings, kGate, within, 10'000'000, unlimited);
     ASSERT_EQ(hits.floor, within);
     bool found = false;
     for (const auto& level : hits.by_inliers)
@@ -157,8 +158,8 @@ TEST(VisibilityVote, RaisesTheFloorWhenTooMuchSurvives)
   const Scene scene(options, random);
   const SceneScan view = observeSomewhere(scene.map, scene.index, options, random);
   const VisibilityGrid grid(scene.index, *VisibilityGrid::chooseLayout(scene.index, scene.area, kNoLimit, 4));
-  const PoseBoxes all = voteForPoses(grid, gatherBearings({&view.scan, 1}), 3.3, 9, 100'000'000);
-  const PoseBoxes some = voteForPoses(grid, gatherBearings({&view.scan, 1}), 3.3, 9, 5'000);
+  const PoseBoxes all = voteForPoses(grid, gatherBearings({&view.scan, 1}), 3.3, 9, 100'000'000, unlimited);
+  const PoseBoxes some = voteForPoses(grid, gatherBearings({&view.scan, 1}), 3.3, 9, 5'000, unlimited);
   EXPECT_EQ(all.floor, 9);
   EXPECT_GT(some.floor, 9);
   for (std::size_t level = static_cast<std::size_t>(some.floor); level < all.by_inliers.size(); ++level)

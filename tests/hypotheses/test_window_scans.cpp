@@ -9,6 +9,7 @@ namespace mrpt_ext
 {
 namespace
 {
+WorkBudget unlimited;
 const LandmarkTable kMap = fiveLandmarks();
 const LandmarkIndex kIndex(kMap);
 const Pose2 kRobot{2.5, 2, -1.6};
@@ -19,7 +20,7 @@ const std::vector<std::size_t> kAll{0, 1, 2, 3, 4};
 TEST(WindowScans, BearingsOfAWindowBecomePointsWithRanges)
 {
   const auto readings = windowOfReadings(kRobot, {0.3, 0, 0.1}, 6, kMap, kAll, kAnonymous);
-  const std::vector<Scan> scans = windowScans(readings, kMap, kIndex);
+  const std::vector<Scan> scans = windowScans(readings, kMap, kIndex, unlimited);
   ASSERT_FALSE(scans.empty());
   ASSERT_GE(scans.front().detections.size(), kAll.size() - 1) << "all but one nearly in line with the motion";
   for (const AnonymousDetection& d : scans.front().detections)
@@ -37,7 +38,7 @@ TEST(WindowScans, ReadingsOfOneFrameStayAsTheyAre)
 {
   const std::vector<Reading> readings{seenFrom(kRobot, kMap, kAll, kAnonymous),
                                       seenFrom(kRobot, kMap, {1}, kAnonymous)};
-  const auto merged = windowScans(readings, kMap, kIndex), plain = scansOf(readings, kMap, kIndex);
+  const auto merged = windowScans(readings, kMap, kIndex, unlimited), plain = scansOf(readings, kMap, kIndex);
   ASSERT_EQ(merged.size(), plain.size());
   for (std::size_t k = 0; k < plain.size(); ++k) EXPECT_EQ(merged[k].detections.size(), plain[k].detections.size());
 }

@@ -11,6 +11,7 @@ namespace mrpt_ext
 {
 namespace
 {
+WorkBudget unlimited;
 constexpr double kStd = degToRad(1.0);
 const PoseRegion kRoom{{-1, -1}, {9, 7}};
 
@@ -57,7 +58,7 @@ int roomsFound(std::uint64_t seed, std::size_t outliers, std::size_t first)
     const Pose2 robot{random.uniform(1, 7), random.uniform(1, 5), random.uniform(-kPi, kPi)};
     std::vector<WindowBearing> seen = seenFrom(robot, landmarks, random);
     for (std::size_t k = 0; k < outliers; ++k) seen[5 * k].bearing = random.uniform(-kPi, kPi);
-    const auto cells = gridMaxima(seen, LandmarkIndex(landmarks), kRoom);
+    const auto cells = gridMaxima(seen, LandmarkIndex(landmarks), kRoom, unlimited);
     EXPECT_LE(cells.size(), kMostGridMaxima);
     found += anyCovers(cells, first, robot);
   }
@@ -76,7 +77,7 @@ TEST(GridMaxima, OnlyHeadingsOfTheRegionAreSearched)
   PoseRegion region = kRoom;
   region.phi_low = 0.5;
   region.phi_span = 1;
-  const auto cells = gridMaxima(seenFrom({3, 3, 1}, landmarks, random), LandmarkIndex(landmarks), region);
+  const auto cells = gridMaxima(seenFrom({3, 3, 1}, landmarks, random), LandmarkIndex(landmarks), region, unlimited);
   EXPECT_TRUE(anyCovers(cells, 10, {3, 3, 1}));
   for (const GaussianPose& cell : cells) EXPECT_TRUE(region.contains(cell.mean));
 }
@@ -92,7 +93,7 @@ TEST(GridMaxima, ABearingShowsLandmarksOfItsCategoryOnly)
   std::vector<WindowBearing> seen;
   for (const Pose2& sensor : {Pose2{0, 0, 0}, Pose2{0, -1, 0}, Pose2{0, 1, 0}})
     seen.push_back({sensor, predictBearing(robot, {4, 3}, sensor), kStd, index.categoryOf("post")});
-  const auto cells = gridMaxima(seen, index, kRoom);
+  const auto cells = gridMaxima(seen, index, kRoom, unlimited);
   ASSERT_FALSE(cells.empty());
   for (std::size_t k = 0; k < std::min<std::size_t>(5, cells.size()); ++k)  // two metres from the post, facing it
     EXPECT_NEAR((cells[k].mean.position() - Vector2d(4, 3)).norm(), 2, 0.7) << k;
@@ -103,8 +104,8 @@ TEST(GridMaxima, NothingWithoutBearingsOrInATooLargeRegion)
   RandomStream random(8);
   const std::vector<Vector2d> landmarks = landmarksOf(1);
   const LandmarkIndex index(landmarks);
-  EXPECT_TRUE(gridMaxima({}, index, kRoom).empty());
+  EXPECT_TRUE(gridMaxima({}, index, kRoom, unlimited).empty());
   const auto seen = seenFrom({3, 3, 1}, landmarks, random);
-  EXPECT_TRUE(gridMaxima(seen, index, {{0, 0}, {1000, 1000}}).empty());
+  EXPECT_TRUE(gridMaxima(seen, index, {{0, 0}, {1000, 1000}}, unlimited).empty());
 }
 }  // namespace mrpt_ext

@@ -9,6 +9,7 @@ namespace mrpt_ext
 {
 namespace
 {
+WorkBudget unlimited;
 const PoseRegion kRegion{{-1, -1}, {9, 7}};
 constexpr double kStd = degToRad(1.0);
 
@@ -67,7 +68,7 @@ TEST(TrajectoryRelocalizer, FindsThePoseByTheWholeTrajectory)
   TrajectoryRelocalizer relocalizer = relocalizerOf(drive);
   for (int k = 0; k < 30; ++k) relocalizer.add(drive.next());
   EXPECT_TRUE(relocalizer.isApplicable());
-  const HypothesisSet found = relocalizer.search({});
+  const HypothesisSet found = relocalizer.search({}, unlimited);
   ASSERT_FALSE(found.empty());
   EXPECT_GT(found.front().weight, 0.8);
   EXPECT_LT(distance(found.front().pose.mean, drive.robot()), 0.3);
@@ -81,7 +82,7 @@ TEST(TrajectoryRelocalizer, CurrentModesCompete)
   for (int k = 0; k < 29; ++k) relocalizer.add(drive.next());
   const Pose2 before = drive.robot();
   relocalizer.add(drive.next());
-  const HypothesisSet found = relocalizer.search(modesAt(compose({0.1, 0, 0}, before)));
+  const HypothesisSet found = relocalizer.search(modesAt(compose({0.1, 0, 0}, before)), unlimited);
   ASSERT_FALSE(found.empty());
   EXPECT_LT(distance(found.front().pose.mean, drive.robot()), 0.3);
 }
@@ -94,12 +95,12 @@ TEST(TrajectoryRelocalizer, TheIntervalDoublesWithEverySearchUntilItIsReset)
   for (int k = 0; k < 60; ++k)
   {
     relocalizer.add(drive.next());
-    if (k >= 9 && !relocalizer.search({}).empty()) searched.push_back(k);
+    if (k >= 9 && !relocalizer.search({}, unlimited).empty()) searched.push_back(k);
   }
   EXPECT_EQ(searched, (std::vector<int>{9, 19, 39}));  // at once, then after 10, 20, 40 s
   relocalizer.resetInterval();
   relocalizer.add(drive.next());
-  EXPECT_FALSE(relocalizer.search({}).empty());
+  EXPECT_FALSE(relocalizer.search({}, unlimited).empty());
 }
 
 TEST(TrajectoryRelocalizer, IsNotApplicableToIdentifiedDetections)
@@ -107,7 +108,7 @@ TEST(TrajectoryRelocalizer, IsNotApplicableToIdentifiedDetections)
   Drive anonymous, identified(true);
   TrajectoryRelocalizer relocalizer = relocalizerOf(anonymous);
   EXPECT_FALSE(relocalizer.isApplicable());
-  EXPECT_TRUE(relocalizer.search({}).empty());
+  EXPECT_TRUE(relocalizer.search({}, unlimited).empty());
   relocalizer.add(anonymous.next());
   EXPECT_TRUE(relocalizer.isApplicable());
   relocalizer.add(identified.next());

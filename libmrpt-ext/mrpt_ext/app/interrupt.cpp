@@ -75,5 +75,5 @@ DeferredInterrupt::DeferredInterrupt() { interrupt_deferred = true; }
 
 DeferredInterrupt::~DeferredInterrupt() { interrupt_deferred = false; }
 
-const std::atomic<bool>& DeferredInterrupt::flag() const { return interrupt_seen; }
+const std::atomic<bool>& DeferredInterrupt::flag() { return interrupt_seen; }
 }  // namespace mrpt_ext

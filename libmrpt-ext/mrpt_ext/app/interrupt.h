@@ -35,6 +35,7 @@ class DeferredInterrupt
   DeferredInterrupt(const DeferredInterrupt&) = delete;
   DeferredInterrupt& operator=(const DeferredInterrupt&) = delete;
 
-  [[nodiscard]] const std::atomic<bool>& flag() const;
+  /// The same one for all; of use to what is built before and runs within.
+  [[nodiscard]] static const std::atomic<bool>& flag();
 };
 }  // namespace mrpt_ext

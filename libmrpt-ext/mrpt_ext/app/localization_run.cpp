@@ -115,7 +115,7 @@ class TrialBatch
       : input_(input),
         request_(request),
         view_(view),
-        methods_(input.config, input.context.map, input.log.available),
+        methods_(input.config, input.context.map, input.log.available, &DeferredInterrupt::flag()),
         folder_(std::move(folder)),
         seed_(seed)
   {

@@ -37,14 +37,17 @@ PoseSearchResult GlobalPoseSearch::search(std::span<const Scan> scans, const Pos
     nothing.status = SolveStatus::bad_input;
     return nothing;
   }
+  WorkBudget own = budget();
+  PoseSearchOptions within = options;
+  if (within.budget == nullptr) within.budget = &own;
   if (countPoints(scans) >= 2)
   {
-    PoseSearchResult found = points().search(scans, options);
+    PoseSearchResult found = points().search(scans, within);
     if (found.status == SolveStatus::ok) return found;
   }
   if (index_.size() <= kLargestTreeMap && mostBearings(scans) <= kMostTreeBearings)
-    return searchByTree(index_, scans, options);
-  return bearings().search(scans, options);
+    return searchByTree(index_, scans, within);
+  return bearings().search(scans, within);
 }
 
 const PointSearch& GlobalPoseSearch::points() const

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 
 #include "mrpt_ext/correspondence/bearings/bearing_search.h"
 #include "mrpt_ext/correspondence/points/point_search.h"
+#include "mrpt_ext/correspondence/search_input.h"
 
 namespace mrpt_ext
 {
@@ -15,9 +17,15 @@ namespace mrpt_ext
 class GlobalPoseSearch
 {
  public:
-  explicit GlobalPoseSearch(const LandmarkTable& map) : index_(map) {}
+  /// `stop` ends every search soon after it is set.
+  explicit GlobalPoseSearch(const LandmarkTable& map, const std::atomic<bool>* stop = nullptr)
+      : index_(map), stop_(stop)
+  {
+  }
 
   [[nodiscard]] const LandmarkIndex& index() const { return index_; }
+  /// For all searches of one step of a localizer together; search() takes one where it is given none.
+  [[nodiscard]] WorkBudget budget() const { return WorkBudget(mostStepWork(index_.size()), stop_); }
   [[nodiscard]] PoseSearchResult search(std::span<const Scan> scans, const PoseSearchOptions& options) const;
 
  private:
@@ -25,6 +33,7 @@ class GlobalPoseSearch
   [[nodiscard]] const BearingSearch& bearings() const;
 
   LandmarkIndex index_;
+  const std::atomic<bool>* stop_;
   mutable std::once_flag points_built_, bearings_built_;
   mutable std::unique_ptr<PointSearch> points_;
   mutable std::unique_ptr<BearingSearch> bearings_;

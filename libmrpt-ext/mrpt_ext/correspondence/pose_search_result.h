@@ -7,19 +7,22 @@
 #include "mrpt_ext/geometry/box.h"
 #include "mrpt_ext/geometry/gaussian_pose.h"
 #include "mrpt_ext/geometry/solve_status.h"
+#include "mrpt_ext/geometry/work_budget.h"
 
 namespace mrpt_ext
 {
 struct PoseSearchOptions
 {
-  double gate = 3.3;                          ///< largest residual of a match [standard deviations]
-  double keep_log_units = 12;                 ///< poses less likely than the best by more than this are not returned
-  std::size_t max_poses = 200;                ///< returned at most, the likeliest
-  std::optional<Box2> area;                   ///< where the robot can be; absent: anywhere
-  std::uint64_t max_tested = 50'000'000'000;  ///< constellations after which the search gives up (see `finished`)
+  double gate = 3.3;            ///< largest residual of a match [standard deviations]
+  double keep_log_units = 12;   ///< poses less likely than the best by more than this are not returned
+  std::size_t max_poses = 200;  ///< returned at most, the likeliest
+  std::optional<Box2> area;     ///< where the robot can be; absent: anywhere
   /// Nodes after which an interpretation tree is given up, for each number of false bearings (see `finished`): a
   /// few bearings in a narrow view are consistent with thousands of poses.
   std::uint64_t max_tree_nodes = 200'000;
+  /// Shared with other searches; a search also ends (see `finished`) after mostSearchWork() of its own
+  /// (search_input.h).
+  WorkBudget* budget = nullptr;
 };
 
 /// A pose that is consistent with the detections that `assignment` matches.
@@ -41,7 +44,7 @@ struct PoseSearchResult
   double probability_elsewhere = 0;   ///< that none of the poses is the true one
   double expected_false = 0;          ///< wrong poses expected to have as many inliers as the best, by chance
   bool unique = false;                ///< one pose stands out (probability > 0.95) and expected_false <= 0.05
-  bool finished = true;               ///< false: the search stopped at a limit, poses may be missing
+  bool finished = true;               ///< false: the search stopped at a limit, poses may be missing; none is unique
 
   struct Work
   {

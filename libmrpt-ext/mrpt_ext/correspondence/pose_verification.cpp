@@ -127,6 +127,14 @@ bool score(const LandmarkIndex& map, std::span<const Scan> scans, ConsistentPose
 }
 }  // namespace
 
+std::uint64_t costOfVerification(const LandmarkIndex& map, std::span<const Scan> scans)
+{
+  constexpr std::uint64_t kMatchings = 4, kOfFit = 1000, kOfFits = 5000;
+  std::uint64_t cost = kOfFits;
+  for (const Scan& scan : scans) cost += kMatchings * costOfMatching(map, scan) + kOfFit * scan.detections.size();
+  return cost;
+}
+
 std::optional<ConsistentPose> verifyPose(const LandmarkIndex& map, std::span<const Scan> scans,
                                          const PoseSearchOptions& options, const GaussianPose& candidate, int least)
 {

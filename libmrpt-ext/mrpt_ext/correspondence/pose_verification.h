@@ -25,6 +25,9 @@ namespace mrpt_ext
                                                        const PoseSearchOptions& options, const GaussianPose& candidate,
                                                        int least);
 
+/// Operations of verifyPose() with these scans (work_budget.h).
+[[nodiscard]] std::uint64_t costOfVerification(const LandmarkIndex& map, std::span<const Scan> scans);
+
 /// Sorts by evidence, merges equal poses, drops those below `keep_log_units` or beyond `max_poses`, and sets the
 /// probabilities, `probability_elsewhere`, `unique` and the status. `unsearched_evidence`: log of the evidence that
 /// all poses with fewer than `complete_from` matches are expected to have together (-infinity: none); those of them

@@ -54,6 +54,16 @@ double visibilityOf(const SensorModel& model, const ExpectedLandmark& h)
 }
 }  // namespace
 
+std::uint64_t costOfMatching(const LandmarkIndex& map, const Scan& scan)
+{
+  constexpr double kOfPrediction = 200, kOfPair = 8;
+  const Vector2d extent = map.high() - map.low();
+  const double area = std::max(extent.prod(), 1e-3 * extent.squaredNorm() + 1e-9);
+  const double seen = scan.model.max_range ? std::min(1.0, kPi * square(*scan.model.max_range) / area) : 1;
+  return static_cast<std::uint64_t>(seen * static_cast<double>(map.size()) *
+                                    (kOfPrediction + kOfPair * static_cast<double>(scan.detections.size())));
+}
+
 std::vector<ExpectedLandmark> expectedLandmarks(const LandmarkIndex& map, const Scan& scan, const GaussianPose& robot)
 {
   const Pose2 sensor = compose(robot.mean, scan.T_robot_sensor);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,9 @@ struct ExpectedLandmark
   bool in_view = false;                             ///< within range limit and field of view
   double visibility = 0;                            ///< probability of being in view, over the uncertainty of the pose
 };
+
+/// Operations (work_budget.h) of expectedLandmarks() and associate() with a precise pose.
+[[nodiscard]] std::uint64_t costOfMatching(const LandmarkIndex& map, const Scan& scan);
 
 /// The landmarks in view of a scan from the pose, and those that would be in view from nearby poses.
 [[nodiscard]] std::vector<ExpectedLandmark> expectedLandmarks(const LandmarkIndex& map, const Scan& scan,

@@ -1,6 +1,7 @@
 #include "mrpt_ext/correspondence/triple_schedule.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace mrpt_ext
@@ -11,6 +12,10 @@ constexpr double kLeastSine = 0.12;       // of a gap: the cotangent stays small
 constexpr std::size_t kMaxBearings = 36;  // of which triples are formed
 constexpr double kOverlapCost = 1.5;      // per shared bearing
 
+/// Of the exact smallest hitting set of one round; beyond, a bound takes its place. Some twenty detections in any
+/// overlap stay below.
+constexpr std::uint64_t kExactWork = 200'000;
+
 bool contains(const DetectionTriple& triple, int detection)
 {
   return std::find(triple.detection.begin(), triple.detection.end(), detection) != triple.detection.end();
@@ -20,67 +25,45 @@ bool isHit(const DetectionTriple& triple, const std::vector<int>& hit)
 {
   return std::any_of(hit.begin(), hit.end(), [&](int detection) { return contains(triple, detection); });
 }
-
-bool disjoint(const DetectionTriple& a, const DetectionTriple& b)
-{
-  return std::none_of(a.detection.begin(), a.detection.end(), [&](int detection) { return contains(b, detection); });
-}
-
-/// Triples that `hit` misses and that are mutually disjoint: each needs a further bearing.
-std::size_t detectionsNeeded(const std::vector<DetectionTriple>& triples, const std::vector<int>& hit)
-{
-  std::vector<const DetectionTriple*> packed;
-  for (const DetectionTriple& t : triples)
-    if (!isHit(t, hit) && std::all_of(packed.begin(), packed.end(), [&](const auto* p) { return disjoint(*p, t); }))
-      packed.push_back(&t);
-  return packed.size();
-}
-
-/// Extends `hit` to at most `size` bearings that meet all triples.
-bool extendToHittingSet(const std::vector<DetectionTriple>& triples, std::vector<int>& hit, std::size_t size)
-{
-  const auto open = std::find_if(triples.begin(), triples.end(), [&](const auto& t) { return !isHit(t, hit); });
-  if (open == triples.end()) return true;
-  if (hit.size() + detectionsNeeded(triples, hit) > size) return false;
-  for (const int detection : open->detection)
-  {
-    hit.push_back(detection);
-    if (extendToHittingSet(triples, hit, size)) return true;
-    hit.pop_back();
-  }
-  return false;
-}
 }  // namespace
 
-void TripleSchedule::updateSmallestHit()
+TripleSchedule::TripleSchedule(std::vector<DetectionTriple> candidates, WorkBudget& budget)
+    : candidates_(std::move(candidates)), budget_(budget)
 {
-  std::size_t size = smallest_hit_.size();
-  std::vector<int> hit;
-  while (!extendToHittingSet(chosen_, hit, size)) ++size;
-  smallest_hit_ = std::move(hit);
+  int last = -1;
+  for (const DetectionTriple& t : candidates_)
+    last = std::max(last, *std::max_element(t.detection.begin(), t.detection.end()));
+  uses_.assign(static_cast<std::size_t>(last + 1), 0);
+}
+
+/// Bearings shared with the triples chosen, counted once per triple.
+std::size_t TripleSchedule::sharedBy(const DetectionTriple& triple) const
+{
+  std::size_t shared = 0;
+  for (const int detection : triple.detection) shared += uses_[static_cast<std::size_t>(detection)];
+  return shared;
 }
 
 std::optional<DetectionTriple> TripleSchedule::next()
 {
+  if (!budget_.spend(candidates_.size() * (4 + 3 * hit_.members.size()))) return std::nullopt;
   const DetectionTriple* best = nullptr;
   double least = std::numeric_limits<double>::infinity();
   for (const DetectionTriple& t : candidates_)
   {
-    if (isHit(t, smallest_hit_)) continue;
-    double cost = t.cost;
-    for (const DetectionTriple& c : chosen_)
-      for (const int detection : t.detection)
-        if (contains(c, detection)) cost *= kOverlapCost;
-    if (cost < least)
-    {
-      least = cost;
-      best = &t;
-    }
+    if (isHit(t, hit_.members)) continue;
+    const double cost = t.cost * std::pow(kOverlapCost, static_cast<double>(sharedBy(t)));
+    if (cost >= least) continue;
+    least = cost;
+    best = &t;
   }
   if (best == nullptr) return std::nullopt;
-  chosen_.push_back(*best);
-  updateSmallestHit();
-  return chosen_.back();
+  chosen_.push_back(best->detection);
+  for (const int detection : best->detection) ++uses_[static_cast<std::size_t>(detection)];
+  WorkBudget exact(kExactWork);
+  hit_ = smallestHittingSet(chosen_, hit_.least, exact);
+  budget_.spend(exact.spent());
+  return *best;
 }
 
 double largestSeparation(double gap, double max_range)

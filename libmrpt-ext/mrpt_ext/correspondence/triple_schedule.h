@@ -5,7 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "mrpt_ext/correspondence/hitting_set.h"
 #include "mrpt_ext/correspondence/scan_bearing.h"
+#include "mrpt_ext/geometry/work_budget.h"
 
 namespace mrpt_ext
 {
@@ -20,25 +22,30 @@ struct DetectionTriple
 /// Chooses the triples of detections to try such that no pose is missed.
 ///
 /// A pose with f false detections is proposed by every triple without them. If no set of f detections has a member
-/// in each of the triples tried (no hitting set of that size), every pose with all but f detections as inliers has
-/// been proposed. Disjoint triples are best: f + 1 of them suffice; with few detections they overlap.
+/// in each of the triples tried (no hitting set of that size, hitting_set.h), every pose with all but f detections as
+/// inliers has been proposed. Disjoint triples are best: f + 1 of them suffice; with few detections they overlap.
 class TripleSchedule
 {
  public:
-  /// Cheap `candidates` are tried first, those that share detections with earlier ones later.
-  explicit TripleSchedule(std::vector<DetectionTriple> candidates) : candidates_(std::move(candidates)) {}
+  /// Cheap `candidates` are tried first, those that share detections with earlier ones later. `budget` must outlive the
+  /// schedule.
+  TripleSchedule(std::vector<DetectionTriple> candidates, WorkBudget& budget);
 
-  /// Number of false detections with which a pose is proposed for certain; -1 before the first triple.
-  [[nodiscard]] int tolerated() const { return static_cast<int>(smallest_hit_.size()) - 1; }
+  /// Number of false detections with which a pose is proposed for certain; -1 before the first triple. Where many
+  /// triples overlap it is a lower bound.
+  [[nodiscard]] int tolerated() const { return static_cast<int>(hit_.least) - 1; }
   /// A triple without any detection of the smallest hitting set so far. Nothing when there is none: more false
   /// detections than `tolerated` cannot be covered.
   std::optional<DetectionTriple> next();
 
  private:
-  void updateSmallestHit();
+  [[nodiscard]] std::size_t sharedBy(const DetectionTriple& triple) const;
 
-  std::vector<DetectionTriple> candidates_, chosen_;
-  std::vector<int> smallest_hit_;
+  std::vector<DetectionTriple> candidates_;
+  std::vector<std::array<int, 3>> chosen_;
+  std::vector<std::size_t> uses_;  // of each detection by the triples chosen
+  HittingSet hit_;
+  WorkBudget& budget_;
 };
 
 /// What determines the number of constellations and poses of a triple.

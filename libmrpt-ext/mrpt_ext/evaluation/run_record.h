@@ -59,6 +59,8 @@ struct FilterRecord
   std::optional<double> effective_sample_ratio_min;
   std::size_t lost_steps = 0;        ///< frames with verdict lost
   std::vector<double> reseed_times;  ///< [s]
+  std::size_t stopped_searches = 0;  ///< steps whose search for the pose was ended by its work budget
+  std::size_t detections_left_out = 0;
   std::vector<ModeSummary> modes_at_end;
 };
 

@@ -54,8 +54,8 @@ KalmanBankOptions kalmanOptions(const LocalizationConfig& config, bool iterated,
 }  // namespace
 
 MethodFactory::MethodFactory(const LocalizationConfig& config, const LandmarkTable& map,
-                             const AvailableMeasurements& available)
-    : config_(config), map_(map), available_(available), search_(std::make_shared<const GlobalPoseSearch>(map))
+                             const AvailableMeasurements& available, const std::atomic<bool>* stop)
+    : config_(config), map_(map), available_(available), search_(std::make_shared<const GlobalPoseSearch>(map, stop))
 {
   checkNames();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -40,8 +41,9 @@ struct AvailableMeasurements
 class MethodFactory
 {
  public:
-  /// Throws InputError (configuration) for an unknown method.
-  MethodFactory(const LocalizationConfig& config, const LandmarkTable& map, const AvailableMeasurements& available);
+  /// Throws InputError (configuration) for an unknown method. `stop` ends the searches of all methods.
+  MethodFactory(const LocalizationConfig& config, const LandmarkTable& map, const AvailableMeasurements& available,
+                const std::atomic<bool>* stop = nullptr);
 
   [[nodiscard]] Methods make(std::uint64_t seed, int trial) const;
   [[nodiscard]] const LandmarkTable& map() const { return map_; }

@@ -31,6 +31,12 @@ VerdictWithReason verdictOfFilter(const RunRecord& run, const FilterStep& last)
   if (run.filter.lost_steps > 0 && verdict.verdict != Verdict::lost)
     verdict.reason += "; lost in " + std::to_string(run.filter.lost_steps) + " of " +
                       std::to_string(trajectory->points.size()) + " frames before";
+  if (run.filter.stopped_searches > 0)
+    verdict.reason += "; in " + std::to_string(run.filter.stopped_searches) +
+                      " steps the search for the pose was ended by its work limit: poses may be missing";
+  if (run.filter.detections_left_out > 0)
+    verdict.reason += "; " + std::to_string(run.filter.detections_left_out) +
+                      " detections were left out of frames with more than a localizer works with";
   return verdict;
 }
 

@@ -49,6 +49,8 @@ void recordFilter(const FilterStep& step, const BiasModel& biases, const Estimat
   run.filter.effective_sample_ratio_min =
       std::min(run.filter.effective_sample_ratio_min.value_or(1.0), step.effective_ratio);
   if (step.verdict == Verdict::lost) ++run.filter.lost_steps;
+  if (step.search_stopped) ++run.filter.stopped_searches;
+  run.filter.detections_left_out += step.detections_left_out;
   if (step.reseeded) run.filter.reseed_times.push_back(time);
   for (std::size_t k = 0; k < step.biases.size(); ++k)
   {

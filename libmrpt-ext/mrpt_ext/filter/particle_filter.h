@@ -20,15 +20,18 @@ namespace mrpt_ext
 /// Result of one frame.
 struct FilterStep
 {
-  ModeSet modes;                     ///< without mode_of: resampling has renumbered the particles
-  double effective_ratio = 1;        ///< after weighting, before resampling
-  bool heading_known = true;         ///< false: the heading cannot be told, that of the modes is meaningless
-  double inlier_ratio = 1;           ///< of recent detections, relative to the expected one
-  bool reseeded = false;             ///< hypotheses were injected: the detections do not agree with the modes
-  bool verifying = false;            ///< hypotheses were injected: they agree, but not verified (recovery_policy.h)
-  bool respawned = false;            ///< a mode that had lost its particles got some again
-  std::size_t particles = 0;         ///< after the step
-  std::vector<BiasEstimate> biases;  ///< in the order of ParticleFilterOptions::biases; empty before the start
+  ModeSet modes;                        ///< without mode_of: resampling has renumbered the particles
+  double effective_ratio = 1;           ///< after weighting, before resampling
+  bool heading_known = true;            ///< false: the heading cannot be told, that of the modes is meaningless
+  double inlier_ratio = 1;              ///< of recent detections, relative to the expected one
+  bool reseeded = false;                ///< hypotheses were injected: the detections do not agree with the modes
+  bool verifying = false;               ///< hypotheses were injected: they agree, but not verified (recovery_policy.h)
+  bool respawned = false;               ///< a mode that had lost its particles got some again
+  bool search_stopped = false;          ///< a search for hypotheses was ended by its work budget
+  std::uint64_t search_operations = 0;  ///< of the searches for hypotheses (work_budget.h)
+  std::size_t detections_left_out = 0;  ///< of a frame with more than a localizer works with
+  std::size_t particles = 0;            ///< after the step
+  std::vector<BiasEstimate> biases;     ///< in the order of ParticleFilterOptions::biases; empty before the start
   Verdict verdict = Verdict::ambiguous;
   std::string reason;
 };

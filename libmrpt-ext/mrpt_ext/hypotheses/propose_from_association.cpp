@@ -18,19 +18,20 @@ constexpr double kGate = 3.3;             // standard deviations
 
 AssociationProposals proposeFromAssociation(std::span<const Reading> readings, const LandmarkTable& map,
                                             const GlobalPoseSearch& search, const PoseRegion& region,
-                                            std::uint64_t max_tree_nodes)
+                                            const PoseSearchOptions& limits)
 {
-  std::vector<Scan> scans = windowScans(readings, map, search.index());
+  WorkBudget own = search.budget();
+  PoseSearchOptions options = limits;
+  if (options.budget == nullptr) options.budget = &own;
+  std::vector<Scan> scans = windowScans(readings, map, search.index(), *options.budget);
   if (scans.empty()) return {};
   // With a local map of enough points, the detections left over are mostly clutter, repeated in many scans.
   const auto is_point = [](const AnonymousDetection& d) { return d.bearing && d.range; };
   const auto& points = scans.front().detections;
   if (isWindow(readings) && points.size() >= kEnoughPoints && std::all_of(points.begin(), points.end(), is_point))
     scans.resize(1);
-  PoseSearchOptions options;
   options.gate = kGate;
   options.area = Box2{region.low, region.low + region.extent()};
-  options.max_tree_nodes = max_tree_nodes;
   const PoseSearchResult found = search.search(scans, options);
 
   AssociationProposals result{.status = found.status, .unique = found.unique};
@@ -43,7 +44,8 @@ AssociationProposals proposeFromAssociation(std::span<const Reading> readings, c
 }
 
 HypothesisSet proposeFromThreeBearings(std::span<const Reading> readings, const LandmarkTable& map,
-                                       const GlobalPoseSearch& search, const PoseRegion& region)
+                                       const GlobalPoseSearch& search, const PoseRegion& region,
+                                       const PoseSearchOptions& limits)
 {
   const LandmarkIndex& index = search.index();
   if (index.size() > kLargestTreeMap) return {};
@@ -57,6 +59,7 @@ HypothesisSet proposeFromThreeBearings(std::span<const Reading> readings, const 
   options.allow_three = true;
   options.max_unmatched = static_cast<int>(count) - 3;
   options.max_tested = InterpretationOptions{}.max_tested;
+  options.budget = limits.budget;
   HypothesisSet hypotheses;
   for (const Interpretation& interpretation : interpretBearings(index.positions(), input.bearings, options).solutions)
   {

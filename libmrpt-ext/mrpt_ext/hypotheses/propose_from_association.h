@@ -21,14 +21,15 @@ struct AssociationProposals
 /// All robot poses in the region for which the anonymous detections can be associated with landmarks (paper 000,
 /// section 3, for maps of any size: global_pose_search.h). Readings of several sensors are searched jointly; those of a
 /// window, oldest first, are merged into one local map first (local_map.h).
-/// `map` must be the table of `search`. `max_tree_nodes`: see PoseSearchOptions.
-[[nodiscard]] AssociationProposals proposeFromAssociation(
-    std::span<const Reading> readings, const LandmarkTable& map, const GlobalPoseSearch& search,
-    const PoseRegion& region, std::uint64_t max_tree_nodes = PoseSearchOptions{}.max_tree_nodes);
+/// `map` must be the table of `search`. Of `limits`, max_tree_nodes and budget are used.
+[[nodiscard]] AssociationProposals proposeFromAssociation(std::span<const Reading> readings, const LandmarkTable& map,
+                                                          const GlobalPoseSearch& search, const PoseRegion& region,
+                                                          const PoseSearchOptions& limits = {});
 
 /// Poses from three bearings, or from three out of four, by the interpretation tree: many, and none verified. For
 /// initialization only, where proposeFromAssociation() has too few detections; empty with more than four bearings or
 /// more than kLargestTreeMap landmarks.
 [[nodiscard]] HypothesisSet proposeFromThreeBearings(std::span<const Reading> readings, const LandmarkTable& map,
-                                                     const GlobalPoseSearch& search, const PoseRegion& region);
+                                                     const GlobalPoseSearch& search, const PoseRegion& region,
+                                                     const PoseSearchOptions& limits = {});
 }  // namespace mrpt_ext

@@ -17,6 +17,7 @@ namespace
 {
 constexpr double kMergeDistance = 0.1;  // [m]
 constexpr double kMergeAngle = degToRad(3.0);
+constexpr double kShareOfReading = 0.5;  // of the work, for a single reading; the window gets the rest
 constexpr std::size_t kRingPoints = 36;  // hypotheses that sample a ring of unknown heading
 
 void append(HypothesisSet& all, HypothesisSet more)
@@ -64,7 +65,9 @@ void score(HypothesisSet& hypotheses, const Frame& frame, const LandmarkTable& m
 HypothesisSet proposePoses(const Frame& frame, const LandmarkTable& map, const GlobalPoseSearch& search,
                            const ProposalOptions& options)
 {
-  const std::uint64_t nodes = options.max_tree_nodes;
+  WorkBudget own = search.budget();
+  PoseSearchOptions limits = options.limits;
+  if (limits.budget == nullptr) limits.budget = &own;
   const std::vector<LandmarkMeasurement> identified = identifiedMeasurements(frame.readings, map);
   HypothesisSet all = proposeFromPointPairs(identified);
   append(all, proposeFromBearings(identified));
@@ -78,10 +81,14 @@ HypothesisSet proposePoses(const Frame& frame, const LandmarkTable& map, const G
   {
     append(all, proposeFromWindowLandmarks(frame.readings, map, frame.compass, kRingPoints));
     // The local map of a window may fail where a single scan suffices.
-    append(all, proposeFromAssociation(fullestReading(frame.readings), map, search, options.region, nodes).hypotheses);
+    WorkBudget first(*limits.budget, kShareOfReading);
+    PoseSearchOptions of_reading = limits;
+    of_reading.budget = &first;
+    append(all,
+           proposeFromAssociation(fullestReading(frame.readings), map, search, options.region, of_reading).hypotheses);
   }
-  append(all, proposeFromAssociation(frame.readings, map, search, options.region, nodes).hypotheses);
-  append(all, proposeFromThreeBearings(frame.readings, map, search, options.region));
+  append(all, proposeFromAssociation(frame.readings, map, search, options.region, limits).hypotheses);
+  append(all, proposeFromThreeBearings(frame.readings, map, search, options.region, limits));
 
   std::erase_if(all, [&](const PoseHypothesis& h) { return !options.region.contains(h.pose.mean); });
   score(all, frame, map);

@@ -12,8 +12,7 @@ struct ProposalOptions
 {
   PoseRegion region;                 ///< poses outside are dropped
   std::size_t max_hypotheses = 400;  ///< the best ones are kept
-  /// See PoseSearchOptions.
-  std::uint64_t max_tree_nodes = PoseSearchOptions{}.max_tree_nodes;
+  PoseSearchOptions limits;          ///< max_tree_nodes and budget of the searches
 };
 
 /// Poses from closed forms over the measurements of a frame, with covariance, ranked by the likelihood of the whole

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "mrpt_ext/hypotheses/window_readings.h"
+#include "mrpt_ext/localizers/bounded_frame.h"
+
 namespace mrpt_ext
 {
 namespace
@@ -30,5 +33,9 @@ Estimate estimateFrom(ClosedFormResult result, double time)
   return estimate;
 }
 
-Estimate ClosedFormLocalizer::process(const Frame& frame) { return estimateFrom(method_(frame), frame.time); }
+Estimate ClosedFormLocalizer::process(const Frame& frame)
+{
+  const std::optional<Frame> bounded = boundedFrame(frame, isWindow(frame.readings) ? kMostJoined : kMostDetections);
+  return estimateFrom(method_(bounded ? *bounded : frame), frame.time);
+}
 }  // namespace mrpt_ext

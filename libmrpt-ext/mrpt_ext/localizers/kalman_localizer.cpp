@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "mrpt_ext/hypotheses/bias_inflation.h"
+#include "mrpt_ext/localizers/bounded_frame.h"
 #include "mrpt_ext/relocalization/measurement_window.h"
 
 namespace mrpt_ext
@@ -30,8 +31,10 @@ Proposal KalmanLocalizer::propose() const
   return proposal;
 }
 
-Estimate KalmanLocalizer::process(const Frame& frame)
+Estimate KalmanLocalizer::process(const Frame& whole)
 {
+  const std::optional<Frame> bounded = boundedFrame(whole, kMostKalmanDetections);
+  const Frame& frame = bounded ? *bounded : whole;
   buffer(frame);
   step_ = bank_.process(frame, [this] { return propose(); });
 

@@ -33,7 +33,7 @@ class KalmanLocalizer : public Localizer
 
   [[nodiscard]] std::string name() const override { return name_; }
   [[nodiscard]] bool continuous() const override { return true; }
-  Estimate process(const Frame& frame) override;
+  Estimate process(const Frame& whole) override;
   [[nodiscard]] const KalmanBank& bank() const { return bank_; }
   [[nodiscard]] const KalmanStep& lastStep() const { return step_; }
 

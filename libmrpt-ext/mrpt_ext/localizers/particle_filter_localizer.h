@@ -20,14 +20,14 @@ class ParticleFilterLocalizer : public FilterLocalizer
                           std::uint64_t seed, std::uint64_t stream = 0,
                           std::shared_ptr<const GlobalPoseSearch> search = nullptr);
 
-  Estimate process(const Frame& frame) override;
+  Estimate process(const Frame& whole) override;
   [[nodiscard]] const FilterStep& lastStep() const override { return step_; }
   [[nodiscard]] const ParticleSet& particles() const override { return filter_.particles(); }
   [[nodiscard]] std::vector<LandmarkHistory> landmarkHistories() const override;
 
  private:
-  [[nodiscard]] Proposal proposeFromWindow() const;
-  [[nodiscard]] Proposal propose();
+  [[nodiscard]] Proposal proposeFromWindow(WorkBudget& budget) const;
+  [[nodiscard]] Proposal propose(WorkBudget& budget);
 
   LandmarkTable map_;
   std::shared_ptr<const GlobalPoseSearch> search_;

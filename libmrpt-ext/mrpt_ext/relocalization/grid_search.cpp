@@ -9,10 +9,12 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kTruncation = 3;      // standard deviations at which the misfit of a bearing is truncated
-constexpr double kMaxWork = 4e8;       // bearings x landmarks x cells
-constexpr double kCellRange = 3;       // [m] converts the side of a cell into an angle
-constexpr float kBehind = 1e12F;       // squared tangent for landmarks behind the ray
+constexpr double kTruncation = 3;  // standard deviations at which the misfit of a bearing is truncated
+constexpr double kMostCells = 2e7;
+constexpr double kCostOfRay = 0.5, kCostOfCell = 10;  // operations
+constexpr double kMaxWork = 4e8;                      // bearings x landmarks x cells
+constexpr double kCellRange = 3;                      // [m] converts the side of a cell into an angle
+constexpr float kBehind = 1e12F;                      // squared tangent for landmarks behind the ray
 constexpr double kSpreadOfCell = 0.5;  // of its side, as a standard deviation: above the uniform 0.29, for curvature
 
 /// A bearing for one heading of the robot: origin relative to the robot and direction, in the axes of the map.
@@ -77,7 +79,8 @@ class Grid
   }
   [[nodiscard]] double turn() const { return region_.headingExtent() / static_cast<double>(turns_); }
 
-  void score(std::span<const WindowBearing> bearings, const LandmarkIndex& map)
+  /// False when it was stopped.
+  [[nodiscard]] bool score(std::span<const WindowBearing> bearings, const LandmarkIndex& map, const WorkBudget& budget)
   {
     std::vector<float> nearest(columns_);
     const auto side = cell();
@@ -94,6 +97,7 @@ class Grid
       const double information = 1 / (square(bearing.std_bearing) + cell_variance);
       for (std::size_t t = 0; t < turns_; ++t)
       {
+        if (budget.isStopped()) return false;
         const Pose2 sensor = compose({0, 0, pose(0, 0, t).phi}, bearing.T_robot_sensor);
         const double direction = sensor.phi + bearing.bearing;
         const Ray ray{static_cast<float>(sensor.x), static_cast<float>(sensor.y),
@@ -106,6 +110,7 @@ class Grid
                  columns_);
       }
     }
+    return true;
   }
 
   /// Cells with no better neighbour, best first.
@@ -160,13 +165,16 @@ class Grid
 }  // namespace
 
 std::vector<GaussianPose> gridMaxima(std::span<const WindowBearing> bearings, const LandmarkIndex& map,
-                                     const PoseRegion& region)
+                                     const PoseRegion& region, WorkBudget& budget)
 {
   const Vector2d extent = region.extent();
   const double cells = extent.prod() / square(kGridCell) * region.headingExtent() / kGridTurn;
-  if (bearings.empty() || cells * static_cast<double>(map.size() * bearings.size()) > kMaxWork) return {};
+  const double work = cells * static_cast<double>(map.size() * bearings.size());
+  if (bearings.empty() || work > kMaxWork || cells > kMostCells) return {};
+  const auto cost = static_cast<std::uint64_t>(kCostOfRay * work + kCostOfCell * cells);
+  if (cost > budget.left() || !budget.spend(cost)) return {};
   Grid grid(region);
-  grid.score(bearings, map);
+  if (!grid.score(bearings, map, budget)) return {};
   return grid.maxima();
 }
 }  // namespace mrpt_ext

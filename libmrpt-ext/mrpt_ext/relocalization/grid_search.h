@@ -6,6 +6,7 @@
 
 #include "mrpt_ext/correspondence/landmark_index.h"
 #include "mrpt_ext/geometry/gaussian_pose.h"
+#include "mrpt_ext/geometry/work_budget.h"
 #include "mrpt_ext/hypotheses/pose_region.h"
 
 namespace mrpt_ext
@@ -27,7 +28,7 @@ inline constexpr std::size_t kMostGridMaxima = 400;  ///< returned by gridMaxima
 /// maxima, best first, each with the spread of its cell as covariance. A bearing contributes its squared distance, in
 /// standard deviations of bearing and cell together, to the nearest landmark of its category, truncated at the gate.
 /// Unlike closed forms over minimal subsets, it works for any number of bearings in any geometry. Empty without
-/// bearings, and if the region is too large (bearings x landmarks x cells beyond 4e8).
+/// bearings, and if the region is too large (bearings x landmarks x cells beyond 4e8, or beyond `budget`).
 [[nodiscard]] std::vector<GaussianPose> gridMaxima(std::span<const WindowBearing> bearings, const LandmarkIndex& map,
-                                                   const PoseRegion& region);
+                                                   const PoseRegion& region, WorkBudget& budget);
 }  // namespace mrpt_ext

@@ -34,7 +34,7 @@ void TrajectoryRelocalizer::add(const Frame& frame)
   while (frame.time - frames_.front().time > kBuffered) frames_.pop_front();
 }
 
-HypothesisSet TrajectoryRelocalizer::search(const ModeSet& current)
+HypothesisSet TrajectoryRelocalizer::search(const ModeSet& current, WorkBudget& budget)
 {
   if (frames_.empty() || frames_.back().time - last_search_ < interval_) return {};
   interval_ = std::min(2 * interval_, kLongestInterval);
@@ -47,6 +47,6 @@ HypothesisSet TrajectoryRelocalizer::search(const ModeSet& current)
   std::vector<Frame> frames(frames_.begin(), frames_.end());
   frames.front().motion = {};
   const auto steps = trajectorySteps(frames, motion_, map_, search_->index(), kStepDuration);
-  return localizeOverTrajectory(steps, *search_, region_, predicted).hypotheses;
+  return localizeOverTrajectory(steps, *search_, region_, predicted, budget).hypotheses;
 }
 }  // namespace mrpt_ext

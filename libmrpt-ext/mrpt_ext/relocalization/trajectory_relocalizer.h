@@ -23,8 +23,9 @@ class TrajectoryRelocalizer
   /// False once a detection was identified: the search would ignore it.
   [[nodiscard]] bool isApplicable() const { return !frames_.empty() && !has_identified_; }
   /// Poses at the newest frame, with weights; empty before the interval since the last search is over. `current`: modes
-  /// before the motion of the newest frame; the likeliest of them compete with the poses found.
-  [[nodiscard]] HypothesisSet search(const ModeSet& current);
+  /// before the motion of the newest frame; the likeliest of them compete with the poses found. Takes work from
+  /// `budget`.
+  [[nodiscard]] HypothesisSet search(const ModeSet& current, WorkBudget& budget);
   /// Back to the shortest interval: the pose is in doubt again.
   void resetInterval() { interval_ = kShortestInterval; }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mrpt_ext/correspondence/scan_matching.h"
 #include "mrpt_ext/geometry/mahalanobis.h"
 #include "mrpt_ext/hypotheses/pruning.h"
 #include "mrpt_ext/relocalization/grid_search.h"
@@ -13,16 +14,18 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kGate = 3.3;               // standard deviations
-constexpr std::size_t kMostSeedSteps = 6;   // steps that propose poses
-constexpr std::size_t kSeedSpacing = 3;     // least number of steps from one to the next
-constexpr std::size_t kMostProposed = 500;  // poses, by one seed step
-constexpr std::size_t kMostTracks = 400;    // after the first update
-constexpr std::size_t kMostSurvivors = 40;  // evaluated over the whole trajectory
-constexpr double kKeepLogUnits = 25;        // tracks less likely than the best by more are pruned
-constexpr double kSameTrack = 1;            // standard deviations in each coordinate
-constexpr double kSamePose = 4;             // standard deviations (Mahalanobis)
-constexpr double kPriorNotProposed = 0.02;  // probability that no seed step proposes the right pose
+constexpr double kGate = 3.3;                 // standard deviations
+constexpr std::size_t kMostSeedSteps = 6;     // steps that propose poses
+constexpr std::size_t kSeedSpacing = 3;       // least number of steps from one to the next
+constexpr std::size_t kMostProposed = 500;    // poses, by one seed step
+constexpr std::size_t kMostTracks = 400;      // after the first update
+constexpr std::size_t kMostSurvivors = 40;    // evaluated over the whole trajectory
+constexpr double kKeepLogUnits = 25;          // tracks less likely than the best by more are pruned
+constexpr double kProposals = 0.5;            // of the work of a seed step; the tracks get the rest
+constexpr std::uint64_t kCostOfUpdate = 500;  // operations, per track and per detection
+constexpr double kSameTrack = 1;              // standard deviations in each coordinate
+constexpr double kSamePose = 4;               // standard deviations (Mahalanobis)
+constexpr double kPriorNotProposed = 0.02;    // probability that no seed step proposes the right pose
 constexpr double kMostLikelyElsewhere = 1e300;
 // Initial standard deviations of the evaluation: wider than the associations leave open, yet narrow enough for a Kalman
 // filter: beyond, a few bearings in a narrow field of view would move the mean out of the linear range.
@@ -48,23 +51,34 @@ bool sameTrack(const GaussianPose& a, const GaussianPose& b)
 class TrajectorySearch
 {
  public:
-  TrajectorySearch(std::span<const TrajectoryStep> steps, const GlobalPoseSearch& search, const PoseRegion& region)
-      : steps_(steps), search_(search), map_(search.index()), region_(region)
+  TrajectorySearch(std::span<const TrajectoryStep> steps, const GlobalPoseSearch& search, const PoseRegion& region,
+                   WorkBudget& budget)
+      : steps_(steps), search_(search), map_(search.index()), region_(region), budget_(budget)
   {
+    for (const TrajectoryStep& step : steps)
+    {
+      std::uint64_t& cost = cost_of_update_.emplace_back(kCostOfUpdate);
+      for (const Scan& scan : step.scans) cost += costOfMatching(map_, scan) + kCostOfUpdate * scan.detections.size();
+    }
   }
 
   TrajectorySearchResult run(std::span<const GaussianPose> current)
   {
     bool proposed = false;
-    if (!steps_.empty()) trackAndEvaluate(candidatesAt(current), steps_.size() - 1);
-    for (const std::size_t seed_step : seedSteps())
+    const std::vector<std::size_t> seed_steps = seedSteps();
+    std::size_t left = seed_steps.size();
+    if (!steps_.empty()) trackAndEvaluate(candidatesAt(current), steps_.size() - 1, shareOf(left + 1));
+    for (const std::size_t seed_step : seed_steps)
     {
-      std::vector<Candidate> candidates = candidatesAt(proposedAt(seed_step));
+      WorkBudget share = shareOf(left--);
+      std::vector<Candidate> candidates = candidatesAt(proposedAt(seed_step, share));
       proposed = proposed || !candidates.empty();
-      trackAndEvaluate(std::move(candidates), seed_step);
+      trackAndEvaluate(std::move(candidates), seed_step, share);
     }
-    if (evaluated_.empty() && !proposed) return {};
-    return ranked();
+    TrajectorySearchResult result;
+    if (!evaluated_.empty() || proposed) result = ranked();
+    result.finished = finished_;
+    return result;
   }
 
  private:
@@ -97,20 +111,22 @@ class TrajectorySearch
     return chosen;
   }
 
-  [[nodiscard]] std::vector<GaussianPose> proposedAt(std::size_t seed_step) const
+  [[nodiscard]] std::vector<GaussianPose> proposedAt(std::size_t seed_step, WorkBudget& share) const
   {
     const std::vector<Scan>& scans = steps_[seed_step].scans;
     std::vector<GaussianPose> poses;
     if (pointCount(scans) >= 2)
     {
+      WorkBudget proposing(share, kProposals);
       PoseSearchOptions options;
+      options.budget = &proposing;
       options.gate = kGate;
       options.area = Box2{region_.low, region_.low + region_.extent()};
       options.max_poses = kMostProposed;
       for (const ConsistentPose& found : search_.search(scans, options).poses) poses.push_back(found.pose);
     }
     else
-      poses = gridMaxima(windowBearings(steps_, seed_step), map_, region_);
+      poses = gridMaxima(windowBearings(steps_, seed_step), map_, region_, share);
     std::erase_if(poses, [this](const GaussianPose& pose) { return !region_.contains(pose.mean); });
     return poses;
   }
@@ -124,20 +140,26 @@ class TrajectorySearch
 
   // ---- 2. tracks
 
-  void trackAndEvaluate(std::vector<Candidate> candidates, std::size_t seed_step)
+  [[nodiscard]] WorkBudget shareOf(std::size_t parts) const { return {budget_, 1 / static_cast<double>(parts)}; }
+
+  void trackAndEvaluate(std::vector<Candidate> candidates, std::size_t seed_step, WorkBudget share)
   {
-    if (candidates.empty()) return;
-    trackForward(candidates, seed_step);
+    trackForward(candidates, seed_step, share);
     for (Candidate& c : candidates) c.track.pose = c.proposed;
-    trackBackward(candidates, seed_step);
+    trackBackward(candidates, seed_step, share);
     if (candidates.size() > kMostSurvivors) candidates.resize(kMostSurvivors);
-    for (const Candidate& candidate : candidates) evaluate(candidate, seed_step);
+    // Half evaluated, or half of them evaluated, the tracks could not be compared.
+    const std::size_t before = evaluated_.size();
+    for (const Candidate& candidate : candidates) evaluate(candidate, seed_step, share);
+    if (share.exhausted()) evaluated_.resize(before);
+    finished_ = finished_ && !share.exhausted();
   }
 
-  void trackForward(std::vector<Candidate>& candidates, std::size_t seed_step) const
+  void trackForward(std::vector<Candidate>& candidates, std::size_t seed_step, WorkBudget& share) const
   {
     for (std::size_t k = seed_step; k < steps_.size(); ++k)
     {
+      if (!share.spend(candidates.size() * cost_of_update_[k])) return candidates.clear();
       for (Candidate& c : candidates)
       {
         if (k > seed_step) predict(c.track, steps_[k]);
@@ -147,10 +169,11 @@ class TrajectorySearch
     }
   }
 
-  void trackBackward(std::vector<Candidate>& candidates, std::size_t seed_step) const
+  void trackBackward(std::vector<Candidate>& candidates, std::size_t seed_step, WorkBudget& share) const
   {
     for (std::size_t k = seed_step + 1; k-- > 0;)
     {
+      if (!share.spend(candidates.size() * cost_of_update_[k])) return candidates.clear();
       for (Candidate& c : candidates)
       {
         c.landmarks.push_back(update(c.track, map_, steps_[k].scans, kGate));
@@ -171,12 +194,13 @@ class TrajectorySearch
 
   // ---- 3. evaluation over the whole trajectory
 
-  void evaluate(const Candidate& candidate, std::size_t seed_step)
+  void evaluate(const Candidate& candidate, std::size_t seed_step, WorkBudget& share)
   {
     HypothesisTrack track{candidate.track.pose, 0};
     track.pose.covariance = kInitialStd.cwiseAbs2().asDiagonal();
     for (std::size_t k = 0; k < steps_.size(); ++k)
     {
+      if (!share.spend(cost_of_update_[k])) return;
       if (k > 0) predict(track, steps_[k]);
       if (k <= seed_step)
         updateAssociated(track, map_, steps_[k].scans, candidate.landmarks[seed_step - k]);
@@ -227,14 +251,25 @@ class TrajectorySearch
   const GlobalPoseSearch& search_;
   const LandmarkIndex& map_;
   const PoseRegion& region_;
+  WorkBudget& budget_;
+  std::vector<std::uint64_t> cost_of_update_;  // of a track with each step [operations]
+  bool finished_ = true;
   std::vector<HypothesisTrack> evaluated_;
 };
 }  // namespace
 
 TrajectorySearchResult localizeOverTrajectory(std::span<const TrajectoryStep> oldest_first,
                                               const GlobalPoseSearch& search, const PoseRegion& region,
+                                              std::span<const GaussianPose> current, WorkBudget& budget)
+{
+  return TrajectorySearch(oldest_first, search, region, budget).run(current);
+}
+
+TrajectorySearchResult localizeOverTrajectory(std::span<const TrajectoryStep> oldest_first,
+                                              const GlobalPoseSearch& search, const PoseRegion& region,
                                               std::span<const GaussianPose> current)
 {
-  return TrajectorySearch(oldest_first, search, region).run(current);
+  WorkBudget budget = search.budget();
+  return localizeOverTrajectory(oldest_first, search, region, current, budget);
 }
 }  // namespace mrpt_ext

@@ -15,6 +15,7 @@ struct TrajectorySearchResult
   SolveStatus status = SolveStatus::too_few;
   HypothesisSet hypotheses;          ///< most likely first; the weights and `probability_elsewhere` add up to 1
   double probability_elsewhere = 1;  ///< that none of them is right
+  bool finished = true;              ///< false: the work was ended, poses may be missing
 };
 
 /// Global localization from the anonymous detections of a whole trajectory, by multi-hypothesis tracking:
@@ -28,6 +29,13 @@ struct TrajectorySearchResult
 ///    proposed.
 /// Odometry drift limits a local map of the detections (correspondence/local_map/local_map.h) to a few metres; here the
 /// trajectory may be long and each scan may be poor.
+///
+/// Each step that proposes has an equal share of `budget`; where its share ends, its poses are left out, and
+/// `finished` is false.
+[[nodiscard]] TrajectorySearchResult localizeOverTrajectory(std::span<const TrajectoryStep> oldest_first,
+                                                            const GlobalPoseSearch& search, const PoseRegion& region,
+                                                            std::span<const GaussianPose> current, WorkBudget& budget);
+/// The same within the budget of one step of a localizer.
 [[nodiscard]] TrajectorySearchResult localizeOverTrajectory(std::span<const TrajectoryStep> oldest_first,
                                                             const GlobalPoseSearch& search, const PoseRegion& region,
                                                             std::span<const GaussianPose> current = {});

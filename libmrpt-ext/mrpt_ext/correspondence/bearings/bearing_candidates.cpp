@@ -11,13 +11,17 @@ constexpr std::size_t kCapacity = 500000;  // poses of one round that are kept
 constexpr double kLargestFreedom = 0.5;    // of the range: largest position uncertainty of a candidate
 constexpr double kAreaMargin = 0.5;        // [m] a triple's pose may be outside though the refined one is not
 constexpr std::size_t kSampledLandmarks = 16;
-constexpr int kSplits = 3;  // of a box of poses whose associations are ambiguous
+constexpr double kSampleShare = 0.05;               // of the work, at most
+constexpr std::uint64_t kBoundsPerRefinement = 12;  // of a box, that take as long
+constexpr int kSplits = 3;                          // of a box of poses whose associations are ambiguous
+// Operations of refining a pose on its inliers: for each landmark in view, and besides.
+constexpr std::uint64_t kCostOfRefinement = 2500, kCostPerLandmark = 25;
 }  // namespace
 
 BearingCandidates::BearingCandidates(const LandmarkIndex& map, std::span<const Scan> scans,
                                      const PoseSearchOptions& options, std::span<const ScanBearing> bearings,
-                                     const BearingSearchTables& tables)
-    : map_(map), scans_(scans), options_(options), bearings_(bearings)
+                                     const BearingSearchTables& tables, WorkBudget& budget)
+    : map_(map), scans_(scans), options_(options), bearings_(bearings), budget_(budget)
 {
   for (std::size_t p = 0; p < scans_.size(); ++p)
   {
@@ -28,6 +32,9 @@ BearingCandidates::BearingCandidates(const LandmarkIndex& map, std::span<const S
     visible_sets_.push_back(own.empty() ? nullptr : tables.visibleSets(rangeLimit(scans_[p])));
   }
   for (const ScanBearing& r : bearings_) neighbours_.push_back(tables.neighboursOf(r.category));
+  double in_view = 0;
+  for (const auto& sets : visible_sets_) in_view += sets ? sets->meanCount() : 0;
+  cost_of_refinement_ = kCostOfRefinement + kCostPerLandmark * static_cast<std::uint64_t>(in_view);
 }
 
 TripleHypotheses BearingCandidates::hypothesesOf(const DetectionTriple& triple) const
@@ -43,7 +50,7 @@ TripleHypotheses BearingCandidates::hypothesesOf(const DetectionTriple& triple) 
   hypotheses.max_range = rangeLimit(scans_[static_cast<std::size_t>(scan)]);
   hypotheses.gate = options_.gate;
   hypotheses.area = areaOfSensor(scan);
-  hypotheses.max_tested = options_.max_tested - std::min(options_.max_tested, work_.tested);
+  hypotheses.budget = &budget_;
   return hypotheses;
 }
 
@@ -55,10 +62,13 @@ int BearingCandidates::propose(const DetectionTriple& triple, int floor, int lea
   const TripleHypotheses::Work work = hypotheses.run(store);
   ++work_.rounds;
   work_.tested += work.tested;
-  finished_ = work.finished;
   possible_ += static_cast<double>(work.possible);
   ++rounds_;
-  for (const PoseProposal& p : store.takeSorted()) refine(p.sensor, scan, hypotheses.scans, least);
+  for (const PoseProposal& p : store.takeSorted())
+  {
+    if (!budget_.spend(cost_of_refinement_)) break;
+    refine(p.sensor, scan, hypotheses.scans, least);
+  }
   return store.floor();
 }
 
@@ -72,8 +82,11 @@ TripleEffort BearingCandidates::sampleEffort(const DetectionTriple& triple)
 {
   const auto scan = static_cast<std::size_t>(bearings_[static_cast<std::size_t>(triple.detection[0])].scan);
   const std::size_t stride = std::max<std::size_t>(1, map_.size() / kSampledLandmarks);
-  const TripleHypotheses::Work sample = hypothesesOf(triple).sample(stride);
-  const auto scale = static_cast<double>(stride);
+  TripleHypotheses hypotheses = hypothesesOf(triple);
+  WorkBudget some(budget_, kSampleShare);
+  hypotheses.budget = &some;
+  const TripleHypotheses::Work sample = hypotheses.sample(stride);
+  const double scale = static_cast<double>(map_.size()) / static_cast<double>(std::max<std::size_t>(1, sample.middles));
   possible_ += scale * static_cast<double>(sample.possible);
   ++rounds_;
   return {scale * static_cast<double>(sample.tested), scale * static_cast<double>(sample.possible),
@@ -129,7 +142,9 @@ void BearingCandidates::refine(const GaussianPose& sensor, int scan, std::span<c
 void BearingCandidates::refineBox(const GaussianPose& sensor, int scan, std::span<const BoundingScan> scans, int least,
                                   int splits)
 {
+  if (!budget_.spend(cost_of_refinement_ / kBoundsPerRefinement)) return;
   if (boundOfBox(sensor, scans.front(), options_.gate) < least) return;
+  budget_.spend(cost_of_refinement_);
   const RefinedPose refined_pose = refineOnInliers(sensor, scans, options_.gate, least, scratch_);
   if (!refined_pose.enough_at_start) return;
   const bool inliers = refined_pose.inliers >= least;

@@ -22,16 +22,17 @@ namespace mrpt_ext
 }
 
 /// Generates candidate robot poses for verification, from triples of bearings or from a vote on a grid, refined on
-/// their inliers. The arguments of the constructor must outlive it.
+/// their inliers. The arguments of the constructor must outlive it; `budget` is
+/// what the proposals may use.
 class BearingCandidates
 {
  public:
   BearingCandidates(const LandmarkIndex& map, std::span<const Scan> scans, const PoseSearchOptions& options,
-                    std::span<const ScanBearing> bearings, const BearingSearchTables& tables);
+                    std::span<const ScanBearing> bearings, const BearingSearchTables& tables, WorkBudget& budget);
 
   /// Proposes the poses of all landmark triples that match one triple of bearings: those that may have at least
   /// `floor` inliers and, refined, have at least `least`. Returns the floor that was kept: above `floor` when
-  /// there were too many.
+  /// there were too many. What the budget does not allow is left out.
   int propose(const DetectionTriple& triple, int floor, int least);
 
   /// Refines the boxes voted for by the bearings of `scan` and proposes those with at least `least` inliers.
@@ -45,7 +46,6 @@ class BearingCandidates
   /// Mean number of landmark triples that match a triple of bearings.
   [[nodiscard]] double meanPossible() const { return possible_ / std::max(1, rounds_); }
   [[nodiscard]] const PoseSearchResult::Work& work() const { return work_; }
-  [[nodiscard]] bool finished() const { return finished_; }  ///< false: `max_tested` stopped a round
   /// Where the sensor of a scan can be.
   [[nodiscard]] std::optional<Box2> areaOfSensor(int scan) const;
 
@@ -62,6 +62,8 @@ class BearingCandidates
   std::span<const Scan> scans_;
   const PoseSearchOptions& options_;
   std::span<const ScanBearing> bearings_;
+  WorkBudget& budget_;
+  std::uint64_t cost_of_refinement_ = 0;  // [operations]
   std::vector<DirectionTable> tables_;
   std::vector<std::shared_ptr<const PotentiallyVisibleSets>> visible_sets_;  // none for a scan without bearings
   std::vector<std::shared_ptr<const NeighbourGrid>> neighbours_;             // that a bearing may show
@@ -70,6 +72,5 @@ class BearingCandidates
   PoseSearchResult::Work work_;
   double possible_ = 0;
   int rounds_ = 0;
-  bool finished_ = true;
 };
 }  // namespace mrpt_ext

@@ -11,6 +11,7 @@
 #include "mrpt_ext/correspondence/false_alarms_bearings.h"
 #include "mrpt_ext/correspondence/pose_verification.h"
 #include "mrpt_ext/correspondence/scan_bearing.h"
+#include "mrpt_ext/correspondence/search_input.h"
 #include "mrpt_ext/correspondence/triple_schedule.h"
 #include "mrpt_ext/correspondence/unsearched_evidence.h"
 
@@ -19,10 +20,9 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
-constexpr int kLeastMatches = 4;  // every constellation matches three bearings
 constexpr std::size_t kVerifiedAtOnce = 64;
 constexpr std::size_t kBoxes = 4'000'000;  // of a vote that are kept
-constexpr std::size_t kMaxVerified = 5000;
+constexpr std::size_t kMostVerified = 5000;
 constexpr double kChanceCompetes = 3e-3;  // expected false poses as good as the best
 constexpr double kNegligible = 1e-3;      // evidence relative to the best pose's
 
@@ -30,13 +30,16 @@ class SearchRun
 {
  public:
   SearchRun(const LandmarkIndex& map, std::span<const Scan> scans, const PoseSearchOptions& options,
-            std::vector<ScanBearing> bearings, const BearingSearchTables& tables)
+            std::vector<ScanBearing> bearings, const BearingSearchTables& tables, WorkBudget& budget)
       : map_(map),
         scans_(scans),
         options_(options),
         bearings_(std::move(bearings)),
         tables_(tables),
-        candidates_(map, scans, options, bearings_, tables),
+        budget_(budget),
+        proposing_(budget, kProposingShare),
+        cost_of_verification_(costOfVerification(map, scans)),
+        candidates_(map, scans, options, bearings_, tables, proposing_),
         log_evidence_below_(logEvidenceOfUnsearched(map, scans, areaOrMap(map, options.area)))
   {
   }
@@ -106,14 +109,15 @@ class SearchRun
   /// Rounds until every pose that matters and has `floor_` inliers has been proposed.
   void searchDownTo(const std::vector<DetectionTriple>& candidates)
   {
-    TripleSchedule schedule(candidates);
+    TripleSchedule schedule(candidates, proposing_);
     candidates_.pending().clear();
     const int usable = static_cast<int>(bearings_.size());
     while (result_.finished && schedule.tolerated() < usable - std::max(leastNeeded(), floor_) + spareRounds())
     {
       const std::optional<DetectionTriple> triple = schedule.next();
+      if (triple) propose(*triple);
+      if (proposing_.exhausted()) result_.finished = false;
       if (!triple) break;
-      propose(*triple);
       if (result_.finished) tolerated_ = std::max(tolerated_, schedule.tolerated());
       verifyBest(kVerifiedAtOnce);
     }
@@ -141,12 +145,11 @@ class SearchRun
   void voteDownTo(const VisibilityGrid& grid)
   {
     const int usable = static_cast<int>(bearings_.size());
-    const PoseBoxes hits = voteForPoses(grid, bearings_, options_.gate, floor_, kBoxes);
+    const PoseBoxes hits = voteForPoses(grid, bearings_, options_.gate, floor_, kBoxes, proposing_);
     ++result_.work.rounds;
     result_.work.tested += grid.layout().cells();
     overflowed_ = hits.floor > floor_;
     floor_ = hits.floor;
-    tolerated_ = usable - floor_;
     candidates_.pending().clear();
     for (int level = usable; level >= std::max(floor_, leastNeeded()); --level)
     {
@@ -154,13 +157,14 @@ class SearchRun
                           std::max(floor_, leastNeeded()));
       verifyBest(std::numeric_limits<std::size_t>::max(), level);
     }
+    if (proposing_.exhausted()) result_.finished = false;
+    if (result_.finished) tolerated_ = usable - floor_;
   }
 
   void propose(const DetectionTriple& triple)
   {
     const int floor = std::max(leastNeeded(), floor_);
     const int kept = candidates_.propose(triple, floor, leastNeeded());
-    result_.finished = candidates_.finished();
     overflowed_ = overflowed_ || kept > floor;
     if (kept > floor) floor_ = kept;
   }
@@ -175,26 +179,33 @@ class SearchRun
     {
       std::vector<GaussianPose>& pending = candidates_.pending()[level];
       std::size_t next = 0;
-      for (; next < pending.size() && count > 0 && result_.finished && static_cast<int>(level) >= least; ++next)
-        if (!isKnown(pending[next]))
-        {
-          verify(pending[next]);
-          if (!result_.finished) complete_from_ = std::max(complete_from_, static_cast<int>(level) + 1);
-          least = std::max(lowest, leastNeeded());
-          --count;
-        }
+      for (; next < pending.size() && count > 0 && static_cast<int>(level) >= least; ++next)
+      {
+        if (!mayVerify()) return leaveUnverifiedBelow(static_cast<int>(level) + 1);
+        if (isKnown(pending[next])) continue;
+        verify(pending[next]);
+        least = std::max(lowest, leastNeeded());
+        --count;
+      }
       pending.erase(pending.begin(), pending.begin() + static_cast<std::ptrdiff_t>(next));
     }
   }
 
+  [[nodiscard]] bool mayVerify()
+  {
+    return result_.work.verified < kMostVerified && budget_.spend(2 * result_.poses.size());
+  }
+
+  void leaveUnverifiedBelow(int inliers)
+  {
+    result_.finished = false;
+    complete_from_ = std::max(complete_from_, inliers);
+  }
+
   void verify(const GaussianPose& robot)
   {
-    if (result_.work.verified >= kMaxVerified)
-    {
-      result_.finished = false;
-      return;
-    }
     ++result_.work.verified;
+    budget_.spend(cost_of_verification_);
     const auto pose = verifyPose(map_, scans_, options_, robot, leastNeeded());
     if (!pose) return;
     best_matched_ = std::max(best_matched_, pose->matched);
@@ -227,12 +238,17 @@ class SearchRun
 
   [[nodiscard]] int leastMatches() const { return std::min(kLeastMatches, static_cast<int>(bearings_.size())); }
 
-  /// Poses with fewer inliers need not be searched: their evidence together is negligible.
+  /// Poses with fewer inliers need not be searched: their evidence together is negligible, or by chance alone there are
+  /// more of them than could be verified.
   [[nodiscard]] int leastNeeded() const
   {
     if (best_matched_ == 0) return leastMatches();
+    const auto matters = [this](int least)
+    { return logEvidenceOfFewer(least) > best_log_evidence_ + std::log(kNegligible); };
+    const auto most_false = static_cast<double>(kMostVerified);
     int least = best_matched_;
-    while (least > leastMatches() && logEvidenceOfFewer(least) > best_log_evidence_ + std::log(kNegligible)) --least;
+    while (least > leastMatches() && matters(least) && expectedFalsePoses(falseAlarmModel(), least - 1) < most_false)
+      --least;
     return least;
   }
 
@@ -280,6 +296,9 @@ class SearchRun
   const PoseSearchOptions& options_;
   std::vector<ScanBearing> bearings_;
   const BearingSearchTables& tables_;
+  WorkBudget& budget_;
+  WorkBudget proposing_;
+  std::uint64_t cost_of_verification_;  // [operations]
   BearingCandidates candidates_;
   PoseSearchResult result_;
   std::vector<double> log_evidence_below_;  // by the number of matches
@@ -295,13 +314,25 @@ PoseSearchResult BearingSearch::search(std::span<const Scan> scans, const PoseSe
 {
   PoseSearchResult nothing;
   if (!areUsable(scans)) nothing.status = SolveStatus::bad_input;
-  std::vector<ScanBearing> bearings = gatherBearings(scans);
+  const SearchInput input(scans, DirectionTable::kMaxBearings);
+  std::vector<ScanBearing> bearings = gatherBearings(input.scans());
   if (nothing.status == SolveStatus::bad_input || bearings.size() < 3) return nothing;
   if (map_.size() < 3)
   {
     nothing.status = SolveStatus::none;
     return nothing;
   }
-  return SearchRun(map_, scans, options, std::move(bearings), tables_).run();
+  if (!input.isPromising(map_.size()))
+  {
+    nothing.status = SolveStatus::none;
+    nothing.finished = false;
+    return nothing;
+  }
+  WorkBudget own;
+  WorkBudget budget =
+      WorkBudget::partOf(options.budget != nullptr ? *options.budget : own, mostSearchWork(map_.size()));
+  PoseSearchResult result = SearchRun(map_, input.scans(), options, std::move(bearings), tables_, budget).run();
+  input.restore(result);
+  return result;
 }
 }  // namespace mrpt_ext

@@ -17,6 +17,7 @@ constexpr double kCostOfRotation = 6;    // of a ring, counting included
 constexpr double kCostOfBox = 5000;      // refining what survives, several times more than by chance
 constexpr double kCostOfDirection = 6;   // building: per cell and landmark
 constexpr double kSearchesPerMap = 20;   // that share the building
+constexpr double kMostBuilt = 5e7;       // cells x landmarks: built at once, in half a second at most
 constexpr double kWorthComparing = 1e7;  // triples that cost less are not compared
 /// Nanoseconds per search. `rotations_of`: rotations per bearing.
 double costOf(const VisibilityGrid::Layout& layout, std::size_t landmarks, std::span<const std::size_t> rotations_of,
@@ -56,7 +57,7 @@ std::optional<VisibilityGrid::Layout> chooseVisibilityGrid(const LandmarkIndex& 
   for (const double motion : {1.0, 1.5, 2.0, 3.0, 4.0})
   {
     const auto layout = VisibilityGrid::chooseLayout(map, area, max_range, motion);
-    if (!layout) continue;
+    if (!layout || static_cast<double>(layout->cells() * map.size()) > kMostBuilt) continue;
     const double cost = costOf(*layout, map.size(), rotations_of, misses);
     if (cost >= least) continue;
     least = cost;

@@ -8,8 +8,9 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr std::size_t kBatch = 65536;  // (j, k) tried before the hits are evaluated
-constexpr double kRangeSlack = 1.02;   // a landmark at the limit is in view though the pose is a little off
+constexpr std::size_t kBatch = 65536;     // (j, k) tried before the hits are evaluated
+constexpr std::uint64_t kCostOfHit = 40;  // operations, besides those for each landmark in view
+constexpr double kRangeSlack = 1.02;      // a landmark at the limit is in view though the pose is a little off
 
 TripleShape shapeOf(const ScanBearing& middle, const ScanBearing& first, const ScanBearing& second, double max_range)
 {
@@ -94,12 +95,14 @@ TripleHypotheses::Work TripleHypotheses::forEachScan(std::size_t stride, Visit&&
   const double radius_first = radius(first), radius_second = radius(second);
 
   Work work;
+  const std::uint64_t cost_of_hit = kCostOfHit + 4 * landmarksInView();
   Neighbours around_first, around_second;
   TripleHits hits;
   const std::vector<std::uint32_t>& order = scans.front().visible_sets->order();
-  for (std::size_t o = 0; o < order.size(); o += stride)
+  for (std::size_t o = 0; o < order.size() && work.finished; o += stride)
   {
     const std::uint32_t i = order[o];
+    ++work.middles;
     if (!map->mayShow(middle.category, i)) continue;
     neighbours[0]->collect(map->position(i), radius_first, around_first);
     if (around_first.count == 0) continue;
@@ -107,24 +110,28 @@ TripleHypotheses::Work TripleHypotheses::forEachScan(std::size_t stride, Visit&&
     if (around_second.count == 0) continue;
     const std::size_t rows = std::max<std::size_t>(1, kBatch / around_second.padded);
     hits.reserve(std::min(rows, around_first.count) * around_second.padded + 16);
-    for (std::size_t j = 0; j < around_first.count; j += rows)
+    for (std::size_t j = 0; j < around_first.count && work.finished; j += rows)
     {
       const std::size_t end = std::min(around_first.count, j + rows);
       hits.count = 0;
       scanTriples(shape, around_first, j, end, around_second, hits);
-      work.tested += (end - j) * around_second.count;
+      const std::size_t tested = (end - j) * around_second.count;
+      work.tested += tested;
+      work.finished = budget->spend(2 * tested + hits.count * cost_of_hit);
       if (area) keepInside(*area, map->position(i), hits);
       if (hits.count == 0) continue;
       work.possible += hits.count;
       visit(i, around_first, around_second, hits);
     }
-    if (work.tested > max_tested)
-    {
-      work.finished = false;
-      break;
-    }
   }
   return work;
+}
+
+std::size_t TripleHypotheses::landmarksInView() const
+{
+  double count = 0;
+  for (const BoundingScan& scan : scans) count += scan.visible_sets->meanCount();
+  return static_cast<std::size_t>(count);
 }
 
 TripleHypotheses::Work TripleHypotheses::run(ProposalStore& store) const

@@ -11,6 +11,7 @@
 #include "mrpt_ext/correspondence/triple_schedule.h"
 #include "mrpt_ext/geometry/box.h"
 #include "mrpt_ext/geometry/gaussian_pose.h"
+#include "mrpt_ext/geometry/work_budget.h"
 
 namespace mrpt_ext
 {
@@ -49,15 +50,16 @@ struct TripleHypotheses
   double max_range = 0;                              ///< of the triple's scan; infinity: none
   double gate = 3.3;
   std::optional<Box2> area;  ///< of the sensor
-  std::uint64_t max_tested = 0;
+  WorkBudget* budget = nullptr;
 
   struct Work
   {
     std::uint64_t tested = 0, possible = 0;
+    std::size_t middles = 0;  ///< landmarks tried for the middle bearing
     bool finished = true;
   };
 
-  /// Adds a proposal for every landmark triple that gives a possible pose.
+  /// Adds a proposal for every landmark triple that gives a possible pose, as far as the budget goes.
   Work run(ProposalStore& store) const;
   /// Tries only every `stride`-th landmark for the middle bearing, and only counts.
   [[nodiscard]] Work sample(std::size_t stride) const;
@@ -65,5 +67,7 @@ struct TripleHypotheses
  private:
   template <typename Visit>
   Work forEachScan(std::size_t stride, Visit&& visit) const;
+  /// Landmarks that the inliers of a pose are looked for among.
+  [[nodiscard]] std::size_t landmarksInView() const;
 };
 }  // namespace mrpt_ext

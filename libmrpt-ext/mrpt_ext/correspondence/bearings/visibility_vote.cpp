@@ -12,6 +12,7 @@ namespace mrpt_ext
 {
 namespace
 {
+constexpr std::uint64_t kCostOfTurn = 1;  // operations, for all headings
 constexpr int kWords = VisibilityGrid::kWords, kBins = VisibilityGrid::kBins;
 
 /// One rotation of the ring, in the form of the kernel.
@@ -112,7 +113,7 @@ std::vector<int> ringRotations(const ScanBearing& bearing, double gate)
 }
 
 PoseBoxes voteForPoses(const VisibilityGrid& index, std::span<const ScanBearing> bearings, double gate, int floor,
-                       std::size_t capacity)
+                       std::size_t capacity, WorkBudget& budget)
 {
   const int usable = static_cast<int>(bearings.size());
   PoseBoxes hits;
@@ -121,8 +122,11 @@ PoseBoxes voteForPoses(const VisibilityGrid& index, std::span<const ScanBearing>
   const std::vector<Rotation> rotations = rotationsOf(bearings, gate);
   MissCounters count;
   std::size_t held = 0;
+  const std::uint64_t cost_of_cell = kCostOfTurn * rotations.size();
   for (std::size_t cell = 0; cell < index.layout().cells(); ++cell)
   {
+    hits.finished = budget.spend(cost_of_cell);
+    if (!hits.finished) break;
     // Landmarks in or close to the cell are not in its ring: each may match one bearing more.
     const int close = index.closeLandmarks(cell);
     const int allowed = std::min(usable - hits.floor + close, kMostOutliers);

@@ -7,6 +7,7 @@
 #include "mrpt_ext/correspondence/bearings/visibility_grid.h"
 #include "mrpt_ext/correspondence/scan_bearing.h"
 #include "mrpt_ext/geometry/gaussian_pose.h"
+#include "mrpt_ext/geometry/work_budget.h"
 
 namespace mrpt_ext
 {
@@ -24,7 +25,8 @@ struct PoseBox
 struct PoseBoxes
 {
   std::vector<std::vector<PoseBox>> by_inliers;
-  int floor = 0;  ///< boxes that may have at least so many inliers are all here
+  int floor = 0;         ///< boxes that may have at least so many inliers are all here, if every cell was counted
+  bool finished = true;  ///< false: the budget ended before the cells
 };
 
 /// Rotations [bins] of a ring whose union covers the gate of a bearing.
@@ -36,7 +38,7 @@ struct PoseBoxes
 /// bearing within `gate` standard deviations of a landmark counts as inlier. At most kMostOutliers bearings, and no
 /// more than all but `floor`, may be outliers; when more than `capacity` boxes survive, the floor rises.
 [[nodiscard]] PoseBoxes voteForPoses(const VisibilityGrid& index, std::span<const ScanBearing> bearings, double gate,
-                                     int floor, std::size_t capacity);
+                                     int floor, std::size_t capacity, WorkBudget& budget);
 
 /// The pose in the middle of a box, with a covariance of which `gate` standard deviations cover the box.
 [[nodiscard]] GaussianPose poseOf(const PoseBox& hit, const VisibilityGrid& index, double gate);

@@ -23,6 +23,14 @@ struct AdjustedTracks
   std::vector<std::size_t> tracks;             // likewise
 };
 
+/// Operations of one adjustment: the landmarks eliminated from the normal equations of the trajectory.
+std::uint64_t costOfAdjustment(std::size_t tracks, std::size_t scans)
+{
+  constexpr std::uint64_t kOfTheWhole = 10, kOfASighting = 2000;  // of iterations with vector instructions
+  const std::uint64_t unknowns = 3 * scans;
+  return kOfTheWhole * unknowns * unknowns * (tracks + unknowns) + kOfASighting * tracks * scans;
+}
+
 AdjustedTracks adjust(const std::vector<LandmarkTrack>& tracks, std::span<const PastScan> scans, bool robust)
 {
   AdjustedTracks result;
@@ -74,16 +82,22 @@ bool dropWorst(std::vector<LandmarkTrack>& tracks, const AdjustedTracks& adjuste
   return any;
 }
 
-/// Adjusts until every detection is within the gate, first robustly, so that wrong associations stand out.
-AdjustedTracks adjustUntilConsistent(std::vector<LandmarkTrack>& tracks, std::span<const PastScan> scans)
+/// Adjusts until every detection is within the gate, first robustly, so that wrong associations stand out. No tracks
+/// are left where the budget ends before.
+AdjustedTracks adjustUntilConsistent(std::vector<LandmarkTrack>& tracks, std::span<const PastScan> scans,
+                                     WorkBudget& budget)
 {
   AdjustedTracks adjusted_tracks;
   for (const bool robust : {true, false}) do
     {
+      if (!budget.spend(costOfAdjustment(tracks.size(), scans.size()))) tracks.clear();
       adjusted_tracks = adjust(tracks, scans, robust);
       while (adjusted_tracks.adjusted.status != SolveStatus::ok && !tracks.empty())
       {
-        tracks.pop_back();  // found last: the one with the least evidence
+        if (budget.spend(costOfAdjustment(tracks.size(), scans.size())))
+          tracks.pop_back();  // found last: the one with the least evidence
+        else
+          tracks.clear();
         adjusted_tracks = adjust(tracks, scans, robust);
       }
     } while (dropWorst(tracks, adjusted_tracks, scans));
@@ -175,7 +189,7 @@ Scan withOdometryNoise(const PastScan& past)
 }
 }  // namespace
 
-LocalLandmarkMap buildLocalMap(std::span<const PastScan> oldest_first)
+LocalLandmarkMap buildLocalMap(std::span<const PastScan> oldest_first, WorkBudget& budget)
 {
   LocalLandmarkMap result;
   if (oldest_first.size() < 2)
@@ -183,9 +197,10 @@ LocalLandmarkMap buildLocalMap(std::span<const PastScan> oldest_first)
     result.rest.assign(oldest_first.begin(), oldest_first.end());
     return result;
   }
-  std::vector<LandmarkTrack> tracks = associateTracks(oldest_first);
-  for (int pass = 0; pass < kPasses; ++pass) tracks = associateTracks(correctedScans(tracks, oldest_first));
-  const AdjustedTracks adjusted_tracks = adjustUntilConsistent(tracks, oldest_first);
+  std::vector<LandmarkTrack> tracks = associateTracks(oldest_first, budget);
+  for (int pass = 0; pass < kPasses && budget.spend(costOfAdjustment(tracks.size(), oldest_first.size())); ++pass)
+    tracks = associateTracks(correctedScans(tracks, oldest_first), budget);
+  const AdjustedTracks adjusted_tracks = adjustUntilConsistent(tracks, oldest_first, budget);
   for (std::size_t j = 0; j < tracks.size(); ++j)
     if (isPrecise(adjusted_tracks.adjusted.landmarks[j], kMaxStd))
       result.points.push_back(

@@ -27,8 +27,16 @@ struct LocalLandmarkMap
 /// (track_association.h), then adjusts their points and the trajectory together (local_bundle_adjustment.h). That
 /// corrects the odometry so far that the precision of the sensor shows which detections do not belong to their track;
 /// those, and points with a large covariance, are left out. Bearings along a short trajectory thus gain distances, the
-/// invariant that a single scan does not have. A single scan is returned as it is.
-[[nodiscard]] LocalLandmarkMap buildLocalMap(std::span<const PastScan> oldest_first);
+/// invariant that a single scan does not have. A single scan is returned as it is; so are several, without points,
+/// where `budget` ends before they are consistent.
+[[nodiscard]] LocalLandmarkMap buildLocalMap(std::span<const PastScan> oldest_first, WorkBudget& budget);
+
+/// The same without a limit.
+[[nodiscard]] inline LocalLandmarkMap buildLocalMap(std::span<const PastScan> oldest_first)
+{
+  WorkBudget unlimited;
+  return buildLocalMap(oldest_first, unlimited);
+}
 
 /// The local map as scans for a search: the points as detections with bearing and range of one sensor at the robot's
 /// centre, then the rest, with standard deviations increased by odometry. Each landmark appears at most once among the

@@ -8,6 +8,8 @@ namespace mrpt_ext
 namespace
 {
 constexpr std::size_t kMaxGap = 4;  // scans between the first two detections
+// Operations of predicting a track in a scan, and of comparing it with a detection there.
+constexpr std::uint64_t kCostOfTrack = 2500, kCostOfFitting = 40;
 
 struct Candidate
 {
@@ -23,7 +25,7 @@ struct Candidate
 class TrackSearch
 {
  public:
-  explicit TrackSearch(std::span<const PastScan> scans) : scans_(scans)
+  TrackSearch(std::span<const PastScan> scans, WorkBudget& budget) : scans_(scans), budget_(budget)
   {
     for (const PastScan& p : scans) taken_.emplace_back(p.scan.detections.size(), false);
   }
@@ -56,6 +58,12 @@ class TrackSearch
     return scans_[scan].scan.detections;
   }
 
+  /// Counts the comparison of a track with the detections of a scan.
+  [[nodiscard]] bool mayCompareIn(std::size_t scan)
+  {
+    return budget_.spend(kCostOfTrack + kCostOfFitting * detectionsOf(scan).size());
+  }
+
   void startFrom(const LandmarkTrack::Member& first)
   {
     const AnonymousDetection& d = detectionsOf(first.scan)[first.detection];
@@ -63,7 +71,7 @@ class TrackSearch
     const LandmarkTrack single{.category = d.category, .members = {first}};
     if (d.range) return grow({d.category, {first}, {}, true});
     const std::size_t end = std::min(scans_.size(), first.scan + 1 + kMaxGap);
-    for (std::size_t at = first.scan + 1; at < end; ++at)
+    for (std::size_t at = first.scan + 1; at < end && mayCompareIn(at); ++at)
     {
       const TrackPrediction expected = predictTrack(single, scans_, at);
       for (std::size_t k = 0; k < detectionsOf(at).size(); ++k)
@@ -85,6 +93,7 @@ class TrackSearch
   {
     for (std::size_t at = track.members.back().scan + 1; at < scans_.size(); ++at)
     {
+      if (!mayCompareIn(at)) return;
       const TrackPrediction expected = predictTrack(track, scans_, at);
       if (!expected.depth_known) return;  // parallel, or parting
       std::optional<std::size_t> closest;
@@ -115,14 +124,15 @@ class TrackSearch
   }
 
   std::span<const PastScan> scans_;
+  WorkBudget& budget_;
   std::vector<std::vector<bool>> taken_;
   std::priority_queue<Candidate> candidates_;
   std::size_t born_ = 0;
 };
 }  // namespace
 
-std::vector<LandmarkTrack> associateTracks(std::span<const PastScan> oldest_first)
+std::vector<LandmarkTrack> associateTracks(std::span<const PastScan> oldest_first, WorkBudget& budget)
 {
-  return TrackSearch(oldest_first).run();
+  return TrackSearch(oldest_first, budget).run();
 }
 }  // namespace mrpt_ext

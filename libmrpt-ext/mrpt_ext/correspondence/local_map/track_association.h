@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mrpt_ext/correspondence/local_map/landmark_track.h"
+#include "mrpt_ext/geometry/work_budget.h"
 
 namespace mrpt_ext
 {
@@ -20,6 +21,6 @@ inline constexpr double kTrackGate = 3.3;
 /// detection with a range, and every two bearings of nearby scans that meet in a point, start a track, which then takes
 /// from every later scan the closest detection within the gate of its prediction. Most of these tracks are wrong, but
 /// the right ones have more detections: the track with the most evidence is kept, its detections are removed from all
-/// others, and so on until none has enough left.
-[[nodiscard]] std::vector<LandmarkTrack> associateTracks(std::span<const PastScan> oldest_first);
+/// others, and so on until none has enough left. Where `budget` ends it, further tracks are missing.
+[[nodiscard]] std::vector<LandmarkTrack> associateTracks(std::span<const PastScan> oldest_first, WorkBudget& budget);
 }  // namespace mrpt_ext

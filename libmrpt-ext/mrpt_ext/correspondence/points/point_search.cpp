@@ -7,6 +7,7 @@
 #include "mrpt_ext/correspondence/points/point_fit.h"
 #include "mrpt_ext/correspondence/pose_verification.h"
 #include "mrpt_ext/correspondence/scan_bearing.h"
+#include "mrpt_ext/correspondence/search_input.h"
 #include "mrpt_ext/correspondence/triple_schedule.h"
 #include "mrpt_ext/correspondence/unsearched_evidence.h"
 #include "mrpt_ext/geometry/log_probability.h"
@@ -18,7 +19,9 @@ namespace
 constexpr std::size_t kNearPoints = 4;          // a triangle is made of a point and two of its nearest
 constexpr std::size_t kMaxVerifiedFits = 2000;  // poses; each costs some ten microseconds
 constexpr std::size_t kMaxPending = 50000;
-constexpr std::size_t kMaxPairs = 15;  // widest first: they fix the heading best
+constexpr std::size_t kMostPoints = 100;                                  // of a scan
+constexpr std::uint64_t kCostOfCandidate = 500, kCostOfPairOfPoints = 3;  // operations
+constexpr std::size_t kMaxPairs = 15;                                     // widest first: they fix the heading best
 /// So few inliers need not be near neighbours of one another, as the triangles of the index are.
 constexpr int kFewMatches = 3;
 constexpr double kDoubtful =
@@ -30,12 +33,15 @@ class PointSearchRun
 {
  public:
   PointSearchRun(const LandmarkIndex& map, const TriangleIndex& triangles, std::span<const Scan> scans,
-                 const PoseSearchOptions& options, std::vector<ScanPoint> points)
+                 const PoseSearchOptions& options, std::vector<ScanPoint> points, WorkBudget& budget)
       : map_(map),
         triangles_(triangles),
         scans_(scans),
         options_(options),
         points_(std::move(points)),
+        budget_(budget),
+        proposing_(budget, kProposingShare),
+        cost_of_verification_(costOfVerification(map, scans)),
         false_alarms_(pointFalseAlarmModel(map, points_, options.gate))
   {
   }
@@ -123,11 +129,11 @@ class PointSearchRun
   void searchTriangles(int least)
   {
     least_ = least;
-    TripleSchedule schedule(triangleCandidates());
+    TripleSchedule schedule(triangleCandidates(), proposing_);
     while (schedule.tolerated() < static_cast<int>(points_.size()) - std::max(least_, best_matched_))
     {
       const std::optional<DetectionTriple> triple = schedule.next();
-      if (!triple || !withinWork()) break;
+      if (!withinWork() || !triple) break;
       tryTriangle(*triangleOf(triple->detection));
       ++result_.work.rounds;
       verifyPending();
@@ -142,9 +148,12 @@ class PointSearchRun
       std::array<const ScanPoint*, 3> seen{};
       for (std::size_t k = 0; k < 3; ++k) seen[k] = &points_[static_cast<std::size_t>(form.corner[k])];
       triangles_.forEachNear(form.side, tolerances(form),
-                             [&](const std::array<std::uint32_t, 3>& landmarks) {
-                               evaluate<3>(seen, {landmarks[0], landmarks[1], landmarks[2]}, others);
+                             [&](const std::array<std::uint32_t, 3>& landmarks)
+                             {
+                               if (proposing_.spend(kCostOfCandidate))
+                                 evaluate<3>(seen, {landmarks[0], landmarks[1], landmarks[2]}, others);
                              });
+      if (!proposing_.spend(triangles_.countNear(form.side, tolerances(form)))) return;
     }
   }
 
@@ -176,14 +185,15 @@ class PointSearchRun
                                                &points_[static_cast<std::size_t>(indices[1])]};
     const double tolerance = options_.gate * std::hypot(seen[0]->std, seen[1]->std);
     const std::vector<ScanPoint> others = otherPoints({indices.begin(), indices.end()});
+    const auto evaluatePair = [&](std::size_t i, std::size_t j)
+    {
+      const double apart = (map_.position(i) - map_.position(j)).norm();
+      const bool fits = j != i && apart >= distance - tolerance;
+      if (proposing_.spend(fits ? kCostOfCandidate : kCostOfPairOfPoints) && fits) evaluate<2>(seen, {i, j}, others);
+    };
     for (std::size_t i = 0; i < map_.size() && withinWork(); ++i)
       if (map_.mayShow(seen[0]->category, i))
-        map_.forEachNear(map_.position(i), distance + tolerance,
-                         [&](std::size_t j)
-                         {
-                           const double apart = (map_.position(i) - map_.position(j)).norm();
-                           if (j != i && apart >= distance - tolerance) evaluate<2>(seen, {i, j}, others);
-                         });
+        map_.forEachNear(map_.position(i), distance + tolerance, [&](std::size_t j) { evaluatePair(i, j); });
   }
 
   // ---- candidates
@@ -249,7 +259,7 @@ class PointSearchRun
       if (candidate.inliers < leastInliers()) break;
       const GaussianPose pose = candidate.fit.pose();
       if (alreadyFound(pose)) continue;
-      if (result_.work.verified >= kMaxVerifiedFits)
+      if (result_.work.verified >= kMaxVerifiedFits || !budget_.spend(cost_of_verification_ + result_.poses.size()))
       {
         result_.finished = false;
         break;
@@ -266,7 +276,7 @@ class PointSearchRun
 
   [[nodiscard]] bool withinWork()
   {
-    if (result_.work.tested >= options_.max_tested) result_.finished = false;
+    if (proposing_.exhausted()) result_.finished = false;
     return result_.finished;
   }
 
@@ -302,6 +312,9 @@ class PointSearchRun
   std::span<const Scan> scans_;
   const PoseSearchOptions& options_;
   std::vector<ScanPoint> points_;
+  WorkBudget& budget_;
+  WorkBudget proposing_;
+  std::uint64_t cost_of_verification_;  // [operations]
   PointFalseAlarmModel false_alarms_;
   std::vector<GrownFit> pending_;
   PoseSearchResult result_;
@@ -316,13 +329,25 @@ PoseSearchResult PointSearch::search(std::span<const Scan> scans, const PoseSear
   PoseSearchResult nothing;
   if (!areUsable(scans)) nothing.status = SolveStatus::bad_input;
   if (nothing.status == SolveStatus::bad_input) return nothing;
-  std::vector<ScanPoint> points = gatherPoints(scans, options.gate);
+  const SearchInput input(scans, kMostPoints);
+  std::vector<ScanPoint> points = gatherPoints(input.scans(), options.gate);
   if (points.size() < 2) return nothing;
   if (map_.size() < 2)
   {
     nothing.status = SolveStatus::none;
     return nothing;
   }
-  return PointSearchRun(map_, triangles_, scans, options, std::move(points)).run();
+  if (!input.isPromising(map_.size()))
+  {
+    nothing.status = SolveStatus::none;
+    nothing.finished = false;
+    return nothing;
+  }
+  WorkBudget own;
+  WorkBudget budget =
+      WorkBudget::partOf(options.budget != nullptr ? *options.budget : own, mostSearchWork(map_.size()));
+  PoseSearchResult result = PointSearchRun(map_, triangles_, input.scans(), options, std::move(points), budget).run();
+  input.restore(result);
+  return result;
 }
 }  // namespace mrpt_ext

@@ -11,6 +11,8 @@ namespace mrpt_ext
 {
 namespace
 {
+constexpr std::uint64_t kCostOfNode = 5, kCostOfRecord = 5000;  // operations
+
 /// The pose of a prefix of matched bearings, and the candidates it leaves for the remaining ones.
 struct Node
 {
@@ -165,7 +167,8 @@ class Search
     for (const Match& m : matched_) children -= masks_[step][m.landmark] != 0;
     result_.tested[matched_.size() - 2] += children;
     total_ += children;
-    result_.finished = result_.finished && total_ <= options_.max_tested;
+    const bool within = options_.budget == nullptr || options_.budget->spend(kCostOfNode * children);
+    result_.finished = result_.finished && within && total_ <= options_.max_tested;
     return result_.finished;
   }
 
@@ -299,6 +302,7 @@ class Search
   void record()
   {
     const RayCrossing& base = nodes_[matched_.size()].base;
+    if (options_.budget != nullptr) options_.budget->spend(kCostOfRecord);
     if (auto found = refineInterpretation(problem_, assignment_, bearings_, base))
       result_.found.push_back(std::move(*found));
   }

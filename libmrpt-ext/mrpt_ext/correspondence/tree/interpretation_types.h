@@ -7,6 +7,7 @@
 #include "mrpt_ext/geometry/box.h"
 #include "mrpt_ext/geometry/gaussian_pose.h"
 #include "mrpt_ext/geometry/solve_status.h"
+#include "mrpt_ext/geometry/work_budget.h"
 
 namespace mrpt_ext
 {
@@ -36,6 +37,7 @@ struct InterpretationOptions
   double clutter_probability = 0.05;    ///< share of false bearings, for the ranking
   bool allow_three = false;             ///< accept interpretations of three bearings, which no further bearing verifies
   std::uint64_t max_tested = 20000000;  ///< nodes after which the search gives up (see `finished`)
+  WorkBudget* budget = nullptr;         ///< ends it too; absent: unlimited
 };
 
 /// A consistent assignment of landmarks to bearings and its pose.
@@ -54,6 +56,6 @@ struct Interpretations
   std::vector<Interpretation> solutions;       ///< likeliest first
   std::vector<std::uint64_t> tested_by_depth;  ///< children compared at depth 3, 4, ... (number of matched bearings)
   std::vector<std::uint64_t> valid_by_depth;   ///< those that passed every check there
-  bool finished = true;                        ///< false: `max_tested` stopped the search, more may exist
+  bool finished = true;                        ///< false: a limit stopped the search, more may exist
 };
 }  // namespace mrpt_ext

@@ -42,7 +42,8 @@ InterpretationOptions treeOptions(const TreeInput& input, const PoseSearchOption
   tree.max_residual = options.gate * input.std_bearing;
   tree.std_bearing = input.std_bearing;
   if (input.scan->model.max_range) tree.max_range = kTreeRangeMargin * *input.scan->model.max_range;
-  tree.max_tested = std::min(options.max_tree_nodes, options.max_tested);
+  tree.max_tested = options.max_tree_nodes;
+  tree.budget = options.budget;
   if (options.area)
   {
     const double offset = input.scan->T_robot_sensor.position().norm();

@@ -5,6 +5,7 @@
 
 #include "mrpt_ext/correspondence/false_alarms_bearings.h"
 #include "mrpt_ext/correspondence/pose_verification.h"
+#include "mrpt_ext/correspondence/search_input.h"
 #include "mrpt_ext/correspondence/tree/interpretation_tree.h"
 #include "mrpt_ext/correspondence/tree/tree_input.h"
 #include "mrpt_ext/correspondence/unsearched_evidence.h"
@@ -13,17 +14,18 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr int kLeastTreeMatches = 4;      // every constellation matches three bearings
 constexpr double kPosesPerTriple = 0.25;  // share of landmark triples that can be seen so from within the map
 
 void verifyAll(const Interpretations& found, const LandmarkIndex& map, std::span<const Scan> scans,
                const PoseSearchOptions& options, const TreeInput& input, PoseSearchResult& search)
 {
   search.poses.clear();
+  const std::uint64_t cost = costOfVerification(map, scans);
   for (const Interpretation& interpretation : found.solutions)
   {
+    if (options.budget != nullptr && !options.budget->spend(cost)) break;
     const GaussianPose robot = robotPose(interpretation.pose, input.scan->T_robot_sensor);
-    if (auto pose = verifyPose(map, scans, options, robot, kLeastTreeMatches)) search.poses.push_back(std::move(*pose));
+    if (auto pose = verifyPose(map, scans, options, robot, kLeastMatches)) search.poses.push_back(std::move(*pose));
   }
   search.work.verified += found.solutions.size();
   for (const std::uint64_t tested : found.tested_by_depth) search.work.tested += tested;
@@ -48,11 +50,11 @@ PoseSearchResult searchByTree(const LandmarkIndex& map, std::span<const Scan> sc
   PoseSearchResult search;
   const TreeInput input = scanWithMostBearings(map, scans);
   const int count = static_cast<int>(input.bearings.size());
-  if (count < kLeastTreeMatches) return search;
+  if (count < kLeastMatches) return search;
 
   InterpretationOptions tree = treeOptions(input, options);
   int unmatched = 0;
-  for (int found_at = count; unmatched <= std::min(found_at + 1, count - kLeastTreeMatches); ++unmatched)
+  for (int found_at = count; unmatched <= std::min(found_at + 1, count - kLeastMatches); ++unmatched)
   {
     tree.max_unmatched = unmatched;
     const Interpretations found = interpretBearings(map.positions(), input.bearings, tree);
@@ -63,9 +65,9 @@ PoseSearchResult searchByTree(const LandmarkIndex& map, std::span<const Scan> sc
     }
     const bool better = found.finished || search.poses.empty();
     if (better) verifyAll(found, map, scans, options, input, search);
-    search.finished = found.finished;
+    search.finished = found.finished && (options.budget == nullptr || !options.budget->exhausted());
     ++search.work.rounds;
-    if (!found.finished) break;
+    if (!search.finished) break;
     if (!search.poses.empty()) found_at = std::min(found_at, unmatched);
   }
   const int searched = count - unmatched + 1;
@@ -81,6 +83,7 @@ PoseSearchResult searchByTree(const LandmarkIndex& map, std::span<const Scan> sc
     search.expected_false = expectedFalsePoses(false_alarms, matched);
   }
   rankPoses(search, options, missed, searched);
+  search.unique = search.unique && search.finished;
   return search;
 }
 }  // namespace mrpt_ext
