@@ -84,8 +84,19 @@ std::vector<double> scoringStamps(const RunContext& context)
       if (truth.time >= start && truth.time <= end) stamps.push_back(truth.time);
     return stamps;
   }
+  auto next = context.truth.begin();
   for (double stamp = std::ceil(start); stamp <= end; stamp += 1.0)
-    if (truthAt(context, stamp)) stamps.push_back(stamp);
+  {
+    if (truthAt(context, stamp))
+    {
+      stamps.push_back(stamp);
+      continue;
+    }
+    // A gap in the truth, which may be long, is skipped at once.
+    next = std::find_if(next, context.truth.end(), [&](const TimedPose& pose) { return pose.time > stamp; });
+    if (next == context.truth.end()) break;
+    stamp = std::max(stamp, std::ceil(next->time) - 1);
+  }
   return stamps;
 }
 
