@@ -6,6 +6,7 @@
 
 #include "mrpt_ext/filter/particle_moments.h"
 #include "mrpt_ext/filter/particles/particle_bias.h"
+#include "mrpt_ext/filter/particles/particle_order.h"
 #include "mrpt_ext/filter/proposal_sampling.h"
 
 namespace mrpt_ext
@@ -49,16 +50,19 @@ void HypothesisInjector::inject(ParticleSet& particles, HypothesisSet proposed, 
   const ProposalDistribution slips(slipped, region_, 0, 1, Vector3d::Zero());
   const double slip_share = slipped.empty() ? 0 : options_.slip_share;
   scaleWeights(particles, prior);
-  const std::size_t kept = particles.size(), injected = count();
+  const std::size_t injected = count();
+  ParticleSet added = particles.emptyLikeThis();
   for (std::size_t i = 0; i < injected; ++i)
   {
     const Pose2 pose = proposal.sample(random);
     const double uniform = region_.density(pose);
     if (!(uniform > 0)) continue;
     const double elsewhere = (1 - slip_share) * uniform + (slipped.empty() ? 0 : slip_share * slips.density(pose));
-    particles.add(pose, std::log(prior * elsewhere / (proposal.density(pose) * static_cast<double>(injected))));
+    added.add(pose, std::log(prior * elsewhere / (proposal.density(pose) * static_cast<double>(injected))));
   }
-  drawBiases(particles, kept, random);
+  drawBiases(added, 0, random);
+  orderByPlace(added);
+  for (std::size_t i = 0; i < added.size(); ++i) particles.addCopy(added, i, double{added.log_weight[i]});
 }
 
 void HypothesisInjector::injectTrajectory(ParticleSet& particles, const HypothesisSet& trajectory, double share,

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "mrpt_ext/filter/particles/particle_bias.h"
+#include "mrpt_ext/filter/particles/particle_order.h"
 #include "mrpt_ext/hypotheses/proposal.h"
 
 namespace mrpt_ext
@@ -44,6 +45,7 @@ ParticleSet sampleSeeds(const ProposalDistribution& proposal, const PoseRegion& 
     if (prior > 0) particles.add(pose, std::log(prior / proposal.density(pose)));
   }
   drawBiases(particles, 0, random);
+  orderByPlace(particles);
   return particles;
 }
 

@@ -21,8 +21,9 @@ constexpr double kAnyHeadingStdPhi = degToRad(40.0);  // wider: any heading, unc
 constexpr double kMinMoveVariance = 1e-8;             // so that a mode of copies is moved at all
 constexpr double kRotationShare = 0.3;                // of the steps
 constexpr std::size_t kMaxWalkingModes = 40;          // the heaviest ones; the others only rotate
-constexpr int kMinSweeps = 2, kMaxSweeps = 40;
-constexpr double kMinGrowth = 0.1;  // of the logarithm of a mode's volume
+constexpr int kMinSweeps = 2;
+constexpr std::size_t kMostScored = 400'000'000;  // detections, over all particles and sweeps
+constexpr double kMinGrowth = 0.1;                // of the logarithm of a mode's volume
 
 /// Distribution of the steps of the particles of one mode.
 struct StepShape
@@ -144,13 +145,13 @@ void accept(ParticleSet& particles, const ParticleSet& next, RandomStream& rando
 }  // namespace
 
 void moveByPosterior(ParticleSet& particles, const ModeSet& modes, const Vector2d& pivot, const LogPosterior& posterior,
-                     RandomStream& random)
+                     RandomStream& random, int most_sweeps)
 {
   const std::vector<float> log_weight = particles.log_weight;
   auto shapes = stepShapes(particles, log_weight, modes);
   posterior(particles);
   bool growing = true;
-  for (int sweep = 0; sweep < kMinSweeps || (growing && sweep < kMaxSweeps); ++sweep)
+  for (int sweep = 0; sweep < kMinSweeps || (growing && sweep < most_sweeps); ++sweep)
   {
     ParticleSet next = proposed(particles, modes, shapes, pivot, random);
     posterior(next);
@@ -168,6 +169,8 @@ void rejuvenate(ParticleSet& particles, const ParticleFilterOptions& options, st
   Frame all;
   all.readings.assign(since_start.begin(), since_start.end());
   Vector2d pivot = Vector2d::Zero();
+  std::size_t scored = 1;  // in one sweep
+  for (const Reading& reading : since_start) scored += particles.size() * reading.detections.size();
   for (const Reading& reading : since_start)
     pivot += reading.T_robot_sensor.position() / static_cast<double>(since_start.size());
   const auto posterior = [&](ParticleSet& moved)
@@ -178,7 +181,8 @@ void rejuvenate(ParticleSet& particles, const ParticleFilterOptions& options, st
     for (std::size_t i = 0; i < moved.size(); ++i)
       if (!options.region.contains(moved.pose(i))) moved.log_weight[i] = -std::numeric_limits<float>::infinity();
   };
-  moveByPosterior(particles, findModes(particles, options.modes, options.threads), pivot, posterior, random);
+  moveByPosterior(particles, findModes(particles, options.modes, options.threads), pivot, posterior, random,
+                  static_cast<int>(std::min<std::size_t>(kMostScored / scored, kMostSweeps)));
 }
 
 void addBiasLogPrior(ParticleSet& particles)

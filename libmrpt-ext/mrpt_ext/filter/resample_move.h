@@ -11,6 +11,9 @@
 
 namespace mrpt_ext
 {
+/// Steps of each particle in one move at most.
+inline constexpr int kMostSweeps = 40;
+
 /// Sets the log weights to the logarithm of the posterior density at the particles, up to a constant; minus infinity
 /// where it is zero. Systematic errors of sensors enter with their prior, see addBiasLogPrior().
 using LogPosterior = std::function<void(ParticleSet&)>;
@@ -22,12 +25,13 @@ using LogPosterior = std::function<void(ParticleSet&)>;
 ///
 /// Steps alternate between a random walk in pose and systematic errors of the sensors, with the covariance of the mode
 /// of the particle, and a rotation to any heading about `pivot` [m, robot frame], which keeps the mean position of the
-/// sensors; as many as it takes until the modes no longer grow. Systematic errors of odometry and the weights stay.
+/// sensors; as many as it takes until the modes no longer grow, `most_sweeps` at most. Systematic errors of odometry
+/// and the weights stay.
 void moveByPosterior(ParticleSet& particles, const ModeSet& modes, const Vector2d& pivot, const LogPosterior& posterior,
-                     RandomStream& random);
+                     RandomStream& random, int most_sweeps = kMostSweeps);
 
 /// moveByPosterior() after resampling. `since_start`: all readings so far, transformed to the newest frame; they and
-/// the prior over the region are the posterior.
+/// the prior over the region are the posterior. The more of them, the fewer sweeps.
 void rejuvenate(ParticleSet& particles, const ParticleFilterOptions& options, std::span<const Reading> since_start,
                 const WeightParticles& weight, RandomStream& random);
 

@@ -60,6 +60,17 @@ struct MixtureTerms
   double total = 0;
 };
 
+/// False where the density is below e^-72 of its peak, without computing it: of ten thousand landmarks few are near.
+bool isNear(const Detection& detection, const LandmarkPrediction& prediction)
+{
+  constexpr double kFar2 = 12 * 12;  // squared standard deviations
+  if (detection.bearing && square(wrap(*detection.bearing - prediction.bearing)) >
+                               kFar2 * (square(detection.std_bearing) + prediction.bearing_variance))
+    return false;
+  return !detection.range || square(*detection.range - prediction.range) <=
+                                 kFar2 * (square(detection.std_range) + prediction.range_variance);
+}
+
 /// Fills terms[i] for candidate i of detection d.
 MixtureTerms mixture(const PreparedReading& prepared, std::size_t d, const std::vector<LandmarkPrediction>& predictions,
                      std::vector<double>& terms)
@@ -81,7 +92,8 @@ MixtureTerms mixture(const PreparedReading& prepared, std::size_t d, const std::
     const double share = identified ? 1.0 : visibility_sum > 0 ? prediction.visibility / visibility_sum : 0.0;
     const double clutter = clutterOf(prepared.clutter, prepared.reading.model, prepared.relevant[candidates[i]]);
     clutter_share += clutter * (visibility_sum > 0 || identified ? share : fallback);
-    if (share > 0) terms[i] = (1 - clutter) * share * std::exp(logDensity(detection, prediction));
+    if (share > 0 && isNear(detection, prediction))
+      terms[i] = (1 - clutter) * share * std::exp(logDensity(detection, prediction));
     result.total += terms[i];
   }
   result.clutter = clutter_share * prepared.clutter_density[d];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mrpt_ext/likelihood/detection_density.h"
 #include "mrpt_ext/likelihood/missed_detections.h"
@@ -76,8 +77,24 @@ void ReadingScorer::addTo(const PoseBatch& robots, std::span<float> log_likeliho
 {
   BlockTerms terms;
   if (!anonymous_.empty() || missed_) terms.culling.emplace(map_, frame_);
-  for (std::size_t first = 0; first < robots.size(); first += kBlockTiles * kTile)
-    scoreBlock(robots, first, std::min(kBlockTiles * kTile, robots.size() - first), terms, log_likelihood);
+  for (std::size_t first = 0, count = 0; first < robots.size(); first += count)
+  {
+    count = std::min(kBlockTiles * kTile, robots.size() - first);
+    if (terms.culling && isSpread(robots, first, count)) count = std::min(kTile, count);
+    scoreBlock(robots, first, count, terms, log_likelihood);
+  }
+}
+
+/// True for robots so far apart that they see different landmarks: a block of one tile then leaves out more.
+bool ReadingScorer::isSpread(const PoseBatch& robots, std::size_t first, std::size_t count) const
+{
+  const auto extent = [&](std::span<const float> column)
+  {
+    const auto [low, high] = std::minmax_element(column.begin(), column.end());
+    return double{*high} - double{*low};
+  };
+  const double range = reading_.model.max_range.value_or(std::numeric_limits<double>::infinity());
+  return std::max(extent(robots.x.subspan(first, count)), extent(robots.y.subspan(first, count))) > range;
 }
 
 void ReadingScorer::scoreBlock(const PoseBatch& robots, std::size_t first, std::size_t count, BlockTerms& terms,

@@ -41,6 +41,7 @@ class ReadingScorer
 
   void addIdentified(const Detection& detection, std::size_t landmark, double volume);
   Group& groupOf(const DetectionKind& kind);
+  [[nodiscard]] bool isSpread(const PoseBatch& robots, std::size_t first, std::size_t count) const;
   void scoreBlock(const PoseBatch& robots, std::size_t first, std::size_t count, BlockTerms& terms,
                   std::span<float> log_likelihood) const;
   void scoreTile(const SensorTile& tile, const BlockTerms& terms, SensorTile::Column& log_sum) const;

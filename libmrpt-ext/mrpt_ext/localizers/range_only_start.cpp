@@ -34,7 +34,9 @@ void RangeOnlyStart::add(const Frame& frame)
   if (ended_) return;
   window_.add(frame);
   reading_count_ += frame.readings.size();
-  ended_ = window_.full() || reading_count_ > kMostReadings || !hasOnlyRanges(frame);
+  for (const Reading& reading : frame.readings) range_count_ += reading.detections.size();
+  const bool too_many = reading_count_ > kMostReadings || range_count_ > kMostRanges;
+  ended_ = window_.full() || too_many || !hasOnlyRanges(frame);
 }
 
 std::vector<Reading> RangeOnlyStart::readings() const

@@ -20,11 +20,11 @@ class RangeOnlyStart
   [[nodiscard]] std::vector<Reading> readings() const;
 
  private:
-  static constexpr double kLongest = 120;            // [s]
-  static constexpr std::size_t kMostReadings = 400;  // each of them is scored for every particle
+  static constexpr double kLongest = 120;                                // [s]
+  static constexpr std::size_t kMostReadings = 400, kMostRanges = 4000;  // each is scored for every particle
 
   MeasurementWindow window_;
-  std::size_t reading_count_ = 0;
+  std::size_t reading_count_ = 0, range_count_ = 0;
   bool ended_ = false;
 };
 }  // namespace mrpt_ext

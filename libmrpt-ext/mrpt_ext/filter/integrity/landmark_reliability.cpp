@@ -14,8 +14,10 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr std::size_t kSamples = 64;  // draws from the posterior: a probability to a few per cent
-constexpr double kMaxClutter = 0.7;   // a landmark is never trusted less
+constexpr std::size_t kMostDraws = 64;  // from the posterior: a probability to a few per cent
+constexpr std::size_t kLeastDraws = 4;
+constexpr std::size_t kMostPairs = 20'000'000;  // of a detection and a landmark, over all draws
+constexpr double kMaxClutter = 0.7;             // a landmark is never trusted less
 
 /// Weights of the particles of one block, and their sum.
 struct BlockWeights
@@ -29,29 +31,30 @@ struct BlockWeights
 };
 
 /// Evenly spaced draws from the posterior; deterministic, so that learning costs no random numbers.
-std::vector<std::size_t> spacedDraws(const ParticleSet& particles, unsigned threads)
+std::vector<std::size_t> spacedDraws(const ParticleSet& particles, std::size_t draws_wanted, unsigned threads)
 {
   std::vector<double> before(blockCount(particles.size()) + 1, 0.0);  // sums of all blocks before each one
   forEachBlock(particles.size(), threads,
                [&](std::size_t first, std::size_t count)
                { before[first / kParticleBlock + 1] = BlockWeights(particles, first, count).sum; });
   std::partial_sum(before.begin(), before.end(), before.begin());
-  const auto wanted = [&](std::size_t draw) { return (static_cast<double>(draw) + 0.5) / kSamples * before.back(); };
-  std::vector<std::size_t> draws(kSamples, 0);
+  const auto wanted = [&](std::size_t draw)
+  { return (static_cast<double>(draw) + 0.5) / static_cast<double>(draws_wanted) * before.back(); };
+  std::vector<std::size_t> draws(draws_wanted, 0);
   forEachBlock(particles.size(), threads,
                [&](std::size_t first, std::size_t count)
                {
                  const double start = before[first / kParticleBlock], end = before[first / kParticleBlock + 1];
                  std::size_t draw = 0;
-                 while (draw < kSamples && wanted(draw) < start) ++draw;
-                 if (draw == kSamples || wanted(draw) >= end) return;
+                 while (draw < draws_wanted && wanted(draw) < start) ++draw;
+                 if (draw == draws_wanted || wanted(draw) >= end) return;
                  const BlockWeights weights(particles, first, count);
                  double reached = start;
-                 for (std::size_t i = 0; i < count && draw < kSamples && wanted(draw) < end; ++i)
+                 for (std::size_t i = 0; i < count && draw < draws_wanted && wanted(draw) < end; ++i)
                  {
                    reached += double{weights.weight[i]};
                    // The last one takes what rounding leaves.
-                   for (; draw < kSamples && wanted(draw) < (i + 1 < count ? reached : end); ++draw)
+                   for (; draw < draws_wanted && wanted(draw) < (i + 1 < count ? reached : end); ++draw)
                      draws[draw] = first + i;
                  }
                });
@@ -95,7 +98,9 @@ LandmarkClutter LandmarkReliability::clutter(double sensor_clutter) const
 double LandmarkReliability::observe(const Reading& reading, const LandmarkTable& map, const ParticleSet& particles,
                                     bool learn, unsigned threads)
 {
-  const std::vector<std::size_t> draws = spacedDraws(particles, threads);
+  const std::size_t pairs = std::max<std::size_t>(1, reading.detections.size() * map.size());
+  const std::size_t wanted = std::clamp(kMostPairs / pairs, kLeastDraws, kMostDraws);
+  const std::vector<std::size_t> draws = spacedDraws(particles, wanted, threads);
   if (draws.empty() || reading.detections.empty()) return 0;
   const LandmarkClutter current = clutter(reading.model.clutter_probability);
   const double share = 1.0 / static_cast<double>(draws.size());

@@ -1,0 +1,77 @@
+#include <algorithm>
+#include <ctime>
+#include <iomanip>
+
+#include "filter_scenario.h"
+#include "mrpt_ext/geometry/quantile.h"
+#include "mrpt_ext/localizers/particle_filter_localizer.h"
+#include "random_frames.h"
+#include "study.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr int kFrames = 8;  // the window of the first ones, then the trajectory
+
+/// [s] of this thread.
+double threadTime()
+{
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+struct Steps
+{
+  std::vector<double> seconds;
+  std::string slowest;
+
+  void add(double time, const RandomFrames& scene, std::size_t step)
+  {
+    if (seconds.empty() || time > *std::max_element(seconds.begin(), seconds.end()))
+      slowest = scene.text() + ", step " + std::to_string(step);
+    seconds.push_back(time);
+  }
+};
+
+void tabulate(std::ostream& out)
+{
+  struct Row
+  {
+    int landmarks, detections;
+  };
+  out << "| landmarks up to | detections up to | steps | median | 90 % | slowest | which "
+         "|\n|---|---|---|---|---|---|---|\n";
+  for (const Row& row : {Row{40, 50}, Row{1000, 50}, Row{10'000, 50}, Row{1000, 5000}, Row{10'000, 5000}})
+  {
+    Steps steps;
+    RandomStream random(11, static_cast<std::uint64_t>(row.landmarks + row.detections));
+    for (int trial = 0; trial < studyRuns(60); ++trial)
+    {
+      const RandomFrames scene = randomFrames(row.landmarks, row.detections, kFrames, random);
+      ParticleFilterOptions options;
+      options.region = scene.region;
+      options.motion = {.std_xy_per_m = 0.05, .std_phi_per_deg = 0.05};
+      ParticleFilterLocalizer filter(options, scene.map, 3, 1);
+      for (std::size_t k = 0; k < scene.frames.size(); ++k)
+      {
+        const double before = threadTime();
+        (void)filter.process(scene.frames[k]);
+        steps.add(threadTime() - before, scene, k);
+      }
+    }
+    std::sort(steps.seconds.begin(), steps.seconds.end());
+    const auto at = [&](double share)
+    { return steps.seconds[static_cast<std::size_t>(share * static_cast<double>(steps.seconds.size() - 1))]; };
+    out << std::setprecision(3) << "| " << row.landmarks << " | " << row.detections << " | " << steps.seconds.size()
+        << " | " << 1e3 * at(0.5) << " ms | " << 1e3 * at(0.9) << " ms | " << 1e3 * at(1) << " ms | " << steps.slowest
+        << " |" << std::endl;
+  }
+}
+
+const RegisterStudy kRandomFrames("random_frames",
+                                  "Frames of any size in any map, right or wrong: how long does a step take?",
+                                  tabulate);
+}  // namespace
+}  // namespace mrpt_ext
