@@ -1,3 +1,4 @@
+#include "circle_relation_text.h"
 #include "golden_vectors.h"
 #include "mrpt_ext/solvers/heading_from_landmark.h"
 #include "mrpt_ext/solvers/landmark_in_robot_frame.h"

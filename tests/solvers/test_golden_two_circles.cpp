@@ -1,5 +1,5 @@
+#include "circle_relation_text.h"
 #include "golden_vectors.h"
-#include "mrpt_ext/solvers/two_circles.h"
 
 namespace mrpt_ext
 {

@@ -48,7 +48,7 @@ TEST(PoseMl, RangesAndAHeadingAreEnough)
   EXPECT_NEAR(ml.pose.covariance(2, 2), square(0.1), 1e-12);
 }
 
-TEST(PoseMl, RobustLossesForgiveAGrossError)
+TEST(PoseMl, RobustLossForgivesAGrossError)
 {
   RandomStream random(21);
   std::vector<PoseMeasurement> measurements;
@@ -57,16 +57,12 @@ TEST(PoseMl, RobustLossesForgiveAGrossError)
   measurements[3].value += 0.4;
   const auto error = [&](Loss loss)
   {
-    const PoseMl ml = refinePose(measurements, {2.2, 2.8, 0.7}, {loss, 2, 200});
+    const PoseMl ml = refinePose(measurements, {2.2, 2.8, 0.7}, loss);
     EXPECT_EQ(ml.status, SolveStatus::ok);
     return (ml.pose.mean.position() - kRobot.position()).norm();
   };
   EXPECT_GT(error(Loss::squared), 0.1);
-  EXPECT_LT(error(Loss::huber), 0.5 * error(Loss::squared));
   EXPECT_LT(error(Loss::cauchy), 0.01);
-  const PoseMl robust = refinePose(measurements, {2.2, 2.8, 0.7}, {Loss::cauchy, 2, 200});
-  EXPECT_LT(robust.weights[3], 0.01);
-  EXPECT_GT(robust.weights[0], 0.9);
 }
 
 TEST(PoseMl, CostNeverRisesFromAnyStart)

@@ -43,7 +43,7 @@ std::span<const Reading> fullestReading(std::span<const Reading> readings)
 void refine(PoseHypothesis& hypothesis, std::span<const PoseMeasurement> rows)
 {
   if (!hypothesis.heading_known || rows.size() < 3) return;
-  const PoseMl fit = refinePose(rows, hypothesis.pose.mean, {.loss = Loss::cauchy});
+  const PoseMl fit = refinePose(rows, hypothesis.pose.mean, Loss::cauchy);
   if (fit.status == SolveStatus::ok && fit.converged) hypothesis.pose = fit.pose;
 }
 

@@ -17,7 +17,7 @@ std::vector<KnownBearing> relativeTo(std::span<const KnownBearing> bearings, con
 }
 }  // namespace
 
-PoseMl solveBearingPoseMl(std::span<const KnownBearing> bearings, const PoseMlOptions& options)
+PoseMl solveBearingPoseMl(std::span<const KnownBearing> bearings)
 {
   PoseMl failed;
   failed.status = checkBearings(bearings);
@@ -38,12 +38,11 @@ PoseMl solveBearingPoseMl(std::span<const KnownBearing> bearings, const PoseMlOp
     if (linear.status != SolveStatus::ok) return failed;
     seeds.push_back({{linear.pose.x, linear.pose.y, linear.mean_phi}});
   }
-  PoseMl result = refinePose(measurements, seeds.front().pose, options);
+  PoseMl result = refinePose(measurements, seeds.front().pose);
   if (result.status != SolveStatus::ok) return result;
 
-  const bool robust = options.loss != Loss::squared;  // a false bearing may then point anywhere
   const auto points_away = [](double r) { return std::abs(r) > 0.5 * kPi; };
-  if (!robust && std::any_of(result.residuals.begin(), result.residuals.end(), points_away))
+  if (std::any_of(result.residuals.begin(), result.residuals.end(), points_away))
   {
     result.status = SolveStatus::behind;
     result.pose = {};

@@ -13,5 +13,5 @@ namespace mrpt_ext
 /// (bearing_pose_linear) may. `det_ratio` of the result is informationRatio. Where the pose may be ambiguous or in
 /// doubt, solvePoseFromLandmarks tells more. Status: that of the linear form when no closed form has a pose; `behind`
 /// when a residual at the solution exceeds a right angle; `degenerate` when the information there is singular.
-[[nodiscard]] PoseMl solveBearingPoseMl(std::span<const KnownBearing> bearings, const PoseMlOptions& options = {});
+[[nodiscard]] PoseMl solveBearingPoseMl(std::span<const KnownBearing> bearings);
 }  // namespace mrpt_ext

@@ -22,13 +22,4 @@ std::optional<double> headingFromBearing(const Vector2d& landmark, const Vector2
   if (!hasDirection(to_landmark) || !std::isfinite(bearing)) return std::nullopt;
   return wrap(angleOf(to_landmark) - bearing);
 }
-
-std::optional<double> headingVariance(const Vector2d& landmark, const Vector2d& position,
-                                      const Matrix2d& position_covariance, double std_bearing)
-{
-  const Vector2d to_landmark = landmark - position;
-  if (!hasDirection(to_landmark)) return std::nullopt;
-  const Vector2d across = perpendicular(to_landmark) / to_landmark.squaredNorm();
-  return square(std_bearing) + across.dot(position_covariance * across);
-}
 }  // namespace mrpt_ext

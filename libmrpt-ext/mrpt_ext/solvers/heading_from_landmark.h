@@ -16,9 +16,4 @@ namespace mrpt_ext
 /// The same from a bearing [rad] measured at the robot centre.
 [[nodiscard]] std::optional<double> headingFromBearing(const Vector2d& landmark, const Vector2d& position,
                                                        double bearing);
-
-/// Variance [rad^2] of that heading: bearing noise plus position error across the line of sight over the distance.
-/// Nothing when the robot is on the landmark.
-[[nodiscard]] std::optional<double> headingVariance(const Vector2d& landmark, const Vector2d& position,
-                                                    const Matrix2d& position_covariance, double std_bearing);
 }  // namespace mrpt_ext

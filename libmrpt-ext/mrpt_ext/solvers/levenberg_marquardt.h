@@ -43,7 +43,6 @@ struct DescentOptions
 {
   int max_iterations = 50;
   double relative_step = 1e-13;  ///< stop when a step promises to lower the cost relatively less than this
-  double good_enough = 0;        ///< stop at a cost below this
 };
 
 struct DescentReport
@@ -73,7 +72,7 @@ DescentReport descendFrom(State& state, NormalEquations<N>& now, const Improved&
     // What the quadratic model promises; nothing left to gain means converged.
     const double promised = -(2 * now.gradient.dot(step) + step.dot(now.hessian * step));
     const double least = options.relative_step * options.relative_step * now.cost;
-    if (!step.allFinite() || now.cost <= options.good_enough || !(promised > least))
+    if (!step.allFinite() || now.cost <= 0 || !(promised > least))
     {
       report.converged = step.allFinite();
       return report;

@@ -1,5 +1,7 @@
 #include "mrpt_ext/solvers/line_of_position.h"
 
+#include <algorithm>
+
 #include "mrpt_ext/solvers/plane.h"
 #include "mrpt_ext/solvers/two_circles.h"
 
@@ -50,8 +52,8 @@ LocusCrossing crossLoci(const PositionLocus& a, const PositionLocus& b)
   if (a.straight) return crossLineWithCircle(a, b);
   if (b.straight) return crossLineWithCircle(b, a);
   const TwoCircles circles = intersectCircles({a.point, a.radius}, {b.point, b.radius});
-  if (circles.count > 0) return {circles.count, circles.points};
-  if (circles.gap > 0) return {1, {circles.closest, Vector2d(0, 0)}};
-  return {};
+  LocusCrossing crossing{static_cast<int>(circles.candidates().size())};
+  std::copy(circles.candidates().begin(), circles.candidates().end(), crossing.points.begin());
+  return crossing;
 }
 }  // namespace mrpt_ext

@@ -1,8 +1,8 @@
 #include "mrpt_ext/solvers/pose_ml.h"
 
 #include <algorithm>
+#include <limits>
 
-#include "mrpt_ext/solvers/divergence_guard.h"
 #include "mrpt_ext/solvers/pose_information.h"
 #include "mrpt_ext/solvers/pose_residuals.h"
 
@@ -10,73 +10,62 @@ namespace mrpt_ext
 {
 namespace
 {
-struct LossValue
-{
-  double cost = 0;
-  double weight = 1;  // d cost / d (e^2)
-};
-
-LossValue evaluate(const PoseMlOptions& options, double e2)
-{
-  const double k = options.loss_scale;
-  switch (options.loss)
-  {
-    case Loss::squared:
-      return {e2, 1};
-    case Loss::huber:
-    {
-      if (e2 <= k * k) return {e2, 1};
-      const double e = std::sqrt(e2);
-      return {2 * k * e - k * k, k / e};
-    }
-    case Loss::cauchy:
-      return {k * k * std::log1p(e2 / (k * k)), 1 / (1 + e2 / (k * k))};
-  }
-  return {e2, 1};
-}
+constexpr double kCauchyScale2 = 4;  // squared standard deviations
+constexpr double kRunaway = 1e4;     // times the extent of the scene
 
 /// Cost and model of all measurements under the loss.
-NormalEquations<3> modelAt(const PoseResiduals& rows, const PoseMlOptions& options, const Pose2& pose)
+NormalEquations<3> modelAt(const PoseResiduals& rows, Loss loss, const Pose2& pose)
 {
-  if (options.loss == Loss::squared) return rows.model(pose);
+  if (loss == Loss::squared) return rows.model(pose);
   NormalEquations<3> sum;
   rows.forEach(pose,
                [&](double e, const JacobianRow& j)
                {
-                 const LossValue loss = evaluate(options, e * e);
-                 sum.cost += loss.cost;
-                 sum.gradient += loss.weight * e * j.transpose();
-                 sum.hessian += loss.weight * j.transpose() * j;
+                 const double weight = 1 / (1 + e * e / kCauchyScale2);  // d cost / d (e^2)
+                 sum.cost += kCauchyScale2 * std::log1p(e * e / kCauchyScale2);
+                 sum.gradient += weight * e * j.transpose();
+                 sum.hessian += weight * j.transpose() * j;
                });
   return sum;
 }
 
-bool diverged(std::span<const PoseMeasurement> measurements, const Pose2& pose)
+/// True if the robot is further from the landmarks than anything the measurements can speak of.
+bool ranOff(std::span<const PoseMeasurement> measurements, const Pose2& pose)
 {
-  DivergenceGuard guard(pose.position());
-  for (const PoseMeasurement& m : measurements) guard.add(m);
-  return guard.diverged();
-}
-
-void describe(PoseMl& result, std::span<const PoseMeasurement> measurements, const PoseMlOptions& options,
-              const Pose2& pose)
-{
-  result.residuals.reserve(measurements.size());
-  result.weights.reserve(measurements.size());
+  const PoseMeasurement* first = nullptr;
+  double nearest = std::numeric_limits<double>::infinity(), extent = 0;
   for (const PoseMeasurement& m : measurements)
   {
-    const double r = residual(m, pose);
-    result.residuals.push_back(r);
-    result.weights.push_back(evaluate(options, square(r / m.std)).weight);
+    if (m.kind == PoseMeasurement::Kind::heading) continue;
+    if (!first) first = &m;
+    nearest = std::min(nearest, (m.landmark - pose.position()).norm());
+    extent = std::max({extent, (m.landmark - first->landmark).norm(), m.T_robot_sensor.position().norm(),
+                       m.kind == PoseMeasurement::Kind::range ? m.value : 0.0});
   }
+  return first && nearest > kRunaway * extent;
 }
 }  // namespace
 
-PoseMl refinePose(std::span<const PoseMeasurement> measurements, const Pose2& start, const PoseMlOptions& options)
+void describeSolution(PoseMl& result, std::span<const PoseMeasurement> measurements, const Pose2& pose,
+                      const NormalEquations<3>& there, const DescentReport& report)
+{
+  result.chi2 = there.cost;
+  result.iterations = report.iterations;
+  result.converged = report.converged;
+  result.det_ratio = informationRatio(there.hessian);
+  result.residuals.reserve(measurements.size());
+  for (const PoseMeasurement& m : measurements) result.residuals.push_back(residual(m, pose));
+  const std::optional<Matrix3d> covariance = covarianceFromInformation(there.hessian);
+  result.status = SolveStatus::degenerate;
+  if (!covariance || ranOff(measurements, pose)) return;
+  result.status = SolveStatus::ok;
+  result.pose = {{pose.x, pose.y, wrap(pose.phi)}, *covariance};
+}
+
+PoseMl refinePose(std::span<const PoseMeasurement> measurements, const Pose2& start, Loss loss)
 {
   PoseMl result;
-  const bool usable = std::all_of(measurements.begin(), measurements.end(), isUsable);
-  if (!usable || !isFinite(start) || !(options.loss_scale > 0))
+  if (!std::all_of(measurements.begin(), measurements.end(), isUsable) || !isFinite(start))
   {
     result.status = SolveStatus::bad_input;
     return result;
@@ -85,29 +74,16 @@ PoseMl refinePose(std::span<const PoseMeasurement> measurements, const Pose2& st
 
   const PoseResiduals rows(measurements);
   Pose2 pose = start;
-  NormalEquations<3> now = modelAt(rows, options, pose);
+  NormalEquations<3> now = modelAt(rows, loss, pose);
   result.start_chi2 = now.cost;
   const auto improved = [&](const Pose2& next, double bound) -> std::optional<NormalEquations<3>>
   {
-    NormalEquations<3> there = modelAt(rows, options, next);
+    NormalEquations<3> there = modelAt(rows, loss, next);
     if (!(there.cost < bound)) return std::nullopt;
     return there;
   };
-  const DescentReport report = descendFrom<3>(pose, now, improved, added, {options.max_iterations});
-  result.chi2 = now.cost;
-  result.iterations = report.iterations;
-  result.converged = report.converged;
-  result.det_ratio = informationRatio(now.hessian);
-  describe(result, measurements, options, pose);
-
-  const std::optional<Matrix3d> covariance = covarianceFromInformation(now.hessian);
-  if (!covariance || diverged(measurements, pose))
-  {
-    result.status = SolveStatus::degenerate;
-    return result;
-  }
-  result.status = SolveStatus::ok;
-  result.pose = {{pose.x, pose.y, wrap(pose.phi)}, *covariance};
+  const DescentReport report = descendFrom<3>(pose, now, improved, added);
+  describeSolution(result, measurements, pose, now, report);
   return result;
 }
 }  // namespace mrpt_ext

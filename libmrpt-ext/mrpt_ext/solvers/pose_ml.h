@@ -5,23 +5,16 @@
 
 #include "mrpt_ext/geometry/gaussian_pose.h"
 #include "mrpt_ext/geometry/solve_status.h"
+#include "mrpt_ext/solvers/levenberg_marquardt.h"
 #include "mrpt_ext/solvers/pose_measurement.h"
 
 namespace mrpt_ext
 {
-/// Influence of large residuals. With e = residual / std and k = `PoseMlOptions::loss_scale`:
+/// Influence of large residuals. With e = residual / std:
 enum class Loss
 {
   squared,  ///< e^2: maximum likelihood under Gaussian noise
-  huber,    ///< e^2 up to k, then growing linearly
-  cauchy    ///< k^2 log(1 + e^2 / k^2): gross errors have little weight
-};
-
-struct PoseMlOptions
-{
-  Loss loss = Loss::squared;
-  double loss_scale = 2;  ///< [standard deviations]
-  int max_iterations = 50;
+  cauchy    ///< k^2 log(1 + e^2 / k^2), k = 2: gross errors have little weight
 };
 
 struct PoseMl
@@ -32,7 +25,6 @@ struct PoseMl
   double start_chi2 = 0;          ///< the same at the start pose, never smaller
   double det_ratio = 0;           ///< informationRatio at the solution, in [0, 1]: quality of the geometry
   std::vector<double> residuals;  ///< predicted minus measured, in the measurements' units
-  std::vector<double> weights;    ///< of each measurement in the last step: 1, or less with a robust loss
   int iterations = 0;
   bool converged = false;
 };
@@ -44,5 +36,9 @@ struct PoseMl
 /// scene); `bad_input` for non-finite numbers, std <= 0 or a negative range.
 /// With a robust loss the covariance counts each measurement by its weight.
 [[nodiscard]] PoseMl refinePose(std::span<const PoseMeasurement> measurements, const Pose2& start,
-                                const PoseMlOptions& options = {});
+                                Loss loss = Loss::squared);
+
+/// Fills in all but `start_chi2` for a descent on these measurements that ended at `pose`, with the model `there`.
+void describeSolution(PoseMl& result, std::span<const PoseMeasurement> measurements, const Pose2& pose,
+                      const NormalEquations<3>& there, const DescentReport& report);
 }  // namespace mrpt_ext

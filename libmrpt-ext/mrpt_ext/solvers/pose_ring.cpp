@@ -27,14 +27,7 @@ GaussianPose gaussianOnRing(const PoseRing& ring, double heading, double std_hea
 {
   const Matrix2d R = rotation(heading);
   const Vector2d turned = -perpendicular(R * ring.seen_in_robot.mean);  // d position / d heading
-  const double variance = square(std_heading);
-  GaussianPose result;
-  result.mean = poseOnRing(ring, heading);
-  result.covariance.topLeftCorner<2, 2>() =
-      R * ring.seen_in_robot.covariance * R.transpose() + variance * turned * turned.transpose();
-  result.covariance.topRightCorner<2, 1>() = variance * turned;
-  result.covariance.bottomLeftCorner<1, 2>() = variance * turned.transpose();
-  result.covariance(2, 2) = variance;
-  return result;
+  return {poseOnRing(ring, heading),
+          withHeading(R * ring.seen_in_robot.covariance * R.transpose(), turned, square(std_heading))};
 }
 }  // namespace mrpt_ext

@@ -6,7 +6,7 @@
 
 #include "mrpt_ext/solvers/levenberg_marquardt.h"
 #include "mrpt_ext/solvers/pose_information.h"
-#include "mrpt_ext/solvers/running_fix.h"
+#include "mrpt_ext/solvers/two_circles.h"
 
 namespace mrpt_ext
 {
@@ -66,12 +66,6 @@ std::optional<Vector2d> linearSeed(std::span<const KnownRange> ranges)
   return Vector2d(mean + A.inverse() * v);
 }
 
-/// Both positions that two ranges allow, or the middle of the gap between their circles.
-std::vector<RunningFixCandidate> pairCandidates(const KnownRange& a, const KnownRange& b)
-{
-  return runningFix({b.landmark, a.landmark - b.landmark, a.range, b.range, a.std, b.std}).candidates;
-}
-
 /// The pair of landmarks furthest apart.
 std::pair<std::size_t, std::size_t> widestPair(std::span<const KnownRange> ranges)
 {
@@ -127,9 +121,9 @@ RangePositions solveRangePosition(std::span<const KnownRange> ranges)
   result.status = SolveStatus::degenerate;
   if (!(extent > 0)) return result;
 
-  std::vector<Vector2d> seeds;
-  for (const RunningFixCandidate& candidate : pairCandidates(ranges[i], ranges[j]))
-    seeds.push_back(candidate.second.mean);
+  const TwoCircles circles =
+      intersectCircles({ranges[i].landmark, ranges[i].range}, {ranges[j].landmark, ranges[j].range});
+  std::vector<Vector2d> seeds(circles.candidates().begin(), circles.candidates().end());
   if (const std::optional<Vector2d> linear = linearSeed(ranges)) seeds.push_back(*linear);
   std::vector<RangePosition> found;
   for (const Vector2d& seed : seeds) found.push_back(polish(ranges, seed));

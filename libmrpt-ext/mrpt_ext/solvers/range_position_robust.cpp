@@ -19,34 +19,33 @@ struct Proposal
   double cost;
 };
 
-double truncatedCost(std::span<const KnownRange> ranges, const Vector2d& position, double gate)
+double truncatedCost(std::span<const KnownRange> ranges, const Vector2d& position)
 {
   double sum = 0;
   for (const KnownRange& r : ranges)
-    sum += std::min(square(((position - r.landmark).norm() - r.range) / r.std), gate * gate);
+    sum += std::min(square(((position - r.landmark).norm() - r.range) / r.std), square(kRangeGate));
   return sum;
 }
 
-std::vector<bool> inliersAt(std::span<const KnownRange> ranges, const Vector2d& position, double gate)
+std::vector<bool> inliersAt(std::span<const KnownRange> ranges, const Vector2d& position)
 {
   std::vector<bool> inliers;
   for (const KnownRange& r : ranges)
-    inliers.push_back(std::abs((position - r.landmark).norm() - r.range) <= gate * r.std);
+    inliers.push_back(std::abs((position - r.landmark).norm() - r.range) <= kRangeGate * r.std);
   return inliers;
 }
 
 /// The candidates of every pair of ranges, best first.
-std::vector<Proposal> propose(std::span<const KnownRange> ranges, double gate)
+std::vector<Proposal> propose(std::span<const KnownRange> ranges)
 {
   std::vector<Proposal> proposals;
-  const auto add = [&](const Vector2d& p) { proposals.push_back({p, truncatedCost(ranges, p, gate)}); };
+  const auto add = [&](const Vector2d& p) { proposals.push_back({p, truncatedCost(ranges, p)}); };
   for (std::size_t i = 0; i < ranges.size(); ++i)
     for (std::size_t j = i + 1; j < ranges.size(); ++j)
     {
       const TwoCircles circles =
           intersectCircles({ranges[i].landmark, ranges[i].range}, {ranges[j].landmark, ranges[j].range});
-      for (int k = 0; k < circles.count; ++k) add(circles.points[static_cast<std::size_t>(k)]);
-      if (circles.gap > 0) add(circles.closest);
+      for (const Vector2d& p : circles.candidates()) add(p);
     }
   std::stable_sort(proposals.begin(), proposals.end(),
                    [](const Proposal& a, const Proposal& b) { return a.cost < b.cost; });
@@ -63,11 +62,11 @@ const RangePosition& nearest(const RangePositions& solution, const Vector2d& pos
 }
 
 /// Refines a proposal on its inliers until they no longer change; nothing when less than two remain.
-std::optional<RobustRangePosition> settle(std::span<const KnownRange> ranges, const Proposal& proposal, double gate)
+std::optional<RobustRangePosition> settle(std::span<const KnownRange> ranges, const Proposal& proposal)
 {
   RobustRangePosition result;
   Vector2d position = proposal.position;
-  std::vector<bool> inliers = inliersAt(ranges, position, gate);
+  std::vector<bool> inliers = inliersAt(ranges, position);
   for (int round = 0; round < kSettleRounds; ++round)
   {
     std::vector<KnownRange> chosen;
@@ -78,28 +77,28 @@ std::optional<RobustRangePosition> settle(std::span<const KnownRange> ranges, co
     result.fit = nearest(solution, position);
     position = result.fit.position.mean;
     result.inliers = inliers;
-    inliers = inliersAt(ranges, position, gate);
+    inliers = inliersAt(ranges, position);
     if (inliers == result.inliers) break;
   }
   result.inlier_count = static_cast<int>(std::count(result.inliers.begin(), result.inliers.end(), true));
-  result.cost = truncatedCost(ranges, position, gate);
+  result.cost = truncatedCost(ranges, position);
   result.fit.residuals.clear();
   for (const KnownRange& r : ranges) result.fit.residuals.push_back((position - r.landmark).norm() - r.range);
   return result;
 }
 }  // namespace
 
-RobustRangePositions solveRangePositionRobust(std::span<const KnownRange> ranges, const RobustRangeOptions& options)
+RobustRangePositions solveRangePositionRobust(std::span<const KnownRange> ranges)
 {
   RobustRangePositions result;
   result.status = solveRangePosition(ranges).status;
   if (result.status != SolveStatus::ok) return result;
 
-  const std::vector<Proposal> proposals = propose(ranges, options.gate);
+  const std::vector<Proposal> proposals = propose(ranges);
   std::vector<RobustRangePosition> settled;
   for (std::size_t k = 0; k < std::min(proposals.size(), kRefined); ++k)
   {
-    std::optional<RobustRangePosition> candidate = settle(ranges, proposals[k], options.gate);
+    std::optional<RobustRangePosition> candidate = settle(ranges, proposals[k]);
     const auto same = [&](const RobustRangePosition& other)
     {
       const double distance = (other.fit.position.mean - candidate->fit.position.mean).norm();

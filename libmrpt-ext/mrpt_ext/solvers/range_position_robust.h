@@ -7,17 +7,14 @@
 
 namespace mrpt_ext
 {
-struct RobustRangeOptions
-{
-  double gate = 3;  ///< a range is an inlier when |residual| <= gate * std
-};
+inline constexpr double kRangeGate = 3;  ///< a range is an inlier when |residual| <= kRangeGate * std
 
 struct RobustRangePosition
 {
   RangePosition fit;          ///< maximum likelihood of the inliers; residuals of all ranges
   std::vector<bool> inliers;  ///< one per given range
   int inlier_count = 0;
-  double cost = 0;  ///< sum over all ranges of min(e^2, gate^2), e = residual / std
+  double cost = 0;  ///< sum over all ranges of min(e^2, kRangeGate^2), e = residual / std
 };
 
 struct RobustRangePositions
@@ -31,6 +28,5 @@ struct RobustRangePositions
 /// nothing is drawn at random), the best are refined on their inliers until these settle. With k good ranges of n >= 4
 /// the truth is found when k >= 3; three ranges of which one is wrong cannot tell which, and all their candidates are
 /// returned.
-[[nodiscard]] RobustRangePositions solveRangePositionRobust(std::span<const KnownRange> ranges,
-                                                            const RobustRangeOptions& options = {});
+[[nodiscard]] RobustRangePositions solveRangePositionRobust(std::span<const KnownRange> ranges);
 }  // namespace mrpt_ext

@@ -87,9 +87,7 @@ RunningFix runningFix(const RangePair& ranges)
   if (result.status != SolveStatus::ok) return result;
   result.intersects = circles.count > 0;
   result.gap = circles.gap;
-  if (!result.intersects) result.candidates.push_back(candidateAt(ranges, circles, circles.closest));
-  for (int k = 0; k < circles.count; ++k)
-    result.candidates.push_back(candidateAt(ranges, circles, circles.points[static_cast<std::size_t>(k)]));
+  for (const Vector2d& point : circles.candidates()) result.candidates.push_back(candidateAt(ranges, circles, point));
   return result;
 }
 }  // namespace mrpt_ext

@@ -41,17 +41,6 @@ TurnedFix turn(const RunningFixReading& fix, const Vector2d& landmark, double he
   return turned;
 }
 
-/// Adds the heading's variance and its influence on the position to a candidate's own covariance.
-Matrix3d withHeading(const Matrix2d& position, const Vector2d& d_position, double variance)
-{
-  Matrix3d covariance;
-  covariance.topLeftCorner<2, 2>() = position + variance * d_position * d_position.transpose();
-  covariance.topRightCorner<2, 1>() = variance * d_position;
-  covariance.bottomLeftCorner<1, 2>() = variance * d_position.transpose();
-  covariance(2, 2) = variance;
-  return covariance;
-}
-
 /// d (second position) / d heading: both ranges are kept while the displacement turns.
 Vector2d positionShift(const TurnedFix& turned, const RunningFixCandidate& candidate)
 {

@@ -15,6 +15,11 @@ struct HeadingPrior
   double std_heading = 0;  ///< [rad], > 0
 };
 
+[[nodiscard]] inline HeadingPrior headingOf(const GaussianPose& pose)
+{
+  return {pose.mean.phi, std::sqrt(pose.covariance(2, 2))};
+}
+
 struct RunningFixPose
 {
   GaussianPose pose;      ///< of the robot (not of the sensor) at the second range

@@ -35,30 +35,6 @@ TwoCircles gapBetween(const Circle& first, const Circle& second, double distance
 }
 }  // namespace
 
-std::string_view toString(CircleRelation relation)
-{
-  switch (relation)
-  {
-    case CircleRelation::two:
-      return "two";
-    case CircleRelation::tangent:
-      return "tangent";
-    case CircleRelation::separate:
-      return "separate";
-    case CircleRelation::contained:
-      return "contained";
-    case CircleRelation::concentric:
-      return "concentric";
-    case CircleRelation::coincident:
-      return "coincident";
-    case CircleRelation::negative_radius:
-      return "negative_radius";
-    case CircleRelation::not_finite:
-      return "not_finite";
-  }
-  return "unknown";
-}
-
 TwoCircles intersectCircles(const Circle& first, const Circle& second)
 {
   if (!isFiniteCircle(first) || !isFiniteCircle(second)) return withoutPoints(CircleRelation::not_finite);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <array>
-#include <string_view>
+#include <span>
 
 #include "mrpt_ext/geometry/pose.h"
 
@@ -20,8 +20,6 @@ enum class CircleRelation
   not_finite        ///< bad input
 };
 
-[[nodiscard]] std::string_view toString(CircleRelation relation);
-
 struct Circle
 {
   Vector2d centre{0, 0};
@@ -37,6 +35,12 @@ struct TwoCircles
   Vector2d closest{0, 0};          ///< separate, contained: midpoint of the gap on the line of centres
   double gap = 0;                  ///< separate, contained: width of the gap, > 0
   TwoCircles() { points.fill(Vector2d::Zero()); }
+
+  /// The intersections; without any, the middle of the gap if there is one.
+  [[nodiscard]] std::span<const Vector2d> candidates() const
+  {
+    return gap > 0 ? std::span(&closest, 1) : std::span(points).first(static_cast<std::size_t>(count));
+  }
 };
 
 /// Intersects two circles (paper 004, eq 1-4).

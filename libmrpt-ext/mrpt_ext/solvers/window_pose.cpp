@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "mrpt_ext/solvers/divergence_guard.h"
-#include "mrpt_ext/solvers/pose_information.h"
 #include "mrpt_ext/solvers/window_noise.h"
 
 namespace mrpt_ext
@@ -31,45 +29,25 @@ bool isUsableReading(const WindowMeasurements& reading)
   return reading.odometry_covariance.allFinite() && reading.odometry_covariance.diagonal().minCoeff() >= 0 &&
          std::all_of(reading.measurements.begin(), reading.measurements.end(), isUsable);
 }
-
-bool diverged(std::span<const WindowMeasurements> readings, const Pose2& pose)
-{
-  DivergenceGuard guard(pose.position());
-  for (const WindowMeasurements& reading : readings)
-    for (const PoseMeasurement& m : reading.measurements) guard.add(m);
-  return guard.diverged();
-}
 }  // namespace
 
-PoseMl refineWindowPose(std::span<const WindowMeasurements> oldest_first, const Pose2& start, int max_iterations)
+PoseMl refineWindowPose(std::span<const WindowMeasurements> oldest_first, const Pose2& start)
 {
   PoseMl result;
   result.status = SolveStatus::bad_input;
   if (!isFinite(start) || !std::all_of(oldest_first.begin(), oldest_first.end(), isUsableReading)) return result;
-  std::size_t count = 0;
-  for (const WindowMeasurements& reading : oldest_first) count += reading.measurements.size();
+  std::vector<PoseMeasurement> all;
+  for (const WindowMeasurements& reading : oldest_first)
+    all.insert(all.end(), reading.measurements.begin(), reading.measurements.end());
   result.status = SolveStatus::too_few;
-  if (count < 3) return result;
+  if (all.size() < 3) return result;
 
   Pose2 pose = start;
   const auto model = [&](const Pose2& p) { return modelAt(oldest_first, p); };
   const auto cost = [&](const Pose2& p) { return modelAt(oldest_first, p).cost; };
   result.start_chi2 = cost(start);
-  const DescentReport report = descend<3>(pose, model, cost, added, {max_iterations, 1e-10});
-  const NormalEquations<3> at_solution = model(pose);
-  result.chi2 = at_solution.cost;
-  result.iterations = report.iterations;
-  result.converged = report.converged;
-  result.det_ratio = informationRatio(at_solution.hessian);
-  for (const WindowMeasurements& reading : oldest_first)
-    for (const PoseMeasurement& m : reading.measurements) result.residuals.push_back(residual(m, pose));
-  result.weights.assign(count, 1);
-
-  const std::optional<Matrix3d> covariance = covarianceFromInformation(at_solution.hessian);
-  result.status = SolveStatus::degenerate;
-  if (!covariance || diverged(oldest_first, pose)) return result;
-  result.status = SolveStatus::ok;
-  result.pose = {{pose.x, pose.y, wrap(pose.phi)}, *covariance};
+  const DescentReport report = descend<3>(pose, model, cost, added, {.relative_step = 1e-10});
+  describeSolution(result, all, pose, model(pose), report);
   return result;
 }
 }  // namespace mrpt_ext

@@ -21,6 +21,5 @@ struct WindowMeasurements
 /// window; counting the measurements as independent, with larger standard deviations, would be overconfident, the more
 /// of them share a time. With `odometry_covariance` zero everywhere it is refinePose. Status as refinePose; `bad_input`
 /// also for a covariance that is not finite or has a negative diagonal.
-[[nodiscard]] PoseMl refineWindowPose(std::span<const WindowMeasurements> oldest_first, const Pose2& start,
-                                      int max_iterations = 50);
+[[nodiscard]] PoseMl refineWindowPose(std::span<const WindowMeasurements> oldest_first, const Pose2& start);
 }  // namespace mrpt_ext
