@@ -66,7 +66,7 @@ TEST(PoseChainSystem, SolvesLikeTheFullSystem)
       full.add(row, residual[axis], 0.7);
     }
   }
-  chain.addShared(1, 0.3, 0.5);
+  chain.addPrior(0.3, Eigen::RowVectorXd::Unit(kShared, 1), 4);
   full.information(Full::kSize - 1, Full::kSize - 1) += 4;
   full.gradient[Full::kSize - 1] += 1.2;
 
@@ -102,9 +102,9 @@ TEST(PoseChainSystem, SaysWhenSomethingIsUndetermined)
   PoseChainSystem loose_error(1, 2);
   for (int axis = 0; axis < 3; ++axis)
     loose_error.addReading(0, 1, JacobianRow::Unit(axis), Eigen::RowVectorXd::Zero(2), 1);
-  loose_error.addShared(0, 1, 1);
+  loose_error.addPrior(1, Eigen::RowVectorXd::Unit(2, 0), 1);
   EXPECT_FALSE(loose_error.solve());
-  loose_error.addShared(1, 1, 1);
+  loose_error.addPrior(1, Eigen::RowVectorXd::Unit(2, 1), 1);
   EXPECT_TRUE(loose_error.solve());
 }
 }  // namespace mrpt_ext

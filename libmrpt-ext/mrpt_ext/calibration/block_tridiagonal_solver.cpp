@@ -37,8 +37,7 @@ void PoseChainSystem::addReading(std::size_t pose, double residual, const Jacobi
   diagonal_[pose].noalias() += pull * own;
   side_.block<3, 1>(at, 0) += pull * residual;
   side_.middleRows<3>(at).rightCols(shared.size()).noalias() += pull * shared;
-  shared_.noalias() += weight * shared.transpose() * shared;
-  shared_side_ += weight * residual * shared.transpose();
+  addPrior(residual, shared, weight);
 }
 
 void PoseChainSystem::addLink(std::size_t pose, const Vector3d& residual, const Matrix3d& own, const Matrix3d& next,
@@ -57,10 +56,10 @@ void PoseChainSystem::addLink(std::size_t pose, const Vector3d& residual, const 
   shared_side_ += weight * shared.transpose() * residual;
 }
 
-void PoseChainSystem::addShared(Eigen::Index unknown, double residual, double std)
+void PoseChainSystem::addPrior(double residual, const SharedRow& shared, double weight)
 {
-  shared_(unknown, unknown) += 1 / square(std);
-  shared_side_[unknown] += residual / square(std);
+  shared_.noalias() += weight * shared.transpose() * shared;
+  shared_side_ += weight * residual * shared.transpose();
 }
 
 std::optional<ChainSolution> PoseChainSystem::solve() const

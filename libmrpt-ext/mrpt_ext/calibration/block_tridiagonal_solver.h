@@ -36,8 +36,8 @@ class PoseChainSystem
   /// Three scalars that depend on a pose and the one after it.
   void addLink(std::size_t pose, const Vector3d& residual, const Matrix3d& own, const Matrix3d& next,
                const SharedRows& shared, double weight);
-  /// A prior: the shared unknown is to move by `residual`.
-  void addShared(Eigen::Index unknown, double residual, double std);
+  /// A scalar that depends on the shared unknowns alone: a prior.
+  void addPrior(double residual, const SharedRow& shared, double weight);
 
   /// Nothing when a pose or a shared unknown stays undetermined.
   [[nodiscard]] std::optional<ChainSolution> solve() const;

@@ -1,12 +1,12 @@
 #include "mrpt_ext/calibration/range_bias_calibration.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
-#include "mrpt_ext/geometry/measurement_jacobian.h"
+#include "mrpt_ext/calibration/block_tridiagonal_solver.h"
+#include "mrpt_ext/geometry/quantile.h"
 #include "mrpt_ext/solvers/pose_from_landmarks.h"
 
 namespace mrpt_ext
@@ -48,7 +48,7 @@ std::vector<EpochWithPose> startingPoses(const std::vector<RadioEpoch>& epochs, 
                       std_range,
                       {r.offset.x(), r.offset.y(), 0}});
     if (rows.size() < kLeastRanges) continue;
-    const IdentifiedPose solution = solvePoseFromLandmarks(rows, {.min_consistency = 0});
+    const IdentifiedPose solution = solvePoseFromLandmarks(rows);
     if (solution.candidates.empty() || !solution.candidates.front().heading_known) continue;
     started.push_back({&epoch, solution.candidates.front().pose.mean});
   }
@@ -70,29 +70,20 @@ class Adjustment
   /// One Gauss-Newton step; false when some bias is undetermined.
   bool step(double& change)
   {
-    const Eigen::Index n = biases_.size();
-    Matrix information = Matrix::Zero(n, n);
-    Vector gradient = Vector::Zero(n);
+    PoseChainSystem system(epochs_.size(), biases_.size());
     // The biases of the landmarks sum to zero: their mean is part of those of the sensors.
-    Vector sum = Vector::Zero(n);
-    sum.tail(n - sensors_).setOnes();
-    const double weight = static_cast<double>(epochs_.size());
-    information += weight * sum * sum.transpose();
-    gradient -= weight * sum * sum.dot(biases_);
-    std::vector<Block> blocks;
-    for (const EpochWithPose& epoch : epochs_) blocks.push_back(addEpoch(epoch, information, gradient));
-    information_ = information;
-    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(information);
+    Eigen::RowVectorXd landmarks = Eigen::RowVectorXd::Zero(biases_.size());
+    landmarks.tail(biases_.size() - sensors_).setOnes();
+    system.addPrior(-landmarks.dot(biases_), landmarks, static_cast<double>(epochs_.size()));
+    for (std::size_t k = 0; k < epochs_.size(); ++k) addEpoch(k, system);
+    const std::optional<ChainSolution> solution = system.solve();
+    if (!solution) return false;
+    information_ = solution->shared_information;
+    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(information_, Eigen::EigenvaluesOnly);
     if (!(eigen.eigenvalues().minCoeff() > kUndetermined * eigen.eigenvalues().maxCoeff())) return false;
-    const Vector by = information.ldlt().solve(gradient);
-    biases_ += by;
-    for (std::size_t k = 0; k < epochs_.size(); ++k)
-    {
-      const Vector3d move = blocks[k].inverse * (blocks[k].gradient - blocks[k].coupling * by);
-      epochs_[k].pose = {epochs_[k].pose.x + move.x(), epochs_[k].pose.y + move.y(),
-                         wrap(epochs_[k].pose.phi + move.z())};
-    }
-    change = by.cwiseAbs().maxCoeff();
+    biases_ += solution->shared_step;
+    for (std::size_t k = 0; k < epochs_.size(); ++k) epochs_[k].pose = added(epochs_[k].pose, solution->steps[k]);
+    change = solution->shared_step.cwiseAbs().maxCoeff();
     return true;
   }
 
@@ -110,42 +101,25 @@ class Adjustment
   }
 
  private:
-  /// Contribution of a pose to the normal equations of the biases.
-  struct Block
-  {
-    Matrix3d inverse;
-    Vector3d gradient;
-    Eigen::Matrix<double, 3, Eigen::Dynamic> coupling;
-  };
-
   [[nodiscard]] static Eigen::Index sensorOf(const RadioRange& r) { return static_cast<Eigen::Index>(r.sensor); }
   [[nodiscard]] Eigen::Index landmarkOf(const RadioRange& r) const
   {
     return sensors_ + static_cast<Eigen::Index>(r.landmark);
   }
 
-  Block addEpoch(const EpochWithPose& epoch, Matrix& information, Vector& gradient) const
+  void addEpoch(std::size_t k, PoseChainSystem& system) const
   {
-    Matrix3d own = kPosePrior * Matrix3d::Identity();
-    Block block{{}, Vector3d::Zero(), Eigen::Matrix<double, 3, Eigen::Dynamic>::Zero(3, biases_.size())};
-    for (const RadioRange& r : *epoch.ranges)
+    const Pose2& pose = epochs_[k].pose;
+    Eigen::RowVectorXd biases = Eigen::RowVectorXd::Zero(biases_.size());
+    for (int axis = 0; axis < 3; ++axis) system.addReading(k, 0, JacobianRow::Unit(axis), biases, kPosePrior);
+    for (const RadioRange& r : *epochs_[k].ranges)
     {
-      const double e = residual(r, epoch.pose), w = 1 / (1 + square(e / scale_));
-      const double flat = predictRange(epoch.pose, r.position, {r.offset.x(), r.offset.y(), 0});
-      const JacobianRow row = flat / std::hypot(flat, r.height) * rangeJacobian(epoch.pose, r.position, r.offset);
-      own += w * row.transpose() * row;
-      block.gradient += w * e * row.transpose();
-      for (const Eigen::Index a : {sensorOf(r), landmarkOf(r)})
-      {
-        block.coupling.col(a) += w * row.transpose();
-        gradient[a] += w * e;
-        for (const Eigen::Index b : {sensorOf(r), landmarkOf(r)}) information(a, b) += w;
-      }
+      const double e = residual(r, pose), flat = predictRange(pose, r.position, {r.offset.x(), r.offset.y(), 0});
+      const JacobianRow own = flat / std::hypot(flat, r.height) * rangeJacobian(pose, r.position, r.offset);
+      biases[sensorOf(r)] = biases[landmarkOf(r)] = 1;
+      system.addReading(k, e, own, biases, 1 / (1 + square(e / scale_)));
+      biases[sensorOf(r)] = biases[landmarkOf(r)] = 0;
     }
-    block.inverse = own.inverse();
-    information -= block.coupling.transpose() * block.inverse * block.coupling;
-    gradient -= block.coupling.transpose() * (block.inverse * block.gradient);
-    return block;
   }
 
   std::vector<EpochWithPose> epochs_;
@@ -160,9 +134,7 @@ void describeResiduals(const Adjustment& adjustment, std::size_t landmarks, Rang
   std::vector<double> sizes;
   for (const EpochWithPose& epoch : adjustment.epochs())
     for (const RadioRange& r : *epoch.ranges) sizes.push_back(std::abs(adjustment.residual(r, epoch.pose)));
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  result.scatter = 1.4826 * *middle;
+  result.scatter = 1.4826 * upperMedian(std::move(sizes));
   std::vector<double> count(landmarks), outliers(landmarks);
   for (const EpochWithPose& epoch : adjustment.epochs())
     for (const RadioRange& r : *epoch.ranges)

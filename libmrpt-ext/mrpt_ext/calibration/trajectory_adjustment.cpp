@@ -34,11 +34,6 @@ double priorStd(CalibrationParameter parameter)
       return 1;
   }
 }
-
-Pose2 moved(const Pose2& pose, const Vector3d& by)
-{
-  return {pose.x + by.x(), pose.y + by.y(), wrap(pose.phi + by.z())};
-}
 }  // namespace
 
 TrajectoryAdjustment::TrajectoryAdjustment(const CalibrationProblem& problem, std::vector<CalibrationUnknown> unknowns)
@@ -88,7 +83,8 @@ PoseChainSystem TrajectoryAdjustment::linearized() const
   for (std::size_t k = 0; k < model_.unknowns().size(); ++k)
   {
     const auto i = static_cast<Eigen::Index>(k);
-    chain.addShared(i, -model_.errors()[i], priorStd(model_.unknowns()[k].parameter));
+    chain.addPrior(-model_.errors()[i], Eigen::RowVectorXd::Unit(model_.errors().size(), i),
+                   1 / square(priorStd(model_.unknowns()[k].parameter)));
   }
   return chain;
 }
@@ -109,7 +105,7 @@ double TrajectoryAdjustment::cost() const
 void TrajectoryAdjustment::move(const ChainSolution& solution, double share, const std::vector<Pose2>& from,
                                 const Eigen::VectorXd& errors)
 {
-  for (std::size_t k = 0; k < poses_.size(); ++k) poses_[k] = moved(from[k], share * solution.steps[k]);
+  for (std::size_t k = 0; k < poses_.size(); ++k) poses_[k] = added(from[k], share * solution.steps[k]);
   model_.setErrors(errors + share * solution.shared_step);
 }
 
