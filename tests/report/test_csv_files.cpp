@@ -4,11 +4,8 @@
 #include <type_traits>
 
 #include "mrpt_ext/files/tum.h"
-#include "mrpt_ext/report/biases_csv.h"
 #include "mrpt_ext/report/csv_field.h"
-#include "mrpt_ext/report/hypotheses_csv.h"
-#include "mrpt_ext/report/objects_csv.h"
-#include "mrpt_ext/report/steps_csv.h"
+#include "mrpt_ext/report/run_csv.h"
 #include "mrpt_ext/report/trajectory_tum.h"
 #include "scratch_folder.h"
 #include "synthetic_run.h"

@@ -18,17 +18,6 @@ constexpr const char* kErrorNote =
     "Median over the trials of the RMSE from convergence on; below it the 95 % interval of the median (five trials or "
     "more) or the range of the trials. Bold: the lowest of a run, without oracles. A dash: no trial has the number.";
 
-using RmseByMethod = std::map<std::string, OptionalNumber> FinishedTrial::*;
-
-std::vector<double> valuesOf(const FinishedRun& run, const std::string& method, RmseByMethod rmse)
-{
-  std::vector<double> values;
-  for (const FinishedTrial& trial : run.trials)
-    if (const auto found = (trial.*rmse).find(method); found != (trial.*rmse).end() && found->second)
-      values.push_back(*found->second);
-  return values;
-}
-
 /// Median, and below it its interval.
 std::string errorCell(const std::vector<double>& values, bool best)
 {
@@ -46,7 +35,7 @@ std::string errorCell(const std::vector<double>& values, bool best)
 bool isOracle(const std::string& method) { return method.starts_with("oracle_"); }
 
 /// The method with the lowest median of a run.
-std::string bestOf(const FinishedRun& run, RmseByMethod rmse)
+std::string bestOf(const FinishedRun& run, NumberByMethod FinishedTrial::*rmse)
 {
   std::string best;
   double lowest = HUGE_VAL;
@@ -59,7 +48,7 @@ std::string bestOf(const FinishedRun& run, RmseByMethod rmse)
   return best;
 }
 
-std::string errorTable(const std::vector<FinishedRun>& runs, RmseByMethod rmse)
+std::string errorTable(const std::vector<FinishedRun>& runs, NumberByMethod FinishedTrial::*rmse)
 {
   std::vector<std::string> methods, titles{"method"};
   for (const FinishedRun& run : runs)
@@ -82,14 +71,13 @@ std::string errorTable(const std::vector<FinishedRun>& runs, RmseByMethod rmse)
 std::string successRow(const FinishedRun& run)
 {
   std::size_t judged = 0, successes = 0, lost = 0, ambiguous = 0;
-  std::vector<double> converged;
+  const std::vector<double> converged = convergenceTimes(run);
   for (const FinishedTrial& trial : run.trials)
   {
     judged += trial.score.success ? 1 : 0;
     successes += trial.score.success.value_or(false) ? 1 : 0;
     lost += trial.score.verdict == Verdict::lost ? 1 : 0;
     ambiguous += trial.score.verdict == Verdict::ambiguous ? 1 : 0;
-    if (trial.score.converged_at_s) converged.push_back(*trial.score.converged_at_s);
   }
   std::string rate = kNoNumber, range = kNoNumber;
   if (judged > 0)

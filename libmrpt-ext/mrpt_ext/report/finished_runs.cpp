@@ -152,4 +152,21 @@ std::vector<FinishedRun> readFinishedRuns(const std::vector<fs::path>& folders)
   }
   return runs;
 }
+
+std::vector<double> valuesOf(const FinishedRun& run, const std::string& method, NumberByMethod FinishedTrial::*number)
+{
+  std::vector<double> values;
+  for (const FinishedTrial& trial : run.trials)
+    if (const auto found = (trial.*number).find(method); found != (trial.*number).end() && found->second)
+      values.push_back(*found->second);
+  return values;
+}
+
+std::vector<double> convergenceTimes(const FinishedRun& run)
+{
+  std::vector<double> times;
+  for (const FinishedTrial& trial : run.trials)
+    if (trial.score.converged_at_s) times.push_back(*trial.score.converged_at_s);
+  return times;
+}
 }  // namespace mrpt_ext

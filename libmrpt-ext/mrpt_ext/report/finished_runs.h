@@ -9,12 +9,13 @@
 
 namespace mrpt_ext
 {
+using NumberByMethod = std::map<std::string, OptionalNumber>;
+
 /// One finished trial, read from its summary.json.
 struct FinishedTrial
 {
   TrialScore score;
-  std::map<std::string, OptionalNumber> position_rmse_m, position_median_m, position_p95_m,
-      heading_rmse_deg;  ///< by method
+  NumberByMethod position_rmse_m, position_median_m, position_p95_m, heading_rmse_deg;
 };
 
 /// All trials of one configuration on one log, from one or more folders.
@@ -32,4 +33,10 @@ struct FinishedRun
 /// configuration (but for seed and number of trials) are one run. Throws InputError (data) for a folder without a
 /// complete summary.json.
 [[nodiscard]] std::vector<FinishedRun> readFinishedRuns(const std::vector<std::filesystem::path>& folders);
+
+/// A number of one method, of the trials that have it.
+[[nodiscard]] std::vector<double> valuesOf(const FinishedRun& run, const std::string& method,
+                                           NumberByMethod FinishedTrial::*number);
+/// [s] of the trials that converged.
+[[nodiscard]] std::vector<double> convergenceTimes(const FinishedRun& run);
 }  // namespace mrpt_ext

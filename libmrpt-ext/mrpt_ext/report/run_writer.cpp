@@ -7,11 +7,8 @@
 
 #include "mrpt_ext/evaluation/odometry_alignment.h"
 #include "mrpt_ext/files/atomic_file.h"
-#include "mrpt_ext/report/biases_csv.h"
 #include "mrpt_ext/report/html_page.h"
-#include "mrpt_ext/report/hypotheses_csv.h"
-#include "mrpt_ext/report/objects_csv.h"
-#include "mrpt_ext/report/steps_csv.h"
+#include "mrpt_ext/report/run_csv.h"
 #include "mrpt_ext/report/summary_json.h"
 #include "mrpt_ext/report/trajectory_tum.h"
 

@@ -11,25 +11,6 @@ namespace mrpt_ext
 {
 namespace
 {
-using MethodNumbers = std::map<std::string, OptionalNumber> FinishedTrial::*;
-
-OptionalNumber medianOf(const FinishedRun& run, const std::string& method, MethodNumbers numbers)
-{
-  std::vector<double> values;
-  for (const FinishedTrial& trial : run.trials)
-    if (const auto found = (trial.*numbers).find(method); found != (trial.*numbers).end() && found->second)
-      values.push_back(*found->second);
-  return median(std::move(values));
-}
-
-OptionalNumber medianConvergence(const FinishedRun& run)
-{
-  std::vector<double> values;
-  for (const FinishedTrial& trial : run.trials)
-    if (trial.score.converged_at_s) values.push_back(*trial.score.converged_at_s);
-  return median(std::move(values));
-}
-
 std::string text(const OptionalNumber& number, int decimals, const std::string& none)
 {
   return number ? fixedText(*number, decimals) : none;
@@ -38,6 +19,7 @@ std::string text(const OptionalNumber& number, int decimals, const std::string& 
 /// Name, log, method, trials, successes, lost, converged, RMSE, median, 95 %, heading RMSE of a method.
 std::vector<std::string> cellsOf(const FinishedRun& run, const std::string& method, const std::string& none)
 {
+  const auto median_of = [&](NumberByMethod FinishedTrial::*number) { return median(valuesOf(run, method, number)); };
   const auto count = [&](auto&& is_counted)
   { return std::to_string(std::count_if(run.trials.begin(), run.trials.end(), is_counted)); };
   return {run.name,
@@ -46,11 +28,11 @@ std::vector<std::string> cellsOf(const FinishedRun& run, const std::string& meth
           std::to_string(run.trials.size()),
           count([](const FinishedTrial& trial) { return trial.score.success.value_or(false); }),
           count([](const FinishedTrial& trial) { return trial.score.verdict == Verdict::lost; }),
-          text(medianConvergence(run), 1, none),
-          text(medianOf(run, method, &FinishedTrial::position_rmse_m), 3, none),
-          text(medianOf(run, method, &FinishedTrial::position_median_m), 3, none),
-          text(medianOf(run, method, &FinishedTrial::position_p95_m), 3, none),
-          text(medianOf(run, method, &FinishedTrial::heading_rmse_deg), 2, none)};
+          text(median(convergenceTimes(run)), 1, none),
+          text(median_of(&FinishedTrial::position_rmse_m), 3, none),
+          text(median_of(&FinishedTrial::position_median_m), 3, none),
+          text(median_of(&FinishedTrial::position_p95_m), 3, none),
+          text(median_of(&FinishedTrial::heading_rmse_deg), 2, none)};
 }
 
 /// Methods with an error, and the filter, whose successes are counted: a study that fails has its row too.
@@ -58,7 +40,8 @@ std::vector<std::string> judgedMethods(const FinishedRun& run)
 {
   std::vector<std::string> judged;
   for (const std::string& method : run.methods)
-    if (method == "particle_filter" || medianOf(run, method, &FinishedTrial::position_rmse_m)) judged.push_back(method);
+    if (method == "particle_filter" || !valuesOf(run, method, &FinishedTrial::position_rmse_m).empty())
+      judged.push_back(method);
   return judged;
 }
 
