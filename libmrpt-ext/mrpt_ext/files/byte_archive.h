@@ -3,113 +3,87 @@
 #include <cstring>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <type_traits>
+#include <utility>
 
 namespace mrpt_ext
 {
+class ByteArchive;
+
 /// Rows as bytes, for files that only the same process reads. A row names its fields once, for both directions:
 ///   template <class Self, class Archive> static void archive(Self& row, Archive& fields) { fields(row.time, row.name);
 ///   }
 /// A field is a plain value, a string, an optional, a matrix of fixed size, or a row itself.
-template <typename Row, typename Archive>
-concept ArchivedRow = requires(Row& row, Archive& fields)
+template <typename Row>
+concept ArchivedRow = requires(Row& row, ByteArchive& fields)
 {
-  std::remove_const_t<Row>::archive(row, fields);
+  Row::archive(row, fields);
 };
 
 template <typename Field>
 concept FixedMatrix = requires
 {
-  std::remove_const_t<Field>::SizeAtCompileTime;
+  Field::SizeAtCompileTime;
 };
 
-class ByteWriter
+class ByteArchive
 {
  public:
+  ByteArchive() = default;  ///< takes fields up, which stay as they are
+  /// Fills fields in the order in which they were taken up.
+  explicit ByteArchive(std::string bytes) : bytes_(std::move(bytes)), reads_(true) {}
+
   template <typename... Fields>
-  void operator()(const Fields&... fields)
+  void operator()(Fields&... fields)
   {
-    (put(fields), ...);
+    (transfer(fields), ...);
   }
   [[nodiscard]] const std::string& bytes() const { return bytes_; }
 
  private:
   template <typename Field>
-  void put(const Field& field)
+  void transfer(Field& field)
   {
-    if constexpr (ArchivedRow<const Field, ByteWriter>)
+    if constexpr (ArchivedRow<Field>)
       Field::archive(field, *this);
     else if constexpr (FixedMatrix<Field>)
-      putRaw(field.data(), sizeof(*field.data()) * static_cast<std::size_t>(field.size()));
+      transferBytes(field.data(), sizeof(*field.data()) * static_cast<std::size_t>(field.size()));
     else
     {
       static_assert(std::is_trivially_copyable_v<Field>);
-      putRaw(&field, sizeof(Field));
+      transferBytes(&field, sizeof(Field));
     }
   }
-  void put(const std::string& text)
+  void transfer(std::string& text)
   {
-    put(text.size());
-    putRaw(text.data(), text.size());
+    std::size_t size = text.size();
+    transfer(size);
+    text.resize(size);
+    transferBytes(text.data(), size);
   }
   template <typename Value>
-  void put(const std::optional<Value>& value)
+  void transfer(std::optional<Value>& value)
   {
-    put(value.has_value());
-    if (value) put(*value);
+    bool exists = value.has_value();
+    transfer(exists);
+    if (exists)
+      transfer(value ? *value : value.emplace());
+    else
+      value.reset();
   }
-  void putRaw(const void* data, std::size_t size) { bytes_.append(static_cast<const char*>(data), size); }
+  void transferBytes(void* data, std::size_t size)
+  {
+    if (!reads_)
+    {
+      bytes_.append(static_cast<const char*>(data), size);
+      return;
+    }
+    std::memcpy(data, bytes_.data() + read_, size);
+    read_ += size;
+  }
 
   std::string bytes_;
-};
-
-class ByteReader
-{
- public:
-  explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
-
-  template <typename... Fields>
-  void operator()(Fields&... fields)
-  {
-    (get(fields), ...);
-  }
-
- private:
-  template <typename Field>
-  void get(Field& field)
-  {
-    if constexpr (ArchivedRow<Field, ByteReader>)
-      Field::archive(field, *this);
-    else if constexpr (FixedMatrix<Field>)
-      getRaw(field.data(), sizeof(*field.data()) * static_cast<std::size_t>(field.size()));
-    else
-    {
-      static_assert(std::is_trivially_copyable_v<Field>);
-      getRaw(&field, sizeof(Field));
-    }
-  }
-  void get(std::string& text)
-  {
-    std::size_t size = 0;
-    get(size);
-    text.assign(rest_.substr(0, size));
-    rest_.remove_prefix(size);
-  }
-  template <typename Value>
-  void get(std::optional<Value>& value)
-  {
-    bool exists = false;
-    get(exists);
-    value.reset();
-    if (exists) get(value.emplace());
-  }
-  void getRaw(void* data, std::size_t size)
-  {
-    std::memcpy(data, rest_.data(), size);
-    rest_.remove_prefix(size);
-  }
-
-  std::string_view rest_;
+  bool reads_ = false;
+  std::size_t read_ = 0;  ///< bytes
 };
 }  // namespace mrpt_ext

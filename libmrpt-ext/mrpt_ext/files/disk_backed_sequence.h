@@ -58,9 +58,9 @@ class DiskBackedSequence
     else
     {
       if (!file_) file_ = std::make_shared<TemporaryFile>();
-      ByteWriter writer;
-      for (const Row& row : tail_) writer(row);
-      stored_.push_back(file_->append(writer.bytes()));
+      ByteArchive archive;
+      for (Row& row : tail_) archive(row);
+      stored_.push_back(file_->append(archive.bytes()));
       tail_.clear();
     }
   }
@@ -70,10 +70,9 @@ class DiskBackedSequence
     if (number < pages_.size()) return pages_[number];
     const std::size_t stored = number - pages_.size();
     if (stored >= stored_.size()) return {std::shared_ptr<const Page>(), &tail_};
-    const std::string bytes = file_->read(stored_[stored]);
-    ByteReader reader(bytes);
+    ByteArchive archive(file_->read(stored_[stored]));
     Page page(kRowsPerPage);
-    for (Row& row : page) reader(row);
+    for (Row& row : page) archive(row);
     return std::make_shared<const Page>(std::move(page));
   }
 
