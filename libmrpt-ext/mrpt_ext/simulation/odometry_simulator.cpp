@@ -45,18 +45,15 @@ std::optional<GaussianPose> SimulatedOdometry::displacement(double begin, double
   const double gap = noise_.rate_hz > 0 ? 2 / noise_.rate_hz : 0;
   const auto first = interpolate(records_, begin, gap), last = interpolate(records_, end, gap);
   if (!first || !last) return std::nullopt;
-  GaussianPose sum{between(first->pose, last->pose), Matrix3d::Zero()};
-  Pose2 so_far;
+  GaussianPose sum;
   for (double t = begin; t < end; t += 1 / noise_.rate_hz)
   {
     const double next = std::min(end, t + 1 / noise_.rate_hz);
     const auto a = interpolate(records_, t, gap), b = interpolate(records_, next, gap);
-    const Pose2 step = between(a->pose, b->pose);
-    const Matrix3d before = composeJacobianFirst(so_far, step), own = composeJacobianSecond(so_far);
     const Matrix3d noise = incrementStd(t, next).cwiseAbs2().asDiagonal();
-    sum.covariance = before * sum.covariance * before.transpose() + own * noise * own.transpose();
-    so_far = compose(so_far, step);
+    sum = compound(sum, between(a->pose, b->pose), noise);
   }
+  sum.mean = between(first->pose, last->pose);
   return sum;
 }
 }  // namespace mrpt_ext

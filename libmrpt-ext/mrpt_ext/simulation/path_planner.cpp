@@ -38,16 +38,15 @@ std::vector<Vector2d> squareCorners(const PathPlan& plan)
   return corners;
 }
 
-RobotPath planRoute(const PathPlan& plan, double duration)
+RobotPath planRoute(PathPlan plan, double duration)
 {
-  WaypointRoute route;
-  route.waypoints = plan.kind == PathKind::square ? squareCorners(plan) : plan.waypoints;
-  route.closed = plan.kind == PathKind::square || plan.closed;
-  route.turn_radius = plan.turn_radius;
-  route.speed = plan.speed;
-  route.turn_rate = plan.turn_rate;
-  const PlannedRoute planned = followWaypoints(route);
-  return RobotPath(planned.start, route.closed ? repeated(planned.segments, duration) : planned.segments);
+  if (plan.kind == PathKind::square)
+  {
+    plan.waypoints = squareCorners(plan);
+    plan.closed = true;
+  }
+  const PlannedRoute planned = followWaypoints(plan);
+  return RobotPath(planned.start, plan.closed ? repeated(planned.segments, duration) : planned.segments);
 }
 
 bool inside(const PathPlan& plan, const Pose2& pose)
