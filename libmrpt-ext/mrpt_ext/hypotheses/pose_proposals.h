@@ -6,10 +6,14 @@
 #include "mrpt_ext/geometry/frame.h"
 #include "mrpt_ext/hypotheses/landmark_measurement.h"
 #include "mrpt_ext/hypotheses/pose_hypothesis.h"
+#include "mrpt_ext/solvers/running_fix_pose.h"
 
 namespace mrpt_ext
 {
 // Proposals from minimal subsets of one type of measurement, not scored and possibly wrong; propose_poses.h ranks them.
+
+/// The heading of the compass; without one, `points` headings around the circle.
+[[nodiscard]] std::vector<HeadingPrior> headingsToTry(const std::optional<CompassRecord>& compass, std::size_t points);
 
 /// Pairs of landmarks with range and bearing: rigid fit of every pair.
 [[nodiscard]] HypothesisSet proposeFromPointPairs(std::span<const LandmarkMeasurement> measurements);

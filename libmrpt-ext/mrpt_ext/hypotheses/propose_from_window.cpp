@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "mrpt_ext/hypotheses/pose_proposals.h"
 #include "mrpt_ext/hypotheses/window_readings.h"
 #include "mrpt_ext/solvers/pose_ring.h"
 #include "mrpt_ext/solvers/two_landmark_pose.h"
@@ -42,20 +43,6 @@ void addPair(const Located& a, const Located& b, HypothesisSet& result)
     }
 }
 
-void addRing(const PoseRing& ring, const std::optional<CompassRecord>& compass, std::size_t points,
-             HypothesisSet& result)
-{
-  if (compass)
-  {
-    result.push_back({.pose = gaussianOnRing(ring, compass->heading, compass->std_heading), .source = "window_ring"});
-    return;
-  }
-  const double spacing = kTwoPi / static_cast<double>(points);
-  for (std::size_t k = 0; k < points; ++k)
-    result.push_back(
-        {.pose = gaussianOnRing(ring, wrap(spacing * static_cast<double>(k)), spacing / 2), .source = "window_ring"});
-}
-
 /// The measurements within the gate at `pose`.
 std::vector<WindowMeasurements> inliers(std::vector<WindowMeasurements> readings, const Pose2& pose)
 {
@@ -90,7 +77,10 @@ HypothesisSet proposeFromWindowLandmarks(std::span<const Reading> oldest_first, 
   const Located& most_precise = *std::min_element(
       located.begin(), located.end(), [&](const Located& a, const Located& b) { return area(a) < area(b); });
   for (const LocalizedLandmark& candidate : most_precise.candidates)
-    addRing({most_precise.landmark, candidate.in_robot}, compass, points, result);
+    for (const HeadingPrior& heading : headingsToTry(compass, points))
+      result.push_back(
+          {.pose = gaussianOnRing({most_precise.landmark, candidate.in_robot}, heading.heading, heading.std_heading),
+           .source = "window_ring"});
   return result;
 }
 

@@ -124,7 +124,7 @@ void addWithHeading(const RangePosition& fit, std::span<const LandmarkMeasuremen
   bool found = false;
   for (const double heading : starts)
   {
-    const PoseMl refined = refinePose(rows, {at.x, at.y, heading}, {.loss = Loss::cauchy});
+    const PoseMl refined = refinePose(rows, {at.x, at.y, heading}, Loss::cauchy);
     if (refined.status != SolveStatus::ok) continue;
     found = true;
     result.push_back({.pose = refined.pose, .source = "range_least_squares"});
@@ -161,10 +161,8 @@ HypothesisSet proposeFromRing(std::span<const LandmarkMeasurement> measurements,
   if (seen.empty()) return result;
   const LandmarkMeasurement& m = seen.back();  // the newest
   const PoseRing ring = makePoseRing(m.position, *m.range, m.std_range, *m.bearing, m.std_bearing, m.T_robot_sensor);
-  const double spacing = kTwoPi / static_cast<double>(points);
-  for (std::size_t k = 0; k < points; ++k)
-    result.push_back(
-        {.pose = gaussianOnRing(ring, wrap(spacing * static_cast<double>(k)), spacing / 2), .source = "ring"});
+  for (const HeadingPrior& heading : headingsToTry(std::nullopt, points))
+    result.push_back({.pose = gaussianOnRing(ring, heading.heading, heading.std_heading), .source = "ring"});
   return result;
 }
 }  // namespace mrpt_ext

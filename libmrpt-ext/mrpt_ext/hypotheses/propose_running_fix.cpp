@@ -1,21 +1,21 @@
 #include <cmath>
 
 #include "mrpt_ext/hypotheses/pose_proposals.h"
-#include "mrpt_ext/solvers/running_fix_pose.h"
 
 namespace mrpt_ext
 {
+std::vector<HeadingPrior> headingsToTry(const std::optional<CompassRecord>& compass, std::size_t points)
+{
+  if (compass) return {{compass->heading, compass->std_heading}};
+  const double spacing = kTwoPi / static_cast<double>(points);
+  std::vector<HeadingPrior> headings;
+  for (std::size_t k = 0; k < points; ++k) headings.push_back({wrap(spacing * static_cast<double>(k)), spacing / 2});
+  return headings;
+}
+
 HypothesisSet proposeFromRunningFixes(const Frame& frame, const LandmarkTable& map, std::size_t points)
 {
-  std::vector<HeadingPrior> headings;
-  if (frame.compass)
-    headings.push_back({frame.compass->heading, frame.compass->std_heading});
-  else
-    for (std::size_t k = 0; k < points; ++k)
-    {
-      const double spacing = kTwoPi / static_cast<double>(points);
-      headings.push_back({wrap(spacing * static_cast<double>(k)), spacing / 2});
-    }
+  const std::vector<HeadingPrior> headings = headingsToTry(frame.compass, points);
   HypothesisSet result;
   for (RunningFixReading fix : frame.fixes)
   {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "mrpt_ext/filter/particle_filter.h"
 #include "mrpt_ext/localizers/localizer.h"
 #include "mrpt_ext/solvers/running_fix_pose.h"
@@ -18,7 +20,9 @@ class FilterLocalizer : public Localizer
   [[nodiscard]] virtual std::vector<LandmarkHistory> landmarkHistories() const = 0;
 };
 
-/// The best mode of a filter step as estimate, never the mean of several; all modes as candidates.
+/// The best mode of a filter as estimate, never the mean of several; all modes as candidates.
+[[nodiscard]] Estimate estimateFrom(std::span<const Mode> heaviest_first, Verdict verdict, bool heading_known,
+                                    const std::string& source, double time);
 [[nodiscard]] Estimate estimateFrom(const FilterStep& step, double time);
 
 /// Heading of the best mode if the verdict is `ok`.

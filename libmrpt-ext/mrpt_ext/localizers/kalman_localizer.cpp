@@ -1,9 +1,8 @@
 #include "mrpt_ext/localizers/kalman_localizer.h"
 
-#include <cmath>
-
 #include "mrpt_ext/hypotheses/bias_inflation.h"
 #include "mrpt_ext/localizers/bounded_frame.h"
+#include "mrpt_ext/localizers/filter_localizer.h"
 #include "mrpt_ext/relocalization/measurement_window.h"
 
 namespace mrpt_ext
@@ -38,25 +37,9 @@ Estimate KalmanLocalizer::process(const Frame& whole)
   buffer(frame);
   step_ = bank_.process(frame, [this] { return propose(); });
 
-  Estimate estimate;
-  for (const Mode& mode : step_.modes.modes)
-    if (mode.weight >= kMinReportedWeight)
-      estimate.candidates.push_back({.pose = mode.pose,
-                                     .log_score = std::log(mode.weight),
-                                     .weight = mode.weight,
-                                     .source = name_,
-                                     .heading_known = heading_known_});
-  if (estimate.candidates.empty()) return estimate;
-  estimate.status = SolveStatus::ok;
-  estimate.ambiguous = step_.verdict == Verdict::ambiguous;
+  Estimate estimate = estimateFrom(step_.modes.modes, step_.verdict, heading_known_, name_, frame.time);
   if (estimate.candidates.size() > 1 && estimate.candidates[1].weight > kEqual * estimate.candidates[0].weight)
-    return estimate;
-  estimate.point = PoseEstimate{.time = frame.time,
-                                .pose = estimate.candidates.front().pose,
-                                .heading_known = heading_known_,
-                                .modes = static_cast<int>(estimate.candidates.size()),
-                                .best_weight = estimate.candidates.front().weight,
-                                .verdict = step_.verdict};
+    estimate.point.reset();
   return estimate;
 }
 }  // namespace mrpt_ext

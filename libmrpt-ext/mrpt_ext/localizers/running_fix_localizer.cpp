@@ -31,8 +31,7 @@ Estimate RunningFixLocalizer::process(const Frame& frame)
   ClosedFormResult result{.candidates = candidatesOf(fixes, frame)};
   result.status = result.candidates.empty() ? SolveStatus::none : SolveStatus::ok;
   Estimate estimate = estimateFrom(std::move(result), frame.time);
-  if (estimate.point && options_.heading_source == HeadingSource::bearing)
-    heading_ = HeadingPrior{estimate.point->pose.mean.phi, std::sqrt(estimate.point->pose.covariance(2, 2))};
+  if (estimate.point && options_.heading_source == HeadingSource::bearing) heading_ = headingOf(estimate.point->pose);
   return estimate;
 }
 
@@ -64,10 +63,7 @@ void RunningFixLocalizer::updateHeading(const Frame& frame)
       break;
     case HeadingSource::bearing:
       if (const ClosedFormResult fit = twoLandmarkPose(frame, map_); fit.status == SolveStatus::ok)
-      {
-        const GaussianPose& pose = fit.candidates.front().pose;
-        heading_ = HeadingPrior{pose.mean.phi, std::sqrt(pose.covariance(2, 2))};
-      }
+        heading_ = headingOf(fit.candidates.front().pose);
       break;
   }
 }
