@@ -17,7 +17,7 @@ cv::Mat drawConicMirror(const cv::Mat& image, const ConicMirrorView& view, doubl
   cv::Mat drawing = coloured(image);
   if (!view.outline)
   {
-    cv::putText(drawing, view.problem, {10, 24}, cv::FONT_HERSHEY_SIMPLEX, 0.6, kText, 1, cv::LINE_AA);
+    write(drawing, view.problem, {10, 24}, kText, 0.6);
     return drawing;
   }
   for (const cv::Point2d& p : view.outline->support)
@@ -33,8 +33,7 @@ cv::Mat drawConicMirror(const cv::Mat& image, const ConicMirrorView& view, doubl
              kFractionBits);
     const std::string text = std::to_string(cvRound(radToDeg(wrap(edge.azimuth + yaw))));
     const cv::Point2d position = rim.at(direction, 1.04);
-    cv::putText(drawing, text, {cvRound(position.x) - 10, cvRound(position.y) + 4}, cv::FONT_HERSHEY_SIMPLEX, 0.35,
-                kText, 1, cv::LINE_AA);
+    write(drawing, text, {cvRound(position.x) - 10, cvRound(position.y) + 4}, kText, 0.35);
   }
   return drawing;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <opencv2/imgproc.hpp>
+#include <string>
 
 namespace mrpt_ext
 {
@@ -22,5 +23,11 @@ inline constexpr int kFractionBits = 4;
   else
     copy = image.clone();
   return copy;
+}
+
+inline void write(cv::Mat& drawing, const std::string& text, const cv::Point& position, const cv::Scalar& colour,
+                  double size = 0.4)
+{
+  cv::putText(drawing, text, position, cv::FONT_HERSHEY_SIMPLEX, size, colour, 1, cv::LINE_AA);
 }
 }  // namespace mrpt_ext

@@ -44,16 +44,6 @@ bool mayRun(const MarkingPoint& point, const Eigen::Vector2d& direction, double 
   return std::abs(off) <= std::abs(half) + beside;
 }
 
-/// [m] of a pixel along a direction.
-double pixelAlong(const Eigen::Vector2d& footprint, const Eigen::Vector2d& direction)
-{
-  return std::abs(direction.x()) * footprint.x() + std::abs(direction.y()) * footprint.y();
-}
-double pixelAcross(const Eigen::Vector2d& footprint, const Eigen::Vector2d& direction)
-{
-  return std::abs(direction.x()) * footprint.y() + std::abs(direction.y()) * footprint.x();
-}
-
 struct Line
 {
   Eigen::Vector2d middle, direction;
@@ -81,17 +71,11 @@ class JunctionFinder
   }
 
  private:
-  [[nodiscard]] Eigen::Vector2d footprintAt(const Eigen::Vector2d& position) const
-  {
-    const double range = position.norm();
-    return {range * range / (camera_.height * camera_.fy), range / camera_.fx};
-  }
-
   /// One junction per position; the one with more arms wins.
   void keep(std::vector<FloorJunction>& found, const std::optional<FloorJunction>& junction) const
   {
     if (!junction) return;
-    const Eigen::Vector2d size = footprintAt(junction->position);
+    const Eigen::Vector2d size = camera_.footprintAt(junction->position);
     for (FloorJunction& other : found)
     {
       const Eigen::Vector2d d = other.position - junction->position;
@@ -131,7 +115,7 @@ class JunctionFinder
   [[nodiscard]] Line fitNear(const Eigen::Vector2d& position, const Line& line,
                              const std::vector<MarkingPoint>& points) const
   {
-    const Eigen::Vector2d footprint = footprintAt(position);
+    const Eigen::Vector2d footprint = camera_.footprintAt(position);
     const double reach = kFitReach + 5 * pixelAlong(footprint, line.direction);
     const double off = kLineOff + 0.5 * pixelAcross(footprint, line.direction);
     Eigen::Vector2d sum(0, 0);
@@ -158,7 +142,7 @@ class JunctionFinder
   [[nodiscard]] Arm arm(const Eigen::Vector2d& position, const Eigen::Vector2d& direction,
                         const std::vector<MarkingPoint>& points) const
   {
-    const Eigen::Vector2d footprint = footprintAt(position);
+    const Eigen::Vector2d footprint = camera_.footprintAt(position);
     const double pixel = pixelAlong(footprint, direction), across = pixelAcross(footprint, direction);
     const double start = kArmStart + 2.5 * pixel, bin = std::max(kArmBin, 1.3 * pixel);
     const auto bins = static_cast<std::size_t>(std::max(3.0, std::ceil(std::max(kArmLength, 4 * pixel) / bin)));
@@ -184,22 +168,37 @@ class JunctionFinder
     return share >= kThere ? Arm::there : share <= kMissing ? Arm::missing : Arm::unclear;
   }
 
-  [[nodiscard]] std::optional<FloorJunction> between(const FloorLine& first, const FloorLine& second) const
+  /// Two lines that reach their meeting, fitted again to the points near it.
+  struct Meeting
+  {
+    Line a, b;
+    Eigen::Vector2d position;
+  };
+  [[nodiscard]] std::optional<Meeting> meetingOf(const FloorLine& first, const FloorLine& second,
+                                                 const std::vector<MarkingPoint>& points_of_second) const
   {
     Line a{first.middle, first.direction, 0}, b{second.middle, second.direction, 0};
     auto position = meeting(a, b);
-    if (!position || !reaches(first, *position, footprintAt(*position)) ||
-        !reaches(second, *position, footprintAt(*position)))
+    if (!position || !reaches(first, *position, camera_.footprintAt(*position)) ||
+        !reaches(second, *position, camera_.footprintAt(*position)))
       return std::nullopt;
-    a = fitNear(*position, a, markings_.points.stripes), b = fitNear(*position, b, markings_.points.stripes);
+    a = fitNear(*position, a, markings_.points.stripes), b = fitNear(*position, b, points_of_second);
     position = meeting(a, b);
     if (!position) return std::nullopt;
+    return Meeting{a, b, *position};
+  }
+
+  [[nodiscard]] std::optional<FloorJunction> between(const FloorLine& first, const FloorLine& second) const
+  {
+    const auto found = meetingOf(first, second, markings_.points.stripes);
+    if (!found) return std::nullopt;
+    const auto& [a, b, position] = *found;
     int arms_a = 0, arms_b = 0;
     bool complete = true;
     for (const auto& [line, arms] : {std::pair(&a, &arms_a), std::pair(&b, &arms_b)})
       for (const double sign : {1.0, -1.0})
       {
-        const Arm seen = arm(*position, sign * line->direction, markings_.points.stripes);
+        const Arm seen = arm(position, sign * line->direction, markings_.points.stripes);
         if (seen == Arm::unclear) return std::nullopt;
         *arms += seen == Arm::there;
         complete = complete && seen != Arm::outside;
@@ -207,29 +206,24 @@ class JunctionFinder
     if (arms_a == 0 || arms_b == 0) return std::nullopt;
     const int arms = arms_a + arms_b;
     const JunctionKind kind = arms == 4 ? JunctionKind::crossing : arms == 3 ? JunctionKind::tee : JunctionKind::corner;
-    return made(*position, kind, complete, a, b);
+    return made(position, kind, complete, a, b);
   }
 
   [[nodiscard]] std::optional<FloorJunction> atWall(const FloorLine& stripe, const FloorLine& wall) const
   {
-    Line a{stripe.middle, stripe.direction, 0}, b{wall.middle, wall.direction, 0};
-    auto position = meeting(a, b);
-    if (!position || !reaches(stripe, *position, footprintAt(*position)) ||
-        !reaches(wall, *position, footprintAt(*position)))
-      return std::nullopt;
-    a = fitNear(*position, a, markings_.points.stripes), b = fitNear(*position, b, markings_.points.walls);
-    position = meeting(a, b);
-    if (!position) return std::nullopt;
+    const auto found = meetingOf(stripe, wall, markings_.points.walls);
+    if (!found) return std::nullopt;
+    const auto& [a, b, position] = *found;
     // The marking comes from the side on which the camera is.
     const Eigen::Vector2d normal(-b.direction.y(), b.direction.x());
     const bool away = (normal.dot(a.direction) > 0) == (normal.dot(b.middle) > 0);
-    if (arm(*position, away ? Eigen::Vector2d(-a.direction) : a.direction, markings_.points.stripes) != Arm::there)
+    if (arm(position, away ? Eigen::Vector2d(-a.direction) : a.direction, markings_.points.stripes) != Arm::there)
       return std::nullopt;
-    const Arm one = arm(*position, b.direction, markings_.points.walls),
-              other = arm(*position, -b.direction, markings_.points.walls);
+    const Arm one = arm(position, b.direction, markings_.points.walls),
+              other = arm(position, -b.direction, markings_.points.walls);
     const auto fits = [](Arm seen) { return seen == Arm::there || seen == Arm::outside; };
     if (!fits(one) || !fits(other) || (one == Arm::outside && other == Arm::outside)) return std::nullopt;
-    return made(*position, JunctionKind::tee, true, a, b);
+    return made(position, JunctionKind::tee, true, a, b);
   }
 
   [[nodiscard]] FloorJunction made(const Eigen::Vector2d& position, JunctionKind kind, bool complete, const Line& a,

@@ -109,17 +109,14 @@ class Hough
     for (std::size_t i = 0; i < points_.size(); ++i)
     {
       if (!free_[i] || !mayRun(i, k)) continue;
-      const double pixel =
-          std::abs(direction.x()) * points_[i].footprint.y() + std::abs(direction.y()) * points_[i].footprint.x();
-      if (std::abs(distance(i, k) - middle) > kOff + 0.5 * pixel) continue;
+      if (std::abs(distance(i, k) - middle) > kOff + 0.5 * pixelAcross(points_[i].footprint, direction)) continue;
       along.emplace_back(direction.dot(points_[i].position), i);
     }
     std::sort(along.begin(), along.end());
     std::vector<std::size_t> run, best;
     for (std::size_t j = 0; j < along.size(); ++j)
     {
-      const auto& footprint = points_[along[j].second].footprint;
-      const double pixel = std::abs(direction.x()) * footprint.x() + std::abs(direction.y()) * footprint.y();
+      const double pixel = pixelAlong(points_[along[j].second].footprint, direction);
       if (j > 0 && along[j].first - along[j - 1].first > kGap + 3 * pixel) run.clear();
       run.push_back(along[j].second);
       if (run.size() > best.size()) best = run;

@@ -67,10 +67,7 @@ cv::Vec3f leastWhite(const cv::Mat& bgr, int step)
 
 cv::Vec3f meanAround(const cv::Mat& bgr, int row, int column)
 {
-  const int first = std::max(column - 1, 0), last = std::min(column + 1, bgr.cols - 1);
-  cv::Vec3f sum(0, 0, 0);
-  for (int i = first; i <= last; ++i) sum += cv::Vec3f(bgr.at<cv::Vec3b>(row, i));
-  return sum * (1.F / static_cast<float>(last - first + 1));
+  return meanOf(bgr.ptr<cv::Vec3b>(row), bgr.cols, column - kMean / 2);
 }
 
 std::vector<double> colourStepsInRow(const cv::Mat& bgr, int row, int first_column, int last_column,

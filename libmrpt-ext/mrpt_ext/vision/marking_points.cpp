@@ -210,8 +210,7 @@ class PointFinder
     };
     point.along_a = direction(-kDirectionStd), point.along_b = direction(kDirectionStd);
     if (point.along_a.isZero() || point.along_b.isZero()) return;
-    const double range = position->norm();
-    point.footprint = {range * range / (camera_.height * camera_.fy), range / camera_.fx};
+    point.footprint = camera_.footprintAt(*position);
     points.push_back(point);
   }
 
@@ -226,14 +225,9 @@ class PointFinder
 cv::Mat whitenessOf(const cv::Mat& image)
 {
   if (image.channels() == 1) return image;
-  cv::Mat darkest(image.size(), CV_8U);
-  for (int v = 0; v < image.rows; ++v)
-  {
-    const cv::Vec3b* const from = image.ptr<cv::Vec3b>(v);
-    uchar* const to = darkest.ptr<uchar>(v);
-    for (int u = 0; u < image.cols; ++u) to[u] = std::min({from[u][0], from[u][1], from[u][2]});
-  }
-  return darkest;
+  std::array<cv::Mat, 3> channels;
+  cv::split(image, channels.data());
+  return cv::min(channels[0], cv::min(channels[1], channels[2]));
 }
 
 MarkingPoints findMarkingPoints(const cv::Mat& whiteness, const StereoCamera& camera, const MarkingSettings& settings)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "mrpt_ext/vision/stereo_camera.h"
@@ -26,6 +27,16 @@ struct MarkingPoint
   Eigen::Vector2d footprint{0, 0};               ///< [m] forward and left of one pixel here
   cv::Point2d pixel;
 };
+
+/// [m] that a footprint extends along a direction on the floor, and across it.
+[[nodiscard]] inline double pixelAlong(const Eigen::Vector2d& footprint, const Eigen::Vector2d& direction)
+{
+  return std::abs(direction.x()) * footprint.x() + std::abs(direction.y()) * footprint.y();
+}
+[[nodiscard]] inline double pixelAcross(const Eigen::Vector2d& footprint, const Eigen::Vector2d& direction)
+{
+  return std::abs(direction.x()) * footprint.y() + std::abs(direction.y()) * footprint.x();
+}
 
 struct MarkingPoints
 {

@@ -16,11 +16,6 @@ void drawRay(cv::Mat& drawing, const HyperbolicMirror& mirror, double azimuth, c
            fixedPoint(mirror.pixel(azimuth, mirror.rimRho())), colour, 1, cv::LINE_AA, kFractionBits);
 }
 
-void drawText(cv::Mat& drawing, const std::string& text, const cv::Point& position, const cv::Scalar& colour)
-{
-  cv::putText(drawing, text, position, cv::FONT_HERSHEY_SIMPLEX, 0.4, colour, 1, cv::LINE_AA);
-}
-
 /// `position` of the text, share of the rim's radius.
 void drawObject(cv::Mat& drawing, const HyperbolicMirror& mirror, const OmniObject& object, const cv::Scalar& colour,
                 double position, double yaw)
@@ -29,8 +24,8 @@ void drawObject(cv::Mat& drawing, const HyperbolicMirror& mirror, const OmniObje
   for (const double side : {-1.0, 1.0})
     drawRay(drawing, mirror, object.azimuth + side * object.half_width, colour, 0.6);
   const cv::Point2d text = mirror.pixel(object.azimuth, position * mirror.rimRho());
-  drawText(drawing, object.label + " " + std::to_string(cvRound(radToDeg(wrap(object.azimuth + yaw)))),
-           {cvRound(text.x) - 15, cvRound(text.y)}, colour);
+  write(drawing, object.label + " " + std::to_string(cvRound(radToDeg(wrap(object.azimuth + yaw)))),
+        {cvRound(text.x) - 15, cvRound(text.y)}, colour);
 }
 }  // namespace
 
@@ -49,7 +44,7 @@ cv::Mat OmniCamera::draw(const cv::Mat& image, const OmniView& view, double yaw)
   double position = 0.1;
   for (const OmniObject& object : view.objects) drawObject(drawing, mirror, object, kFound, position += 0.08, yaw);
   for (const OmniObject& object : view.hidden) drawObject(drawing, mirror, object, kHidden, position += 0.08, yaw);
-  if (!view.problem.empty()) drawText(drawing, view.problem, {10, 20}, kHidden);
+  if (!view.problem.empty()) write(drawing, view.problem, {10, 20}, kHidden);
   return drawing;
 }
 }  // namespace mrpt_ext

@@ -22,6 +22,12 @@ struct StereoCamera
   [[nodiscard]] double disparityAt(double depth) const { return fx * baseline / depth; }
   /// Where the ray of a pixel meets the floor; nothing at or above the horizon.
   [[nodiscard]] std::optional<Eigen::Vector2d> floorAt(const cv::Point2d& pixel) const;
+  /// [m] of floor, along and across the line of sight, that a pixel covers at a position.
+  [[nodiscard]] Eigen::Vector2d footprintAt(const Eigen::Vector2d& position) const
+  {
+    const double range = position.norm();
+    return {range * range / (height * fy), range / fx};
+  }
   /// The pixel of a point at `height_above_floor` [m]; nothing behind the camera.
   [[nodiscard]] std::optional<cv::Point2d> pixelOf(const Eigen::Vector2d& position,
                                                    double height_above_floor = 0) const;

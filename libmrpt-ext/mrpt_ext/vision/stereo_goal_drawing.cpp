@@ -20,18 +20,13 @@ void drawLines(cv::Mat& drawing, const std::vector<FloorLine>& lines, const Ster
     if (a && b) cv::line(drawing, rounded(*a), rounded(*b), colour, 1, cv::LINE_AA);
   }
 }
-
-void write(cv::Mat& drawing, const std::string& text, const cv::Point& position)
-{
-  cv::putText(drawing, text, position, cv::FONT_HERSHEY_SIMPLEX, 0.4, kText, 1, cv::LINE_AA);
-}
 }  // namespace
 
 cv::Mat drawStereoGoal(const cv::Mat& left, const StereoGoalView& view, const StereoGoalSettings& settings)
 {
   if (left.empty() || left.depth() != CV_8U) return {};
   cv::Mat drawing = coloured(left);
-  if (!view.problem.empty()) write(drawing, view.problem, {10, 24});
+  if (!view.problem.empty()) write(drawing, view.problem, {10, 24}, kText);
   drawLines(drawing, view.markings.stripes, settings.camera, kStripe);
   drawLines(drawing, view.markings.walls, settings.camera, kWall);
   for (const FloorJunction& junction : view.markings.junctions)
@@ -40,7 +35,7 @@ cv::Mat drawStereoGoal(const cv::Mat& left, const StereoGoalView& view, const St
   {
     cv::circle(drawing, rounded(landmark.left), 6, kJunction, 2, cv::LINE_AA);
     write(drawing, cv::format("%s %d", nameOf(landmark.kind), cvRound(100 * landmark.measured.range)),
-          rounded(landmark.left) + cv::Point(8, 4));
+          rounded(landmark.left) + cv::Point(8, 4), kText);
   }
   for (const GoalCorner& corner : view.corners)
   {
@@ -48,7 +43,7 @@ cv::Mat drawStereoGoal(const cv::Mat& left, const StereoGoalView& view, const St
     const cv::Point2d top(corner.u_left + (corner.row_top - corner.white_bottom) * settings.camera.uprightSlope(foot),
                           corner.row_top);
     cv::line(drawing, rounded(foot), rounded(top), kCorner, 2, cv::LINE_AA);
-    write(drawing, std::to_string(cvRound(100 * corner.measured.range)), rounded(top) - cv::Point(8, 6));
+    write(drawing, std::to_string(cvRound(100 * corner.measured.range)), rounded(top) - cv::Point(8, 6), kText);
   }
   return drawing;
 }
