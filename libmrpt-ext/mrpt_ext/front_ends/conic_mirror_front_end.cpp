@@ -85,12 +85,7 @@ FrameMeasurements ConicMirrorFrontEnd::measure(const ImageFrame& frame, bool wit
     detection.bearing = wrap(edge.azimuth + yaw);
     detection.std_bearing = edge.std_azimuth;
     reading.detections.push_back(detection);
-    MeasurementRow row;
-    row.sensor = label_;
-    row.label = "edge";
-    row.azimuth = detection.bearing;
-    row.std_azimuth = edge.std_azimuth;
-    result.rows.push_back(row);
+    result.rows.emplace_back(label_, "edge", detection);
   }
   result.readings.push_back(std::move(reading));
   return result;

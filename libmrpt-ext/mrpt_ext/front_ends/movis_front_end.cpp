@@ -99,12 +99,7 @@ FrameMeasurements MovisFrontEnd::measure(const ImageFrame& frame, bool with_draw
       detection.bearing = bearingOf(mounted, object);
       detection.std_bearing = object.std_azimuth;
       reading.detections.push_back(detection);
-      MeasurementRow row;
-      row.sensor = mounted.label;
-      row.label = object.label;
-      row.azimuth = detection.bearing;
-      row.std_azimuth = object.std_azimuth;
-      result.rows.push_back(row);
+      result.rows.emplace_back(mounted.label, object.label, detection);
     }
     result.readings.push_back(std::move(reading));
   }

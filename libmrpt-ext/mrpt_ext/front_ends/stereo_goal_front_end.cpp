@@ -57,12 +57,9 @@ StereoGoalSettings readStereoModel(const Settings& settings, const CameraFile& c
   return model;
 }
 
-MeasurementRow rowOf(const StereoMeasurement& measured, double u_left, double u_right)
+MeasurementRow rowOf(const std::string& label, const Detection& detection, double u_left, double u_right)
 {
-  MeasurementRow row;
-  row.sensor = "stereo";
-  row.azimuth = measured.bearing, row.std_azimuth = measured.std_bearing;
-  row.range = measured.range, row.std_range = measured.std_range;
+  MeasurementRow row("stereo", label, detection);
   row.u_left = u_left, row.u_right = u_right;
   return row;
 }
@@ -131,15 +128,14 @@ FrameMeasurements StereoGoalFrontEnd::measure(const ImageFrame& frame, bool with
   {
     corners.detections.push_back(detectionOf(corner.measured));
     corners.detections.back().id = nameOf(corner).id;
-    result.rows.push_back(rowOf(corner.measured, corner.u_left, corner.u_right));
-    result.rows.back().label = nameOf(corner).label;
+    result.rows.push_back(rowOf(nameOf(corner).label, corners.detections.back(), corner.u_left, corner.u_right));
   }
   for (const LineLandmark& landmark : view.landmarks)
   {
     lines.detections.push_back(detectionOf(landmark.measured));
     lines.detections.back().category = mrpt_ext::nameOf(landmark.kind);
-    result.rows.push_back(rowOf(landmark.measured, landmark.left.x, landmark.right.x));
-    result.rows.back().label = mrpt_ext::nameOf(landmark.kind);
+    result.rows.push_back(
+        rowOf(lines.detections.back().category, lines.detections.back(), landmark.left.x, landmark.right.x));
   }
   for (Reading* reading : {&corners, &lines})
     if (!reading->detections.empty()) result.readings.push_back(std::move(*reading));
