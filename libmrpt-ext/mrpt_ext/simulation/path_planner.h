@@ -1,41 +1,11 @@
 #pragma once
 
-#include <vector>
-
 #include "mrpt_ext/geometry/random.h"
+#include "mrpt_ext/simulation/path_plan.h"
 #include "mrpt_ext/simulation/robot_path.h"
 
 namespace mrpt_ext
 {
-enum class PathKind
-{
-  standstill,
-  waypoints,
-  circle,
-  square,      ///< waypoints at the corners of a square
-  random_walk  ///< random turns inside a box
-};
-
-/// How a robot (or a moving object) drives.
-struct PathPlan
-{
-  PathKind kind = PathKind::waypoints;
-  Pose2 start;                        ///< of standstill and random_walk
-  double speed = 0.3;                 ///< [m/s]
-  double turn_rate = degToRad(60.0);  ///< [rad/s] of turns in place; the largest one of a random walk
-
-  std::vector<Vector2d> waypoints;  ///< [m]
-  bool closed = true;               ///< from the last waypoint to the first and round again; otherwise it ends there
-  double turn_radius = 0;           ///< [m] of rounded corners of waypoints and square; 0: turns in place
-
-  Vector2d centre{0, 0};   ///< [m] of circle and square
-  double radius = 1;       ///< [m] of the circle
-  double side = 1;         ///< [m] of the square
-  bool clockwise = false;  ///< circle and square
-
-  Vector2d low{0, 0}, high{0, 0};  ///< [m] box that a random walk does not leave
-};
-
 /// The path over `duration` [s], repeated where the plan says so. A closed path with rounded corners starts in the
 /// middle of its first leg, every other at its first waypoint. Throws InputError (configuration) when corners do not
 /// fit between the waypoints, a leg has no length, or a random walk starts outside its box.

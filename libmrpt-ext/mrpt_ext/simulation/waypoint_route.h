@@ -1,6 +1,9 @@
 #pragma once
 
-#include "mrpt_ext/simulation/path_planner.h"
+#include <vector>
+
+#include "mrpt_ext/simulation/path_plan.h"
+#include "mrpt_ext/simulation/robot_path.h"
 
 namespace mrpt_ext
 {
