@@ -86,6 +86,6 @@ TEST(RunScene, IsWrittenForMrptsViewer)
   COpenGLScene again;
   ASSERT_TRUE(again.loadFromFile((folder.path() / "a.3Dscene").string()));
   EXPECT_EQ(countOf<CEllipsoid2D>(again), 2U);
-  EXPECT_THROW(writeScene(folder.path() / "none" / "a.3Dscene", twoLandmarks(), aMoment()), InputError);
+  EXPECT_THROW(writeScene(folder.path() / "a.3Dscene" / "b.3Dscene", twoLandmarks(), aMoment()), InputError);
 }
 }  // namespace mrpt_ext
