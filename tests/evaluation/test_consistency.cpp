@@ -47,6 +47,16 @@ TEST(Consistency, TheBandNarrowsAroundTheDegreesOfFreedom)
   EXPECT_LT(*c.band_high, 3.3);
 }
 
+TEST(Consistency, CoverageCountsTheErrorsWithinTheRegion)
+{
+  const Vector3d std{0.1, 0.1, 0.1};
+  EXPECT_EQ(coverage({offBy(0.27, 0, 0, std), offBy(0.29, 0, 0, std)}, 0.95), 0.5);  // sqrt(7.815) = 2.796
+  JudgedEstimate without = offBy(0.25, 0, 2, std);                                   // sqrt(5.991) = 2.448
+  without.estimate.heading_known = false;
+  EXPECT_EQ(coverage({without}, 0.95), 0.0);
+  EXPECT_FALSE(coverage({}, 0.95));
+}
+
 TEST(Consistency, ACovarianceOfZeroIsCountedNotScored)
 {
   const Consistency c = consistency({offBy(0.1, 0, 0, {0, 0, 0})});

@@ -78,4 +78,12 @@ TEST(Success, NeedsConvergenceInTime)
   EXPECT_FALSE(isSuccess(everySecond(errors), 0, kLimits));
   EXPECT_TRUE(isSuccess(everySecond(errors), 1, kLimits));  // the log itself began a second later
 }
+
+TEST(Convergence, ATruthThatBeginsLateOrIsShortTellsNoSuccess)
+{
+  EXPECT_TRUE(tellsSuccess({10, 40, 90}, 0, kLimits));
+  EXPECT_FALSE(tellsSuccess({61, 90}, 0, kLimits));
+  EXPECT_FALSE(tellsSuccess({10, 14}, 0, kLimits));
+  EXPECT_FALSE(tellsSuccess({}, 0, kLimits));
+}
 }  // namespace mrpt_ext

@@ -19,6 +19,8 @@ RunScore trialWith(int trial, OptionalNumber rmse, bool success, Verdict verdict
   method.estimates = 10;
   method.position_error_m.rmse = rmse;
   score.methods.push_back(method);
+  score.verdict_shares = {verdict == Verdict::ok ? 0.9 : 0.3, 0.1, {}};
+  score.verdict_spells = {{0, 1, verdict, "reason"}};
   score.landmarks["1"].inlier_rate = 0.5;
   score.filter.modes_at_end.emplace();
   return score;
@@ -37,6 +39,14 @@ TEST(MergeScores, NumbersAreMediansOverTheTrialsThatHaveThem)
   EXPECT_EQ(merged.trials[3].seed, 103u);
   EXPECT_EQ(merged.landmarks.at("1").inlier_rate, 0.5);
   EXPECT_FALSE(merged.filter.modes_at_end);
+}
+
+TEST(MergeScores, SharesOfVerdictsAreMeans)
+{
+  const RunScore merged = mergeScores({trialWith(0, 0.1, true, Verdict::ok), trialWith(1, {}, false, Verdict::lost)});
+  EXPECT_NEAR(*merged.verdict_shares.ok, 0.6, 1e-12);
+  EXPECT_FALSE(merged.verdict_shares.lost);
+  EXPECT_FALSE(merged.verdict_spells);
 }
 
 TEST(MergeScores, TheWorstVerdictWins)

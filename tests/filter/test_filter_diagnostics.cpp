@@ -56,6 +56,17 @@ TEST(FilterDiagnostics, LandmarksAreReportedByTheirIds)
   EXPECT_EQ(outlierText(map, histories), "landmark 7: 40 % of 100 detections are outliers");
 }
 
+TEST(FilterDiagnostics, AtMostFiveLandmarksAreNamed)
+{
+  std::vector<Landmark> landmarks;
+  for (int id = 1; id <= 8; ++id) landmarks.push_back({.id = id, .position = {1.0 * id, 0, 0}});
+  const std::string text = outlierText(LandmarkTable(std::move(landmarks)),
+                                       std::vector<LandmarkHistory>(8, {.identified = 100, .false_identified = 90}));
+  EXPECT_NE(text.find("landmark 5: "), std::string::npos) << text;
+  EXPECT_EQ(text.find("landmark 6: "), std::string::npos) << text;
+  EXPECT_TRUE(text.ends_with(", and so for 3 more landmarks")) << text;
+}
+
 TEST(FilterDiagnostics, SystematicErrorsHaveTheirUnits)
 {
   const BiasModel biases{{.kind = BiasKind::range_offset, .sensor = "uwb"}, {.kind = BiasKind::bearing_offset}};

@@ -47,9 +47,29 @@ void expectStatistics(const Json& statistics)
 
 void expectSchema1(const Json& s)
 {
-  EXPECT_EQ(keysOf(s),
-            (Keys{"schema", "version", "config", "seed", "trials", "success_rate", "trials_detail", "rawlog", "inputs",
-                  "observations", "methods", "filter", "landmarks", "limit", "verdict", "verdict_reason", "cost"}));
+  EXPECT_EQ(keysOf(s), (Keys{"schema",
+                             "version",
+                             "config",
+                             "seed",
+                             "trials",
+                             "success_rate",
+                             "trials_detail",
+                             "rawlog",
+                             "inputs",
+                             "observations",
+                             "methods",
+                             "judged_method",
+                             "position_error_m_with_detections",
+                             "time_per_step_ms",
+                             "filter",
+                             "landmarks",
+                             "limit",
+                             "verdict",
+                             "verdict_reason",
+                             "hints",
+                             "verdict_shares",
+                             "verdict_spells",
+                             "cost"}));
   EXPECT_EQ(s.at("schema"), 1);
   for (const Json& trial : s.at("trials_detail"))
     EXPECT_EQ(keysOf(trial), (Keys{"trial", "seed", "success", "verdict", "rmse", "converged_at_s"}));
@@ -58,14 +78,15 @@ void expectSchema1(const Json& s)
   for (const Json& counts : s.at("observations")) EXPECT_EQ(keysOf(counts), (Keys{"total", "used", "ignored"}));
   for (const Json& method : s.at("methods"))
   {
-    EXPECT_EQ(keysOf(method), (Keys{"estimates", "availability", "position_error_m", "heading_error_deg",
-                                    "position_error_whole_run_m", "time_per_step_ms"}));
+    EXPECT_EQ(keysOf(method),
+              (Keys{"estimates", "availability", "position_error_m", "heading_error_deg", "position_error_whole_run_m",
+                    "position_error_m_with_detections", "position_error_m_blind", "time_per_step_ms"}));
     for (const char* figure : {"position_error_m", "heading_error_deg", "position_error_whole_run_m"})
       expectStatistics(method.at(figure));
-    EXPECT_EQ(keysOf(method.at("time_per_step_ms")), (Keys{"median", "p95"}));
+    EXPECT_EQ(keysOf(method.at("time_per_step_ms")), (Keys{"median", "p95", "p99", "max"}));
   }
-  EXPECT_EQ(keysOf(s.at("filter")), (Keys{"particles", "nees", "effective_sample_ratio_min", "converged_at_s",
-                                          "lost_steps", "reseeds", "modes_at_end"}));
+  EXPECT_EQ(keysOf(s.at("filter")), (Keys{"particles", "nees", "coverage_95", "effective_sample_ratio_min",
+                                          "converged_at_s", "lost_steps", "reseeds", "modes_at_end"}));
   EXPECT_EQ(keysOf(s.at("filter").at("particles")), (Keys{"min", "median", "max"}));
   EXPECT_EQ(keysOf(s.at("filter").at("nees")), (Keys{"mean", "band_low", "band_high"}));
   for (const Json& landmark : s.at("landmarks"))

@@ -36,6 +36,7 @@ std::string timelessSummary(const fs::path& file)
 {
   Json summary = Json::parse(readTextFile(file));
   summary.erase("cost");
+  summary.erase("time_per_step_ms");
   for (Json& method : summary["methods"]) method.erase("time_per_step_ms");
   return summary.dump();
 }

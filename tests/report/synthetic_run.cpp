@@ -154,7 +154,7 @@ RunRecord syntheticRecord(const RunContext& context, int trial)
   record.filter.particle_counts = {4000, 900, 500};
   record.filter.effective_sample_ratio_min = 0.08;
   record.filter.lost_steps = 7;
-  record.filter.reseed_times = {kStart + 71, kStart + 73};
+  record.filter.reseedings = {{kStart + 71, "inlier ratio only 30 %"}, {kStart + 73, "inlier ratio only 20 %"}};
   GaussianPose here, there;
   here.mean = onTheOval(duration);
   here.covariance = (Matrix3d() << 0.09, 0.05, 0, 0.05, 0.06, 0, 0, 0, 0.01).finished();
@@ -165,6 +165,11 @@ RunRecord syntheticRecord(const RunContext& context, int trial)
   record.landmarks["3"] = {100, 31.0, 0.31, 0.9, 1.8};
   record.objects = {{kStart + 2, "ball", {4, 3}, Matrix2d::Identity() * 0.01, {1, 0.5}}};
   record.playback = syntheticPlayback(record.methods.back(), 250, 100);
+  for (const PoseEstimate& point : record.methods.back().points)
+    record.verdicts.add(point.time, point.verdict,
+                        point.verdict == Verdict::lost        ? "inlier ratio only 30 %"
+                        : point.verdict == Verdict::ambiguous ? "2 modes"
+                                                              : "one mode");
   record.verdict = Verdict::ok;
   record.verdict_reason = "one mode holds 0.93 of the weight, the evidence is as expected";
   record.cpu_s = 3.2;

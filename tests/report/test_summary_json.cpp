@@ -35,24 +35,47 @@ TEST(SummaryJson, HasEveryKeyOfTheContractInItsOrder)
 {
   const RunContext context = syntheticContext();
   const Json json = summaryOf(context, syntheticRecord(context));
-  EXPECT_EQ(keysOf(json),
-            (Keys{"schema", "version", "config", "seed", "trials", "success_rate", "trials_detail", "rawlog", "inputs",
-                  "observations", "methods", "filter", "landmarks", "limit", "verdict", "verdict_reason", "cost"}));
+  EXPECT_EQ(keysOf(json), (Keys{"schema",
+                                "version",
+                                "config",
+                                "seed",
+                                "trials",
+                                "success_rate",
+                                "trials_detail",
+                                "rawlog",
+                                "inputs",
+                                "observations",
+                                "methods",
+                                "judged_method",
+                                "position_error_m_with_detections",
+                                "time_per_step_ms",
+                                "filter",
+                                "landmarks",
+                                "limit",
+                                "verdict",
+                                "verdict_reason",
+                                "hints",
+                                "verdict_shares",
+                                "verdict_spells",
+                                "cost"}));
+  EXPECT_EQ(keysOf(json["verdict_shares"]), (Keys{"ok", "ambiguous", "lost"}));
+  EXPECT_EQ(keysOf(json["verdict_spells"][0]), (Keys{"from_s", "to_s", "verdict", "reason"}));
   EXPECT_EQ(keysOf(json["trials_detail"][0]), (Keys{"trial", "seed", "success", "verdict", "rmse", "converged_at_s"}));
   EXPECT_EQ(keysOf(json["rawlog"]), (Keys{"path", "sha256", "entries", "duration_s"}));
   EXPECT_EQ(keysOf(json["inputs"]), (Keys{"log", "map", "truth", "config"}));
   EXPECT_EQ(keysOf(json["observations"]["CObservationImage"]), (Keys{"total", "used", "ignored"}));
   for (const auto& [name, method] : json["methods"].items())
   {
-    EXPECT_EQ(keysOf(method), (Keys{"estimates", "availability", "position_error_m", "heading_error_deg",
-                                    "position_error_whole_run_m", "time_per_step_ms"}))
+    EXPECT_EQ(keysOf(method),
+              (Keys{"estimates", "availability", "position_error_m", "heading_error_deg", "position_error_whole_run_m",
+                    "position_error_m_with_detections", "position_error_m_blind", "time_per_step_ms"}))
         << name;
     for (const char* error : {"position_error_m", "heading_error_deg", "position_error_whole_run_m"})
       EXPECT_EQ(keysOf(method[error]), kStatistics) << name;
-    EXPECT_EQ(keysOf(method["time_per_step_ms"]), (Keys{"median", "p95"})) << name;
+    EXPECT_EQ(keysOf(method["time_per_step_ms"]), (Keys{"median", "p95", "p99", "max"})) << name;
   }
-  EXPECT_EQ(keysOf(json["filter"]), (Keys{"particles", "nees", "effective_sample_ratio_min", "converged_at_s",
-                                          "lost_steps", "reseeds", "modes_at_end"}));
+  EXPECT_EQ(keysOf(json["filter"]), (Keys{"particles", "nees", "coverage_95", "effective_sample_ratio_min",
+                                          "converged_at_s", "lost_steps", "reseeds", "modes_at_end"}));
   EXPECT_EQ(keysOf(json["filter"]["particles"]), (Keys{"min", "median", "max"}));
   EXPECT_EQ(keysOf(json["filter"]["nees"]), (Keys{"mean", "band_low", "band_high"}));
   EXPECT_EQ(keysOf(json["filter"]["modes_at_end"][0]), (Keys{"x", "y", "phi_deg", "weight"}));
@@ -77,6 +100,16 @@ TEST(SummaryJson, HoldsTheNumbers)
   EXPECT_TRUE(json["filter"]["particles"]["median"].is_number_integer());
   EXPECT_EQ(json["filter"]["reseeds"], 2);
   EXPECT_EQ(json["verdict"], "ok");
+  ASSERT_EQ(json["verdict_spells"].size(), 4u);
+  EXPECT_EQ(json["verdict_spells"][2]["verdict"], "lost");
+  EXPECT_EQ(json["verdict_spells"][2]["from_s"], 70.5);
+  EXPECT_EQ(json["verdict_spells"][2]["to_s"], 73.5);
+  EXPECT_EQ(json["verdict_spells"][2]["reason"], "inlier ratio only 30 %");
+  EXPECT_NEAR(json["verdict_shares"]["lost"], 7 / 241., 1e-9);
+  EXPECT_EQ(json["inputs"]["map"], std::string(64, 'b'));
+  EXPECT_TRUE(json["inputs"]["truth"].is_null());
+  EXPECT_EQ(json["time_per_step_ms"], json["methods"]["particle_filter"]["time_per_step_ms"]);
+  EXPECT_LE(json["time_per_step_ms"]["p99"], json["time_per_step_ms"]["max"]);
   EXPECT_LT(json["methods"]["particle_filter"]["position_error_m"]["rmse"], 0.2);
   EXPECT_GT(json["methods"]["particle_filter"]["position_error_whole_run_m"]["max"], 1.0);
   EXPECT_NEAR(json["cost"]["realtime_factor"].get<double>(), 120 / 1.7, 1e-9);
@@ -100,7 +133,9 @@ TEST(SummaryJson, WhatDoesNotExistIsNullNeverZero)
   for (const char* error : {"position_error_m", "heading_error_deg", "position_error_whole_run_m"})
     for (const std::string& figure : kStatistics) EXPECT_TRUE(method[error][figure].is_null()) << error << figure;
   EXPECT_TRUE(method["time_per_step_ms"]["median"].is_null());
-  for (const char* key : {"effective_sample_ratio_min", "converged_at_s", "lost_steps", "reseeds", "modes_at_end"})
+  EXPECT_TRUE(json["verdict_shares"]["ok"].is_null());
+  for (const char* key :
+       {"coverage_95", "effective_sample_ratio_min", "converged_at_s", "lost_steps", "reseeds", "modes_at_end"})
     EXPECT_TRUE(json["filter"][key].is_null()) << key;
   EXPECT_TRUE(json["filter"]["particles"]["min"].is_null());
   EXPECT_TRUE(json["filter"]["nees"]["mean"].is_null());
@@ -119,6 +154,7 @@ TEST(SummaryJson, OfSeveralTrialsListsThem)
   ASSERT_EQ(json["trials_detail"].size(), 3u);
   EXPECT_EQ(json["trials_detail"][2]["trial"], 2);
   EXPECT_TRUE(json["filter"]["modes_at_end"].is_null());
+  EXPECT_TRUE(json["verdict_spells"].is_null());
 }
 
 TEST(SummaryJson, SameRunSameBytes)

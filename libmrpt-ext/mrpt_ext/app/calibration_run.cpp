@@ -54,7 +54,7 @@ std::string headline(const LocalizationInput& input, const CalibrationData& data
                      fixedText(input.context.duration_s, 1) + " s, where the verdict was `ok` (" +
                      fixedText(100 * static_cast<double>(trajectory.size()) / frames, 0) + " % of the frames)";
   if (data.anonymous > 0)
-    text += "; " + std::to_string(data.anonymous) + " detections without a clear association left out";
+    text += "; " + std::to_string(data.anonymous) + " detections with several landmarks near left out";
   return text + "; the truth was not used";
 }
 
@@ -87,6 +87,8 @@ int runCalibration(Settings settings, const CalibrationRequest& request, std::os
   }
   std::vector<CalibrationFinding> findings = calibrationFindings(errors, data.sensors, input.config);
   for (CalibrationFinding& finding : noiseFindings(errors, data, input.config)) findings.push_back(std::move(finding));
+  for (CalibrationFinding& finding : odometryNoiseFindings(errors, data, input.config))
+    findings.push_back(std::move(finding));
   const std::vector<IniAssignment> lines = linesToSet(findings);
   if (request.quiet)
   {
@@ -96,8 +98,6 @@ int runCalibration(Settings settings, const CalibrationRequest& request, std::os
   else
   {
     for (const std::string& line : findingsTable(findings)) out << line << '\n';
-    if (!data.problem.odometry.empty())
-      out << "odometry noise is " << fixedText(errors.odometry_scatter, 1) << " times that of [MotionModel]\n";
     for (const std::string& line : landmarkLines(errors, data, input.context.map)) out << line << '\n';
   }
   if (request.calibrated.empty() || lines.empty()) return kExitDone;

@@ -13,6 +13,7 @@
 #include "mrpt_ext/app/progress_line.h"
 #include "mrpt_ext/app/run_summary_text.h"
 #include "mrpt_ext/app/version.h"
+#include "mrpt_ext/diagnosis/self_diagnosis.h"
 #include "mrpt_ext/evaluation/run_merge.h"
 #include "mrpt_ext/evaluation/run_scoring.h"
 #include "mrpt_ext/experiment/frame_bounds.h"
@@ -60,16 +61,14 @@ double peakMemoryMegabytes()
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-/// Adds what a summary does not contain about its methods.
-void complete(RunScore& score, const Methods& methods)
+/// Adds what a summary does not contain about its methods and its truth.
+void complete(RunScore& score, const Methods& methods, const RunContext& context)
 {
-  RunRecord record;
-  for (const auto& localizer : methods.localizers)
-    record.methods.push_back({.name = localizer->name(), .continuous = localizer->continuous()});
   for (MethodScore& method : score.methods)
-    for (const MethodTrajectory& known : record.methods)
-      if (known.name == method.name) method.continuous = known.continuous;
-  if (const MethodTrajectory* judged = judgedMethod(record)) score.judged_method = judged->name;
+    for (const auto& known : methods.localizers)
+      if (known->name() == method.name) method.continuous = known->continuous();
+  score.truth_stamps = scoringStamps(context).size();
+  score.truth_is_sparse = context.truth_is_sparse;
 }
 
 /// What config_resolved.ini holds: all that determines the results, but the contents of other files and the seed.
@@ -187,7 +186,7 @@ class TrialBatch
     if (!request_.resume) return false;
     auto score = readTrialScore(folderOf(trial), input_.context, trial);
     if (!score) return false;
-    complete(*score, methods_.make(seed_, trial));
+    complete(*score, methods_.make(seed_, trial), input_.context);
     score->limits = input_.config.limits;
     score->limit.why_none = tracking_bound_.why_none;
     const std::lock_guard lock(mutex_);
@@ -206,9 +205,14 @@ class TrialBatch
       line.show((static_cast<double>(done_) + share) / total);
     };
     const fs::path folder = folderOf(trial);
+    SelfDiagnosis diagnosis(input_);
     const auto watch = [&](std::size_t number, const Frame& frame, const FilterLocalizer* filter)
-    { show(number, frame, filter, folder, trial == request_.first_trial); };
+    {
+      show(number, frame, filter, folder, trial == request_.first_trial);
+      if (filter) diagnosis.add(frame, *filter);
+    };
     TrialOutcome outcome = runTrial({methods_, input_, stop, progress, watch}, seed_, trial);
+    outcome.record.hints = diagnosis.hints(outcome.record.landmarks);
     outcome.record.peak_memory_mb = peakMemoryMegabytes();
     RunScore score = scoreRun(input_.context, outcome.record, input_.config.limits);
     if (outcome.record.interrupted) score.verdict_reason = kInterruptedReason + ("; " + score.verdict_reason);

@@ -2,59 +2,15 @@
 
 #include <algorithm>
 
+#include "mrpt_ext/diagnosis/detection_association.h"
 #include "mrpt_ext/experiment/method_factory.h"
-#include "mrpt_ext/geometry/measurement_jacobian.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr double kStep = 1;                           // [s] longest time between two poses
-constexpr double kLongestGap = 180;                   // [s] that odometry bridges
-constexpr double kInnerGate2 = 16, kOuterGate2 = 49;  // squared standard deviations: a match, and none
-
-/// Squared Mahalanobis distance between a detection and the prediction of a landmark.
-double squaredDistance(const Detection& detection, const Reading& reading, const Landmark& landmark,
-                       const GaussianPose& robot)
-{
-  const Vector2d position = landmark.position.head<2>(), offset = reading.T_robot_sensor.position();
-  double sum = 0;
-  const auto add = [&](double error, const JacobianRow& row, double std)
-  { sum += square(error) / (square(std) + row.dot(row * robot.covariance)); };
-  if (detection.bearing)
-    add(wrap(*detection.bearing - predictBearing(robot.mean, position, reading.T_robot_sensor)),
-        bearingJacobian(robot.mean, position, offset), detection.std_bearing);
-  if (detection.range)
-  {
-    const double height = reading.horizontal_range ? 0 : landmark.position.z() - reading.sensor_height;
-    add(*detection.range - std::hypot(predictRange(robot.mean, position, reading.T_robot_sensor), height),
-        rangeJacobian(robot.mean, position, offset), detection.std_range);
-  }
-  return sum;
-}
-
-/// The landmark of a detection: by its id, or the only one within the gate.
-std::optional<std::size_t> landmarkOf(const Detection& detection, const Reading& reading, const LandmarkTable& map,
-                                      const GaussianPose& robot)
-{
-  if (detection.id != kNoId) return map.indexOf(detection.id);
-  double best = kInnerGate2, second = kOuterGate2;
-  std::optional<std::size_t> found;
-  for (std::size_t j = 0; j < map.size(); ++j)
-  {
-    if (!detection.category.empty() && map[j].category != detection.category) continue;
-    const double distance = squaredDistance(detection, reading, map[j], robot);
-    if (distance < best)
-    {
-      second = found ? best : second;
-      best = distance;
-      found = j;
-    }
-    else
-      second = std::min(second, distance);
-  }
-  return second < kOuterGate2 ? std::nullopt : found;
-}
+constexpr double kStep = 1;          // [s] longest time between two poses
+constexpr double kLongestGap = 180;  // [s] that odometry bridges
 
 class CalibrationDataBuilder
 {
@@ -110,10 +66,11 @@ class CalibrationDataBuilder
   void addDetection(const Detection& detection, const Reading& reading, const GaussianPose& robot)
   {
     const LandmarkTable& map = input_.context.map;
-    const std::optional<std::size_t> landmark = landmarkOf(detection, reading, map, robot);
+    const DetectionMatch match = matchOf(detection, reading, map, robot);
+    const std::optional<std::size_t> landmark = match.landmark;
     if (!landmark)
     {
-      ++result_.anonymous;
+      ++(match.none ? result_.unmatched[reading.sensor] : result_.anonymous);
       return;
     }
     const auto label = std::find(result_.sensors.begin(), result_.sensors.end(), reading.sensor);
@@ -153,7 +110,9 @@ std::vector<PoseEstimate> confidentTrajectory(const LocalizationInput& input, st
     for (const auto& method : methods.localizers)
     {
       const Estimate estimate = method->process(*frame);
-      const bool confident = estimate.point && estimate.point->verdict == Verdict::ok && estimate.point->heading_known;
+      const bool heading_wanted = config.filter.heading_observable;
+      const bool confident = estimate.point && estimate.point->verdict == Verdict::ok &&
+                             (estimate.point->heading_known || !heading_wanted);
       const bool first = trajectory.empty() || trajectory.back().time < frame->time;
       if (confident && first) trajectory.push_back(*estimate.point);
     }

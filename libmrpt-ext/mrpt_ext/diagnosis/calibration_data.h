@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -13,13 +14,14 @@ namespace mrpt_ext
 struct CalibrationData
 {
   CalibrationProblem problem;
-  std::vector<std::string> sensors;    ///< labels, by number
-  std::vector<std::size_t> landmarks;  ///< of the map, by reading
-  std::size_t anonymous = 0;           ///< detections left out: no landmark, or several, match them
+  std::vector<std::string> sensors;              ///< labels, by number
+  std::vector<std::size_t> landmarks;            ///< of the map, by reading
+  std::map<std::string, std::size_t> unmatched;  ///< detections left out because no landmark is near, by sensor
+  std::size_t anonymous = 0;                     ///< ... because several are
 };
 
-/// Estimates with heading and verdict `ok`, in order of time: those of the particle filter, or for independent frames
-/// of the closed forms.
+/// Estimates with verdict `ok`, and with heading where it is observable, in order of time: those of the particle
+/// filter, or for independent frames of the closed forms.
 [[nodiscard]] std::vector<PoseEstimate> confidentTrajectory(const LocalizationInput& input, std::uint64_t seed);
 
 /// One pose per stamp near an estimate of `trajectory`, and more in between where odometry bridges a gap. `input` must

@@ -183,6 +183,37 @@ struct Residuals
   double outliers = 0;
 };
 
+/// By number of the sensor and whether they are ranges.
+using ResidualsBySensor = std::map<std::pair<std::size_t, bool>, Residuals>;
+
+/// Of the detections of each sensor: those far from the landmark they were matched with, and those near none.
+std::vector<CalibrationFinding> outlierFindings(const ResidualsBySensor& by_sensor, const CalibrationData& data,
+                                                const LocalizationConfig& config)
+{
+  std::map<std::size_t, CalibrationFinding> findings;
+  for (const auto& [key, of] : by_sensor)
+  {
+    const std::size_t sensor = key.first;
+    const std::string& label = data.sensors[sensor];
+    const auto left_out = data.unmatched.find(label);
+    const double unmatched = left_out == data.unmatched.end() ? 0 : static_cast<double>(left_out->second);
+    const double count = static_cast<double>(of.stds.size()) + unmatched, share = (of.outliers + unmatched) / count;
+    CalibrationFinding found{.what = label + ": share of outliers",
+                             .configured = configOf(config.frames.sensors, label).clutter_probability,
+                             .estimate = share,
+                             .std = std::sqrt(share * (1 - share) / count),
+                             .decimals = 3,
+                             .line = {"Sensor_" + label, "clutter_probability", ""}};
+    settleLine(found, of.stds.size() >= kLeastReadings && share > kSignificantRatio * found.configured);
+    // Bearings and ranges of a sensor have one key: the worse of them counts.
+    const auto [entry, is_new] = findings.try_emplace(sensor, found);
+    if (!is_new && share > entry->second.estimate) entry->second = found;
+  }
+  std::vector<CalibrationFinding> list;
+  for (auto& [sensor, found] : findings) list.push_back(std::move(found));
+  return list;
+}
+
 bool isOfRanges(const ParameterEstimate& error)
 {
   return error.unknown.parameter == CalibrationParameter::range_offset ||
@@ -212,7 +243,7 @@ std::vector<CalibrationFinding> calibrationFindings(const CalibrationResult& err
 std::vector<CalibrationFinding> noiseFindings(const CalibrationResult& errors, const CalibrationData& data,
                                               const LocalizationConfig& config)
 {
-  std::map<std::pair<std::size_t, bool>, Residuals> by_sensor;
+  ResidualsBySensor by_sensor;
   for (std::size_t i = 0; i < errors.misfits.size(); ++i)
   {
     const CalibrationReading& r = data.problem.readings[i];
@@ -239,16 +270,36 @@ std::vector<CalibrationFinding> noiseFindings(const CalibrationResult& errors, c
     const bool enough = of.stds.size() >= kLeastReadings;
     settleLine(spread, enough && scatter > kSignificantRatio && !(is_range && now.std_range_per_m > 0));
     findings.push_back(spread);
-    const double share = of.outliers / count;
-    CalibrationFinding outliers{.what = label + (is_range ? ": outliers among ranges" : ": outliers among bearings"),
-                                .configured = now.clutter_probability,
-                                .estimate = share,
-                                .std = std::sqrt(share * (1 - share) / count),
-                                .decimals = 3,
-                                .line = {section, "clutter_probability", ""}};
-    settleLine(outliers, enough && share > kSignificantRatio * now.clutter_probability);
-    findings.push_back(outliers);
   }
+  for (CalibrationFinding& outliers : outlierFindings(by_sensor, data, config)) findings.push_back(std::move(outliers));
+  return findings;
+}
+
+std::vector<CalibrationFinding> odometryNoiseFindings(const CalibrationResult& errors, const CalibrationData& data,
+                                                      const LocalizationConfig& config)
+{
+  std::size_t links = 0;
+  for (const TrajectoryPose& pose : data.problem.poses) links += pose.since_previous ? 1 : 0;
+  if (data.problem.odometry.empty() || links == 0) return {};
+  const MotionModel& now = config.filter.motion;
+  const double factor = errors.odometry_scatter, relative_std = 1 / std::sqrt(6.0 * static_cast<double>(links));
+  const bool larger = factor > kSignificantRatio;
+  std::vector<CalibrationFinding> findings;
+  const auto add = [&](const char* key, double configured, const char* unit)
+  {
+    CalibrationFinding found{.what = std::string("odometry: ") + key,
+                             .unit = unit,
+                             .configured = configured,
+                             .estimate = factor * configured,
+                             .std = factor * configured * relative_std,
+                             .decimals = 4,
+                             .line = {kMotion, key, ""}};
+    settleLine(found, larger);
+    findings.push_back(found);
+  };
+  add("std_xy_per_m", now.std_xy_per_m, "m");
+  add("std_phi_deg_per_deg", now.std_phi_per_deg, "deg");
+  add("std_phi_deg_per_m", radToDeg(now.std_phi_per_m), "deg");
   return findings;
 }
 

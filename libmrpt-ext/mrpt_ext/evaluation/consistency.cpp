@@ -1,6 +1,7 @@
 #include "mrpt_ext/evaluation/consistency.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 
 namespace mrpt_ext
@@ -37,6 +38,17 @@ std::vector<NeesSample> neesOf(const std::vector<JudgedEstimate>& judged)
     if (nees) samples.push_back({entry.stamp, *nees, heading ? 3 : 2, P});
   }
   return samples;
+}
+
+std::optional<double> coverage(const std::vector<JudgedEstimate>& judged, double probability)
+{
+  const std::vector<NeesSample> samples = neesOf(judged);
+  if (samples.empty()) return std::nullopt;
+  const double plane = chiSquareQuantile(2, probability), pose = chiSquareQuantile(3, probability);
+  const auto within = std::count_if(samples.begin(), samples.end(),
+                                    [&](const NeesSample& sample)
+                                    { return sample.value <= (sample.degrees_of_freedom == 3 ? pose : plane); });
+  return static_cast<double>(within) / static_cast<double>(samples.size());
 }
 
 Consistency consistency(const std::vector<JudgedEstimate>& judged)

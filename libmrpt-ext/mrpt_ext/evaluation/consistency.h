@@ -33,6 +33,10 @@ struct NeesSample
 /// estimates of a filter are correlated, so even a consistent filter leaves the band more often than in 5 % of runs.
 [[nodiscard]] Consistency consistency(const std::vector<JudgedEstimate>& judged);
 
+/// Share of the estimates whose truth lies in the region that their covariance gives this probability; absent without
+/// one. An estimate with a singular covariance does not count.
+[[nodiscard]] std::optional<double> coverage(const std::vector<JudgedEstimate>& judged, double probability);
+
 /// Value that a chi-square variable stays below with this probability.
 [[nodiscard]] double chiSquareQuantile(double degrees_of_freedom, double probability);
 }  // namespace mrpt_ext

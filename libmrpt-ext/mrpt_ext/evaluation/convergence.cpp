@@ -44,6 +44,12 @@ double longestTimeOutside(const std::vector<ErrorSample>& errors, double from, c
   return longest;
 }
 
+bool tellsSuccess(const std::vector<double>& stamps, double log_start, const ConvergenceLimits& limits)
+{
+  return !stamps.empty() && stamps.front() - log_start <= limits.max_convergence_s &&
+         stamps.back() - stamps.front() >= kConvergenceHold;
+}
+
 bool isSuccess(const std::vector<ErrorSample>& errors, double log_start, const ConvergenceLimits& limits)
 {
   const auto converged = convergenceStamp(errors, limits);

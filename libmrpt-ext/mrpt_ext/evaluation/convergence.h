@@ -32,6 +32,10 @@ inline constexpr double kMaxTimeOutside = 10;
 [[nodiscard]] double longestTimeOutside(const std::vector<ErrorSample>& errors, double from,
                                         const ConvergenceLimits& limits);
 
+/// True when the truth can tell a success: its stamps begin within max_convergence_s of the start of the log and span
+/// at least kConvergenceHold. `stamps` [s]: at which the errors are judged.
+[[nodiscard]] bool tellsSuccess(const std::vector<double>& stamps, double log_start, const ConvergenceLimits& limits);
+
 /// Converged within max_convergence_s of the start of the log and never outside longer than kMaxTimeOutside.
 [[nodiscard]] bool isSuccess(const std::vector<ErrorSample>& errors, double log_start, const ConvergenceLimits& limits);
 }  // namespace mrpt_ext

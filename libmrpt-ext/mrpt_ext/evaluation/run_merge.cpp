@@ -53,6 +53,8 @@ MethodScore mergeMethod(const std::vector<const MethodScore*>& parts)
   merged.position_error_m = mergeStatistics(parts, &MethodScore::position_error_m);
   merged.heading_error_deg = mergeStatistics(parts, &MethodScore::heading_error_deg);
   merged.position_error_whole_run_m = mergeStatistics(parts, &MethodScore::position_error_whole_run_m);
+  merged.position_error_with_detections_m = mergeStatistics(parts, &MethodScore::position_error_with_detections_m);
+  merged.position_error_blind_m = mergeStatistics(parts, &MethodScore::position_error_blind_m);
   for (const MethodScore* part : parts)
     if (part->position_error_m.rmse) merged.trial_rmse.push_back(*part->position_error_m.rmse);
   if (const auto interval = medianInterval(merged.trial_rmse))
@@ -62,6 +64,8 @@ MethodScore mergeMethod(const std::vector<const MethodScore*>& parts)
   }
   merged.step_ms_median = medianOf(parts, &MethodScore::step_ms_median);
   merged.step_ms_p95 = medianOf(parts, &MethodScore::step_ms_p95);
+  merged.step_ms_p99 = medianOf(parts, &MethodScore::step_ms_p99);
+  merged.step_ms_max = medianOf(parts, &MethodScore::step_ms_max);
   return merged;
 }
 
@@ -105,9 +109,10 @@ std::map<std::string, BiasScore> mergeBiases(const std::vector<const FilterScore
 FilterScore mergeFilter(const std::vector<const FilterScore*>& parts)
 {
   FilterScore merged;
-  for (const auto number : {&FilterScore::particles_min, &FilterScore::particles_median, &FilterScore::particles_max,
-                            &FilterScore::nees_mean, &FilterScore::nees_band_low, &FilterScore::nees_band_high,
-                            &FilterScore::effective_sample_ratio_min, &FilterScore::lost_steps, &FilterScore::reseeds})
+  for (const auto number :
+       {&FilterScore::particles_min, &FilterScore::particles_median, &FilterScore::particles_max,
+        &FilterScore::nees_mean, &FilterScore::nees_band_low, &FilterScore::nees_band_high, &FilterScore::coverage_95,
+        &FilterScore::effective_sample_ratio_min, &FilterScore::lost_steps, &FilterScore::reseeds})
     merged.*number = medianOf(parts, number);
   merged.biases = mergeBiases(parts);
   return merged;
@@ -135,8 +140,28 @@ CostScore mergeCost(const std::vector<const CostScore*>& parts)
   return merged;
 }
 
+/// Means over the trials that have them, so that they add up to one.
+VerdictShares meanShares(const std::vector<RunScore>& trials)
+{
+  VerdictShares mean;
+  for (const auto share : {&VerdictShares::ok, &VerdictShares::ambiguous, &VerdictShares::lost})
+  {
+    double sum = 0, count = 0;
+    for (const RunScore& trial : trials)
+      if (const auto& value = trial.verdict_shares.*share)
+      {
+        sum += *value;
+        ++count;
+      }
+    if (count > 0) mean.*share = sum / count;
+  }
+  return mean;
+}
+
 void mergeVerdict(RunScore& merged, const std::vector<RunScore>& trials)
 {
+  for (auto trial = trials.begin(); merged.hints.empty() && trial != trials.end(); ++trial) merged.hints = trial->hints;
+  merged.verdict_shares = meanShares(trials);
   merged.verdict = Verdict::ok;
   for (const RunScore& trial : trials) merged.verdict = std::max(merged.verdict, trial.verdict);
   const auto is_worst = [&](const RunScore& trial) { return trial.verdict == merged.verdict; };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mrpt_ext/evaluation/frame_geometry.h"
+#include "mrpt_ext/evaluation/verdict_history.h"
 #include "mrpt_ext/files/disk_backed_sequence.h"
 #include "mrpt_ext/geometry/gaussian_pose.h"
 #include "mrpt_ext/geometry/landmark_table.h"
@@ -52,13 +53,20 @@ struct ModeSummary
   double weight = 0;
 };
 
+/// Hypotheses were injected, because the detections did not agree with the modes.
+struct Reseeding
+{
+  double time = 0;     ///< [s]
+  std::string reason;  ///< the filter's judgement one frame before
+};
+
 /// Diagnostics of the filter.
 struct FilterRecord
 {
   std::vector<std::size_t> particle_counts;  ///< one per frame
   std::optional<double> effective_sample_ratio_min;
-  std::size_t lost_steps = 0;        ///< frames with verdict lost
-  std::vector<double> reseed_times;  ///< [s]
+  std::size_t lost_steps = 0;  ///< frames with verdict lost
+  std::vector<Reseeding> reseedings;
   std::size_t stopped_searches = 0;  ///< steps whose search for the pose was ended by its work budget
   std::size_t detections_left_out = 0;
   std::vector<ModeSummary> modes_at_end;
@@ -135,6 +143,8 @@ struct RunRecord
   std::map<std::string, LandmarkRecord> landmarks;  ///< by id as text
   DiskBackedSequence<ObjectRow> objects;
   std::vector<PlaybackStep> playback;  ///< of evenly spaced frames; may be empty
+  std::vector<std::string> hints;      ///< what is likely wrong, one line each, with the command that helps
+  VerdictHistory verdicts;             ///< of the judged method
   Verdict verdict = Verdict::lost;
   std::string verdict_reason;
   bool interrupted = false;

@@ -27,8 +27,10 @@ struct MethodScore
   OptionalNumber ambiguous;                             ///< frames with candidates of equal rank
   ErrorStatistics position_error_m, heading_error_deg;  ///< from the convergence of the judged method on
   ErrorStatistics position_error_whole_run_m;
-  OptionalNumber rmse_low, rmse_high;  ///< [m] 95 % interval of the position RMSE, see rmse_interval.h
-  OptionalNumber step_ms_median, step_ms_p95;
+  ErrorStatistics position_error_with_detections_m;  ///< as position_error_m, without blind stretches
+  ErrorStatistics position_error_blind_m;            ///< ... in blind stretches alone (detection_gaps.h)
+  OptionalNumber rmse_low, rmse_high;                ///< [m] 95 % interval of the position RMSE, see rmse_interval.h
+  OptionalNumber step_ms_median, step_ms_p95, step_ms_p99, step_ms_max;
   std::vector<ErrorSample> errors;  ///< whole run; of one trial only, empty in a merged score
   std::vector<double> trial_rmse;   ///< [m] of a merged score: position RMSE of the trials that have one
 };
@@ -44,6 +46,7 @@ struct FilterScore
 {
   OptionalNumber particles_min, particles_median, particles_max;
   OptionalNumber nees_mean, nees_band_low, nees_band_high;
+  OptionalNumber coverage_95;    ///< share of the `ok` estimates whose truth lies in their 95 % region; whole run
   std::vector<NeesSample> nees;  ///< whole run; of one trial only, empty in a merged score
   OptionalNumber effective_sample_ratio_min;
   OptionalNumber lost_steps, reseeds;
@@ -101,8 +104,13 @@ struct RunScore
   CostScore cost;
   ConvergenceLimits limits;  ///< limits of convergence
   OptionalNumber converged_at_s;
+  std::size_t truth_stamps = 0;  ///< at which errors are judged; of one trial
+  bool truth_is_sparse = false;
   std::vector<TrialScore> trials;
-  OptionalNumber success_rate;  ///< successes / trials with a known success
+  OptionalNumber success_rate;     ///< successes / trials with a known success
+  std::vector<std::string> hints;  ///< of the trial; in a merged score of the first trial that has some
+  VerdictShares verdict_shares;    ///< in a merged score their means
+  std::optional<std::vector<VerdictSpell>> verdict_spells;  ///< [s] of the log; absent in a merged score
   Verdict verdict = Verdict::lost;
   std::string verdict_reason;
   bool interrupted = false;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mrpt_ext/evaluation/detection_gaps.h"
 #include "mrpt_ext/evaluation/method_comparison.h"
 #include "mrpt_ext/evaluation/odometry_alignment.h"
 #include "mrpt_ext/evaluation/rmse_interval.h"
@@ -42,6 +43,8 @@ MethodScore describe(const MethodTrajectory& trajectory)
         static_cast<double>(trajectory.frames_answered) / static_cast<double>(trajectory.frames_offered);
   score.step_ms_median = quantile(trajectory.step_milliseconds, 0.5);
   score.step_ms_p95 = quantile(trajectory.step_milliseconds, 0.95);
+  score.step_ms_p99 = quantile(trajectory.step_milliseconds, 0.99);
+  score.step_ms_max = quantile(trajectory.step_milliseconds, 1.0);
   return score;
 }
 
@@ -64,7 +67,7 @@ FilterScore describe(const FilterRecord& filter)
   if (filter.particle_counts.empty()) return score;  // no particle filter ran
   score.effective_sample_ratio_min = filter.effective_sample_ratio_min;
   score.lost_steps = static_cast<double>(filter.lost_steps);
-  score.reseeds = static_cast<double>(filter.reseed_times.size());
+  score.reseeds = static_cast<double>(filter.reseedings.size());
   score.modes_at_end = filter.modes_at_end;
   return score;
 }
@@ -82,6 +85,9 @@ void addConsistency(FilterScore& score, const MethodTrajectory& trajectory, cons
   // Judged at the time of the estimate: dead reckoning would add an error that is not in the covariance.
   std::vector<JudgedEstimate> judged = judgeAtOwnTimes(trajectory, context);
   score.nees = neesOf(judged);
+  std::vector<JudgedEstimate> believed = judged;
+  std::erase_if(believed, [](const JudgedEstimate& entry) { return entry.estimate.verdict != Verdict::ok; });
+  score.coverage_95 = coverage(believed, 0.95);
   if (!from) return;
   std::erase_if(judged, [&](const JudgedEstimate& entry) { return entry.stamp < *from; });
   const Consistency nees = consistency(judged);
@@ -107,6 +113,17 @@ std::map<std::string, LandmarkScore> describe(const std::map<std::string, Landma
   return scores;
 }
 
+/// With times since the start of the log.
+std::vector<VerdictSpell> spellsInLog(std::vector<VerdictSpell> spells, double start)
+{
+  for (VerdictSpell& spell : spells)
+  {
+    spell.from -= start;
+    spell.to -= start;
+  }
+  return spells;
+}
+
 CostScore describeCost(const RunContext& context, const RunRecord& record)
 {
   CostScore cost{record.cpu_s, record.wall_s, record.peak_memory_mb, {}};
@@ -119,7 +136,9 @@ void judgeMethods(RunScore& score, const RunContext& context, const RunRecord& r
 {
   const MethodTrajectory* judged = judgedMethod(record);
   if (judged) score.judged_method = judged->name;
-  const bool truth_exists = !scoringStamps(context).empty();
+  const std::vector<double> stamps = scoringStamps(context);
+  score.truth_stamps = stamps.size();
+  score.truth_is_sparse = context.truth_is_sparse;
   std::optional<double> count_from;
   if (!judged) count_from = context.start_time;
 
@@ -128,11 +147,12 @@ void judgeMethods(RunScore& score, const RunContext& context, const RunRecord& r
   {
     MethodScore method = describe(trajectory);
     method.errors = errorsOfMethod(trajectory, context);
-    if (&trajectory == judged && truth_exists)
+    if (&trajectory == judged && !stamps.empty())
     {
       count_from = convergenceStamp(method.errors, limits);
       // The success of an unfinished trial is not known.
-      if (!record.interrupted) trial.success = isSuccess(method.errors, context.start_time, limits);
+      if (!record.interrupted && tellsSuccess(stamps, context.start_time, limits))
+        trial.success = isSuccess(method.errors, context.start_time, limits);
       if (count_from) trial.converged_at_s = *count_from - context.start_time;
     }
     score.methods.push_back(std::move(method));
@@ -142,6 +162,9 @@ void judgeMethods(RunScore& score, const RunContext& context, const RunRecord& r
     method.position_error_whole_run_m = positionStatistics(method.errors, context.start_time);
     if (!count_from) continue;
     method.position_error_m = positionStatistics(method.errors, *count_from);
+    const ErrorsByDetections split = splitByDetections(method.errors, context);
+    method.position_error_with_detections_m = positionStatistics(split.with_detections, *count_from);
+    method.position_error_blind_m = positionStatistics(split.blind, *count_from);
     if (const auto interval = rmseInterval(method.errors, *count_from))
     {
       method.rmse_low = interval->low;
@@ -175,6 +198,9 @@ RunScore scoreRun(const RunContext& context, const RunRecord& record, const Conv
   score.landmarks = describe(record.landmarks);
   score.cost = describeCost(context, record);
   score.limits = limits;
+  score.hints = record.hints;
+  score.verdict_shares = record.verdicts.shares();
+  score.verdict_spells = spellsInLog(record.verdicts.spells(), context.start_time);
   score.verdict = record.verdict;
   score.verdict_reason = record.verdict_reason;
   score.interrupted = record.interrupted;

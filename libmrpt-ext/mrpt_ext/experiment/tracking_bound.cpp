@@ -118,7 +118,7 @@ TrackingBound trackingBound(const RunContext& context, const ParticleFilterOptio
   bool known = true;
   for (; frame; frame = frames())
   {
-    if (hasAnonymous(*frame)) return {{}, "the true landmarks of anonymous detections are not known"};
+    if (hasAnonymous(*frame)) return {};  // their true landmarks are not known
     known = known && addStamps(result, bound, stamp, stamps.end(), frame->time) &&
             bound.advance(frame->time, &*frame).has_value();
   }

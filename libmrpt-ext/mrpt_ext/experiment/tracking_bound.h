@@ -19,7 +19,7 @@ struct TrackingBound
     double heading_variance = 0;   ///< [rad^2]
   };
   std::vector<Stamp> stamps;
-  std::string why_none;  ///< why there is no bound, for the reader; empty where there is one
+  std::string why_none;  ///< why there is no bound; empty where there is one, and for anonymous detections
 };
 
 /// The bound along the true trajectory with the configured models (of the particle filter): initial covariance (that of

@@ -5,6 +5,7 @@
 #include <ctime>
 #include <limits>
 
+#include "mrpt_ext/evaluation/run_scoring.h"
 #include "mrpt_ext/experiment/method_factory.h"
 #include "mrpt_ext/experiment/object_tracker.h"
 #include "mrpt_ext/experiment/oracle_trajectories.h"
@@ -42,16 +43,25 @@ void record(const Estimate& estimate, const Frame& frame, double milliseconds, M
   if (estimate.point) trajectory.points.push_back(*estimate.point);
 }
 
-void recordFilter(const FilterStep& step, const BiasModel& biases, const Estimate& estimate, double time,
-                  RunRecord& run)
+/// Of a method without reasons.
+Verdict verdictOf(const Estimate& estimate)
 {
+  if (estimate.point) return estimate.point->verdict;
+  return estimate.ambiguous ? Verdict::ambiguous : Verdict::lost;
+}
+
+/// `reason_before`: of the verdict one frame before.
+void recordFilter(const FilterStep& step, const BiasModel& biases, const Estimate& estimate, double time,
+                  const std::string& reason_before, RunRecord& run)
+{
+  run.verdicts.add(time, step.verdict, step.reason);
   run.filter.particle_counts.push_back(step.particles);
   run.filter.effective_sample_ratio_min =
       std::min(run.filter.effective_sample_ratio_min.value_or(1.0), step.effective_ratio);
   if (step.verdict == Verdict::lost) ++run.filter.lost_steps;
   if (step.search_stopped) ++run.filter.stopped_searches;
   run.filter.detections_left_out += step.detections_left_out;
-  if (step.reseeded) run.filter.reseed_times.push_back(time);
+  if (step.reseeded) run.filter.reseedings.push_back({time, reason_before});
   for (std::size_t k = 0; k < step.biases.size(); ++k)
   {
     const double unit = fileUnit(biases[k]);
@@ -117,6 +127,7 @@ TrialOutcome runTrial(const TrialInput& input, std::uint64_t seed, int trial)
   for (const auto& localizer : methods.localizers)
     run.methods.push_back({.name = localizer->name(), .continuous = localizer->continuous()});
 
+  const MethodTrajectory* judged = judgedMethod(run);
   const std::size_t count = input.run.log.frames;
   PlaybackRecorder playback(count, input.methods.map());
   FrameSynchronizer frames = framesOf(input.run);
@@ -128,15 +139,19 @@ TrialOutcome runTrial(const TrialInput& input, std::uint64_t seed, int trial)
     objects.add(frames.takeObjectFrames());
     for (std::size_t m = 0; m < methods.localizers.size(); ++m)
     {
+      const std::string reason_before = methods.filter ? methods.filter->lastStep().reason : "";
       const auto before = Clock::now();
       const Estimate estimate = methods.localizers[m]->process(*frame);
       const double ms = std::chrono::duration<double, std::milli>(Clock::now() - before).count();
       record(estimate, *frame, ms, run.methods[m]);
       if (methods.localizers[m].get() == methods.filter)
       {
-        recordFilter(methods.filter->lastStep(), methods.filter->particles().bias_states, estimate, frame->time, run);
+        recordFilter(methods.filter->lastStep(), methods.filter->particles().bias_states, estimate, frame->time,
+                     reason_before, run);
         if (estimate.point) objects.locate(*estimate.point, run.objects);
       }
+      else if (&run.methods[m] == judged)
+        run.verdicts.add(frame->time, verdictOf(estimate), {});
       else if (!run.methods[m].continuous)
         oracles.add(run.methods[m], estimate, frame->time);
     }

@@ -110,7 +110,8 @@ Json confidenceData(const RunContext& context, const RunRecord& record)
     ess.push_back(number(least_ess, 4));
   }
   Json reseeds = Json::array();
-  for (const double time : record.filter.reseed_times) reseeds.push_back(rounded(time - context.start_time, 2));
+  for (const Reseeding& reseeding : record.filter.reseedings)
+    reseeds.push_back(rounded(reseeding.time - context.start_time, 2));
   return {{"t", t},
           {"weight", weight},
           {"ess", ess},

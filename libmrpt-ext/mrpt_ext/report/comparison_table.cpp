@@ -4,6 +4,7 @@
 
 #include "mrpt_ext/report/comparison_text.h"
 #include "mrpt_ext/report/number_text.h"
+#include "mrpt_ext/report/verdict_text.h"
 
 namespace mrpt_ext
 {
@@ -93,9 +94,11 @@ std::string comparisonTable(const RunScore& score)
   rows[0][0] = "  " + rows[0][0];
   for (const MethodScore& method : score.methods) rows.push_back(rowOf(method, &method == best));
   std::string text = wrapped(outcomeText(score));
+  if (const std::string split = detectionSplitText(score); !split.empty()) text += wrapped(split);
   if (score.interrupted) text += "Interrupted: the scores cover only the finished part.\n";
   return text + '\n' + table(rows) + legend(score, best) + conclusions(score) + '\n' +
          wrapped(std::string("verdict: ") + toString(score.verdict) +
-                 (score.verdict_reason.empty() ? "" : " (" + score.verdict_reason + ")"));
+                 (score.verdict_reason.empty() ? "" : " (" + score.verdict_reason + ")")) +
+         verdictHistoryText(score);
 }
 }  // namespace mrpt_ext

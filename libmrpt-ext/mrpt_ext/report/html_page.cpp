@@ -5,6 +5,7 @@
 
 #include "mrpt_ext/evaluation/run_scoring.h"
 #include "mrpt_ext/report/comparison_text.h"
+#include "mrpt_ext/report/html_advice.h"
 #include "mrpt_ext/report/html_geometry.h"
 #include "mrpt_ext/report/html_parts.h"
 #include "mrpt_ext/report/html_tables.h"
@@ -13,6 +14,7 @@
 #include "mrpt_ext/report/page_assets.h"
 #include "mrpt_ext/report/page_data.h"
 #include "mrpt_ext/report/svg_map.h"
+#include "mrpt_ext/report/verdict_text.h"
 
 namespace mrpt_ext
 {
@@ -23,6 +25,9 @@ constexpr const char* kMethodNote =
     "stamps "
     "within a trial, over trials in a merged report. A dash marks a number that does not exist.";
 constexpr const char* kLimitNote = "Dashed line: the limit below which the filter counts as converged.";
+constexpr const char* kReseedingNote =
+    "The filter looks for the robot elsewhere when the detections do not agree with its modes. The reason is its "
+    "judgement one frame before.";
 constexpr const char* kNeesNote =
     "Normalised estimation error squared: the error in units of the reported covariance. Above the band the filter is "
     "overconfident, below it is underconfident.";
@@ -49,9 +54,18 @@ std::string keyFacts(const RunContext& context, const RunScore& score)
   const MethodScore* best = bestMethod(score);
   std::string facts;
   if (score.trials.size() > 1) facts += fact("success rate", percentText(score.success_rate));
-  if (best) facts += fact("lowest position RMSE: " + best->name, magnitudeText(best->position_error_m.rmse) + " m");
+  if (const MethodScore* judged = judgedScore(score))
+  {
+    const OptionalNumber &seeing = judged->position_error_with_detections_m.rmse,
+                         &blind = judged->position_error_blind_m.rmse;
+    if (seeing) facts += fact("position RMSE with detections: " + judged->name, magnitudeText(seeing) + " m");
+    if (blind) facts += fact("position RMSE, blind for more than 2 s", magnitudeText(blind) + " m");
+  }
+  if (score.verdict_shares.ok) facts += fact("of the frames are ok", percentText(score.verdict_shares.ok));
+  if (best && best->name != score.judged_method)
+    facts += fact("lowest position RMSE: " + best->name, magnitudeText(best->position_error_m.rmse) + " m");
   if (best && best->heading_error_deg.rmse)
-    facts += fact("heading RMSE of that method", numberText(best->heading_error_deg.rmse, 2) + " deg");
+    facts += fact("heading RMSE of " + best->name, numberText(best->heading_error_deg.rmse, 2) + " deg");
   if (score.converged_at_s) facts += fact("time to convergence", numberText(score.converged_at_s, 1) + " s");
   facts += fact("duration of the log", numberText(context.duration_s, 0) + " s");
   if (score.cost.realtime_factor) facts += fact("times real time", magnitudeText(score.cost.realtime_factor));
@@ -64,8 +78,26 @@ std::string verdictStrip(const RunScore& score)
   std::string html = element("p", "word", element("span", "symbol", verdictSymbol(score.verdict)) + verdict);
   html += element("p", "reason", escapeHtml(score.verdict_reason));
   html += element("p", "", escapeHtml(outcomeText(score)));
+  for (const std::string& hint : score.hints) html += element("p", "hint", "Hint: " + escapeHtml(hint));
+  if (needsAdvice(score)) html += element("p", "", "<a href=\"#what-to-do\">What to do</a>");
   if (score.interrupted) html += element("p", "", "Interrupted: the scores cover only the finished part.");
   return element("section", "verdict " + verdict, "\n" + html) + "\n";
+}
+
+std::string verdictSection(const RunScore& score)
+{
+  const std::string shares = sharesText(score.verdict_shares);
+  if (shares.empty()) return {};
+  return htmlSection("Verdict over the run", element("p", "", escapeHtml(shares)) + "\n" + spellTable(score),
+                     "A share counts frames. The verdict comes from the filter alone, never from the truth.");
+}
+
+/// Of what this run needs; empty when it needs none.
+std::string adviceSection(const RunScore& score)
+{
+  if (!needsAdvice(score) && score.filter.reseeds.value_or(0) == 0) return {};
+  return htmlSection("<a id=\"what-to-do\">What to do</a>", adviceList(score),
+                     escapeHtml(std::string("More: ") + kAdviceSection));
 }
 
 std::string methodSection(const RunScore& score)
@@ -154,8 +186,10 @@ std::string nameOf(const std::string& path)
 std::string page(const RunContext& context, const RunScore& score, const std::string& subtitle,
                  const std::string& sections, const std::string& scripts)
 {
-  return htmlPage("Landmark localization: " + nameOf(context.config_path), subtitle,
-                  verdictStrip(score) + keyFacts(context, score) + sections, scripts);
+  return htmlPage(
+      "Landmark localization: " + nameOf(context.config_path), subtitle,
+      verdictStrip(score) + keyFacts(context, score) + verdictSection(score) + sections + adviceSection(score),
+      scripts);
 }
 }  // namespace
 
@@ -165,7 +199,8 @@ std::string trialPage(const RunContext& context, const RunRecord& record, const 
       nameOf(context.rawlog_path) + ", trial " + std::to_string(record.trial) + ", seed " + std::to_string(record.seed);
   const std::vector<ErrorsByGeometry> geometry = errorsByGeometry(context, record, score);
   const std::string sections =
-      methodSection(score) + mapSection(context, record, score) + chartSections(record, score) +
+      methodSection(score) + htmlSection("Injected hypotheses", reseedingTable(record, context), kReseedingNote) +
+      mapSection(context, record, score) + chartSections(record, score) +
       htmlSection("Position error by geometry", errorsByGeometrySection(geometry, score), kGeometryNote) +
       commonSections(context, score);
   return page(context, score, subtitle, sections, scripts(pageData(context, record, score, geometry)));

@@ -8,6 +8,7 @@
 #include "mrpt_ext/report/landmark_quality.h"
 #include "mrpt_ext/report/map_view.h"
 #include "mrpt_ext/report/number_text.h"
+#include "mrpt_ext/report/verdict_text.h"
 
 namespace mrpt_ext
 {
@@ -143,6 +144,20 @@ std::string trialTable(const RunScore& score)
         bad ? "warned" : "");
   }
   return htmlTable({"trial", "seed", "success", "verdict", "RMSE m", "converged after s"}, rows);
+}
+
+std::string spellTable(const RunScore& score)
+{
+  constexpr std::size_t kShown = 8;
+  const SpellsNotOk spells = spellsNotOk(score, kShown);
+  std::string rows;
+  for (const VerdictSpell& spell : spells.longest)
+    rows += htmlRow({spanText(spell),
+                     element("span", std::string("badge ") + toString(spell.verdict), toString(spell.verdict)),
+                     escapeHtml(spell.reason)});
+  if (rows.empty()) return {};
+  if (spells.others > 0) rows += htmlRow({std::to_string(spells.others) + " shorter ones", "", ""});
+  return htmlTable({"from start of log", "verdict", "reason at its first frame"}, rows, "spells");
 }
 
 std::string provenanceTable(const RunContext& context, const RunScore& score)

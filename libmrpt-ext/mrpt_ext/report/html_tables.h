@@ -16,6 +16,8 @@ namespace mrpt_ext
 [[nodiscard]] std::string observationTable(const RunContext& context);
 /// Particles, consistency and recovery of the filter. Empty when no filter ran.
 [[nodiscard]] std::string filterTable(const RunScore& score);
+/// The longest stretches without `ok`. Empty without any.
+[[nodiscard]] std::string spellTable(const RunScore& score);
 /// One row per trial, each linking to its own report `trial_NNN/report.html`.
 [[nodiscard]] std::string trialTable(const RunScore& score);
 /// What it takes to reproduce the run: command, configuration, seed, version, input.

@@ -12,14 +12,29 @@ namespace
 {
 bool exists(const OptionalNumber& number) { return number && std::isfinite(*number); }
 
+std::string successText(const RunScore& score, const TrialScore& trial)
+{
+  const std::string judged_at =
+      score.truth_is_sparse ? " Judged at the " + std::to_string(score.truth_stamps) + " stamps of a sparse truth."
+                            : "";
+  if (!trial.success)
+    return "success is not known: the truth begins more than " + numberText(score.limits.max_convergence_s, 0) +
+           " s after the log." + judged_at;
+  return (*trial.success ? "success." : "no success: converged too late, or later outside for more than 10 s.") +
+         judged_at;
+}
+
 std::string trialText(const RunScore& score)
 {
   const TrialScore& trial = score.trials.front();
   if (!score.judged_method) return "No method tracks the pose: all estimates count.";
   if (score.interrupted) return "Interrupted: the finished part is scored, success is not known.";
-  if (!trial.success) return "No ground truth within the log: no errors.";
+  if (score.truth_stamps == 0) return "No ground truth within the log: no errors.";
   const std::string limits =
       numberText(score.limits.within_m, 2) + " m / " + numberText(score.limits.within_deg, 0) + " deg";
+  if (!trial.converged_at_s && !trial.success)
+    return "Success is not known: the " + std::to_string(score.truth_stamps) +
+           " stamps of the truth begin too late, or span too short a time.";
   if (!trial.converged_at_s)
   {
     OptionalNumber whole;
@@ -29,7 +44,7 @@ std::string trialText(const RunScore& score)
            " for 5 s: no errors after convergence (whole run: RMSE " + magnitudeText(whole) + " m).";
   }
   return *score.judged_method + " converged after " + numberText(trial.converged_at_s, 1) + " s (within " + limits +
-         "); " + (*trial.success ? "success." : "no success: converged too late, or later outside for more than 10 s.");
+         "); " + successText(score, trial);
 }
 
 std::string trialsText(const RunScore& score)
@@ -86,6 +101,27 @@ const MethodScore* bestMethod(const RunScore& score)
     if (!best || *rmse < *best->position_error_m.rmse) best = &method;
   }
   return best;
+}
+
+const MethodScore* judgedScore(const RunScore& score)
+{
+  for (const MethodScore& method : score.methods)
+    if (score.judged_method && method.name == *score.judged_method) return &method;
+  return nullptr;
+}
+
+std::string detectionSplitText(const RunScore& score)
+{
+  const MethodScore* judged = judgedScore(score);
+  if (!judged || !judged->position_error_m.rmse) return {};
+  const OptionalNumber &seeing = judged->position_error_with_detections_m.rmse,
+                       &blind = judged->position_error_blind_m.rmse;
+  std::string text = judged->name + ": position RMSE ";
+  if (seeing) text += magnitudeText(seeing) + " m with detections";
+  if (blind)
+    text += (seeing ? ", " : "") + magnitudeText(blind) + " m without any for more than " + numberText(kBlindAfter, 0) +
+            " s";
+  return text;
 }
 
 std::string outcomeText(const RunScore& score)

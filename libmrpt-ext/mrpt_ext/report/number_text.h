@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "mrpt_ext/evaluation/detection_gaps.h"
 #include "mrpt_ext/evaluation/run_score.h"
 
 namespace mrpt_ext
@@ -20,6 +21,13 @@ inline constexpr const char* kNoNumber = "-";
 
 /// The method with the lowest position RMSE, without oracles; null without any RMSE.
 [[nodiscard]] const MethodScore* bestMethod(const RunScore& score);
+
+/// The score of the judged method; null without one.
+[[nodiscard]] const MethodScore* judgedScore(const RunScore& score);
+
+/// "particle_filter: position RMSE 0.008 m with detections, 0.352 m without any for more than 2 s"; empty without an
+/// error.
+[[nodiscard]] std::string detectionSplitText(const RunScore& score);
 
 /// One sentence on convergence and success of the trial, or on success rate, lost runs and spread of the trials.
 [[nodiscard]] std::string outcomeText(const RunScore& score);

@@ -3,6 +3,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "mrpt_ext/report/json_number.h"
+#include "mrpt_ext/report/number_text.h"
+
 namespace mrpt_ext
 {
 namespace
@@ -53,17 +56,26 @@ Json observations(const RunContext& context)
   return all;
 }
 
+Json stepTimes(const MethodScore& method)
+{
+  return {{"median", number(method.step_ms_median)},
+          {"p95", number(method.step_ms_p95)},
+          {"p99", number(method.step_ms_p99)},
+          {"max", number(method.step_ms_max)}};
+}
+
 Json methods(const std::vector<MethodScore>& scores)
 {
   Json all = Json::object();
   for (const MethodScore& method : scores)
-    all[method.name] = {
-        {"estimates", count(method.estimates)},
-        {"availability", number(method.availability)},
-        {"position_error_m", statistics(method.position_error_m)},
-        {"heading_error_deg", statistics(method.heading_error_deg)},
-        {"position_error_whole_run_m", statistics(method.position_error_whole_run_m)},
-        {"time_per_step_ms", {{"median", number(method.step_ms_median)}, {"p95", number(method.step_ms_p95)}}}};
+    all[method.name] = {{"estimates", count(method.estimates)},
+                        {"availability", number(method.availability)},
+                        {"position_error_m", statistics(method.position_error_m)},
+                        {"heading_error_deg", statistics(method.heading_error_deg)},
+                        {"position_error_whole_run_m", statistics(method.position_error_whole_run_m)},
+                        {"position_error_m_with_detections", statistics(method.position_error_with_detections_m)},
+                        {"position_error_m_blind", statistics(method.position_error_blind_m)},
+                        {"time_per_step_ms", stepTimes(method)}};
   return all;
 }
 
@@ -94,6 +106,7 @@ Json filter(const RunScore& score)
        {{"min", count(f.particles_min)}, {"median", count(f.particles_median)}, {"max", count(f.particles_max)}}},
       {"nees",
        {{"mean", number(f.nees_mean)}, {"band_low", number(f.nees_band_low)}, {"band_high", number(f.nees_band_high)}}},
+      {"coverage_95", number(f.coverage_95)},
       {"effective_sample_ratio_min", number(f.effective_sample_ratio_min)},
       {"converged_at_s", number(score.converged_at_s)},
       {"lost_steps", count(f.lost_steps)},
@@ -114,6 +127,24 @@ Json landmarks(const std::map<std::string, LandmarkScore>& scores)
                {"residual_std", number(landmark.residual_std)}};
   return all;
 }
+
+Json shares(const VerdictShares& s)
+{
+  return {{"ok", number(s.ok)}, {"ambiguous", number(s.ambiguous)}, {"lost", number(s.lost)}};
+}
+
+/// Times in seconds since the start of the log.
+Json spells(const std::optional<std::vector<VerdictSpell>>& spells_of_run)
+{
+  if (!spells_of_run) return nullptr;
+  Json list = Json::array();
+  for (const VerdictSpell& spell : *spells_of_run)
+    list.push_back({{"from_s", rounded(spell.from, 3)},
+                    {"to_s", rounded(spell.to, 3)},
+                    {"verdict", toString(spell.verdict)},
+                    {"reason", spell.reason}});
+  return list;
+}
 }  // namespace
 
 Json inputDigests(const RunContext& context)
@@ -133,6 +164,8 @@ Json inputDigests(const RunContext& context)
 
 std::string summaryJson(const RunContext& context, const RunScore& score)
 {
+  const MethodScore* found = judgedScore(score);
+  const MethodScore judged = found ? *found : MethodScore{};
   const Json summary = {{"schema", 1},
                         {"version", context.version},
                         {"config", context.config_path},
@@ -144,6 +177,9 @@ std::string summaryJson(const RunContext& context, const RunScore& score)
                         {"inputs", inputDigests(context)},
                         {"observations", observations(context)},
                         {"methods", methods(score.methods)},
+                        {"judged_method", score.judged_method ? Json(*score.judged_method) : Json(nullptr)},
+                        {"position_error_m_with_detections", statistics(judged.position_error_with_detections_m)},
+                        {"time_per_step_ms", stepTimes(judged)},
                         {"filter", filter(score)},
                         {"landmarks", landmarks(score.landmarks)},
                         {"limit",
@@ -151,6 +187,9 @@ std::string summaryJson(const RunContext& context, const RunScore& score)
                           {"pcrlb_heading_rmse_deg", number(score.limit.heading_rmse_deg)}}},
                         {"verdict", toString(score.verdict)},
                         {"verdict_reason", score.verdict_reason},
+                        {"hints", score.hints},
+                        {"verdict_shares", shares(score.verdict_shares)},
+                        {"verdict_spells", spells(score.verdict_spells)},
                         {"cost",
                          {{"cpu_s", number(score.cost.cpu_s)},
                           {"wall_s", number(score.cost.wall_s)},

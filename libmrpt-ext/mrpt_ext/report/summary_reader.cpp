@@ -39,8 +39,13 @@ MethodScore methodOf(const std::string& name, const Json& value)
   method.position_error_m = statisticsOf(value.at("position_error_m"));
   method.heading_error_deg = statisticsOf(value.at("heading_error_deg"));
   method.position_error_whole_run_m = statisticsOf(value.at("position_error_whole_run_m"));
-  method.step_ms_median = numberOf(value.at("time_per_step_ms").at("median"));
-  method.step_ms_p95 = numberOf(value.at("time_per_step_ms").at("p95"));
+  method.position_error_with_detections_m = statisticsOf(value.at("position_error_m_with_detections"));
+  method.position_error_blind_m = statisticsOf(value.at("position_error_m_blind"));
+  const Json& step = value.at("time_per_step_ms");
+  method.step_ms_median = numberOf(step.at("median"));
+  method.step_ms_p95 = numberOf(step.at("p95"));
+  method.step_ms_p99 = numberOf(step.at("p99"));
+  method.step_ms_max = numberOf(step.at("max"));
   return method;
 }
 
@@ -53,6 +58,7 @@ FilterScore filterOf(const Json& value)
   filter.nees_mean = numberOf(value.at("nees").at("mean"));
   filter.nees_band_low = numberOf(value.at("nees").at("band_low"));
   filter.nees_band_high = numberOf(value.at("nees").at("band_high"));
+  filter.coverage_95 = numberOf(value.at("coverage_95"));
   filter.effective_sample_ratio_min = numberOf(value.at("effective_sample_ratio_min"));
   filter.lost_steps = numberOf(value.at("lost_steps"));
   filter.reseeds = numberOf(value.at("reseeds"));
@@ -68,6 +74,19 @@ LandmarkScore landmarkOf(const Json& value)
 Verdict verdictOf(const std::string& name)
 {
   return name == "ok" ? Verdict::ok : name == "ambiguous" ? Verdict::ambiguous : Verdict::lost;
+}
+
+VerdictShares sharesOf(const Json& value)
+{
+  return {numberOf(value.at("ok")), numberOf(value.at("ambiguous")), numberOf(value.at("lost"))};
+}
+
+std::vector<VerdictSpell> spellsOf(const Json& list)
+{
+  std::vector<VerdictSpell> spells;
+  for (const Json& spell : list)
+    spells.push_back({spell.at("from_s"), spell.at("to_s"), verdictOf(spell.at("verdict")), spell.at("reason")});
+  return spells;
 }
 
 TrialScore readTrial(const Json& detail)
@@ -95,6 +114,7 @@ RunScore runScoreOf(const nlohmann::ordered_json& summary)
 {
   RunScore score;
   for (const auto& [name, method] : summary.at("methods").items()) score.methods.push_back(methodOf(name, method));
+  if (const Json& judged = summary.at("judged_method"); judged.is_string()) score.judged_method = judged;
   score.filter = filterOf(summary.at("filter"));
   for (const auto& [id, landmark] : summary.at("landmarks").items()) score.landmarks[id] = landmarkOf(landmark);
   score.limit.position_rmse_m = numberOf(summary.at("limit").at("pcrlb_position_rmse_m"));
@@ -105,6 +125,9 @@ RunScore runScoreOf(const nlohmann::ordered_json& summary)
   score.converged_at_s = numberOf(summary.at("filter").at("converged_at_s"));
   score.trials = {readTrial(summary.at("trials_detail").at(0))};
   score.success_rate = numberOf(summary.at("success_rate"));
+  score.hints = summary.at("hints").get<std::vector<std::string>>();
+  score.verdict_shares = sharesOf(summary.at("verdict_shares"));
+  if (const Json& spells = summary.at("verdict_spells"); spells.is_array()) score.verdict_spells = spellsOf(spells);
   score.verdict = verdictOf(summary.at("verdict"));
   score.verdict_reason = summary.at("verdict_reason");
   return score;

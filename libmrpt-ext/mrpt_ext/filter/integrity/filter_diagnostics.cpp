@@ -1,5 +1,6 @@
 #include "mrpt_ext/filter/integrity/filter_diagnostics.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "mrpt_ext/geometry/bias_units.h"
@@ -75,10 +76,16 @@ std::vector<std::size_t> outlierLandmarks(const std::vector<LandmarkHistory>& hi
 
 std::string outlierText(const LandmarkTable& map, const std::vector<LandmarkHistory>& histories)
 {
+  constexpr std::size_t kNamed = 5;
+  const std::vector<std::size_t> found = outlierLandmarks(histories);
   std::string text;
-  for (const std::size_t j : outlierLandmarks(histories))
-    append(text, formatted("landmark %d: %.0f %% of %.0f detections are outliers", map[j].id,
-                           100 * histories[j].false_identified / histories[j].identified, histories[j].identified));
+  for (std::size_t k = 0; k < std::min(found.size(), kNamed); ++k)
+  {
+    const LandmarkHistory& history = histories[found[k]];
+    append(text, formatted("landmark %d: %.0f %% of %.0f detections are outliers", map[found[k]].id,
+                           100 * history.false_identified / history.identified, history.identified));
+  }
+  if (found.size() > kNamed) append(text, formatted("and so for %zu more landmarks", found.size() - kNamed));
   return text;
 }
 }  // namespace mrpt_ext

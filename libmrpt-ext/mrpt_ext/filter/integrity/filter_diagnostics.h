@@ -29,6 +29,7 @@ struct BiasEstimate
 /// Positions in the table of the landmarks of whose identified detections significantly more than 30 % are outliers.
 [[nodiscard]] std::vector<std::size_t> outlierLandmarks(const std::vector<LandmarkHistory>& histories);
 
-/// "landmark 7: 93 % of 210 detections are outliers, landmark 9: ..."; empty without any.
+/// "landmark 7: 93 % of 210 detections are outliers, landmark 9: ..."; at most five are named, the
+/// others counted; empty without any.
 [[nodiscard]] std::string outlierText(const LandmarkTable& map, const std::vector<LandmarkHistory>& histories);
 }  // namespace mrpt_ext

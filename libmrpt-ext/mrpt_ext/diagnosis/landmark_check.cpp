@@ -1,0 +1,122 @@
+#include "mrpt_ext/diagnosis/landmark_check.h"
+
+#include <algorithm>
+
+#include "mrpt_ext/files/number_format.h"
+#include "mrpt_ext/solvers/pose_from_landmarks.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr std::size_t kMostFrames = 200, kMostMeasurements = 16, kLeastFrames = 10;
+constexpr double kTolerance = 3;      // on the declared standard deviations
+constexpr double kConsistent = 0.01;  // least probability of the residuals of an explained frame
+constexpr double kMost = 0.5;         // share of the frames that counts as "the frames"
+
+std::vector<PoseMeasurement> measurementsOf(const Frame& frame, const LandmarkTable& map)
+{
+  std::vector<PoseMeasurement> measurements;
+  for (const Reading& reading : frame.readings)
+    for (const Detection& detection : reading.detections)
+    {
+      const auto number = detection.id == kNoId ? std::nullopt : map.indexOf(detection.id);
+      if (!number || measurements.size() >= kMostMeasurements) continue;
+      PoseMeasurement m{.landmark = map[*number].position.head<2>(), .T_robot_sensor = reading.T_robot_sensor};
+      if (detection.bearing)
+      {
+        m.kind = PoseMeasurement::Kind::bearing;
+        m.value = *detection.bearing;
+        m.std = kTolerance * detection.std_bearing;
+        measurements.push_back(m);
+      }
+      const double height = reading.horizontal_range ? 0 : map[*number].position.z() - reading.sensor_height;
+      if (detection.range && *detection.range > std::abs(height))
+      {
+        m.kind = PoseMeasurement::Kind::range;
+        m.value = std::sqrt(square(*detection.range) - square(height));
+        m.std = kTolerance * detection.std_range;
+        measurements.push_back(m);
+      }
+    }
+  return measurements;
+}
+
+void mirror(PoseMeasurement& m)
+{
+  m.T_robot_sensor = {m.T_robot_sensor.x, -m.T_robot_sensor.y, -m.T_robot_sensor.phi};
+  if (m.kind == PoseMeasurement::Kind::bearing) m.value = -m.value;
+}
+
+std::string causeText(const LandmarkFaultFinding& finding)
+{
+  switch (finding.fault)
+  {
+    case LandmarkFault::motion:
+      return "every frame fits the map by itself, but not the motion between them: check signs, clock and units of "
+             "odometry, and the angle at which the sensor is mounted";
+    case LandmarkFault::mirrored:
+      return "the frames fit when bearings are counted clockwise: check the sign of the bearings, and the order of x "
+             "and "
+             "y in the map";
+    case LandmarkFault::unit:
+      return "the frames fit a map that is " + fixedText(finding.factor, 4) +
+             " times as large: check the units of map and ranges";
+    case LandmarkFault::unknown:
+      break;
+  }
+  return "the frames fit the map in no way: check that the map is of this place and its ids are those of the "
+         "detections";
+}
+}  // namespace
+
+void LandmarkCheck::add(const Frame& frame)
+{
+  Measurements measurements = measurementsOf(frame, map_);
+  if (measurements.size() < 4 || offered_++ % stride_ != 0) return;  // one more than a pose needs
+  frames_.push_back(std::move(measurements));
+  if (frames_.size() < 2 * kMostFrames) return;
+  for (std::size_t k = 0; k < kMostFrames; ++k) frames_[k] = std::move(frames_[2 * k]);
+  frames_.resize(kMostFrames);
+  stride_ *= 2;
+}
+
+template <typename Change>
+double LandmarkCheck::explained(const Change& change) const
+{
+  std::size_t count = 0;
+  for (Measurements measurements : frames_)
+  {
+    std::for_each(measurements.begin(), measurements.end(), change);
+    const IdentifiedPose found = solvePoseFromLandmarks(measurements);
+    if (!found.candidates.empty() && found.consistency > kConsistent) ++count;
+  }
+  return static_cast<double>(count) / static_cast<double>(frames_.size());
+}
+
+LandmarkFaultFinding LandmarkCheck::findFault() const
+{
+  if (frames_.size() < kLeastFrames) return {};
+  if (explained([](PoseMeasurement&) {}) > kMost) return {LandmarkFault::motion};
+  if (explained(mirror) > kMost) return {LandmarkFault::mirrored};
+  for (const double factor : {1000.0, 0.001, 100.0, 0.01, 0.3048, 1 / 0.3048})
+    if (explained([=](PoseMeasurement& m) { m.landmark *= factor; }) > kMost) return {LandmarkFault::unit, factor};
+  return {};
+}
+
+std::string LandmarkCheck::hint(const std::map<std::string, LandmarkRecord>& landmarks) const
+{
+  constexpr std::size_t kLeastSeen = 10;  // detections
+  constexpr double kOftenWrong = 0.7;     // inlier rate below
+  std::size_t seen = 0, wrong = 0;
+  for (const auto& [id, landmark] : landmarks)
+  {
+    if (landmark.seen < kLeastSeen) continue;
+    ++seen;
+    wrong += landmark.inlier_rate < kOftenWrong ? 1 : 0;
+  }
+  if (frames_.size() < kLeastFrames || wrong < 3 || 2 * wrong <= seen) return {};
+  return std::to_string(wrong) + " of " + std::to_string(seen) +
+         " landmarks are often wrong, so it is hardly the landmarks: " + causeText(findFault());
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,72 @@
+#include "mrpt_ext/experiment/clock_check.h"
+
+#include <algorithm>
+
+#include "mrpt_ext/geometry/formatted.h"
+#include "mrpt_ext/geometry/input_error.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+/// [s] of a clock.
+struct TimeSpan
+{
+  double from = 0, to = 0;
+};
+
+std::string spanText(const TimeSpan& span) { return formatted("%.1f to %.1f s", span.from, span.to); }
+
+/// Length of the part of `of` that `other` has in common with it; negative: the gap between them.
+double common(const TimeSpan& of, const TimeSpan& other)
+{
+  return std::min(of.to, other.to) - std::max(of.from, other.from);
+}
+
+std::optional<TimeSpan> spanOfDetections(const RunContext& context)
+{
+  std::optional<TimeSpan> span;
+  for (const FrameGeometry& frame : context.geometry)
+  {
+    if (!span) span = TimeSpan{frame.time, frame.time};
+    span->to = frame.time;
+  }
+  return span;
+}
+
+void checkOdometry(LocalizationInput& input, const TimeSpan& detections)
+{
+  const Trajectory& odometry = input.context.odometry;
+  if (odometry.size() < 2 || input.config.frames.independent) return;
+  const TimeSpan measured{odometry.front().time, odometry.back().time};
+  const double shared = common(detections, measured), length = detections.to - detections.from;
+  if (shared < 0)
+    throw dataError(input.context.rawlog_path + ": odometry has the times " + spanText(measured) +
+                    ", the detections have " + spanText(detections) +
+                    ": expected one clock, correct the stamps of one of them" +
+                    formatted(" (the starts are %.1f s apart)", detections.from - measured.from));
+  if (shared < 0.9 * length)
+    input.notes.push_back(
+        formatted("odometry covers only %.0f %% of the time of the detections: ", 100 * shared / length) +
+        spanText(measured) + " of " + spanText(detections));
+}
+
+void checkTruth(const LocalizationInput& input)
+{
+  const RunContext& context = input.context;
+  const bool whole_log = input.log.window.start == 0 && !input.log.window.duration;
+  if (context.truth.empty() || !whole_log) return;
+  const TimeSpan log{context.start_time, context.start_time + context.duration_s},
+      truth{context.truth.front().time, context.truth.back().time};
+  if (common(log, truth) < 0)
+    throw dataError("the ground truth has the times " + spanText(truth) + ", the log " + context.rawlog_path + " has " +
+                    spanText(log) + ": expected one clock, correct the stamps of the truth");
+}
+}  // namespace
+
+void checkClocks(LocalizationInput& input)
+{
+  checkTruth(input);
+  if (const auto detections = spanOfDetections(input.context)) checkOdometry(input, *detections);
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,32 @@
+#include "mrpt_ext/diagnosis/systematic_error_check.h"
+
+#include <gtest/gtest.h>
+
+namespace mrpt_ext
+{
+TEST(SystematicErrorCheck, NamesSensorDelayAndCommand)
+{
+  EXPECT_EQ(
+      delayHint(DelayFinding{0.081, 3.0}, {"camera"}),
+      "camera: detections are about 0.08 s older than odometry at their stamps (delay: innovations grow with speed): "
+      "see --diagnose, set it with --calibrate FILE.ini");
+  EXPECT_TRUE(delayHint(DelayFinding{-0.1, 3.0}, {"left", "right"}).starts_with("detections are about 0.10 s younger"));
+}
+
+TEST(SystematicErrorCheck, SignsAreWords)
+{
+  const auto hints = systematicErrorHints({{{CalibrationParameter::range_scale, 0}, -0.03, 0.001, 2.0},
+                                           {{CalibrationParameter::distance_scale}, 0.05, 0.002, 2.0}},
+                                          {"uwb"});
+  ASSERT_EQ(hints.size(), 2u);
+  EXPECT_TRUE(hints[0].starts_with("uwb: ranges are 3.0 +- 0.1 % too short")) << hints[0];
+  EXPECT_TRUE(hints[1].starts_with("odometry: distances are 5.0 +- 0.2 % too short")) << hints[1];
+}
+
+TEST(SystematicErrorCheck, AnErrorThatDoesNotMatterNeedsNoWord)
+{
+  EXPECT_EQ(delayHint(DelayFinding{0.01, 0.3}, {"camera"}), "");
+  EXPECT_EQ(delayHint(std::nullopt, {"camera"}), "");
+  EXPECT_TRUE(systematicErrorHints({{{CalibrationParameter::range_offset, 0}, 0.01, 0.0001, 0.1}}, {"uwb"}).empty());
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,68 @@
+#include "mrpt_ext/experiment/clock_check.h"
+
+#include <gtest/gtest.h>
+
+#include "mrpt_ext/geometry/input_error.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+LocalizationInput logFrom(double start, double duration)
+{
+  LocalizationInput input;
+  input.context.rawlog_path = "my.rawlog";
+  input.context.start_time = start;
+  input.context.duration_s = duration;
+  for (double time = start; time <= start + duration; time += 1) input.context.geometry.push_back({.time = time});
+  return input;
+}
+
+Trajectory posesFrom(double start, double duration)
+{
+  Trajectory poses;
+  for (double time = start; time <= start + duration; time += 1) poses.push_back({time, {}, true});
+  return poses;
+}
+
+std::string errorOf(LocalizationInput input)
+{
+  try
+  {
+    checkClocks(input);
+  }
+  catch (const InputError& error)
+  {
+    return error.what();
+  }
+  return {};
+}
+}  // namespace
+
+TEST(ClockCheck, OdometryWithAnotherClockIsAnError)
+{
+  LocalizationInput input = logFrom(1000, 100);
+  input.context.odometry = posesFrom(1000, 100);
+  EXPECT_EQ(errorOf(input), "");
+  input.context.odometry = posesFrom(0, 100);
+  EXPECT_NE(errorOf(input).find("odometry has the times 0.0 to 100.0 s"), std::string::npos) << errorOf(input);
+}
+
+TEST(ClockCheck, OdometryThatMissesAPartIsANote)
+{
+  LocalizationInput input = logFrom(1000, 100);
+  input.context.odometry = posesFrom(1060, 40);
+  checkClocks(input);
+  ASSERT_EQ(input.notes.size(), 1u);
+  EXPECT_TRUE(input.notes[0].starts_with("odometry covers only 40 %")) << input.notes[0];
+}
+
+TEST(ClockCheck, ATruthWithAnotherClockIsAnErrorForAWholeLog)
+{
+  LocalizationInput input = logFrom(1000, 100);
+  input.context.truth = posesFrom(5000, 100);
+  EXPECT_NE(errorOf(input).find("the ground truth has the times 5000.0"), std::string::npos) << errorOf(input);
+  input.log.window.start = 10;
+  EXPECT_EQ(errorOf(input), "");
+}
+}  // namespace mrpt_ext
