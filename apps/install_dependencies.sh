@@ -1,16 +1,21 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that are missing (Debian 12 has all of them); does nothing when nothing is missing.
+# Installs the Debian packages that are missing (Debian 12 and 13 have them); does nothing when nothing is missing.
 #   install_dependencies.sh            what the build needs
 #   install_dependencies.sh --tests    ... and what the tests need
-#   install_dependencies.sh --lint     ... and the formatter and the static analyser
+#   install_dependencies.sh --lint     ... and the formatter and the static analyser, where there is their version 14
 set -euo pipefail
 
 build=(g++ cmake ninja-build libeigen3-dev zlib1g-dev libzstd-dev libjpeg-dev libtbb-dev libboost-dev libssl-dev
-  libcli11-dev nlohmann-json3-dev libjs-dygraphs libmrpt-obs-dev libmrpt-maps-dev libmrpt-opengl-dev libmrpt-slam-dev
+  libcli11-dev nlohmann-json3-dev libyaml-cpp-dev libjs-dygraphs libmrpt-obs-dev libmrpt-maps-dev libmrpt-opengl-dev libmrpt-slam-dev
   libmrpt-gui-dev libx11-dev libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev)
 tests=(libgtest-dev librapidcheck-dev libbenchmark-dev mrpt-apps mrpt-common xvfb xauth libxml2-utils python3 parallel
   chromium)
-lint=(clang-format-14 clang-tidy-14 node-typescript)
+lint=(node-typescript)
+# Debian 13 has no version 14 of them.
+case "$(. /etc/os-release 2>/dev/null && echo "${ID:-}-${VERSION_ID:-}")" in
+  debian-13) ;;
+  *) lint+=(clang-format-14 clang-tidy-14) ;;
+esac
 
 wanted=("${build[@]}")
 for option in "$@"; do

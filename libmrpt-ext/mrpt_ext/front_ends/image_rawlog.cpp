@@ -83,7 +83,7 @@ class ImageRawlog : public ImageSequence
   {
     while (waiting_.empty())
       if (!read()) return std::nullopt;
-    ImageRecord first = std::move(waiting_.front());
+    std::optional<ImageRecord> first(std::in_place, std::move(waiting_.front()));
     waiting_.pop_front();
     return first;
   }

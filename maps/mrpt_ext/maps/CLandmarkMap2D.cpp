@@ -9,6 +9,7 @@
 #include "mrpt_ext/maps/landmark_archive.h"
 #include "mrpt_ext/maps/landmark_file.h"
 #include "mrpt_ext/maps/landmark_scene.h"
+#include "mrpt_ext/observations/mrpt_compatibility.h"
 #include "mrpt_ext/observations/observation_conversions.h"
 
 IMPLEMENTS_SERIALIZABLE(CLandmarkMap2D, mrpt::maps::CMetricMap, mrpt_ext)
@@ -35,13 +36,13 @@ void CLandmarkMap2D::TMapDefinition::dumpToTextStream_map_specific(std::ostream&
   likelihood_options.dumpToTextStream(out);
 }
 
-mrpt::maps::CMetricMap* CLandmarkMap2D::internal_CreateFromMapDefinition(
-    const mrpt::maps::TMetricMapInitializer& definition)
+auto CLandmarkMap2D::internal_CreateFromMapDefinition(const mrpt::maps::TMetricMapInitializer& definition)
+    -> decltype(internal_CreateFromMapDefinition(definition))
 {
   const auto& own = dynamic_cast<const TMapDefinition&>(definition);
   auto map = std::make_unique<CLandmarkMap2D>(readLandmarkCsv(findLandmarkFile(own.landmarks_file)));
   map->likelihood_options = own.likelihood_options;
-  return map.release();
+  return handOver<decltype(internal_CreateFromMapDefinition(definition))>(std::move(map));
 }
 
 std::uint8_t CLandmarkMap2D::serializeGetVersion() const { return 0; }
