@@ -73,6 +73,52 @@ TEST(CsvRecording, TruthIsOptionalAndThreePathsDoAsWell)
   EXPECT_INPUT_ERROR((void)findCsvFiles({folder / "none"}), "none: no such folder");
 }
 
+TEST(CsvRecording, SensorsAreMountedWhereTheirFileSays)
+{
+  const DamagedCopy copy("csv");
+  copy.replace("sensors.csv", "sensor,x,y,z,yaw_deg\nomni,0.2,0,1.5,0\nstereo,-0.1,0.3,0.5,90\nspare,0,0,0,0\n");
+  const Recording recording = importFolder(copy.path());
+  const auto readings = recordsOf<Reading>(recording);
+  EXPECT_EQ(readings[0].T_robot_sensor.vector(), Vector3d(0.2, 0, 0));
+  EXPECT_EQ(readings[0].sensor_height, 1.5);
+  EXPECT_NEAR(readings[1].T_robot_sensor.phi, kPi / 2, 1e-12);
+  EXPECT_TRUE(hasNote(recording, "sensor 'spare' has no detections"));
+  copy.replace("sensors.csv", "sensor,x,y,z,yaw_deg\nomni,0,0,0,0\n");
+  EXPECT_INPUT_ERROR((void)importFolder(copy.path()), "sensors.csv: no row for sensor 'stereo' of the detections");
+  copy.replace("sensors.csv", "sensor,x,y,z,yaw_deg\nomni,0,0,0,0\nomni,0,0,0,0\n");
+  EXPECT_INPUT_ERROR((void)importFolder(copy.path()), "sensors.csv:3: sensor 'omni' occurs twice");
+  copy.replace("sensors.csv", "sensor,x,y,z,yaw\n");
+  EXPECT_INPUT_ERROR((void)importFolder(copy.path()), "sensors.csv:1: unknown column 'yaw'");
+}
+
+// A car with axles 2 m apart and wheels at 45 degrees turns about a point 2 m to its left.
+TEST(CsvRecording, SpeedAndSteeringAreTheArcsOfACar)
+{
+  const DamagedCopy copy("csv");
+  copy.replace("odometry.csv", "t,speed_m_s,steering_rad\n0,3.141592653589793,0.7853981633974483\n1,0,0\n");
+  CsvFiles files = findCsvFiles({copy.path()});
+  EXPECT_INPUT_ERROR((void)importCsv(files),
+                     "odometry.csv: steering_rad needs the distance of the axles, set --wheelbase");
+  files.wheelbase = 2;
+  const auto odometry = recordsOf<OdometryRecord>(importCsv(files));
+  ASSERT_EQ(odometry.size(), 2U);
+  EXPECT_NEAR(odometry[1].pose.x, 2, 1e-9);
+  EXPECT_NEAR(odometry[1].pose.y, 2, 1e-9);
+  EXPECT_NEAR(odometry[1].pose.phi, kPi / 2, 1e-9);
+  copy.replace("odometry.csv", "t,speed_m_s,steering_rad\n0,1,45\n");
+  EXPECT_INPUT_ERROR((void)importCsv(files), "odometry.csv:2: steering_rad 45, expected radians");
+  copy.replace("odometry.csv", "t,v,omega_deg_s\n0,1,4\n");
+  EXPECT_INPUT_ERROR((void)importCsv(files), "--wheelbase: ");
+}
+
+TEST(CsvRecording, SemicolonsAreNamed)
+{
+  const DamagedCopy copy("csv");
+  copy.replace("landmarks.csv", "id;x;y;z;category\n1;4,5;0;0;pole\n");
+  EXPECT_INPUT_ERROR((void)importFolder(copy.path()),
+                     "landmarks.csv:1: fields are separated by semicolons, expected commas");
+}
+
 TEST(CsvRecording, MistakesInDetectionsAreNamedWithTheirLine)
 {
   const DamagedCopy copy("csv");

@@ -74,8 +74,6 @@ TEST(Mrclam, DamagedFilesAreNamedWithTheirLine)
   EXPECT_INPUT_ERROR(import(), "Robot1_Measurement.dat:2: 3 fields, expected 4 (time,barcode,range,bearing)");
   copy.replace("Robot1_Measurement.dat", "1000.5 72 3.9x 0\n");
   EXPECT_INPUT_ERROR(import(), "Robot1_Measurement.dat:1: '3.9x' is not a number, expected range");
-  copy.replace("Robot1_Measurement.dat", "1000.5 72 3.9 0\n1000.4 72 3.9 0\n");
-  EXPECT_INPUT_ERROR(import(), "Robot1_Measurement.dat:2: time 1000.4 is before the row above");
   copy.replace("Robot1_Measurement.dat", "1000.5 72 -3.9 0\n");
   EXPECT_INPUT_ERROR(import(), "Robot1_Measurement.dat:1: range -3.9 m, expected > 0");
   copy.replace("Robot1_Measurement.dat", "1000.5 72 3.9 45\n");
@@ -147,6 +145,19 @@ struct Residuals
 }  // namespace
 
 // The figures were measured independently on the same files, before this importer existed.
+TEST(Mrclam, RowsOutOfOrderAreSortedWithAWarning)
+{
+  const DamagedCopy copy("mrclam");
+  copy.replace("Robot1_Measurement.dat", "1000.5 72 2 0\n1000.4 72 1 0\n");
+  const Recording recording = importMrclam(copy.path(), 1);
+  EXPECT_TRUE(hasNote(recording, "Robot1_Measurement.dat:2: time goes back to 1000.4, rows were sorted"));
+  const auto readings = recordsOf<Reading>(recording);
+  ASSERT_EQ(readings.size(), 2U);
+  EXPECT_EQ(readings[0].time, 1000.4);
+  copy.replace("Robot1_Groundtruth.dat", "1001 0 0 0\n1000 1 1 0\n1001 2 2 0\n");
+  EXPECT_INPUT_ERROR((void)importMrclam(copy.path(), 1), "Robot1_Groundtruth.dat: time 1001.000 occurs twice");
+}
+
 TEST(MrclamRecordings, SetSixHasTheKnownCountsAndNoise)
 {
   const auto folder = testing::recordingsFolder("mrclam") / "MRCLAM_Dataset6";

@@ -96,6 +96,10 @@ void TextTable::addLine(std::string_view line_text, int line)
   if (format_.columns.empty())
   {
     header_line_ = line;
+    if (format_.delimiter == Delimiter::comma && fields.size() == 1 && line_text.find(';') != std::string_view::npos)
+      throw errorAtLine(line,
+                        "fields are separated by semicolons, expected commas, and points in numbers: sed "
+                        "'s/,/./g; s/;/,/g' converts the file");
     format_.columns = std::move(fields);
     for (std::size_t i = 0; i < columns().size(); ++i)
       if (findColumn(columns()[i]) != i) throw errorAtLine(line, "column '" + columns()[i] + "' occurs twice");

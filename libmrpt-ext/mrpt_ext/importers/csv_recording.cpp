@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mrpt_ext/files/landmark_csv.h"
 #include "mrpt_ext/files/text_table.h"
 #include "mrpt_ext/files/tum.h"
+#include "mrpt_ext/importers/landmark_map_file.h"
 #include "mrpt_ext/importers/ordered_time.h"
 #include "mrpt_ext/importers/reading_collector.h"
 #include "mrpt_ext/importers/recording_notes.h"
+#include "mrpt_ext/importers/sensor_poses.h"
 #include "mrpt_ext/importers/truth_heading.h"
 #include "mrpt_ext/importers/velocity_odometry.h"
 
@@ -17,6 +18,8 @@ namespace mrpt_ext
 namespace
 {
 namespace fs = std::filesystem;
+
+constexpr double kMostSteering = 1.5;  ///< [rad]
 
 std::vector<OdometryRecord> readPoses(const TextTable& table)
 {
@@ -45,11 +48,35 @@ std::vector<OdometryRecord> readVelocities(const TextTable& table)
   return integrateVelocities(velocities);
 }
 
-void addOdometry(Recording& recording, const fs::path& path)
+/// A car turns about a point on the line of its rear axle.
+std::vector<OdometryRecord> readSteering(const TextTable& table, std::optional<double> wheelbase)
 {
-  const TextTable table(path, {});
+  table.expectOnlyColumns({"t", "speed_m_s", "steering_rad"});
+  if (!wheelbase)
+    throw configurationError(table.path().string() +
+                             ": steering_rad needs the distance of the axles, set --wheelbase M");
+  const std::size_t t = table.column("t"), speed = table.column("speed_m_s"), steering = table.column("steering_rad");
+  std::vector<VelocityRecord> velocities;
+  for (std::size_t row = 0; row < table.size(); ++row)
+  {
+    const double angle = table.number(row, steering), forward = table.number(row, speed);
+    if (std::abs(angle) > kMostSteering)
+      throw table.errorAt(row, "steering_rad " + table.text(row, steering) + ", expected radians within +-1.5");
+    velocities.push_back({orderedTime(table, row, t), forward, forward * std::tan(angle) / *wheelbase});
+  }
+  return integrateVelocities(velocities);
+}
+
+void addOdometry(Recording& recording, const CsvFiles& files)
+{
+  const TextTable table(files.odometry, {});
   const bool velocities = table.findColumn("v") || table.findColumn("omega_deg_s");
-  const std::vector<OdometryRecord> odometry = velocities ? readVelocities(table) : readPoses(table);
+  const bool steering = table.findColumn("steering_rad") || table.findColumn("speed_m_s");
+  if (files.wheelbase && !steering)
+    throw configurationError("--wheelbase: " + files.odometry.string() + " has no column steering_rad");
+  const std::vector<OdometryRecord> odometry = steering     ? readSteering(table, files.wheelbase)
+                                               : velocities ? readVelocities(table)
+                                                            : readPoses(table);
   recording.records.insert(recording.records.end(), odometry.begin(), odometry.end());
   noteCount(recording, table.size() - odometry.size(),
             "odometry rows share the stamp of the row before: the later one holds");
@@ -136,6 +163,20 @@ void addReadings(Recording& recording, const fs::path& path)
     collector.add(table.time(row), table.sensor(row), table.detection(row));
   recording.records.insert(recording.records.end(), collector.readings().begin(), collector.readings().end());
 }
+
+/// The map of the folder: landmarks.csv, or the one other format that is there.
+fs::path mapIn(const fs::path& folder)
+{
+  fs::path found = folder / "landmarks.csv";
+  for (const char* name : {"landmarks.json", "tags.yaml"})
+  {
+    if (!fs::exists(folder / name)) continue;
+    if (fs::exists(found))
+      throw configurationError((folder / name).string() + ": a second map beside " + found.string());
+    found = folder / name;
+  }
+  return found;
+}
 }  // namespace
 
 CsvFiles findCsvFiles(const std::vector<fs::path>& inputs)
@@ -145,24 +186,34 @@ CsvFiles findCsvFiles(const std::vector<fs::path>& inputs)
     const fs::path& folder = inputs[0];
     if (!fs::is_directory(folder)) throw dataError(folder.string() + ": no such folder, expected landmarks.csv in it");
     const auto optional = [&](const char* name) { return fs::exists(folder / name) ? folder / name : fs::path(); };
-    return {folder / "landmarks.csv", optional("odometry.csv"), folder / "detections.csv",
-            optional("ground_truth.tum")};
+    return {.landmarks = mapIn(folder),
+            .odometry = optional("odometry.csv"),
+            .detections = folder / "detections.csv",
+            .ground_truth = optional("ground_truth.tum"),
+            .sensors = optional("sensors.csv"),
+            .wheelbase = {}};
   }
   if (inputs.size() != 3 && inputs.size() != 4)
     throw configurationError("csv: " + std::to_string(inputs.size()) +
                              " inputs, expected a folder or LANDMARKS ODOMETRY DETECTIONS [GROUND_TRUTH]");
-  return {inputs[0], inputs[1], inputs[2], inputs.size() == 4 ? inputs[3] : fs::path()};
+  return {.landmarks = inputs[0],
+          .odometry = inputs[1],
+          .detections = inputs[2],
+          .ground_truth = inputs.size() == 4 ? inputs[3] : fs::path(),
+          .sensors = {},
+          .wheelbase = {}};
 }
 
 Recording importCsv(const CsvFiles& files)
 {
   Recording recording;
-  recording.map = readLandmarkCsv(files.landmarks);
+  recording.map = readLandmarkMapFile(files.landmarks);
   if (files.odometry.empty())
     recording.notes.emplace_back("no odometry.csv: the log has no odometry");
   else
-    addOdometry(recording, files.odometry);
+    addOdometry(recording, files);
   addReadings(recording, files.detections);
+  if (!files.sensors.empty()) mountSensors(recording, files.sensors);
   if (files.ground_truth.empty())
     recording.notes.emplace_back("no truth file");
   else

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "mrpt_ext/geometry/recording.h"
@@ -10,21 +11,25 @@ namespace mrpt_ext
 /// The plain text format for your own data; the columns of every file are found by their header names.
 struct CsvFiles
 {
-  /// `id,x,y,z,category` (+ optional `std_x,std_y`), see landmark_csv.h.
+  /// `id,x,y,z,category` (+ optional `std_x,std_y`), or a map of tags in another format: see landmark_map_file.h.
   std::filesystem::path landmarks;
   /// Either `t,x,y,phi_deg`, dead-reckoned poses in a frame of their own, or `t,v,omega_deg_s`, velocities that hold
-  /// until the next row and are integrated as arcs. [s, m, deg, m/s, deg/s] Empty: no odometry.
+  /// until the next row and are integrated as arcs. [s, m, deg, m/s, deg/s] Or `t,speed_m_s,steering_rad`, the same for
+  /// a car: speed of the rear axle and angle of the front wheels, to the left positive. Empty: no odometry.
   std::filesystem::path odometry;
   /// `t,sensor,id,category,bearing_deg,range_m,std_bearing_deg,std_range_m`; an empty field was not measured or is not
-  /// known. The sensor sits at the robot's origin and looks forward; ranges are 3-D distances from there. Rows with one
-  /// time and sensor are one reading.
+  /// known. Ranges are 3-D distances from the sensor. Rows with one time and sensor are one reading.
   std::filesystem::path detections;
   /// TUM file, see tum.h; empty: no truth.
   std::filesystem::path ground_truth;
+  /// `sensor,x,y,z,yaw_deg`, see sensor_poses.h; empty: all sensors sit at the robot's origin and look forward.
+  std::filesystem::path sensors;
+  std::optional<double> wheelbase;  ///< [m] distance of the axles, for a car's odometry
 };
 
-/// `inputs` is a folder with landmarks.csv, detections.csv, perhaps odometry.csv and ground_truth.tum, or the paths of
-/// three or four such files in this order. Throws InputError (configuration) on another number of inputs.
+/// `inputs` is a folder with landmarks.csv (or landmarks.json, tags.yaml), detections.csv, perhaps odometry.csv,
+/// sensors.csv and ground_truth.tum, or the paths of LANDMARKS ODOMETRY DETECTIONS [GROUND_TRUTH] in this order. Throws
+/// InputError (configuration) on another number of inputs.
 [[nodiscard]] CsvFiles findCsvFiles(const std::vector<std::filesystem::path>& inputs);
 
 /// Throws InputError (data), with file and line, on missing files, wrong columns, values out of range and times that

@@ -28,7 +28,7 @@ void expectRobot(const fs::path& folder, int robot)
 
 void addOdometry(Recording& recording, const fs::path& folder, int robot)
 {
-  const auto velocities = readMrclamVelocities(folder, robot);
+  const auto velocities = readMrclamVelocities(folder, robot, recording.notes);
   if (!velocities)
   {
     recording.notes.emplace_back("no odometry file: readings only");
@@ -44,7 +44,7 @@ void addOdometry(Recording& recording, const fs::path& folder, int robot)
 void addReadings(Recording& recording, const fs::path& folder, int robot)
 {
   const auto subject_by_barcode = readMrclamBarcodes(folder);
-  const auto measurements = readMrclamMeasurements(folder, robot);
+  const auto measurements = readMrclamMeasurements(folder, robot, recording.notes);
   Reading prototype;
   prototype.horizontal_range = true;
   ReadingCollector collector(prototype);
@@ -71,7 +71,7 @@ void addReadings(Recording& recording, const fs::path& folder, int robot)
 
 void addTruth(Recording& recording, const fs::path& folder, int robot)
 {
-  if (auto dense = readMrclamTruth(folder, robot))
+  if (auto dense = readMrclamTruth(folder, robot, recording.notes))
   {
     recording.truth = std::move(*dense);
     recording.notes.emplace_back("truth: motion capture");

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <set>
 
+#include "mrpt_ext/files/number_format.h"
 #include "mrpt_ext/files/text_file.h"
-#include "mrpt_ext/importers/ordered_time.h"
+#include "mrpt_ext/files/text_table.h"
+#include "mrpt_ext/geometry/input_error.h"
 
 namespace mrpt_ext
 {
@@ -30,6 +32,22 @@ TextTable read(const fs::path& path, const std::vector<std::string>& columns)
   return TextTable(findPlainOrGzipped(path).value_or(path), {Delimiter::white_space, "#", columns});
 }
 
+/// The rows of `table`, each made into a Row with a time, in the order of time.
+template <typename Row, typename Make>
+std::vector<Row> orderedRows(const TextTable& table, std::vector<std::string>& notes, const Make& make)
+{
+  std::vector<Row> rows;
+  rows.reserve(table.size());
+  for (std::size_t row = 0; row < table.size(); ++row)
+  {
+    rows.push_back(make(row));
+    if (row > 0 && table.number(row, 0) < table.number(row - 1, 0))
+      notes.push_back(std::string("warning: ") +
+                      table.errorAt(row, "time goes back to " + table.text(row, 0) + ", rows were sorted").what());
+  }
+  std::stable_sort(rows.begin(), rows.end(), [](const Row& l, const Row& r) { return l.time < r.time; });
+  return rows;
+}
 }  // namespace
 
 LandmarkTable readMrclamLandmarks(const fs::path& folder)
@@ -60,49 +78,53 @@ std::map<int, int> readMrclamBarcodes(const fs::path& folder)
   return subject_by_barcode;
 }
 
-std::vector<MrclamMeasurement> readMrclamMeasurements(const fs::path& folder, int robot)
+std::vector<MrclamMeasurement> readMrclamMeasurements(const fs::path& folder, int robot,
+                                                      std::vector<std::string>& notes)
 {
   const TextTable table = read(folder / robotFile(robot, "Measurement"), {"time", "barcode", "range", "bearing"});
-  std::vector<MrclamMeasurement> measurements;
-  measurements.reserve(table.size());
-  for (std::size_t row = 0; row < table.size(); ++row)
-  {
-    measurements.push_back(
-        {orderedTime(table, row), table.integer(row, 1), table.number(row, 2), table.number(row, 3)});
-    if (measurements.back().range <= 0) throw table.errorAt(row, "range " + table.text(row, 2) + " m, expected > 0");
-    if (std::abs(measurements.back().bearing) > kPi)
-      throw table.errorAt(row, "bearing " + table.text(row, 3) + ", expected radians in [-pi, pi]");
-  }
-  return measurements;
+  return orderedRows<MrclamMeasurement>(
+      table, notes,
+      [&](std::size_t row)
+      {
+        const MrclamMeasurement measurement{table.number(row, 0), table.integer(row, 1), table.number(row, 2),
+                                            table.number(row, 3)};
+        if (measurement.range <= 0) throw table.errorAt(row, "range " + table.text(row, 2) + " m, expected > 0");
+        if (std::abs(measurement.bearing) > kPi)
+          throw table.errorAt(row, "bearing " + table.text(row, 3) + ", expected radians in [-pi, pi]");
+        return measurement;
+      });
 }
 
-std::optional<std::vector<VelocityRecord>> readMrclamVelocities(const fs::path& folder, int robot)
+std::optional<std::vector<VelocityRecord>> readMrclamVelocities(const fs::path& folder, int robot,
+                                                                std::vector<std::string>& notes)
 {
   const auto table = readIfPresent(folder / robotFile(robot, "Odometry"),
                                    {Delimiter::white_space, "#", {"time", "forward_velocity", "angular_velocity"}});
   if (!table) return std::nullopt;
-  std::vector<VelocityRecord> velocities;
-  velocities.reserve(table->size());
-  for (std::size_t row = 0; row < table->size(); ++row)
-    velocities.push_back({orderedTime(*table, row), table->number(row, 1), table->number(row, 2)});
-  return velocities;
+  return orderedRows<VelocityRecord>(
+      *table, notes,
+      [&](std::size_t row) {
+        return VelocityRecord{table->number(row, 0), table->number(row, 1), table->number(row, 2)};
+      });
 }
 
-std::optional<Trajectory> readMrclamTruth(const fs::path& folder, int robot)
+std::optional<Trajectory> readMrclamTruth(const fs::path& folder, int robot, std::vector<std::string>& notes)
 {
   const auto table = readIfPresent(folder / robotFile(robot, "Groundtruth"),
                                    {Delimiter::white_space, "#", {"time", "x", "y", "orientation"}});
   if (!table) return std::nullopt;
-  Trajectory truth;
-  truth.reserve(table->size());
-  for (std::size_t row = 0; row < table->size(); ++row)
-  {
-    const double time = orderedTime(*table, row);
-    const Pose2 pose{table->number(row, 1), table->number(row, 2), wrap(table->number(row, 3))};
-    if (!truth.empty() && time == truth.back().time)
-      throw table->errorAt(row, "time " + table->text(row, 0) + " occurs twice, expected one pose per time");
-    truth.push_back({time, pose, true});
-  }
+  Trajectory truth = orderedRows<TimedPose>(
+      *table, notes,
+      [&](std::size_t row)
+      {
+        const Pose2 pose{table->coordinate(row, 1), table->coordinate(row, 2), wrap(table->number(row, 3))};
+        return TimedPose{table->number(row, 0), pose, true};
+      });
+  const auto twice = std::adjacent_find(truth.begin(), truth.end(),
+                                        [](const TimedPose& l, const TimedPose& r) { return l.time == r.time; });
+  if (twice != truth.end())
+    throw dataError(table->path().string() + ": time " + fixedText(twice->time, 3) +
+                    " occurs twice, expected one pose per time");
   return truth;
 }
 

@@ -32,13 +32,16 @@ struct MrclamMeasurement
 [[nodiscard]] LandmarkTable readMrclamLandmarks(const std::filesystem::path& folder);
 /// Barcodes.dat: subject by barcode.
 [[nodiscard]] std::map<int, int> readMrclamBarcodes(const std::filesystem::path& folder);
-/// Robot<n>_Measurement.dat.
-[[nodiscard]] std::vector<MrclamMeasurement> readMrclamMeasurements(const std::filesystem::path& folder, int robot);
+/// Robot<n>_Measurement.dat. Here and below, rows that go back in time are sorted in, with a warning in `notes` each.
+[[nodiscard]] std::vector<MrclamMeasurement> readMrclamMeasurements(const std::filesystem::path& folder, int robot,
+                                                                    std::vector<std::string>& notes);
 /// Robot<n>_Odometry.dat, commanded velocities; nothing when the data set has no such file.
 [[nodiscard]] std::optional<std::vector<VelocityRecord>> readMrclamVelocities(const std::filesystem::path& folder,
-                                                                              int robot);
+                                                                              int robot,
+                                                                              std::vector<std::string>& notes);
 /// Robot<n>_Groundtruth.dat, the motion capture's poses; nothing when the data set has no such file.
-[[nodiscard]] std::optional<Trajectory> readMrclamTruth(const std::filesystem::path& folder, int robot);
+[[nodiscard]] std::optional<Trajectory> readMrclamTruth(const std::filesystem::path& folder, int robot,
+                                                        std::vector<std::string>& notes);
 /// GroundtruthSparse.csv: the pose of a robot while it stood still, put at the middle of each interval
 /// [t_begin, t_end]; nothing when the data set has no such file. Of intervals with the same middle the first
 /// is kept.
