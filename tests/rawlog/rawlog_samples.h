@@ -13,7 +13,7 @@
 namespace mrpt_ext
 {
 /// A folder of its own for each test, removed afterwards.
-class RawlogTest : public testing::Test
+class RawlogTest : public ::testing::Test
 {
  protected:
   void SetUp() override;

@@ -58,6 +58,10 @@ void addOptions(CommandLine& line, DatasetOptions& options)
   line.add({.names = "FORMAT", .target = &request.format, .help = "Format of the input, see below", .required = true})
       .add({.names = "INPUT", .target = &request.inputs, .help = "Folder or files, see below", .required = true})
       .add({.names = "--robot", .target = &request.robot, .help = "Number of the robot (mrclam, mrclam-snapshots)"})
+      .add({.names = "--wheelbase",
+            .target = &request.wheelbase,
+            .help = "Distance of the axles in metres (csv, with steering_rad in odometry.csv)",
+            .numbers = AllowedNumbers::positive})
       .add({.names = "--map",
             .target = &request.map,
             .help = "CSV with the beacons (mrpt-uwb; default: those of the demo)"})

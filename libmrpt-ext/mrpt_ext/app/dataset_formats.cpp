@@ -12,6 +12,7 @@
 #include "mrpt_ext/importers/plaza.h"
 #include "mrpt_ext/importers/roh.h"
 #include "mrpt_ext/importers/uwb_demo_map.h"
+#include "mrpt_ext/rawlog/slam_demo_import.h"
 #include "mrpt_ext/rawlog/uwb_demo_import.h"
 #include "mrpt_ext/settings/name_suggestion.h"
 
@@ -49,11 +50,18 @@ Recording readUwbDemo(const DatasetRequest& request)
                        request.map.empty() ? uwbDemoMap() : readLandmarkCsv(request.map));
 }
 
+Recording readKfSlamDemo(const DatasetRequest& request) { return importKfSlamDemo(request.inputs); }
+Recording readRoSlamDemo(const DatasetRequest& request) { return importRoSlamDemo(request.inputs); }
 Recording readRoh(const DatasetRequest& request) { return importRoh(request.inputs[0]); }
 Recording readPlaza(const DatasetRequest& request) { return importPlaza(request.inputs[0]); }
 Recording readLabyrinth(const DatasetRequest& request) { return importLabyrinth(request.inputs[0]); }
 Recording readCuhksz(const DatasetRequest& request) { return importCuhksz(request.inputs[0]); }
-Recording readCsv(const DatasetRequest& request) { return importCsv(findCsvFiles(request.inputs)); }
+Recording readCsv(const DatasetRequest& request)
+{
+  CsvFiles files = findCsvFiles(request.inputs);
+  files.wheelbase = request.wheelbase;
+  return importCsv(files);
+}
 
 const std::vector<DatasetFormat>& formats()
 {
@@ -66,6 +74,12 @@ const std::vector<DatasetFormat>& formats()
       {"mrclam", "folder of a UTIAS MRCLAM data set; needs --robot", 1, 1, true, false, readMrclam},
       {"mrclam-snapshots", "folder of a UTIAS MRCLAM data set with Snapshots.csv", 1, 1, true, false,
        readMrclamSnapshots},
+      {"mrpt-kf-slam",
+       "log of MRPT's kf-slam_demo or simul-landmarks (and <log>_ground_truth.txt, "
+       "<log>_ground_truth_robot_path.txt, if not beside it)",
+       1, 3, false, false, readKfSlamDemo},
+      {"mrpt-ro-slam", "MRPT's RO-SLAM_demo.rawlog (and <log>_ground_truth.txt, if not beside it)", 1, 2, false, false,
+       readRoSlamDemo},
       {"mrpt-uwb", "MRPT's uwb_ro-localization_demo.rawlog (and its truth file)", 1, 2, false, true, readUwbDemo},
       {"plaza", "folder with <run>_TD.txt, <run>_DR.txt, <run>_TL.txt (and <run>_GT.txt), or FOLDER/RUN", 1, 1, false,
        false, readPlaza},
@@ -91,6 +105,8 @@ void checkRequest(const DatasetRequest& request, const DatasetFormat& format)
     throw configurationError(format.name + ": " + std::to_string(count) + " inputs, expected " + format.inputs);
   if (request.robot && !format.takes_robot)
     throw configurationError(format.name + ": has no robots to choose from, expected no --robot");
+  if (request.wheelbase && format.name != "csv")
+    throw configurationError(format.name + ": has no steering angles, expected no --wheelbase");
   if ((!request.map.empty() || request.truth_origin) && !format.takes_map_and_origin)
     throw configurationError(format.name + ": brings its own map and frame, expected no --map and no --truth-origin");
   if (!request.map.empty() && !std::filesystem::exists(request.map))

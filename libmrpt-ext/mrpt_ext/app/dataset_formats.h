@@ -16,6 +16,7 @@ struct DatasetRequest
   std::string format;
   std::vector<std::filesystem::path> inputs;
   std::optional<int> robot;           ///< mrclam, mrclam-snapshots
+  std::optional<double> wheelbase;    ///< [m] csv: distance of the axles of a car
   std::filesystem::path map;          ///< mrpt-uwb: other beacon positions than the demo's
   std::optional<Pose2> truth_origin;  ///< mrpt-uwb: pose of the truth file's frame in the map
   IdentityLevel identity = IdentityLevel::known;

@@ -64,8 +64,12 @@ KeyTable methodKeys()
           "Implementation of the particle filter. MRPT's starts uniformly instead of analytically, does not recover "
           "and ignores a compass.")
       .names("methods", "all", methodNames(), "Methods to run, separated by blanks or commas.")
-      .number("frame_window_s", "s", config.frames.window, ranges::kNotNegative,
-              "Detections within this time form one frame.")
+      .number(
+          "frame_window_s", "s", config.frames.window, ranges::kNotNegative,
+          "Detections within this time form one frame. In a log of actions and sensory frames each of these is one.")
+      .number("step_s", "s", config.step, ranges::kPositive,
+              "Time that one step of a log of actions and sensory frames counts where its stamps are no clock. That is "
+              "where they are missing, equal, going back, or too dense for the motion, as in simulated logs.")
       .number(
           "join_window_s", "s", config.join_window, ranges::kNotNegative,
           "Window of past detections for closed forms. Above 0 each of them runs a second time, as <method>_joined, "

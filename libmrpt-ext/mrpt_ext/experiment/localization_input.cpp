@@ -199,7 +199,9 @@ LocalizationInput loadLocalization(const Settings& settings, const LogWindow& wi
   input.log.window = window;
   input.context.config_path = settings.file().string();
   input.context.rawlog_path = input.log.path.string();
-  RawlogSource source(input.log.path);
+  RawlogSource source(input.log.path, input.config.step);
+  if (source.hasSensoryFrames()) input.config.frames.window = 0;
+  if (!source.clockNote().empty()) input.notes.push_back(source.clockNote());
   readOverview(input, source);
   input.context.odometry = input.log.overview.odometry.trajectory();
   input.context.truth = loadTruth(settings, source);
@@ -216,7 +218,7 @@ LocalizationInput loadLocalization(const Settings& settings, const LogWindow& wi
 
 FrameSynchronizer framesOf(const LocalizationInput& input)
 {
-  const auto source = std::make_shared<RawlogSource>(input.log.path);
+  const auto source = std::make_shared<RawlogSource>(input.log.path, input.config.step);
   const auto records = [source, next = recordsOf(*source, input.log.window)] { return next(); };
   return {records, input.context.map, input.config.frames, input.log.overview};
 }

@@ -1,6 +1,6 @@
 #include "mrpt_ext/rawlog/rawlog_source.h"
 
-#include <mrpt/serialization/CSerializable.h>
+#include <mrpt/obs/CObservation.h>
 
 #include "mrpt_ext/files/number_format.h"
 #include "mrpt_ext/geometry/input_error.h"
@@ -11,11 +11,26 @@
 
 namespace mrpt_ext
 {
-RawlogSource::RawlogSource(const std::filesystem::path& path)
+RawlogSource::RawlogSource(const std::filesystem::path& path, double step)
     : reader_(std::make_unique<RawlogReader>(path, translatedClasses())),
       translator_(std::make_unique<RawlogTranslator>()),
       queue_(kReorderWindow)
 {
+  const auto first = reader_->next();
+  if (!first)
+  {
+    ended_ = true;
+    queue_.close();
+    return;
+  }
+  if (!dynamic_cast<const mrpt::obs::CObservation*>(first.get()))
+  {
+    has_sensory_frames_ = true;
+    StepClock clock = stepClockOf(path, step);
+    clock_note_ = clock.reason;
+    translator_ = std::make_unique<RawlogTranslator>(std::move(clock));
+  }
+  translate(*first);
 }
 
 RawlogSource::~RawlogSource() = default;
@@ -23,6 +38,8 @@ RawlogSource::~RawlogSource() = default;
 const std::string& RawlogSource::sha256() const { return reader_->file().sha256; }
 const std::string& RawlogSource::comment() const { return reader_->comment(); }
 const std::vector<double>& RawlogSource::stepTimes() const { return translator_->stepTimes(); }
+
+const std::vector<double>& RawlogSource::frameTimes() const { return translator_->frameTimes(); }
 
 std::optional<Record> RawlogSource::next()
 {
@@ -47,9 +64,14 @@ void RawlogSource::readEntry()
     ended_ = true;
     return;
   }
-  auto records = translator_->translate(*entry);
+  translate(*entry);
+}
+
+void RawlogSource::translate(const mrpt::serialization::CSerializable& entry)
+{
+  auto records = translator_->translate(entry);
   if (!records)
-    throw dataError(reader_->where() + "a " + shortClassName(*entry) +
+    throw dataError(reader_->where() + "a " + shortClassName(entry) +
                     ", expected an observation, a sensory frame or an action collection");
   for (auto& [record, step] : *records) push(std::move(record), step);
 }

@@ -11,6 +11,11 @@
 #include "mrpt_ext/geometry/observation_count.h"
 #include "mrpt_ext/observations/usable_detections.h"
 
+namespace mrpt::serialization
+{
+class CSerializable;
+}  // namespace mrpt::serialization
+
 namespace mrpt_ext
 {
 class RawlogReader;
@@ -46,13 +51,21 @@ class RawlogSource
  public:
   static constexpr double kReorderWindow = 1;  ///< [s] a record may be this much older than the newest before it
 
-  explicit RawlogSource(const std::filesystem::path& path);
+  /// `step`: [s] that one step of a log of steps counts where its stamps are no clock, see stepClockOf(). Such a log is
+  /// read once more, beforehand.
+  explicit RawlogSource(const std::filesystem::path& path, double step = 1);
   ~RawlogSource();
 
   /// The next record in time order; nothing at the end.
   [[nodiscard]] std::optional<Record> next();
 
   [[nodiscard]] RawlogStatistics statistics() const;
+  /// The log consists of actions and sensory frames: one sensory frame is one frame, its readings have one time.
+  [[nodiscard]] bool hasSensoryFrames() const { return has_sensory_frames_; }
+  /// Time [s] of each sensory frame read so far that has one.
+  [[nodiscard]] const std::vector<double>& frameTimes() const;
+  /// Why the stamps of the log do not count; empty: they do.
+  [[nodiscard]] const std::string& clockNote() const { return clock_note_; }
   [[nodiscard]] const std::string& sha256() const;
   [[nodiscard]] const std::string& comment() const;
 
@@ -63,11 +76,14 @@ class RawlogSource
 
  private:
   void readEntry();
+  void translate(const mrpt::serialization::CSerializable& entry);
   void push(Record record, std::optional<std::size_t> step);
 
   std::unique_ptr<RawlogReader> reader_;
   std::unique_ptr<RawlogTranslator> translator_;
   ReorderBuffer queue_;
+  std::string clock_note_;
+  bool has_sensory_frames_ = false;
   bool ended_ = false;
   std::optional<std::size_t> step_;
   std::optional<double> first_time_, last_time_;

@@ -1,17 +1,15 @@
 #include "mrpt_ext/rawlog/rawlog_translator.h"
 
 #include <mrpt/obs/CActionCollection.h>
-#include <mrpt/obs/CActionRobotMovement2D.h>
-#include <mrpt/obs/CActionRobotMovement3D.h>
 #include <mrpt/obs/CObservationIMU.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CSensoryFrame.h>
-
-#include <algorithm>
+#include <mrpt/poses/CPose2D.h>
+#include <mrpt/poses/CPose3D.h>
 
 #include "mrpt_ext/observations/logged_flag.h"
 #include "mrpt_ext/observations/observation_conversions.h"
-#include "mrpt_ext/observations/timestamps.h"
+#include "mrpt_ext/rawlog/action_frames.h"
 
 namespace mrpt_ext
 {
@@ -20,32 +18,10 @@ namespace
 constexpr const char* kActions = "actions";
 constexpr const char* kNoTime = "no time stamp";
 
+constexpr double kLeastStep = 1e-6;  ///< [s] between two sensory frames
+constexpr const char* kOutsideFrames = "outside the sensory frames, whose count is the clock";
+
 Pose2 planar(const mrpt::poses::CPose2D& pose) { return {pose.x(), pose.y(), pose.phi()}; }
-
-/// Increment in the frame of the robot before the action.
-std::optional<Pose2> incrementOf(const mrpt::obs::CAction& action)
-{
-  if (const auto* move = dynamic_cast<const mrpt::obs::CActionRobotMovement2D*>(&action))
-    return planar(move->estimationMethod == mrpt::obs::CActionRobotMovement2D::emOdometry
-                      ? move->rawOdometryIncrementReading
-                      : move->poseChange->getMeanVal());
-  if (const auto* move = dynamic_cast<const mrpt::obs::CActionRobotMovement3D*>(&action))
-    return planar(mrpt::poses::CPose2D(move->poseChange.mean));
-  return std::nullopt;
-}
-
-std::optional<double> timeOf(const mrpt::system::TTimeStamp& stamp)
-{
-  return isValid(stamp) ? std::optional(secondsOf(stamp)) : std::nullopt;
-}
-
-std::optional<double> latestTime(const mrpt::obs::CSensoryFrame& frame)
-{
-  std::optional<double> latest;
-  for (const auto& observation : frame)
-    if (const auto time = timeOf(observation->timestamp)) latest = std::max(latest.value_or(*time), *time);
-  return latest;
-}
 }  // namespace
 
 const std::set<std::string>& translatedClasses()
@@ -78,25 +54,31 @@ std::optional<std::vector<RawlogTranslator::Output>> RawlogTranslator::translate
 void RawlogTranslator::readAction(const mrpt::obs::CAction& action)
 {
   const std::string name = shortClassName(action);
-  const auto increment = incrementOf(action);
-  if (!increment) return count(name, "not a robot movement");
+  const auto moved = incrementOf(action);
+  if (!moved) return count(name, "not a robot movement");
+  const Pose2 increment = planar(mrpt::poses::CPose2D(*moved));
   if (odometry_source_.empty())
   {
     odometry_source_ = kActions;
     if (first_frame_time_) emit(OdometryRecord{*first_frame_time_, dead_reckoned_});
   }
   if (odometry_source_ != kActions) return count(name, "a second source of odometry");
-  if (!isFinite(*increment)) return count(name, "not finite");
-  dead_reckoned_ = compose(dead_reckoned_, *increment);
+  if (!isFinite(increment)) return count(name, "not finite");
+  dead_reckoned_ = compose(dead_reckoned_, increment);
   pending_actions_.push_back({name, timeOf(action.timestamp)});
 }
 
 void RawlogTranslator::readFrame(const mrpt::obs::CSensoryFrame& frame)
 {
   auto time = latestTime(frame);
+  if (!time && !pending_actions_.empty()) time = pending_actions_.back().time;
+  if (clock_.step)
+    time = *clock_.step * static_cast<double>(frames_);
+  else if (time && !frame_times_.empty() && *time <= frame_times_.back())
+    time = frame_times_.back() + kLeastStep;
+  ++frames_;
   if (!pending_actions_.empty())
   {
-    if (!time) time = pending_actions_.back().time;
     step_ = step_times_.size();
     step_times_.push_back(time.value_or(step_times_.empty() ? 0 : step_times_.back()));
     for (const PendingAction& action : pending_actions_) count(action.class_name, time ? "" : kNoTime);
@@ -105,12 +87,16 @@ void RawlogTranslator::readFrame(const mrpt::obs::CSensoryFrame& frame)
   if (odometry_source_.empty()) first_frame_time_ = time;
   if (time && odometry_source_ == kActions) emit(OdometryRecord{*time, dead_reckoned_});
   for (const auto& observation : frame) readObservation(*observation, time);
+  if (time) frame_times_.push_back(*time);
 }
 
 void RawlogTranslator::readObservation(const mrpt::obs::CObservation& observation, std::optional<double> frame_time)
 {
+  if (clock_.step && !frame_time) return count(shortClassName(observation), kOutsideFrames);
   const auto own_time = timeOf(observation.timestamp);
-  const auto time = own_time ? own_time : frame_time;
+  // Odometry may be logged several times within a frame.
+  const bool is_odometry = dynamic_cast<const mrpt::obs::CObservationOdometry*>(&observation) != nullptr;
+  const auto time = frame_time && !(is_odometry && own_time && !clock_.step) ? frame_time : own_time;
   count(shortClassName(observation), time ? useObservation(observation, *time) : kNoTime);
 }
 
@@ -188,6 +174,8 @@ std::vector<RawlogTranslator::Output> RawlogTranslator::finish()
 {
   output_.clear();
   step_.reset();
+  if (clock_.step)
+    for (PendingAction& action : pending_actions_) action.time.reset();
   for (const PendingAction& action : pending_actions_) count(action.class_name, action.time ? "" : kNoTime);
   if (!pending_actions_.empty() && pending_actions_.back().time)
     emit(OdometryRecord{*pending_actions_.back().time, dead_reckoned_});

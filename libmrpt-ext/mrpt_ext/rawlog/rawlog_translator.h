@@ -9,6 +9,7 @@
 #include "mrpt_ext/geometry/observation_count.h"
 #include "mrpt_ext/geometry/recording.h"
 #include "mrpt_ext/observations/usable_detections.h"
+#include "mrpt_ext/rawlog/step_clock.h"
 
 namespace mrpt::obs
 {
@@ -31,8 +32,9 @@ namespace mrpt_ext
 /// An IMU does not log its standard deviation: std_heading is 0 (not declared).
 ///
 /// Logs of action/sensory-frame pairs: increments are accumulated to a dead-reckoned pose. An action is the motion
-/// from one sensory frame to the next, so its pose has the time of the frame after it: the latest time in that frame,
-/// else the time of the action. Observations without a time of their own take that of their frame.
+/// from one sensory frame to the next, so its pose has the time of the frame after it. All observations in a frame have
+/// one time, each frame a time of its own: the latest time in the frame, else that of the action before it; or the
+/// number of the frame, where the StepClock counts frames. So one sensory frame is one Frame where the window is 0.
 /// Pair i is step i; a frame before the first action belongs to no step.
 class RawlogTranslator
 {
@@ -42,6 +44,8 @@ class RawlogTranslator
     Record record;
     std::optional<std::size_t> step;
   };
+
+  explicit RawlogTranslator(StepClock clock = {}) : clock_(std::move(clock)) {}
 
   /// Records of one entry; nothing (not even an empty list) when such an object is no part of a log.
   [[nodiscard]] std::optional<std::vector<Output>> translate(const mrpt::serialization::CSerializable& entry);
@@ -55,6 +59,8 @@ class RawlogTranslator
   /// Time [s] of each action/sensory-frame pair, by step; empty for an observation-only log. A pair without any time
   /// has that of the pair before it (0 for the first), and no records.
   [[nodiscard]] const std::vector<double>& stepTimes() const { return step_times_; }
+  /// Time [s] of each sensory frame that has one.
+  [[nodiscard]] const std::vector<double>& frameTimes() const { return frame_times_; }
 
  private:
   struct PendingAction
@@ -77,6 +83,7 @@ class RawlogTranslator
   void emit(Record record) { output_.push_back({std::move(record), step_}); }
   void count(const std::string& class_name, const std::string& why_ignored);
 
+  StepClock clock_;
   std::vector<Output> output_;  // of the current entry
   std::optional<std::size_t> step_;
   std::map<std::string, ObservationCount> observations_;
@@ -84,6 +91,8 @@ class RawlogTranslator
   std::vector<double> step_times_;
   std::string odometry_source_;             // label, or kActions; only the first one counts
   std::optional<double> first_frame_time_;  // of a frame before any odometry
+  std::size_t frames_ = 0;                  // sensory frames so far
+  std::vector<double> frame_times_;         // of those that have one
   Pose2 dead_reckoned_;
   std::vector<PendingAction> pending_actions_;  // since the last frame
 };

@@ -5,6 +5,7 @@
 #include "mrpt_ext/importers/recording_notes.h"
 #include "mrpt_ext/importers/truth_heading.h"
 #include "mrpt_ext/rawlog/rawlog_source.h"
+#include "mrpt_ext/rawlog/statistics_notes.h"
 
 namespace mrpt_ext
 {
@@ -32,14 +33,6 @@ Trajectory joinWithTimes(const std::map<int, Pose2>& poses, const std::vector<do
     if (truth.empty() || time > truth.back().time) truth.push_back({time, pose, true});
   }
   return truth;
-}
-
-void addStatistics(Recording& recording, const RawlogStatistics& statistics)
-{
-  for (const auto& [name, count] : statistics.observations)
-    recording.notes.push_back(name + ": " + std::to_string(count.total) + " in the log, " + std::to_string(count.used) +
-                              " used, " + std::to_string(count.ignored) + " ignored");
-  for (const auto& [reason, count] : statistics.unusable) noteCount(recording, count, "unusable, " + reason);
 }
 }  // namespace
 
