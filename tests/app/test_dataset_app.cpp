@@ -150,7 +150,8 @@ TEST(DatasetApp, WrongUsageIsOneLineAndExitCodeTwo)
   const std::string roh = testing::sampleFolder("roh"), mrclam = testing::sampleFolder("mrclam");
   const std::pair<std::vector<std::string>, std::string> cases[] = {
       {{"foo", roh, "-o", "a.rawlog"},
-       "unknown format 'foo', expected one of csv cuhksz labyrinth mrclam mrclam-snapshots mrpt-uwb plaza roh"},
+       "unknown format 'foo', expected one of csv cuhksz labyrinth mrclam mrclam-snapshots mrpt-kf-slam mrpt-ro-slam "
+       "mrpt-uwb plaza roh"},
       {{"mrclm", roh, "-o", "a.rawlog"}, "did you mean mrclam?"},
       {{"roh"}, "INPUT is required"},
       {{"roh", roh}, "expected -o STEM.rawlog"},

@@ -55,6 +55,29 @@ void expectSnapshotMedian(int set, double reference)
 }
 }  // namespace
 
+TEST(RecordedRun, MrptsLandmarkSlamDemo)
+{
+  const fs::path rawlog = "/usr/share/mrpt/datasets/kf-slam_demo.rawlog";
+  if (!fs::exists(rawlog)) GTEST_SKIP() << rawlog << " is absent, it comes with mrpt-common";
+  const testing::ScratchFolder folder;
+  const auto log = converted(folder.path(), {"mrpt-kf-slam", rawlog});
+  const auto summary = testing::summaryOf(testing::localized(folder.path(), "mrpt-kf-slam-demo", log.arguments()));
+  EXPECT_EQ(summary.at("success_rate"), 1.0) << summary.at("verdict_reason");
+  EXPECT_EQ(summary.at("verdict"), "ok") << summary.at("verdict_reason");
+  EXPECT_LE(testing::positionRmse(summary), 0.05);
+}
+
+TEST(RecordedRun, MrptsRangeOnlySlamDemo)
+{
+  const fs::path rawlog = "/usr/share/mrpt/datasets/RO-SLAM_demo.rawlog";
+  if (!fs::exists(rawlog)) GTEST_SKIP() << rawlog << " is absent, it comes with mrpt-common";
+  const testing::ScratchFolder folder;
+  const auto log = converted(folder.path(), {"mrpt-ro-slam", rawlog});
+  const auto summary = testing::summaryOf(
+      testing::localized(folder.path(), "mrpt-ro-slam-demo", {log.rawlog.string(), "--map", log.map.string()}));
+  EXPECT_EQ(summary.at("verdict"), "ok") << summary.at("verdict_reason");
+}
+
 TEST(RecordedRun, UwbDemo)
 {
   const fs::path rawlog = "/usr/share/mrpt/datasets/uwb_ro-localization_demo.rawlog";

@@ -99,7 +99,7 @@ TEST_F(StockPfLocalization, FindsTheRobotByBearingsRangesAndFixes)
   EXPECT_LT(mean(errors), 0.5) << output_.substr(0, 5000);
 }
 
-TEST_F(StockPfLocalization, RoomIniNamesFilesThatExistBesideIt)
+TEST_F(StockPfLocalization, RoomIniNamesFilesThatExistBelowTheRoot)
 {
   std::istringstream ini(readText(kIniFolder / "room.ini"));
   std::size_t found = 0;
@@ -108,7 +108,7 @@ TEST_F(StockPfLocalization, RoomIniNamesFilesThatExistBesideIt)
   {
     std::smatch match;
     if (!std::regex_match(line, match, file_key)) continue;
-    EXPECT_TRUE(std::filesystem::exists(kIniFolder / match[2].str())) << line;
+    EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(MRPT_EXT_SOURCE_DIR) / match[2].str())) << line;
     ++found;
   }
   EXPECT_EQ(found, 2U);

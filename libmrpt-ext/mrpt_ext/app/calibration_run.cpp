@@ -6,6 +6,7 @@
 #include "mrpt_ext/app/calibrated_file.h"
 #include "mrpt_ext/app/exit_codes.h"
 #include "mrpt_ext/diagnosis/calibration_report.h"
+#include "mrpt_ext/experiment/clock_check.h"
 #include "mrpt_ext/files/atomic_file.h"
 #include "mrpt_ext/files/number_format.h"
 #include "mrpt_ext/geometry/input_error.h"
@@ -72,7 +73,8 @@ int runCalibration(Settings settings, const CalibrationRequest& request, std::os
   const std::string ini = request.calibrated.empty() ? "" : readFileToCalibrate(request.calibrated);
   if (settings.hasValue(kExperimentSection, "ground_truth_path_file"))
     settings.set(kExperimentSection, "ground_truth_path_file", "", "--diagnose");
-  const LocalizationInput input = loadLocalization(settings, request.window);
+  LocalizationInput input = loadLocalization(settings, request.window);
+  checkClocks(input);
   settings.set(kExperimentSection, "frame_window_s", "0", "--diagnose");
   const LocalizationInput by_stamp = loadLocalization(settings, request.window);
 

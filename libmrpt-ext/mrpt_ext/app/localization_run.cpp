@@ -16,6 +16,7 @@
 #include "mrpt_ext/diagnosis/self_diagnosis.h"
 #include "mrpt_ext/evaluation/run_merge.h"
 #include "mrpt_ext/evaluation/run_scoring.h"
+#include "mrpt_ext/experiment/clock_check.h"
 #include "mrpt_ext/experiment/frame_bounds.h"
 #include "mrpt_ext/experiment/tracking_bound.h"
 #include "mrpt_ext/experiment/trial_pool.h"
@@ -267,6 +268,7 @@ int exitCode(const RunScore& score, const std::vector<RunScore>& trials, const L
 int runLocalization(const Settings& settings, const LocalizationRequest& request, std::ostream& out, std::ostream& err)
 {
   LocalizationInput input = loadLocalization(settings, request.window);
+  checkClocks(input);
   input.context.version = version();
   input.context.built_with = builtWith();
   input.context.command_line = request.command_line;

@@ -5,7 +5,6 @@
 #include <set>
 
 #include "mrpt_ext/evaluation/scoring.h"
-#include "mrpt_ext/experiment/clock_check.h"
 #include "mrpt_ext/experiment/log_adaptation.h"
 #include "mrpt_ext/experiment/method_factory.h"
 #include "mrpt_ext/files/landmark_csv.h"
@@ -208,7 +207,6 @@ LocalizationInput loadLocalization(const Settings& settings, const LogWindow& wi
   input.context.truth_is_sparse = isSparse(input.context.truth);
   readFrames(input);
   checkAnythingToScore(input);
-  checkClocks(input);
   adaptToLog(input.config, input.log.available, input.context.duration_s, input.notes);
   (void)MethodFactory(input.config, input.context.map,
                       input.log.available);  // reports an unknown method before the work

@@ -8,6 +8,7 @@
 #include "mrpt_ext/observations/observation_conversions.h"
 #include "mrpt_ext/rawlog/rawlog_reader.h"
 #include "mrpt_ext/rawlog/rawlog_translator.h"
+#include "mrpt_ext/rawlog/step_clock.h"
 
 namespace mrpt_ext
 {

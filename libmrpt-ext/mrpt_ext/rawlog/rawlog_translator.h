@@ -9,7 +9,6 @@
 #include "mrpt_ext/geometry/observation_count.h"
 #include "mrpt_ext/geometry/recording.h"
 #include "mrpt_ext/observations/usable_detections.h"
-#include "mrpt_ext/rawlog/step_clock.h"
 
 namespace mrpt::obs
 {
@@ -25,6 +24,13 @@ class CSerializable;
 
 namespace mrpt_ext
 {
+/// The clock of a log in action/sensory-frame form, whose steps are its sensory frames.
+struct StepClock
+{
+  std::optional<double> step;  ///< [s] per sensory frame; absent: the stamps of the log hold
+  std::string reason;          ///< one line for the user; empty when the stamps hold
+};
+
 /// Turns the entries of a log into plain records, in the order of the log, and counts used and ignored observations.
 ///
 /// Observation-only logs: CObservationOdometry (of one label), our observations, MRPT's CObservationBearingRange and

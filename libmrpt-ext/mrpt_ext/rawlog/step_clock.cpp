@@ -11,7 +11,6 @@
 #include "mrpt_ext/observations/observation_conversions.h"
 #include "mrpt_ext/rawlog/action_frames.h"
 #include "mrpt_ext/rawlog/rawlog_reader.h"
-#include "mrpt_ext/rawlog/rawlog_translator.h"
 
 namespace mrpt_ext
 {
