@@ -23,7 +23,7 @@ std::size_t numbersIn(std::span<const Members> triples)
 {
   int largest = -1;
   for (const Members& triple : triples) largest = std::max(largest, *std::max_element(triple.begin(), triple.end()));
-  return static_cast<std::size_t>(largest + 1);
+  return static_cast<std::size_t>(largest) + 1;
 }
 
 /// Mutually disjoint triples among those without a marked number: each needs a further member.

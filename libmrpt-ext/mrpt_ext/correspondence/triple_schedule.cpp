@@ -33,7 +33,7 @@ TripleSchedule::TripleSchedule(std::vector<DetectionTriple> candidates, WorkBudg
   int last = -1;
   for (const DetectionTriple& t : candidates_)
     last = std::max(last, *std::max_element(t.detection.begin(), t.detection.end()));
-  uses_.assign(static_cast<std::size_t>(last + 1), 0);
+  uses_.assign(static_cast<std::size_t>(last) + 1, 0);
 }
 
 /// Bearings shared with the triples chosen, counted once per triple.

@@ -185,7 +185,7 @@ class PointSearchRun
                                                &points_[static_cast<std::size_t>(indices[1])]};
     const double tolerance = options_.gate * std::hypot(seen[0]->std, seen[1]->std);
     const std::vector<ScanPoint> others = otherPoints({indices.begin(), indices.end()});
-    const auto evaluatePair = [&](std::size_t i, std::size_t j)
+    const auto evaluate_pair = [&](std::size_t i, std::size_t j)
     {
       const double apart = (map_.position(i) - map_.position(j)).norm();
       const bool fits = j != i && apart >= distance - tolerance;
@@ -193,7 +193,7 @@ class PointSearchRun
     };
     for (std::size_t i = 0; i < map_.size() && withinWork(); ++i)
       if (map_.mayShow(seen[0]->category, i))
-        map_.forEachNear(map_.position(i), distance + tolerance, [&](std::size_t j) { evaluatePair(i, j); });
+        map_.forEachNear(map_.position(i), distance + tolerance, [&](std::size_t j) { evaluate_pair(i, j); });
   }
 
   // ---- candidates
