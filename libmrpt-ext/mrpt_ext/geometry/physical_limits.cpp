@@ -31,7 +31,7 @@ std::string whyImpossibleValue(const Reading& reading)
 
 std::string whyImpossibleValue(const RunningFixReading& fix)
 {
-  const std::string sensor =
+  std::string sensor =
       whyNoPosition("sensor on the robot at", fix.T_robot_sensor.x, fix.T_robot_sensor.y, fix.sensor_height);
   if (!sensor.empty()) return sensor;
   if (!isTime(fix.first_time)) return impossible("time of the first range", fix.first_time, "s", kLargestTime);
