@@ -6,8 +6,11 @@
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #define MRPT_EXT_VECTOR_CLONES __attribute__((target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))
+/// The same for loops of about ten iterations: vectors of eight would leave a remainder that costs more than they save.
+#define MRPT_EXT_SHORT_LOOP_CLONES __attribute__((target_clones("default", "arch=x86-64-v3")))
 #else
 #define MRPT_EXT_VECTOR_CLONES
+#define MRPT_EXT_SHORT_LOOP_CLONES
 #endif
 
 /// Before a loop: no iteration depends on what another one writes, so that it may be done in vectors.

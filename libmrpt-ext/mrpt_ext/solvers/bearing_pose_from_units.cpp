@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "mrpt_ext/geometry/vector_clones.h"
@@ -55,7 +56,7 @@ struct NormalEquations
     const double vx = others[i].landmark.x() - x0, vy = others[i].landmark.y() - y0;
     const double ux = others[i].unit.x(), uy = others[i].unit.y();
     const double p = ux * vx + uy * vy, q = ux * vy - uy * vx, s = uy * c0 - ux * s0;
-    const double scale = 1 / (p * p + q * q);
+    const double scale = 1 / (vx * vx + vy * vy);
     const double sp = p * scale, sq = q * scale;
     ps[i] = p;
     qs[i] = q;
@@ -74,13 +75,13 @@ struct NormalEquations
 [[gnu::always_inline]] inline bool allAhead(const Projections& at, std::size_t count, double nx, double ny, double d)
 {
   const double *const ps = at.p, *const qs = at.q, *const cs = at.c;
-  int behind = 0;
+  std::int64_t behind = 0;  // as wide as what is compared, so that the loop stays in vectors
   for (std::size_t i = 0; i < count; ++i) behind |= ps[i] * nx - qs[i] * ny + cs[i] * d > 0 ? 0 : 1;
   return behind == 0;
 }
 }  // namespace
 
-MRPT_EXT_VECTOR_CLONES
+MRPT_EXT_SHORT_LOOP_CLONES
 BearingPoseFromUnits solveBearingPoseFromUnits(std::span<const UnitBearing> bearings)
 {
   BearingPoseFromUnits result;
