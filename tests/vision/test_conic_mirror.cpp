@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <opencv2/imgproc.hpp>
+
 #include "mrpt_ext/vision/conic_mirror.h"
 #include "synthetic_cone.h"
 
@@ -113,6 +115,41 @@ TEST(ConicMirror, MeasuresCloseEdges)
       EXPECT_LT(error, 2.5 * edge->std_azimuth) << gap;
     }
   }
+}
+
+TEST(ConicMirror, SeesTheEdgesOfABlurredImage)
+{
+  MirrorPicture picture;
+  picture.noise = 0;
+  cv::Mat image = testing::paint(picture), noise(image.size(), CV_32F);
+  for (const double blur : {1.6, 2.4, 3.2})
+  {
+    cv::Mat blurred;
+    cv::GaussianBlur(image, blurred, {0, 0}, blur);
+    blurred.convertTo(blurred, CV_32F);
+    cv::RNG(3).fill(noise, cv::RNG::NORMAL, 0, 2);
+    blurred += noise;
+    blurred.convertTo(blurred, CV_8U);
+    SCOPED_TRACE(blur);
+    expectTheSectors(picture, viewConicMirror(blurred, {}));
+  }
+}
+
+TEST(ConicMirror, DropsASoftShadowAmongSharpEdges)
+{
+  struct ShadowPicture : MirrorPicture
+  {
+    [[nodiscard]] double brightnessAt(double u, double v) const
+    {
+      const double x = (u - rim.centre.x) / rim.semi_u, y = (v - rim.centre.y) / rim.semi_v;
+      const double light = 1 / (1 + std::exp((radToDeg(std::atan2(y, x)) - 80) / 1.5));
+      return MirrorPicture::brightnessAt(u, v) + (std::hypot(x, y) > 1 ? 0 : 60 * light);
+    }
+  } picture;
+  picture.sectors = {{-150, 120}, {-120, 50}, {-60, 100}, {-20, 50}, {35, 90}};
+  const ConicMirrorView view = viewConicMirror(testing::paint(picture, 2, 1), {});
+  EXPECT_FALSE(edgeAt(view, 80));
+  for (const testing::Sector& sector : picture.sectors) EXPECT_TRUE(edgeAt(view, sector.azimuth_deg));
 }
 
 TEST(ConicMirror, DoesNotTakeShadingForEdges)

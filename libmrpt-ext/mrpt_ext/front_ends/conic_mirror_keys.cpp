@@ -43,7 +43,8 @@ KeyTable conicMirrorKeys()
           "edge_width_deg", "deg", 0.61, {0.05, 10},
           "Largest standard deviation of an edge in the room; soft shadows are wider. Smoothing and blur come on top.")
       .number("edge_blur_px", "px", 1.05, {0, 20},
-              "Standard deviation of what camera and sampling add to an edge's width.")
+              "Least standard deviation of what camera and sampling add to an edge's width; more where the image's "
+              "sharpest edges show more.")
       .number("edge_prominence", "", 0.45, {0, 1}, "How far the step must fall on both sides, share of its peak.")
       .number("std_floor_deg", "deg", 0.029, {0, 10}, "Standard deviation of an azimuth that noise does not explain.");
 }

@@ -2,102 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/geometry/quantile.h"
-#include "mrpt_ext/vision/radial_votes.h"
+#include "mrpt_ext/vision/radial_peaks.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr double kNeighbourhood = 1.3;  ///< a peak is the largest within this many standard deviations of the smoothing
-constexpr double kFlank = 6;            ///< its flanks reach so many standard deviations
-/// Neighbouring rows share pixels, and so do the rows of one pixel near the centre.
-constexpr double kRowCorrelation = 1.2;
-constexpr int kNeighbourRounds = 12;  ///< neighbours' moves depend on each other
-constexpr double kMoveUnknown = 0.5;  ///< share of a neighbour's pull that is not known
-
-/// Steps of one run of rows summed with the weights 1/noise^2, for azimuths around one column.
-class RunProfile
-{
- public:
-  RunProfile(const AzimuthSteps& steps, const RadialRun& run, int polarity) : steps_(steps), run_(run)
-  {
-    for (int row = run.first; row < run.end; ++row)
-    {
-      const double noise = steps.noise[static_cast<std::size_t>(row)];
-      weights_.push_back(polarity / square(noise));
-      total_ += 1 / square(noise);
-    }
-    noise_ = kRowCorrelation / std::sqrt(total_);
-  }
-
-  /// [grey levels] mean step at a column, which may be beyond either end of a turn.
-  [[nodiscard]] double operator()(int column) const
-  {
-    const int columns = steps_.heights.cols, j = ((column % columns) + columns) % columns;
-    double sum = 0;
-    for (int row = run_.first; row < run_.end; ++row)
-      sum += weights_[static_cast<std::size_t>(row - run_.first)] * steps_.heights.at<float>(row, j);
-    return sum / total_;
-  }
-  [[nodiscard]] double noise() const { return noise_; }
-
- private:
-  const AzimuthSteps& steps_;
-  RadialRun run_;
-  std::vector<double> weights_;
-  double total_ = 0, noise_ = 0;
-};
-
-/// A peak of a profile: a Gaussian through three samples.
-struct Peak
-{
-  double offset = 0;  ///< [columns] from the middle sample
-  double sigma = 0;   ///< [columns]
-  double height = 0;
-};
-
-std::optional<Peak> gaussianPeak(double before, double here, double behind, double spacing)
-{
-  if (!(before > 0) || !(here > 0) || !(behind > 0)) return std::nullopt;
-  const double a = std::log(before), b = std::log(here), c = std::log(behind), bend = a - 2 * b + c;
-  if (!(bend < 0)) return std::nullopt;
-  const double offset = 0.5 * (a - c) / bend;
-  if (!(std::abs(offset) < 1)) return std::nullopt;
-  return Peak{offset * spacing, spacing / std::sqrt(-bend), here};
-}
-
-/// How far the profile falls on the side that falls less, share of the peak (1: to nothing or below).
-double prominence(const RunProfile& profile, int column, double peak, int reach)
-{
-  const auto lowest = [&](int direction)
-  {
-    double low = peak;
-    for (int k = 1; k <= reach && low > 0; ++k) low = std::min(low, profile(column + direction * k));
-    return std::max(low, 0.0);
-  };
-  return 1 - std::max(lowest(-1), lowest(1)) / peak;
-}
-
-/// Columns where the evidence is largest among their neighbours.
-std::vector<int> peakColumns(const std::vector<RadialRun>& runs, int reach, float least)
-{
-  const int columns = static_cast<int>(runs.size());
-  const auto evidence = [&](int j) { return runs[static_cast<std::size_t>((j + columns) % columns)].evidence; };
-  std::vector<int> peaks;
-  for (int j = 0; j < columns; ++j)
-  {
-    bool is_peak = evidence(j) > least;
-    for (int k = 1; k <= reach && is_peak; ++k)
-      is_peak = evidence(j) > evidence(j - k) && evidence(j) >= evidence(j + k);
-    if (is_peak) peaks.push_back(j);
-  }
-  return peaks;
-}
+constexpr int kNeighbourRounds = 12;      ///< neighbours' moves depend on each other
+constexpr double kMoveUnknown = 0.5;      ///< share of a neighbour's pull that is not known
+constexpr double kClearSignificance = 2;  ///< of edges that tell the blur, in least significances
+constexpr double kSharpestShare = 0.35;   ///< of them are as sharp as the camera lets them be
+constexpr std::size_t kClearEdges = 4;    ///< fewer tell nothing about the camera
+constexpr double kLargestBlur = 4;        ///< [px] beyond it shadows and edges look alike
+constexpr int kBlurRounds = 8;            ///< of bisection: to a sixtieth of a pixel
 
 /// [rad] by which `other`, at `position`, moves the peak of an edge at `own_position`: the slope of its profile there
 /// over the peak's bend. Edges of opposite polarity push each other away.
@@ -136,51 +57,114 @@ double medianBrightness(const PolarImage& polar)
     for (int j = 0; j < polar.grey.cols; j += 8) values.push_back(polar.grey.at<float>(row, j));
   return upperMedian(std::move(values));
 }
+
+/// Judges the peaks of one image.
+class EdgeJudge
+{
+ public:
+  EdgeJudge(const PolarImage& polar, double centre_std, double radius, const RadialEdgeSettings& settings)
+      : grid_(polar.grid),
+        centre_std_(centre_std),
+        radius_(radius),
+        settings_(settings),
+        least_contrast_(settings.min_contrast * medianBrightness(polar)),
+        blur_(settings.blur)
+  {
+  }
+
+  /// The sharpest of the clear edges show what the camera's blur is. Soft shadows are wider than they.
+  void learnBlur(const std::vector<RadialPeak>& peaks)
+  {
+    std::vector<double> blurs;
+    for (const RadialPeak& peak : peaks)
+      if (isClear(peak) && peak.significance() >= kClearSignificance * settings_.min_significance)
+        blurs.push_back(blurOf(peak));
+    if (blurs.size() < kClearEdges) return;
+    blur_ = std::clamp(*quantile(std::move(blurs), kSharpestShare), blur_, std::max(blur_, kLargestBlur));
+  }
+  [[nodiscard]] double blur() const { return blur_; }
+
+  [[nodiscard]] bool isEdge(const RadialPeak& peak) const
+  {
+    return isClear(peak) && sigmaOf(peak) <= std::hypot(settings_.max_width, sharpest(peak));
+  }
+
+  [[nodiscard]] RadialEdge edgeAt(const RadialPeak& peak) const
+  {
+    const double step = grid_.azimuthStep();
+    RadialEdge edge;
+    edge.azimuth = wrap(peak.column * step);
+    edge.polarity = peak.polarity;
+    edge.contrast = peak.height;
+    edge.significance = peak.significance();
+    edge.width = std::max(sigmaOf(peak), sharpest(peak));  // a neighbour makes the peak narrower than any edge is
+    edge.inner = grid_.radiusOf(peak.run.first);
+    edge.outer = grid_.radiusOf(peak.run.end - 1);
+    const double by_noise = columnNoise(peak, settings_.smoothing / step) * step;
+    const double by_centre = centre_std_ * pixelAt(peak);
+    edge.std_azimuth = std::sqrt(square(by_noise) + square(by_centre) + square(settings_.std_floor));
+    return edge;
+  }
+
+ private:
+  [[nodiscard]] bool isClear(const RadialPeak& peak) const
+  {
+    return peak.height >= least_contrast_ && peak.significance() >= settings_.min_significance &&
+           peak.prominence >= settings_.min_prominence;
+  }
+  [[nodiscard]] double sigmaOf(const RadialPeak& peak) const { return peak.sigma * grid_.azimuthStep(); }
+  /// [rad] that a pixel covers, root mean square along the run.
+  [[nodiscard]] double pixelAt(const RadialPeak& peak) const
+  {
+    return 1 / (radius_ * std::sqrt(grid_.radiusOf(peak.run.first) * grid_.radiusOf(peak.run.end - 1)));
+  }
+  /// [rad] standard deviation of the profile of an edge that is sharp in the room, seen with a blur [px]. Rows near the
+  /// centre are wider and lower, since a pixel covers more of a turn there: what counts is the bend of the sum.
+  [[nodiscard]] double sharpWidth(const RadialPeak& peak, double blur) const
+  {
+    double height = 0, bend = 0;
+    for (int row = peak.run.first; row < peak.run.end; ++row)
+    {
+      const double variance = square(settings_.smoothing) + square(blur / (radius_ * grid_.radiusOf(row)));
+      height += 1 / std::sqrt(variance);
+      bend += 1 / (variance * std::sqrt(variance));
+    }
+    return std::sqrt(height / bend);
+  }
+  [[nodiscard]] double sharpest(const RadialPeak& peak) const { return sharpWidth(peak, blur_); }
+  /// [px] that makes a sharp edge as wide as the peak.
+  [[nodiscard]] double blurOf(const RadialPeak& peak) const
+  {
+    double low = 0, high = kLargestBlur;
+    for (int round = 0; round < kBlurRounds; ++round)
+    {
+      const double middle = 0.5 * (low + high);
+      (sharpWidth(peak, middle) < sigmaOf(peak) ? low : high) = middle;
+    }
+    return low;
+  }
+
+  const PolarGrid& grid_;
+  double centre_std_, radius_;
+  const RadialEdgeSettings& settings_;
+  double least_contrast_, blur_;
+};
 }  // namespace
 
 std::vector<RadialEdge> findRadialEdges(const PolarImage& polar, double centre_std, double radius,
                                         const RadialEdgeSettings& settings)
 {
   const AzimuthSteps steps = stepsAlongAzimuth(polar, settings.smoothing);
-  const double step = polar.grid.azimuthStep(), smoothing = settings.smoothing / step;
-  const int spacing = std::max(1, static_cast<int>(std::lround(smoothing)));
-  const double least_contrast = settings.min_contrast * medianBrightness(polar);
-  std::vector<RadialEdge> edges;
+  std::vector<RadialPeak> peaks;
   for (const int polarity : {-1, 1})
-  {
-    const auto runs = strongestRuns(steps, polarity);
-    for (const int column : peakColumns(runs, static_cast<int>(std::ceil(kNeighbourhood * smoothing)), 1.F))
-    {
-      const RadialRun& run = runs[static_cast<std::size_t>(column)];
-      const double rows = run.end - run.first;
-      if (rows < settings.min_length * polar.grid.radii) continue;
-      const RunProfile profile(steps, run, polarity);
-      const auto peak = gaussianPeak(profile(column - spacing), profile(column), profile(column + spacing), spacing);
-      if (!peak || peak->height < least_contrast) continue;
-      const double significance = peak->height / profile.noise();
-      const double inner = polar.grid.radiusOf(run.first), outer = polar.grid.radiusOf(run.end - 1);
-      const double pixel = 1 / (0.5 * (inner + outer) * radius);  // [rad]
-      const double widest = std::hypot(settings.max_width, settings.smoothing, settings.blur * pixel);
-      if (significance < settings.min_significance || peak->sigma * step > widest) continue;
-      if (prominence(profile, column, peak->height, static_cast<int>(kFlank * smoothing)) < settings.min_prominence)
-        continue;
-      RadialEdge edge;
-      edge.azimuth = wrap((column + peak->offset) * step);
-      edge.polarity = polarity;
-      edge.contrast = peak->height;
-      edge.significance = significance;
-      // A neighbour makes the peak narrower than any edge is.
-      edge.width = std::max(peak->sigma * step, std::hypot(settings.smoothing, settings.blur * pixel));
-      edge.inner = inner;
-      edge.outer = outer;
-      // White noise through a Gaussian's derivative: the slope's standard deviation is sqrt(3/2)/smoothing of the
-      // value's, and the peak's bend is height/sigma^2.
-      const double by_noise = std::sqrt(1.5) * square(peak->sigma) / (smoothing * significance) * step;
-      const double by_centre = centre_std * pixel;
-      edge.std_azimuth = std::sqrt(square(by_noise) + square(by_centre) + square(settings.std_floor));
-      edges.push_back(edge);
-    }
-  }
+    for (const RadialPeak& peak : findRadialPeaks(steps, polarity, settings.smoothing / polar.grid.azimuthStep(),
+                                                  settings.min_length * polar.grid.radii))
+      peaks.push_back(peak);
+  EdgeJudge judge(polar, centre_std, radius, settings);
+  judge.learnBlur(peaks);
+  std::vector<RadialEdge> edges;
+  for (const RadialPeak& peak : peaks)
+    if (judge.isEdge(peak)) edges.push_back(judge.edgeAt(peak));
   moveNeighboursBack(edges);
   std::sort(edges.begin(), edges.end(), [](const RadialEdge& a, const RadialEdge& b) { return a.azimuth < b.azimuth; });
   return edges;

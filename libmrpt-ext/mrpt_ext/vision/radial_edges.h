@@ -14,7 +14,7 @@ struct RadialEdgeSettings
   double min_significance = 8;   ///< evidence of the whole edge, in standard deviations of the noise
   double min_contrast = 0.015;   ///< mean step, share of the ring's median brightness
   double max_width = 0.0107;     ///< [rad] standard deviation of a soft edge in the room, as an exact camera sees it
-  double blur = 1.05;            ///< [px] standard deviation of what camera and sampling add to an edge's width
+  double blur = 1.05;            ///< [px] least standard deviation of what camera and sampling add to an edge's width
   double min_prominence = 0.45;  ///< how far the profile falls on both sides, share of the peak
   double std_floor = 0.0005;     ///< [rad] beyond the effect of noise
 };
@@ -38,7 +38,9 @@ struct RadialEdge
 ///
 /// Edges closer than their profiles are wide pull at each other's peaks; they are moved back by what Gaussian profiles
 /// tell, and half of the move is an error of azimuth. So is `centre_std` [px] of the rim's centre at `radius` [px], the
-/// rim's. Ordered by azimuth. The noise is that of the image itself, so gain and noise need no setting.
+/// rim's. Ordered by azimuth. Noise and blur are those of the image itself, so neither needs a setting: the noise is
+/// the median of the steps, the blur what the sharpest of the clear edges show, so that soft shadows remain wider than
+/// edges.
 [[nodiscard]] std::vector<RadialEdge> findRadialEdges(const PolarImage& polar, double centre_std, double radius,
                                                       const RadialEdgeSettings& settings);
 }  // namespace mrpt_ext

@@ -1,0 +1,116 @@
+#include "mrpt_ext/vision/radial_peaks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mrpt_ext/geometry/angle.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kNeighbourhood = 1.3;  ///< a peak is the largest within this many standard deviations of the smoothing
+constexpr double kFlank = 6;            ///< its flanks reach so many standard deviations
+/// Neighbouring rows share pixels, and so do the rows of one pixel near the centre.
+constexpr double kRowCorrelation = 1.2;
+constexpr float kLeastEvidence = 1;
+constexpr double kWiderSamples = 1.5;  ///< a peak so many times wider than its samples are apart is sampled again
+
+/// A Gaussian through three samples of a profile.
+struct SampledPeak
+{
+  double offset = 0;  ///< [columns] from the middle sample
+  double sigma = 0;   ///< [columns]
+};
+
+std::optional<SampledPeak> gaussianAround(const RunProfile& profile, int column, int spacing)
+{
+  const double before = profile(column - spacing), here = profile(column), behind = profile(column + spacing);
+  if (!(before > 0) || !(here > 0) || !(behind > 0)) return std::nullopt;
+  const double a = std::log(before), b = std::log(here), c = std::log(behind), bend = a - 2 * b + c;
+  if (!(bend < 0)) return std::nullopt;
+  const double offset = 0.5 * (a - c) / bend;
+  if (!(std::abs(offset) < 1)) return std::nullopt;
+  return SampledPeak{offset * spacing, spacing / std::sqrt(-bend)};
+}
+
+/// Samples as far apart as the peak is wide tell most about its place: near its top a wide peak is flat.
+std::optional<SampledPeak> gaussianPeak(const RunProfile& profile, int column, int spacing)
+{
+  const auto near = gaussianAround(profile, column, spacing);
+  if (!near || near->sigma < kWiderSamples * spacing) return near;
+  return gaussianAround(profile, column, static_cast<int>(std::lround(std::min(near->sigma, 4.0 * spacing))));
+}
+
+double prominenceOf(const RunProfile& profile, int column, double peak, int reach)
+{
+  const auto lowest = [&](int direction)
+  {
+    double low = peak;
+    for (int k = 1; k <= reach && low > 0; ++k) low = std::min(low, profile(column + direction * k));
+    return std::max(low, 0.0);
+  };
+  return 1 - std::max(lowest(-1), lowest(1)) / peak;
+}
+
+/// Columns where the evidence is largest among their neighbours.
+std::vector<int> peakColumns(const std::vector<RadialRun>& runs, int reach)
+{
+  const int columns = static_cast<int>(runs.size());
+  const auto evidence = [&](int j) { return runs[static_cast<std::size_t>((j + columns) % columns)].evidence; };
+  std::vector<int> peaks;
+  for (int j = 0; j < columns; ++j)
+  {
+    bool is_peak = evidence(j) > kLeastEvidence;
+    for (int k = 1; k <= reach && is_peak; ++k)
+      is_peak = evidence(j) > evidence(j - k) && evidence(j) >= evidence(j + k);
+    if (is_peak) peaks.push_back(j);
+  }
+  return peaks;
+}
+}  // namespace
+
+RunProfile::RunProfile(const AzimuthSteps& steps, const RadialRun& run, int polarity) : steps_(steps), run_(run)
+{
+  for (int row = run.first; row < run.end; ++row)
+  {
+    const double noise = steps.noise[static_cast<std::size_t>(row)];
+    weights_.push_back(polarity / square(noise));
+    total_ += 1 / square(noise);
+  }
+  noise_ = kRowCorrelation / std::sqrt(total_);
+}
+
+double RunProfile::operator()(int column) const
+{
+  const int columns = steps_.heights.cols, j = ((column % columns) + columns) % columns;
+  double sum = 0;
+  for (int row = run_.first; row < run_.end; ++row)
+    sum += weights_[static_cast<std::size_t>(row - run_.first)] * steps_.heights.at<float>(row, j);
+  return sum / total_;
+}
+
+std::vector<RadialPeak> findRadialPeaks(const AzimuthSteps& steps, int polarity, double smoothing, double least_rows)
+{
+  const int spacing = std::max(1, static_cast<int>(std::lround(smoothing)));
+  const auto runs = strongestRuns(steps, polarity);
+  std::vector<RadialPeak> peaks;
+  for (const int column : peakColumns(runs, static_cast<int>(std::ceil(kNeighbourhood * smoothing))))
+  {
+    const RadialRun& run = runs[static_cast<std::size_t>(column)];
+    if (run.end - run.first < least_rows) continue;
+    const RunProfile profile(steps, run, polarity);
+    const auto peak = gaussianPeak(profile, column, spacing);
+    if (!peak) continue;
+    const double height = profile(column);
+    peaks.push_back({run, polarity, column + peak->offset, peak->sigma, height, profile.noise(),
+                     prominenceOf(profile, column, height, static_cast<int>(kFlank * smoothing))});
+  }
+  return peaks;
+}
+
+double columnNoise(const RadialPeak& peak, double smoothing)
+{
+  return std::sqrt(1.5) * square(peak.sigma) / (smoothing * peak.significance());
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "mrpt_ext/vision/radial_votes.h"
+
+namespace mrpt_ext
+{
+/// Steps of one run of rows summed with the weights 1/noise^2, as a function of the column. The steps must outlive it.
+class RunProfile
+{
+ public:
+  RunProfile(const AzimuthSteps& steps, const RadialRun& run, int polarity);
+
+  /// [grey levels] mean step at a column, which may be beyond either end of a turn; positive for the polarity's edges.
+  [[nodiscard]] double operator()(int column) const;
+  /// [grey levels] standard deviation of a value.
+  [[nodiscard]] double noise() const { return noise_; }
+
+ private:
+  const AzimuthSteps& steps_;
+  RadialRun run_;
+  std::vector<double> weights_;
+  double total_ = 0, noise_ = 0;
+};
+
+/// A peak of the evidence for edges of one polarity, before anybody judges whether it is an edge. Lengths are columns.
+struct RadialPeak
+{
+  RadialRun run;
+  int polarity = 0;
+  double column = 0;      ///< where the profile of the run is highest, from a Gaussian through three samples
+  double sigma = 0;       ///< of that Gaussian
+  double height = 0;      ///< [grey levels]
+  double noise = 0;       ///< [grey levels] of the profile
+  double prominence = 0;  ///< how far the profile falls on the side that falls less, share of the height
+
+  [[nodiscard]] double significance() const { return height / noise; }
+};
+
+/// All peaks of one polarity whose run has at least `least_rows` rows, for steps smoothed by `smoothing` columns.
+[[nodiscard]] std::vector<RadialPeak> findRadialPeaks(const AzimuthSteps& steps, int polarity, double smoothing,
+                                                      double least_rows);
+
+/// Standard deviation of a peak's column by noise, for steps smoothed by `smoothing` columns. White noise through a
+/// Gaussian's derivative: the slope's standard deviation is sqrt(3/2)/smoothing of the value's, and the peak's bend is
+/// height/sigma^2.
+[[nodiscard]] double columnNoise(const RadialPeak& peak, double smoothing);
+}  // namespace mrpt_ext
