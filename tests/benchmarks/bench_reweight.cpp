@@ -2,12 +2,10 @@
 
 #include <array>
 #include <cmath>
-#include <memory>
 
 #include "limit/limit_reweight.h"
 #include "mrpt_ext/filter/particles/particle_set.h"
 #include "mrpt_ext/geometry/random.h"
-#include "mrpt_ext/likelihood/density_kernels.h"
 #include "mrpt_ext/likelihood/reading_likelihood.h"
 
 // Ten bearings of 0.02 rad scored for 10 000 robots within some 5 cm, landmarks all over a square of 100 m.
@@ -73,32 +71,6 @@ void ours(benchmark::State& state, std::size_t landmarks, bool named)
   for (auto _ : state)
   {
     addLogLikelihood(scene.reading, scene.map, {}, scene.robots.poses(), scene.robots.log_weight);
-    benchmark::DoNotOptimize(scene.robots.log_weight.data());
-    benchmark::ClobberMemory();
-  }
-  reportPerRobot(state);
-}
-
-/// The same kernels without clutter.
-void plainGaussian(benchmark::State& state, std::size_t landmarks)
-{
-  Scene scene = sceneOf(landmarks, true);
-  auto tile = std::make_unique<SensorTile>();
-  for (auto _ : state)
-  {
-    const ScoringFrame frame(scene.reading, scene.robots.origin);
-    std::vector<PreparedDetection> detections;
-    for (const Detection& detection : scene.reading.detections)
-      detections.push_back(prepareDetection(detection, scene.map[*scene.map.indexOf(detection.id)], 0, frame));
-    const PoseBatch robots = scene.robots.poses();
-    for (std::size_t first = 0; first < kRobots; first += SensorTile::kSize)
-    {
-      const std::size_t count = std::min(SensorTile::kSize, kRobots - first);
-      alignas(64) SensorTile::Column log_sum{};
-      fillTile(*tile, robots, first, count, scene.reading);
-      addLogGaussians(*tile, detections, {.bearing = true, .range = false, .sharp = true}, log_sum);
-      for (std::size_t i = 0; i < count; ++i) scene.robots.log_weight[first + i] += log_sum[i];
-    }
     benchmark::DoNotOptimize(scene.robots.log_weight.data());
     benchmark::ClobberMemory();
   }
@@ -173,7 +145,6 @@ void plain(benchmark::State& state, std::size_t landmarks)
 }
 
 BENCHMARK_CAPTURE(ours, known_10, 10, true)->Name("reweight/known_10_landmarks/ours");
-BENCHMARK_CAPTURE(plainGaussian, known_10, 10)->Name("reweight/known_10_landmarks/plain_gaussian");
 BENCHMARK_CAPTURE(limitForm, known_10, 10, true)->Name("reweight/known_10_landmarks/limit");
 BENCHMARK_CAPTURE(plain, known_10, 10)->Name("reweight/known_10_landmarks/plain");
 BENCHMARK_CAPTURE(ours, known_1000, 1000, true)->Name("reweight/known_1000_landmarks/ours");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mrpt_ext/correspondence/scan_bearing.h"
 #include "mrpt_ext/geometry/even_choice.h"
 
 namespace mrpt_ext
@@ -15,12 +16,12 @@ std::uint64_t mostSearchWork(std::size_t landmarks) { return kOfSearch + kPerLan
 
 std::uint64_t mostStepWork(std::size_t landmarks) { return std::max(kOfStep, mostSearchWork(landmarks)); }
 
-SearchInput::SearchInput(std::span<const Scan> scans, std::size_t most) : scans_(scans)
+SearchInput::SearchInput(std::span<const Scan> scans, std::size_t most) : scans_(scans), usable_(areUsable(scans))
 {
   const bool all =
       scans.size() <= kMostScans &&
       std::all_of(scans.begin(), scans.end(), [&](const Scan& scan) { return scan.detections.size() <= most; });
-  if (all) return;
+  if (all || !usable_) return;
   const std::size_t kept = std::min(scans.size(), kMostScans);
   std::size_t first = 0;  // detection of the present scan
   for (std::size_t s = 0, next = 0; s < scans.size(); first += scans[s++].detections.size())
@@ -37,6 +38,18 @@ SearchInput::SearchInput(std::span<const Scan> scans, std::size_t most) : scans_
       original_.push_back(first + d);
     }
   }
+}
+
+std::optional<PoseSearchResult> SearchInput::resultWithoutSearch(std::size_t gathered, std::size_t least,
+                                                                 std::size_t landmarks) const
+{
+  PoseSearchResult nothing;
+  if (!usable_) nothing.status = SolveStatus::bad_input;
+  if (!usable_ || gathered < least) return nothing;
+  nothing.status = SolveStatus::none;
+  nothing.finished = landmarks < least || isPromising(landmarks);
+  if (landmarks >= least && nothing.finished) return std::nullopt;
+  return nothing;
 }
 
 bool SearchInput::isPromising(std::size_t landmarks) const

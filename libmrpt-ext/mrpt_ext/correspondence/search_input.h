@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,6 +32,10 @@ class SearchInput
   static constexpr std::size_t kMostScans = 40;
 
   [[nodiscard]] std::span<const Scan> scans() const { return cut_.empty() ? scans_ : std::span<const Scan>(cut_); }
+  /// Why there is nothing to search: unusable scans, less than `least` of the `gathered` detections or landmarks, or
+  /// no promise. Otherwise nothing.
+  [[nodiscard]] std::optional<PoseSearchResult> resultWithoutSearch(std::size_t gathered, std::size_t least,
+                                                                    std::size_t landmarks) const;
   /// False where so many detections were left out that those searched are hardly as many true ones as a pose needs:
   /// a landmark is detected once by a scan, so that of more detections than landmarks most are false.
   [[nodiscard]] bool isPromising(std::size_t landmarks) const;
@@ -39,6 +44,7 @@ class SearchInput
 
  private:
   std::span<const Scan> scans_;
+  bool usable_;
   std::vector<Scan> cut_;                // empty: nothing was left out
   std::vector<std::size_t> whole_size_;  // of each scan in `cut_`
   std::vector<std::size_t> original_;    // of each detection searched, counted over all scans

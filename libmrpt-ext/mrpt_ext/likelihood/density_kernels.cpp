@@ -9,7 +9,6 @@ namespace
 {
 using namespace tile_geometry;
 constexpr std::size_t kSize = SensorTile::kSize;
-constexpr float kLn2 = 0.693147181F;
 
 /// Exponent to base 2 of the Gaussian of sharp prepared `at` for robot i.
 template <bool Bearing, bool Range>
@@ -68,21 +67,6 @@ struct LogMixtures
       for (int k = 0; k < Count; ++k)
         product *= at[k].peak * vector_math::exp2Of(sharpExponent<Bearing, Range>(tile, i, at[k])) + at[k].floor;
       log_sum[i] += vector_math::logOf(product);
-    }
-  }
-};
-
-struct LogGaussians
-{
-  template <int Count, bool Bearing, bool Range>
-  [[gnu::always_inline]] static void over(const SensorTile& tile, const PreparedDetection* at, float* log_sum)
-  {
-    MRPT_EXT_INDEPENDENT_ITERATIONS
-    for (std::size_t i = 0; i < kSize; ++i)
-    {
-      float sum = 0;
-      for (int k = 0; k < Count; ++k) sum += sharpExponent<Bearing, Range>(tile, i, at[k]);
-      log_sum[i] += kLn2 * sum;
     }
   }
 };
@@ -180,13 +164,6 @@ void addLogMixtures(const SensorTile& tile, std::span<const PreparedDetection> d
                     int together, SensorTile::Column& log_sum)
 {
   ofKind<LogMixtures>(kind, tile, detections, together, log_sum);
-}
-
-MRPT_EXT_VECTOR_CLONES
-void addLogGaussians(const SensorTile& tile, std::span<const PreparedDetection> detections, DetectionKind kind,
-                     SensorTile::Column& log_sum)
-{
-  ofKind<LogGaussians>(kind, tile, detections, 8, log_sum);
 }
 
 MRPT_EXT_VECTOR_CLONES

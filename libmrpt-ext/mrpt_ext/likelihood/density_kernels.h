@@ -18,10 +18,6 @@ void addLogMixtures(const SensorTile& tile, std::span<const PreparedDetection> d
 /// How many factors between `floor` and 2 have a product that is a normal number in single precision: 8, 4 or 1.
 [[nodiscard]] constexpr int factorsPerLogarithm(float floor) { return floor > 3e-5F ? 8 : floor > 1e-9F ? 4 : 1; }
 
-/// log_sum += sum of the Gaussians' exponents, as if there were no clutter. For sharp detections of this kind.
-void addLogGaussians(const SensorTile& tile, std::span<const PreparedDetection> detections, DetectionKind kind,
-                     SensorTile::Column& log_sum);
-
 /// sum += sum over the detections of peak 2^x. For sharp detections of this kind.
 void addDensities(const SensorTile& tile, std::span<const PreparedDetection> detections, DetectionKind kind,
                   SensorTile::Column& sum);

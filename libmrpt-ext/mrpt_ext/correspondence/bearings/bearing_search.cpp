@@ -312,22 +312,9 @@ class SearchRun
 
 PoseSearchResult BearingSearch::search(std::span<const Scan> scans, const PoseSearchOptions& options) const
 {
-  PoseSearchResult nothing;
-  if (!areUsable(scans)) nothing.status = SolveStatus::bad_input;
   const SearchInput input(scans, DirectionTable::kMaxBearings);
   std::vector<ScanBearing> bearings = gatherBearings(input.scans());
-  if (nothing.status == SolveStatus::bad_input || bearings.size() < 3) return nothing;
-  if (map_.size() < 3)
-  {
-    nothing.status = SolveStatus::none;
-    return nothing;
-  }
-  if (!input.isPromising(map_.size()))
-  {
-    nothing.status = SolveStatus::none;
-    nothing.finished = false;
-    return nothing;
-  }
+  if (const auto nothing = input.resultWithoutSearch(bearings.size(), 3, map_.size())) return *nothing;
   WorkBudget own;
   WorkBudget budget =
       WorkBudget::partOf(options.budget != nullptr ? *options.budget : own, mostSearchWork(map_.size()));

@@ -326,23 +326,9 @@ class PointSearchRun
 
 PoseSearchResult PointSearch::search(std::span<const Scan> scans, const PoseSearchOptions& options) const
 {
-  PoseSearchResult nothing;
-  if (!areUsable(scans)) nothing.status = SolveStatus::bad_input;
-  if (nothing.status == SolveStatus::bad_input) return nothing;
   const SearchInput input(scans, kMostPoints);
   std::vector<ScanPoint> points = gatherPoints(input.scans(), options.gate);
-  if (points.size() < 2) return nothing;
-  if (map_.size() < 2)
-  {
-    nothing.status = SolveStatus::none;
-    return nothing;
-  }
-  if (!input.isPromising(map_.size()))
-  {
-    nothing.status = SolveStatus::none;
-    nothing.finished = false;
-    return nothing;
-  }
+  if (const auto nothing = input.resultWithoutSearch(points.size(), 2, map_.size())) return *nothing;
   WorkBudget own;
   WorkBudget budget =
       WorkBudget::partOf(options.budget != nullptr ? *options.budget : own, mostSearchWork(map_.size()));
