@@ -57,6 +57,19 @@ TEST(ClockCheck, OdometryThatMissesAPartIsANote)
   EXPECT_TRUE(input.notes[0].starts_with("odometry covers only 40 %")) << input.notes[0];
 }
 
+TEST(ClockCheck, MillisecondsAreSuspected)
+{
+  LocalizationInput input = logFrom(0, 100'000);
+  input.context.odometry = posesFrom(0, 100);
+  checkClocks(input);
+  ASSERT_EQ(input.notes.size(), 1u);
+  EXPECT_TRUE(input.notes[0].ends_with("the times of the detections look like milliseconds, expected seconds"))
+      << input.notes[0];
+  LocalizationInput truth = logFrom(0, 100);
+  truth.context.truth = posesFrom(1'000'000, 100'000);
+  EXPECT_NE(errorOf(truth).find("the times of the truth look like milliseconds"), std::string::npos) << errorOf(truth);
+}
+
 TEST(ClockCheck, ATruthWithAnotherClockIsAnErrorForAWholeLog)
 {
   LocalizationInput input = logFrom(1000, 100);

@@ -76,6 +76,16 @@ TEST(DescribeRecording, CountsRepeatedIds)
             lines.end());
 }
 
+TEST(DescribeRecording, CountsCategoriesThatNoLandmarkHas)
+{
+  Recording recording = smallRecording();
+  recording.records.push_back(
+      readingOf(3, "c", {{kNoId, "pole", 0.1, 2.0, 0.01, 0.1}, {kNoId, "pillar", 0.2, 2.0, 0.01, 0.1}}));
+  const auto lines = describe(recording);
+  EXPECT_NE(std::find(lines.begin(), lines.end(), "sensor c: 1 detections have a category that no landmark has"),
+            lines.end());
+}
+
 TEST(DescribeRecording, CountsRatesGapsAndUnknownIds)
 {
   const auto lines = describe(smallRecording());

@@ -1,6 +1,7 @@
 #include "mrpt_ext/experiment/clock_check.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "mrpt_ext/geometry/formatted.h"
 #include "mrpt_ext/geometry/input_error.h"
@@ -16,6 +17,26 @@ struct TimeSpan
 };
 
 std::string spanText(const TimeSpan& span) { return formatted("%.1f to %.1f s", span.from, span.to); }
+
+/// What to suspect where one clock runs a power of a thousand faster than the other (durations alike within 20 %).
+std::string unitHint(const std::string& name, const TimeSpan& span, const TimeSpan& other)
+{
+  struct Unit
+  {
+    double per_second;
+    const char* name;
+  };
+  for (const Unit& unit : {Unit{1e3, "milliseconds"}, Unit{1e6, "microseconds"}, Unit{1e9, "nanoseconds"}})
+    if (std::abs((span.to - span.from) / unit.per_second / (other.to - other.from) - 1) < 0.2)
+      return "; the times of the " + name + " look like " + unit.name + ", expected seconds";
+  return {};
+}
+
+/// The same for either of them.
+std::string unitHint(const std::string& a_name, const TimeSpan& a, const std::string& b_name, const TimeSpan& b)
+{
+  return unitHint(a_name, a, b) + unitHint(b_name, b, a);
+}
 
 /// Length of the part of `of` that `other` has in common with it; negative: the gap between them.
 double common(const TimeSpan& of, const TimeSpan& other)
@@ -39,16 +60,17 @@ void checkOdometry(LocalizationInput& input, const TimeSpan& detections)
   const Trajectory& odometry = input.context.odometry;
   if (odometry.size() < 2 || input.config.frames.independent) return;
   const TimeSpan measured{odometry.front().time, odometry.back().time};
+  const std::string hint = unitHint("detections", detections, "odometry", measured);
   const double shared = common(detections, measured), length = detections.to - detections.from;
   if (shared < 0)
     throw dataError(input.context.rawlog_path + ": odometry has the times " + spanText(measured) +
                     ", the detections have " + spanText(detections) +
                     ": expected one clock, correct the stamps of one of them" +
-                    formatted(" (the starts are %.1f s apart)", detections.from - measured.from));
+                    formatted(" (the starts are %.1f s apart)", detections.from - measured.from) + hint);
   if (shared < 0.9 * length)
     input.notes.push_back(
         formatted("odometry covers only %.0f %% of the time of the detections: ", 100 * shared / length) +
-        spanText(measured) + " of " + spanText(detections));
+        spanText(measured) + " of " + spanText(detections) + hint);
 }
 
 void checkTruth(const LocalizationInput& input)
@@ -60,7 +82,8 @@ void checkTruth(const LocalizationInput& input)
       truth{context.truth.front().time, context.truth.back().time};
   if (common(log, truth) < 0)
     throw dataError("the ground truth has the times " + spanText(truth) + ", the log " + context.rawlog_path + " has " +
-                    spanText(log) + ": expected one clock, correct the stamps of the truth");
+                    spanText(log) + ": expected one clock, correct the stamps of the truth" +
+                    unitHint("truth", truth, "log", log));
 }
 }  // namespace
 

@@ -36,9 +36,9 @@ struct SensorSeries
 {
   Series stamps;
   std::vector<double> times;
-  std::size_t detections = 0, bearings = 0, ranges = 0, unknown_ids = 0, duplicates = 0;
+  std::size_t detections = 0, bearings = 0, ranges = 0, unknown_ids = 0, unknown_categories = 0, duplicates = 0;
 
-  void add(const Reading& reading, const LandmarkTable& map)
+  void add(const Reading& reading, const LandmarkTable& map, const std::set<std::string>& categories)
   {
     stamps.add(reading.time);
     times.push_back(reading.time);
@@ -49,6 +49,8 @@ struct SensorSeries
       bearings += detection.bearing.has_value();
       ranges += detection.range.has_value();
       unknown_ids += detection.id != kNoId && !map.indexOf(detection.id);
+      unknown_categories +=
+          detection.id == kNoId && !detection.category.empty() && !categories.contains(detection.category);
       duplicates += detection.id != kNoId && !identified.insert(detection.id).second;
     }
   }
@@ -88,6 +90,8 @@ void noteCount(Recording& recording, std::size_t count, const std::string& what)
 
 std::vector<std::string> describe(const Recording& recording)
 {
+  std::set<std::string> categories;
+  for (const Landmark& landmark : recording.map.all()) categories.insert(landmark.category);
   Series odometry;
   std::vector<double> odometry_times;
   std::map<std::string, SensorSeries> sensors;
@@ -99,7 +103,8 @@ std::vector<std::string> describe(const Recording& recording)
       odometry.add(timeOf(record));
       odometry_times.push_back(timeOf(record));
     }
-    if (const auto* reading = std::get_if<Reading>(&record)) sensors[reading->sensor].add(*reading, recording.map);
+    if (const auto* reading = std::get_if<Reading>(&record))
+      sensors[reading->sensor].add(*reading, recording.map, categories);
     if (const auto* fix = std::get_if<RunningFixReading>(&record))
       others["running fixes " + fix->sensor].add(fix->time);
     if (const auto* compass = std::get_if<CompassRecord>(&record))
@@ -116,6 +121,9 @@ std::vector<std::string> describe(const Recording& recording)
       lines.push_back(label + std::to_string(series.duplicates) + " detections repeat an id of the same reading");
     if (series.unknown_ids > 0)
       lines.push_back(label + std::to_string(series.unknown_ids) + " detections have an id that is not in the map");
+    if (series.unknown_categories > 0)
+      lines.push_back(label + std::to_string(series.unknown_categories) +
+                      " detections have a category that no landmark has");
   }
   for (const auto& [name, series] : others) lines.push_back(name + ": " + std::to_string(series.count) + series.text());
   lines.push_back(describeTruth(recording.truth));
