@@ -35,6 +35,8 @@ const std::map<std::string, Names> kAllowed{
     {"settings", {"geometry", "files"}},
     {"frames", {"geometry"}},
     {"configuration", {"geometry", "files", "settings", "frames", "evaluation", "filter", "localizers", "simulation"}},
+    {"online",
+     {"geometry", "files", "correspondence", "filter", "localizers", "settings", "frames", "configuration"}},
     {"rawlog", {"geometry", "files", "frames", "importers", "observations"}},
     {"front_ends", {"geometry", "files", "settings", "rawlog", "observations", "solvers", "vision"}},
     {"scene", {"geometry", "files", "evaluation", "localizers", "maps", "display"}},

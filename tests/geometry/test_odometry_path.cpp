@@ -38,6 +38,24 @@ TEST(OdometryPath, InterpolatesBetweenRecordsAndAcrossTheSeam)
   EXPECT_EQ(path.trajectory().size(), 4u);
 }
 
+TEST(OdometryPath, ForgettingTheOldChangesNothingLater)
+{
+  OdometryPath whole, recent;
+  for (int k = 0; k < 5000; ++k)
+  {
+    const OdometryRecord record{0.1 * k, {0.05 * k, std::sin(0.01 * k), 0.02 * k}};
+    whole.add(record);
+    recent.add(record);
+    if (k > 10) recent.forgetBefore(0.1 * k - 0.95);
+  }
+  EXPECT_LT(recent.trajectory().size(), 1100u);
+  const OdometryMotion a = whole.between(499.02, 499.67), b = recent.between(499.02, 499.67);
+  EXPECT_EQ(a.increment.x, b.increment.x);
+  EXPECT_EQ(a.increment.phi, b.increment.phi);
+  EXPECT_EQ(a.path_length, b.path_length);
+  EXPECT_EQ(a.turned, b.turned);
+}
+
 TEST(OdometryPath, StandsStillBeforeTheFirstAndAfterTheLast)
 {
   const OdometryPath path(kRecords, {});

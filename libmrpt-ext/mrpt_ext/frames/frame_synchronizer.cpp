@@ -7,6 +7,8 @@ namespace mrpt_ext
 {
 namespace
 {
+constexpr double kRounding = 1e-6;  // [s] of stamps with a delay
+
 /// Takes the detections of objects out of a reading; returns them as a reading of their own.
 Reading splitObjects(Reading& reading, const std::set<std::string>& categories)
 {
@@ -57,16 +59,43 @@ FrameSynchronizer::FrameSynchronizer(RecordStream records, const LandmarkTable& 
 {
 }
 
+FrameSynchronizer::FrameSynchronizer(const LandmarkTable& map, const FrameOptions& options, const LogOverview& overview,
+                                     double lateness)
+    : map_(map),
+      options_(options),
+      overview_(overview),
+      queue_(disorder(options.sensors) + lateness),
+      ranges_(overview.fix_span)
+{
+}
+
 std::optional<Frame> FrameSynchronizer::next()
+{
+  while (!readyStamp())
+  {
+    if (ended_)
+    {
+      stamp_ = std::numeric_limits<double>::infinity();
+      return std::nullopt;
+    }
+    if (const auto record = records_())
+      push(*record);
+    else
+      close();
+  }
+  return pop();
+}
+
+std::optional<double> FrameSynchronizer::readyStamp() const
 {
   // Objects within the window of the frame, and ranges at the times of its fixes, may still arrive.
   const double settled = std::max(options_.window, LoggedRanges::kSameTime);
-  while (!ended_ && (closed_.empty() || now_ - closed_.front().time <= settled)) advance();
-  if (closed_.empty())
-  {
-    stamp_ = std::numeric_limits<double>::infinity();
-    return std::nullopt;
-  }
+  if (closed_.empty() || !(now_ - closed_.front().time > settled)) return std::nullopt;
+  return closed_.front().time;
+}
+
+Frame FrameSynchronizer::pop()
+{
   Frame frame = std::move(closed_.front());
   closed_.pop_front();
   complete(frame);
@@ -85,22 +114,25 @@ std::vector<Frame> FrameSynchronizer::takeObjectFrames()
   return taken;
 }
 
-/// Processes one record of the queue, or the end of the log.
+void FrameSynchronizer::push(const Record& record)
+{
+  configure(record);
+  if (std::holds_alternative<OdometryRecord>(record)) queue_.passTo(timeOf(record));
+  advance();
+}
+
+void FrameSynchronizer::close()
+{
+  queue_.close();
+  ended_ = true;
+  advance();
+}
+
+/// Takes what no record can precede any more.
 void FrameSynchronizer::advance()
 {
-  while (!queue_.canPop() && !ended_)
-  {
-    if (const auto record = records_())
-      configure(*record);
-    else
-    {
-      queue_.close();
-      ended_ = !queue_.canPop();
-      if (!ended_) break;
-    }
-  }
-  if (!ended_) return take(queue_.pop().record);
-  now_ = std::numeric_limits<double>::infinity();
+  while (queue_.canPop()) take(queue_.pop().record);
+  now_ = std::max(now_, ended_ ? std::numeric_limits<double>::infinity() : queue_.settledTime());
   closeOver(open_, closed_);
   closeOver(open_objects_, closed_objects_);
 }
@@ -109,11 +141,19 @@ void FrameSynchronizer::configure(const Record& record)
 {
   const auto ignored = [&](const std::string& label) { return configOf(options_.sensors, label).ignore; };
   if (const auto* reading = std::get_if<Reading>(&record); reading && !ignored(reading->sensor))
-    queue_.push({.record = configured(*reading, options_.sensors, map_, unusable_)});
+    enqueue(configured(*reading, options_.sensors, map_, unusable_), reading->sensor);
   if (const auto* fix = std::get_if<RunningFixReading>(&record); fix && !ignored(fix->sensor))
-    if (auto usable = configured(*fix, options_.sensors, map_, unusable_)) queue_.push({.record = std::move(*usable)});
+    if (auto usable = configured(*fix, options_.sensors, map_, unusable_)) enqueue(std::move(*usable), fix->sensor);
   if (const auto* compass = std::get_if<CompassRecord>(&record); compass && !ignored(compass->sensor))
-    queue_.push({.record = configured(*compass, options_.sensors)});
+    enqueue(configured(*compass, options_.sensors), compass->sensor);
+}
+
+void FrameSynchronizer::enqueue(Record record, const std::string& sensor)
+{
+  if (timeOf(record) < now_ - kRounding)
+    ++unusable_[sensor + ": later than records may arrive"];
+  else
+    queue_.push({.record = std::move(record)});
 }
 
 void FrameSynchronizer::take(Record record)

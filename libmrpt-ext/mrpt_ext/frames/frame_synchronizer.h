@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -28,18 +29,33 @@ struct FrameOptions
 /// Frames in the order of time, one per call; nothing at the end.
 using FrameStream = std::function<std::optional<Frame>()>;
 
-/// Turns records into frames while they are read: applies the configuration of the sensors, moves readings within the
-/// window to the stamp of the last one by odometry, sums up the motion between frames. Memory
-/// depends on the window and on the differences of the sensors' delays, not on the length of the log.
+/// Turns records into frames as they come: applies the configuration of the sensors, moves readings within the window
+/// to the stamp of the last one by odometry, sums up the motion between frames. Memory depends on the window and on the
+/// differences of the sensors' delays, not on the length of the log. Records are read from a stream by next(), or
+/// pushed.
 class FrameSynchronizer
 {
  public:
   /// All arguments must outlive the synchronizer.
   FrameSynchronizer(RecordStream records, const LandmarkTable& map, const FrameOptions& options,
                     const LogOverview& overview);
+  /// For records that are pushed: each may be up to `lateness` [s] older than the newest one before it.
+  FrameSynchronizer(const LandmarkTable& map, const FrameOptions& options, const LogOverview& overview,
+                    double lateness);
 
-  /// The next frame; its readings are empty only where missed detections count.
+  /// The next frame of the stream; its readings are empty only where missed detections count.
   [[nodiscard]] std::optional<Frame> next();
+
+  /// Takes a record; one that is older than `lateness` allows is counted as unusable. Of odometry the time alone
+  /// matters, as the news that what was measured before has come: its poses are those of the overview.
+  void push(const Record& record);
+  /// No record will follow.
+  void close();
+  /// Stamp [s] of the next frame, once no record can change it any more.
+  [[nodiscard]] std::optional<double> readyStamp() const;
+  /// That frame; the odometry of the overview must reach its stamp.
+  [[nodiscard]] Frame pop();
+
   /// Detections of objects since the last call, up to the last frame returned; all after the end. Without motions.
   [[nodiscard]] std::vector<Frame> takeObjectFrames();
 
@@ -53,8 +69,9 @@ class FrameSynchronizer
     Frame frame;
     double first_time = 0;
   };
-  void advance();
   void configure(const Record& record);
+  void enqueue(Record record, const std::string& sensor);
+  void advance();
   void take(Record record);
   void take(Reading reading);
   void closeOver(std::optional<OpenFrame>& open, std::deque<Frame>& closed) const;
@@ -67,7 +84,7 @@ class FrameSynchronizer
   const LogOverview& overview_;
   ReorderBuffer queue_;  // configured delays disturb the order of time
   LoggedRanges ranges_;
-  double now_ = 0;  // [s] everything before has left the queue
+  double now_ = -std::numeric_limits<double>::infinity();  // [s] everything before has left the queue
   bool ended_ = false;
   std::optional<OpenFrame> open_, open_objects_;
   std::deque<Frame> closed_, closed_objects_;

@@ -26,7 +26,7 @@ void ReorderBuffer::push(LoggedRecord record)
 
 bool ReorderBuffer::canPop() const
 {
-  return !heap_.empty() && (closed_ || timeOf(heap_.front().record) < newest_ - window_);
+  return !heap_.empty() && (closed_ || timeOf(heap_.front().record) < settledTime());
 }
 
 LoggedRecord ReorderBuffer::pop()

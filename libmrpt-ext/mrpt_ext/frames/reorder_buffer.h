@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -25,13 +26,17 @@ class ReorderBuffer
   explicit ReorderBuffer(double window) : window_(window) {}
 
   void push(LoggedRecord record);
+  /// The time is `time`: what may leave then, may leave.
+  void passTo(double time) { newest_ = std::max(newest_, time); }
   /// The log has ended: everything may leave.
   void close() { closed_ = true; }
   [[nodiscard]] bool canPop() const;
   [[nodiscard]] LoggedRecord pop();
   [[nodiscard]] double newestTime() const { return newest_; }
+  /// No record before this time can be pushed any more.
+  [[nodiscard]] double settledTime() const { return newest_ - window_; }
   /// True if a record of this time arrives too late to be sorted.
-  [[nodiscard]] bool isTooLate(double time) const { return time < newest_ - window_; }
+  [[nodiscard]] bool isTooLate(double time) const { return time < settledTime(); }
 
  private:
   double window_;

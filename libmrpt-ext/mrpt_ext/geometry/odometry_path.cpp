@@ -42,12 +42,24 @@ void OdometryPath::add(const OdometryRecord& record)
   path_.push_back({record.time + correction_.delay, compose(path_.back().pose, step), true});
 }
 
+void OdometryPath::forgetBefore(double time)
+{
+  constexpr std::ptrdiff_t kFew = 1000;  // are not worth moving the others
+  const auto needed =
+      std::partition_point(path_.begin(), path_.end(), [time](const TimedPose& entry) { return entry.time <= time; });
+  const std::ptrdiff_t old = needed - path_.begin() - 1;  // one at or before `time` remains
+  if (old < kFew) return;
+  path_.erase(path_.begin(), path_.begin() + old);
+  length_.erase(length_.begin(), length_.begin() + old);
+  turned_.erase(turned_.begin(), turned_.begin() + old);
+}
+
 OdometryPath::PathPoint OdometryPath::pointAt(double time) const
 {
   if (path_.empty()) return {};
   const auto after = std::upper_bound(path_.begin(), path_.end(), time,
                                       [](double wanted, const TimedPose& entry) { return wanted < entry.time; });
-  if (after == path_.begin()) return {path_.front().pose, 0, 0};
+  if (after == path_.begin()) return {path_.front().pose, length_.front(), turned_.front()};
   const auto i = static_cast<std::size_t>(after - path_.begin()) - 1;
   if (after == path_.end()) return {path_[i].pose, length_[i], turned_[i]};
   const double share = (time - path_[i].time) / (path_[i + 1].time - path_[i].time);

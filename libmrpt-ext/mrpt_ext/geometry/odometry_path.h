@@ -17,7 +17,8 @@ struct OdometryCorrection
   double delay = 0;           ///< [s] added to the stamps
 };
 
-/// Dead-reckoned trajectory of a whole log: the pose at any time, and the motion between two times.
+/// Dead-reckoned trajectory of a whole log, or of its newest part: the pose at any time, and the motion between two
+/// times.
 class OdometryPath
 {
  public:
@@ -28,6 +29,8 @@ class OdometryPath
 
   /// A record that is not earlier than those before.
   void add(const OdometryRecord& record);
+  /// Later calls concern `time` and what follows: the records before it may be dropped.
+  void forgetBefore(double time);
   [[nodiscard]] bool empty() const { return path_.empty(); }
   /// Interpolated between records; constant before the first and after the last.
   [[nodiscard]] Pose2 at(double time) const;

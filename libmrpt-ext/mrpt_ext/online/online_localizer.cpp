@@ -1,0 +1,241 @@
+#include "mrpt_ext/online/online_localizer.h"
+
+#include <algorithm>
+
+#include "mrpt_ext/configuration/localization_keys.h"
+#include "mrpt_ext/correspondence/global_pose_search.h"
+#include "mrpt_ext/files/landmark_csv.h"
+#include "mrpt_ext/geometry/arc_motion.h"
+#include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/geometry/physical_limits.h"
+#include "mrpt_ext/online/online_snapshot.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kLongestFix = 60;  // [s] between the two ranges of a running fix, to notice ranges logged twice
+const std::string kMapSection = "MetricMap_landmarkMap2D_00_creationOpts";
+
+LandmarkTable mapOf(const Settings& settings, const std::filesystem::path& map)
+{
+  if (!map.empty()) return readLandmarkCsv(map);
+  if (settings.hasValue(kMapSection, "landmarks_file"))
+    return readLandmarkCsv(settings.existingPath(kMapSection, "landmarks_file"));
+  throw configurationError(settings.file().string() + ": [" + kMapSection + "] landmarks_file is not set");
+}
+/// By odometry, with its noise.
+GaussianPose moved(const GaussianPose& pose, const OdometryPath& odometry, double from, double to,
+                   const MotionModel& model)
+{
+  const OdometryMotion motion = odometry.between(from, to);
+  return compound(pose, nominalMotion(model, motion).increment, incrementCovariance(model, motion));
+}
+}  // namespace
+
+OnlineOptions onlineOptions(const LocalizationConfig& config)
+{
+  return {.filter = config.filter, .frames = config.frames, .seed_window = config.seed_window, .seed = config.seed};
+}
+
+OnlineLocalizer OnlineLocalizer::fromIni(const std::filesystem::path& ini, const std::filesystem::path& map)
+{
+  const Settings settings = Settings::load(ini, localizationKeys());
+  const LandmarkTable landmarks = mapOf(settings, map);
+  return {onlineOptions(localizationConfig(settings, landmarks)), landmarks};
+}
+
+OnlineLocalizer::OnlineLocalizer(const OnlineOptions& options, const LandmarkTable& map)
+    : options_(options),
+      map_(map),
+      overview_{.odometry = OdometryPath(options.frames.odometry), .fix_span = kLongestFix},
+      frames_(map_, options_.frames, overview_, options.lateness),
+      search_(std::make_shared<const GlobalPoseSearch>(map_)),
+      recent_(options.frames.odometry)
+{
+  restart({}, 0);
+}
+
+void OnlineLocalizer::addOdometry(double t, const Pose2& pose) { add(OdometryRecord{t, pose}); }
+
+void OnlineLocalizer::addVelocity(double t, double v, double omega)
+{
+  OdometryRecord next{t, {}};
+  {
+    const std::lock_guard lock(exchange_);
+    if (last_odometry_)
+      next.pose = compose(last_odometry_->pose, arcMotion(forward_, angular_, std::max(0.0, t - last_odometry_->time)));
+    forward_ = v;
+    angular_ = omega;
+  }
+  add(next);
+}
+
+void OnlineLocalizer::addDetections(double t, const std::string& sensor, std::vector<Detection> detections,
+                                    const Pose2& T_robot_sensor, double sensor_height)
+{
+  add(Reading{.time = t,
+              .sensor = sensor,
+              .T_robot_sensor = T_robot_sensor,
+              .sensor_height = sensor_height,
+              .detections = std::move(detections)});
+}
+
+void OnlineLocalizer::add(Record record)
+{
+  if (const std::string why = whyImpossible(record); !why.empty()) throw dataError(why);
+  const std::lock_guard lock(exchange_);
+  if (const auto* odometry = std::get_if<OdometryRecord>(&record))
+  {
+    if (last_odometry_ && odometry->time < last_odometry_->time)
+    {
+      ++late_odometry_;
+      return;
+    }
+    last_odometry_ = *odometry;
+    recent_.add(*odometry);
+  }
+  inbox_.push_back(std::move(record));
+}
+
+void OnlineLocalizer::post(Event event)
+{
+  const std::lock_guard lock(exchange_);
+  inbox_.push_back(std::move(event));
+}
+
+void OnlineLocalizer::take(const Event& event)
+{
+  if (const auto* restart = std::get_if<Restart>(&event)) return restarts_.push_back(*restart);
+  const Record& record = std::get<Record>(event);
+  if (const auto* odometry = std::get_if<OdometryRecord>(&record)) overview_.odometry.add(*odometry);
+  newest_ = std::max(newest_, timeOf(record));
+  frames_.push(record);
+}
+
+std::vector<OnlineEstimate> OnlineLocalizer::estimates()
+{
+  const std::lock_guard work(work_);
+  std::vector<Event> events;
+  {
+    const std::lock_guard lock(exchange_);
+    events.swap(inbox_);
+  }
+  std::vector<OnlineEstimate> finished;
+  for (const Event& event : events)
+  {
+    take(event);
+    processReady(finished);
+  }
+  return finished;
+}
+
+std::vector<OnlineEstimate> OnlineLocalizer::finish()
+{
+  std::vector<OnlineEstimate> finished = estimates();
+  const std::lock_guard work(work_);
+  newest_ = std::numeric_limits<double>::infinity();
+  frames_.close();
+  processReady(finished);
+  return finished;
+}
+
+void OnlineLocalizer::processReady(std::vector<OnlineEstimate>& finished)
+{
+  while (const auto stamp = frames_.readyStamp())
+  {
+    if (!odometryReaches(*stamp)) return;
+    finished.push_back(process(frames_.pop()));
+    static_cast<void>(frames_.takeObjectFrames());
+    overview_.odometry.forgetBefore(*stamp);
+  }
+}
+
+bool OnlineLocalizer::odometryReaches(double stamp) const
+{
+  const Trajectory& odometry = overview_.odometry.trajectory();
+  return options_.frames.independent || odometry.empty() || odometry.back().time >= stamp ||
+         newest_ - stamp > options_.odometry_wait;
+}
+
+OnlineEstimate OnlineLocalizer::process(const Frame& frame)
+{
+  for (; !restarts_.empty() && restarts_.front().time <= frame.time; restarts_.pop_front())
+    restart(restarts_.front(), frame.time);
+  const Estimate estimate = filter_->process(frame);
+  const FilterStep& step = filter_->lastStep();
+  {
+    const std::lock_guard lock(exchange_);
+    newest_estimate_ = estimate.point;
+    recent_.forgetBefore(frame.time);
+  }
+  return {.time = frame.time,
+          .best = estimate.point,
+          .modes = step.modes.modes,
+          .verdict = step.verdict,
+          .reason = step.reason,
+          .biases = step.biases};
+}
+
+void OnlineLocalizer::restart(const Restart& restart, double time)
+{
+  ParticleFilterOptions filter = options_.filter;
+  if (starts_ > 0 && !restart.pose && filter.initial_mode == InitialMode::gaussian)
+    filter.initial_mode = InitialMode::analytic;
+  if (restart.pose)
+  {
+    const Trajectory& odometry = overview_.odometry.trajectory();
+    const double first = odometry.empty() ? time : std::min(time, odometry.front().time);
+    filter.initial_mode = InitialMode::gaussian;
+    filter.initial_pose = moved(*restart.pose, overview_.odometry, std::max(first, restart.time), time, filter.motion);
+  }
+  for (std::size_t k = 0; k < restart.biases.size(); ++k)
+  {
+    filter.biases[k].mean = restart.biases[k].mean;
+    filter.biases[k].std = restart.biases[k].std;
+  }
+  filter_ =
+      std::make_unique<ParticleFilterLocalizer>(filter, map_, options_.seed_window, options_.seed, starts_++, search_);
+}
+
+std::optional<PoseEstimate> OnlineLocalizer::poseAt(double t) const
+{
+  const std::lock_guard lock(exchange_);
+  if (!newest_estimate_ || t <= newest_estimate_->time || !newest_estimate_->heading_known) return newest_estimate_;
+  PoseEstimate estimate = *newest_estimate_;
+  estimate.pose = moved(estimate.pose, recent_, estimate.time, t, options_.filter.motion);
+  estimate.time = t;
+  return estimate;
+}
+
+void OnlineLocalizer::reset(double t, const std::optional<GaussianPose>& pose) { post(Restart{t, pose, {}}); }
+
+std::string OnlineLocalizer::snapshot() const
+{
+  const std::lock_guard work(work_);
+  const std::lock_guard lock(exchange_);
+  OnlineSnapshot saved;
+  if (newest_estimate_ && newest_estimate_->verdict == Verdict::ok && newest_estimate_->heading_known)
+    saved.pose = newest_estimate_->pose;
+  saved.biases = filter_->lastStep().biases;
+  return textOf(saved);
+}
+
+void OnlineLocalizer::restore(const std::string& snapshot)
+{
+  OnlineSnapshot saved = snapshotFrom(snapshot);
+  if (!saved.biases.empty() && saved.biases.size() != options_.filter.biases.size())
+    throw dataError("snapshot: it has " + std::to_string(saved.biases.size()) + " systematic errors, expected the " +
+                    std::to_string(options_.filter.biases.size()) + " of this configuration");
+  post(Restart{-std::numeric_limits<double>::infinity(), saved.pose, std::move(saved.biases)});
+}
+
+UnusableDetections OnlineLocalizer::unusable() const
+{
+  const std::lock_guard work(work_);
+  UnusableDetections counts = frames_.unusable();
+  const std::lock_guard lock(exchange_);
+  if (late_odometry_ > 0) counts["odometry: older than the record before"] = late_odometry_;
+  return counts;
+}
+}  // namespace mrpt_ext
