@@ -1,6 +1,6 @@
 #pragma once
 
-#include <mrpt/opengl/opengl_frwds.h>
+#include <mrpt/opengl/COpenGLScene.h>  // which names the scene in 2.5 to 2.15; the forward declarations do not
 
 #include <filesystem>
 #include <memory>
