@@ -199,6 +199,22 @@ TEST(OnlineLocalizer, ResetPutsItWhereItIsTold)
   EXPECT_NE(unknown.back().verdict, Verdict::ok);
 }
 
+TEST(OnlineLocalizer, AnotherMapKeepsThePose)
+{
+  OnlineLocalizer robot(roomOptions(), kMap);
+  (void)fed(robot, driveUntil(4));
+  robot.setMap(LandmarkTable({{9, {3, 5, 0}}}));
+  Reading reading{.time = 4.5, .sensor = "camera"};
+  reading.detections = {{.id = 9, .bearing = predictBearing(truthAt(4.5), {3, 5}), .std_bearing = degToRad(1)}};
+  robot.addOdometry(4.5, truthAt(4.5));
+  robot.add(reading);
+  const std::vector<OnlineEstimate> estimates = robot.finish();
+  ASSERT_FALSE(estimates.empty());
+  ASSERT_TRUE(estimates.back().best);
+  EXPECT_EQ(estimates.back().time, 4.5);
+  expectAt(*estimates.back().best, truthAt(4.5));
+}
+
 TEST(OnlineLocalizer, ASnapshotLetsItGoOn)
 {
   OnlineLocalizer before(roomOptions(), kMap);

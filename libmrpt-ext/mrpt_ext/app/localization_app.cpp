@@ -1,8 +1,10 @@
 #include <charconv>
+#include <iostream>
 
 #include "mrpt_ext/app/app_shell.h"
 #include "mrpt_ext/app/apps.h"
 #include "mrpt_ext/app/calibration_run.h"
+#include "mrpt_ext/app/live_run.h"
 #include "mrpt_ext/app/localization_run.h"
 #include "mrpt_ext/app/shell_quote.h"
 #include "mrpt_ext/configuration/localization_keys.h"
@@ -37,7 +39,7 @@ struct LocalizationOptions
 {
   std::string config, rawlog, map, truth, trials;
   int repeat = 0;
-  bool diagnose = false;
+  bool diagnose = false, live = false;
   LocalizationRequest request;
   std::filesystem::path calibrated;
 };
@@ -90,6 +92,10 @@ void addOptions(CommandLine& line, LocalizationOptions& options)
       .add({.names = "--calibrate",
             .target = &options.calibrated,
             .help = "The same, and write these lines into this configuration (.ini)"})
+      .add({.names = "--live",
+            .target = &options.live,
+            .help = "Read measurements as JSON lines from standard input and write estimates as they become final",
+            .excludes = "--repeat"})
       .add({.names = "--dry-run", .target = &request.dry_run, .help = "Load and check everything, run nothing"});
 }
 
@@ -125,6 +131,7 @@ int runRequest(const LocalizationOptions& options, AppShell& shell)
 {
   const Settings settings = settingsOf(options, shell);
   LocalizationRequest request = options.request;
+  if (options.live) return runLive(settings, std::cin, shell.out());
   if (options.diagnose || !options.calibrated.empty())
     return runCalibration(settings, {request.window, options.calibrated, shell.options().quiet}, shell.out());
   const auto repetitions = settings.integer(kExperimentSection, "experimentRepetitions");

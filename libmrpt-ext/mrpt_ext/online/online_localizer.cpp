@@ -17,13 +17,6 @@ namespace
 constexpr double kLongestFix = 60;  // [s] between the two ranges of a running fix, to notice ranges logged twice
 const std::string kMapSection = "MetricMap_landmarkMap2D_00_creationOpts";
 
-LandmarkTable mapOf(const Settings& settings, const std::filesystem::path& map)
-{
-  if (!map.empty()) return readLandmarkCsv(map);
-  if (settings.hasValue(kMapSection, "landmarks_file"))
-    return readLandmarkCsv(settings.existingPath(kMapSection, "landmarks_file"));
-  throw configurationError(settings.file().string() + ": [" + kMapSection + "] landmarks_file is not set");
-}
 /// By odometry, with its noise.
 GaussianPose moved(const GaussianPose& pose, const OdometryPath& odometry, double from, double to,
                    const MotionModel& model)
@@ -33,6 +26,13 @@ GaussianPose moved(const GaussianPose& pose, const OdometryPath& odometry, doubl
 }
 }  // namespace
 
+LandmarkTable configuredMap(const Settings& settings)
+{
+  if (settings.hasValue(kMapSection, "landmarks_file"))
+    return readLandmarkCsv(settings.existingPath(kMapSection, "landmarks_file"));
+  throw configurationError(settings.file().string() + ": [" + kMapSection + "] landmarks_file is not set");
+}
+
 OnlineOptions onlineOptions(const LocalizationConfig& config)
 {
   return {.filter = config.filter, .frames = config.frames, .seed_window = config.seed_window, .seed = config.seed};
@@ -41,7 +41,7 @@ OnlineOptions onlineOptions(const LocalizationConfig& config)
 OnlineLocalizer OnlineLocalizer::fromIni(const std::filesystem::path& ini, const std::filesystem::path& map)
 {
   const Settings settings = Settings::load(ini, localizationKeys());
-  const LandmarkTable landmarks = mapOf(settings, map);
+  const LandmarkTable landmarks = map.empty() ? configuredMap(settings) : readLandmarkCsv(map);
   return {onlineOptions(localizationConfig(settings, landmarks)), landmarks};
 }
 
@@ -106,11 +106,23 @@ void OnlineLocalizer::post(Event event)
 
 void OnlineLocalizer::take(const Event& event)
 {
-  if (const auto* restart = std::get_if<Restart>(&event)) return restarts_.push_back(*restart);
-  const Record& record = std::get<Record>(event);
+  if (const auto* restart = std::get_if<Restart>(&event)) restarts_.push_back(*restart);
+  if (const auto* map = std::get_if<LandmarkTable>(&event)) take(*map);
+  if (const auto* record = std::get_if<Record>(&event)) take(*record);
+}
+
+void OnlineLocalizer::take(const Record& record)
+{
   if (const auto* odometry = std::get_if<OdometryRecord>(&record)) overview_.odometry.add(*odometry);
   newest_ = std::max(newest_, timeOf(record));
   frames_.push(record);
+}
+
+void OnlineLocalizer::take(const LandmarkTable& map)
+{
+  map_ = map;
+  search_ = std::make_shared<const GlobalPoseSearch>(map_);
+  restarts_.push_front(handover());
 }
 
 std::vector<OnlineEstimate> OnlineLocalizer::estimates()
@@ -210,15 +222,24 @@ std::optional<PoseEstimate> OnlineLocalizer::poseAt(double t) const
 
 void OnlineLocalizer::reset(double t, const std::optional<GaussianPose>& pose) { post(Restart{t, pose, {}}); }
 
+void OnlineLocalizer::setMap(const LandmarkTable& map) { post(map); }
+
+OnlineLocalizer::Restart OnlineLocalizer::handover() const
+{
+  const std::lock_guard lock(exchange_);
+  Restart restart{-std::numeric_limits<double>::infinity(), {}, filter_->lastStep().biases};
+  if (!newest_estimate_) return restart;
+  restart.time = newest_estimate_->time;
+  if (newest_estimate_->verdict == Verdict::ok && newest_estimate_->heading_known)
+    restart.pose = newest_estimate_->pose;
+  return restart;
+}
+
 std::string OnlineLocalizer::snapshot() const
 {
   const std::lock_guard work(work_);
-  const std::lock_guard lock(exchange_);
-  OnlineSnapshot saved;
-  if (newest_estimate_ && newest_estimate_->verdict == Verdict::ok && newest_estimate_->heading_known)
-    saved.pose = newest_estimate_->pose;
-  saved.biases = filter_->lastStep().biases;
-  return textOf(saved);
+  const Restart saved = handover();
+  return textOf(OnlineSnapshot{.pose = saved.pose, .biases = saved.biases});
 }
 
 void OnlineLocalizer::restore(const std::string& snapshot)

@@ -26,6 +26,8 @@ struct OnlineOptions
   double odometry_wait = 1;      ///< [s] that an estimate waits for odometry which reaches its time
 };
 
+/// The map that a configuration names. Throws InputError.
+[[nodiscard]] LandmarkTable configuredMap(const Settings& settings);
 /// The options of a configured app; methods, evaluation and files play no part.
 [[nodiscard]] OnlineOptions onlineOptions(const LocalizationConfig& config);
 
@@ -86,6 +88,10 @@ class OnlineLocalizer
   /// unknown one.
   void reset(double t, const std::optional<GaussianPose>& pose = std::nullopt);
 
+  /// From the next frame on the landmarks are these; an `ok` pose and the systematic errors are kept, another pose is
+  /// unknown.
+  void setMap(const LandmarkTable& map);
+
   /// What a robot that restarts needs to go on: the pose and the systematic errors, as a line of text. An estimate
   /// whose verdict is not `ok` is saved as an unknown pose.
   [[nodiscard]] std::string snapshot() const;
@@ -104,14 +110,18 @@ class OnlineLocalizer
     std::optional<GaussianPose> pose;
     std::vector<BiasEstimate> biases;  ///< empty: as configured
   };
-  using Event = std::variant<Record, Restart>;
+  using Event = std::variant<Record, Restart, LandmarkTable>;
 
   void post(Event event);
   void take(const Event& event);
+  void take(const Record& record);
+  void take(const LandmarkTable& map);
   void processReady(std::vector<OnlineEstimate>& finished);
   [[nodiscard]] bool odometryReaches(double stamp) const;
   [[nodiscard]] OnlineEstimate process(const Frame& frame);
   void restart(const Restart& restart, double time);
+  /// Pose and systematic errors as of the last estimate, for a filter that takes over.
+  [[nodiscard]] Restart handover() const;
 
   OnlineOptions options_;
   LandmarkTable map_;

@@ -1,0 +1,174 @@
+#include "mrpt_ext/app/live_run.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+
+#include "mrpt_ext/app/exit_codes.h"
+#include "mrpt_ext/configuration/localization_keys.h"
+#include "mrpt_ext/geometry/landmark_table.h"
+#include "mrpt_ext/geometry/measurement_jacobian.h"
+#include "scratch_folder.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+const LandmarkTable kMap({{1, {0, 0, 0}}, {2, {6, 0, 0}}, {3, {6, 5, 0}}, {4, {0, 5, 0}}});
+
+Pose2 truthAt(double time) { return {2 + 0.3 * time, 1, 0}; }
+
+std::string odometryLine(double time) { return Json{{"t", time}, {"odometry", {0.3 * time, 0, 0}}}.dump() + '\n'; }
+
+std::string detectionsLine(double time)
+{
+  Json line{{"t", time}, {"sensor", "camera"}, {"mount", {0, 0, 0}}, {"detections", Json::array()}};
+  for (const Landmark& landmark : kMap.all())
+    line["detections"].push_back({{"id", landmark.id},
+                                  {"bearing_deg", radToDeg(predictBearing(truthAt(time), landmark.position.head<2>()))},
+                                  {"std_bearing_deg", 1}});
+  return line.dump() + '\n';
+}
+
+std::string driveUntil(double end)
+{
+  std::string lines;
+  for (int k = 0; 0.2 * k <= end; ++k) lines += odometryLine(0.2 * k) + detectionsLine(0.2 * k);
+  return lines;
+}
+
+class LiveRunTest : public ::testing::Test
+{
+ protected:
+  LiveRunTest()
+  {
+    writeLandmarks();
+    settings_ = Settings::parse(
+        "[LocalizationExperiment]\nparticles_count = 500\ninitial_particles_count = 4000\n"
+        "[MetricMap_landmarkMap2D_00_creationOpts]\nlandmarks_file = map.csv\n",
+        folder_.path() / "live.ini", localizationKeys());
+  }
+
+  void writeLandmarks()
+  {
+    std::string text = "id,x,y\n";
+    for (const Landmark& landmark : kMap.all())
+      text += std::to_string(landmark.id) + ',' + std::to_string(landmark.position.x()) + ',' +
+              std::to_string(landmark.position.y()) + '\n';
+    folder_.write("map.csv", text);
+  }
+
+  /// Runs over the lines; returns those of the output.
+  std::vector<Json> run(const std::string& input)
+  {
+    std::istringstream in(input);
+    std::ostringstream out;
+    exit_code_ = runLive(*settings_, in, out);
+    std::vector<Json> lines;
+    std::istringstream text(out.str());
+    for (std::string line; std::getline(text, line);) lines.push_back(Json::parse(line));
+    return lines;
+  }
+
+  testing::ScratchFolder folder_;
+  std::optional<Settings> settings_;
+  int exit_code_ = -1;
+};
+
+std::vector<Json> errorsOf(const std::vector<Json>& lines)
+{
+  std::vector<Json> errors;
+  for (const Json& line : lines)
+    if (line.contains("error")) errors.push_back(line);
+  return errors;
+}
+}  // namespace
+
+TEST_F(LiveRunTest, EstimatesAndASummaryAreLines)
+{
+  const std::vector<Json> lines = run(driveUntil(4));
+  EXPECT_EQ(exit_code_, kExitDone);
+  ASSERT_EQ(lines.size(), 22U) << "21 estimates and the end";
+  const Json& last = lines[20];
+  EXPECT_NEAR(last["t"].get<double>(), 4, 1e-9);
+  EXPECT_EQ(last["verdict"], "ok") << last["reason"];
+  EXPECT_NEAR(last["x"].get<double>(), truthAt(4).x, 0.1);
+  EXPECT_NEAR(last["phi_deg"].get<double>(), 0, 3);
+  EXPECT_EQ(last["covariance"].size(), 6U);
+  EXPECT_GE(last["modes"].size(), 1U);
+  const Json& end = lines[21]["end"];
+  EXPECT_EQ(end["lines"], 42);
+  EXPECT_EQ(end["estimates"], 21);
+  EXPECT_EQ(end["errors"], 0);
+  EXPECT_GE(end["latency_ms"]["max"].get<double>(), end["latency_ms"]["median"].get<double>());
+  EXPECT_GT(end["latency_ms"]["median"].get<double>(), 0);
+}
+
+TEST_F(LiveRunTest, AMistakeIsALineAndTheOthersCount)
+{
+  const std::string whole = driveUntil(2);
+  const std::vector<Json> lines =
+      run("no json\n" + whole + "{\"t\": 3, \"odometry\": [1, 2]}\n\n" + driveUntil(4).substr(whole.size()));
+  EXPECT_EQ(exit_code_, kExitFailed);
+  const std::vector<Json> errors = errorsOf(lines);
+  ASSERT_EQ(errors.size(), 2U);
+  EXPECT_EQ(errors[0]["line"], 1);
+  EXPECT_EQ(errors[1]["line"], 24);
+  EXPECT_EQ(errors[1]["error"], "line: 'odometry': expected [3 numbers]");
+  EXPECT_EQ(lines.back()["end"]["estimates"], 21);
+}
+
+TEST_F(LiveRunTest, EveryMistakeSaysWhatIsExpected)
+{
+  const std::map<std::string, std::string> mistakes = {
+      {"[1]", "line: expected an object {...}"},
+      {R"({"t": 1})", "line: expected 'odometry', 'velocity', 'detections', 'reset' or 'map'"},
+      {R"({"odometry": [0, 0, 0]})", "line: 't' is missing"},
+      {R"({"t": "1", "odometry": [0, 0, 0]})", "line: 't': expected a number"},
+      {R"({"t": 1, "odometry": [0, 1e9, 0]})", ""},
+      {R"({"t": 1, "odometry": [0, 0, 0], "speed": 3})", "line: unknown member 'speed'"},
+      {R"({"t": 1, "detections": []})", "line: 'sensor': expected the name of the sensor"},
+      {R"({"t": 1, "sensor": "a", "detections": [{"id": -4, "range_m": 1, "std_range_m": 1}]})",
+       "detection: 'id': expected a number from 0 to 2000000000"},
+      {R"({"t": 1, "sensor": "a", "detections": [{"id": 4}]})", "detection: expected 'bearing_deg' or 'range_m'"},
+      {R"({"t": 1, "sensor": "a", "detections": [{"bearing_deg": 4}]})", "detection: 'std_bearing_deg' is missing"},
+      {R"({"t": 1, "sensor": "a", "detections": [{"range_m": 4, "std_range_m": 0}]})",
+       "detection: 'std_range_m': expected a standard deviation > 0"},
+      {R"({"t": 1, "reset": "home"})", "line: 'reset': expected [3 numbers]"},
+      {R"({"map": [{"id": 1, "x": 1, "y": 2}, {"id": 1, "x": 3, "y": 2}]})", ""},
+      {R"({"map": [{"id": 1, "x": 1}]})", "landmark: 'y' is missing"}};
+  for (const auto& [line, message] : mistakes)
+  {
+    const std::vector<Json> errors = errorsOf(run(line + '\n'));
+    ASSERT_EQ(errors.size(), 1U) << line;
+    if (!message.empty())
+    {
+      EXPECT_EQ(errors[0]["error"], message) << line;
+    }
+  }
+}
+
+TEST_F(LiveRunTest, ResetAndMapAreTaken)
+{
+  const std::vector<Json> lines =
+      run(R"({"t": 0, "reset": [2, 1, 0], "std_m": 0.05, "std_deg": 1})"
+          "\n" +
+          driveUntil(1) +
+          R"({"map": [{"id": 7, "x": 6, "y": 3, "category": "pole"}]})"
+          "\n" +
+          R"({"t": 1.2, "reset": "unknown"})"
+          "\n" +
+          odometryLine(1.4) +
+          R"({"t": 1.4, "sensor": "camera", "detections": [{"id": 7, "bearing_deg": 20, "std_bearing_deg": 1}]})"
+          "\n");
+  EXPECT_TRUE(errorsOf(lines).empty()) << errorsOf(lines)[0];
+  ASSERT_EQ(lines.size(), 8U);
+  EXPECT_EQ(lines[0]["modes"].size(), 1U) << "the start is known";
+  EXPECT_NE(lines[6]["verdict"], "ok") << "one bearing does not tell the pose";
+}
+}  // namespace mrpt_ext
