@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "mrpt_ext/files/atomic_file.h"
+#include "mrpt_ext/files/folder_lock.h"
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/rawlog/rawlog_sink.h"
 #include "mrpt_ext/rawlog/sha256.h"
@@ -50,6 +51,18 @@ fs::path logOfDetections(const fs::path& folder, std::size_t count)
   return folder / "many.rawlog";
 }
 }  // namespace
+
+TEST(Faults, ASecondRunIntoTheSameFolderIsRefused)
+{
+  const ScratchFolder folder;
+  const Arguments run = testing::joined({kRoom, "-q", "-o", folder.path()}, kBrief);
+  {
+    const FolderLock other_program(folder.path());
+    expectRefused(localize(run), 1, "another program is writing into it");
+    EXPECT_TRUE(fs::is_empty(folder.path()));
+  }
+  EXPECT_EQ(localize(run).exit_code, 0);
+}
 
 TEST(Faults, DamagedLogsAreRefusedWithTheirRecord)
 {

@@ -22,6 +22,7 @@
 #include "mrpt_ext/experiment/trial_pool.h"
 #include "mrpt_ext/experiment/trial_runner.h"
 #include "mrpt_ext/files/atomic_file.h"
+#include "mrpt_ext/files/folder_lock.h"
 #include "mrpt_ext/files/number_format.h"
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/geometry/input_error.h"
@@ -283,6 +284,7 @@ int runLocalization(const Settings& settings, const LocalizationRequest& request
 
   const fs::path folder = outputFolder(settings, request);
   createFolder(folder);
+  const FolderLock lock(folder);
   const std::string resolved = resolvedConfiguration(settings, request.window);
   input.context.settings_sha256 = sha256OfText(resolved);
   if (request.resume) expectSameSettings(folder, resolved);

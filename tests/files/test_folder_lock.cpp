@@ -1,0 +1,53 @@
+#include "mrpt_ext/files/folder_lock.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <memory>
+
+#include "mrpt_ext/geometry/input_error.h"
+#include "scratch_folder.h"
+
+namespace mrpt_ext
+{
+TEST(FolderLock, ASecondWriterIsRefusedUntilTheFirstEnds)
+{
+  const testing::ScratchFolder folder;
+  auto first = std::make_unique<FolderLock>(folder.path());
+  try
+  {
+    const FolderLock second(folder.path());
+    FAIL() << "expected an error";
+  }
+  catch (const InputError& error)
+  {
+    EXPECT_EQ(std::string(error.what()),
+              folder.path().string() + ": another program is writing into it, expected a folder of its own (-o)");
+  }
+  first.reset();
+  const FolderLock third(folder.path());
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << "nothing is left behind";
+}
+
+TEST(FolderLock, EndsWithItsProcess)
+{
+  const testing::ScratchFolder folder;
+  const pid_t child = fork();
+  ASSERT_GE(child, 0);
+  if (child == 0)
+  {
+    const FolderLock lock(folder.path());
+    raise(SIGKILL);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFSIGNALED(status));
+  const FolderLock lock(folder.path());
+}
+
+TEST(FolderLock, AFolderThatDoesNotExistIsNoReasonToFail)
+{
+  const testing::ScratchFolder folder;
+  const FolderLock lock(folder.path() / "none");
+}
+}  // namespace mrpt_ext
