@@ -91,6 +91,19 @@ std::vector<FrameAtPose> framesAtPose(ImageSequence& images, const std::vector<i
   return found;
 }
 
+/// The first frames, for constants of the sensor that show in any of them.
+std::vector<ImageFrame> firstFrames(ImageSequence& images, std::size_t count)
+{
+  std::vector<ImageFrame> frames;
+  while (frames.size() < count)
+  {
+    auto record = images.next();
+    if (!record) break;
+    if (auto* frame = std::get_if<ImageFrame>(&*record)) frames.push_back(std::move(*frame));
+  }
+  return frames;
+}
+
 int convert(const ImageOptions& options, const Settings& settings, AppShell& shell)
 {
   const RawlogOutput files = rawlogOutput("images2rawlog", shell.options().output, {options.input});
@@ -103,6 +116,9 @@ int convert(const ImageOptions& options, const Settings& settings, AppShell& she
   if (const auto numbers = front_end->calibrationFrames(); !numbers.empty())
     for (const std::string& line : front_end->calibrate(framesAtPose(*openImages(options.input, settings), numbers)))
       print(line);
+  if (const std::size_t count = front_end->selfCalibrationFrames(); count > 0)
+    for (const std::string& line : front_end->selfCalibrate(firstFrames(*openImages(options.input, settings), count)))
+      print(line);
   const Outcome outcome = measureAll(*images, *front_end, options.debug_images, shell.err());
   if (outcome.frames == 0) throw dataError(options.input.string() + ": no images in it");
 
@@ -114,6 +130,11 @@ int convert(const ImageOptions& options, const Settings& settings, AppShell& she
   const LandmarkTable map = images->map.empty() ? front_end->landmarks() : images->map;
   if (!map.empty()) writeLandmarkCsv(files.map, map);
   if (!images->truth.empty()) writeTum(files.truth, images->truth);
+  if (const auto numbers = front_end->calibratedNumbers(); !numbers.empty())
+  {
+    writeFileAtomically(files.camera, images->camera.textWith(numbers));
+    print("wrote " + files.camera.string() + ", which states this as camera.json of the images");
+  }
   if (!options.csv.empty()) writeFileAtomically(options.csv, outcome.csv.text());
   return kExitDone;
 }

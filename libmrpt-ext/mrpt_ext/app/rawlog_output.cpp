@@ -15,6 +15,6 @@ RawlogOutput rawlogOutput(const std::string& app, const std::filesystem::path& o
       throw configurationError(app + ": output '" + output.string() + "' is an input, expected another file");
   const auto beside = [&](const std::string& ending)
   { return output.parent_path() / (output.stem().string() + ending); };
-  return {output, beside("_map.csv"), beside("_ground_truth.tum")};
+  return {output, beside("_map.csv"), beside("_ground_truth.tum"), beside("_camera.json")};
 }
 }  // namespace mrpt_ext

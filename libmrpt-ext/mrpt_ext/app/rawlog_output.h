@@ -6,10 +6,10 @@
 
 namespace mrpt_ext
 {
-/// The files that a converter writes: STEM.rawlog, STEM_map.csv and STEM_ground_truth.tum.
+/// The files that a converter writes: STEM.rawlog, STEM_map.csv, STEM_ground_truth.tum and STEM_camera.json.
 struct RawlogOutput
 {
-  std::filesystem::path rawlog, map, truth;
+  std::filesystem::path rawlog, map, truth, camera;
 };
 
 /// From the option -o/--output of an app. Throws InputError (configuration) for anything but STEM.rawlog, and for

@@ -52,6 +52,17 @@ std::optional<double> CameraFile::fieldNumber(const std::string& name) const
   return numberIn(objectIn(camera_.get(), "field"), name);
 }
 
+std::string CameraFile::textWith(const std::map<std::string, double>& numbers) const
+{
+  Json camera = camera_ ? *camera_ : Json::object();
+  Json content = Json::object();
+  if (const Json* const field = objectIn(&camera, "field")) content["field"] = *field;
+  camera.erase("field");
+  for (const auto& [name, number] : numbers) camera[name] = number;
+  content["camera"] = std::move(camera);
+  return content.dump(1) + "\n";
+}
+
 std::optional<std::vector<double>> CameraFile::centres() const
 {
   if (!camera_ || !camera_->contains("centers")) return std::nullopt;

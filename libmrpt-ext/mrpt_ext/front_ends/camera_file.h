@@ -26,6 +26,8 @@ class CameraFile
   [[nodiscard]] std::optional<double> number(const std::string& name) const;
   /// Of the object `field`.
   [[nodiscard]] std::optional<double> fieldNumber(const std::string& name) const;
+  /// The text of a camera.json that states these numbers of the camera instead, and all else as before.
+  [[nodiscard]] std::string textWith(const std::map<std::string, double>& numbers) const;
   /// cx, cy [px] of one camera after the other: `centers`.
   [[nodiscard]] std::optional<std::vector<double>> centres() const;
 

@@ -2,14 +2,15 @@
 
 #include <cmath>
 
+#include "mrpt_ext/files/number_format.h"
 #include "mrpt_ext/front_ends/images_keys.h"
 #include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/vision/mirror_calibration.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-
 /// All four numbers or none: without them the mirror's axis is taken for the camera's.
 std::optional<MirrorAxis> axisFrom(const CameraNumbers& numbers)
 {
@@ -19,7 +20,14 @@ std::optional<MirrorAxis> axisFrom(const CameraNumbers& numbers)
   if (!u || !v || !cone || !rim) return std::nullopt;
   if (!(*rim > 0 && *rim < *cone && *cone < 90))
     throw dataError("camera.json: expected 0 < rim_phi_deg < cone_half_angle_deg < 90");
-  return MirrorAxis{{*u, *v}, degToRad(*cone), degToRad(*rim)};
+  const auto tilt = [&](const char* key, const char* name)
+  { return degToRad(numbers.optional(key, name).value_or(0)); };
+  return MirrorAxis{
+      {*u, *v},
+      degToRad(*cone),
+      degToRad(*rim),
+      {tilt("camera_tilt_u_deg", "camera_tilt_u_deg"), tilt("camera_tilt_v_deg", "camera_tilt_v_deg")},
+      {tilt("vertical_tilt_u_deg", "vertical_tilt_u_deg"), tilt("vertical_tilt_v_deg", "vertical_tilt_v_deg")}};
 }
 
 ConicMirrorSettings readConicModel(const Settings& settings, const CameraFile& camera)
@@ -48,14 +56,52 @@ ConicMirrorSettings readConicModel(const Settings& settings, const CameraFile& c
   model.edges.std_floor = settings.radians(kConicMirrorSection, "std_floor_deg");
   return model;
 }
+std::map<std::string, double> numbersOf(const MirrorAxis& axis)
+{
+  return {{"cx", axis.principal_point.x},
+          {"cy", axis.principal_point.y},
+          {"cone_half_angle_deg", radToDeg(axis.cone_half_angle)},
+          {"rim_phi_deg", radToDeg(axis.rim_angle)},
+          {"camera_tilt_u_deg", radToDeg(axis.camera_tilt.x)},
+          {"camera_tilt_v_deg", radToDeg(axis.camera_tilt.y)},
+          {"vertical_tilt_u_deg", radToDeg(axis.vertical_tilt.x)},
+          {"vertical_tilt_v_deg", radToDeg(axis.vertical_tilt.y)}};
+}
+
+/// "mirror: principal point 320.1 240.3 px, camera tilted by ... deg, ...".
+std::string textOf(const MirrorAlignment& alignment)
+{
+  const auto tilt = [](const cv::Point2d& tilted)
+  { return fixedText(radToDeg(tilted.x), 2) + " " + fixedText(radToDeg(tilted.y), 2) + " deg"; };
+  const MirrorAxis& axis = alignment.axis;
+  return "mirror: principal point " + fixedText(axis.principal_point.x, 1) + " " +
+         fixedText(axis.principal_point.y, 1) + " px, camera tilted by " + tilt(axis.camera_tilt) + ", vertical by " +
+         tilt(axis.vertical_tilt) + "; edges were bent by " + fixedText(radToDeg(alignment.bend_before), 3) +
+         " deg, now by " + fixedText(radToDeg(alignment.bend_after), 3) + " deg (" + std::to_string(alignment.edges) +
+         " edges)";
+}
 }  // namespace
 
 ConicMirrorFrontEnd::ConicMirrorFrontEnd(const Settings& settings, const CameraFile& camera)
     : model_(readConicModel(settings, camera)),
+      calibration_frames_(static_cast<std::size_t>(settings.integer(kConicMirrorSection, "self_calibration_frames"))),
       T_robot_sensor_{settings.number(kConicMirrorSection, "sensor_x_m"),
                       settings.number(kConicMirrorSection, "sensor_y_m"), 0},
       label_(settings.text(kConicMirrorSection, "sensor_label"))
 {
+}
+
+std::vector<std::string> ConicMirrorFrontEnd::selfCalibrate(const std::vector<ImageFrame>& frames)
+{
+  std::vector<cv::Mat> images;
+  for (const ImageFrame& frame : frames)
+    if (const FrameImage* const image = frame.find("image"); image && !image->pixels.empty())
+      images.push_back(image->pixels);
+  const auto alignment = calibrateMirror(images, model_);
+  if (!alignment || !alignment->isBetter()) return {};
+  model_.axis = alignment->axis;
+  calibrated_ = numbersOf(alignment->axis);
+  return {textOf(*alignment)};
 }
 
 FrameMeasurements ConicMirrorFrontEnd::measure(const ImageFrame& frame, bool with_drawings) const

@@ -14,9 +14,14 @@ class ConicMirrorFrontEnd : public VisionFrontEnd
   ConicMirrorFrontEnd(const Settings& settings, const CameraFile& camera);
 
   [[nodiscard]] FrameMeasurements measure(const ImageFrame& frame, bool with_drawings) const override;
+  [[nodiscard]] std::size_t selfCalibrationFrames() const override { return calibration_frames_; }
+  std::vector<std::string> selfCalibrate(const std::vector<ImageFrame>& frames) override;
+  [[nodiscard]] std::map<std::string, double> calibratedNumbers() const override { return calibrated_; }
 
  private:
   ConicMirrorSettings model_;
+  std::size_t calibration_frames_;
+  std::map<std::string, double> calibrated_;
   Pose2 T_robot_sensor_;
   std::string label_;
 };

@@ -23,6 +23,16 @@ KeyTable conicMirrorKeys()
               "Of the mirror. Not set: cone_half_angle_deg of camera.json.")
       .number("rim_angle_deg", "deg", kUnset, {1, 89},
               "Between the camera's axis and the ray to the mirror's rim. Not set: rim_phi_deg of camera.json.")
+      .number("camera_tilt_u_deg", "deg", kUnset, {-20, 20},
+              "Direction of the mirror's axis seen from the camera's, towards the image's u axis. Not set: "
+              "camera_tilt_u_deg of camera.json; neither: 0.")
+      .number("camera_tilt_v_deg", "deg", kUnset, {-20, 20}, "The same towards the image's v axis.")
+      .number("vertical_tilt_u_deg", "deg", kUnset, {-20, 20},
+              "Direction of the vertical seen from the mirror's axis, towards the image's u axis. Not set: "
+              "vertical_tilt_u_deg of camera.json; neither: 0.")
+      .number("vertical_tilt_v_deg", "deg", kUnset, {-20, 20}, "The same towards the image's v axis.")
+      .integer("self_calibration_frames", "", 20, {0, 1000},
+               "Frames whose edges tell principal point and tilts, when they are straighter then. 0: none.")
       .number("rim_radius_min", "", 0.25, kRadius, "Smallest radius of the rim, share of the image's shorter side.")
       .number("rim_radius_max", "", 0.75, kRadius, "Largest radius of the rim, share of the image's shorter side.")
       .number("rim_aspect_min", "", 0.8, kAspect, "Smallest width over height of the rim (fx/fy of the camera).")

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <string>
@@ -62,5 +63,12 @@ class VisionFrontEnd
   [[nodiscard]] virtual std::vector<int> calibrationFrames() const { return {}; }
   /// Calibrates on frames at known poses, before any other is measured; returns lines to print.
   virtual std::vector<std::string> calibrate(const std::vector<FrameAtPose>& /*frames*/) { return {}; }
+  /// How many frames `selfCalibrate` wants; none: it is not called.
+  [[nodiscard]] virtual std::size_t selfCalibrationFrames() const { return 0; }
+  /// Estimates constants of the sensor from the first frames, wherever they were taken, before any is measured; returns
+  /// lines to print.
+  virtual std::vector<std::string> selfCalibrate(const std::vector<ImageFrame>& /*frames*/) { return {}; }
+  /// What self-calibration changed, under the names of camera.json; empty: nothing.
+  [[nodiscard]] virtual std::map<std::string, double> calibratedNumbers() const { return {}; }
 };
 }  // namespace mrpt_ext

@@ -12,7 +12,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kWhiteShare = 0.98;    ///< of the pixels are not brighter than the image's white
+constexpr double kPaintShare = 0.98;    ///< of the pixels are not brighter than the image's white
 constexpr double kLeastNoise = 0.5;     ///< [grey levels]
 constexpr double kDirectionStd = 0.10;  ///< [rad] of a gradient's direction in the image
 constexpr double kSlant = 2.2;          ///< a stripe cut at a slant is so many times as wide
@@ -46,7 +46,7 @@ Levels levelsOf(const cv::Mat& whiteness)
       left -= histogram[static_cast<std::size_t>(value)];
     return value;
   };
-  return {static_cast<double>(quantile(counts, kWhiteShare * total)),
+  return {static_cast<double>(quantile(counts, kPaintShare * total)),
           std::max(kLeastNoise, quantile(steps, 0.5 * pairs) / kNormalMedianDeviation / std::sqrt(2.0))};
 }
 

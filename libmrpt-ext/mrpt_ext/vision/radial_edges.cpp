@@ -164,7 +164,11 @@ std::vector<RadialEdge> findRadialEdges(const PolarImage& polar, double centre_s
   judge.learnBlur(peaks);
   std::vector<RadialEdge> edges;
   for (const RadialPeak& peak : peaks)
-    if (judge.isEdge(peak)) edges.push_back(judge.edgeAt(peak));
+    if (judge.isEdge(peak))
+    {
+      edges.push_back(judge.edgeAt(peak));
+      edges.back().parts = partsOf(peak, steps, polar.grid, settings.smoothing / polar.grid.azimuthStep());
+    }
   moveNeighboursBack(edges);
   std::sort(edges.begin(), edges.end(), [](const RadialEdge& a, const RadialEdge& b) { return a.azimuth < b.azimuth; });
   return edges;

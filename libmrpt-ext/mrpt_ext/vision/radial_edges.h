@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "mrpt_ext/vision/edge_parts.h"
 #include "mrpt_ext/vision/polar_image.h"
 
 namespace mrpt_ext
@@ -29,6 +30,7 @@ struct RadialEdge
   double contrast = 0;     ///< [grey levels] mean step
   double significance = 0;
   double inner = 0, outer = 0;  ///< ends, shares of the rim's radius
+  std::vector<EdgePart> parts;  ///< those that show it by themselves
 };
 
 /// Radial edges of both polarities by voting along radii (paper 000, section 4): at every azimuth each radius votes

@@ -16,13 +16,6 @@ constexpr double kRowCorrelation = 1.2;
 constexpr float kLeastEvidence = 1;
 constexpr double kWiderSamples = 1.5;  ///< a peak so many times wider than its samples are apart is sampled again
 
-/// A Gaussian through three samples of a profile.
-struct SampledPeak
-{
-  double offset = 0;  ///< [columns] from the middle sample
-  double sigma = 0;   ///< [columns]
-};
-
 std::optional<SampledPeak> gaussianAround(const RunProfile& profile, int column, int spacing)
 {
   const double before = profile(column - spacing), here = profile(column), behind = profile(column + spacing);
@@ -32,14 +25,6 @@ std::optional<SampledPeak> gaussianAround(const RunProfile& profile, int column,
   const double offset = 0.5 * (a - c) / bend;
   if (!(std::abs(offset) < 1)) return std::nullopt;
   return SampledPeak{offset * spacing, spacing / std::sqrt(-bend)};
-}
-
-/// Samples as far apart as the peak is wide tell most about its place: near its top a wide peak is flat.
-std::optional<SampledPeak> gaussianPeak(const RunProfile& profile, int column, int spacing)
-{
-  const auto near = gaussianAround(profile, column, spacing);
-  if (!near || near->sigma < kWiderSamples * spacing) return near;
-  return gaussianAround(profile, column, static_cast<int>(std::lround(std::min(near->sigma, 4.0 * spacing))));
 }
 
 double prominenceOf(const RunProfile& profile, int column, double peak, int reach)
@@ -90,6 +75,13 @@ double RunProfile::operator()(int column) const
   return sum / total_;
 }
 
+std::optional<SampledPeak> sampledPeak(const RunProfile& profile, int column, int spacing)
+{
+  const auto near = gaussianAround(profile, column, spacing);
+  if (!near || near->sigma < kWiderSamples * spacing) return near;
+  return gaussianAround(profile, column, static_cast<int>(std::lround(std::min(near->sigma, 4.0 * spacing))));
+}
+
 std::vector<RadialPeak> findRadialPeaks(const AzimuthSteps& steps, int polarity, double smoothing, double least_rows)
 {
   const int spacing = std::max(1, static_cast<int>(std::lround(smoothing)));
@@ -100,7 +92,7 @@ std::vector<RadialPeak> findRadialPeaks(const AzimuthSteps& steps, int polarity,
     const RadialRun& run = runs[static_cast<std::size_t>(column)];
     if (run.end - run.first < least_rows) continue;
     const RunProfile profile(steps, run, polarity);
-    const auto peak = gaussianPeak(profile, column, spacing);
+    const auto peak = sampledPeak(profile, column, spacing);
     if (!peak) continue;
     const double height = profile(column);
     peaks.push_back({run, polarity, column + peak->offset, peak->sigma, height, profile.noise(),

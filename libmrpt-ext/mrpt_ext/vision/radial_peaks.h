@@ -25,6 +25,17 @@ class RunProfile
   double total_ = 0, noise_ = 0;
 };
 
+/// A Gaussian through three samples of a profile.
+struct SampledPeak
+{
+  double offset = 0;  ///< [columns] from the middle sample
+  double sigma = 0;   ///< [columns]
+};
+
+/// Through samples about as far apart as the peak is wide, beginning with `spacing` columns: near its top a wide peak is
+/// flat. Nothing where there is no peak.
+[[nodiscard]] std::optional<SampledPeak> sampledPeak(const RunProfile& profile, int column, int spacing);
+
 /// A peak of the evidence for edges of one polarity, before anybody judges whether it is an edge. Lengths are columns.
 struct RadialPeak
 {

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "mrpt_ext/vision/radial_peaks.h"
+
+namespace mrpt_ext
+{
+/// Where a part of an edge is: a few neighbouring rows of its run.
+struct EdgePart
+{
+  double radius = 0;       ///< share of the rim's
+  double azimuth = 0;      ///< [rad] in the image, wrapped
+  double std_azimuth = 0;  ///< [rad] by noise
+};
+
+/// The peak's run in parts of equal numbers of rows, from the centre outwards, for steps smoothed by `smoothing`
+/// columns. A part that does not show the edge by itself is left out.
+[[nodiscard]] std::vector<EdgePart> partsOf(const RadialPeak& peak, const AzimuthSteps& steps, const PolarGrid& grid,
+                                            double smoothing);
+}  // namespace mrpt_ext
