@@ -80,4 +80,17 @@ TEST(CameraNumbers, MissingOnesAreNamed)
   EXPECT_EQ(messageOf<InputError>([&] { (void)numbers.size("width_px", "width"); }),
             "camera.json: width is not above zero");
 }
+
+TEST(CameraFile, ItsTextWithOtherNumbersKeepsAllElse)
+{
+  const ScratchFolder folder;
+  const CameraFile before = fileOf(R"({"camera": {"fx": 300.5, "cx": 10}, "field": {"depth": 2}})");
+  const CameraFile after =
+      CameraFile::read(folder.write("camera.json", before.textWith({{"cx", 12.5}, {"camera_tilt_u_deg", -1}})));
+  EXPECT_EQ(after.number("fx"), 300.5);
+  EXPECT_EQ(after.number("cx"), 12.5);
+  EXPECT_EQ(after.number("camera_tilt_u_deg"), -1);
+  EXPECT_EQ(after.fieldNumber("depth"), 2);
+  EXPECT_EQ(CameraFile::read(folder.write("new.json", CameraFile().textWith({{"cy", 3}}))).number("cy"), 3);
+}
 }  // namespace mrpt_ext

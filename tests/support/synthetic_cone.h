@@ -42,6 +42,7 @@ struct ConePicture
   /// Turns the direction that is seen at a tilt upwards.
   [[nodiscard]] static Eigen::Matrix3d upright(const Eigen::Vector2d& tilt)
   {
+    if (tilt.isZero()) return Eigen::Matrix3d::Identity();
     return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d(tilt.x(), tilt.y(), 1), Eigen::Vector3d::UnitZ())
         .toRotationMatrix();
   }

@@ -46,20 +46,22 @@ struct MirrorPicture
   }
 };
 
-/// 8-bit grey, every pixel the mean of 4 x 4 samples, slightly blurred, noise from `seed`.
+/// 8-bit grey, every pixel the mean light of 4 x 4 samples, slightly blurred, noise from `seed`.
 template <typename Picture>
 cv::Mat paint(const Picture& picture, double noise_level, int seed)
 {
   constexpr int kSamples = 4;
+  constexpr double kCoding = 2.2;  // levels are coded light, and light is what a pixel sums
   cv::Mat image(picture.size, CV_32F);
   for (int v = 0; v < image.rows; ++v)
     for (int u = 0; u < image.cols; ++u)
     {
       double sum = 0;
       for (int i = 0; i < kSamples * kSamples; ++i)
-        sum +=
-            picture.brightnessAt(u + (i % kSamples + 0.5) / kSamples - 0.5, v + (i / kSamples + 0.5) / kSamples - 0.5);
-      image.at<float>(v, u) = static_cast<float>(sum / (kSamples * kSamples));
+        sum += std::pow(
+            picture.brightnessAt(u + (i % kSamples + 0.5) / kSamples - 0.5, v + (i / kSamples + 0.5) / kSamples - 0.5),
+            kCoding);
+      image.at<float>(v, u) = static_cast<float>(std::pow(sum / (kSamples * kSamples), 1 / kCoding));
     }
   cv::GaussianBlur(image, image, {0, 0}, 0.6);
   cv::Mat noise(picture.size, CV_32F);

@@ -11,6 +11,8 @@ namespace mrpt_ext
 {
 namespace
 {
+constexpr double kUsualRadius = 0.7;  ///< of the parts of an edge that count most, share of the rim's
+
 /// All four numbers or none: without them the mirror's axis is taken for the camera's.
 std::optional<MirrorAxis> axisFrom(const CameraNumbers& numbers)
 {
@@ -100,6 +102,7 @@ std::vector<std::string> ConicMirrorFrontEnd::selfCalibrate(const std::vector<Im
   const auto alignment = calibrateMirror(images, model_);
   if (!alignment || !alignment->isBetter()) return {};
   model_.axis = alignment->axis;
+  model_.edges.std_floor = std::hypot(model_.edges.std_floor, alignment->stdAzimuth(kUsualRadius));
   calibrated_ = numbersOf(alignment->axis);
   return {textOf(*alignment)};
 }

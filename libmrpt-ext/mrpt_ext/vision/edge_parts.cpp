@@ -35,6 +35,7 @@ std::vector<EdgePart> partsOf(const RadialPeak& peak, const AzimuthSteps& steps,
     if (!sampled || std::abs(highest - centre) == reach) continue;
     RadialPeak part = peak;
     part.sigma = sampled->sigma;
+    part.spacing = sampled->spacing;
     part.height = profile(highest);
     part.noise = profile.noise();
     if (part.significance() < kPartSignificance) continue;

@@ -203,7 +203,7 @@ double MirrorAlignment::stdAzimuth(double share) const
   by_parameters.leftCols<2>() = shifts.by_offset / share * Eigen::Matrix2d::Identity();
   by_parameters.middleCols<2>(2) = shifts.by_camera_tilt / share * Eigen::Matrix2d::Identity();
   by_parameters.rightCols<2>() = shifts.by_vertical_tilt / share * Eigen::Matrix2d::Identity();
-  return std::sqrt((by_parameters * covariance * by_parameters.transpose()).trace() / 2);
+  return std::sqrt((by_parameters * covariance * by_parameters.transpose()).trace() / 2 + square(std_usual));
 }
 
 std::optional<MirrorAlignment> alignMirror(const std::vector<AlignmentView>& views, const MirrorAxis& start,
@@ -215,6 +215,7 @@ std::optional<MirrorAlignment> alignMirror(const std::vector<AlignmentView>& vie
   const Vector6 change = problem.solve();
   MirrorAlignment alignment;
   alignment.axis = changed(start, views.front().rim, problem.start() + change);
+  alignment.offset = (problem.start() + change).head<2>();
   alignment.covariance = problem.covariance();
   alignment.edges = problem.edges();
   alignment.bend_before = problem.bendAt(Vector6::Zero());

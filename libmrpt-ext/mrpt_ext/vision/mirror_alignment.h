@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mrpt_ext/vision/mirror_axis.h"
-#include "mrpt_ext/vision/radial_edges.h"
+#include "mrpt_ext/vision/radial_edge.h"
 
 namespace mrpt_ext
 {
@@ -30,6 +30,8 @@ struct MirrorAlignment
 {
   MirrorAxis axis;
   Eigen::Matrix<double, 6, 6> covariance;  ///< of offset (shares of the rim's radius), camera tilt, vertical tilt [rad]
+  Eigen::Vector2d offset;                  ///< of the mirror, shares of the rim's radius
+  double std_usual = 0;                    ///< [rad] of azimuths, where the mirror's shape was not stated
   std::size_t edges = 0;                   ///< that were compared
   double bend_before = 0, bend_after = 0;  ///< [rad] median distance of the parts of edges from straight ones
   double straight_parts = 0;   ///< number of parts that fit straight edges, those that fit less well for less

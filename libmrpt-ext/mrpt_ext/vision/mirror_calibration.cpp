@@ -11,6 +11,7 @@ namespace
 {
 constexpr int kRounds = 5;
 constexpr double kStatedPrincipalPoint = 0.0015;  ///< standard deviation, share of the rim's radius: a third of a pixel
+constexpr double kUsualDeviation = 0.04;          ///< of azimuths by the unknown mirror, per offset of it
 constexpr double kNoOffset = 0.0005;              ///< standard deviation of what is taken for right
 constexpr double kNoTilt = 0.0003;                ///< [rad] likewise
 
@@ -84,6 +85,7 @@ std::optional<MirrorAlignment> calibrateMirror(const std::vector<cv::Mat>& image
       best = std::move(alignment);
   const auto before = alignMirror(views, settings.axis.value_or(aligned(views.front().rim)), {});
   if (best) best->bend_before = before ? before->bend_before : kPi;
+  if (best && !settings.axis) best->std_usual = kUsualDeviation * std::hypot(best->offset.x(), best->offset.y());
   if (best) best->straight_before = before ? before->straight_before : 0;
   return best;
 }

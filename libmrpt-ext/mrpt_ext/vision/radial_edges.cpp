@@ -6,49 +6,20 @@
 
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/geometry/quantile.h"
+#include "mrpt_ext/vision/edge_location.h"
+#include "mrpt_ext/vision/light_coding.h"
 #include "mrpt_ext/vision/radial_peaks.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr int kNeighbourRounds = 12;      ///< neighbours' moves depend on each other
-constexpr double kMoveUnknown = 0.5;      ///< share of a neighbour's pull that is not known
 constexpr double kClearSignificance = 2;  ///< of edges that tell the blur, in least significances
 constexpr double kSharpestShare = 0.35;   ///< of them are as sharp as the camera lets them be
 constexpr std::size_t kClearEdges = 4;    ///< fewer tell nothing about the camera
 constexpr double kLargestBlur = 4;        ///< [px] beyond it shadows and edges look alike
+constexpr double kBeside = 2.5;           ///< the levels of its sides are so many standard deviations away
 constexpr int kBlurRounds = 8;            ///< of bisection: to a sixtieth of a pixel
-
-/// [rad] by which `other`, at `position`, moves the peak of an edge at `own_position`: the slope of its profile there
-/// over the peak's bend. Edges of opposite polarity push each other away.
-double pull(const RadialEdge& edge, double own_position, const RadialEdge& other, double position)
-{
-  if (std::max(edge.inner, other.inner) >= std::min(edge.outer, other.outer)) return 0;  // at different heights
-  const double apart = wrap(position - own_position), variance = square(other.width);
-  const double height = edge.polarity * other.polarity * other.contrast / edge.contrast;
-  return height * square(edge.width) * apart / variance * std::exp(-square(apart) / (2 * variance));
-}
-
-void moveNeighboursBack(std::vector<RadialEdge>& edges)
-{
-  std::vector<double> seen, moves(edges.size(), 0.0);
-  for (const RadialEdge& e : edges) seen.push_back(e.azimuth);
-  for (int round = 0; round < kNeighbourRounds; ++round)
-  {
-    std::vector<double> next(edges.size(), 0.0);
-    for (std::size_t i = 0; i < edges.size(); ++i)
-      for (std::size_t j = 0; j < edges.size(); ++j)
-        if (j != i) next[i] += pull(edges[i], seen[i] - moves[i], edges[j], seen[j] - moves[j]);
-    for (std::size_t i = 0; i < edges.size(); ++i) next[i] = std::clamp(next[i], -edges[i].width, edges[i].width);
-    moves = next;
-  }
-  for (std::size_t i = 0; i < edges.size(); ++i)
-  {
-    edges[i].azimuth = wrap(seen[i] - moves[i]);
-    edges[i].std_azimuth = std::hypot(edges[i].std_azimuth, kMoveUnknown * moves[i]);
-  }
-}
 
 double medianBrightness(const PolarImage& polar)
 {
@@ -62,9 +33,9 @@ double medianBrightness(const PolarImage& polar)
 class EdgeJudge
 {
  public:
-  EdgeJudge(const PolarImage& polar, double centre_std, double radius, const RadialEdgeSettings& settings)
-      : grid_(polar.grid),
-        centre_std_(centre_std),
+  EdgeJudge(const PolarImage& polar, double radius, const RadialEdgeSettings& settings)
+      : polar_(polar),
+        grid_(polar.grid),
         radius_(radius),
         settings_(settings),
         least_contrast_(settings.min_contrast * medianBrightness(polar)),
@@ -97,27 +68,38 @@ class EdgeJudge
     edge.polarity = peak.polarity;
     edge.contrast = peak.height;
     edge.significance = peak.significance();
+    const int beside = static_cast<int>(std::lround(kBeside * peak.sigma)), column = static_cast<int>(peak.column);
+    edge.coding_shift = shiftByCoding(levelAt(peak.run, column - beside), levelAt(peak.run, column + beside));
     edge.width = std::max(sigmaOf(peak), sharpest(peak));  // a neighbour makes the peak narrower than any edge is
     edge.inner = grid_.radiusOf(peak.run.first);
     edge.outer = grid_.radiusOf(peak.run.end - 1);
-    const double by_noise = columnNoise(peak, settings_.smoothing / step) * step;
-    const double by_centre = centre_std_ * pixelAt(peak);
-    edge.std_azimuth = std::sqrt(square(by_noise) + square(by_centre) + square(settings_.std_floor));
+    edge.std_azimuth = columnNoise(peak, settings_.smoothing / step) * step;
     return edge;
+  }
+  /// The peak as the only part of its edge.
+  [[nodiscard]] EdgePart wholeOf(const RadialPeak& peak) const
+  {
+    const double step = grid_.azimuthStep();
+    return {std::sqrt(grid_.radiusOf(peak.run.first) * grid_.radiusOf(peak.run.end - 1)), wrap(peak.column * step),
+            columnNoise(peak, settings_.smoothing / step) * step};
   }
 
  private:
+  /// [grey levels] mean along a run.
+  [[nodiscard]] double levelAt(const RadialRun& run, int column) const
+  {
+    const int columns = polar_.grey.cols;
+    double sum = 0;
+    for (int row = run.first; row < run.end; ++row)
+      sum += polar_.grey.at<float>(row, ((column % columns) + columns) % columns);
+    return sum / (run.end - run.first);
+  }
   [[nodiscard]] bool isClear(const RadialPeak& peak) const
   {
     return peak.height >= least_contrast_ && peak.significance() >= settings_.min_significance &&
            peak.prominence >= settings_.min_prominence;
   }
   [[nodiscard]] double sigmaOf(const RadialPeak& peak) const { return peak.sigma * grid_.azimuthStep(); }
-  /// [rad] that a pixel covers, root mean square along the run.
-  [[nodiscard]] double pixelAt(const RadialPeak& peak) const
-  {
-    return 1 / (radius_ * std::sqrt(grid_.radiusOf(peak.run.first) * grid_.radiusOf(peak.run.end - 1)));
-  }
   /// [rad] standard deviation of the profile of an edge that is sharp in the room, seen with a blur [px]. Rows near the
   /// centre are wider and lower, since a pixel covers more of a turn there: what counts is the bend of the sum.
   [[nodiscard]] double sharpWidth(const RadialPeak& peak, double blur) const
@@ -144,8 +126,9 @@ class EdgeJudge
     return low;
   }
 
+  const PolarImage& polar_;
   const PolarGrid& grid_;
-  double centre_std_, radius_;
+  double radius_;
   const RadialEdgeSettings& settings_;
   double least_contrast_, blur_;
 };
@@ -160,7 +143,7 @@ std::vector<RadialEdge> findRadialEdges(const PolarImage& polar, double centre_s
     for (const RadialPeak& peak : findRadialPeaks(steps, polarity, settings.smoothing / polar.grid.azimuthStep(),
                                                   settings.min_length * polar.grid.radii))
       peaks.push_back(peak);
-  EdgeJudge judge(polar, centre_std, radius, settings);
+  EdgeJudge judge(polar, radius, settings);
   judge.learnBlur(peaks);
   std::vector<RadialEdge> edges;
   for (const RadialPeak& peak : peaks)
@@ -168,8 +151,9 @@ std::vector<RadialEdge> findRadialEdges(const PolarImage& polar, double centre_s
     {
       edges.push_back(judge.edgeAt(peak));
       edges.back().parts = partsOf(peak, steps, polar.grid, settings.smoothing / polar.grid.azimuthStep());
+      if (edges.back().parts.empty()) edges.back().parts.push_back(judge.wholeOf(peak));
     }
-  moveNeighboursBack(edges);
+  locateByParts(edges, {settings.smoothing, judge.blur(), radius}, centre_std, settings.std_floor);
   std::sort(edges.begin(), edges.end(), [](const RadialEdge& a, const RadialEdge& b) { return a.azimuth < b.azimuth; });
   return edges;
 }

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "mrpt_ext/vision/edge_parts.h"
 #include "mrpt_ext/vision/polar_image.h"
+#include "mrpt_ext/vision/radial_edge.h"
 
 namespace mrpt_ext
 {
@@ -17,20 +17,7 @@ struct RadialEdgeSettings
   double max_width = 0.0107;     ///< [rad] standard deviation of a soft edge in the room, as an exact camera sees it
   double blur = 1.05;            ///< [px] least standard deviation of what camera and sampling add to an edge's width
   double min_prominence = 0.45;  ///< how far the profile falls on both sides, share of the peak
-  double std_floor = 0.0005;     ///< [rad] beyond the effect of noise
-};
-
-/// A vertical edge of the room: a radial one in the image.
-struct RadialEdge
-{
-  double azimuth = 0;      ///< [rad] in the image: from the u axis towards the v axis, wrapped
-  double width = 0;        ///< [rad] standard deviation of its profile, at least that of smoothing and blur
-  double std_azimuth = 0;  ///< [rad]
-  int polarity = 0;        ///< +1: brighter towards growing azimuth, -1: darker
-  double contrast = 0;     ///< [grey levels] mean step
-  double significance = 0;
-  double inner = 0, outer = 0;  ///< ends, shares of the rim's radius
-  std::vector<EdgePart> parts;  ///< those that show it by themselves
+  double std_floor = 0.0002;     ///< [rad] beyond the effect of noise
 };
 
 /// Radial edges of both polarities by voting along radii (paper 000, section 4): at every azimuth each radius votes
@@ -38,11 +25,10 @@ struct RadialEdge
 /// radii with most evidence counts, so that edges that end at a table's height are found. Peaks of the evidence are
 /// located to a fraction of a column on the summed steps of the run.
 ///
-/// Edges closer than their profiles are wide pull at each other's peaks; they are moved back by what Gaussian profiles
-/// tell, and half of the move is an error of azimuth. So is `centre_std` [px] of the rim's centre at `radius` [px], the
-/// rim's. Ordered by azimuth. Noise and blur are those of the image itself, so neither needs a setting: the noise is
-/// the median of the steps, the blur what the sharpest of the clear edges show, so that soft shadows remain wider than
-/// edges.
+/// Every edge is then placed by its parts (edge_location.h), with `centre_std` [px] of the rim's centre as an error of
+/// azimuth; `radius` [px] is the rim's. Ordered by azimuth. Noise and blur are those of the image itself, so neither
+/// needs a setting: the noise is the median of the steps, the blur what the sharpest of the clear edges show, so that
+/// soft shadows remain wider than edges.
 [[nodiscard]] std::vector<RadialEdge> findRadialEdges(const PolarImage& polar, double centre_std, double radius,
                                                       const RadialEdgeSettings& settings);
 }  // namespace mrpt_ext

@@ -24,7 +24,7 @@ std::optional<SampledPeak> gaussianAround(const RunProfile& profile, int column,
   if (!(bend < 0)) return std::nullopt;
   const double offset = 0.5 * (a - c) / bend;
   if (!(std::abs(offset) < 1)) return std::nullopt;
-  return SampledPeak{offset * spacing, spacing / std::sqrt(-bend)};
+  return SampledPeak{offset * spacing, spacing / std::sqrt(-bend), static_cast<double>(spacing)};
 }
 
 double prominenceOf(const RunProfile& profile, int column, double peak, int reach)
@@ -95,7 +95,7 @@ std::vector<RadialPeak> findRadialPeaks(const AzimuthSteps& steps, int polarity,
     const auto peak = sampledPeak(profile, column, spacing);
     if (!peak) continue;
     const double height = profile(column);
-    peaks.push_back({run, polarity, column + peak->offset, peak->sigma, height, profile.noise(),
+    peaks.push_back({run, polarity, column + peak->offset, peak->sigma, peak->spacing, height, profile.noise(),
                      prominenceOf(profile, column, height, static_cast<int>(kFlank * smoothing))});
   }
   return peaks;
@@ -103,6 +103,9 @@ std::vector<RadialPeak> findRadialPeaks(const AzimuthSteps& steps, int polarity,
 
 double columnNoise(const RadialPeak& peak, double smoothing)
 {
-  return std::sqrt(1.5) * square(peak.sigma) / (smoothing * peak.significance());
+  const double between = square(2 * peak.spacing / smoothing);
+  const double correlation = (1 - between / 2) * std::exp(-between / 4);
+  const double lower = std::exp(square(peak.spacing / peak.sigma) / 2);  // than the peak are the outer samples
+  return square(peak.sigma) / peak.spacing * std::sqrt((1 - correlation) / 2) * lower / peak.significance();
 }
 }  // namespace mrpt_ext

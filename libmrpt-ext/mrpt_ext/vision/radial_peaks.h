@@ -28,12 +28,13 @@ class RunProfile
 /// A Gaussian through three samples of a profile.
 struct SampledPeak
 {
-  double offset = 0;  ///< [columns] from the middle sample
-  double sigma = 0;   ///< [columns]
+  double offset = 0;   ///< [columns] from the middle sample
+  double sigma = 0;    ///< [columns]
+  double spacing = 0;  ///< [columns] of the samples
 };
 
-/// Through samples about as far apart as the peak is wide, beginning with `spacing` columns: near its top a wide peak is
-/// flat. Nothing where there is no peak.
+/// Through samples about as far apart as the peak is wide, beginning with `spacing` columns: near its top a wide peak
+/// is flat. Nothing where there is no peak.
 [[nodiscard]] std::optional<SampledPeak> sampledPeak(const RunProfile& profile, int column, int spacing);
 
 /// A peak of the evidence for edges of one polarity, before anybody judges whether it is an edge. Lengths are columns.
@@ -43,6 +44,7 @@ struct RadialPeak
   int polarity = 0;
   double column = 0;      ///< where the profile of the run is highest, from a Gaussian through three samples
   double sigma = 0;       ///< of that Gaussian
+  double spacing = 0;     ///< of its samples
   double height = 0;      ///< [grey levels]
   double noise = 0;       ///< [grey levels] of the profile
   double prominence = 0;  ///< how far the profile falls on the side that falls less, share of the height
@@ -54,8 +56,8 @@ struct RadialPeak
 [[nodiscard]] std::vector<RadialPeak> findRadialPeaks(const AzimuthSteps& steps, int polarity, double smoothing,
                                                       double least_rows);
 
-/// Standard deviation of a peak's column by noise, for steps smoothed by `smoothing` columns. White noise through a
-/// Gaussian's derivative: the slope's standard deviation is sqrt(3/2)/smoothing of the value's, and the peak's bend is
-/// height/sigma^2.
+/// Standard deviation of a peak's column by noise, for steps smoothed by `smoothing` columns: that of the difference of
+/// the logarithms of the outer samples, over the bend of the Gaussian. White noise through a Gaussian's derivative has
+/// the autocorrelation (1 - d^2 / 2 s^2) exp(-d^2 / 4 s^2) at the distance d.
 [[nodiscard]] double columnNoise(const RadialPeak& peak, double smoothing);
 }  // namespace mrpt_ext

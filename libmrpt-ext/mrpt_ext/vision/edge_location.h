@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "mrpt_ext/vision/radial_edge.h"
+
+namespace mrpt_ext
+{
+/// What blurs an edge that is sharp in the room.
+struct EdgeBlur
+{
+  double smoothing = 0;  ///< [rad] along azimuth
+  double pixels = 0;     ///< [px] standard deviation of the image's blur
+  double radius = 0;     ///< [px] of the rim
+
+  /// [rad] standard deviation of the edge's profile at a radius, share of the rim's.
+  [[nodiscard]] double widthAt(double share) const;
+};
+
+/// Places every edge at the mean of its parts, weighted by what noise and neighbours leave of them: edges closer than
+/// their profiles are wide pull at each other's peaks, the more the nearer the centre. Each part is moved back by what
+/// Gaussian profiles tell, and half of the move is its error. Where parts scatter by more than they should, so does
+/// their mean: that is what the standard deviation states, together with `centre_std` [px] of the rim's centre and
+/// `floor` [rad]. Every edge must have a part.
+void locateByParts(std::vector<RadialEdge>& edges, const EdgeBlur& blur, double centre_std, double floor);
+}  // namespace mrpt_ext

@@ -1,0 +1,9 @@
+#pragma once
+
+namespace mrpt_ext
+{
+/// [px] by which an edge between two coded grey levels seems to stand on its darker side, 0 to 0.2. A pixel on the edge
+/// sums light, and the camera codes the sum by a power of 1/2.2, as grey levels are made for screens; half way between
+/// the levels is then less than half of the light. Levels above zero, in any order.
+[[nodiscard]] double shiftByCoding(double level, double other);
+}  // namespace mrpt_ext
