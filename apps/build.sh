@@ -11,7 +11,8 @@ build=$root/build
 settings=() targets=()
 if [ "${1:-}" = --tests ]; then
   bash "$root/apps/install_dependencies.sh" --tests
-  settings+=(-DMRPT_EXT_BUILD_TESTS=ON)
+  # Debian's Python is the one that has the packages.
+  settings+=(-DMRPT_EXT_BUILD_TESTS=ON -DMRPT_EXT_BUILD_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3)
 else
   bash "$root/apps/install_dependencies.sh"
   [ -f "$build/CMakeCache.txt" ] || settings+=(-DMRPT_EXT_BUILD_TESTS=OFF)

@@ -9,7 +9,7 @@ build=(g++ cmake ninja-build libeigen3-dev zlib1g-dev libzstd-dev libjpeg-dev li
   libcli11-dev nlohmann-json3-dev libyaml-cpp-dev libjs-dygraphs libmrpt-obs-dev libmrpt-maps-dev libmrpt-opengl-dev libmrpt-slam-dev
   libmrpt-gui-dev libx11-dev libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev)
 tests=(libgtest-dev librapidcheck-dev libbenchmark-dev mrpt-apps mrpt-common xvfb xauth libxml2-utils python3 parallel
-  chromium)
+  chromium python3-dev pybind11-dev python3-numpy python3-pytest)
 lint=(node-typescript)
 # Debian 13 has no version 14 of them.
 case "$(. /etc/os-release 2>/dev/null && echo "${ID:-}-${VERSION_ID:-}")" in

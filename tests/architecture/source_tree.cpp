@@ -73,6 +73,7 @@ std::string subfolderOf(const std::string& path)
   return ours.empty() || room == last ? "" : ours.substr(room + 1, last - room - 1);
 }
 
+bool isPython(const std::string& path) { return path.starts_with("libmrpt-ext/python/"); }
 bool isHeader(const std::string& path) { return path.ends_with(".h"); }
 bool isCpp(const std::string& path) { return path.ends_with(".cpp") || isHeader(path); }
 

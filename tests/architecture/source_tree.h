@@ -27,6 +27,8 @@ using SourceTree = std::map<std::string, std::string>;
 [[nodiscard]] std::string subfolderOf(const std::string& path);
 
 [[nodiscard]] bool isCpp(const std::string& path);
+/// Part of the Python module, which uses the library as an app does and is not installed with it.
+[[nodiscard]] bool isPython(const std::string& path);
 [[nodiscard]] bool isHeader(const std::string& path);
 
 [[nodiscard]] std::vector<std::string> linesOf(const std::string& text);

@@ -125,7 +125,8 @@ Violations checkPackageConfig(const SourceTree& tree)
   Violations found;
   for (const auto& [path, text] : tree)
   {
-    if (!path.ends_with("CMakeLists.txt") || path.starts_with("tests/") || path.starts_with("apps/")) continue;
+    if (!path.ends_with("CMakeLists.txt") || path.starts_with("tests/") || path.starts_with("apps/") || isPython(path))
+      continue;
     for (auto it = std::sregex_iterator(text.begin(), text.end(), kFindPackage); it != std::sregex_iterator(); ++it)
       if (const std::string package = (*it)[1]; package != "mrpt_ext" && !namesWord(config->second, package))
         found.push_back(path + ": " + package + " is not looked up in " + config->first);
