@@ -121,6 +121,32 @@ TEST(CameraYaw, FindsTheTurnAndItsUncertainty)
   EXPECT_EQ(calibrateCameraYaw({}, camera).status, SolveStatus::too_few);
 }
 
+TEST(CameraYaw, LeavesOutWhatDoesNotAgree)
+{
+  const Pose2 camera{0.1, -0.05, 0.7};
+  const auto sighting = [&](double x, double turn)
+  {
+    const Pose2 robot{0, 0, kPi / 2};
+    return CalibrationSighting{robot, {x, 4}, wrap(predictBearing(robot, {x, 4}, camera) + turn), degToRad(0.1)};
+  };
+  const double right = degToRad(0.4), wrong = degToRad(8);
+  const CameraYaw one_wrong =
+      calibrateCameraYaw(std::vector{sighting(-2.5, right), sighting(2.5, wrong), sighting(2.5, right)}, camera);
+  ASSERT_EQ(one_wrong.status, SolveStatus::ok);
+  EXPECT_NEAR(one_wrong.offset, right, 1e-9);
+  EXPECT_EQ(one_wrong.used, 2u);
+  // Of two nobody knows which is right, one alone cannot be checked, and half of them are no majority.
+  const CameraYaw two = calibrateCameraYaw(std::vector{sighting(-2.5, right), sighting(2.5, wrong)}, camera);
+  EXPECT_EQ(two.status, SolveStatus::none);
+  EXPECT_NEAR(two.spread, wrong - right, 1e-9);
+  EXPECT_EQ(calibrateCameraYaw(std::vector{sighting(-2.5, right)}, camera).status, SolveStatus::too_few);
+  EXPECT_EQ(
+      calibrateCameraYaw(
+          std::vector{sighting(-2.5, right), sighting(2.5, right), sighting(-2.5, wrong), sighting(2.5, wrong)}, camera)
+          .status,
+      SolveStatus::none);
+}
+
 TEST(PointPose, TwoLandmarksByHand)
 {
   // Robot at (1, 1) facing +y: (1, 4) is 3 ahead, (0, 1) is 1 to the left.

@@ -237,6 +237,19 @@ TEST(MovisRun, ACalibrationFrameStraightensTheCameras)
   EXPECT_LT(after, 0.03);
 }
 
+TEST(MovisRun, ACalibrationThatDoesNotFitIsRefused)
+{
+  const ScratchFolder folder;
+  // Poles that stand elsewhere, as when something else is taken for them.
+  const auto outcome = testing::runImages({testing::shipped("images2rawlog", "movis").string(), "-i",
+                                           kOwnScene.string(), "-o", (folder.path() / "log.rawlog").string(), "--set",
+                                           "Movis.calibration_frame=6", "--set", "Movis.field_half_width_m=2"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.out.find("turned by"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.err.find("M1: not calibrated, its sightings of poles differ by up to"), std::string::npos)
+      << outcome.err;
+}
+
 TEST(MovisRun, SharedImagesGiveAzimuthsBallAndPoses)
 {
   const auto folder_of_scene = testing::sharedScene("samples/B_paper");

@@ -113,12 +113,15 @@ int convert(const ImageOptions& options, const Settings& settings, AppShell& she
   {
     if (!shell.options().quiet) shell.out() << line << '\n';
   };
+  const auto tell = [&](const CalibrationNotes& notes)
+  {
+    for (const std::string& line : notes.results) print(line);
+    for (const std::string& line : notes.warnings) shell.err() << line << '\n';
+  };
   if (const auto numbers = front_end->calibrationFrames(); !numbers.empty())
-    for (const std::string& line : front_end->calibrate(framesAtPose(*openImages(options.input, settings), numbers)))
-      print(line);
+    tell(front_end->calibrate(framesAtPose(*openImages(options.input, settings), numbers)));
   if (const std::size_t count = front_end->selfCalibrationFrames(); count > 0)
-    for (const std::string& line : front_end->selfCalibrate(firstFrames(*openImages(options.input, settings), count)))
-      print(line);
+    tell(front_end->selfCalibrate(firstFrames(*openImages(options.input, settings), count)));
   const Outcome outcome = measureAll(*images, *front_end, options.debug_images, shell.err());
   if (outcome.frames == 0) throw dataError(options.input.string() + ": no images in it");
 

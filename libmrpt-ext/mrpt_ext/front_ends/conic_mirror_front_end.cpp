@@ -93,7 +93,7 @@ ConicMirrorFrontEnd::ConicMirrorFrontEnd(const Settings& settings, const CameraF
 {
 }
 
-std::vector<std::string> ConicMirrorFrontEnd::selfCalibrate(const std::vector<ImageFrame>& frames)
+CalibrationNotes ConicMirrorFrontEnd::selfCalibrate(const std::vector<ImageFrame>& frames)
 {
   std::vector<cv::Mat> images;
   for (const ImageFrame& frame : frames)
@@ -104,7 +104,7 @@ std::vector<std::string> ConicMirrorFrontEnd::selfCalibrate(const std::vector<Im
   model_.axis = alignment->axis;
   model_.edges.std_floor = std::hypot(model_.edges.std_floor, alignment->stdAzimuth(kUsualRadius));
   calibrated_ = numbersOf(alignment->axis);
-  return {textOf(*alignment)};
+  return {{textOf(*alignment)}, {}};
 }
 
 FrameMeasurements ConicMirrorFrontEnd::measure(const ImageFrame& frame, bool with_drawings) const

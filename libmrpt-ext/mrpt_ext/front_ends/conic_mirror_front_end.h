@@ -15,7 +15,7 @@ class ConicMirrorFrontEnd : public VisionFrontEnd
 
   [[nodiscard]] FrameMeasurements measure(const ImageFrame& frame, bool with_drawings) const override;
   [[nodiscard]] std::size_t selfCalibrationFrames() const override { return calibration_frames_; }
-  std::vector<std::string> selfCalibrate(const std::vector<ImageFrame>& frames) override;
+  CalibrationNotes selfCalibrate(const std::vector<ImageFrame>& frames) override;
   [[nodiscard]] std::map<std::string, double> calibratedNumbers() const override { return calibrated_; }
 
  private:

@@ -13,6 +13,7 @@ namespace mrpt_ext
 {
 namespace
 {
+constexpr double kStdPlaces = degToRad(0.1);  ///< of a bearing, by errors of the robot's and the poles' places
 constexpr std::array kLabels{"M1", "M2", "M3"};
 
 std::vector<int> wholeNumbers(const Settings& settings, const char* key)
@@ -28,10 +29,25 @@ std::vector<int> wholeNumbers(const Settings& settings, const char* key)
 }
 
 /// "M1: turned by 0.412 deg, standard deviation 0.020 deg".
-std::string yawText(const std::string& label, const CameraYaw& yaw, double std)
+std::string yawText(const std::string& label, const CameraYaw& yaw, double std, std::size_t sightings)
 {
+  const std::string left_out = std::to_string(sightings - yaw.used) + " of " + std::to_string(sightings);
   return label + ": turned by " + fixedText(radToDeg(-yaw.offset), 3) + " deg, standard deviation " +
-         fixedText(radToDeg(std), 3) + " deg";
+         fixedText(radToDeg(std), 3) + " deg" +
+         (yaw.used < sightings ? ", " + left_out + " sightings of poles left out, which do not agree" : "");
+}
+
+/// Why a camera stays as it is.
+std::string refusalText(const std::string& label, const CameraYaw& yaw, std::size_t sightings)
+{
+  const std::string not_calibrated = label + ": not calibrated, ";
+  if (sightings == 0) return not_calibrated + "no pole was seen in the calibration frames";
+  if (sightings == 1)
+    return not_calibrated +
+           "a single sighting of a pole cannot be checked, expected two or more in the frames of "
+           "calibration_frame";
+  return not_calibrated + "its sightings of poles differ by up to " + fixedText(radToDeg(yaw.spread), 1) +
+         " deg, expected them to agree: something else was taken for a pole, or the pose is wrong";
 }
 }  // namespace
 
@@ -109,29 +125,36 @@ FrameMeasurements MovisFrontEnd::measure(const ImageFrame& frame, bool with_draw
   return result;
 }
 
-std::vector<std::string> MovisFrontEnd::calibrate(const std::vector<FrameAtPose>& frames)
+CalibrationNotes MovisFrontEnd::calibrate(const std::vector<FrameAtPose>& frames)
 {
   const LandmarkTable poles = landmarks();
-  std::vector<std::string> lines;
+  CalibrationNotes notes;
   for (Mounted& mounted : cameras_)
   {
     std::vector<CalibrationSighting> detections;
     double variances = 0;
+    bool is_there = false;
     for (const auto& [frame, robot] : frames)
-      if (const FrameImage* const image = frame.find(mounted.label))
+      if (const FrameImage* const image = frame.find(mounted.label); image && (is_there = true))
         for (const OmniObject& object : mounted.camera.view(image->pixels).objects)
           if (const auto pole = poles.indexOf(idOf(object.label)))
           {
-            detections.push_back({robot, poles[*pole].position.head<2>(), bearingOf(mounted, object)});
+            detections.push_back({robot, poles[*pole].position.head<2>(), bearingOf(mounted, object),
+                                  std::hypot(object.std_azimuth, kStdPlaces)});
             variances += square(object.std_azimuth);
           }
+    if (!is_there) continue;
     const CameraYaw yaw = calibrateCameraYaw(detections, {mounted.position.x(), mounted.position.y(), 0});
-    if (yaw.status != SolveStatus::ok) continue;
+    if (yaw.status != SolveStatus::ok)
+    {
+      notes.warnings.push_back(refusalText(mounted.label, yaw, detections.size()));
+      continue;
+    }
     mounted.yaw = wrap(mounted.yaw - yaw.offset);
     // Two detections may agree by chance: their scatter alone underestimates the error of the mean.
     const double by_detections = std::sqrt(variances) / static_cast<double>(detections.size());
-    lines.push_back(yawText(mounted.label, yaw, std::hypot(yaw.std_offset, by_detections)));
+    notes.results.push_back(yawText(mounted.label, yaw, std::hypot(yaw.std_offset, by_detections), detections.size()));
   }
-  return lines;
+  return notes;
 }
 }  // namespace mrpt_ext

@@ -20,7 +20,7 @@ class MovisFrontEnd : public VisionFrontEnd
   [[nodiscard]] LandmarkTable landmarks() const override;
   [[nodiscard]] std::vector<int> calibrationFrames() const override { return calibration_frames_; }
   /// Estimates the rotation of each camera against its position in the triangle, and corrects for it from then on.
-  std::vector<std::string> calibrate(const std::vector<FrameAtPose>& frames) override;
+  CalibrationNotes calibrate(const std::vector<FrameAtPose>& frames) override;
 
  private:
   /// A camera on the robot. Its sensor frame has the robot's axes.

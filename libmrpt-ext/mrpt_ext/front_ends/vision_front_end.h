@@ -50,6 +50,13 @@ struct FrameAtPose
   Pose2 robot;
 };
 
+/// What a calibration tells the user.
+struct CalibrationNotes
+{
+  std::vector<std::string> results;
+  std::vector<std::string> warnings;  ///< what stays uncalibrated, and why
+};
+
 /// From the images of one sensor to readings. The work is done by free functions of `vision`; an implementation names
 /// the images it needs and turns the results into readings.
 class VisionFrontEnd
@@ -61,13 +68,12 @@ class VisionFrontEnd
   [[nodiscard]] virtual LandmarkTable landmarks() const { return {}; }
   /// Numbers of the frames that `calibrate` needs; none: it is not called.
   [[nodiscard]] virtual std::vector<int> calibrationFrames() const { return {}; }
-  /// Calibrates on frames at known poses, before any other is measured; returns lines to print.
-  virtual std::vector<std::string> calibrate(const std::vector<FrameAtPose>& /*frames*/) { return {}; }
+  /// Calibrates on frames at known poses, before any other is measured.
+  virtual CalibrationNotes calibrate(const std::vector<FrameAtPose>& /*frames*/) { return {}; }
   /// How many frames `selfCalibrate` wants; none: it is not called.
   [[nodiscard]] virtual std::size_t selfCalibrationFrames() const { return 0; }
-  /// Estimates constants of the sensor from the first frames, wherever they were taken, before any is measured; returns
-  /// lines to print.
-  virtual std::vector<std::string> selfCalibrate(const std::vector<ImageFrame>& /*frames*/) { return {}; }
+  /// Estimates constants of the sensor from the first frames, wherever they were taken, before any is measured.
+  virtual CalibrationNotes selfCalibrate(const std::vector<ImageFrame>& /*frames*/) { return {}; }
   /// What self-calibration changed, under the names of camera.json; empty: nothing.
   [[nodiscard]] virtual std::map<std::string, double> calibratedNumbers() const { return {}; }
 };
