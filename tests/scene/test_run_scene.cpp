@@ -66,9 +66,9 @@ TEST(RunScene, ARangeAloneIsARing)
   const auto scene = runScene(twoLandmarks(), step);
   const auto around_sensor = scene->getByClass<CDisk>(0), around_landmark = scene->getByClass<CDisk>(1);
   ASSERT_TRUE(around_sensor && around_landmark);
-  EXPECT_NEAR(around_sensor->getPoseX(), 1, 1e-6);
-  EXPECT_NEAR(around_sensor->getPoseY(), 1.5, 1e-6);
-  EXPECT_NEAR(around_landmark->getPoseX(), 4, 1e-6);
+  EXPECT_NEAR(around_sensor->getPose().x, 1, 1e-6);
+  EXPECT_NEAR(around_sensor->getPose().y, 1.5, 1e-6);
+  EXPECT_NEAR(around_landmark->getPose().x, 4, 1e-6);
   EXPECT_NEAR(around_landmark->getOutRadius(), 1.52, 1e-6);
 }
 
