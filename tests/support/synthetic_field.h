@@ -36,6 +36,15 @@ struct Board
   cv::Vec3d colour = kYellow;
 };
 
+/// Something upright along the view, as the side of a goal.
+struct SideBoard
+{
+  double left = 0.2;             ///< [m]
+  double first = 1, last = 1.2;  ///< [m] forward
+  double height = 0.05;          ///< [m]
+  cv::Vec3d colour{200, 200, 200};
+};
+
 struct Marking
 {
   Eigen::Vector2d from, to;  ///< [m]
@@ -44,8 +53,9 @@ struct Marking
 struct FieldPicture
 {
   StereoCamera camera = smallCamera();
-  double wall = 0.8;          ///< [m] forward
-  std::vector<Board> boards;  ///< before the wall, nearer ones first; a goal is one in the wall's plane
+  double wall = 0.8;             ///< [m] forward
+  std::vector<Board> boards;     ///< before the wall, nearer ones first; a goal is one in the wall's plane
+  std::vector<SideBoard> sides;  ///< before everything else
   std::vector<Marking> markings;
   double line_width = 0.003;  ///< [m]
   double noise = 3;           ///< [grey levels]
@@ -54,6 +64,11 @@ struct FieldPicture
 inline cv::Vec3d colourSeen(const FieldPicture& picture, const Eigen::Vector3d& origin, const Eigen::Vector3d& ray)
 {
   const double to_floor = ray.z() < 0 ? -origin.z() / ray.z() : 1e9;
+  for (const SideBoard& side : picture.sides)
+  {
+    const Eigen::Vector3d p = origin + (side.left - origin.y()) / ray.y() * ray;
+    if (p.x() >= side.first && p.x() <= side.last && p.z() >= 0 && p.z() <= side.height) return side.colour;
+  }
   for (const Board& board : picture.boards)
   {
     const Eigen::Vector3d p = origin + board.forward / ray.x() * ray;

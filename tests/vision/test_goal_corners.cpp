@@ -50,7 +50,28 @@ void expectGoal(const std::vector<GoalCorner>& corners, double wall, double midd
   }
   EXPECT_NE(corners[0].side, corners[1].side);
 }
+/// A goal that is recessed into the wall, with sides and a back in these colours.
+FieldPicture recessed(double wall, const cv::Vec3d& sides, const cv::Vec3d& back)
+{
+  FieldPicture picture;
+  picture.wall = wall + 0.15;
+  picture.boards = {{wall, 0.2, 3, 0.05, testing::kWhite},
+                    {wall, -3, -0.2, 0.05, testing::kWhite},
+                    {wall + 0.15, -0.2, 0.2, 0.05, back}};
+  picture.sides = {{0.2, wall, wall + 0.15, 0.05, sides}, {-0.2, wall, wall + 0.15, 0.05, sides}};
+  return picture;
+}
 }  // namespace
+
+TEST(GoalCorners, OfTheBackAreNone)
+{
+  for (const double wall : {0.6, 0.8})
+  {
+    expectGoal(cornersOf(recessed(wall, testing::kYellow, testing::kYellow)), wall, 0, 0);
+    EXPECT_TRUE(cornersOf(recessed(wall, testing::kWhite, testing::kYellow)).empty()) << wall;
+    EXPECT_TRUE(cornersOf(recessed(wall, testing::kWhite, testing::kBlue)).empty()) << wall;
+  }
+}
 
 TEST(GoalCorners, AreWhereTheGoalIs)
 {

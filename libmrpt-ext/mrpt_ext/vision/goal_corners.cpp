@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/geometry/quantile.h"
@@ -20,6 +21,10 @@ constexpr double kOutlier = 3;          ///< in robust standard deviations
 constexpr double kLeastScatter = 0.2;   ///< [px] least robust standard deviation of a row's column
 constexpr double kAgreeingShare = 0.5;  ///< of the rows of the left image
 constexpr float kAsWhite = 0.6F;        ///< of the white beside the step is still it, share of each channel
+constexpr int kFootReach = 10;          ///< [px] to either side that the foot is followed
+constexpr int kFootPoints = 5;          ///< of a line
+constexpr double kFootStep = 0.6;       ///< [px] by more a wall's foot is lower where it covers the goal
+constexpr double kHollow = 140;         ///< [deg] a quarter of a turn, as badly as it can be measured
 constexpr double kEndOfRows = 1.5;      ///< [px] a height in the image is known to
 
 /// The step in one row of the left image, moved along the upright edge to a common row, and where it may be in the
@@ -61,6 +66,26 @@ double stdOfMean(const std::vector<RowStep>& rows, double RowStep::*member, doub
   const double n = static_cast<double>(rows.size());
   return std::sqrt(sum / (n * (n - 1)));
 }
+
+/// The line of a wall's foot in the image, by least squares: rows over columns away from a corner.
+class FootLine
+{
+ public:
+  void add(double column, double row)
+  {
+    ++count_, columns_ += column, rows_ += row, squares_ += column * column, products_ += column * row;
+  }
+  [[nodiscard]] int size() const { return count_; }
+  [[nodiscard]] double slope() const
+  {
+    return (count_ * products_ - columns_ * rows_) / (count_ * squares_ - columns_ * columns_);
+  }
+  [[nodiscard]] double atZero() const { return (rows_ - slope() * columns_) / count_; }
+
+ private:
+  int count_ = 0;
+  double columns_ = 0, rows_ = 0, squares_ = 0, products_ = 0;
+};
 
 class CornerFinder
 {
@@ -171,7 +196,7 @@ class CornerFinder
 
     GoalCorner corner{candidate.colour, candidate.side, u, u - d, 0, 0, 0, *measured};
     findHeight(corner, agreeing, middle, colour);
-    if (!looksLikeGoal(corner)) return std::nullopt;
+    if (!looksLikeGoal(corner) || isHollow(corner, middle, colour)) return std::nullopt;
     const double to_foot = corner.white_bottom - middle.y;
     corner.u_left += to_foot * camera_.uprightSlope(middle);
     corner.u_right += to_foot * camera_.uprightSlope({u - d, middle.y});
@@ -196,6 +221,72 @@ class CornerFinder
     corner.row_top = lastRow(start, -1, isColoured) - 0.5;
     corner.row_bottom = lastRow(start, 1, isColoured) + 0.5;
     corner.white_bottom = lastRow(start, 1, isAsWhite) + 0.5;
+  }
+
+  /// The pixels beside the upright edge through a point.
+  [[nodiscard]] std::optional<cv::Vec3f> beside(const cv::Point2d& edge, int row, int offset) const
+  {
+    const double u = edge.x + camera_.uprightSlope(edge) * (row - edge.y) + offset;
+    const int column = static_cast<int>(std::lround(u));
+    if (row < 0 || row >= left_.rows || column < 0 || column >= left_.cols) return std::nullopt;
+    return meanAround(left_, row, column);
+  }
+
+  /// The row in which what `belongs` to a wall ends, to a fraction: half way to the level of what is below.
+  template <typename Belongs>
+  [[nodiscard]] std::optional<double> footAt(const cv::Point2d& edge, int offset, const Belongs& belongs) const
+  {
+    const auto level = [&](int row)
+    {
+      const auto pixel = beside(edge, row, offset);
+      return pixel ? std::optional(std::max({(*pixel)[0], (*pixel)[1], (*pixel)[2]})) : std::nullopt;
+    };
+    const int last = lastRow(static_cast<int>(std::lround(edge.y)), 1,
+                             [&](int row)
+                             {
+                               const auto pixel = beside(edge, row, offset);
+                               return pixel && belongs(*pixel);
+                             });
+    const auto wall = level(last - 2), floor = level(last + 3);
+    if (!wall || !floor) return std::nullopt;
+    const float half = 0.5F * (*wall + *floor);
+    for (int row = last - 1; row <= last + 2; ++row)
+      if (const float above = *level(row), below = *level(row + 1); above >= half && below < half)
+        return row + static_cast<double>((above - half) / (above - below));
+    return std::nullopt;
+  }
+
+  /// From the foot of an edge along a wall's foot, on the floor [m]; zero where the floor is not seen.
+  [[nodiscard]] Eigen::Vector2d wayAlong(const FootLine& line, double column, int side) const
+  {
+    const auto begin = camera_.floorAt({column, line.atZero()});
+    const auto end = camera_.floorAt({column + side * kFootReach, line.atZero() + line.slope() * kFootReach});
+    return begin && end ? Eigen::Vector2d(*end - *begin) : Eigen::Vector2d::Zero();
+  }
+
+  /// Whether it is the corner between a goal's white side and its coloured back: there the floor fills a quarter of a
+  /// turn between the walls' feet. At a corner of the goal it fills three, or the wall covers the goal's foot, which is
+  /// then higher in the image than the wall's.
+  [[nodiscard]] bool isHollow(const GoalCorner& corner, const cv::Point2d& edge, const GoalColour& colour) const
+  {
+    const auto white = beside(edge, static_cast<int>(std::lround(edge.y)), -corner.side * kInside);
+    if (!white) return false;
+    FootLine of_colour, of_white;
+    for (int offset = kInside - 1; offset <= kFootReach; ++offset)
+    {
+      if (const auto row =
+              footAt(edge, corner.side * offset, [&](const cv::Vec3f& pixel) { return colour.matches(*white, pixel); }))
+        of_colour.add(offset, *row);
+      if (const auto row = footAt(edge, -corner.side * offset,
+                                  [&](const cv::Vec3f& pixel) { return isWhite(pixel, kAsWhite * *white); }))
+        of_white.add(offset, *row);
+    }
+    if (of_colour.size() < kFootPoints || of_white.size() < kFootPoints) return false;
+    if (of_white.atZero() - of_colour.atZero() > kFootStep) return false;
+    Eigen::Vector2d left = wayAlong(of_white, edge.x, -corner.side), right = wayAlong(of_colour, edge.x, corner.side);
+    if (corner.side < 0) std::swap(left, right);
+    const double angle = std::atan2(left.x() * right.y() - left.y() * right.x(), left.dot(right));
+    return angle > 0 && angle < degToRad(kHollow);
   }
 
   /// The last row up or down from `start` for which `holds`; single rows for which it does not are passed over.
