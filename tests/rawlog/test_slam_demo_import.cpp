@@ -45,7 +45,12 @@ TEST_F(SlamDemoImport, BeaconsOfTheRangeOnlyDemo)
 {
   if (!std::filesystem::exists(kDemos / "RO-SLAM_demo.rawlog")) GTEST_SKIP() << "install mrpt-common";
   const Recording recording = importRoSlamDemo({kDemos / "RO-SLAM_demo.rawlog"});
-  EXPECT_EQ(recording.map.size(), 15U);
+  // The package makes the demo anew for each version: 15 beacons in 2.5.8, 14 in 2.14.7.
+  std::ifstream beacons(kDemos / "RO-SLAM_demo_ground_truth.txt");
+  std::size_t count = 0;
+  for (std::string line; std::getline(beacons, line);) count += !line.empty() && line[0] != '%';
+  EXPECT_GE(count, 5U);
+  EXPECT_EQ(recording.map.size(), count);
   EXPECT_TRUE(recording.truth.empty());
   EXPECT_EQ(testing::recordsOf<Reading>(recording).size(), 100U);
 }
