@@ -62,6 +62,28 @@ TEST(DatasetApp, ReportsThatAShortRecordingCalibratesNothing)
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "d.rawlog")) << "nothing is half done";
 }
 
+TEST(DatasetApp, ReadsABagAndTellsWhatItUsed)
+{
+  const testing::ScratchFolder folder;
+  const std::filesystem::path bags = std::filesystem::path(MRPT_EXT_TEST_DATA) / "rosbag2";
+  const auto bag = bags / "drive_zstd.mcap", map = bags / "landmarks.csv", rawlog = folder.path() / "bag.rawlog";
+  const Outcome outcome =
+      runApp({"rosbag2", bag, "--map", map, "--topic", "scan=none", "--topic", "detections=/objects", "-o", rawlog});
+  EXPECT_EQ(outcome.exit_code, kExitDone) << outcome.err;
+  EXPECT_NE(outcome.out.find("/odom (nav_msgs/msg/Odometry, 51 messages): odometry\n"), std::string::npos)
+      << outcome.out;
+  EXPECT_NE(outcome.out.find("/radio (sensor_msgs/msg/Range, 5 messages): ignored, other topics are asked for\n"),
+            std::string::npos);
+  EXPECT_EQ(testing::recordsOf<Reading>(readBack(rawlog)).size(), 5U);
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "bag_ground_truth.tum"));
+  EXPECT_EQ(readLandmarkCsv(folder.path() / "bag_map.csv").size(), 4U);
+
+  const Outcome wrong = runApp({"rosbag2", bag, "--map", map, "--topic", "scan=/odom", "-o", rawlog});
+  EXPECT_EQ(wrong.exit_code, kExitUsage);
+  EXPECT_TRUE(isOneLine(wrong.err)) << wrong.err;
+  EXPECT_EQ(runApp({"roh", bags, "--topic", "scan=/odom", "-o", rawlog}).exit_code, kExitUsage);
+}
+
 TEST(DatasetApp, WritesLogMapAndTruthThatReadBack)
 {
   const testing::ScratchFolder folder;

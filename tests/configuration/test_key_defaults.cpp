@@ -117,7 +117,19 @@ TEST(KeyDefaults, OfASensorAreThoseOfItsConfig)
   EXPECT_EQ(read.clutter_probability, plain.clutter_probability);
   EXPECT_EQ(read.detection_probability, plain.detection_probability);
   EXPECT_EQ(read.association, plain.association);
+  EXPECT_EQ(read.reflectors.has_value(), plain.reflectors.has_value());
   EXPECT_EQ(read.ignore, plain.ignore);
+}
+
+TEST(KeyDefaults, OfReflectorsAreThoseOfTheirOptions)
+{
+  const SensorConfig read =
+      emptyConfig("[Sensor_a]\nextract = reflectors\nintensity_above = 7\n").frames.sensors.at("a");
+  const ReflectorOptions plain;
+  ASSERT_TRUE(read.reflectors);
+  EXPECT_EQ(read.reflectors->intensity_above, 7);
+  EXPECT_EQ(read.reflectors->diameter, plain.diameter);
+  EXPECT_EQ(read.reflectors->shape, plain.shape);
 }
 
 TEST(KeyDefaults, OfAScenarioAreThoseOfItsStruct)

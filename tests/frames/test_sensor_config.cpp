@@ -49,7 +49,47 @@ std::string errorOf(Call&& call)
 }
 
 const Detection kBoth{.id = 1, .bearing = 0.5, .range = 4, .std_bearing = 0.02, .std_range = 0.1};
+
+/// A scan with one bright beam straight ahead, and one to the left.
+RangeScan brightScan()
+{
+  RangeScan scan;
+  scan.time = 10;
+  scan.sensor = "eye";
+  scan.first_bearing = -0.2;
+  scan.bearing_step = 0.1;
+  scan.std_range = 0.02;
+  scan.ranges = {9, 9, 3, 9, 4};
+  scan.intensities = {1, 1, 100, 1, 100};
+  return scan;
+}
 }  // namespace
+
+TEST(SensorConfig, ReflectorsOfAScanAreAReading)
+{
+  UnusableDetections unusable;
+  const auto configs = configsOf(
+      "extract = reflectors\nintensity_above = 50\nreflector_diameter_m = 0.2\ndelay_s = 1\nstd_range_m = 0.5\n");
+  const auto reading = configured(brightScan(), configs, kMap, unusable);
+  ASSERT_TRUE(reading);
+  EXPECT_EQ(reading->time, 9);
+  ASSERT_EQ(reading->detections.size(), 2U);
+  EXPECT_NEAR(*reading->detections[0].range, 3.1, 1e-6);
+  EXPECT_EQ(reading->detections[0].std_range, 0.5);
+  EXPECT_TRUE(unusable.empty());
+}
+
+TEST(SensorConfig, ScansThatAreNotUsedAreCounted)
+{
+  UnusableDetections unusable;
+  EXPECT_FALSE(configured(brightScan(), configsOf(""), kMap, unusable));
+  RangeScan dark = brightScan();
+  dark.intensities.clear();
+  EXPECT_FALSE(configured(dark, configsOf("extract = reflectors\nintensity_above = 50\n"), kMap, unusable));
+  EXPECT_EQ(unusable, (UnusableDetections{{"eye: laser scan, extract is not set", 1},
+                                          {"eye: laser scan without intensities", 1}}));
+  EXPECT_NE(errorOf([] { configsOf("extract = reflectors\n"); }).find("set intensity_above"), std::string::npos);
+}
 
 TEST(SensorConfig, WithoutASectionEverythingIsAsLogged)
 {

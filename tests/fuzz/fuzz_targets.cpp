@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -13,6 +15,9 @@
 #include "mrpt_ext/front_ends/camera_file.h"
 #include "mrpt_ext/front_ends/image_file.h"
 #include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/importers/rosbag2/byte_reader.h"
+#include "mrpt_ext/importers/rosbag2/ros_recording.h"
+#include "mrpt_ext/importers/rosbag2/rosbag2_recording.h"
 #include "mrpt_ext/maps/register_all_classes.h"
 #include "mrpt_ext/rawlog/rawlog_source.h"
 #include "mrpt_ext/report/summary_reader.h"
@@ -85,6 +90,40 @@ void readSummary(std::string_view bytes)
   }
 }
 
+void readMcapBag(std::string_view bytes)
+{
+  if (bytes.starts_with("\x89MCAP")) static_cast<void>(importRosbag2({MemoryFile(bytes).path()}, {}));
+}
+
+/// sqlite3 follows the link of a file in memory to a name that is none: this one has a name.
+void readSqliteFile(std::string_view bytes)
+{
+  if (!bytes.starts_with("SQLite format 3")) return;
+  const std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("fuzz_" + std::to_string(getpid()) + ".db3");
+  std::ofstream(path, std::ios::binary) << bytes;
+  const std::unique_ptr<const std::filesystem::path, void (*)(const std::filesystem::path*)> removed(
+      &path, [](const std::filesystem::path* file) { std::filesystem::remove(*file); });
+  static_cast<void>(importRosbag2({path}, {}));
+}
+
+/// A type, the end of the line, its definition, a zero, and a message.
+void readCdrMessage(std::string_view bytes)
+{
+  const std::size_t line = bytes.find('\n'), zero = bytes.find('\0');
+  if (line == std::string_view::npos || zero == std::string_view::npos || line > zero) return;
+  const BagTopic topic{"/topic", std::string(bytes.substr(0, line)), "cdr",
+                       std::string(bytes.substr(line + 1, zero - line - 1))};
+  try
+  {
+    RosCollector().take({topic, 0, 0, bytes.substr(zero + 1)});
+  }
+  catch (const DamagedBytes&)
+  {
+    // As the reader of the file takes it: an error with the place.
+  }
+}
+
 /// What is refused is fine.
 template <FuzzTarget read>
 void refusedOrRead(std::string_view bytes)
@@ -102,10 +141,11 @@ void refusedOrRead(std::string_view bytes)
 const std::map<std::string, FuzzTarget>& fuzzTargets()
 {
   static const std::map<std::string, FuzzTarget> kTargets{
-      {"rawlog", refusedOrRead<readRawlog>},  {"ini", refusedOrRead<readIni>},
-      {"map", refusedOrRead<readMap>},        {"tum", refusedOrRead<readTruth>},
-      {"camera", refusedOrRead<readCamera>},  {"image", refusedOrRead<readImage>},
-      {"summary", refusedOrRead<readSummary>}};
+      {"rawlog", refusedOrRead<readRawlog>},   {"ini", refusedOrRead<readIni>},
+      {"map", refusedOrRead<readMap>},         {"tum", refusedOrRead<readTruth>},
+      {"camera", refusedOrRead<readCamera>},   {"image", refusedOrRead<readImage>},
+      {"summary", refusedOrRead<readSummary>}, {"mcap", refusedOrRead<readMcapBag>},
+      {"db3", refusedOrRead<readSqliteFile>},  {"cdr", refusedOrRead<readCdrMessage>}};
   return kTargets;
 }
 }  // namespace mrpt_ext

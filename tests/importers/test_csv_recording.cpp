@@ -111,6 +111,31 @@ TEST(CsvRecording, SpeedAndSteeringAreTheArcsOfACar)
   EXPECT_INPUT_ERROR((void)importCsv(files), "--wheelbase: ");
 }
 
+// Its left wheel, 1 m from the middle, drives half the way; the scanner is 1 m ahead of the axle.
+TEST(CsvRecording, SpeedOfAWheelAndFrameOfASensor)
+{
+  const DamagedCopy copy("csv");
+  copy.replace("odometry.csv", "t,speed_m_s,steering_rad\n0,1.5707963267948966,0.7853981633974483\n1,0,0\n");
+  copy.replace("sensors.csv", "sensor,x,y,z,yaw_deg\nomni,1,0,1,0\nstereo,0,0,0.8,90\n");
+  CsvFiles files = findCsvFiles({copy.path()});
+  files.wheelbase = 2;
+  files.wheel_offset = 1;
+  const auto axle = recordsOf<OdometryRecord>(importCsv(files));
+  EXPECT_NEAR((axle.at(1).pose.vector() - Vector3d(2, 2, kPi / 2)).norm(), 0, 1e-9);
+  files.base = "omni";
+  const Recording moved = importCsv(files);
+  const auto sensor = recordsOf<OdometryRecord>(moved);
+  EXPECT_NEAR((sensor.at(0).pose.vector() - Vector3d(1, 0, 0)).norm(), 0, 1e-9);
+  EXPECT_NEAR((sensor.at(1).pose.vector() - Vector3d(2, 3, kPi / 2)).norm(), 0, 1e-9);
+  for (const Reading& reading : recordsOf<Reading>(moved))
+    EXPECT_NEAR(reading.T_robot_sensor.x, reading.sensor == "omni" ? 0 : -1, 1e-9);
+  files.base = "rear";
+  EXPECT_INPUT_ERROR((void)importCsv(files), "--base rear: ");
+  files.base = "";
+  files.wheel_offset = 2;
+  EXPECT_INPUT_ERROR((void)importCsv(files), "odometry.csv:2: steering_rad 0.7853981633974483 puts the centre");
+}
+
 TEST(CsvRecording, SemicolonsAreNamed)
 {
   const DamagedCopy copy("csv");

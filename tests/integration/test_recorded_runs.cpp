@@ -78,6 +78,24 @@ TEST(RecordedRun, MrptsRangeOnlySlamDemo)
   EXPECT_EQ(summary.at("verdict"), "ok") << summary.at("verdict_reason");
 }
 
+TEST(RecordedRun, CarParkFromRawScans)
+{
+  const fs::path recording = testing::recordingsFolder("carpark");
+  if (!fs::exists(recording / "scans.csv.gz")) GTEST_SKIP() << recording << " is absent";
+  const testing::ScratchFolder data, folder;
+  for (const char* file : {"landmarks.csv", "ground_truth.tum", "scans.csv.gz"})
+    fs::copy(recording / file, data.path() / file);
+  fs::copy(recording / "speed_steering.csv", data.path() / "odometry.csv");
+  static_cast<void>(data.write("sensors.csv",
+                               "sensor,x,y,z,yaw_deg,first_bearing_deg,last_bearing_deg\nlaser,3.78,0.5,0,0,-90,90\n"));
+  const auto log = converted(folder.path(),
+                             {"csv", data.path(), "--wheelbase", "2.83", "--wheel-offset", "0.76", "--base", "laser"});
+  const auto summary = testing::summaryOf(testing::localized(
+      folder.path(), "reflectors", testing::joined(log.arguments(), {"--repeat", "5", "--jobs", "2"})));
+  EXPECT_EQ(summary.at("success_rate"), 1.0);
+  EXPECT_LE(testing::positionRmse(summary), 0.12);
+}
+
 TEST(RecordedRun, UwbDemo)
 {
   const fs::path rawlog = "/usr/share/mrpt/datasets/uwb_ro-localization_demo.rawlog";

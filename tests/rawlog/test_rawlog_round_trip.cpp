@@ -51,6 +51,32 @@ void expectSame(const RunningFixReading& a, const RunningFixReading& b)
   EXPECT_EQ(a.displacement_covariance, b.displacement_covariance);
 }
 
+void expectSame(const RangeScan& a, const RangeScan& b)
+{
+  EXPECT_EQ(a.sensor, b.sensor);
+  ASSERT_EQ(a.ranges.size(), b.ranges.size());
+  for (std::size_t beam = 0; beam < a.ranges.size(); ++beam)
+    EXPECT_NEAR(wrap(a.T_robot_sensor.phi + bearingOf(a, beam) - b.T_robot_sensor.phi - bearingOf(b, beam)), 0, 1e-6);
+  EXPECT_EQ(a.ranges, b.ranges);
+  EXPECT_EQ(a.intensities, b.intensities);
+  EXPECT_NEAR(a.std_range, b.std_range, 1e-8);
+}
+
+RangeScan sampleScan(double first_bearing, double step)
+{
+  RangeScan scan;
+  scan.time = 1;
+  scan.sensor = "laser";
+  scan.T_robot_sensor = {0.5, -0.25, 1};
+  scan.sensor_height = 0.3;
+  scan.first_bearing = first_bearing;
+  scan.bearing_step = step;
+  scan.std_range = 0.03;
+  scan.ranges = {1.5F, 0, 200, 4};
+  scan.intensities = {10, 0, 32768, 5};
+  return scan;
+}
+
 class RawlogRoundTrip : public RawlogTest
 {
 };
@@ -72,6 +98,25 @@ TEST_F(RawlogRoundTrip, EveryRecordComesBackInOrder)
     std::visit([&](const auto& b) { expectSame(std::get<std::decay_t<decltype(b)>>(result.records[i]), b); },
                recording.records[i]);
   }
+}
+
+TEST_F(RawlogRoundTrip, LaserScansComeBackWhereTheyAreWanted)
+{
+  const auto path = inFolder("log.rawlog");
+  for (const RangeScan& scan : {sampleScan(-0.5, 0.2), sampleScan(0.5, -0.2)})
+  {
+    writeRawlog(path, {.records = {scan}, .map = {}, .truth = {}, .notes = {}});
+    RawlogSource source(path, 1, [](const std::string& label) { return label == "laser"; });
+    const auto records = readAll(source);
+    ASSERT_EQ(records.size(), 1U);
+    expectSame(std::get<RangeScan>(records[0]), scan);
+    EXPECT_EQ(source.statistics().observations.at("CObservation2DRangeScan").used, 1U);
+  }
+  RawlogSource others(path, 1, [](const std::string& label) { return label == "rear"; });
+  EXPECT_TRUE(readAll(others).empty());
+  EXPECT_EQ(others.statistics().observations.at("CObservation2DRangeScan").ignored, 1U);
+  RawlogSource none(path);
+  EXPECT_TRUE(readAll(none).empty());
 }
 
 TEST_F(RawlogRoundTrip, StatisticsSayWhatWasThere)

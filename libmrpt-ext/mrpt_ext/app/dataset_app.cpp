@@ -49,7 +49,8 @@ std::vector<std::string> wordsOf(const NamedValues<Value>& values)
 bool hasReading(const Recording& recording)
 {
   return std::any_of(recording.records.begin(), recording.records.end(),
-                     [](const Record& record) { return std::holds_alternative<Reading>(record); });
+                     [](const Record& record)
+                     { return std::holds_alternative<Reading>(record) || std::holds_alternative<RangeScan>(record); });
 }
 
 void addOptions(CommandLine& line, DatasetOptions& options)
@@ -62,9 +63,19 @@ void addOptions(CommandLine& line, DatasetOptions& options)
             .target = &request.wheelbase,
             .help = "Distance of the axles in metres (csv, with steering_rad in odometry.csv)",
             .numbers = AllowedNumbers::positive})
+      .add({.names = "--wheel-offset",
+            .target = &request.wheel_offset,
+            .help = "How far to the left of the axle's middle the wheel is that measures the speed [m] (csv)"})
       .add({.names = "--map",
             .target = &request.map,
-            .help = "CSV with the beacons (mrpt-uwb; default: those of the demo)"})
+            .help = "The landmarks (rosbag2), the beacons (mrpt-uwb; default: those of the demo)"})
+      .add({.names = "--topic",
+            .target = &request.topics,
+            .help = "ROLE=NAME, may be repeated: the topic for odometry, truth, detections or scan, or none (rosbag2)",
+            .values = 1})
+      .add({.names = "--base",
+            .target = &request.base,
+            .help = "The robot's frame: a frame of the bag (rosbag2), a sensor of sensors.csv (csv)"})
       .add({.names = "--truth-origin",
             .target = &options.truth_origin,
             .help = "x y phi_deg of the truth's frame in the map (mrpt-uwb; default 2 4 0)",

@@ -11,6 +11,7 @@
 #include "mrpt_ext/importers/mrclam_snapshots.h"
 #include "mrpt_ext/importers/plaza.h"
 #include "mrpt_ext/importers/roh.h"
+#include "mrpt_ext/importers/rosbag2/rosbag2_recording.h"
 #include "mrpt_ext/importers/uwb_demo_map.h"
 #include "mrpt_ext/rawlog/slam_demo_import.h"
 #include "mrpt_ext/rawlog/uwb_demo_import.h"
@@ -25,7 +26,7 @@ struct DatasetFormat
   std::string name;
   std::string inputs;  ///< in words, for help and errors
   std::size_t least_inputs, most_inputs;
-  bool takes_robot, takes_map_and_origin;
+  bool takes_robot, takes_origin;
   Recording (*import)(const DatasetRequest&);
 };
 
@@ -56,18 +57,29 @@ Recording readRoh(const DatasetRequest& request) { return importRoh(request.inpu
 Recording readPlaza(const DatasetRequest& request) { return importPlaza(request.inputs[0]); }
 Recording readLabyrinth(const DatasetRequest& request) { return importLabyrinth(request.inputs[0]); }
 Recording readCuhksz(const DatasetRequest& request) { return importCuhksz(request.inputs[0]); }
+Recording readRosbag2(const DatasetRequest& request)
+{
+  Rosbag2Options options{.topics = {}, .base = request.base, .map = request.map};
+  for (const std::string& topic : request.topics) addTopicRequest(options.topics, topic);
+  return importRosbag2(request.inputs, options);
+}
+
 Recording readCsv(const DatasetRequest& request)
 {
   CsvFiles files = findCsvFiles(request.inputs);
   files.wheelbase = request.wheelbase;
+  files.wheel_offset = request.wheel_offset.value_or(0);
+  files.base = request.base;
   return importCsv(files);
 }
 
 const std::vector<DatasetFormat>& formats()
 {
   static const std::vector<DatasetFormat> kFormats = {
-      {"csv", "a folder with landmarks.csv, odometry.csv, detections.csv (and ground_truth.tum), or these files", 1, 4,
-       false, false, readCsv},
+      {"csv",
+       "a folder with landmarks.csv, odometry.csv, detections.csv or scans.csv (and ground_truth.tum), or these "
+       "files",
+       1, 4, false, false, readCsv},
       {"cuhksz", "folder with UWB_<run>.csv (and motion_capture_<run>.csv), or FOLDER/RUN", 1, 1, false, false,
        readCuhksz},
       {"labyrinth", "folder with <run>_Input.txt (and <run>_GT.txt), or FOLDER/RUN", 1, 1, false, false, readLabyrinth},
@@ -83,7 +95,9 @@ const std::vector<DatasetFormat>& formats()
       {"mrpt-uwb", "MRPT's uwb_ro-localization_demo.rawlog (and its truth file)", 1, 2, false, true, readUwbDemo},
       {"plaza", "folder with <run>_TD.txt, <run>_DR.txt, <run>_TL.txt (and <run>_GT.txt), or FOLDER/RUN", 1, 1, false,
        false, readPlaza},
-      {"roh", "folder with landmark.csv and files (Xx,Yy).csv of bearings", 1, 1, false, false, readRoh}};
+      {"roh", "folder with landmark.csv and files (Xx,Yy).csv of bearings", 1, 1, false, false, readRoh},
+      {"rosbag2", "folder of a ROS 2 bag, or its files (.mcap, .db3); needs --map", 1, 1000, false, false,
+       readRosbag2}};
   return kFormats;
 }
 
@@ -105,10 +119,15 @@ void checkRequest(const DatasetRequest& request, const DatasetFormat& format)
     throw configurationError(format.name + ": " + std::to_string(count) + " inputs, expected " + format.inputs);
   if (request.robot && !format.takes_robot)
     throw configurationError(format.name + ": has no robots to choose from, expected no --robot");
-  if (request.wheelbase && format.name != "csv")
-    throw configurationError(format.name + ": has no steering angles, expected no --wheelbase");
-  if ((!request.map.empty() || request.truth_origin) && !format.takes_map_and_origin)
+  if ((request.wheelbase || request.wheel_offset) && format.name != "csv")
+    throw configurationError(format.name + ": has no steering angles, expected no --wheelbase and no --wheel-offset");
+  const bool is_bag = format.name == "rosbag2";
+  if ((!request.map.empty() && !format.takes_origin && !is_bag) || (request.truth_origin && !format.takes_origin))
     throw configurationError(format.name + ": brings its own map and frame, expected no --map and no --truth-origin");
+  if (!request.topics.empty() && !is_bag)
+    throw configurationError(format.name + ": has no topics, expected no --topic");
+  if (!request.base.empty() && !is_bag && format.name != "csv")
+    throw configurationError(format.name + ": has one frame of the robot, expected no --base");
   if (!request.map.empty() && !std::filesystem::exists(request.map))
     throw dataError("--map " + request.map.string() + ": no such file");
 }

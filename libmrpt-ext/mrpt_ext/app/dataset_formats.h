@@ -15,10 +15,13 @@ struct DatasetRequest
 {
   std::string format;
   std::vector<std::filesystem::path> inputs;
-  std::optional<int> robot;           ///< mrclam, mrclam-snapshots
-  std::optional<double> wheelbase;    ///< [m] csv: distance of the axles of a car
-  std::filesystem::path map;          ///< mrpt-uwb: other beacon positions than the demo's
-  std::optional<Pose2> truth_origin;  ///< mrpt-uwb: pose of the truth file's frame in the map
+  std::optional<int> robot;            ///< mrclam, mrclam-snapshots
+  std::optional<double> wheelbase;     ///< [m] csv: distance of the axles of a car
+  std::optional<double> wheel_offset;  ///< [m] csv: of the wheel that measures the speed
+  std::filesystem::path map;           ///< mrpt-uwb: other beacon positions than the demo's; rosbag2: the landmarks
+  std::vector<std::string> topics;     ///< rosbag2: ROLE=NAME
+  std::string base;                    ///< csv, rosbag2: the sensor or frame that is the robot's
+  std::optional<Pose2> truth_origin;   ///< mrpt-uwb: pose of the truth file's frame in the map
   IdentityLevel identity = IdentityLevel::known;
   MeasurementSelection measurements = MeasurementSelection::range_bearing;
 };

@@ -45,6 +45,12 @@ NamedValues<IdentityLevel> identityLevels()
           {IdentityLevel::anonymous, {"anonymous", {}, "neither"}}};
 }
 
+NamedValues<ReflectorShape> reflectorShapes()
+{
+  return {{ReflectorShape::round, {"round", {}, "a post"}},
+          {ReflectorShape::flat, {"flat", {}, "a plate that faces the scanner"}}};
+}
+
 NamedValues<int> mrptAlgorithms()
 {
   return {{0, {"pfStandardProposal", 0, "the motion model"}},

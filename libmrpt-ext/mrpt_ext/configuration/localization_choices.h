@@ -2,6 +2,7 @@
 
 #include "mrpt_ext/configuration/filter_engine.h"
 #include "mrpt_ext/filter/particle_filter.h"
+#include "mrpt_ext/frames/reflector_extraction.h"
 #include "mrpt_ext/geometry/identity_level.h"
 #include "mrpt_ext/localizers/running_fix_localizer.h"
 #include "mrpt_ext/settings/key_choice.h"
@@ -16,6 +17,7 @@ namespace mrpt_ext
 [[nodiscard]] NamedValues<MotionType> motionTypes();
 [[nodiscard]] NamedValues<ResamplingMethod> resamplingMethods();
 [[nodiscard]] NamedValues<IdentityLevel> identityLevels();
+[[nodiscard]] NamedValues<ReflectorShape> reflectorShapes();
 /// MRPT's numbers of PF_algorithm.
 [[nodiscard]] NamedValues<int> mrptAlgorithms();
 /// The forms of a file with the ground truth.

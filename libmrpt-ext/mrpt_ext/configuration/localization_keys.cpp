@@ -133,6 +133,7 @@ KeyTable motionKeys()
 KeyTable sensorKeys()
 {
   const SensorConfig sensor;
+  const ReflectorOptions reflectors;
   return KeySection("Sensor_<label>")
       .number("delay_s", "s", sensor.delay, ranges::kAny, "Latency of the sensor, subtracted from its time stamps.")
       .degrees("std_bearing_deg", "deg", sensor.std_bearing, ranges::kPositive,
@@ -167,6 +168,16 @@ KeyTable sensorKeys()
       .choice("association", sensor.association, identityLevels(),
               "Which logged identities are used for data association.")
       .forBeginners()
+      .choice("extract", "none",
+              {{"none", {}, "nothing"}, {"reflectors", {}, "bright spots, as landmarks without names"}},
+              "What is taken from laser scans. Reflectors need intensity_above.")
+      .number("intensity_above", "", kUnset, ranges::kNotNegative,
+              "Beams on reflectors are brighter, in units of the scanner.")
+      .number(
+          "reflector_diameter_m", "m", reflectors.diameter, ranges::kNotNegative,
+          "Diameter of a post, width of a plate. Detections are its centre; wider bright surfaces are left out. 0: not "
+          "known.")
+      .choice("reflector_shape", reflectors.shape, reflectorShapes(), "Form of the reflectors.")
       .flag("ignore", sensor.ignore, "Ignore this sensor.");
 }
 }  // namespace

@@ -10,7 +10,19 @@ namespace mrpt_ext
 namespace
 {
 const std::string kPrefix = "Sensor_";
+
+/// What to extract from laser scans; nothing where nothing is asked for.
+std::optional<ReflectorOptions> reflectorOptions(const Settings& settings, const std::string& section)
+{
+  if (settings.choice(section, "extract") == "none") return std::nullopt;
+  const auto least = settings.optionalNumber(section, "intensity_above");
+  if (!least)
+    throw settings.errorAt(section, "extract", "reflectors needs the intensity that they exceed, set intensity_above");
+  return ReflectorOptions{.intensity_above = *least,
+                          .diameter = settings.number(section, "reflector_diameter_m"),
+                          .shape = settings.choice(section, "reflector_shape", reflectorShapes())};
 }
+}  // namespace
 
 LandmarkValues landmarkValues(const Settings& settings, const std::string& section, const std::string& key)
 {
@@ -51,6 +63,7 @@ SensorConfigs sensorConfigs(const Settings& settings)
     c.clutter_probability = settings.number(section, "clutter_probability");
     c.detection_probability = settings.optionalNumber(section, "detection_probability");
     c.association = settings.choice(section, "association", identityLevels());
+    c.reflectors = reflectorOptions(settings, section);
     c.ignore = settings.flag(section, "ignore");
   }
   return configs;

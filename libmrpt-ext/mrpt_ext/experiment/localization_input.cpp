@@ -40,6 +40,15 @@ LandmarkTable loadMap(const Settings& settings)
   return map;
 }
 
+/// Tells the sensors from whose laser scans something is extracted. `sensors` must outlive what is returned.
+std::function<bool(const std::string&)> usedScans(const SensorConfigs& sensors)
+{
+  const bool any =
+      std::any_of(sensors.begin(), sensors.end(), [](const auto& s) { return s.second.reflectors.has_value(); });
+  if (!any) return {};
+  return [&sensors](const std::string& label) { return configOf(sensors, label).reflectors.has_value(); };
+}
+
 /// The records within the window; `source` must outlive them.
 RecordStream recordsOf(RawlogSource& source, const LogWindow& window)
 {
@@ -198,7 +207,7 @@ LocalizationInput loadLocalization(const Settings& settings, const LogWindow& wi
   input.log.window = window;
   input.context.config_path = settings.file().string();
   input.context.rawlog_path = input.log.path.string();
-  RawlogSource source(input.log.path, input.config.step);
+  RawlogSource source(input.log.path, input.config.step, usedScans(input.config.frames.sensors));
   if (source.hasSensoryFrames()) input.config.frames.window = 0;
   if (!source.clockNote().empty()) input.notes.push_back(source.clockNote());
   readOverview(input, source);
@@ -216,7 +225,8 @@ LocalizationInput loadLocalization(const Settings& settings, const LogWindow& wi
 
 FrameSynchronizer framesOf(const LocalizationInput& input)
 {
-  const auto source = std::make_shared<RawlogSource>(input.log.path, input.config.step);
+  const auto source =
+      std::make_shared<RawlogSource>(input.log.path, input.config.step, usedScans(input.config.frames.sensors));
   const auto records = [source, next = recordsOf(*source, input.log.window)] { return next(); };
   return {records, input.context.map, input.config.frames, input.log.overview};
 }

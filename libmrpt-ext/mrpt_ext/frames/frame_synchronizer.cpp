@@ -144,6 +144,8 @@ void FrameSynchronizer::configure(const Record& record)
     enqueue(configured(*reading, options_.sensors, map_, unusable_), reading->sensor);
   if (const auto* fix = std::get_if<RunningFixReading>(&record); fix && !ignored(fix->sensor))
     if (auto usable = configured(*fix, options_.sensors, map_, unusable_)) enqueue(std::move(*usable), fix->sensor);
+  if (const auto* scan = std::get_if<RangeScan>(&record); scan && !ignored(scan->sensor))
+    if (auto usable = configured(*scan, options_.sensors, map_, unusable_)) enqueue(std::move(*usable), scan->sensor);
   if (const auto* compass = std::get_if<CompassRecord>(&record); compass && !ignored(compass->sensor))
     enqueue(configured(*compass, options_.sensors), compass->sensor);
 }

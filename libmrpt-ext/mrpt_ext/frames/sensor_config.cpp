@@ -136,6 +136,21 @@ Reading configured(Reading reading, const SensorConfigs& configs, const Landmark
   return reading;
 }
 
+std::optional<Reading> configured(const RangeScan& scan, const SensorConfigs& configs, const LandmarkTable& map,
+                                  UnusableDetections& unusable)
+{
+  const auto& options = configOf(configs, scan.sensor).reflectors;
+  const bool usable = options && !scan.intensities.empty();
+  if (!usable)
+  {
+    ++unusable[scan.sensor + (options ? ": laser scan without intensities" : ": laser scan, extract is not set")];
+    return std::nullopt;
+  }
+  Reflectors found = extractReflectors(scan, *options);
+  if (found.too_wide > 0) unusable[scan.sensor + ": bright surface wider than a reflector"] += found.too_wide;
+  return configured(reflectorReading(scan, std::move(found)), configs, map, unusable);
+}
+
 std::optional<RunningFixReading> configured(RunningFixReading fix, const SensorConfigs& configs,
                                             const LandmarkTable& map, UnusableDetections& unusable)
 {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "mrpt_ext/frames/reflector_extraction.h"
 #include "mrpt_ext/geometry/identity_level.h"
 #include "mrpt_ext/geometry/landmark_table.h"
 #include "mrpt_ext/geometry/measurement.h"
@@ -31,6 +32,7 @@ struct SensorConfig
   double clutter_probability = 0.05;
   std::optional<double> detection_probability;
   IdentityLevel association = IdentityLevel::known;
+  std::optional<ReflectorOptions> reflectors;  ///< to extract from its laser scans; absent: scans are not used
   bool ignore = false;
 };
 
@@ -48,6 +50,9 @@ using UnusableDetections = std::map<std::string, std::size_t>;
 /// neither logged nor configured.
 [[nodiscard]] Reading configured(Reading reading, const SensorConfigs& configs, const LandmarkTable& map,
                                  UnusableDetections& unusable);
+/// The reflectors in a laser scan, as such a reading; nothing when the scan cannot be used, which is counted.
+[[nodiscard]] std::optional<Reading> configured(const RangeScan& scan, const SensorConfigs& configs,
+                                                const LandmarkTable& map, UnusableDetections& unusable);
 /// The same for a running fix, which must be identified; nothing when it cannot be used, which is counted.
 [[nodiscard]] std::optional<RunningFixReading> configured(RunningFixReading fix, const SensorConfigs& configs,
                                                           const LandmarkTable& map, UnusableDetections& unusable);

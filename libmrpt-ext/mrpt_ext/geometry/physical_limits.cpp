@@ -39,6 +39,11 @@ std::string whyImpossibleValue(const RunningFixReading& fix)
 }
 
 std::string whyImpossibleValue(const CompassRecord&) { return {}; }
+
+std::string whyImpossibleValue(const RangeScan& scan)
+{
+  return whyNoPosition("sensor on the robot at", scan.T_robot_sensor.x, scan.T_robot_sensor.y, scan.sensor_height);
+}
 }  // namespace
 
 std::string whyImpossible(const Record& record)

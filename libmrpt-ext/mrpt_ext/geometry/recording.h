@@ -8,6 +8,7 @@
 #include "mrpt_ext/geometry/landmark_table.h"
 #include "mrpt_ext/geometry/measurement.h"
 #include "mrpt_ext/geometry/pose.h"
+#include "mrpt_ext/geometry/range_scan.h"
 #include "mrpt_ext/geometry/trajectory.h"
 
 namespace mrpt_ext
@@ -29,7 +30,7 @@ struct CompassRecord
 };
 
 /// One entry of a log. A Reading in a recording has its sensor pose in the robot frame at its own time.
-using Record = std::variant<OdometryRecord, Reading, RunningFixReading, CompassRecord>;
+using Record = std::variant<OdometryRecord, Reading, RunningFixReading, CompassRecord, RangeScan>;
 
 [[nodiscard]] inline double timeOf(const Record& record)
 {

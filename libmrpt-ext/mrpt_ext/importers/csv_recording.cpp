@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/files/text_table.h"
 #include "mrpt_ext/files/tum.h"
 #include "mrpt_ext/importers/landmark_map_file.h"
 #include "mrpt_ext/importers/ordered_time.h"
 #include "mrpt_ext/importers/reading_collector.h"
 #include "mrpt_ext/importers/recording_notes.h"
+#include "mrpt_ext/importers/scan_table.h"
 #include "mrpt_ext/importers/sensor_poses.h"
 #include "mrpt_ext/importers/truth_heading.h"
 #include "mrpt_ext/importers/velocity_odometry.h"
@@ -19,7 +21,8 @@ namespace
 {
 namespace fs = std::filesystem;
 
-constexpr double kMostSteering = 1.5;  ///< [rad]
+constexpr double kMostSteering = 1.5;      ///< [rad]
+constexpr double kLeastWheelSpeed = 0.05;  ///< of the wheel that measures the speed, as a share of the axle's
 
 std::vector<OdometryRecord> readPoses(const TextTable& table)
 {
@@ -49,20 +52,27 @@ std::vector<OdometryRecord> readVelocities(const TextTable& table)
 }
 
 /// A car turns about a point on the line of its rear axle.
-std::vector<OdometryRecord> readSteering(const TextTable& table, std::optional<double> wheelbase)
+std::vector<OdometryRecord> readSteering(const TextTable& table, const CsvFiles& files)
 {
   table.expectOnlyColumns({"t", "speed_m_s", "steering_rad"});
-  if (!wheelbase)
+  if (!files.wheelbase)
     throw configurationError(table.path().string() +
                              ": steering_rad needs the distance of the axles, set --wheelbase M");
   const std::size_t t = table.column("t"), speed = table.column("speed_m_s"), steering = table.column("steering_rad");
   std::vector<VelocityRecord> velocities;
   for (std::size_t row = 0; row < table.size(); ++row)
   {
-    const double angle = table.number(row, steering), forward = table.number(row, speed);
+    const double angle = table.number(row, steering);
     if (std::abs(angle) > kMostSteering)
       throw table.errorAt(row, "steering_rad " + table.text(row, steering) + ", expected radians within +-1.5");
-    velocities.push_back({orderedTime(table, row, t), forward, forward * std::tan(angle) / *wheelbase});
+    const double curvature = std::tan(angle) / *files.wheelbase;
+    // A wheel nearer to the centre of the turn is slower than the middle of the axle.
+    const double slower = 1 - curvature * files.wheel_offset;
+    if (slower < kLeastWheelSpeed)
+      throw table.errorAt(row, "steering_rad " + table.text(row, steering) +
+                                   " puts the centre of the turn at the wheel of --wheel-offset");
+    const double forward = table.number(row, speed) / slower;
+    velocities.push_back({orderedTime(table, row, t), forward, forward * curvature});
   }
   return integrateVelocities(velocities);
 }
@@ -72,9 +82,10 @@ void addOdometry(Recording& recording, const CsvFiles& files)
   const TextTable table(files.odometry, {});
   const bool velocities = table.findColumn("v") || table.findColumn("omega_deg_s");
   const bool steering = table.findColumn("steering_rad") || table.findColumn("speed_m_s");
-  if (files.wheelbase && !steering)
-    throw configurationError("--wheelbase: " + files.odometry.string() + " has no column steering_rad");
-  const std::vector<OdometryRecord> odometry = steering     ? readSteering(table, files.wheelbase)
+  if ((files.wheelbase || files.wheel_offset != 0) && !steering)
+    throw configurationError(std::string(files.wheelbase ? "--wheelbase: " : "--wheel-offset: ") +
+                             files.odometry.string() + " has no column steering_rad");
+  const std::vector<OdometryRecord> odometry = steering     ? readSteering(table, files)
                                                : velocities ? readVelocities(table)
                                                             : readPoses(table);
   recording.records.insert(recording.records.end(), odometry.begin(), odometry.end());
@@ -164,6 +175,22 @@ void addReadings(Recording& recording, const fs::path& path)
   recording.records.insert(recording.records.end(), collector.readings().begin(), collector.readings().end());
 }
 
+void addScans(Recording& recording, const fs::path& path, const std::map<std::string, SensorPose>& sensors)
+{
+  for (RangeScan& scan : readScanTable(path, sensors)) recording.records.emplace_back(std::move(scan));
+}
+
+void setBase(Recording& recording, const CsvFiles& files, const std::map<std::string, SensorPose>& sensors)
+{
+  if (files.base.empty()) return;
+  const auto base = sensors.find(files.base);
+  if (base == sensors.end())
+    throw configurationError(
+        "--base " + files.base + ": " +
+        (files.sensors.empty() ? "there is no sensors.csv" : files.sensors.string() + " has no such sensor"));
+  setRobotFrame(recording, base->second);
+}
+
 /// The map of the folder: landmarks.csv, or the one other format that is there.
 fs::path mapIn(const fs::path& folder)
 {
@@ -185,13 +212,17 @@ CsvFiles findCsvFiles(const std::vector<fs::path>& inputs)
   {
     const fs::path& folder = inputs[0];
     if (!fs::is_directory(folder)) throw dataError(folder.string() + ": no such folder, expected landmarks.csv in it");
-    const auto optional = [&](const char* name) { return fs::exists(folder / name) ? folder / name : fs::path(); };
+    const auto optional = [&](const char* name) { return findPlainOrGzipped(folder / name).value_or(fs::path()); };
+    const fs::path scans = optional("scans.csv");
     return {.landmarks = mapIn(folder),
             .odometry = optional("odometry.csv"),
-            .detections = folder / "detections.csv",
+            .detections = scans.empty() ? folder / "detections.csv" : optional("detections.csv"),
+            .scans = scans,
             .ground_truth = optional("ground_truth.tum"),
             .sensors = optional("sensors.csv"),
-            .wheelbase = {}};
+            .wheelbase = {},
+            .wheel_offset = 0,
+            .base = {}};
   }
   if (inputs.size() != 3 && inputs.size() != 4)
     throw configurationError("csv: " + std::to_string(inputs.size()) +
@@ -199,9 +230,12 @@ CsvFiles findCsvFiles(const std::vector<fs::path>& inputs)
   return {.landmarks = inputs[0],
           .odometry = inputs[1],
           .detections = inputs[2],
+          .scans = {},
           .ground_truth = inputs.size() == 4 ? inputs[3] : fs::path(),
           .sensors = {},
-          .wheelbase = {}};
+          .wheelbase = {},
+          .wheel_offset = 0,
+          .base = {}};
 }
 
 Recording importCsv(const CsvFiles& files)
@@ -212,8 +246,11 @@ Recording importCsv(const CsvFiles& files)
     recording.notes.emplace_back("no odometry.csv: the log has no odometry");
   else
     addOdometry(recording, files);
-  addReadings(recording, files.detections);
-  if (!files.sensors.empty()) mountSensors(recording, files.sensors);
+  const auto sensors = files.sensors.empty() ? std::map<std::string, SensorPose>() : readSensorPoses(files.sensors);
+  if (!files.detections.empty()) addReadings(recording, files.detections);
+  if (!files.scans.empty()) addScans(recording, files.scans, sensors);
+  if (!files.sensors.empty()) mountSensors(recording, sensors, files.sensors);
+  setBase(recording, files, sensors);
   if (files.ground_truth.empty())
     recording.notes.emplace_back("no truth file");
   else

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "mrpt_ext/geometry/recording.h"
@@ -20,16 +21,19 @@ struct CsvFiles
   /// `t,sensor,id,category,bearing_deg,range_m,std_bearing_deg,std_range_m`; an empty field was not measured or is not
   /// known. Ranges are 3-D distances from the sensor. Rows with one time and sensor are one reading.
   std::filesystem::path detections;
+  std::filesystem::path scans;  ///< laser scans, see scan_table.h; empty: none. Without detections they are enough
   /// TUM file, see tum.h; empty: no truth.
   std::filesystem::path ground_truth;
   /// `sensor,x,y,z,yaw_deg`, see sensor_poses.h; empty: all sensors sit at the robot's origin and look forward.
   std::filesystem::path sensors;
   std::optional<double> wheelbase;  ///< [m] distance of the axles, for a car's odometry
+  double wheel_offset = 0;  ///< [m] how far to the left of the axle's middle the wheel is that measures the speed
+  std::string base;         ///< sensor whose pose becomes the robot's frame; empty: the origin of sensors.csv
 };
 
-/// `inputs` is a folder with landmarks.csv (or landmarks.json, tags.yaml), detections.csv, perhaps odometry.csv,
-/// sensors.csv and ground_truth.tum, or the paths of LANDMARKS ODOMETRY DETECTIONS [GROUND_TRUTH] in this order. Throws
-/// InputError (configuration) on another number of inputs.
+/// `inputs` is a folder with landmarks.csv (or landmarks.json, tags.yaml), detections.csv or scans.csv, perhaps
+/// odometry.csv, sensors.csv and ground_truth.tum, or the paths of LANDMARKS ODOMETRY DETECTIONS [GROUND_TRUTH] in this
+/// order. Throws InputError (configuration) on another number of inputs.
 [[nodiscard]] CsvFiles findCsvFiles(const std::vector<std::filesystem::path>& inputs);
 
 /// Throws InputError (data), with file and line, on missing files, wrong columns, values out of range and times that

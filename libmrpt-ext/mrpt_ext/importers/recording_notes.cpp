@@ -107,6 +107,7 @@ std::vector<std::string> describe(const Recording& recording)
       sensors[reading->sensor].add(*reading, recording.map, categories);
     if (const auto* fix = std::get_if<RunningFixReading>(&record))
       others["running fixes " + fix->sensor].add(fix->time);
+    if (const auto* scan = std::get_if<RangeScan>(&record)) others["laser scans " + scan->sensor].add(scan->time);
     if (const auto* compass = std::get_if<CompassRecord>(&record))
       others["compass " + compass->sensor].add(compass->time);
   }

@@ -1,6 +1,7 @@
 #include "mrpt_ext/rawlog/rawlog_sink.h"
 
 #include <mrpt/io/CFileGZOutputStream.h>
+#include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/obs/CObservationIMU.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/serialization/CArchive.h>
@@ -53,6 +54,7 @@ class ObservationMaker
     return toLandmarkBearings(reading);
   }
   ObservationPtr operator()(const RunningFixReading& fix) const { return toObservation(fix); }
+  ObservationPtr operator()(const RangeScan& scan) const { return toObservation(scan); }
   ObservationPtr operator()(const CompassRecord& compass) const
   {
     auto observation = mrpt::obs::CObservationIMU::Create();

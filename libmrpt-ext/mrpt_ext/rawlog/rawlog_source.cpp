@@ -12,9 +12,9 @@
 
 namespace mrpt_ext
 {
-RawlogSource::RawlogSource(const std::filesystem::path& path, double step)
-    : reader_(std::make_unique<RawlogReader>(path, translatedClasses())),
-      translator_(std::make_unique<RawlogTranslator>()),
+RawlogSource::RawlogSource(const std::filesystem::path& path, double step, const ScanFilter& scans)
+    : reader_(std::make_unique<RawlogReader>(path, translatedClasses(scans))),
+      translator_(std::make_unique<RawlogTranslator>(StepClock(), scans)),
       queue_(kReorderWindow)
 {
   const auto first = reader_->next();
@@ -29,7 +29,7 @@ RawlogSource::RawlogSource(const std::filesystem::path& path, double step)
     has_sensory_frames_ = true;
     StepClock clock = stepClockOf(path, step);
     clock_note_ = clock.reason;
-    translator_ = std::make_unique<RawlogTranslator>(std::move(clock));
+    translator_ = std::make_unique<RawlogTranslator>(std::move(clock), scans);
   }
   translate(*first);
 }

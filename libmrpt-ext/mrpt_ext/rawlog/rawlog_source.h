@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -52,8 +53,9 @@ class RawlogSource
   static constexpr double kReorderWindow = 1;  ///< [s] a record may be this much older than the newest before it
 
   /// `step`: [s] that one step of a log of steps counts where its stamps are no clock, see stepClockOf(). Such a log is
-  /// read once more, beforehand.
-  explicit RawlogSource(const std::filesystem::path& path, double step = 1);
+  /// read once more, beforehand. `scans`: the labels of the sensors whose laser scans become records.
+  explicit RawlogSource(const std::filesystem::path& path, double step = 1,
+                        const std::function<bool(const std::string& label)>& scans = {});
   ~RawlogSource();
 
   /// The next record in time order; nothing at the end.

@@ -1,6 +1,7 @@
 #include "mrpt_ext/rawlog/rawlog_translator.h"
 
 #include <mrpt/obs/CActionCollection.h>
+#include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/obs/CObservationIMU.h>
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CSensoryFrame.h>
@@ -24,13 +25,14 @@ constexpr const char* kOutsideFrames = "outside the sensory frames, whose count 
 Pose2 planar(const mrpt::poses::CPose2D& pose) { return {pose.x(), pose.y(), pose.phi()}; }
 }  // namespace
 
-const std::set<std::string>& translatedClasses()
+std::set<std::string> translatedClasses(const ScanFilter& scans)
 {
-  static const std::set<std::string> kClasses = {"CObservationOdometry",         "CObservationIMU",
-                                                 "CObservationLandmarkBearings", "CObservationStereoRanges",
-                                                 "CObservationBearingRange",     "CObservationBeaconRanges",
-                                                 "CObservationRunningFix"};
-  return kClasses;
+  std::set<std::string> classes = {"CObservationOdometry",         "CObservationIMU",
+                                   "CObservationLandmarkBearings", "CObservationStereoRanges",
+                                   "CObservationBearingRange",     "CObservationBeaconRanges",
+                                   "CObservationRunningFix"};
+  if (scans) classes.insert("CObservation2DRangeScan");
+  return classes;
 }
 
 std::optional<std::vector<RawlogTranslator::Output>> RawlogTranslator::translate(
@@ -104,6 +106,7 @@ std::string RawlogTranslator::useObservation(const mrpt::obs::CObservation& obse
 {
   if (dynamic_cast<const mrpt::obs::CObservationOdometry*>(&observation)) return useOdometry(observation, time);
   if (dynamic_cast<const mrpt::obs::CObservationIMU*>(&observation)) return useCompass(observation, time);
+  if (dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(&observation)) return useScan(observation, time);
   return useLandmarks(observation, time);
 }
 
@@ -125,6 +128,20 @@ std::string RawlogTranslator::useCompass(const mrpt::obs::CObservation& observat
   const double heading = imu.rawMeasurements.at(mrpt::obs::IMU_YAW) - imu.sensorPose.yaw();
   if (!std::isfinite(heading)) return "not finite";
   emit(CompassRecord{.time = time, .sensor = labelOf(observation), .heading = wrap(heading), .std_heading = 0});
+  return "";
+}
+
+std::string RawlogTranslator::useScan(const mrpt::obs::CObservation& observation, double time)
+{
+  const std::string label = labelOf(observation);
+  if (!scans_ || !scans_(label)) return "of sensor '" + label + "', whose section has no extract = reflectors";
+  RangeScan scan = toRangeScan(dynamic_cast<const mrpt::obs::CObservation2DRangeScan&>(observation));
+  if (scan.intensities.empty()) return "without intensities";
+  const bool finite =
+      isFinite(scan.T_robot_sensor) && std::isfinite(scan.sensor_height) && std::isfinite(scan.bearing_step);
+  if (!finite) return "not finite";
+  scan.time = time;
+  emit(std::move(scan));
   return "";
 }
 

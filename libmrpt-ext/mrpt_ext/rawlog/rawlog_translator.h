@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -31,10 +32,14 @@ struct StepClock
   std::string reason;          ///< one line for the user; empty when the stamps hold
 };
 
+/// Whether the laser scans of the sensor with this label are wanted; empty: of none.
+using ScanFilter = std::function<bool(const std::string& label)>;
+
 /// Turns the entries of a log into plain records, in the order of the log, and counts used and ignored observations.
 ///
 /// Observation-only logs: CObservationOdometry (of one label), our observations, MRPT's CObservationBearingRange and
 /// CObservationBeaconRanges, and CObservationIMU with an absolute yaw become records; other classes are ignored.
+/// CObservation2DRangeScan becomes a record where the ScanFilter wants it.
 /// An IMU does not log its standard deviation: std_heading is 0 (not declared).
 ///
 /// Logs of action/sensory-frame pairs: increments are accumulated to a dead-reckoned pose. An action is the motion
@@ -51,7 +56,10 @@ class RawlogTranslator
     std::optional<std::size_t> step;
   };
 
-  explicit RawlogTranslator(StepClock clock = {}) : clock_(std::move(clock)) {}
+  explicit RawlogTranslator(StepClock clock = {}, ScanFilter scans = {})
+      : clock_(std::move(clock)), scans_(std::move(scans))
+  {
+  }
 
   /// Records of one entry; nothing (not even an empty list) when such an object is no part of a log.
   [[nodiscard]] std::optional<std::vector<Output>> translate(const mrpt::serialization::CSerializable& entry);
@@ -83,6 +91,7 @@ class RawlogTranslator
   std::string useObservation(const mrpt::obs::CObservation& observation, double time);
   std::string useOdometry(const mrpt::obs::CObservation& observation, double time);
   std::string useCompass(const mrpt::obs::CObservation& observation, double time);
+  std::string useScan(const mrpt::obs::CObservation& observation, double time);
   std::string useLandmarks(const mrpt::obs::CObservation& observation, double time);
   std::string useReading(Reading reading, const std::string& class_name);
 
@@ -90,6 +99,7 @@ class RawlogTranslator
   void count(const std::string& class_name, const std::string& why_ignored);
 
   StepClock clock_;
+  ScanFilter scans_;
   std::vector<Output> output_;  // of the current entry
   std::optional<std::size_t> step_;
   std::map<std::string, ObservationCount> observations_;
@@ -103,6 +113,6 @@ class RawlogTranslator
   std::vector<PendingAction> pending_actions_;  // since the last frame
 };
 
-/// The classes of observations, without namespace, that can become records.
-[[nodiscard]] const std::set<std::string>& translatedClasses();
+/// The classes of observations, without namespace, that can become records; laser scans where they are wanted.
+[[nodiscard]] std::set<std::string> translatedClasses(const ScanFilter& scans = {});
 }  // namespace mrpt_ext

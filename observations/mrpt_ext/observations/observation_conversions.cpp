@@ -1,5 +1,6 @@
 #include "mrpt_ext/observations/observation_conversions.h"
 
+#include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/obs/CObservationBeaconRanges.h>
 #include <mrpt/obs/CObservationBearingRange.h>
 
@@ -122,6 +123,25 @@ RunningFixReading toRunningFix(const CObservationRunningFix& observation)
   return fix;
 }
 
+RangeScan toRangeScan(const mrpt::obs::CObservation2DRangeScan& observation)
+{
+  auto scan = withHeader<RangeScan>(observation, observation.sensorPose);
+  const std::size_t beams = observation.getScanSize();
+  const bool has_intensities = observation.hasIntensity();
+  const double sense = isTrue(observation.rightToLeft) ? 1 : -1;
+  scan.first_bearing = -0.5 * sense * observation.aperture;
+  scan.bearing_step = beams > 1 ? sense * observation.aperture / static_cast<double>(beams - 1) : 0.0;
+  scan.std_range = observation.stdError;
+  for (std::size_t beam = 0; beam < beams; ++beam)
+  {
+    const float range = observation.getScanRange(beam);
+    const bool echo = observation.getScanRangeValidity(beam) && range > 0 && range < observation.maxRange;
+    scan.ranges.push_back(echo ? range : 0);
+    if (has_intensities) scan.intensities.push_back(static_cast<float>(observation.getScanIntensity(beam)));
+  }
+  return scan;
+}
+
 std::optional<LandmarkMeasurements> toMeasurements(const mrpt::obs::CObservation& observation)
 {
   if (const auto* o = dynamic_cast<const CObservationLandmarkBearings*>(&observation))
@@ -150,7 +170,7 @@ std::string labelOf(const mrpt::obs::CObservation& observation)
       {"CObservationLandmarkBearings", "bearings"},  {"CObservationStereoRanges", "ranges"},
       {"CObservationRunningFix", "running_fix"},     {"CObservationBeaconRanges", "beacons"},
       {"CObservationBearingRange", "bearing_range"}, {"CObservationIMU", "compass"},
-      {"CObservationOdometry", "odometry"}};
+      {"CObservationOdometry", "odometry"},          {"CObservation2DRangeScan", "laser"}};
   if (!observation.sensorLabel.empty()) return observation.sensorLabel;
   const std::string name = shortClassName(observation);
   const auto label = kLabels.find(name);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mrpt_ext/geometry/measurement.h"
+#include "mrpt_ext/geometry/range_scan.h"
 
 namespace mrpt::rtti
 {
@@ -46,6 +47,9 @@ struct LandmarkMeasurements
 /// The measurements of any observation; nothing for a class without landmark measurements.
 [[nodiscard]] std::optional<LandmarkMeasurements> toMeasurements(const mrpt::obs::CObservation& observation);
 
+/// A laser scan. Its intensities are whole numbers.
+[[nodiscard]] RangeScan toRangeScan(const mrpt::obs::CObservation2DRangeScan& observation);
+
 /// Name of the class without its namespace.
 [[nodiscard]] std::string shortClassName(const mrpt::rtti::CObject& object);
 
@@ -56,6 +60,8 @@ struct LandmarkMeasurements
 [[nodiscard]] std::shared_ptr<CObservationLandmarkBearings> toLandmarkBearings(const Reading& reading);
 [[nodiscard]] std::shared_ptr<CObservationStereoRanges> toStereoRanges(const Reading& reading);
 [[nodiscard]] std::shared_ptr<CObservationRunningFix> toObservation(const RunningFixReading& fix);
+/// MRPT's scans are symmetric about the forward axis: the sensor pose is turned to the middle of the scan.
+[[nodiscard]] std::shared_ptr<mrpt::obs::CObservation2DRangeScan> toObservation(const RangeScan& scan);
 
 /// True if any detection has a range.
 [[nodiscard]] bool hasRange(const Reading& reading);

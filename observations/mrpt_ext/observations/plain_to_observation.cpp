@@ -1,5 +1,8 @@
 // The half of observation_conversions.h that makes observations from plain values.
+#include <mrpt/obs/CObservation2DRangeScan.h>
+
 #include <algorithm>
+#include <cmath>
 
 #include "mrpt_ext/observations/CObservationLandmarkBearings.h"
 #include "mrpt_ext/observations/CObservationRunningFix.h"
@@ -72,6 +75,31 @@ CObservationRunningFix::Ptr toObservation(const RunningFixReading& fix)
   observation->displacement_covariance = mrpt::math::CMatrixDouble33(fix.displacement_covariance);
   observation->second_bearing = fix.second_bearing;
   observation->second_bearing_std = fix.second_bearing_std;
+  return observation;
+}
+
+mrpt::obs::CObservation2DRangeScan::Ptr toObservation(const RangeScan& scan)
+{
+  auto observation = mrpt::obs::CObservation2DRangeScan::Create();
+  const std::size_t beams = scan.ranges.size();
+  const double span = beams > 1 ? scan.bearing_step * static_cast<double>(beams - 1) : 0.0;
+  RangeScan symmetric = scan;
+  symmetric.T_robot_sensor.phi = wrap(scan.T_robot_sensor.phi + scan.first_bearing + 0.5 * span);
+  setHeader(*observation, symmetric);
+  observation->aperture = static_cast<float>(std::abs(span));
+  observation->rightToLeft = span >= 0;
+  observation->stdError = static_cast<float>(scan.std_range);
+  observation->resizeScan(beams);
+  observation->setScanHasIntensity(!scan.intensities.empty());
+  for (std::size_t beam = 0; beam < beams; ++beam)
+  {
+    observation->setScanRange(beam, scan.ranges[beam]);
+    observation->setScanRangeValidity(beam, scan.ranges[beam] > 0);
+    observation->maxRange = std::max(observation->maxRange, 2 * scan.ranges[beam]);
+    if (!scan.intensities.empty())
+      observation->setScanIntensity(beam,
+                                    static_cast<int>(std::lround(std::clamp(scan.intensities[beam], 0.0F, 1e9F))));
+  }
   return observation;
 }
 
