@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "mrpt_ext/geometry/bounded_frame.h"
+#include "mrpt_ext/likelihood/scoring_work.h"
 #include "simulated_run.h"
 
 namespace mrpt_ext
@@ -125,6 +127,40 @@ TEST(Initializer, WeightsWithTheReadingsOfTheWindow)
   EXPECT_GT(weightNear(start.particles, kTruth), 0.99);
   EXPECT_EQ(start.samples.size(), start.particles.size());
   EXPECT_NE(start.samples.log_weight, start.particles.log_weight);
+}
+
+TEST(Initializer, WhatTakesTooLongIsScoredWithFewerSamplesThenWithFewerDetections)
+{
+  std::vector<Landmark> landmarks(10'000);
+  RandomStream random(4);
+  for (Landmark& landmark : landmarks) landmark.position = {random.uniform(0, 300), random.uniform(0, 300), 0};
+  const LandmarkTable map(std::move(landmarks));
+  const ParticleFilterOptions options{.particles = 500, .initial_particles = 3000, .region = {{0, 0}, {300, 300}}};
+  ObservationModel model(map, {}, 30, true, 1);
+  Reading reading{.sensor = "camera"};
+  for (int d = 0; d < 100; ++d) reading.detections.push_back({.bearing = wrap(0.06 * d), .std_bearing = 0.01});
+  const Initialization start =
+      Initializer(options, model, random).initialize({.readings = {reading}}, {}, ParticleSet({150, 150}));
+  EXPECT_GE(start.samples.size(), 500U);
+  EXPECT_LT(start.samples.size(), 2000U);
+  EXPECT_GE(detectionCount(start.measurements), 5U);
+  EXPECT_LT(detectionCount(start.measurements), 100U);
+  EXPECT_LT(start.densities, 4 * kMostDensities) << "of all draws";
+}
+
+TEST(Initializer, OfManyHypothesesAtOnePlaceFewerSamplesAreDrawn)
+{
+  Scene scene;
+  scene.options.initial_particles = 20'000;
+  const HypothesisSet many(900, hypothesisAt(kTruth));
+  Proposal proposal(many);
+  proposal.complete = true;
+  // What no pose explains takes many draws.
+  const Initialization start = scene.initialize(
+      {.readings = {Reading{.detections = {{.range = 500.0, .std_range = 0.001}}}}}, [&] { return proposal; });
+  EXPECT_TRUE(start.accepted);
+  EXPECT_GE(start.samples.size(), 500U);
+  EXPECT_LT(start.densities, 4 * kMostDensities);
 }
 
 TEST(AnnealingExponent, KeepsTheEffectiveSamples)

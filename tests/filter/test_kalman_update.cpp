@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 
 #include "mrpt_ext/filter/kalman/kalman_innovation.h"
+#include "mrpt_ext/geometry/bounded_frame.h"
 #include "mrpt_ext/likelihood/reading_likelihood.h"
 #include "simulated_run.h"
 
@@ -162,6 +163,39 @@ TEST(KalmanUpdate, TheEvidenceOfAStateWithZeroCovarianceIsTheLikelihoodOfItsPose
     const KalmanUpdate update = updateExtended(exact, frame, map, {});
     EXPECT_NEAR(update.log_evidence, logLikelihood(frame.readings[0], map, exact.pose()), 1e-3);
   }
+}
+
+TEST(KalmanUpdate, LandmarksThatAreLeftOutAsFarChangeNoEvidence)
+{
+  std::vector<Landmark> landmarks(400);
+  RandomStream random(3);
+  for (Landmark& landmark : landmarks) landmark.position = {random.uniform(-40, 40), random.uniform(-40, 40), 0};
+  const LandmarkTable map(std::move(landmarks));
+  for (const bool range : {true, false})
+    for (const bool limited : {true, false})
+    {
+      Frame frame = exactFrame(map, {0, 1, 2, 3, 4, 5, 6, 7}, false, range);
+      if (limited) frame.readings[0].model.max_range = 30;
+      const KalmanState exact = startingState({{3.01, 4.02, 0.51}, Matrix3d::Zero()}, {});
+      const KalmanUpdate update = updateExtended(exact, frame, map, {});
+      EXPECT_NEAR(update.log_evidence, logLikelihood(frame.readings[0], map, exact.pose()), 1e-3);
+    }
+}
+
+TEST(KalmanUpdate, OfTooManyComparisonsSomeDetectionsAreLeft)
+{
+  std::vector<Landmark> landmarks(1000);
+  for (std::size_t i = 0; i < landmarks.size(); ++i)
+    landmarks[i] = {.id = static_cast<int>(i), .position = {static_cast<double>(i), i % 2 == 0 ? 0.0 : 1000.0, 0}};
+  const LandmarkTable map(std::move(landmarks));
+  Frame frame{.readings = {Reading{.sensor = "s", .detections = std::vector<Detection>(100, {.bearing = 0.0})}}};
+  EXPECT_FALSE(affordableToUpdate(frame, map, 10));
+  EXPECT_EQ(detectionCount(affordableToUpdate(frame, map, 50).value()), 20u) << "100 detections, 1000 landmarks";
+  frame.readings[0].model.max_range = 5;
+  EXPECT_FALSE(affordableToUpdate(frame, map, 50)) << "few landmarks in range";
+  frame.readings[0].model.max_range.reset();
+  for (Detection& d : frame.readings[0].detections) d.id = 1;
+  EXPECT_FALSE(affordableToUpdate(frame, map, 50)) << "compared with its landmark alone";
 }
 
 TEST(KalmanUpdate, ACompassHeadingIsUsedUnlessItIsAnOutlier)

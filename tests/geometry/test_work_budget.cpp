@@ -12,7 +12,7 @@ TEST(WorkBudget, EndsWhenItsOperationsAreUsedUp)
   EXPECT_FALSE(budget.exhausted());
   EXPECT_FALSE(budget.spend(5));
   EXPECT_TRUE(budget.exhausted());
-  EXPECT_EQ(budget.spent(), 14u);
+  EXPECT_EQ(budget.spent(), 10u) << "what was refused is not done";
   EXPECT_EQ(budget.left(), 0u);
   EXPECT_FALSE(budget.spend(0));
 }
@@ -32,11 +32,12 @@ TEST(WorkBudget, AShareIsSpentWithTheWhole)
   EXPECT_EQ(half.limit(), 40u);
   EXPECT_TRUE(half.spend(30));
   EXPECT_EQ(whole.spent(), 50u);
-  EXPECT_FALSE(half.spend(30));
-  EXPECT_FALSE(whole.exhausted());
+  EXPECT_FALSE(half.spend(3000));
+  EXPECT_FALSE(whole.exhausted()) << "what a share was refused is left to the others";
+  EXPECT_EQ(whole.left(), 40u);
   WorkBudget rest = WorkBudget::partOf(whole, 1000);
-  EXPECT_EQ(rest.limit(), 20u);
-  EXPECT_FALSE(rest.spend(20));
+  EXPECT_EQ(rest.limit(), 40u);
+  EXPECT_FALSE(rest.spend(40));
   EXPECT_TRUE(whole.exhausted());
 }
 

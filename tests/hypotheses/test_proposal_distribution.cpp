@@ -157,4 +157,14 @@ TEST(ProposalDistribution, TheLeastLikelyHypothesisStillGetsSamples)
   for (int i = 0; i < 5000; ++i) at_the_second += mixture.sample(random).x > 0 ? 1 : 0;
   EXPECT_GT(at_the_second, 50);
 }
+
+TEST(ProposalDistribution, TheOverlapCountsTheComponentsThatReachASample)
+{
+  HypothesisSet apart;
+  for (int k = 0; k < 200; ++k) apart.push_back(hypothesis({100.0 * k, 0, 0}, {1, 1, 0.1}));
+  EXPECT_DOUBLE_EQ(ProposalDistribution(apart, kRegion, 0.3, 1, kNoFloor).overlap(), 1);
+  const HypothesisSet together(200, hypothesis({1, 2, 3}, {1, 1, 0.1}));
+  EXPECT_DOUBLE_EQ(ProposalDistribution(together, kRegion, 0.3, 1, kNoFloor).overlap(), 200);
+  EXPECT_EQ(ProposalDistribution({}, kRegion, 0.3, 1, kNoFloor).overlap(), 0);
+}
 }  // namespace mrpt_ext

@@ -50,7 +50,8 @@ void proposeFromKalman(ParticleSet& particles, const KalmanState& prior, const F
   if (before > static_cast<double>(limits.effective) ||
       before > limits.effective_ratio * static_cast<double>(particles.size()))
     return;
-  const KalmanUpdate update = updateIterated(prior, frame, map, particles.bias_states);
+  const std::optional<Frame> affordable = affordableToUpdate(frame, map, 1);
+  const KalmanUpdate update = updateIterated(prior, affordable ? *affordable : frame, map, particles.bias_states);
   if (update.degrees_of_freedom == 0) return;
   ParticleSet moved = std::move(particles);
   particles = drawFromKalmanProposal(moved, prior, update.state, moved.size(), random);

@@ -6,6 +6,7 @@
 
 #include "mrpt_ext/filter/particles/particle_bias.h"
 #include "mrpt_ext/filter/proposal_sampling.h"
+#include "mrpt_ext/likelihood/scoring_work.h"
 
 namespace mrpt_ext
 {
@@ -15,6 +16,12 @@ constexpr double kUniformShare = 0.3, kUniformShareRefined = 0.1;
 constexpr int kRefinements = 2, kMaxRefinements = 12;  // draws from the modes of the sample before
 constexpr double kMinEffectiveSamples = 40;            // samples, to draw the next ones from
 constexpr int kHalvings = 14;                          // of the interval of the exponent
+constexpr std::size_t kFewDetections = 10;             // samples are saved before so many detections are left out
+// In densities of a detection (likelihood/scoring_work.h): of a component of a proposal at a sample, and of a sample,
+// which is ordered by place and clustered; what may be proposed and scored in one draw; of all draws.
+constexpr double kCostOfComponent = 8, kCostOfSample = 500;
+constexpr double kMostProposed = 0.25 * kMostDensities, kMostScored = 0.5 * kMostDensities;
+constexpr double kMostDrawn = 2.25 * kMostDensities;
 constexpr double kMinExponent = 1e-4;
 
 /// Symmetric square root; directions without spread are allowed.
@@ -43,28 +50,42 @@ Initialization Initializer::initialize(const Frame& frame, const std::function<P
   const bool analytic = options_.initial_mode == InitialMode::analytic;
   const Proposal proposal = analytic && closed_forms ? closed_forms() : Proposal{};
   model_.restart();
-  Initialization start{.particles = like.emptyLikeThis(),
-                       .measurements = model_.select(measurementsOf(frame, proposal), false)};
-  double exponent = draw(start, proposal.hypotheses, kUniformShare);
+  const Frame measurements = model_.select(measurementsOf(frame, proposal), false);
+  Initialization start{.particles = like.emptyLikeThis()};
+  double exponent = draw(start, measurements, proposal.hypotheses, kUniformShare);
   start.accepted = accepts(proposal, start);
   if (!start.accepted || !analytic) return start;
   // Population Monte Carlo (Cappe et al., J. Comput. Graph. Stat. 13(4), 2004): draw again around the modes.
-  for (int pass = 0; (pass < kRefinements || exponent < 1) && pass < kMaxRefinements; ++pass)
+  const auto goes_on = [&](int pass) { return pass < kRefinements || (exponent < 1 && pass < kMaxRefinements); };
+  // Another draw is about as costly as those so far.
+  const auto is_affordable = [&](int pass) { return start.densities * (pass + 2) / (pass + 1) <= kMostDrawn; };
+  for (int pass = 0; goes_on(pass) && is_affordable(pass); ++pass)
   {
     normalizeWeights(start.particles);
     HypothesisSet modes = hypothesesFrom(findModes(start.particles, options_.modes));
     // The modes of an annealed likelihood are blurred: the hypotheses stay, so that none of them is lost.
     if (exponent < 1) modes.insert(modes.end(), proposal.hypotheses.begin(), proposal.hypotheses.end());
-    exponent = draw(start, modes, kUniformShareRefined);
+    exponent = draw(start, measurements, modes, kUniformShareRefined);
   }
   return start;
 }
 
-double Initializer::draw(Initialization& start, const HypothesisSet& hypotheses, double uniform_share)
+double Initializer::draw(Initialization& start, const Frame& measurements, const HypothesisSet& hypotheses,
+                         double uniform_share)
 {
-  const std::size_t count = std::max(options_.initial_particles, options_.particles);
-  start.samples = sampleSeeds(proposalAround(hypotheses, options_.region, uniform_share), options_.region, count,
-                              random_, start.particles);
+  const LandmarkTable& map = model_.map();
+  const ProposalDistribution proposal = proposalAround(hypotheses, options_.region, uniform_share);
+  const auto sample = [&](std::size_t count)
+  { start.samples = sampleSeeds(proposal, options_.region, count, random_, start.particles); };
+  const double cost = kCostOfComponent * proposal.overlap();
+  const std::size_t many = affordableSamples(kMostProposed / std::max(1.0, cost));
+  sample(many);
+  const std::size_t fewer = affordableSamples(
+      static_cast<double>(affordableRobots(measurements, map, start.samples.poses(), kFewDetections, kMostScored)));
+  if (fewer < many) sample(fewer);
+  start.measurements = affordableToScore(measurements, map, start.samples.poses(), kMostScored).value_or(measurements);
+  const auto count = static_cast<double>(start.samples.size());
+  start.densities += count * (cost + kCostOfSample) + scoringWork(start.measurements, map, start.samples.poses());
   start.particles = start.samples;
   model_.weight(start.measurements, start.particles);
   if (options_.initial_mode != InitialMode::analytic) return 1;
@@ -72,9 +93,15 @@ double Initializer::draw(Initialization& start, const HypothesisSet& hypotheses,
   std::vector<float>& weight = start.particles.log_weight;
   const double exponent = annealingExponent(prior, weight, kMinEffectiveSamples);
   if (exponent < 1)
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < weight.size(); ++i)
       weight[i] = prior[i] + static_cast<float>(exponent) * (weight[i] - prior[i]);
   return exponent;
+}
+
+std::size_t Initializer::affordableSamples(double most) const
+{
+  const std::size_t many = std::max(options_.initial_particles, options_.particles);
+  return most < static_cast<double>(many) ? std::max(options_.particles, static_cast<std::size_t>(most)) : many;
 }
 
 bool Initializer::accepts(const Proposal& proposal, Initialization& start) const

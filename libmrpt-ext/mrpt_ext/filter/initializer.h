@@ -16,6 +16,7 @@ struct Initialization
   ParticleSet particles;  ///< weighted with `measurements`, also when not accepted
   ParticleSet samples;    ///< the same before weighting: log weights log(prior / proposal density)
   Frame measurements;     ///< what the particles were weighted with
+  double densities = 0;   ///< computed for all draws (likelihood/scoring_work.h)
 };
 
 /// Draws the first particles: around a known pose, uniformly, or by annealed importance sampling from a mixture of pose
@@ -38,8 +39,11 @@ class Initializer
  private:
   [[nodiscard]] Initialization atKnownPose(const Frame& frame, const ParticleSet& like);
   /// Draws from the mixture of hypotheses and uniform prior, and weights with likelihood^exponent. Returns the
-  /// exponent: the largest one that keeps enough effective samples, 1 if possible.
-  double draw(Initialization& start, const HypothesisSet& hypotheses, double uniform_share);
+  /// exponent: the largest one that keeps enough effective samples, 1 if possible. What takes too long is scored with
+  /// fewer samples, then with fewer detections (likelihood/scoring_work.h).
+  double draw(Initialization& start, const Frame& measurements, const HypothesisSet& hypotheses, double uniform_share);
+  /// The number of samples to draw, if no more than `most` are affordable: never fewer than particles are wanted.
+  [[nodiscard]] std::size_t affordableSamples(double most) const;
   /// True if the filter may start from these particles, which are normalised here.
   [[nodiscard]] bool accepts(const Proposal& proposal, Initialization& start) const;
 

@@ -73,9 +73,10 @@ void ModeMixture::predictAndUpdate(const ParticleSet& predicted, const Frame& fr
     if (!component.has_particles) component.unsupported_for += frame.motion.duration;
   }
   assignParticles(predicted);
+  const std::optional<Frame> affordable = affordableToUpdate(frame, map, components_.size());
   for (MixtureComponent& component : components_)
   {
-    KalmanUpdate update = updateIterated(component.state, frame, map, biases_);
+    KalmanUpdate update = updateIterated(component.state, affordable ? *affordable : frame, map, biases_);
     component.state = std::move(update.state);
     component.log_evidence = update.log_evidence;
   }

@@ -8,6 +8,7 @@
 #include "mrpt_ext/filter/particles/particle_bias.h"
 #include "mrpt_ext/filter/proposal_sampling.h"
 #include "mrpt_ext/filter/resample_move.h"
+#include "mrpt_ext/likelihood/scoring_work.h"
 
 namespace mrpt_ext
 {
@@ -41,9 +42,11 @@ ParticleFilter::ParticleFilter(const ParticleFilterOptions& options, const Landm
 {
 }
 
-FilterStep ParticleFilter::process(const Frame& frame, const HypothesisSources& sources)
+FilterStep ParticleFilter::process(const Frame& whole, const HypothesisSources& sources)
 {
-  if (particles_.empty()) return initialize(frame, sources);
+  if (particles_.empty()) return initialize(whole, sources);
+  const std::optional<Frame> affordable = affordableToScore(whole, observation_model_.map(), particles_.poses());
+  const Frame& frame = affordable ? *affordable : whole;
 
   // Decide on recovery, from the posterior of the last step
   const PosteriorState before = assess(frame, sources);
@@ -67,6 +70,7 @@ FilterStep ParticleFilter::process(const Frame& frame, const HypothesisSources& 
   step.reseeded = recovery.kind == Recovery::Kind::reseed;
   step.verifying = recovery.kind == Recovery::Kind::verify;
   step.respawned = respawned;
+  step.detections_left_out = detectionCount(whole) - detectionCount(frame);
 
   // Resample within the modes, where few particles have the weight
   resample(step, sources);

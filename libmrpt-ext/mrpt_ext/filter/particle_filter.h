@@ -46,7 +46,7 @@ class ParticleFilter
   ParticleFilter(const ParticleFilterOptions& options, const LandmarkTable& map, std::uint64_t seed,
                  std::uint64_t stream);
 
-  FilterStep process(const Frame& frame, const HypothesisSources& sources);
+  FilterStep process(const Frame& whole, const HypothesisSources& sources);
 
   /// Empty until initialized.
   [[nodiscard]] const ParticleSet& particles() const { return particles_; }

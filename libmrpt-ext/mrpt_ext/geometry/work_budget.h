@@ -40,17 +40,19 @@ class WorkBudget
     return part;
   }
 
-  /// Counts operations that are due; false when they must not be done any more.
+  /// Counts operations that are due; false when they must not be done any more. Of those that are refused no more are
+  /// counted than were left: the whole keeps what a share was refused.
   bool spend(std::uint64_t operations)
   {
-    spent_ += operations;
-    if (whole_ != nullptr) whole_->spend(operations);
+    const std::uint64_t counted = std::min(operations, left());
+    spent_ += counted;
+    if (whole_ != nullptr) whole_->spend(counted);
     return !exhausted();
   }
   [[nodiscard]] bool exhausted() const { return spent_ >= limit_ || isStopped() || (whole_ && whole_->exhausted()); }
   /// True when it was ended from outside.
   [[nodiscard]] bool isStopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
-  /// Beyond the limit by no more than what was asked for last.
+  /// Never beyond the limit.
   [[nodiscard]] std::uint64_t spent() const { return spent_; }
   [[nodiscard]] std::uint64_t limit() const { return limit_; }
   [[nodiscard]] std::uint64_t left() const { return limit_ - std::min(limit_, spent_); }

@@ -11,6 +11,7 @@ namespace
 {
 constexpr double kSupport2 = 64;       // squared Mahalanobis distance beyond which a component's density counts as zero
 constexpr double kMinShare = 0.02;     // of each component at least: the solvers' scores may be wrong
+constexpr std::size_t kProbes = 64;    // components at which the overlap is counted
 constexpr double kVagueHeading = 2.0;  // [rad] from this standard deviation on the heading counts as unknown
 }  // namespace
 
@@ -39,6 +40,7 @@ ProposalDistribution::ProposalDistribution(const HypothesisSet& hypotheses, cons
     const double log_det = 2 * component.cholesky.diagonal().array().log().sum();
     component.log_norm = component.heading_known ? -0.5 * (log_det + 3 * std::log(kTwoPi))
                                                  : -0.5 * (log_det + 2 * std::log(kTwoPi)) - std::log(kTwoPi);
+    component.half_phi = std::sqrt(kSupport2 * covariance(2, 2));
     component.share = std::max(hypothesis.weight, kMinShare);
     sum += component.share;
     component.cumulative = sum;
@@ -71,8 +73,7 @@ double ProposalDistribution::density(const Pose2& pose) const
   double sum = 0;
   for (std::size_t k = 0; k < components_.size(); ++k)
   {
-    const SupportBox& box = support_[k];
-    if (std::abs(pose.x - box.x) > box.half_x || std::abs(pose.y - box.y) > box.half_y) continue;
+    if (!support_[k].contains(pose.x, pose.y)) continue;
     const Component& component = components_[k];
     Vector3d d(pose.x - component.mean.x, pose.y - component.mean.y, 0.0);
     const auto add = [&](double turned)
@@ -88,8 +89,18 @@ double ProposalDistribution::density(const Pose2& pose) const
     }
     // Wrapped normal distribution: samples a full turn away have the same heading.
     const double turned = wrap(pose.phi - component.mean.phi);
-    for (const double full_turn : {-kTwoPi, 0.0, kTwoPi}) add(turned + full_turn);
+    for (const double full_turn : {-kTwoPi, 0.0, kTwoPi})
+      if (std::abs(turned + full_turn) < component.half_phi) add(turned + full_turn);
   }
   return uniform_share_ * region_.density(pose) + (1 - uniform_share_) * sum;
+}
+
+double ProposalDistribution::overlap() const
+{
+  const std::size_t stride = 1 + components_.size() / kProbes;
+  std::size_t reached = 0, probes = 0;
+  for (std::size_t k = 0; k < components_.size(); k += stride, ++probes)
+    for (const SupportBox& box : support_) reached += box.contains(support_[k].x, support_[k].y) ? 1 : 0;
+  return static_cast<double>(reached) / static_cast<double>(std::max<std::size_t>(1, probes));
 }
 }  // namespace mrpt_ext

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "mrpt_ext/geometry/random.h"
@@ -22,6 +23,8 @@ class ProposalDistribution
   [[nodiscard]] Pose2 sample(RandomStream& random) const;
   /// Density [1/(m^2 rad)] at a pose.
   [[nodiscard]] double density(const Pose2& pose) const;
+  /// Components, on average, whose support reaches the mean of one: what the density of a sample costs.
+  [[nodiscard]] double overlap() const;
 
  private:
   struct Component
@@ -32,12 +35,17 @@ class ProposalDistribution
     double log_norm = 0;
     double cumulative = 0;  // of the component weights
     double share = 0;
+    double half_phi = 0;  // [rad] of its support, as in SupportBox
     bool heading_known = true;
   };
   /// Box outside of which the density of a component counts as zero: most components are far from most poses.
   struct SupportBox
   {
     double x = 0, y = 0, half_x = 0, half_y = 0;  // [m]
+    [[nodiscard]] bool contains(double at_x, double at_y) const
+    {
+      return std::abs(at_x - x) <= half_x && std::abs(at_y - y) <= half_y;
+    }
   };
   std::vector<Component> components_;
   std::vector<SupportBox> support_;  // of each component

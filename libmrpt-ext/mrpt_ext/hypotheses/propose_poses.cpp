@@ -9,6 +9,7 @@
 #include "mrpt_ext/likelihood/compass_likelihood.h"
 #include "mrpt_ext/likelihood/reading_likelihood.h"
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
+#include "mrpt_ext/likelihood/scoring_work.h"
 #include "mrpt_ext/solvers/pose_ml.h"
 
 namespace mrpt_ext
@@ -56,7 +57,9 @@ void score(HypothesisSet& hypotheses, const Frame& frame, const LandmarkTable& m
   for (const PoseHypothesis& hypothesis : hypotheses) columns.add(hypothesis.pose.mean);
   const PoseBatch poses = columns.batch();
   std::vector<float> log_score(hypotheses.size(), 0.0F);
-  for (const Reading& reading : scoredReadings(frame)) addLogLikelihood(reading, map, {}, poses, log_score);
+  const std::optional<Frame> affordable = affordableToScore(frame, map, poses);
+  for (const Reading& reading : scoredReadings(affordable ? *affordable : frame))
+    addLogLikelihood(reading, map, {}, poses, log_score);
   if (frame.compass) addCompassLogLikelihood(*frame.compass, poses, log_score);
   for (std::size_t i = 0; i < hypotheses.size(); ++i) hypotheses[i].log_score = double{log_score[i]};
 }

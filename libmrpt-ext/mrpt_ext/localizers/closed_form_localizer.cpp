@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "mrpt_ext/geometry/bounded_frame.h"
 #include "mrpt_ext/hypotheses/window_readings.h"
-#include "mrpt_ext/localizers/bounded_frame.h"
 
 namespace mrpt_ext
 {

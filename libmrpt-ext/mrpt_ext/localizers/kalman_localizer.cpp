@@ -1,7 +1,9 @@
 #include "mrpt_ext/localizers/kalman_localizer.h"
 
+#include "mrpt_ext/geometry/bounded_frame.h"
 #include "mrpt_ext/hypotheses/bias_inflation.h"
-#include "mrpt_ext/localizers/bounded_frame.h"
+#include "mrpt_ext/hypotheses/joined_readings.h"
+#include "mrpt_ext/hypotheses/window_readings.h"
 #include "mrpt_ext/localizers/filter_localizer.h"
 #include "mrpt_ext/relocalization/measurement_window.h"
 
@@ -24,6 +26,7 @@ Proposal KalmanLocalizer::propose() const
   MeasurementWindow window(seed_window_, motion_);
   for (const Frame& frame : recent_) window.add(frame);
   Frame evidence = window.frame();
+  if (isWindow(evidence.readings)) evidence.readings = informativeReadings(evidence.readings);
   evidence.readings = withBiasUncertainty(std::move(evidence.readings), biases_);
   Proposal proposal(proposePoses(evidence, map_, *search_, {.region = region_}));
   proposal.complete = recent_.back().time - first_time_ >= seed_window_;

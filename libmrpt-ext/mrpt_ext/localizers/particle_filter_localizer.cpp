@@ -1,7 +1,9 @@
 #include "mrpt_ext/localizers/particle_filter_localizer.h"
 
+#include "mrpt_ext/geometry/bounded_frame.h"
 #include "mrpt_ext/hypotheses/bias_inflation.h"
-#include "mrpt_ext/localizers/bounded_frame.h"
+#include "mrpt_ext/hypotheses/joined_readings.h"
+#include "mrpt_ext/hypotheses/window_readings.h"
 
 namespace mrpt_ext
 {
@@ -30,6 +32,8 @@ ParticleFilterLocalizer::ParticleFilterLocalizer(const ParticleFilterOptions& op
 Proposal ParticleFilterLocalizer::proposeFromWindow(WorkBudget& budget) const
 {
   Frame evidence = window_.frame();
+  if (isWindow(evidence.readings)) evidence.readings = informativeReadings(evidence.readings);
+  if (auto bounded = boundedFrame(evidence, kMostJoined)) evidence = std::move(*bounded);
   std::vector<Reading> readings = evidence.readings;
   evidence.readings = withBiasUncertainty(std::move(evidence.readings), biases_);
   ProposalOptions options{.region = region_};
@@ -67,7 +71,7 @@ Estimate ParticleFilterLocalizer::process(const Frame& whole)
   step_ = filter_.process(frame, sources);
   step_.search_operations = budget.spent();
   step_.search_stopped = budget.exhausted();
-  step_.detections_left_out = detectionCount(whole) - detectionCount(frame);
+  step_.detections_left_out += detectionCount(whole) - detectionCount(frame);
   if (step_.verdict != Verdict::ambiguous) range_only_start_.end();
   if (was_ok && step_.verdict != Verdict::ok) relocalizer_.resetInterval();
   return estimateFrom(step_, frame.time);

@@ -81,7 +81,8 @@ std::vector<PoseProposal> ProposalStore::takeSorted()
   return sorted;
 }
 
-/// Calls visit(i, neighbours of i for the first bearing, those for the second, hits) for every batch with hits.
+/// Calls visit(i, neighbours of i for the first bearing, those for the second, hits) for every batch with hits, until
+/// it returns false.
 template <typename Visit>
 TripleHypotheses::Work TripleHypotheses::forEachScan(std::size_t stride, Visit&& visit) const
 {
@@ -95,7 +96,6 @@ TripleHypotheses::Work TripleHypotheses::forEachScan(std::size_t stride, Visit&&
   const double radius_first = radius(first), radius_second = radius(second);
 
   Work work;
-  const std::uint64_t cost_of_hit = kCostOfHit + 4 * landmarksInView();
   Neighbours around_first, around_second;
   TripleHits hits;
   const std::vector<std::uint32_t>& order = scans.front().visible_sets->order();
@@ -117,11 +117,11 @@ TripleHypotheses::Work TripleHypotheses::forEachScan(std::size_t stride, Visit&&
       scanTriples(shape, around_first, j, end, around_second, hits);
       const std::size_t tested = (end - j) * around_second.count;
       work.tested += tested;
-      work.finished = budget->spend(2 * tested + hits.count * cost_of_hit);
+      work.finished = budget->spend(2 * tested);
       if (area) keepInside(*area, map->position(i), hits);
       if (hits.count == 0) continue;
       work.possible += hits.count;
-      visit(i, around_first, around_second, hits);
+      work.finished = work.finished && visit(i, around_first, around_second, hits);
     }
   }
   return work;
@@ -139,20 +139,23 @@ TripleHypotheses::Work TripleHypotheses::run(ProposalStore& store) const
   const auto bearing = [this](std::size_t n) -> const ScanBearing&
   { return bearings[static_cast<std::size_t>(triple.detection[n])]; };
   const TripleBearings seen = bearingsOf(bearing(0), bearing(1), bearing(2));
+  const std::uint64_t cost_of_hit = kCostOfHit + 4 * landmarksInView();
   TriplePoses poses;
   std::vector<std::uint16_t> inliers;
   return forEachScan(1,
                      [&](std::uint32_t i, const Neighbours& first, const Neighbours& second, const TripleHits& hits)
                      {
+                       if (!budget->spend(hits.count * cost_of_hit)) return false;
                        posesOfHits(seen, first, second, hits, poses);
                        boundInliers(poses, map->position(i), scans, gate, store.floor(), inliers);
                        for (std::size_t n = 0; n < poses.count; ++n)
                          if (inliers[n] >= store.floor()) store.add(proposalAt(poses, n, map->position(i), inliers[n]));
+                       return true;
                      });
 }
 
 TripleHypotheses::Work TripleHypotheses::sample(std::size_t stride) const
 {
-  return forEachScan(stride, [](auto&&...) {});
+  return forEachScan(stride, [](auto&&...) { return true; });
 }
 }  // namespace mrpt_ext

@@ -48,8 +48,11 @@ KalmanBank::KalmanBank(KalmanBankOptions options, const LandmarkTable& map)
 {
 }
 
-KalmanStep KalmanBank::process(const Frame& frame, const HypothesisSource& propose)
+KalmanStep KalmanBank::process(const Frame& whole, const HypothesisSource& propose)
 {
+  const std::size_t filters = std::max(hypotheses_.size(), options_.max_hypotheses);
+  const std::optional<Frame> affordable = affordableToUpdate(whole, map_, filters);
+  const Frame& frame = affordable ? *affordable : whole;
   KalmanStep step;
   if (hypotheses_.empty())
     initialize(frame, propose);

@@ -58,7 +58,7 @@ class KalmanBank
 
   KalmanBank(KalmanBankOptions options, const LandmarkTable& map);
 
-  KalmanStep process(const Frame& frame, const HypothesisSource& propose);
+  KalmanStep process(const Frame& whole, const HypothesisSource& propose);
 
   [[nodiscard]] const KalmanHypotheses& hypotheses() const { return hypotheses_; }
 

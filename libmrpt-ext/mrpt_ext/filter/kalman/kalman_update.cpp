@@ -8,12 +8,15 @@
 #include "mrpt_ext/likelihood/detection_density.h"
 #include "mrpt_ext/likelihood/missed_detections.h"
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
+#include "mrpt_ext/likelihood/scoring_work.h"
 
 namespace mrpt_ext
 {
 namespace
 {
 constexpr double kCompassClutter = 0.05;  // magnetic disturbances, as for particles
+constexpr double kMostPairs = 1e6;        // of a detection and a landmark, in one update of all filters
+constexpr double kCostOutOfRange = 0.03;  // of a landmark that is told to be out of range: share of a comparison
 
 /// The frame's detections in the order of the update.
 std::vector<DetectionUse> ordered(const std::vector<Reading>& readings, const LandmarkTable& map,
@@ -67,6 +70,18 @@ double logMissed(const std::vector<Reading>& readings, const LandmarkTable& map,
 }
 
 }  // namespace
+
+std::optional<Frame> affordableToUpdate(const Frame& frame, const LandmarkTable& map, std::size_t filters)
+{
+  double pairs = 0;
+  for (const Reading& reading : frame.readings)
+  {
+    const double share = std::min(1.0, shareInRange(reading.model, map, Vector2d::Zero()) + kCostOutOfRange);
+    const double compared = std::max(1.0, static_cast<double>(map.size()) * share);
+    for (const Detection& detection : reading.detections) pairs += detection.id == kNoId ? compared : 1;
+  }
+  return affordableFrame(frame, static_cast<double>(filters) * pairs, kMostPairs);
+}
 
 KalmanUpdate updateExtended(const KalmanState& prior, const Frame& frame, const LandmarkTable& map,
                             const BiasModel& biases)

@@ -47,4 +47,9 @@ struct KalmanUpdate
 /// updateExtended().
 [[nodiscard]] KalmanUpdate updateIterated(const KalmanState& prior, const Frame& frame, const LandmarkTable& map,
                                           const BiasModel& biases);
+
+/// The frame with as many detections as so many filters can be updated with in some tenths of a second
+/// (bounded_frame.h): each is compared with every landmark in view. Nothing for a frame with no more.
+[[nodiscard]] std::optional<Frame> affordableToUpdate(const Frame& frame, const LandmarkTable& map,
+                                                      std::size_t filters);
 }  // namespace mrpt_ext

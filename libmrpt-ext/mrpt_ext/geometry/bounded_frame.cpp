@@ -1,4 +1,6 @@
-#include "mrpt_ext/localizers/bounded_frame.h"
+#include "mrpt_ext/geometry/bounded_frame.h"
+
+#include <algorithm>
 
 #include "mrpt_ext/geometry/even_choice.h"
 
@@ -50,5 +52,12 @@ std::optional<Frame> boundedFrame(const Frame& frame, std::size_t most)
   for (const RunningFixReading& fix : frame.fixes)
     if (share.next(1) > 0) bounded.fixes.push_back(fix);
   return bounded;
+}
+
+std::optional<Frame> affordableFrame(const Frame& frame, double operations, double most_operations)
+{
+  if (operations <= most_operations) return std::nullopt;
+  const double kept = static_cast<double>(detectionCount(frame)) * most_operations / operations;
+  return boundedFrame(frame, std::max<std::size_t>(1, static_cast<std::size_t>(kept)));
 }
 }  // namespace mrpt_ext

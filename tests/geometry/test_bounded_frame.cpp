@@ -1,4 +1,4 @@
-#include "mrpt_ext/localizers/bounded_frame.h"
+#include "mrpt_ext/geometry/bounded_frame.h"
 
 #include <gtest/gtest.h>
 
@@ -41,5 +41,13 @@ TEST(BoundedFrame, CountsThousandsOfReadingsTogether)
   const auto bounded = boundedFrame({.readings = std::vector<Reading>(5000, readingOf(1))});
   ASSERT_TRUE(bounded);
   EXPECT_EQ(bounded->readings.size(), kMostDetections);
+}
+
+TEST(BoundedFrame, WorkThatGrowsWithTheDetectionsLeavesItsShareOfThem)
+{
+  const Frame frame{.readings = {readingOf(60), readingOf(40)}};
+  EXPECT_FALSE(affordableFrame(frame, 1e6, 1e6));
+  EXPECT_EQ(detectionCount(affordableFrame(frame, 1e6, 3e5).value()), 30u);
+  EXPECT_EQ(detectionCount(affordableFrame(frame, 1e6, 1).value()), 1u) << "never none";
 }
 }  // namespace mrpt_ext

@@ -14,7 +14,7 @@ inline constexpr std::size_t kMostDetections = 400;
 /// Of a Kalman filter, which compares each with every landmark, for each of its hypotheses.
 inline constexpr std::size_t kMostKalmanDetections = 100;
 /// Of several frames joined.
-inline constexpr std::size_t kMostJoined = 5 * kMostDetections;
+inline constexpr std::size_t kMostJoined = 2 * kMostDetections;
 
 /// The number of detections and running fixes of a frame.
 [[nodiscard]] std::size_t detectionCount(const Frame& frame);
@@ -22,4 +22,8 @@ inline constexpr std::size_t kMostJoined = 5 * kMostDetections;
 /// The frame with `most` of its detections, each reading with its share of them in all directions
 /// (even_choice.h); what was left out is not missed. Nothing for a frame without too many.
 [[nodiscard]] std::optional<Frame> boundedFrame(const Frame& frame, std::size_t most = kMostDetections);
+
+/// The frame with so many of its detections, at least one, that work which grows with their number takes
+/// `most_operations` instead of the `operations` of the whole frame. Nothing for a frame that takes no more.
+[[nodiscard]] std::optional<Frame> affordableFrame(const Frame& frame, double operations, double most_operations);
 }  // namespace mrpt_ext
