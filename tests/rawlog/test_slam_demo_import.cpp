@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 #include "../importers/sample_data.h"
 #include "mrpt_ext/geometry/input_error.h"
