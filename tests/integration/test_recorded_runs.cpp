@@ -64,7 +64,7 @@ TEST(RecordedRun, MrptsLandmarkSlamDemo)
   const auto summary = testing::summaryOf(testing::localized(folder.path(), "mrpt-kf-slam-demo", log.arguments()));
   EXPECT_EQ(summary.at("success_rate"), 1.0) << summary.at("verdict_reason");
   EXPECT_EQ(summary.at("verdict"), "ok") << summary.at("verdict_reason");
-  EXPECT_LE(testing::positionRmse(summary), 0.05);
+  EXPECT_LE(testing::positionRmse(summary), 0.03);
 }
 
 TEST(RecordedRun, MrptsRangeOnlySlamDemo)

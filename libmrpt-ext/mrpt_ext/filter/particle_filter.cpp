@@ -15,7 +15,7 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kTrajectoryMajority = 0.5;          // of the weight along a trajectory
-constexpr std::size_t kMaxForKalmanProposal = 4000;  // more particles survive a precise measurement anyway
+constexpr std::size_t kMaxForKalmanProposal = 20'000;  // the moments of more cost too much
 constexpr double kProposalGate = 6;                  // standard deviations that the particles of a mode are within
 
 /// In the middle of the map, where single precision is best.
