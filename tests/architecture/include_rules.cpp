@@ -51,12 +51,13 @@ const std::map<std::string, std::map<std::string, Names>> kAllowedWithin{
     {"correspondence",
      {{"", {"tree", "bearings", "points"}}, {"tree", {""}}, {"bearings", {""}}, {"points", {""}}, {"local_map", {""}}}},
     {"filter",
-     {{"", {"particles", "motion", "modes", "integrity", "kalman"}},
+     {{"", {"particles", "motion", "modes", "integrity", "kalman", "consider"}},
       {"particles", {}},
       {"motion", {"particles"}},
       {"modes", {"particles"}},
       {"integrity", {"particles", "motion", "modes"}},
-      {"kalman", {"particles", "motion", "modes", "integrity"}}}}};
+      {"kalman", {"particles", "motion", "modes", "integrity"}},
+      {"consider", {"particles", "motion", "kalman"}}}}};
 
 const Names kEigenOnly{"geometry",       "files",      "solvers",   "calibration", "correspondence",
                        "likelihood",     "hypotheses", "filter",    "evaluation",  "localizers",

@@ -1,4 +1,4 @@
-#include "mrpt_ext/filter/kalman/kalman_bank.h"
+#include "mrpt_ext/filter/kalman_bank.h"
 
 #include <gtest/gtest.h>
 

@@ -38,7 +38,8 @@ ParticleFilter::ParticleFilter(const ParticleFilterOptions& options, const Landm
       recovery_(options.recovery),
       injector_(options.recovery, options.region, options.particles),
       mode_mixture_(options.motion, options.biases),
-      resampler_(options)
+      resampler_(options),
+      consider_(options.motion, options.biases, map)
 {
 }
 
@@ -180,14 +181,7 @@ FilterStep ParticleFilter::estimate(const Frame& frame, Recovery::Kind injected)
   step.effective_ratio = normalizeWeights(particles_, options_.threads).effective_ratio;
   step.particles = particles_.size();
   const double effective = step.effective_ratio * static_cast<double>(particles_.size());
-  const bool was_unimodal = isUnimodal();
-  ModeSet found = findModes(particles_, options_.modes, options_.threads, std::move(modes_.mode_of));
-  const double remainder = was_unimodal && mrpt_ext::isUnimodal(found, options_.verdict)
-                               ? SamplingError::remainder(modes_.modes.front().pose.covariance,
-                                                          bestModeAfter(frame.motion).gaussianPose().covariance,
-                                                          found.modes.front().pose.covariance)
-                               : 0;
-  modes_ = std::move(found);
+  ModeSet stated = updateModes(frame, effective);
 
   // A known start is the mode under test, however imprecise it becomes, until something else was tried.
   const bool known_start = options_.initial_mode == InitialMode::gaussian && !recovery_.hasInjected();
@@ -198,18 +192,45 @@ FilterStep ParticleFilter::estimate(const Frame& frame, Recovery::Kind injected)
   // Hypotheses that are injected into a verified mode leave it few effective particles, for this frame only.
   const bool thinned = injected == Recovery::Kind::verify && integrity_.verified();
   const VerdictWithReason verdict =
-      integrity_.verdict(modes_, thinned ? std::numeric_limits<double>::infinity() : effective);
+      integrity_.verdict(stated, thinned ? std::numeric_limits<double>::infinity() : effective);
   step.verdict = verdict.verdict;
   step.reason = verdict.reason;
   step.inlier_ratio = integrity_.inlierRatio();
   step.biases = estimateBiases(particles_);
   for (const std::string& finding :
        {integrity_.finding(), outlierText(observation_model_.map(), reliability().histories()),
-        biasText(options_.biases, step.biases)})
+        biasText(options_.biases, step.biases),
+        modes_.modes.empty() ? "" : consider_.finding(modes_.modes.front().pose.covariance)})
     if (!finding.empty()) step.reason += "; " + finding;
-  step.modes.modes = modes_.modes;
-  sampling_error_.correct(step.modes, effective, remainder);
+  step.modes = std::move(stated);
   return step;
+}
+
+ModeSet ParticleFilter::updateModes(const Frame& frame, double effective)
+{
+  const bool was_unimodal = isUnimodal();
+  ModeSet found = findModes(particles_, options_.modes, options_.threads, std::move(modes_.mode_of));
+  const double remainder = was_unimodal && mrpt_ext::isUnimodal(found, options_.verdict)
+                               ? SamplingError::remainder(modes_.modes.front().pose.covariance,
+                                                          bestModeAfter(frame.motion).gaussianPose().covariance,
+                                                          found.modes.front().pose.covariance)
+                               : 0;
+  modes_ = std::move(found);
+  followLastingErrors(frame);
+  ModeSet stated{modes_.modes, {}};
+  sampling_error_.correct(stated, effective, remainder);
+  if (!stated.modes.empty()) stated.modes.front().pose.covariance += consider_.added();
+  return stated;
+}
+
+void ParticleFilter::followLastingErrors(const Frame& frame)
+{
+  if (tracked_ && isUnimodal())
+    consider_.update(*tracked_, frame);
+  else
+    consider_.restart();
+  tracked_.reset();
+  if (isUnimodal()) tracked_ = momentsOf(particles_, [this](std::size_t i) { return modes_.mode_of[i] == 0; });
 }
 
 std::size_t ParticleFilter::wantedParticles() const

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "mrpt_ext/filter/consider/consider_covariance.h"
 #include "mrpt_ext/filter/hypothesis_injector.h"
 #include "mrpt_ext/filter/hypothesis_sources.h"
 #include "mrpt_ext/filter/integrity/filter_diagnostics.h"
@@ -61,6 +62,9 @@ class ParticleFilter
   /// True when a mode got its particles back.
   bool weight(const Frame& frame);
   [[nodiscard]] FilterStep estimate(const Frame& frame, Recovery::Kind injected);
+  /// Finds the modes. What is stated of them: corrected for sampling and for errors that last.
+  [[nodiscard]] ModeSet updateModes(const Frame& frame, double effective);
+  void followLastingErrors(const Frame& frame);
   void resample(FilterStep& step, const HypothesisSources& sources);
 
   [[nodiscard]] bool isUnimodal() const { return mrpt_ext::isUnimodal(modes_, options_.verdict); }
@@ -76,7 +80,7 @@ class ParticleFilter
   ParticleFilterOptions options_;
   RandomStream random_;
   ParticleSet particles_;
-  ModeSet modes_;  // of the last step, before the correction for sampling; mode_of is only a buffer
+  ModeSet modes_;  // of the last step, as weighted (not as stated); mode_of is only a buffer
   ObservationModel observation_model_;
   IntegrityMonitor integrity_;
   RecoveryPolicy recovery_;
@@ -84,5 +88,7 @@ class ParticleFilter
   ModeMixture mode_mixture_;
   Resampler resampler_;
   SamplingError sampling_error_;
+  ConsiderCovariance consider_;
+  std::optional<KalmanState> tracked_;  // the only mode of the last step
 };
 }  // namespace mrpt_ext

@@ -3,7 +3,7 @@
 #include <deque>
 #include <memory>
 
-#include "mrpt_ext/filter/kalman/kalman_bank.h"
+#include "mrpt_ext/filter/kalman_bank.h"
 #include "mrpt_ext/hypotheses/propose_poses.h"
 #include "mrpt_ext/localizers/localizer.h"
 

@@ -48,8 +48,17 @@ KalmanVector moved(const KalmanVector& mean, const KalmanVector& step)
   return result;
 }
 
-KalmanState predict(const KalmanState& state, const BiasModel& biases, const MotionModel& model,
-                    const OdometryMotion& motion)
+namespace
+{
+/// The increment that the robot made according to a state, and the derivative of the next state by this one.
+struct LinearisedMotion
+{
+  Pose2 increment;
+  KalmanMatrix jacobian;
+};
+
+LinearisedMotion linearise(const KalmanState& state, const BiasModel& biases, const MotionModel& model,
+                           const OdometryMotion& motion)
 {
   const Pose2 measured = nominalMotion(model, motion).increment;
   const double distance_scale = total(state.mean, biases, BiasKind::distance_scale);
@@ -58,7 +67,7 @@ KalmanState predict(const KalmanState& state, const BiasModel& biases, const Mot
   const Vector2d chord = (1 + distance_scale) * direction;
   const Pose2 increment{chord.x(), chord.y(), (1 + rotation_scale) * measured.phi};
 
-  const auto size = static_cast<int>(state.mean.size());
+  const auto size = state.mean.size();
   const Pose2 before = state.pose();
   const Matrix3d G = composeJacobianSecond(before);
   KalmanMatrix F = KalmanMatrix::Identity(size, size);
@@ -70,9 +79,23 @@ KalmanState predict(const KalmanState& state, const BiasModel& biases, const Mot
     if (biases[k].kind == BiasKind::distance_scale) F.block<3, 1>(0, kPose + static_cast<int>(k)) = G * by_distance;
     if (biases[k].kind == BiasKind::rotation_scale) F.block<3, 1>(0, kPose + static_cast<int>(k)) = G * by_rotation;
   }
+  return {increment, F};
+}
+}  // namespace
 
+KalmanMatrix motionJacobian(const KalmanState& state, const BiasModel& biases, const MotionModel& model,
+                            const OdometryMotion& motion)
+{
+  return linearise(state, biases, model, motion).jacobian;
+}
+
+KalmanState predict(const KalmanState& state, const BiasModel& biases, const MotionModel& model,
+                    const OdometryMotion& motion)
+{
+  const auto [increment, F] = linearise(state, biases, model, motion);
+  const Matrix3d G = composeJacobianSecond(state.pose());
   KalmanState next = state;
-  next.mean.head<3>() = compose(before, increment).vector();
+  next.mean.head<3>() = compose(state.pose(), increment).vector();
   next.covariance = F * state.covariance * F.transpose();
   next.covariance.topLeftCorner<3, 3>() += G * incrementCovariance(model, motion) * G.transpose();
   for (std::size_t k = 0; k < biases.size(); ++k)

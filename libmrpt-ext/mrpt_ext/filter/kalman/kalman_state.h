@@ -36,6 +36,10 @@ struct KalmanState
 [[nodiscard]] KalmanState predict(const KalmanState& state, const BiasModel& biases, const MotionModel& model,
                                   const OdometryMotion& motion);
 
+/// Derivative of the state after a motion by the state before it, at the state before it.
+[[nodiscard]] KalmanMatrix motionJacobian(const KalmanState& state, const BiasModel& biases, const MotionModel& model,
+                                          const OdometryMotion& motion);
+
 /// mean + step, heading wrapped.
 [[nodiscard]] KalmanVector moved(const KalmanVector& mean, const KalmanVector& step);
 }  // namespace mrpt_ext

@@ -1,4 +1,4 @@
-#include "mrpt_ext/filter/kalman/kalman_bank.h"
+#include "mrpt_ext/filter/kalman_bank.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -44,7 +44,10 @@ void widen(KalmanHypothesis& filter) { filter.state.covariance.topLeftCorner<3, 
 }  // namespace
 
 KalmanBank::KalmanBank(KalmanBankOptions options, const LandmarkTable& map)
-    : options_(std::move(options)), map_(map), recovery_(options_.recovery, kMaxReseedInterval)
+    : options_(std::move(options)),
+      map_(map),
+      recovery_(options_.recovery, kMaxReseedInterval),
+      consider_(options_.motion, options_.biases, map)
 {
 }
 
@@ -59,6 +62,7 @@ KalmanStep KalmanBank::process(const Frame& whole, const HypothesisSource& propo
   else
     track(frame, propose, step);
   step.modes = modesOf(hypotheses_);
+  if (!step.modes.modes.empty()) step.modes.modes.front().pose.covariance += consider_.added();
   judgeStep(step);
   return step;
 }
@@ -140,6 +144,7 @@ void KalmanBank::initialize(const Frame& frame, const HypothesisSource& propose)
 
 void KalmanBank::track(const Frame& frame, const HypothesisSource& propose, KalmanStep& step)
 {
+  const KalmanState heaviest = hypotheses_.front().state;
   for (KalmanHypothesis& h : hypotheses_) h.state = predict(h.state, options_.biases, options_.motion, frame.motion);
   const Recovery recovery = decideRecovery(frame.motion.duration);
   if (recovery.due()) step.restarted = inject(recovery.prior, propose);
@@ -152,6 +157,8 @@ void KalmanBank::track(const Frame& frame, const HypothesisSource& propose, Kalm
     best = i;
     step.best = std::move(result);
   }
+  const bool same = best == 0 && !(step.restarted && options_.max_hypotheses == 1);
+  same ? consider_.update(heaviest, frame) : consider_.restart();
   rank(hypotheses_);
   merge(hypotheses_);
   prune(hypotheses_, options_.max_hypotheses, kMinWeight);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "mrpt_ext/filter/consider/consider_covariance.h"
 #include "mrpt_ext/filter/integrity/filter_verdict.h"
 #include "mrpt_ext/filter/integrity/recovery_policy.h"
 #include "mrpt_ext/filter/kalman/kalman_hypothesis.h"
@@ -26,7 +27,7 @@ struct KalmanBankOptions
 /// Result of one frame.
 struct KalmanStep
 {
-  ModeSet modes;  ///< one per hypothesis; empty until initialized
+  ModeSet modes;  ///< one per hypothesis, with what errors that last add to the heaviest; empty until initialized
   bool restarted = false;
   KalmanUpdate best;  ///< of the heaviest hypothesis
   Verdict verdict = Verdict::lost;
@@ -82,5 +83,6 @@ class KalmanBank
   KalmanHypotheses hypotheses_;
   double waited_ = 0;  // [s] to be initialized
   RecoveryPolicy recovery_;
+  ConsiderCovariance consider_;  // of the heaviest
 };
 }  // namespace mrpt_ext

@@ -1,0 +1,118 @@
+#include "mrpt_ext/filter/consider/consider_covariance.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "mrpt_ext/filter/kalman/kalman_association.h"
+#include "mrpt_ext/geometry/formatted.h"
+#include "mrpt_ext/likelihood/detection_density.h"
+#include "mrpt_ext/likelihood/running_fix_likelihood.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kInnovationGate = 4;     // standard deviations
+constexpr double kRemarkable = 1.5;       // times the standard deviation
+constexpr double kClear = 0.5;            // probability of the association
+constexpr std::size_t kMostSensors = 16;  // the others share the last place
+
+/// The gains of all rows together, in information form: any number of rows, one inversion of the size of the state.
+void solveGains(LinearStep& step)
+{
+  const Eigen::Index size = step.predicted.mean.size();
+  const KalmanMatrix I = KalmanMatrix::Identity(size, size);
+  const KalmanMatrix& P = step.predicted.covariance;
+  KalmanMatrix information = KalmanMatrix::Zero(size, size);  // H^T R^-1 H
+  for (const InnovationRow& row : step.rows)
+    information += row.row.jacobian.transpose() * row.row.jacobian / row.row.variance;
+  step.remaining = KalmanMatrix(I + P * information).partialPivLu().inverse();
+  step.posterior = step.remaining * P;
+  for (const InnovationRow& row : step.rows)
+    step.gains.push_back(step.posterior * row.row.jacobian.transpose() / row.row.variance);
+}
+
+Matrix3d positivePart(const Matrix3d& matrix)
+{
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(0.5 * (matrix + matrix.transpose()));
+  return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0).asDiagonal() * solver.eigenvectors().transpose();
+}
+}  // namespace
+
+ConsiderCovariance::ConsiderCovariance(MotionModel motion, BiasModel biases, const LandmarkTable& map)
+    : motion_(motion),
+      biases_(std::move(biases)),
+      map_(map),
+      default_max_range_(map.empty() ? 1 : defaultMaxRange(map)),
+      persistent_(3 + static_cast<Eigen::Index>(biases_.size())),
+      systematic_(3 + static_cast<Eigen::Index>(biases_.size()))
+{
+}
+
+void ConsiderCovariance::restart()
+{
+  persistent_.restart();
+  systematic_.restart();
+  added_.setZero();
+}
+
+void ConsiderCovariance::update(const KalmanState& before, const Frame& frame)
+{
+  const LinearStep step = linearise(before, frame);
+  persistent_.update(step);
+  systematic_.update(step);
+  const Vector3d shift = systematic_.shift().head<3>();
+  const Matrix3d lasting = persistent_.added().topLeftCorner<3, 3>();
+  if (!shift.allFinite() || !lasting.allFinite()) return restart();
+  added_ = positivePart(lasting) + shift * shift.transpose();
+}
+
+std::string ConsiderCovariance::finding(const Matrix3d& stated) const
+{
+  const double before = stated.topLeftCorner<2, 2>().trace(), more = added_.topLeftCorner<2, 2>().trace();
+  if (!(std::sqrt(before + more) > kRemarkable * std::sqrt(before))) return {};
+  return formatted("errors that last: standard deviation %.3f m instead of %.3f m", std::sqrt(before + more),
+                   std::sqrt(before));
+}
+
+LinearStep ConsiderCovariance::linearise(const KalmanState& before, const Frame& frame)
+{
+  LinearStep step{.time = frame.time, .motion = frame.motion, .before = before};
+  step.predicted = predict(before, biases_, motion_, frame.motion);
+  step.motion_jacobian = motionJacobian(before, biases_, motion_, frame.motion);
+  step.increment_noise = composeJacobianSecond(before.pose()) * incrementCovariance(motion_, frame.motion);
+  for (const Reading& reading : scoredReadings(frame)) addRows(reading, step);
+  solveGains(step);
+  return step;
+}
+
+void ConsiderCovariance::addRows(const Reading& reading, LinearStep& step)
+{
+  const std::size_t sensor = indexOf(reading.sensor);
+  for (const Detection& detection : reading.detections)
+  {
+    const Association found = associate(detection, reading, map_, step.predicted, biases_, default_max_range_);
+    if (!(found.best > kClear)) continue;
+    for (int k = 0; k < found.rows.count; ++k)
+    {
+      const bool is_bearing = detection.bearing && k == 0;
+      InnovationRow row{.source = {sensor, is_bearing, found.landmark},
+                        .row = found.rows.rows[static_cast<std::size_t>(k)],
+                        .measured = is_bearing ? *detection.bearing : *detection.range};
+      const KalmanRowVector& H = row.row.jacobian;
+      row.variance = H.dot(step.predicted.covariance * H.transpose()) + row.row.variance;
+      if (square(row.row.residual) < square(kInnovationGate) * row.variance) step.rows.push_back(std::move(row));
+    }
+  }
+}
+
+std::size_t ConsiderCovariance::indexOf(const std::string& sensor)
+{
+  const auto found = std::find(sensors_.begin(), sensors_.end(), sensor);
+  const auto index = static_cast<std::size_t>(found - sensors_.begin());
+  if (found == sensors_.end() && sensors_.size() < kMostSensors) sensors_.push_back(sensor);
+  return std::min(index, kMostSensors - 1);
+}
+}  // namespace mrpt_ext

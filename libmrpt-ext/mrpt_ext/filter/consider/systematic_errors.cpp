@@ -1,0 +1,154 @@
+#include "mrpt_ext/filter/consider/systematic_errors.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mrpt_ext
+{
+namespace
+{
+enum OfOdometry : Eigen::Index
+{
+  veer_error,
+  drift_error,
+  odometry_errors
+};
+enum OfSensor : Eigen::Index
+{
+  delay_error,
+  range_offset_error,
+  range_scale_error,
+  lever_x_error,
+  lever_y_error,
+  sensor_errors
+};
+constexpr double kParameterMemory = 600;  // [s] after which parameters may have changed
+
+// What is plausible before anything was measured, in the order above.
+constexpr std::array<double, odometry_errors> kOdometryPrior = {degToRad(5.0), degToRad(1.0)};
+constexpr std::array<double, sensor_errors> kSensorPrior = {0.2, 0.3, 0.1, 0.1, 0.1};
+
+double priorStd(Eigen::Index parameter)
+{
+  return parameter < odometry_errors
+             ? kOdometryPrior[static_cast<std::size_t>(parameter)]
+             : kSensorPrior[static_cast<std::size_t>((parameter - odometry_errors) % sensor_errors)];
+}
+
+Eigen::Index firstOf(std::size_t sensor) { return odometry_errors + sensor_errors * static_cast<Eigen::Index>(sensor); }
+std::size_t sensorOf(Eigen::Index parameter)
+{
+  return static_cast<std::size_t>((parameter - odometry_errors) / sensor_errors);
+}
+}  // namespace
+
+SystematicErrors::SystematicErrors(Eigen::Index size) : response_(size, 0), velocity_(size) { resize(odometry_errors); }
+
+void SystematicErrors::resize(Eigen::Index parameters)
+{
+  const Eigen::Index before = response_.cols(), more = parameters - before;
+  if (more <= 0) return;
+  response_.conservativeResize(Eigen::NoChange, parameters);
+  response_.rightCols(more).setZero();
+  information_.conservativeResizeLike(Eigen::MatrixXd::Zero(parameters, parameters));
+  weighted_.conservativeResizeLike(Eigen::VectorXd::Zero(parameters));
+  by_noise_.conservativeResizeLike(Eigen::VectorXd::Zero(parameters));
+}
+
+void SystematicErrors::update(const LinearStep& step)
+{
+  for (const InnovationRow& row : step.rows) resize(firstOf(row.source.sensor + 1));
+  predict(step);
+  velocity_.predict(step);
+  const Eigen::MatrixXd by_parameters = measurementDerivatives(step);
+  learn(step, by_parameters);
+  response_ = (step.remaining * response_).eval();
+  for (std::size_t i = 0; i < step.rows.size(); ++i)
+    response_ += step.gains[i] * by_parameters.row(static_cast<Eigen::Index>(i));
+  velocity_.correct(step);
+}
+
+void SystematicErrors::restart()
+{
+  response_.setZero();
+  velocity_.restart();
+}
+
+void SystematicErrors::predict(const LinearStep& step)
+{
+  // The estimate has missed what odometry did not tell: a turn missed evenly swings half of the chord.
+  response_ = (step.motion_jacobian * response_).eval();
+  const Vector2d chord = step.predicted.pose().position() - step.before.pose().position();
+  const Vector3d by_turn(-0.5 * chord.y(), 0.5 * chord.x(), 1);
+  response_.col(veer_error).head<3>() -= step.motion.path_length * by_turn;
+  response_.col(drift_error).head<3>() -= step.motion.duration * by_turn;
+}
+
+Eigen::MatrixXd SystematicErrors::measurementDerivatives(const LinearStep& step) const
+{
+  Eigen::MatrixXd derivatives = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(step.rows.size()), response_.cols());
+  const Matrix2d R = rotation(step.predicted.mean[2]);
+  const Vector3d velocity = velocity_.velocity(step);
+  for (std::size_t i = 0; i < step.rows.size(); ++i)
+  {
+    const InnovationRow& row = step.rows[i];
+    const Eigen::Vector3d by_pose = row.row.jacobian.head<3>().transpose();
+    auto derivative = derivatives.row(static_cast<Eigen::Index>(i)).segment<sensor_errors>(firstOf(row.source.sensor));
+    derivative[delay_error] = -by_pose.dot(velocity);
+    if (!row.source.is_bearing) derivative[range_offset_error] = 1;
+    if (!row.source.is_bearing) derivative[range_scale_error] = row.measured;
+    const Vector2d by_lever = R.transpose() * by_pose.head<2>();
+    derivative[lever_x_error] = by_lever.x();
+    derivative[lever_y_error] = by_lever.y();
+  }
+  return derivatives;
+}
+
+void SystematicErrors::learn(const LinearStep& step, const Eigen::MatrixXd& by_parameters)
+{
+  const double kept = std::exp(-std::max(0.0, step.motion.duration) / kParameterMemory);
+  information_ *= kept;
+  weighted_ *= kept;
+  by_noise_ *= kept;
+  // The innovations share the error of the predicted pose: their covariance is R + H P H^T, inverted by the lemma.
+  const Eigen::Index size = step.predicted.mean.size(), parameters = response_.cols();
+  Eigen::MatrixXd shared = Eigen::MatrixXd::Zero(size, parameters);
+  Eigen::VectorXd shared_residual = Eigen::VectorXd::Zero(size);
+  for (std::size_t i = 0; i < step.rows.size(); ++i)
+  {
+    const KalmanRow& row = step.rows[i].row;
+    const Eigen::RowVectorXd visible = by_parameters.row(static_cast<Eigen::Index>(i)) - row.jacobian * response_;
+    information_.noalias() += visible.transpose() * visible / row.variance;
+    weighted_.noalias() += visible.transpose() * (row.residual / row.variance);
+    shared.noalias() += row.jacobian.transpose() * visible / row.variance;
+    shared_residual.noalias() += row.jacobian.transpose() * (row.residual / row.variance);
+  }
+  information_.noalias() -= shared.transpose() * step.posterior * shared;
+  weighted_.noalias() -= shared.transpose() * (step.posterior * shared_residual);
+  for (Eigen::Index delay = odometry_errors; delay < parameters; delay += sensor_errors)
+    by_noise_[delay] += velocity_.expectedProduct(step, sensorOf(delay));
+}
+
+KalmanVector SystematicErrors::shift() const
+{
+  Eigen::MatrixXd with_prior = information_;
+  for (Eigen::Index k = 0; k < with_prior.rows(); ++k) with_prior(k, k) += 1 / square(priorStd(k));
+  const Eigen::MatrixXd covariance =
+      with_prior.llt().solve(Eigen::MatrixXd::Identity(with_prior.rows(), with_prior.cols()));
+  // As little of a delay as the noise of odometry leaves.
+  Eigen::VectorXd weighted = weighted_;
+  for (Eigen::Index k = 0; k < weighted.size(); ++k)
+  {
+    const double by_noise = covariance(k, k) * by_noise_[k];
+    if (by_noise != 0) weighted[k] -= std::clamp(covariance.row(k).dot(weighted) / by_noise, 0.0, 1.0) * by_noise_[k];
+  }
+  const Eigen::VectorXd parameters = covariance * weighted;
+  // Chi square of as many parameters, all zero: two standard deviations above its mean.
+  const auto count = static_cast<double>(parameters.size());
+  const double by_chance = count + 2 * std::sqrt(2 * count), chi2 = parameters.dot(information_ * parameters);
+  if (!(chi2 > by_chance)) return KalmanVector::Zero(response_.rows());
+  return response_ * parameters * (1 - by_chance / chi2);
+}
+}  // namespace mrpt_ext

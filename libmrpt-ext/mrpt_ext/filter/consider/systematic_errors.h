@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "mrpt_ext/filter/consider/velocity_noise.h"
+
+namespace mrpt_ext
+{
+/// What systematic errors that the filter does not estimate do to its estimate. They are shared by all landmarks and do
+/// not average out:
+/// - of every sensor: delay, offset and scale of ranges, lever arm;
+/// - of odometry: veer per metre, drift per second.
+/// Scales of odometry are left out: odometry's noise, which the innovations share, would be taken for them.
+///
+/// The derivatives U of the error of the estimate by these parameters follow the filter through its steps; the
+/// innovations are then linear in the parameters, which are estimated by recursive least squares (the separate-bias
+/// filter of Friedland, IEEE Trans. Autom. Control 14(4), 1969). The estimate itself is left as it is: what the
+/// parameters, as far as they are significant, do to it is added to its covariance.
+class SystematicErrors
+{
+ public:
+  /// `size`: of the filter's state.
+  explicit SystematicErrors(Eigen::Index size);
+
+  /// Propagates through one step of the filter, and learns from its innovations.
+  void update(const LinearStep& step);
+  /// The estimate starts anew, without errors that came from the parameters. What is known of them is kept.
+  void restart();
+
+  /// Error of the estimate by the parameters as far as they are significant: its square is added to the covariance.
+  [[nodiscard]] KalmanVector shift() const;
+
+ private:
+  void resize(Eigen::Index parameters);
+  void predict(const LinearStep& step);
+  [[nodiscard]] Eigen::MatrixXd measurementDerivatives(const LinearStep& step) const;
+  void learn(const LinearStep& step, const Eigen::MatrixXd& by_parameters);
+
+  Eigen::MatrixXd response_;     // U
+  Eigen::MatrixXd information_;  // of the parameters
+  Eigen::VectorXd weighted_;     // information times parameters
+  Eigen::VectorXd by_noise_;     // ... that the noise of the velocity would have caused alone
+  VelocityNoise velocity_;
+};
+}  // namespace mrpt_ext

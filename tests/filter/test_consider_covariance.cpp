@@ -1,0 +1,198 @@
+#include "mrpt_ext/filter/consider/consider_covariance.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <map>
+
+#include "mrpt_ext/filter/kalman/kalman_update.h"
+#include "simulated_run.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+/// How the sensor of a run errs beside the stated white noise.
+struct LastingErrors
+{
+  double white = 1;         // noise, relative to the stated standard deviation
+  double of_landmark = 0;   // standard deviation of the constant error of each landmark, relative to the stated one
+  double range_offset = 0;  // [m]
+  Vector2d lever{0, 0};     // [m]
+  double delay = 0;         // [s]
+  double turn_scale = 0;    // of odometry
+  double drift = 0;         // [rad/s]
+};
+
+struct Statistics
+{
+  double steps = 0, covered = 0, covered_as_stated = 0;
+  double variance = 0, stated_variance = 0;
+};
+
+double mahalanobis2Of(const Vector2d& error, const Matrix3d& covariance)
+{
+  const Matrix2d C = covariance.topLeftCorner<2, 2>();
+  return error.dot(C.inverse() * error);
+}
+
+constexpr double kInside = 5.991;  // 95 % of chi square with two degrees of freedom
+constexpr double kPeriod = 0.2;    // [s]
+
+const MotionModel kGoodWheels{.std_xy_per_m = 0.02,
+                              .std_phi_per_deg = 0.1,
+                              .std_phi_per_m = degToRad(0.5),
+                              .std_xy_per_s = 0.002,
+                              .std_phi_per_s = degToRad(0.1)};
+
+/// The pose after k periods: figures of eight, now faster, now slower.
+Pose2 poseAt(int k)
+{
+  const auto position = [](double t)
+  {
+    const double a = 0.12 * t + 0.4 * std::sin(0.15 * t);
+    return Vector2d(5 + 3 * std::sin(a), 5 + 2 * std::sin(2 * a));
+  };
+  const double t = kPeriod * k;
+  const Vector2d at = position(t), ahead = position(t + 1e-3) - at;
+  return {at.x(), at.y(), std::atan2(ahead.y(), ahead.x())};
+}
+
+Frame frameOf(const LandmarkTable& map, int k, const LastingErrors& errors,
+              std::map<std::pair<int, bool>, double>& constant, RandomStream& random)
+{
+  constexpr double kRange = 0.03, kBearing = 0.015;
+  const Pose2 before = poseAt(k - 1), truth = poseAt(k);
+  const Vector2d moved = rotation(before.phi).transpose() * (truth.position() - before.position());
+  const Pose2 step{moved.x(), moved.y(), wrap(truth.phi - before.phi)};
+  Frame frame;
+  frame.time = kPeriod * k;
+  frame.motion = {
+      .increment = step, .path_length = step.position().norm(), .turned = std::abs(step.phi), .duration = kPeriod};
+  const Vector3d std = incrementStd(kGoodWheels, frame.motion);
+  Pose2& told = frame.motion.increment;
+  told.phi = step.phi / (1 + errors.turn_scale) - errors.drift * kPeriod;
+  told = {told.x + std.x() * random.gaussian(), told.y + std.y() * random.gaussian(),
+          told.phi + std.z() * random.gaussian()};
+  const double late = errors.delay / kPeriod;
+  const Pose2 then{truth.x - late * (truth.x - before.x), truth.y - late * (truth.y - before.y),
+                   wrap(truth.phi - late * wrap(truth.phi - before.phi))};
+  Reading reading;
+  reading.time = frame.time;
+  reading.sensor = "laser";
+  reading.model.clutter_probability = 0.01;
+  const Pose2 lever{errors.lever.x(), errors.lever.y(), 0};
+  for (const Landmark& landmark : map.all())
+  {
+    const Vector2d at = landmark.position.head<2>();
+    const double range = predictRange(then, at, lever);
+    if (range < 1 || range > 6) continue;
+    const auto lasting = [&](bool bearing)
+    {
+      auto [found, is_new] = constant.try_emplace({landmark.id, bearing}, 0.0);
+      if (is_new) found->second = errors.of_landmark * random.gaussian();
+      return found->second + errors.white * random.gaussian();
+    };
+    Detection detection;
+    detection.id = landmark.id;
+    detection.std_bearing = kBearing;
+    detection.std_range = kRange;
+    detection.bearing = wrap(predictBearing(then, at, lever) + kBearing * lasting(true));
+    detection.range = range + errors.range_offset + kRange * lasting(false);
+    reading.detections.push_back(detection);
+  }
+  frame.readings = {reading};
+  return frame;
+}
+
+/// Adds one run of a Kalman filter that knows of white errors only. The first 100 seconds are not counted.
+void run(const LastingErrors& errors, std::uint64_t seed, Statistics& statistics)
+{
+  RandomStream random(seed, 1);
+  const LandmarkTable map = randomMap(10, 10, random);
+  KalmanState state = startingState({poseAt(0), Vector3d(0.01, 0.01, 0.01).cwiseAbs2().asDiagonal()}, {});
+  ConsiderCovariance consider(kGoodWheels, {}, map);
+  std::map<std::pair<int, bool>, double> constant;
+  for (int k = 1; k < 1500; ++k)
+  {
+    const Frame frame = frameOf(map, k, errors, constant, random);
+    consider.update(state, frame);
+    state = updateExtended(predict(state, {}, kGoodWheels, frame.motion), frame, map, {}).state;
+    if (k < 500) continue;
+    const Vector2d error = state.pose().position() - poseAt(k).position();
+    const Matrix3d stated = state.gaussianPose().covariance, honest = stated + consider.added();
+    statistics.steps += 1;
+    statistics.covered += mahalanobis2Of(error, honest) < kInside;
+    statistics.covered_as_stated += mahalanobis2Of(error, stated) < kInside;
+    statistics.stated_variance += stated.topLeftCorner<2, 2>().trace();
+    statistics.variance += honest.topLeftCorner<2, 2>().trace();
+  }
+}
+
+Statistics runs(const LastingErrors& errors, std::uint64_t first_seed = 100, int count = 20)
+{
+  Statistics statistics;
+  for (int k = 0; k < count; ++k) run(errors, first_seed + static_cast<std::uint64_t>(k), statistics);
+  return statistics;
+}
+}  // namespace
+
+TEST(ConsiderCovariance, WhiteErrorsAddNothing)
+{
+  const Statistics all = runs({});
+  EXPECT_LT(all.variance, 1.05 * all.stated_variance);
+  EXPECT_NEAR(all.covered / all.steps, all.covered_as_stated / all.steps, 0.01);
+}
+
+TEST(ConsiderCovariance, CoversErrorsOfTheMap)
+{
+  const Statistics all = runs({.white = 0.6, .of_landmark = 0.8});
+  EXPECT_LT(all.covered_as_stated / all.steps, 0.75);
+  EXPECT_GT(all.covered / all.steps, 0.90);
+  EXPECT_LT(all.covered / all.steps, 0.99);
+}
+
+TEST(ConsiderCovariance, CoversARangeOffset)
+{
+  const Statistics all = runs({.range_offset = 0.06});
+  EXPECT_LT(all.covered_as_stated / all.steps, 0.5);
+  EXPECT_GT(all.covered / all.steps, 0.90);
+}
+
+TEST(ConsiderCovariance, CoversADelay)
+{
+  const Statistics all = runs({.delay = 0.1});
+  EXPECT_LT(all.covered_as_stated / all.steps, 0.5);
+  EXPECT_GT(all.covered / all.steps, 0.90);
+}
+
+TEST(ConsiderCovariance, CoversALeverArm)
+{
+  const Statistics all = runs({.lever = {0.05, 0.05}});
+  EXPECT_LT(all.covered_as_stated / all.steps, 0.5);
+  EXPECT_GT(all.covered / all.steps, 0.90);
+}
+
+TEST(ConsiderCovariance, CoversOdometryThatTurnsLessAndDrifts)
+{
+  const Statistics all = runs({.turn_scale = 0.1, .drift = degToRad(0.4)});
+  EXPECT_GT(all.covered / all.steps, 0.90);
+}
+
+TEST(ConsiderCovariance, ANewEstimateHasNoLastingErrorYet)
+{
+  RandomStream random(7, 1);
+  const LandmarkTable map = randomMap(10, 10, random);
+  ConsiderCovariance consider({}, {}, map);
+  EXPECT_EQ(consider.added(), Matrix3d::Zero());
+  std::map<std::pair<int, bool>, double> constant;
+  for (int k = 1; k < 500; ++k)
+  {
+    const Frame frame = frameOf(map, k, {.of_landmark = 2}, constant, random);
+    consider.update(startingState({poseAt(k - 1), 1e-4 * Matrix3d::Identity()}, {}), frame);
+  }
+  EXPECT_GT(consider.added().trace(), 0);
+  consider.restart();
+  EXPECT_EQ(consider.added(), Matrix3d::Zero());
+}
+}  // namespace mrpt_ext
