@@ -116,19 +116,25 @@ void SystematicErrors::learn(const LinearStep& step, const Eigen::MatrixXd& by_p
   const Eigen::Index size = step.predicted.mean.size(), parameters = response_.cols();
   Eigen::MatrixXd shared = Eigen::MatrixXd::Zero(size, parameters);
   Eigen::VectorXd shared_residual = Eigen::VectorXd::Zero(size);
+  double nis = 0;
   for (std::size_t i = 0; i < step.rows.size(); ++i)
   {
     const KalmanRow& row = step.rows[i].row;
     const Eigen::RowVectorXd visible = by_parameters.row(static_cast<Eigen::Index>(i)) - row.jacobian * response_;
     information_.noalias() += visible.transpose() * visible / row.variance;
     weighted_.noalias() += visible.transpose() * (row.residual / row.variance);
+    nis += square(row.residual) / row.variance;
     shared.noalias() += row.jacobian.transpose() * visible / row.variance;
     shared_residual.noalias() += row.jacobian.transpose() * (row.residual / row.variance);
   }
   information_.noalias() -= shared.transpose() * step.posterior * shared;
   weighted_.noalias() -= shared.transpose() * (step.posterior * shared_residual);
+  if (step.rows.empty()) return;
+  // Of the stated noise as much as the innovations show.
+  nis -= shared_residual.dot(step.posterior * shared_residual);
+  const double shown = nis / static_cast<double>(step.rows.size());
   for (Eigen::Index delay = odometry_errors; delay < parameters; delay += sensor_errors)
-    by_noise_[delay] += velocity_.expectedProduct(step, sensorOf(delay));
+    by_noise_[delay] += shown * velocity_.expectedProduct(step, sensorOf(delay));
 }
 
 KalmanVector SystematicErrors::shift() const
