@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mrpt_ext/filter/kalman/kalman_association.h"
+#include "mrpt_ext/filter/kalman/kalman_update.h"
 #include "mrpt_ext/geometry/formatted.h"
 #include "mrpt_ext/likelihood/detection_density.h"
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
@@ -83,7 +84,8 @@ LinearStep ConsiderCovariance::linearise(const KalmanState& before, const Frame&
   step.predicted = predict(before, biases_, motion_, frame.motion);
   step.motion_jacobian = motionJacobian(before, biases_, motion_, frame.motion);
   step.increment_noise = composeJacobianSecond(before.pose()) * incrementCovariance(motion_, frame.motion);
-  for (const Reading& reading : scoredReadings(frame)) addRows(reading, step);
+  const std::optional<Frame> affordable = affordableToUpdate(frame, map_, 1);
+  for (const Reading& reading : scoredReadings(affordable ? *affordable : frame)) addRows(reading, step);
   solveGains(step);
   return step;
 }
