@@ -102,6 +102,9 @@ TEST(KeyDefaults, OfASensorAreThoseOfItsConfig)
 {
   const SensorConfig read = emptyConfig("[Sensor_a]\n").frames.sensors.at("a"), plain;
   EXPECT_EQ(read.delay, plain.delay);
+  EXPECT_EQ(read.sweep.duration, plain.sweep.duration);
+  EXPECT_EQ(read.sweep.direction, plain.sweep.direction);
+  EXPECT_EQ(read.sweep.start, plain.sweep.start);
   EXPECT_EQ(read.std_bearing, plain.std_bearing);
   EXPECT_EQ(read.std_range, plain.std_range);
   EXPECT_EQ(read.std_range_per_m, plain.std_range_per_m);

@@ -75,7 +75,7 @@ TEST(LocalizationKeys, HoldWhatTheContractNames)
       {"Sensor_anything",
        {"delay_s", "std_bearing_deg", "std_range_m", "std_range_per_m", "bias_bearing_deg", "bias_range_m",
         "scale_range", "field_of_view_deg", "max_range_m", "clutter_probability", "detection_probability",
-        "association"}},
+        "association", "scan_duration_s"}},
       {"PF_options", {"sampleSize", "PF_algorithm", "resamplingMethod", "adaptiveSampleSize", "BETA"}},
       {"KLD_options",
        {"KLD_binSize_XY", "KLD_binSize_PHI_deg", "KLD_delta", "KLD_epsilon", "KLD_minSampleSize", "KLD_maxSampleSize"}},

@@ -194,4 +194,35 @@ TEST(SimulatedRun, Long)
   expectSuccess(summary, 0.1);
   EXPECT_EQ(summary.at("methods").size(), 2U);
 }
+
+TEST(SimulatedRuns, ASpinningScannerOnAFastTurningRobotIsAsGoodAsOneWithoutSkew)
+{
+  const testing::ScratchFolder folder;
+  const auto error = [&](const std::string& simulated_s, const std::string& corrected_s)
+  {
+    const testing::LogFiles log =
+        testing::simulated(folder.path(), "tracking", {"--set", "Path.centre=7.5 5",
+                                                       "--set", "Path.radius_m=0.5",
+                                                       "--set", "Path.speed_m_s=1",
+                                                       "--set", "Odometry.rate_hz=50",
+                                                       "--set", "Odometry.std_phi_deg_per_m=0.3",
+                                                       "--set", "Odometry.std_xy_per_m=0.005",
+                                                       "--set", "Sensor_camera.kind=range_bearing",
+                                                       "--set", "Sensor_camera.std_range_m=0.03",
+                                                       "--set", "Sensor_camera.std_bearing_deg=0.3",
+                                                       "--set", "Sensor_camera.scan_direction=clockwise",
+                                                       "--set", "Sensor_camera.scan_duration_s=" + simulated_s});
+    const auto run =
+        testing::localized(folder.path(), "tracking",
+                           testing::joined(log.arguments(), {"--set", "MotionModel.std_xy_per_m=0.005", "--set",
+                                                             "MotionModel.std_phi_deg_per_m=0.3", "--set",
+                                                             "Sensor_camera.std_bearing_deg=0.3", "--set",
+                                                             "Sensor_camera.scan_direction=clockwise", "--set",
+                                                             "Sensor_camera.scan_duration_s=" + corrected_s}));
+    return testing::positionRmse(testing::summaryOf(run));
+  };
+  const double without_skew = error("0", "0"), corrected = error("0.1", "0.1"), skewed = error("0.1", "0");
+  EXPECT_LT(corrected, 1.15 * without_skew);
+  EXPECT_GT(skewed, 2 * without_skew);
+}
 }  // namespace mrpt_ext

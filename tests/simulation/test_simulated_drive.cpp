@@ -147,4 +147,22 @@ TEST(SimulatedDrive, CompassAndRunningFixesAreLogged)
   EXPECT_TRUE(all<Reading>(recording).empty());
   EXPECT_GT(all<RunningFixReading>(recording).front().first_time, 999);
 }
+
+TEST(SimulatedDrive, ASpinningScannerSeesEachLandmarkFromWhereTheRobotWasThen)
+{
+  Scenario scenario = smallWorld();
+  SimulatedSensor& scanner = scenario.sensors.front();
+  scanner.sweep = {.duration = 0.4, .direction = SweepDirection::clockwise};
+  scenario.path.speed = 2;
+  const Recording recording = simulate(scenario);
+  const std::vector<Reading> readings = all<Reading>(recording);
+  const Reading& reading = readings.at(readings.size() / 2);
+  ASSERT_EQ(reading.detections.size(), recording.map.size());
+  for (const Detection& d : reading.detections)
+  {
+    const Pose2 then = interpolate(recording.truth, reading.time - scanner.sweep.ageOf(*d.bearing, kTwoPi), 1)->pose;
+    const Vector2d landmark = recording.map[*recording.map.indexOf(d.id)].position.head<2>();
+    EXPECT_NEAR(wrap(*d.bearing - predictBearing(then, landmark)), 0, 2e-3);
+  }
+}
 }  // namespace mrpt_ext

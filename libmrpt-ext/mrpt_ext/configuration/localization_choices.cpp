@@ -51,6 +51,12 @@ NamedValues<ReflectorShape> reflectorShapes()
           {ReflectorShape::flat, {"flat", {}, "a plate that faces the scanner"}}};
 }
 
+NamedValues<SweepDirection> sweepDirections()
+{
+  return {{SweepDirection::counterclockwise, {"counterclockwise", {}, "to the left"}},
+          {SweepDirection::clockwise, {"clockwise", {}, "to the right"}}};
+}
+
 NamedValues<int> mrptAlgorithms()
 {
   return {{0, {"pfStandardProposal", 0, "the motion model"}},

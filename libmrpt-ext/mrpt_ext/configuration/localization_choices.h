@@ -4,6 +4,7 @@
 #include "mrpt_ext/filter/particle_filter.h"
 #include "mrpt_ext/frames/reflector_extraction.h"
 #include "mrpt_ext/geometry/identity_level.h"
+#include "mrpt_ext/geometry/scan_sweep.h"
 #include "mrpt_ext/localizers/running_fix_localizer.h"
 #include "mrpt_ext/settings/key_choice.h"
 
@@ -18,6 +19,7 @@ namespace mrpt_ext
 [[nodiscard]] NamedValues<ResamplingMethod> resamplingMethods();
 [[nodiscard]] NamedValues<IdentityLevel> identityLevels();
 [[nodiscard]] NamedValues<ReflectorShape> reflectorShapes();
+[[nodiscard]] NamedValues<SweepDirection> sweepDirections();
 /// MRPT's numbers of PF_algorithm.
 [[nodiscard]] NamedValues<int> mrptAlgorithms();
 /// The forms of a file with the ground truth.

@@ -136,6 +136,12 @@ KeyTable sensorKeys()
   const ReflectorOptions reflectors;
   return KeySection("Sensor_<label>")
       .number("delay_s", "s", sensor.delay, ranges::kAny, "Latency of the sensor, subtracted from its time stamps.")
+      .number("scan_duration_s", "s", sensor.sweep.duration, ranges::kNotNegative,
+              "Time from the first beam of a spinning scanner to the last, whose time is the stamp. Each detection is "
+              "moved by odometry to the stamp. Stamps of the first beam: delay_s = -scan_duration_s. 0: all at once.")
+      .choice("scan_direction", sensor.sweep.direction, sweepDirections(), "Which way it turns, seen from above.")
+      .degrees("scan_start_deg", "deg", sensor.sweep.start, {-360, 360},
+               "Bearing of the first beam. Not set: the edge of the field of view where the turn begins.")
       .degrees("std_bearing_deg", "deg", sensor.std_bearing, ranges::kPositive,
                "Standard deviation of bearings. Replaces the logged one.")
       .forBeginners()

@@ -48,6 +48,9 @@ SensorConfigs sensorConfigs(const Settings& settings)
   {
     SensorConfig& c = configs[section.substr(kPrefix.size())];
     c.delay = settings.number(section, "delay_s");
+    c.sweep.duration = settings.number(section, "scan_duration_s");
+    c.sweep.direction = settings.choice(section, "scan_direction", sweepDirections());
+    c.sweep.start = settings.optionalRadians(section, "scan_start_deg");
     c.std_bearing = settings.optionalRadians(section, "std_bearing_deg");
     c.std_range = settings.optionalNumber(section, "std_range_m");
     c.std_range_per_m = settings.number(section, "std_range_per_m");

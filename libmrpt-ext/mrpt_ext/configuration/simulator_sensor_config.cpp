@@ -53,6 +53,8 @@ SimulatedSensor readSimulatedSensor(const Settings& settings, const std::string&
   sensor.rate_hz = settings.number(section, "rate_hz");
   sensor.phase_s = settings.number(section, "phase_s");
   sensor.delay_s = settings.number(section, "delay_s");
+  sensor.sweep.duration = settings.number(section, "scan_duration_s");
+  sensor.sweep.direction = settings.choice(section, "scan_direction", sweepDirections());
   const std::vector<double> pose = settings.numbers(section, "pose");
   if (pose.size() != 4) throw settings.errorAt(section, "pose", "expected 4 numbers, x y z yaw_deg");
   sensor.T_robot_sensor = {pose[0], pose[1], wrap(degToRad(pose[3]))};

@@ -18,6 +18,9 @@ void addView(KeySection& keys)
       .forBeginners()
       .number("phase_s", "s", kSensor.phase_s, ranges::kNotNegative, "Time of the first reading after the start.")
       .number("delay_s", "s", kSensor.delay_s, {-10, 10}, "Latency: stamps are this much late.")
+      .number("scan_duration_s", "s", kSensor.sweep.duration, {0, 10},
+              "Time from the first beam of a spinning scanner to the last, at the stamp. 0: all at once.")
+      .choice("scan_direction", kSensor.sweep.direction, sweepDirections(), "Which way it turns, seen from above.")
       .numbers("pose", "m m m deg", {pose.x, pose.y, kSensor.height, radToDeg(pose.phi)}, ranges::kAny,
                "x y z yaw on the robot (x forward, y left). yaw turns the sensor's forward axis.")
       .flag("horizontal_range", kSensor.horizontal_range, "Ranges are measured in the floor plane, not as a slant.")

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "mrpt_ext/frames/scan_skew.h"
+
 namespace mrpt_ext
 {
 namespace
@@ -179,6 +181,8 @@ void FrameSynchronizer::take(Record record)
 
 void FrameSynchronizer::take(Reading landmarks)
 {
+  if (!options_.independent)
+    removeScanSkew(landmarks, configOf(options_.sensors, landmarks.sensor).sweep, overview_.odometry);
   Reading objects = splitObjects(landmarks, options_.object_categories);
   if (!objects.detections.empty()) frameAt(open_objects_, objects.time).readings.push_back(std::move(objects));
   // Where missed detections are scored, an empty reading is a measurement too.

@@ -9,6 +9,7 @@
 #include "mrpt_ext/geometry/landmark_table.h"
 #include "mrpt_ext/geometry/measurement.h"
 #include "mrpt_ext/geometry/recording.h"
+#include "mrpt_ext/geometry/scan_sweep.h"
 
 namespace mrpt_ext
 {
@@ -22,6 +23,7 @@ using LandmarkValues = std::map<int, double>;
 struct SensorConfig
 {
   double delay = 0;                              ///< [s]
+  ScanSweep sweep;                               ///< of a spinning scanner
   std::optional<double> std_bearing, std_range;  ///< [rad], [m]
   double std_range_per_m = 0;
   std::optional<double> std_heading;                                            ///< [rad]

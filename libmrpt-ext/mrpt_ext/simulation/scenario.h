@@ -7,6 +7,7 @@
 
 #include "mrpt_ext/geometry/identity_level.h"
 #include "mrpt_ext/geometry/landmark_table.h"
+#include "mrpt_ext/geometry/scan_sweep.h"
 #include "mrpt_ext/simulation/map_generator.h"
 #include "mrpt_ext/simulation/path_planner.h"
 
@@ -42,6 +43,7 @@ struct SimulatedSensor
   double rate_hz = 5;
   double phase_s = 0;               ///< time of the first reading after the start
   double delay_s = 0;               ///< of the stamp, after the measurement
+  ScanSweep sweep;                  ///< of a spinning scanner: the stamp is the time of the last beam
   Pose2 T_robot_sensor;             ///< yaw = direction of the forward axis
   double height = 0;                ///< [m] above the floor
   bool horizontal_range = false;    ///< ranges in the floor plane instead of slant ranges

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "mrpt_ext/geometry/measurement_jacobian.h"
 #include "mrpt_ext/geometry/record_stream.h"
 #include "mrpt_ext/simulation/odometry_simulator.h"
 #include "mrpt_ext/simulation/rounding.h"
@@ -107,6 +108,28 @@ class SimulatedDrive::Simulation
     return features;
   }
 
+  /// The same where a scanner that ends its scan at this time sees them from the robot: each from where the robot was
+  /// when the beam met it.
+  [[nodiscard]] std::vector<SceneFeature> featuresInScan(double end, const SimulatedSensor& sensor) const
+  {
+    constexpr int kIterations = 5;  // the bearing depends on the time, the time on the bearing
+    std::vector<SceneFeature> features = featuresAt(end);
+    if (!(sensor.sweep.duration > 0)) return features;
+    const Pose2 robot = robotAt(end);
+    for (SceneFeature& feature : features)
+    {
+      const Vector2d position = feature.position.head<2>();
+      Pose2 then = robot;
+      for (int k = 0; k < kIterations; ++k)
+      {
+        const double bearing = predictBearing(then, position, sensor.T_robot_sensor);
+        then = robotAt(end - sensor.sweep.ageOf(bearing, sensor.field_of_view));
+      }
+      feature.position.head<2>() = transform(robot, transform(inverse(then), position));
+    }
+    return features;
+  }
+
   RecordStream odometryRecords()
   {
     return [this, i = std::size_t{0}]() mutable -> std::optional<Record>
@@ -157,7 +180,7 @@ class SimulatedDrive::Simulation
         fix->first_time = simulation_.stamp(fix->first_time + sensor_.delay_s);
         return *fix;
       }
-      Reading reading = simulateReading(sensor_, robot, simulation_.featuresAt(time), random_);
+      Reading reading = simulateReading(sensor_, robot, simulation_.featuresInScan(time, sensor_), random_);
       reading.time = simulation_.stamp(time + sensor_.delay_s);
       return reading;
     }
