@@ -95,4 +95,23 @@ TEST(TrajectoryModel, DerivativesOfLinksAreTheirDifferences)
     }
   }
 }
+
+TEST(TrajectoryModel, MotionIsTheInverseOfALink)
+{
+  Scene scene;
+  for (std::size_t k = 1; k < scene.problem.poses.size(); k += 23)
+  {
+    const Pose2 before = scene.problem.poses[k - 1].pose;
+    const MotionPrediction motion = scene.model.motion(k);
+    EXPECT_LT(scene.model.linkResidual(k, before, compose(before, motion.moved)).norm(), 1e-6);
+    for (int term = 4; term < 7; ++term)
+    {
+      TrajectoryModel plus = scene.model, minus = scene.model;
+      plus.setErrors(scene.with(term, kStep));
+      minus.setErrors(scene.with(term, -kStep));
+      const Vector3d difference = (plus.motion(k).moved.vector() - minus.motion(k).moved.vector()) / (2 * kStep);
+      EXPECT_LT((motion.shared.col(term) - difference).norm(), 1e-7);
+    }
+  }
+}
 }  // namespace mrpt_ext

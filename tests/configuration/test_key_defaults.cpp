@@ -85,6 +85,7 @@ TEST(KeyDefaults, OfARunAreThoseOfItsConfig)
   EXPECT_EQ(read.mrpt_algorithm, plain.mrpt_algorithm);
   EXPECT_EQ(read.frames.window, plain.frames.window);
   EXPECT_EQ(read.frames.independent, plain.frames.independent);
+  EXPECT_EQ(read.auto_calibrate, plain.auto_calibrate);
   EXPECT_EQ(read.join_window, plain.join_window);
   EXPECT_EQ(read.seed_window, plain.seed_window);
   EXPECT_EQ(read.methods, plain.methods);

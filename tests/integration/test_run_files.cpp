@@ -67,6 +67,7 @@ void expectSchema1(const Json& s)
                              "verdict",
                              "verdict_reason",
                              "hints",
+                             "calibration",
                              "verdict_shares",
                              "verdict_spells",
                              "cost"}));

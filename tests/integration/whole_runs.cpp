@@ -70,7 +70,9 @@ LogFiles simulated(const fs::path& folder, const std::string& scenario, const Ar
 fs::path localized(const fs::path& folder, const std::string& name, const Arguments& more)
 {
   const fs::path run = folder / name;
-  const AppOutcome outcome = localize(joined({shipped("landmark-localization", name), "-q", "-o", run}, more));
+  const Arguments once{
+      shipped("landmark-localization", name), "--set", "LocalizationExperiment.auto_calibrate=false", "-q", "-o", run};
+  const AppOutcome outcome = localize(joined(once, more));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
   EXPECT_EQ(outcome.err, "");
   return run;

@@ -39,7 +39,8 @@ struct LogFiles
 /// Plays ini/landmark-simulator/<scenario>.ini into `folder`; a failure is a failure of the test.
 LogFiles simulated(const std::filesystem::path& folder, const std::string& scenario, const Arguments& more = {});
 
-/// Runs ini/landmark-localization/<name>.ini into `folder`/<name>; expects exit code 0 and silence on stderr.
+/// Runs ini/landmark-localization/<name>.ini into `folder`/<name>; expects exit code 0 and silence on stderr. As
+/// configured, in one pass: its tests state what the configuration does, test_auto_calibration what the log adds.
 std::filesystem::path localized(const std::filesystem::path& folder, const std::string& name,
                                 const Arguments& more = {});
 

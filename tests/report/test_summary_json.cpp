@@ -55,6 +55,7 @@ TEST(SummaryJson, HasEveryKeyOfTheContractInItsOrder)
                                 "verdict",
                                 "verdict_reason",
                                 "hints",
+                                "calibration",
                                 "verdict_shares",
                                 "verdict_spells",
                                 "cost"}));

@@ -1,7 +1,6 @@
 #include "mrpt_ext/app/calibration_run.h"
 
 #include <ostream>
-#include <set>
 
 #include "mrpt_ext/app/calibrated_file.h"
 #include "mrpt_ext/app/exit_codes.h"
@@ -15,28 +14,6 @@ namespace mrpt_ext
 {
 namespace
 {
-
-/// The errors that this log can determine.
-std::vector<CalibrationUnknown> termsOf(const LocalizationInput& input, const CalibrationData& data)
-{
-  const bool moving = !input.config.frames.independent && !data.problem.odometry.empty() &&
-                      input.config.filter.motion.type != MotionType::random_walk;
-  std::set<std::size_t> bearings, ranges;
-  for (const CalibrationReading& r : data.problem.readings) (r.is_range ? ranges : bearings).insert(r.sensor);
-  std::vector<CalibrationUnknown> terms;
-  if (moving)
-    terms = {
-        {CalibrationParameter::distance_scale}, {CalibrationParameter::rotation_scale}, {CalibrationParameter::veer}};
-  for (std::size_t s = 0; s < data.sensors.size(); ++s)
-  {
-    if (moving && (bearings.count(s) > 0 || ranges.count(s) > 0)) terms.push_back({CalibrationParameter::delay, s});
-    if (bearings.count(s) > 0) terms.push_back({CalibrationParameter::bearing_offset, s});
-    if (ranges.count(s) == 0) continue;
-    terms.push_back({CalibrationParameter::range_offset, s});
-    terms.push_back({CalibrationParameter::range_scale, s});
-  }
-  return terms;
-}
 
 std::string whyImpossible(SolveStatus status, const std::vector<PoseEstimate>& trajectory)
 {
@@ -75,12 +52,9 @@ int runCalibration(Settings settings, const CalibrationRequest& request, std::os
     settings.set(kExperimentSection, "ground_truth_path_file", "", "--diagnose");
   LocalizationInput input = loadLocalization(settings, request.window);
   checkClocks(input);
-  settings.set(kExperimentSection, "frame_window_s", "0", "--diagnose");
-  const LocalizationInput by_stamp = loadLocalization(settings, request.window);
-
   const std::vector<PoseEstimate> trajectory = confidentTrajectory(input, input.config.seed);
-  const CalibrationData data = collectCalibrationData(by_stamp, trajectory, input.config.frames.window);
-  const CalibrationResult errors = calibrate(data.problem, termsOf(input, data));
+  const CalibrationData data = collectCalibrationData(input, trajectory);
+  const CalibrationResult errors = calibrate(data.problem, calibrationUnknowns(input, data));
   if (!request.quiet) out << headline(input, data, trajectory) << '\n';
   if (errors.status != SolveStatus::ok)
   {

@@ -1,5 +1,6 @@
 #include <charconv>
 #include <iostream>
+#include <utility>
 
 #include "mrpt_ext/app/app_shell.h"
 #include "mrpt_ext/app/apps.h"
@@ -7,6 +8,7 @@
 #include "mrpt_ext/app/live_run.h"
 #include "mrpt_ext/app/localization_run.h"
 #include "mrpt_ext/app/shell_quote.h"
+#include "mrpt_ext/configuration/default_configuration.h"
 #include "mrpt_ext/configuration/localization_keys.h"
 #include "mrpt_ext/geometry/input_error.h"
 
@@ -47,7 +49,10 @@ struct LocalizationOptions
 void addOptions(CommandLine& line, LocalizationOptions& options)
 {
   LocalizationRequest& request = options.request;
-  line.add({.names = "CONFIG", .target = &options.config, .help = "Configuration (.ini)", .required = true})
+  line.add({.names = "CONFIG",
+            .target = &options.config,
+            .help = "Configuration (.ini); a .rawlog in its place runs with a built-in one",
+            .required = true})
       .add({.names = "RAWLOG", .target = &options.rawlog, .help = "Log to process instead of the configured one"})
       .add({.names = "--map", .target = &options.map, .help = "Map instead of the configured one"})
       .add({.names = "--ground-truth", .target = &options.truth, .help = "Ground truth instead of the configured one"})
@@ -99,10 +104,24 @@ void addOptions(CommandLine& line, LocalizationOptions& options)
       .add({.names = "--dry-run", .target = &request.dry_run, .help = "Load and check everything, run nothing"});
 }
 
+/// A log in the place of the configuration is the log.
+void sortArguments(LocalizationOptions& options)
+{
+  const bool is_log = std::filesystem::path(options.config).filename().string().find(".rawlog") != std::string::npos;
+  if (is_log && options.rawlog.empty()) options.rawlog = std::exchange(options.config, {});
+}
+
+Settings configuredSettings(const LocalizationOptions& options, const AppShell& shell)
+{
+  if (!options.config.empty()) return shell.loadSettings(options.config, localizationKeys());
+  return Settings::parse(std::string(defaultConfiguration()), kDefaultConfigurationName, localizationKeys(),
+                         shell.options().overrides);
+}
+
 /// The configuration with what the command line replaces. Files are absolute: those of an .ini are relative to it.
 Settings settingsOf(const LocalizationOptions& options, const AppShell& shell)
 {
-  Settings settings = shell.loadSettings(options.config, localizationKeys());
+  Settings settings = configuredSettings(options, shell);
   const auto replace =
       [&](const std::string& file, const std::string& section, const std::string& key, const std::string& option)
   {
@@ -127,8 +146,9 @@ std::string truthNote(const LocalizationOptions& options, const Settings& settin
          ": give --ground-truth if it does not belong to this log\n";
 }
 
-int runRequest(const LocalizationOptions& options, AppShell& shell)
+int runRequest(LocalizationOptions options, AppShell& shell)
 {
+  sortArguments(options);
   const Settings settings = settingsOf(options, shell);
   LocalizationRequest request = options.request;
   if (options.live) return runLive(settings, std::cin, shell.out());
@@ -140,6 +160,8 @@ int runRequest(const LocalizationOptions& options, AppShell& shell)
   if (!options.trials.empty()) parseTrials(options.trials, request);
   request.note = truthNote(options, settings);
   request.output = shell.options().output;
+  if (options.config.empty() && request.output.empty())
+    request.output = std::filesystem::path("out") / std::filesystem::path(options.rawlog).stem();
   request.quiet = shell.options().quiet;
   request.verbose = shell.options().verbose;
   return runLocalization(settings, request, shell.out(), shell.err());
@@ -150,7 +172,7 @@ int runLandmarkLocalization(const std::vector<std::string>& arguments, std::ostr
 {
   AppShell shell({.name = "landmark-localization",
                   .purpose = "Localizes a robot from landmarks: particle filter and closed forms over a rawlog",
-                  .examples = {"ini/landmark-localization/room.ini -o out/room",
+                  .examples = {"ini/landmark-localization/room.ini -o out/room", "my.rawlog --map my_map.csv",
                                "my.ini my.rawlog --map my_map.csv --repeat 20 --jobs 4"}},
                  out, err);
   shell.answerQuestionsAbout(localizationKeys());

@@ -8,6 +8,7 @@
 #include <ostream>
 #include <set>
 
+#include "mrpt_ext/app/auto_calibration.h"
 #include "mrpt_ext/app/exit_codes.h"
 #include "mrpt_ext/app/interrupt.h"
 #include "mrpt_ext/app/progress_line.h"
@@ -27,6 +28,7 @@
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/rawlog/sha256.h"
+#include "mrpt_ext/report/calibration_text.h"
 #include "mrpt_ext/report/comparison_table.h"
 #include "mrpt_ext/report/html_tables.h"
 #include "mrpt_ext/report/run_writer.h"
@@ -264,31 +266,52 @@ int exitCode(const RunScore& score, const std::vector<RunScore>& trials, const L
   err << "--fail-above: the position RMSE exceeds the limit, or there is none\n";
   return kExitLost;
 }
-}  // namespace
-
-int runLocalization(const Settings& settings, const LocalizationRequest& request, std::ostream& out, std::ostream& err)
+LocalizationInput loaded(const Settings& settings, const LocalizationRequest& request)
 {
   LocalizationInput input = loadLocalization(settings, request.window);
   checkClocks(input);
   input.context.version = version();
   input.context.built_with = builtWith();
   input.context.command_line = request.command_line;
+  return input;
+}
+
+/// Replaces the input by a calibrated one, where its log shows what to change.
+void adoptCalibration(LocalizationInput& input, const Settings& settings, const LocalizationRequest& request,
+                      const fs::path& folder)
+{
+  const fs::path file = folder / "calibration.ini";
+  fs::remove(file);  // of an earlier run
+  const auto calibration = autoCalibration(settings, input, !request.quiet);
+  if (!calibration) return;
+  writeFileAtomically(file, calibrationIni(calibration->adopted));
+  input = loaded(calibration->settings, request);
+  input.context.calibration = calibration->adopted;
+}
+}  // namespace
+
+int runLocalization(const Settings& settings, const LocalizationRequest& request, std::ostream& out, std::ostream& err)
+{
+  LocalizationInput input = loaded(settings, request);
   const std::string head = inputText(input) + request.note;
   if (!request.quiet) out << head << std::flush;
   if (request.dry_run) return kExitDone;
 
   const int trials = request.last_trial - request.first_trial;
   // Threads that the trials leave over score particle blocks.
-  input.config.filter.threads = static_cast<unsigned>(std::max(1, request.jobs / std::min(request.jobs, trials)));
+  const auto threads = static_cast<unsigned>(std::max(1, request.jobs / std::min(request.jobs, trials)));
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(request.jobs));
 
   const fs::path folder = outputFolder(settings, request);
   createFolder(folder);
   const FolderLock lock(folder);
   const std::string resolved = resolvedConfiguration(settings, request.window);
-  input.context.settings_sha256 = sha256OfText(resolved);
   if (request.resume) expectSameSettings(folder, resolved);
   writeFileAtomically(folder / "config_resolved.ini", resolved);
+  input.config.filter.threads = threads;
+  if (isAutoCalibrated(input)) adoptCalibration(input, settings, request, folder);
+  input.config.filter.threads = threads;
+  input.context.settings_sha256 = sha256OfText(resolved);
   const std::uint64_t seed = input.config.seed;
   input.context.seed = seed;
   input.context.objects_wanted = !input.config.frames.object_categories.empty();
@@ -301,7 +324,7 @@ int runLocalization(const Settings& settings, const LocalizationRequest& request
   if (scores.empty()) return exitCode({}, scores, request, true, err);
   const RunScore merged = mergeScores(scores);
   if (request.trial_folders) writeMerged(folder, input.context, merged);
-  const std::string table = comparisonTable(merged);
+  const std::string table = calibrationText(input.context, merged) + comparisonTable(merged);
   const std::string tail = (input.config.frames.independent ? boundText(input) : batch.firstText()) + "\n" + table;
   writeFileAtomically(folder / "log.txt", input.context.command_line + "\n" + head + tail);
   if (batch.resumed() > 0 && !request.quiet)

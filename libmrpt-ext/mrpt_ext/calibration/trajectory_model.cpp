@@ -92,6 +92,24 @@ ReadingResidual TrajectoryModel::reading(const CalibrationReading& r, const Pose
   return row;
 }
 
+MotionPrediction TrajectoryModel::motion(std::size_t k) const
+{
+  const Pose2 logged = path_.between(problem_.poses[k - 1].time, problem_.poses[k].time).increment;
+  const double distance = 1 + valueOf(distance_scale_), length = distance * logged.position().norm();
+  const double turn = (1 + valueOf(rotation_scale_)) * logged.phi + valueOf(veer_) * length;
+  const Vector2d chord = distance * (rotation(0.5 * (turn - logged.phi)) * logged.position());
+  MotionPrediction motion{{chord.x(), chord.y(), turn}, {}};
+  motion.shared.setZero(3, values_.size());
+  const Vector2d swing = perpendicular(chord);
+  const auto turned = [&](double by) { return Vector3d(0.5 * by * swing.x(), 0.5 * by * swing.y(), by); };
+  if (distance_scale_ >= 0)
+    motion.shared.col(distance_scale_) =
+        Vector3d(chord.x(), chord.y(), 0) / distance + turned(valueOf(veer_) * length / distance);
+  if (rotation_scale_ >= 0) motion.shared.col(rotation_scale_) = turned(logged.phi);
+  if (veer_ >= 0) motion.shared.col(veer_) = turned(length);
+  return motion;
+}
+
 Vector3d TrajectoryModel::linkResidual(std::size_t k, const Pose2& before, const Pose2& pose) const
 {
   const Pose2 logged = path_.between(problem_.poses[k - 1].time, problem_.poses[k].time).increment;

@@ -23,6 +23,13 @@ struct OdometryResidual
   Eigen::Matrix<double, 3, Eigen::Dynamic> shared;
 };
 
+/// The motion between two poses, as odometry and the errors say, with its derivative by the shared unknowns.
+struct MotionPrediction
+{
+  Pose2 moved;  ///< the later pose in the frame of the earlier one
+  Eigen::Matrix<double, 3, Eigen::Dynamic> shared;
+};
+
 /// Measurement model of a recording, given its poses and its systematic errors. Odometry is a measurement with noise:
 /// it is predicted from the poses, never scaled to fit them, or its noise would count as distance. The derivative by a
 /// delay is a finite difference (odometry is a polygon).
@@ -40,6 +47,8 @@ class TrajectoryModel
   [[nodiscard]] ReadingResidual reading(const CalibrationReading& reading, const Pose2& pose) const;
   /// Between pose `k - 1` and pose `k`, which must be tied.
   [[nodiscard]] OdometryResidual link(std::size_t k, const Pose2& before, const Pose2& pose) const;
+  /// The motion from pose `k - 1` to pose `k`: the inverse of what link() predicts.
+  [[nodiscard]] MotionPrediction motion(std::size_t k) const;
   /// The residual of link() alone.
   [[nodiscard]] Vector3d linkResidual(std::size_t k, const Pose2& before, const Pose2& pose) const;
 

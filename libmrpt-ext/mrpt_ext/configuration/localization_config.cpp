@@ -144,6 +144,7 @@ LocalizationConfig localizationConfig(const Settings& settings, const LandmarkTa
                    .sensors = sensorConfigs(settings)};
   for (const std::string& category : settings.words(kExperimentSection, "objects"))
     config.frames.object_categories.insert(category);
+  config.auto_calibrate = settings.flag(kExperimentSection, "auto_calibrate");
   config.step = settings.number(kExperimentSection, "step_s");
   config.join_window = settings.number(kExperimentSection, "join_window_s");
   config.seed_window = settings.number(kExperimentSection, "seed_window_s");

@@ -32,6 +32,7 @@ struct LocalizationConfig
   int mrpt_algorithm = 0;  ///< PF_algorithm of the mrpt engine
   RunningFixOptions running_fix;
   FrameOptions frames;
+  bool auto_calibrate = true;        ///< from a first pass over the log
   double step = 1;                   ///< [s] that a step of a log of steps counts where its stamps are no clock
   double join_window = 0;            ///< [s]
   double seed_window = 3;            ///< [s]

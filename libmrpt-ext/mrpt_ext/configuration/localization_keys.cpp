@@ -78,6 +78,9 @@ KeyTable methodKeys()
           "seed_window_s", "s", config.seed_window, ranges::kNotNegative,
           "Window of past detections for hypotheses. With anonymous detections the filter starts after this time, or "
           "as soon as a single hypothesis is left.")
+      .flag("auto_calibrate", config.auto_calibrate,
+            "Run twice: the first pass tells delays, scales, offsets and noise. What is found is adopted where it "
+            "predicts the second half of the log better; logs of more than a minute only. The truth is not used.")
       .flag("independent_frames", config.frames.independent,
             "Localize every frame on its own. No motion in between, no filter, closed forms only.")
       .choice("heading_source", config.running_fix.heading_source, headingSources(), "Heading for running_fix.")

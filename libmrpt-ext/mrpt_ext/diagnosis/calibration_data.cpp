@@ -1,6 +1,7 @@
 #include "mrpt_ext/diagnosis/calibration_data.h"
 
 #include <algorithm>
+#include <set>
 
 #include "mrpt_ext/diagnosis/detection_association.h"
 #include "mrpt_ext/experiment/method_factory.h"
@@ -11,6 +12,7 @@ namespace
 {
 constexpr double kStep = 1;          // [s] longest time between two poses
 constexpr double kLongestGap = 180;  // [s] that odometry bridges
+constexpr std::size_t kMostReadings = 100'000;
 
 class CalibrationDataBuilder
 {
@@ -32,6 +34,7 @@ class CalibrationDataBuilder
     for (const Reading& reading : frame.readings)
       for (const Detection& detection : reading.detections) addDetection(detection, reading, robot);
   }
+  [[nodiscard]] bool isFull() const { return result_.problem.readings.size() >= kMostReadings; }
   [[nodiscard]] CalibrationData take() { return std::move(result_); }
 
  private:
@@ -97,6 +100,11 @@ class CalibrationDataBuilder
 };
 }  // namespace
 
+bool isConfident(const PoseEstimate& estimate, const LocalizationConfig& config)
+{
+  return estimate.verdict == Verdict::ok && (estimate.heading_known || !config.filter.heading_observable);
+}
+
 std::vector<PoseEstimate> confidentTrajectory(const LocalizationInput& input, std::uint64_t seed)
 {
   LocalizationConfig config = input.config;
@@ -110,28 +118,48 @@ std::vector<PoseEstimate> confidentTrajectory(const LocalizationInput& input, st
     for (const auto& method : methods.localizers)
     {
       const Estimate estimate = method->process(*frame);
-      const bool heading_wanted = config.filter.heading_observable;
-      const bool confident = estimate.point && estimate.point->verdict == Verdict::ok &&
-                             (estimate.point->heading_known || !heading_wanted);
       const bool first = trajectory.empty() || trajectory.back().time < frame->time;
-      if (confident && first) trajectory.push_back(*estimate.point);
+      if (first && estimate.point && isConfident(*estimate.point, config)) trajectory.push_back(*estimate.point);
     }
   return trajectory;
 }
 
-CalibrationData collectCalibrationData(const LocalizationInput& input, const std::vector<PoseEstimate>& trajectory,
-                                       double window)
+CalibrationData collectCalibrationData(const LocalizationInput& input, const std::vector<PoseEstimate>& trajectory)
 {
   constexpr double kRounding = 1e-6;  // [s]
   CalibrationDataBuilder builder(input);
-  const FrameStream frames = streamOf(input);
+  FrameOptions by_stamp = input.config.frames;
+  by_stamp.window = 0;
+  const double window = input.config.frames.window;
+  const FrameStream frames = streamOf(input, by_stamp);
   while (const auto frame = frames())
   {
     const auto estimate = std::lower_bound(trajectory.begin(), trajectory.end(), frame->time - kRounding,
                                            [](const PoseEstimate& point, double time) { return point.time < time; });
     if (estimate != trajectory.end() && estimate->time - frame->time <= window + kRounding && !frame->readings.empty())
       builder.add(*frame, *estimate);
+    if (builder.isFull()) break;
   }
   return builder.take();
+}
+
+std::vector<CalibrationUnknown> calibrationUnknowns(const LocalizationInput& input, const CalibrationData& data)
+{
+  using enum CalibrationParameter;
+  const bool moving = !input.config.frames.independent && !data.problem.odometry.empty() &&
+                      input.config.filter.motion.type != MotionType::random_walk;
+  std::set<std::size_t> bearings, ranges;
+  for (const CalibrationReading& r : data.problem.readings) (r.is_range ? ranges : bearings).insert(r.sensor);
+  std::vector<CalibrationUnknown> unknowns;
+  if (moving) unknowns = {{distance_scale}, {rotation_scale}, {veer}};
+  for (std::size_t s = 0; s < data.sensors.size(); ++s)
+  {
+    if (moving && (bearings.count(s) > 0 || ranges.count(s) > 0)) unknowns.push_back({delay, s});
+    if (bearings.count(s) > 0) unknowns.push_back({bearing_offset, s});
+    if (ranges.count(s) == 0) continue;
+    unknowns.push_back({range_offset, s});
+    unknowns.push_back({range_scale, s});
+  }
+  return unknowns;
 }
 }  // namespace mrpt_ext

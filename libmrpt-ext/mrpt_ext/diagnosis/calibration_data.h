@@ -20,13 +20,20 @@ struct CalibrationData
   std::size_t anonymous = 0;                     ///< ... because several are
 };
 
-/// Estimates with verdict `ok`, and with heading where it is observable, in order of time: those of the particle
-/// filter, or for independent frames of the closed forms.
+/// An estimate that calibration may rest on: `ok`, and with a heading where it is observable.
+[[nodiscard]] bool isConfident(const PoseEstimate& estimate, const LocalizationConfig& config);
+
+/// The confident estimates in order of time: those of the particle filter, or for independent frames of the closed
+/// forms.
 [[nodiscard]] std::vector<PoseEstimate> confidentTrajectory(const LocalizationInput& input, std::uint64_t seed);
 
-/// One pose per stamp near an estimate of `trajectory`, and more in between where odometry bridges a gap. `input` must
-/// have frames of one stamp each (frame_window_s = 0); `window` [s] is the frame window of the estimates. Anonymous
-/// detections are associated with the only landmark within their gate.
+/// One pose per stamp near an estimate of `trajectory`, and more in between where odometry bridges a gap, for the first
+/// 100 000 readings. Anonymous detections are associated with the only landmark within their gate. Never uses the
+/// truth.
 [[nodiscard]] CalibrationData collectCalibrationData(const LocalizationInput& input,
-                                                     const std::vector<PoseEstimate>& trajectory, double window);
+                                                     const std::vector<PoseEstimate>& trajectory);
+
+/// The errors that this log could tell.
+[[nodiscard]] std::vector<CalibrationUnknown> calibrationUnknowns(const LocalizationInput& input,
+                                                                  const CalibrationData& data);
 }  // namespace mrpt_ext

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "mrpt_ext/diagnosis/bias_parameter.h"
 #include "mrpt_ext/diagnosis/detection_association.h"
 
 namespace mrpt_ext
@@ -17,25 +18,6 @@ constexpr double kSmoothing = 1;                // [s] over which odometry is av
 constexpr double kWarmUp = 5;                   // [s] until the sensitivities have forgotten the start
 constexpr double kFromMode = 4;                 // variance at the start over that of the mode
 
-/// The parameter that a bias of the filter is, if it is one.
-std::optional<CalibrationParameter> parameterOf(BiasKind kind)
-{
-  switch (kind)
-  {
-    case BiasKind::range_offset:
-      return CalibrationParameter::range_offset;
-    case BiasKind::range_scale:
-      return CalibrationParameter::range_scale;
-    case BiasKind::bearing_offset:
-      return CalibrationParameter::bearing_offset;
-    case BiasKind::distance_scale:
-      return CalibrationParameter::distance_scale;
-    case BiasKind::rotation_scale:
-      return CalibrationParameter::rotation_scale;
-  }
-  return std::nullopt;
-}
-
 bool hasUsableOdometry(const LocalizationInput& input)
 {
   return !input.log.overview.odometry.empty() && !input.config.frames.independent &&
@@ -46,10 +28,7 @@ bool isEstimated(const CalibrationUnknown& unknown, const LocalizationInput& inp
 {
   return std::any_of(input.config.biases.begin(), input.config.biases.end(),
                      [&](const BiasState& bias)
-                     {
-                       return parameterOf(bias.kind) == unknown.parameter &&
-                              (isOfOdometry(unknown.parameter) || actsOn(bias, input.logged_sensors[unknown.sensor]));
-                     });
+                     { return isTheSame(bias, unknown, input.logged_sensors[unknown.sensor]); });
 }
 
 std::size_t comparisons(const Frame& frame, std::size_t landmarks)

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "mrpt_ext/evaluation/adopted_calibration.h"
 #include "mrpt_ext/evaluation/frame_geometry.h"
 #include "mrpt_ext/evaluation/verdict_history.h"
 #include "mrpt_ext/files/disk_backed_sequence.h"
@@ -166,9 +167,10 @@ struct RunContext
   std::string rawlog_path, rawlog_sha256;
   std::size_t rawlog_entries = 0;
   double start_time = 0, duration_s = 0;
-  std::vector<InputFile> inputs;  ///< other than the log
-  std::string settings_sha256;    ///< of config_resolved.ini: the .ini with all options and defaults
-  std::string built_with;         ///< versions of the compiler and of the libraries
+  std::vector<InputFile> inputs;                  ///< other than the log
+  std::string settings_sha256;                    ///< of config_resolved.ini: the .ini with all options and defaults
+  std::string built_with;                         ///< versions of the compiler and of the libraries
+  std::optional<AdoptedCalibration> calibration;  ///< what it took over from its log; absent: it runs as configured
   std::map<std::string, ObservationCount> observations;
   LandmarkTable map;
   Trajectory truth;  ///< empty: no errors

@@ -106,8 +106,9 @@ bool isSparse(const Trajectory& truth)
 /// The files beside the log, with their checksums.
 std::vector<InputFile> inputFiles(const Settings& settings)
 {
-  std::vector<InputFile> files{{"configuration", settings.file().string(), {}},
-                               {"map", settings.path(kMapSection, "landmarks_file").string(), {}}};
+  std::vector<InputFile> files{{"map", settings.path(kMapSection, "landmarks_file").string(), {}}};
+  if (std::filesystem::exists(settings.file()))  // else it is the built-in one
+    files.insert(files.begin(), {"configuration", settings.file().string(), {}});
   if (settings.hasValue(kExperimentSection, "ground_truth_path_file"))
     files.push_back({"truth", settings.path(kExperimentSection, "ground_truth_path_file").string(), {}});
   for (InputFile& file : files) file.sha256 = sha256OfFile(file.path);
@@ -223,17 +224,24 @@ LocalizationInput loadLocalization(const Settings& settings, const LogWindow& wi
   return input;
 }
 
-FrameSynchronizer framesOf(const LocalizationInput& input)
+namespace
+{
+FrameSynchronizer framesOf(const LocalizationInput& input, const FrameOptions& options)
 {
   const auto source =
       std::make_shared<RawlogSource>(input.log.path, input.config.step, usedScans(input.config.frames.sensors));
   const auto records = [source, next = recordsOf(*source, input.log.window)] { return next(); };
-  return {records, input.context.map, input.config.frames, input.log.overview};
+  return {records, input.context.map, options, input.log.overview};
 }
+}  // namespace
 
-FrameStream streamOf(const LocalizationInput& input)
+FrameSynchronizer framesOf(const LocalizationInput& input) { return framesOf(input, input.config.frames); }
+
+FrameStream streamOf(const LocalizationInput& input) { return streamOf(input, input.config.frames); }
+
+FrameStream streamOf(const LocalizationInput& input, const FrameOptions& options)
 {
-  return [synchronizer = std::make_shared<FrameSynchronizer>(framesOf(input))]
+  return [synchronizer = std::make_shared<FrameSynchronizer>(framesOf(input, options))]
   {
     static_cast<void>(synchronizer->takeObjectFrames());
     return synchronizer->next();

@@ -54,4 +54,6 @@ struct LocalizationInput
 [[nodiscard]] FrameSynchronizer framesOf(const LocalizationInput& input);
 /// The same, without the objects.
 [[nodiscard]] FrameStream streamOf(const LocalizationInput& input);
+/// The same with other options, which must outlive the result.
+[[nodiscard]] FrameStream streamOf(const LocalizationInput& input, const FrameOptions& options);
 }  // namespace mrpt_ext

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "mrpt_ext/evaluation/run_scoring.h"
+#include "mrpt_ext/report/calibration_text.h"
 #include "mrpt_ext/report/comparison_text.h"
 #include "mrpt_ext/report/html_advice.h"
 #include "mrpt_ext/report/html_geometry.h"
@@ -186,10 +187,10 @@ std::string nameOf(const std::string& path)
 std::string page(const RunContext& context, const RunScore& score, const std::string& subtitle,
                  const std::string& sections, const std::string& scripts)
 {
-  return htmlPage(
-      "Landmark localization: " + nameOf(context.config_path), subtitle,
-      verdictStrip(score) + keyFacts(context, score) + verdictSection(score) + sections + adviceSection(score),
-      scripts);
+  return htmlPage("Landmark localization: " + nameOf(context.config_path), subtitle,
+                  verdictStrip(score) + keyFacts(context, score) + calibrationSection(context, score) +
+                      verdictSection(score) + sections + adviceSection(score),
+                  scripts);
 }
 }  // namespace
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "mrpt_ext/files/number_format.h"
+#include "mrpt_ext/report/calibration_text.h"
 #include "mrpt_ext/report/json_number.h"
 #include "mrpt_ext/report/number_text.h"
 
@@ -145,6 +147,28 @@ Json spells(const std::optional<std::vector<VerdictSpell>>& spells_of_run)
                     {"reason", spell.reason}});
   return list;
 }
+
+Json calibrationRow(const CalibrationRow& row)
+{
+  return {{"log_density", number(row.log_density)},
+          {"verdict", toString(row.verdict)},
+          {"verdict_shares", shares(row.shares)},
+          {"position_rmse_m", number(row.position_rmse_m)}};
+}
+
+Json calibration(const RunContext& context, const RunScore& score)
+{
+  if (!context.calibration) return nullptr;
+  Json adopted = Json::array();
+  for (const CalibratedValue& value : context.calibration->values)
+    adopted.push_back({{"key", value.section + "." + value.key},
+                       {"value", number(parseNumber(value.value))},
+                       {"std", number(value.std)}});
+  return {{"adopted", adopted},
+          {"rows",
+           {{"before", calibrationRow(context.calibration->before)},
+            {"after", calibrationRow(calibratedRow(context, score))}}}};
+}
 }  // namespace
 
 Json inputDigests(const RunContext& context)
@@ -188,6 +212,7 @@ std::string summaryJson(const RunContext& context, const RunScore& score)
                         {"verdict", toString(score.verdict)},
                         {"verdict_reason", score.verdict_reason},
                         {"hints", score.hints},
+                        {"calibration", calibration(context, score)},
                         {"verdict_shares", shares(score.verdict_shares)},
                         {"verdict_spells", spells(score.verdict_spells)},
                         {"cost",

@@ -1,0 +1,81 @@
+#include "mrpt_ext/app/auto_calibration.h"
+
+#include <algorithm>
+
+#include "mrpt_ext/app/progress_line.h"
+#include "mrpt_ext/diagnosis/adopted_findings.h"
+#include "mrpt_ext/evaluation/run_scoring.h"
+#include "mrpt_ext/experiment/trial_runner.h"
+#include "mrpt_ext/geometry/formatted.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kLeastDuration = 60;            // [s]
+constexpr std::size_t kMostEstimates = 100'000;  // bound the memory of a log of hours
+const std::string kFilterName = "particle_filter";
+
+struct FirstPass
+{
+  std::vector<PoseEstimate> trajectory;
+  CalibrationRow row;
+};
+
+FirstPass firstPass(const LocalizationInput& input, bool show_progress)
+{
+  LocalizationConfig config = input.config;
+  config.methods = {kFilterName};
+  const MethodFactory methods(config, input.context.map, input.log.available);
+  ProgressLine line(show_progress, "first pass");
+  const std::atomic<bool> never{false};  // a signal ends the program: there is nothing yet to keep
+  const auto progress = [&](double share) { line.show(share); };
+  const TrialOutcome outcome = runTrial({methods, input, never, progress, {}}, config.seed, 0);
+  FirstPass pass;
+  for (const PoseEstimate& point : outcome.record.methods.front().points)
+    if (isConfident(point, config) && pass.trajectory.size() < kMostEstimates) pass.trajectory.push_back(point);
+  const RunScore score = scoreRun(input.context, outcome.record, config.limits);
+  pass.row = {.verdict = score.verdict,
+              .shares = score.verdict_shares,
+              .position_rmse_m = score.methods.front().position_error_m.rmse};
+  return pass;
+}
+}  // namespace
+
+bool isAutoCalibrated(const LocalizationInput& input)
+{
+  const LocalizationConfig& config = input.config;
+  const bool filtered = config.methods.empty() ||
+                        std::find(config.methods.begin(), config.methods.end(), kFilterName) != config.methods.end();
+  return config.auto_calibrate && filtered && !config.frames.independent && config.engine == FilterEngine::batch &&
+         input.context.duration_s > kLeastDuration;
+}
+
+std::optional<AutoCalibration> autoCalibration(const Settings& settings, const LocalizationInput& input,
+                                               bool show_progress)
+{
+  const FirstPass pass = firstPass(input, show_progress);
+  const CalibrationData data = collectCalibrationData(input, pass.trajectory);
+  const CalibrationChoice choice = chooseCalibration(data, calibrationUnknowns(input, data), input.config);
+  if (choice.empty()) return std::nullopt;
+  AutoCalibration result{settings, {.before = pass.row, .log_density_after = choice.calibrated}};
+  result.adopted.before.log_density = choice.configured;
+  for (const CalibrationFinding& finding : adoptedFindings(choice, data, input.config))
+  {
+    const IniAssignment& line = finding.line;
+    result.settings.set(line.section, line.key, line.value, "auto_calibrate");
+    result.adopted.values.push_back({line.section, line.key, line.value, finding.std});
+  }
+  if (result.adopted.values.empty()) return std::nullopt;
+  return result;
+}
+
+std::string calibrationIni(const AdoptedCalibration& adopted)
+{
+  std::vector<IniAssignment> lines;
+  for (const CalibratedValue& value : adopted.values)
+    lines.push_back({value.section, value.key, formatted("%s  ; +- %.2g", value.value.c_str(), value.std)});
+  return withValues("; Found in the log by auto_calibrate. To keep it, copy the lines into your configuration.\n",
+                    lines);
+}
+}  // namespace mrpt_ext

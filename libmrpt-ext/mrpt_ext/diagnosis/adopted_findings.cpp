@@ -1,0 +1,50 @@
+#include "mrpt_ext/diagnosis/adopted_findings.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mrpt_ext/files/number_format.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+/// Decimals that keep two significant digits of a value, at least `decimals`.
+int decimalsFor(double value, int decimals)
+{
+  return std::max(decimals, value > 0 ? 1 - static_cast<int>(std::floor(std::log10(value))) : 0);
+}
+
+/// True when the noise that `line` sets is chosen; `sensors`: labels, by number.
+bool isChosen(const IniAssignment& line, const NoiseChoice& noise, const std::vector<std::string>& sensors)
+{
+  for (std::size_t s = 0; s < sensors.size(); ++s)
+  {
+    if (line.section != "Sensor_" + sensors[s]) continue;
+    return (line.key == "std_bearing_deg" && noise.bearings[s]) || (line.key == "std_range_m" && noise.ranges[s]) ||
+           (line.key == "clutter_probability" && noise.outliers[s]);
+  }
+  return line.section == "MotionModel" && noise.odometry;
+}
+}  // namespace
+
+std::vector<CalibrationFinding> adoptedFindings(const CalibrationChoice& choice, const CalibrationData& data,
+                                                const LocalizationConfig& config)
+{
+  const CalibrationResult errors = calibrate(data.problem, choice.errors);
+  if (errors.status != SolveStatus::ok) return {};
+  std::vector<CalibrationFinding> adopted;
+  for (const CalibrationFinding& finding : calibrationFindings(errors, data.sensors, config))
+    if (finding.why_not_observable.empty()) adopted.push_back(finding);
+  std::vector<CalibrationFinding> noise = noiseFindings(errors, data, config);
+  for (CalibrationFinding& finding : odometryNoiseFindings(errors, data, config)) noise.push_back(std::move(finding));
+  for (CalibrationFinding& finding : noise)
+  {
+    if (!(finding.estimate > 0) || !isChosen(finding.line, choice.noise, data.sensors)) continue;
+    finding.decimals = decimalsFor(finding.estimate, finding.decimals);
+    finding.line.value = fixedText(finding.estimate, finding.decimals);
+    adopted.push_back(finding);
+  }
+  return adopted;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "mrpt_ext/diagnosis/calibration_choice.h"
+#include "mrpt_ext/diagnosis/calibration_report.h"
+
+namespace mrpt_ext
+{
+/// The values of the configuration that `choice` adopts, estimated from the whole recording with the other errors held
+/// as configured. Empty when the whole recording does not determine them.
+[[nodiscard]] std::vector<CalibrationFinding> adoptedFindings(const CalibrationChoice& choice,
+                                                              const CalibrationData& data,
+                                                              const LocalizationConfig& config);
+}  // namespace mrpt_ext

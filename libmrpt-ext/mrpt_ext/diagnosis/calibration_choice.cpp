@@ -1,0 +1,302 @@
+#include "mrpt_ext/diagnosis/calibration_choice.h"
+
+#include <algorithm>
+#include <map>
+
+#include "mrpt_ext/diagnosis/bias_parameter.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kPays = 2;                       // standard deviations, of an error and of a gain
+constexpr double kBeyondDoubt = 4;                // standard deviations, of an error
+constexpr double kNoiseDiffers = 1.2;             // of deviations, either way
+constexpr std::size_t kLeastNoiseReadings = 100;  // of a sensor, for its noise
+constexpr double kIndependent = 0.3;              // autocorrelation of successive misfits
+constexpr double kOutlierMisfit = 4;              // standard deviations
+constexpr double kMostOutlierShare = 0.5;         // share
+
+enum class PartKind
+{
+  errors,
+  bearing_noise,
+  range_noise,
+  outliers,
+  odometry_noise
+};
+
+/// What is adopted as a whole.
+struct Part
+{
+  PartKind kind = PartKind::errors;
+  std::vector<std::size_t> errors;  // numbers of unknowns
+  std::size_t sensor = 0;
+};
+
+bool isRangeError(const CalibrationUnknown& unknown)
+{
+  return unknown.parameter == CalibrationParameter::range_offset ||
+         unknown.parameter == CalibrationParameter::range_scale;
+}
+
+/// Errors that are only told together.
+bool belongTogether(const CalibrationUnknown& a, const CalibrationUnknown& b)
+{
+  return isRangeError(a) && isRangeError(b) && a.sensor == b.sensor;
+}
+
+/// The poses up to `end`, and their readings.
+CalibrationProblem firstPart(const CalibrationProblem& problem, std::size_t end)
+{
+  CalibrationProblem part = problem;
+  part.poses.resize(end);
+  std::erase_if(part.readings, [&](const CalibrationReading& r) { return r.pose >= end; });
+  return part;
+}
+
+/// The pose in the middle of the readings.
+std::size_t middleOf(const CalibrationProblem& problem) { return problem.readings[problem.readings.size() / 2].pose; }
+
+/// True where all readings of the kind have one declared deviation: a factor on it is a value of the configuration.
+bool areAlike(const CalibrationProblem& problem, std::size_t sensor, bool is_range)
+{
+  std::optional<double> std;
+  for (const CalibrationReading& r : problem.readings)
+  {
+    if (r.sensor != sensor || r.is_range != is_range) continue;
+    if (std && std::abs(r.std - *std) > 1e-6 * *std) return false;
+    std = r.std;
+  }
+  return std.has_value();
+}
+
+class ChoiceSearch
+{
+ public:
+  ChoiceSearch(const CalibrationData& data, const std::vector<CalibrationUnknown>& unknowns,
+               const LocalizationConfig& config)
+      : data_(data), unknowns_(unknowns), config_(config), middle_(middleOf(data.problem))
+  {
+    first_half_ = calibrate(firstPart(data.problem, middle_), unknowns);
+    if (first_half_.status == SolveStatus::ok) addParts();
+  }
+
+  [[nodiscard]] CalibrationChoice run()
+  {
+    const std::vector<double> configured = densitiesOf({});
+    std::vector<double> best = densitiesOf(parts_);
+    while (!parts_.empty())
+    {
+      std::optional<std::size_t> worst;
+      double least = 0;
+      std::vector<double> without_worst;
+      for (std::size_t k = 0; k < parts_.size(); ++k)
+      {
+        std::vector<double> without = densitiesOf(allBut(k));
+        const PredictiveGain gain = predictiveGain(data_.problem, middle_, best, without);
+        const double margin = (gain.std > 0 ? gain.gain / gain.std : 0) - neededGain(parts_[k]);
+        if (margin > least) continue;
+        least = margin;
+        worst = k;
+        without_worst = std::move(without);
+      }
+      if (!worst) break;
+      parts_ = allBut(*worst);
+      best = std::move(without_worst);
+    }
+    return choice(configured, best);
+  }
+
+ private:
+  void addParts()
+  {
+    for (std::size_t k = 0; k < unknowns_.size(); ++k)
+    {
+      const ParameterEstimate& error = first_half_.errors[k];
+      if (!error.observable) continue;
+      const auto partner = std::find_if(
+          parts_.begin(), parts_.end(),
+          [&](const Part& part)
+          { return part.kind == PartKind::errors && belongTogether(unknowns_[part.errors.front()], unknowns_[k]); });
+      if (partner != parts_.end())
+        partner->errors.push_back(k);
+      else
+        parts_.push_back({PartKind::errors, {k}, unknowns_[k].sensor});
+    }
+    const auto tells_nothing = [&](std::size_t k)
+    { return std::abs(first_half_.errors[k].value) <= kPays * first_half_.errors[k].std; };
+    std::erase_if(parts_,
+                  [&](const Part& part) { return std::all_of(part.errors.begin(), part.errors.end(), tells_nothing); });
+    for (std::size_t s = 0; s < data_.sensors.size(); ++s) addNoise(s);
+    // Never less: the noise of odometry also stands for slips and for errors that last, which a prediction of the next
+    // reading hardly shows.
+    if (!data_.problem.odometry.empty() && first_half_.odometry_scatter > kNoiseDiffers)
+      parts_.push_back({PartKind::odometry_noise, {}, 0});
+  }
+
+  void addNoise(std::size_t sensor)
+  {
+    const SensorScatter& scatter = first_half_.scatter[sensor];
+    const SensorConfig& now = configOf(config_.frames.sensors, data_.sensors[sensor]);
+    if (scatter.bearings >= kLeastNoiseReadings && mayChange(scatter.bearing, sensor, false) &&
+        areAlike(data_.problem, sensor, false))
+      parts_.push_back({PartKind::bearing_noise, {}, sensor});
+    if (scatter.ranges >= kLeastNoiseReadings && mayChange(scatter.range, sensor, true) &&
+        areAlike(data_.problem, sensor, true) && !(now.std_range_per_m > 0))
+      parts_.push_back({PartKind::range_noise, {}, sensor});
+    if (outliersOf(sensor) > kNoiseDiffers * now.clutter_probability)
+      parts_.push_back({PartKind::outliers, {}, sensor});
+  }
+
+  /// A smaller deviation needs errors that are independent, and nobody who stated a larger one: the prediction of the
+  /// next reading does not see errors that last, for which a configured deviation may stand.
+  [[nodiscard]] bool mayChange(double scatter, std::size_t sensor, bool is_range) const
+  {
+    const SensorConfig& now = configOf(config_.frames.sensors, data_.sensors[sensor]);
+    const bool is_configured = is_range ? now.std_range.has_value() : now.std_bearing.has_value();
+    return scatter > kNoiseDiffers ||
+           (scatter < 1 / kNoiseDiffers && !is_configured && correlation(sensor, is_range) < kIndependent);
+  }
+
+  /// Autocorrelation of successive misfits of one landmark, by one sensor.
+  [[nodiscard]] double correlation(std::size_t sensor, bool is_range) const
+  {
+    std::map<std::size_t, double> before;  // by landmark
+    double product = 0, power = 0;
+    for (std::size_t i = 0; i < first_half_.misfits.size(); ++i)
+    {
+      const CalibrationReading& r = data_.problem.readings[i];
+      const double misfit = first_half_.misfits[i];
+      if (r.sensor != sensor || r.is_range != is_range || std::abs(misfit) > kOutlierMisfit) continue;
+      const auto [last, is_new] = before.try_emplace(data_.landmarks[i], misfit);
+      if (is_new) continue;
+      product += last->second * misfit;
+      power += square(misfit);
+      last->second = misfit;
+    }
+    return power > 0 ? product / power : 1;
+  }
+
+  [[nodiscard]] double outliersOf(std::size_t sensor) const
+  {
+    double readings = 0, outliers = 0;
+    for (std::size_t i = 0; i < first_half_.misfits.size(); ++i)
+    {
+      if (data_.problem.readings[i].sensor != sensor) continue;
+      ++readings;
+      outliers += std::abs(first_half_.misfits[i]) > kOutlierMisfit;
+    }
+    return readings < kLeastNoiseReadings ? 0 : std::min(outliers / readings, kMostOutlierShare);
+  }
+
+  /// Standard deviations of the gain: what the first half tells beyond doubt has only to improve the prediction.
+  [[nodiscard]] double neededGain(const Part& part) const
+  {
+    double strength = 0;
+    for (const std::size_t k : part.errors)
+      strength = std::max(strength, std::abs(first_half_.errors[k].value) / first_half_.errors[k].std);
+    return strength > kBeyondDoubt ? 0 : kPays;
+  }
+
+  [[nodiscard]] std::vector<Part> allBut(std::size_t number) const
+  {
+    std::vector<Part> rest = parts_;
+    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(number));
+    return rest;
+  }
+
+  [[nodiscard]] RecordingModel configuredModel() const
+  {
+    RecordingModel model;
+    for (const CalibrationUnknown& unknown : unknowns_)
+    {
+      AssumedError error{.unknown = unknown};
+      double variance = 0, walk = 0;
+      for (const BiasState& bias : config_.biases)
+      {
+        if (!isTheSame(bias, unknown, data_.sensors[unknown.sensor])) continue;
+        error.mean += bias.mean;
+        variance += square(bias.std);
+        walk += square(bias.std_per_sqrt_s);
+      }
+      error.std = std::sqrt(variance);
+      error.std_per_sqrt_s = std::sqrt(walk);
+      model.errors.push_back(error);
+    }
+    for (const std::string& label : data_.sensors)
+      model.sensors.push_back({.outliers = configOf(config_.frames.sensors, label).clutter_probability});
+    return model;
+  }
+
+  [[nodiscard]] std::vector<double> densitiesOf(const std::vector<Part>& parts) const
+  {
+    RecordingModel model = configuredModel();
+    for (const Part& part : parts)
+    {
+      for (const std::size_t k : part.errors) model.errors[k].mean = first_half_.errors[k].value;
+      AssumedNoise& noise = model.sensors[part.sensor];
+      const SensorScatter& scatter = first_half_.scatter[part.sensor];
+      if (part.kind == PartKind::bearing_noise) noise.bearing = scatter.bearing;
+      if (part.kind == PartKind::range_noise) noise.range = scatter.range;
+      if (part.kind == PartKind::outliers) noise.outliers = outliersOf(part.sensor);
+      if (part.kind == PartKind::odometry_noise) model.odometry = first_half_.odometry_scatter;
+    }
+    std::erase_if(model.errors, [](const AssumedError& error)
+                  { return error.mean == 0 && error.std == 0 && error.std_per_sqrt_s == 0; });
+    // Errors that are estimated on the way need the first half to settle.
+    const bool settles =
+        std::any_of(model.errors.begin(), model.errors.end(),
+                    [](const AssumedError& error) { return error.std > 0 || error.std_per_sqrt_s > 0; });
+    return predictiveLogDensities(data_.problem, model, settles ? 0 : middle_);
+  }
+
+  [[nodiscard]] CalibrationChoice choice(const std::vector<double>& configured, const std::vector<double>& best) const
+  {
+    CalibrationChoice chosen;
+    const std::size_t sensors = data_.sensors.size();
+    chosen.noise = {.bearings = std::vector<bool>(sensors, false),
+                    .ranges = std::vector<bool>(sensors, false),
+                    .outliers = std::vector<bool>(sensors, false)};
+    for (const Part& part : parts_)
+    {
+      for (const std::size_t k : part.errors) chosen.errors.push_back(unknowns_[k]);
+      if (part.kind == PartKind::bearing_noise) chosen.noise.bearings[part.sensor] = true;
+      if (part.kind == PartKind::range_noise) chosen.noise.ranges[part.sensor] = true;
+      if (part.kind == PartKind::outliers) chosen.noise.outliers[part.sensor] = true;
+      if (part.kind == PartKind::odometry_noise) chosen.noise.odometry = true;
+    }
+    double readings = 0;
+    for (std::size_t i = 0; i < best.size(); ++i)
+    {
+      if (data_.problem.readings[i].pose < middle_) continue;
+      ++readings;
+      chosen.configured += (configured[i] - chosen.configured) / readings;
+      chosen.calibrated += (best[i] - chosen.calibrated) / readings;
+    }
+    return chosen;
+  }
+
+  const CalibrationData& data_;
+  const std::vector<CalibrationUnknown>& unknowns_;
+  const LocalizationConfig& config_;
+  std::size_t middle_;  // number of the first pose of the second half
+  CalibrationResult first_half_;
+  std::vector<Part> parts_;
+};
+}  // namespace
+
+bool CalibrationChoice::empty() const
+{
+  const auto none = [](const std::vector<bool>& flags)
+  { return std::find(flags.begin(), flags.end(), true) == flags.end(); };
+  return errors.empty() && !noise.odometry && none(noise.bearings) && none(noise.ranges) && none(noise.outliers);
+}
+
+CalibrationChoice chooseCalibration(const CalibrationData& data, const std::vector<CalibrationUnknown>& unknowns,
+                                    const LocalizationConfig& config)
+{
+  if (data.problem.readings.empty()) return {};
+  return ChoiceSearch(data, unknowns, config).run();
+}
+}  // namespace mrpt_ext

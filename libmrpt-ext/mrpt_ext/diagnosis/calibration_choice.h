@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "mrpt_ext/calibration/predictive_likelihood.h"
+#include "mrpt_ext/calibration/self_calibration.h"
+#include "mrpt_ext/configuration/localization_config.h"
+#include "mrpt_ext/diagnosis/calibration_data.h"
+
+namespace mrpt_ext
+{
+/// Noise that a calibration may change beside the systematic errors.
+struct NoiseChoice
+{
+  bool odometry = false;
+  std::vector<bool> bearings, ranges, outliers;  ///< by sensor
+};
+
+/// The part of a calibration that is worth adopting.
+struct CalibrationChoice
+{
+  std::vector<CalibrationUnknown> errors;
+  NoiseChoice noise;
+  /// Mean log density of a reading of the second half: as configured, and with what was estimated from the first.
+  double configured = 0, calibrated = 0;
+  [[nodiscard]] bool empty() const;
+};
+
+/// What of `unknowns` and of the noise to adopt: estimated from the first half of the recording, it must predict the
+/// second half better than without it (calibration/predictive_likelihood.h): by two standard deviations of the gain,
+/// unless the first half tells the error by four of its own. Starts with everything that the first half shows, and
+/// takes out what does not pay, the worst first. Errors that the filters estimate anyway stay uncertain in the
+/// comparison.
+[[nodiscard]] CalibrationChoice chooseCalibration(const CalibrationData& data,
+                                                  const std::vector<CalibrationUnknown>& unknowns,
+                                                  const LocalizationConfig& config);
+}  // namespace mrpt_ext

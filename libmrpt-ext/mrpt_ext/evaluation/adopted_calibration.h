@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mrpt_ext/evaluation/verdict_history.h"
+
+namespace mrpt_ext
+{
+/// A value of the configuration that was replaced by its estimate from the log.
+struct CalibratedValue
+{
+  std::string section, key, value;  ///< as in an .ini
+  double std = 0;                   ///< of the estimate, in the unit of the key
+};
+
+/// A run with one configuration, by its own evidence; the error is for the reader alone.
+struct CalibrationRow
+{
+  std::optional<double> log_density;  ///< mean over the readings of the second half of the log
+  Verdict verdict = Verdict::lost;
+  VerdictShares shares;
+  std::optional<double> position_rmse_m;  ///< where there is a ground truth
+};
+
+/// What a run took over from a first pass over its log.
+struct AdoptedCalibration
+{
+  std::vector<CalibratedValue> values;
+  CalibrationRow before;                    ///< as configured: the first pass
+  std::optional<double> log_density_after;  ///< with values from the first half of the log
+};
+}  // namespace mrpt_ext
