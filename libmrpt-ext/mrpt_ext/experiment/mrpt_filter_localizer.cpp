@@ -10,6 +10,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "mrpt_ext/filter/consider/consider_covariance.h"
+#include "mrpt_ext/filter/kalman/kalman_state.h"
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
 #include "mrpt_ext/maps/CLandmarkMap2D.h"
 #include "mrpt_ext/observations/CObservationLandmarkBearings.h"
@@ -29,7 +31,8 @@ class MrptFilterLocalizer : public FilterLocalizer
         landmark_map_(std::make_shared<CLandmarkMap2D>(map)),
         reliability_(map.size(), options_.reliability_prior_strength),
         fast_ratio_(InlierRatioMonitor::fast(options_.recovery)),
-        slow_ratio_(InlierRatioMonitor::slow(options_.recovery))
+        slow_ratio_(InlierRatioMonitor::slow(options_.recovery)),
+        consider_(options_.motion, {}, map_)
   {
     mrpt::random::getRandomGenerator().randomize(static_cast<std::uint32_t>(seed));
     auto& pf = engine_.m_options;
@@ -146,6 +149,21 @@ class MrptFilterLocalizer : public FilterLocalizer
     return action;
   }
 
+  /// What the other engine states too.
+  void addLastingErrors(const Frame& frame)
+  {
+    const bool tracks = isUnimodal(step_.modes, options_.verdict);
+    if (tracked_ && tracks)
+      consider_.update(*tracked_, frame);
+    else
+      consider_.restart();
+    tracked_.reset();
+    if (!tracks) return;
+    GaussianPose& best = step_.modes.modes.front().pose;
+    tracked_ = startingState(best, {});
+    best.covariance += consider_.added();
+  }
+
   void evaluateParticles(const Frame& frame)
   {
     particles_.clear();
@@ -154,6 +172,7 @@ class MrptFilterLocalizer : public FilterLocalizer
     step_ = {.effective_ratio = normalizeWeights(particles_).effective_ratio};
     step_.particles = particles_.size();
     step_.modes = findModes(particles_, options_.modes);
+    addLastingErrors(frame);
     for (const Reading& reading : scoredReadings(frame))
     {
       const double inlier_ratio = reliability_.observe(reading, map_, particles_, true);
@@ -175,6 +194,8 @@ class MrptFilterLocalizer : public FilterLocalizer
   mrpt::bayes::CParticleFilter engine_;
   LandmarkReliability reliability_;
   InlierRatioMonitor fast_ratio_, slow_ratio_;
+  ConsiderCovariance consider_;
+  std::optional<KalmanState> tracked_;  // of the last step
   ParticleSet particles_;
   FilterStep step_;
 };

@@ -11,7 +11,7 @@ namespace mrpt_ext
 namespace
 {
 const double kLeastSine = std::sin(degToRad(35));  ///< of the angle between lines that meet
-constexpr double kArmReach = 0.025;                   ///< [m] lines may end before they meet, beside three pixels
+constexpr double kArmReach = 0.025;                ///< [m] lines may end before they meet, beside three pixels
 constexpr double kFitReach = 0.02;    ///< [m] points around the meeting that are fitted again, beside five pixels
 constexpr double kLineOff = 0.005;    ///< [m] a point may be off its line, beside half a pixel
 constexpr double kArmStart = 0.003;   ///< [m] from the meeting, beside two and a half pixels
