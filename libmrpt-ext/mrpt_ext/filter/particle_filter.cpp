@@ -14,9 +14,9 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kTrajectoryMajority = 0.5;          // of the weight along a trajectory
+constexpr double kTrajectoryMajority = 0.5;            // of the weight along a trajectory
 constexpr std::size_t kMaxForKalmanProposal = 20'000;  // the moments of more cost too much
-constexpr double kProposalGate = 6;                  // standard deviations that the particles of a mode are within
+constexpr double kProposalGate = 6;                    // standard deviations that the particles of a mode are within
 
 /// In the middle of the map, where single precision is best.
 Vector2d originOf(const LandmarkTable& map, const PoseRegion& region)

@@ -13,8 +13,8 @@ namespace mrpt_ext
 struct ErrorKind
 {
   std::size_t sensor = 0;
-  bool is_bearing = false;  ///< else a range
-  auto operator<=>(const ErrorKind&) const = default;
+  bool is_bearing = false;                             ///< else a range
+  auto operator<=>(const ErrorKind&) const = default;  // NOLINT(modernize-use-nullptr): a false finding of version 14
 };
 
 /// What a lasting error of a measurement belongs to: one quantity of one sensor at one landmark.
@@ -24,7 +24,7 @@ struct ErrorSource
   bool is_bearing = false;
   std::size_t landmark = 0;
   [[nodiscard]] ErrorKind kind() const { return {sensor, is_bearing}; }
-  auto operator<=>(const ErrorSource&) const = default;
+  auto operator<=>(const ErrorSource&) const = default;  // NOLINT(modernize-use-nullptr): as above
 };
 
 /// A scalar measurement as the filter expected it before the update.
