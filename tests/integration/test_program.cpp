@@ -1,14 +1,10 @@
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
-#include <csignal>
-#include <fstream>
 #include <thread>
 
+#include "child_program.h"
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/files/text_table.h"
 #include "mrpt_ext/files/tum.h"
@@ -22,63 +18,8 @@ namespace
 {
 namespace fs = std::filesystem;
 using testing::Arguments;
+using testing::ChildProgram;
 using namespace std::chrono_literals;
-
-/// A running landmark-localization with its output in files.
-class Child
-{
- public:
-  Child(const Arguments& arguments, const fs::path& out, const fs::path& err, bool ignores_interrupts = false)
-  {
-    Arguments words = testing::joined({fs::path(MRPT_EXT_BINARY_DIR) / "bin" / "landmark-localization"}, arguments);
-    std::vector<char*> argv;
-    for (std::string& word : words) argv.push_back(word.data());
-    argv.push_back(nullptr);
-    pid_ = fork();
-    if (pid_ != 0) return;
-    if (ignores_interrupts) std::signal(SIGINT, SIG_IGN);
-    dup2(open(out.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600), STDOUT_FILENO);
-    dup2(open(err.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600), STDERR_FILENO);
-    execv(argv[0], argv.data());
-    _exit(127);
-  }
-  ~Child()
-  {
-    if (!ended_) kill(pid_, SIGKILL), waitpid(pid_, nullptr, 0);
-  }
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
-
-  void interrupt(int signal = SIGINT) const { kill(pid_, signal); }
-  /// Until the program has begun: before, its libraries are loaded.
-  void waitUntilItHandles(int signal)
-  {
-    const fs::path status = fs::path("/proc") / std::to_string(pid_) / "status";
-    for (bool handled = false; !handled && running(); std::this_thread::sleep_for(5ms))
-    {
-      std::ifstream lines(status);
-      for (std::string line; std::getline(lines, line);)
-        if (line.starts_with("SigCgt:")) handled = (std::stoull(line.substr(7), nullptr, 16) >> (signal - 1) & 1) != 0;
-    }
-  }
-  [[nodiscard]] bool running()
-  {
-    if (!ended_) ended_ = waitpid(pid_, &status_, WNOHANG) == pid_;
-    return !ended_;
-  }
-  /// The exit code; -1 when a signal ended it.
-  int exitCode()
-  {
-    if (!ended_) waitpid(pid_, &status_, 0);
-    ended_ = true;
-    return WIFEXITED(status_) ? WEXITSTATUS(status_) : -1;
-  }
-
- private:
-  pid_t pid_ = -1;
-  int status_ = 0;
-  bool ended_ = false;
-};
 
 long lines(const fs::path& file)
 {
@@ -93,10 +34,12 @@ TEST(Program, InterruptedLeavesValidPartialOutput)
   const auto log = testing::simulated(folder.path(), "long", {"--set", "Simulation.duration_s=400"});
   const fs::path run = folder.path() / "run", out = folder.path() / "out.txt", err = folder.path() / "err.txt";
   // So many particles that the whole log would take half a minute.
-  Child child(testing::joined({testing::shipped("landmark-localization", "long")},
-                              testing::joined(log.arguments(),
-                                              {"-o", run, "--set", "LocalizationExperiment.particles_count=30000"})),
-              out, err);
+  ChildProgram child(
+      "landmark-localization",
+      testing::joined(
+          {testing::shipped("landmark-localization", "long")},
+          testing::joined(log.arguments(), {"-o", run, "--set", "LocalizationExperiment.particles_count=30000"})),
+      out, err);
   while (child.running() && !fs::exists(run / "config_resolved.ini")) std::this_thread::sleep_for(50ms);
   std::this_thread::sleep_for(2s);
   child.interrupt();
@@ -129,7 +72,7 @@ TEST(Program, InterruptedWhileItLoadsEndsWithALineWithinASecond)
       "LocalizationExperiment.max_landmarks=9000000"};
   for (const int signal : {SIGINT, SIGTERM, SIGHUP})
   {
-    Child child(arguments, out, err);
+    ChildProgram child("landmark-localization", arguments, out, err);
     child.waitUntilItHandles(signal);
     const auto begin = std::chrono::steady_clock::now();
     child.interrupt(signal);
@@ -144,8 +87,10 @@ TEST(Program, AnInheritedIgnoreOfInterruptsIsKept)
 {
   const testing::ScratchFolder folder;
   const fs::path out = folder.path() / "out.txt", err = folder.path() / "err.txt";
-  Child child({testing::shipped("landmark-localization", "quickstart"), "-o", folder.path() / "run", "--duration", "5"},
-              out, err, true);
+  ChildProgram child(
+      "landmark-localization",
+      {testing::shipped("landmark-localization", "quickstart"), "-o", folder.path() / "run", "--duration", "5"}, out,
+      err, true);
   child.waitUntilItHandles(SIGTERM);
   child.interrupt();
   EXPECT_EQ(child.exitCode(), 0) << readTextFile(err);
@@ -156,7 +101,7 @@ TEST(Program, OutputThatCannotBeWrittenIsAFailure)
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
   const testing::ScratchFolder folder;
   const fs::path err = folder.path() / "err.txt";
-  Child child({"--list-keys"}, "/dev/full", err);
+  ChildProgram child("landmark-localization", {"--list-keys"}, "/dev/full", err);
   EXPECT_EQ(child.exitCode(), 1);
   EXPECT_EQ(readTextFile(err), "landmark-localization: standard output cannot be written (No space left on device)\n");
 }
@@ -166,9 +111,10 @@ TEST(Program, SaysOneLineAboutDamage)
   const testing::ScratchFolder folder;
   const fs::path out = folder.path() / "out.txt", err = folder.path() / "err.txt";
   const std::string bytes = readTextFile(fs::path(MRPT_EXT_SOURCE_DIR) / "datasets" / "room_map.csv");
-  Child child({testing::shipped("landmark-localization", "room"), folder.write("not_a.rawlog", bytes), "-o",
-               folder.path() / "run"},
-              out, err);
+  ChildProgram child("landmark-localization",
+                     {testing::shipped("landmark-localization", "room"), folder.write("not_a.rawlog", bytes), "-o",
+                      folder.path() / "run"},
+                     out, err);
   EXPECT_EQ(child.exitCode(), 1);
   EXPECT_EQ(lines(err), 1) << readTextFile(err);
   EXPECT_EQ(readTextFile(out), "");

@@ -3,7 +3,6 @@
 #include <mrpt/obs/CObservationBeaconRanges.h>
 #include <mrpt/obs/CObservationBearingRange.h>
 #include <mrpt/obs/CObservationComment.h>
-#include <mrpt/opengl/CSetOfObjects.h>
 #include <mrpt/poses/CPose3D.h>
 #include <mrpt/serialization/CArchive.h>
 #include <unistd.h>
@@ -20,6 +19,7 @@
 #include "mrpt_ext/observations/CObservationLandmarkBearings.h"
 #include "mrpt_ext/observations/CObservationRunningFix.h"
 #include "mrpt_ext/observations/CObservationStereoRanges.h"
+#include "mrpt_ext/observations/mrpt_scene.h"
 #include "mrpt_ext/observations/observation_conversions.h"
 
 namespace mrpt_ext
@@ -257,7 +257,7 @@ TEST(LandmarkMap, SurvivesSerialization)
 TEST(LandmarkMap, ShowsEveryLandmarkWithItsId)
 {
   const CLandmarkMap2D map(room());
-  mrpt::opengl::CSetOfObjects scene;
+  scenes::CSetOfObjects scene;
   map.getVisualizationInto(scene);
   EXPECT_EQ(scene.size(), 2 * room().size() + 1);  // a ball and an id each, one of them with an ellipse
 }

@@ -1,10 +1,6 @@
 #include "mrpt_ext/scene/run_scene.h"
 
 #include <gtest/gtest.h>
-#include <mrpt/opengl/CDisk.h>
-#include <mrpt/opengl/CEllipsoid2D.h>
-#include <mrpt/opengl/COpenGLScene.h>
-#include <mrpt/opengl/CSetOfLines.h>
 
 #include "mrpt_ext/geometry/input_error.h"
 #include "scratch_folder.h"
@@ -13,7 +9,7 @@ namespace mrpt_ext
 {
 namespace
 {
-using namespace mrpt::opengl;
+using namespace scenes;
 
 LandmarkTable twoLandmarks()
 {
@@ -34,7 +30,7 @@ PlaybackStep aMoment()
 }
 
 template <typename Shape>
-std::size_t countOf(const COpenGLScene& scene)
+std::size_t countOf(const MrptScene& scene)
 {
   std::size_t n = 0;
   while (scene.getByClass<Shape>(n)) ++n;
@@ -83,7 +79,7 @@ TEST(RunScene, IsWrittenForMrptsViewer)
 {
   const testing::ScratchFolder folder;
   writeScene(folder.path() / "a.3Dscene", twoLandmarks(), aMoment());
-  COpenGLScene again;
+  MrptScene again;
   ASSERT_TRUE(again.loadFromFile((folder.path() / "a.3Dscene").string()));
   EXPECT_EQ(countOf<CEllipsoid2D>(again), 2U);
   EXPECT_THROW(writeScene(folder.path() / "a.3Dscene" / "b.3Dscene", twoLandmarks(), aMoment()), InputError);

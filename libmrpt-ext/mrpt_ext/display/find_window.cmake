@@ -1,3 +1,3 @@
 # MRPT's windows and X11, both by choice: users of the installed library need neither.
-find_package(mrpt-gui 2.5 QUIET)
+mrpt_ext_find_mrpt(QUIET gui)
 find_package(X11 QUIET)

@@ -36,7 +36,7 @@ class MrptSceneWindow : public SceneWindow
     window_.setCameraAzimuthDeg(-90);
   }
 
-  void show(const mrpt::opengl::COpenGLScene::Ptr& scene) override
+  void show(const MrptScene::Ptr& scene) override
   {
     window_.get3DSceneAndLock() = scene;
     window_.unlockAccess3DScene();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <mrpt/opengl/COpenGLScene.h>
+#include "mrpt_ext/observations/mrpt_scene.h"
 
 namespace mrpt_ext
 {
@@ -13,7 +13,7 @@ class SceneWindow
  public:
   virtual ~SceneWindow() = default;
   /// Shows `scene` in place of the one before; the window keeps the viewpoint that the user chose.
-  virtual void show(const mrpt::opengl::COpenGLScene::Ptr& scene) = 0;
+  virtual void show(const MrptScene::Ptr& scene) = 0;
   /// False once the user has closed it.
   [[nodiscard]] virtual bool isOpen() const = 0;
 };

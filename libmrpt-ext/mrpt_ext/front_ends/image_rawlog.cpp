@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <opencv2/imgproc.hpp>
 
 #include "mrpt_ext/front_ends/image_frame.h"
 #include "mrpt_ext/geometry/input_error.h"
@@ -30,13 +31,33 @@ Pose2 planarPose(const mrpt::poses::CPose3D& pose)
   return {pose.x(), pose.y(), std::atan2(rotation(1, 0), rotation(0, 0))};
 }
 
+/// The pixels as OpenCV keeps them, gray or blue, green, red; none when they are not of 8 bits. MRPT 2 keeps colours in
+/// OpenCV's order, MRPT 3 in the opposite one.
+cv::Mat loadedPixels(const mrpt::img::CImage& image)
+{
+  const int width = static_cast<int>(image.getWidth()), height = static_cast<int>(image.getHeight());
+  if (image.getPixelDepth() != mrpt::img::PixelDepth::D8U) return {};
+  const auto* first = image.ptrLine<std::uint8_t>(0);
+  const auto channels = static_cast<int>(image.ptr<std::uint8_t>(1, 0) - first);
+  const cv::Mat kept(height, width, CV_8UC(channels), const_cast<std::uint8_t*>(first), image.getRowStride());
+  if (channels == 1) return kept.clone();
+  const bool red_first = image.getChannelsOrder().starts_with("RGB");
+  cv::Mat pixels;
+  if (channels == 4)
+    cv::cvtColor(kept, pixels, red_first ? cv::COLOR_RGBA2BGR : cv::COLOR_BGRA2BGR);
+  else if (red_first)
+    cv::cvtColor(kept, pixels, cv::COLOR_RGB2BGR);
+  else
+    pixels = kept.clone();
+  return pixels;
+}
+
 /// The pixels; none when the image is kept in a file that cannot be read.
 cv::Mat pixelsOf(const mrpt::img::CImage& image)
 {
   try
   {
-    if (image.isEmpty()) return {};
-    return image.asCvMat<cv::Mat>(mrpt::img::DEEP_COPY);
+    return image.isEmpty() ? cv::Mat() : loadedPixels(image);
   }
   catch (const std::exception&)
   {

@@ -1,12 +1,5 @@
 #include "mrpt_ext/scene/run_scene.h"
 
-#include <mrpt/opengl/CDisk.h>
-#include <mrpt/opengl/CEllipsoid2D.h>
-#include <mrpt/opengl/CGridPlaneXY.h>
-#include <mrpt/opengl/COpenGLScene.h>
-#include <mrpt/opengl/CSetOfLines.h>
-#include <mrpt/opengl/CSetOfObjects.h>
-#include <mrpt/opengl/stock_objects.h>
 #include <mrpt/poses/CPosePDFParticles.h>
 
 #include <algorithm>
@@ -21,7 +14,6 @@ namespace mrpt_ext
 {
 namespace
 {
-namespace gl = mrpt::opengl;
 constexpr double kHeight = 0.02;  // [m] above the grid, so that neither hides the other
 
 /// Extent of the landmarks with a metre around them.
@@ -38,17 +30,17 @@ Ground groundOf(const LandmarkTable& map)
           static_cast<float>(std::floor(low.y()) - 1), static_cast<float>(std::ceil(high.y()) + 1)};
 }
 
-gl::CSetOfObjects::Ptr particleCloud(const std::vector<Pose2>& particles)
+scenes::CSetOfObjects::Ptr particleCloud(const std::vector<Pose2>& particles)
 {
   mrpt::poses::CPosePDFParticles pdf(particles.size());
   for (std::size_t i = 0; i < particles.size(); ++i)
     pdf.m_particles[i].d = {particles[i].x, particles[i].y, particles[i].phi};
-  return pdf.getAs3DObject<gl::CSetOfObjects::Ptr>();
+  return pdf.getAs3DObject<scenes::CSetOfObjects::Ptr>();
 }
 
-gl::CEllipsoid2D::Ptr ellipse(const ModeSummary& mode)
+scenes::CEllipsoid2D::Ptr ellipse(const ModeSummary& mode)
 {
-  auto shape = gl::CEllipsoid2D::Create();
+  auto shape = scenes::CEllipsoid2D::Create();
   mrpt::math::CMatrixDouble22 covariance;
   for (int r = 0; r < 2; ++r)
     for (int c = 0; c < 2; ++c) covariance(r, c) = mode.pose.covariance(r, c);
@@ -59,9 +51,9 @@ gl::CEllipsoid2D::Ptr ellipse(const ModeSummary& mode)
   return shape;
 }
 
-gl::CDisk::Ptr ring(double x, double y, double radius)
+scenes::CDisk::Ptr ring(double x, double y, double radius)
 {
-  auto circle = gl::CDisk::Create();
+  auto circle = scenes::CDisk::Create();
   circle->setDiskRadius(static_cast<float>(radius + 0.02), static_cast<float>(std::max(0.0, radius - 0.02)));
   circle->setLocation(x, y, kHeight);
   circle->setColor(0.0F, 0.45F, 0.7F);
@@ -69,11 +61,11 @@ gl::CDisk::Ptr ring(double x, double y, double radius)
 }
 
 /// Detections from `robot`; `far` [m] is the length of a ray without a range.
-gl::CSetOfObjects::Ptr measurements(const std::vector<DrawnDetection>& detections, const Pose2& robot,
-                                    const LandmarkTable& map, double far)
+scenes::CSetOfObjects::Ptr measurements(const std::vector<DrawnDetection>& detections, const Pose2& robot,
+                                        const LandmarkTable& map, double far)
 {
-  auto shapes = gl::CSetOfObjects::Create();
-  auto rays = gl::CSetOfLines::Create();
+  auto shapes = scenes::CSetOfObjects::Create();
+  auto rays = scenes::CSetOfLines::Create();
   rays->setName("rays");
   rays->setColor(0.0F, 0.45F, 0.7F);
   for (const DrawnDetection& seen : detections)
@@ -97,12 +89,12 @@ gl::CSetOfObjects::Ptr measurements(const std::vector<DrawnDetection>& detection
 }
 }  // namespace
 
-std::shared_ptr<gl::COpenGLScene> runScene(const LandmarkTable& map, const PlaybackStep& step)
+MrptScene::Ptr runScene(const LandmarkTable& map, const PlaybackStep& step)
 {
-  auto scene = gl::COpenGLScene::Create();
+  auto scene = MrptScene::Create();
   const Ground ground = groundOf(map);
-  scene->insert(gl::CGridPlaneXY::Create(ground.x_min, ground.x_max, ground.y_min, ground.y_max, 0.0F, 1.0F));
-  auto landmarks = gl::CSetOfObjects::Create();
+  scene->insert(scenes::CGridPlaneXY::Create(ground.x_min, ground.x_max, ground.y_min, ground.y_max, 0.0F, 1.0F));
+  auto landmarks = scenes::CSetOfObjects::Create();
   CLandmarkMap2D(map).getVisualizationInto(*landmarks);
   scene->insert(landmarks);
   if (!step.particles.empty()) scene->insert(particleCloud(step.particles));
@@ -110,12 +102,12 @@ std::shared_ptr<gl::COpenGLScene> runScene(const LandmarkTable& map, const Playb
   if (!step.modes.empty())
   {
     const Pose2& best = step.modes.front().pose.mean;
-    auto robot = gl::stock_objects::CornerXYZSimple(0.5F, 3.0F);
+    auto robot = scenes::stock_objects::CornerXYZSimple(0.5F, 3.0F);
     robot->setPose(mrpt::poses::CPose3D(best.x, best.y, 0, best.phi, 0, 0));
     scene->insert(robot);
     scene->insert(measurements(step.detections, best, map, double{ground.size()}));
   }
-  gl::CCamera& camera = scene->getViewport()->getCamera();
+  scenes::CCamera& camera = scene->getViewport()->getCamera();
   camera.setPointingAt((ground.x_min + ground.x_max) / 2, (ground.y_min + ground.y_max) / 2, 0.0F);
   camera.setZoomDistance(1.5F * ground.size());
   camera.setElevationDegrees(60);

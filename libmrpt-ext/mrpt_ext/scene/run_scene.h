@@ -1,18 +1,16 @@
 #pragma once
 
-#include <mrpt/opengl/COpenGLScene.h>  // which names the scene in 2.5 to 2.15; the forward declarations do not
-
 #include <filesystem>
-#include <memory>
 
 #include "mrpt_ext/evaluation/run_record.h"
 #include "mrpt_ext/geometry/landmark_table.h"
+#include "mrpt_ext/observations/mrpt_scene.h"
 
 namespace mrpt_ext
 {
 /// One step of a run for MRPT's viewers: landmarks, particles as MRPT's CPosePDFParticles shows them, the 95 % ellipse
 /// of every mode, the best pose and its detections: a ray for a bearing, a ring for a range alone.
-[[nodiscard]] std::shared_ptr<mrpt::opengl::COpenGLScene> runScene(const LandmarkTable& map, const PlaybackStep& step);
+[[nodiscard]] MrptScene::Ptr runScene(const LandmarkTable& map, const PlaybackStep& step);
 
 /// Writes the scene of `step` as a file of SceneViewer3D, whole or not at all. InputError when it cannot be written.
 void writeScene(const std::filesystem::path& path, const LandmarkTable& map, const PlaybackStep& step);

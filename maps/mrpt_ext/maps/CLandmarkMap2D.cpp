@@ -1,6 +1,5 @@
 #include "mrpt_ext/maps/CLandmarkMap2D.h"
 
-#include <mrpt/opengl/CSetOfObjects.h>
 #include <mrpt/poses/CPose3D.h>
 #include <mrpt/serialization/CArchive.h>
 
@@ -9,7 +8,6 @@
 #include "mrpt_ext/maps/landmark_archive.h"
 #include "mrpt_ext/maps/landmark_file.h"
 #include "mrpt_ext/maps/landmark_scene.h"
-#include "mrpt_ext/observations/mrpt_compatibility.h"
 #include "mrpt_ext/observations/observation_conversions.h"
 
 IMPLEMENTS_SERIALIZABLE(CLandmarkMap2D, mrpt::maps::CMetricMap, mrpt_ext)
@@ -73,7 +71,7 @@ std::string CLandmarkMap2D::asString() const
   return "Landmark map with " + std::to_string(landmarks_.size()) + " landmarks";
 }
 
-void CLandmarkMap2D::getVisualizationInto(mrpt::opengl::CSetOfObjects& scene) const
+void CLandmarkMap2D::getVisualizationInto(scenes::CSetOfObjects& scene) const
 {
   if (genericMapParams.enableSaveAs3DObject) addLandmarks(scene, landmarks_);
 }

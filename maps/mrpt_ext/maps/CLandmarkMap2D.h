@@ -7,6 +7,7 @@
 
 #include "mrpt_ext/geometry/landmark_table.h"
 #include "mrpt_ext/maps/landmark_likelihood_options.h"
+#include "mrpt_ext/observations/mrpt_compatibility.h"
 
 namespace mrpt_ext
 {
@@ -37,7 +38,7 @@ class CLandmarkMap2D : public mrpt::maps::CMetricMap
   bool isEmpty() const override { return landmarks_.empty(); }
   std::string asString() const override;
   /// Adds a ball and the id for each landmark, an ellipse of three sigma where its position is uncertain.
-  void getVisualizationInto(mrpt::opengl::CSetOfObjects& scene) const override;
+  void getVisualizationInto(scenes::CSetOfObjects& scene) const override;
   /// Writes `<prefix>_landmarks.csv`.
   void saveMetricMapRepresentationToFile(const std::string& prefix) const override;
 

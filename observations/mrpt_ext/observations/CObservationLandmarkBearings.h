@@ -1,15 +1,14 @@
 #pragma once
 
-#include <mrpt/obs/CObservation.h>
-#include <mrpt/poses/CPose3D.h>
-
 #include <string>
 #include <vector>
+
+#include "mrpt_ext/observations/mrpt_compatibility.h"
 
 namespace mrpt_ext
 {
 /// Directions in which one camera saw landmarks at one time; one observation per camera.
-class CObservationLandmarkBearings : public mrpt::obs::CObservation
+class CObservationLandmarkBearings : public FixedSensorObservation
 {
   DEFINE_SERIALIZABLE(CObservationLandmarkBearings, mrpt_ext)
 
@@ -23,13 +22,10 @@ class CObservationLandmarkBearings : public mrpt::obs::CObservation
     double std_bearing = 0;                            ///< [rad]; 0: not declared
   };
 
-  mrpt::poses::CPose3D sensor_pose;  ///< on the robot
-  double field_of_view = 0;          ///< [rad] full angle around the forward axis; 0: not declared
-  double max_range = 0;              ///< [m] landmarks farther away are not seen; 0: not declared
+  double field_of_view = 0;  ///< [rad] full angle around the forward axis; 0: not declared
+  double max_range = 0;      ///< [m] landmarks farther away are not seen; 0: not declared
   std::vector<Detection> detections;
 
-  void getSensorPose(mrpt::poses::CPose3D& pose) const override { pose = sensor_pose; }
-  void setSensorPose(const mrpt::poses::CPose3D& pose) override { sensor_pose = pose; }
   void getDescriptionAsText(std::ostream& o) const override;
 
   /// One row: N, then id, category, bearing [deg] and its standard deviation [deg] of the first 8 detections ("nan",

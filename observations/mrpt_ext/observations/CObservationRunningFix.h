@@ -1,23 +1,22 @@
 #pragma once
 
 #include <mrpt/math/CMatrixFixed.h>
-#include <mrpt/obs/CObservation.h>
 #include <mrpt/poses/CPose2D.h>
-#include <mrpt/poses/CPose3D.h>
 
 #include <optional>
 #include <string>
+
+#include "mrpt_ext/observations/mrpt_compatibility.h"
 
 namespace mrpt_ext
 {
 /// Two ranges to one landmark, measured from two poses, and the motion between them (paper 004).
 /// The stamp of the observation is that of the second range.
-class CObservationRunningFix : public mrpt::obs::CObservation
+class CObservationRunningFix : public FixedSensorObservation
 {
   DEFINE_SERIALIZABLE(CObservationRunningFix, mrpt_ext)
 
  public:
-  mrpt::poses::CPose3D sensor_pose;                  ///< on the robot
   bool horizontal = false;                           ///< ranges in the floor plane; otherwise a 3-D slant
   std::int32_t id = mrpt::obs::INVALID_LANDMARK_ID;  ///< of the landmark; -1: unknown
   mrpt::system::TTimeStamp first_timestamp{INVALID_TIMESTAMP};
@@ -30,8 +29,6 @@ class CObservationRunningFix : public mrpt::obs::CObservation
 
   CObservationRunningFix() { displacement_covariance.setZero(); }
 
-  void getSensorPose(mrpt::poses::CPose3D& pose) const override { pose = sensor_pose; }
-  void setSensorPose(const mrpt::poses::CPose3D& pose) override { sensor_pose = pose; }
   void getDescriptionAsText(std::ostream& o) const override;
 
   /// One row with every field; lengths in metres, angles in degrees, covariance in m and rad; "nan": no bearing.

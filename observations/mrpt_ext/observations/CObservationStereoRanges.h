@@ -1,16 +1,15 @@
 #pragma once
 
-#include <mrpt/obs/CObservation.h>
-#include <mrpt/poses/CPose3D.h>
-
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "mrpt_ext/observations/mrpt_compatibility.h"
+
 namespace mrpt_ext
 {
 /// Distances to landmarks, with or without direction, that one sensor (a stereo pair, a radio) measured at one time.
-class CObservationStereoRanges : public mrpt::obs::CObservation
+class CObservationStereoRanges : public FixedSensorObservation
 {
   DEFINE_SERIALIZABLE(CObservationStereoRanges, mrpt_ext)
 
@@ -27,11 +26,10 @@ class CObservationStereoRanges : public mrpt::obs::CObservation
     double std_bearing = 0;                            ///< [rad]; 0: not declared
   };
 
-  mrpt::poses::CPose3D sensor_pose;  ///< on the robot
-  double field_of_view = 0;          ///< [rad] full angle around the forward axis; 0: not declared
-  double max_range = 0;              ///< [m] landmarks farther away are not seen; 0: not declared
-  double baseline_focal = 0;         ///< [m px] stereo baseline times focal length; 0: not a stereo pair
-  bool horizontal = false;           ///< ranges are measured in the floor plane; otherwise a 3-D slant
+  double field_of_view = 0;   ///< [rad] full angle around the forward axis; 0: not declared
+  double max_range = 0;       ///< [m] landmarks farther away are not seen; 0: not declared
+  double baseline_focal = 0;  ///< [m px] stereo baseline times focal length; 0: not a stereo pair
+  bool horizontal = false;    ///< ranges are measured in the floor plane; otherwise a 3-D slant
   std::vector<Detection> detections;
 
   /// Standard deviation of the range [m]: as declared, else from the disparity; 0 when neither is declared.
@@ -39,8 +37,6 @@ class CObservationStereoRanges : public mrpt::obs::CObservation
   /// sigma_r = r^2 cos(bearing) sigma_disparity / (baseline focal).
   [[nodiscard]] double rangeStd(const Detection& detection) const;
 
-  void getSensorPose(mrpt::poses::CPose3D& pose) const override { pose = sensor_pose; }
-  void setSensorPose(const mrpt::poses::CPose3D& pose) override { sensor_pose = pose; }
   void getDescriptionAsText(std::ostream& o) const override;
 
   /// One row: N, then id, category, range [m] and bearing [deg], each followed by its standard deviation, of the first

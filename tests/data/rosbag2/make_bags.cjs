@@ -180,8 +180,9 @@ function reflectors(t) {
     start_index: 0, end_index: 0, pos_valid: 0, pos_x: 0, pos_y: 0 };
   const seen = posts.map((post, i) => {
     const [x, y] = seenFrom(T_map_nav, [post.p[0], post.p[1], T_map_nav.p[2]]);
-    const phi = (Math.atan2(y, x) / deg + 360) % 360;
-    if (i === 0) return { ...none, cartesian_data_valid: 1, x: Math.round(1000 * x), y: Math.round(1000 * y) };
+    // The scanner's own axes are turned by half a circle against those of its frame in ROS.
+    const phi = Math.atan2(y, x) / deg + 180;
+    if (i === 0) return { ...none, cartesian_data_valid: 1, x: Math.round(-1000 * x), y: Math.round(-1000 * y) };
     if (i === 1) return { ...none, polar_data_valid: 1, dist: Math.round(1000 * Math.hypot(x, y)), phi: Math.round(1000 * phi) };
     return { ...none, pos_valid: 1, pos_x: x, pos_y: y };
   });

@@ -90,7 +90,8 @@ Vector3d inPlane(double x, double y)
   return {x, y, 0};
 }
 
-/// The driver's own conversion first, then what the scanner measured.
+/// The driver's own conversion first, then what the scanner measured: its axes are turned by half a circle against those
+/// of its frame in ROS (sick_scan_xd's angle shift of a NAV350).
 std::optional<Vector3d> reflectorPosition(const MessageValue& reflector)
 {
   if (isOn(reflector, "pos_valid")) return inPlane(reflector.number("pos_x"), reflector.number("pos_y"));
@@ -98,10 +99,10 @@ std::optional<Vector3d> reflectorPosition(const MessageValue& reflector)
   {
     const double range = kMetresPerMillimetre * reflector.number("dist");
     const double bearing = degToRad(1e-3 * reflector.number("phi"));
-    return inPlane(range * std::cos(bearing), range * std::sin(bearing));
+    return inPlane(-range * std::cos(bearing), -range * std::sin(bearing));
   }
   if (!isOn(reflector, "cartesian_data_valid")) return std::nullopt;
-  return inPlane(kMetresPerMillimetre * reflector.number("x"), kMetresPerMillimetre * reflector.number("y"));
+  return inPlane(-kMetresPerMillimetre * reflector.number("x"), -kMetresPerMillimetre * reflector.number("y"));
 }
 
 /// The numbers as float32, which they are; NaN for what a strange definition makes of them.
