@@ -11,6 +11,7 @@
 
 #include "mrpt_ext/configuration/localization_keys.h"
 #include "mrpt_ext/files/landmark_csv.h"
+#include "mrpt_ext/files/landmark_map_file.h"
 #include "mrpt_ext/files/tum.h"
 #include "mrpt_ext/front_ends/camera_file.h"
 #include "mrpt_ext/front_ends/image_file.h"
@@ -64,6 +65,14 @@ void readIni(std::string_view bytes)
 void readMap(std::string_view bytes)
 {
   static_cast<void>(readLandmarkCsv(MemoryFile(bytes).path(), {1000, "the test"}));
+}
+void readFieldLayout(std::string_view bytes)
+{
+  static_cast<void>(parseFieldLayout(std::string(bytes), "field.json", {1000, "the test"}));
+}
+void readTagBundle(std::string_view bytes)
+{
+  static_cast<void>(parseTagBundle(std::string(bytes), "tags.yaml", {1000, "the test"}));
 }
 void readTruth(std::string_view bytes) { static_cast<void>(readTum(MemoryFile(bytes).path())); }
 
@@ -140,12 +149,18 @@ void refusedOrRead(std::string_view bytes)
 
 const std::map<std::string, FuzzTarget>& fuzzTargets()
 {
-  static const std::map<std::string, FuzzTarget> kTargets{
-      {"rawlog", refusedOrRead<readRawlog>},   {"ini", refusedOrRead<readIni>},
-      {"map", refusedOrRead<readMap>},         {"tum", refusedOrRead<readTruth>},
-      {"camera", refusedOrRead<readCamera>},   {"image", refusedOrRead<readImage>},
-      {"summary", refusedOrRead<readSummary>}, {"mcap", refusedOrRead<readMcapBag>},
-      {"db3", refusedOrRead<readSqliteFile>},  {"cdr", refusedOrRead<readCdrMessage>}};
+  static const std::map<std::string, FuzzTarget> kTargets{{"rawlog", refusedOrRead<readRawlog>},
+                                                          {"ini", refusedOrRead<readIni>},
+                                                          {"map", refusedOrRead<readMap>},
+                                                          {"tum", refusedOrRead<readTruth>},
+                                                          {"camera", refusedOrRead<readCamera>},
+                                                          {"image", refusedOrRead<readImage>},
+                                                          {"summary", refusedOrRead<readSummary>},
+                                                          {"mcap", refusedOrRead<readMcapBag>},
+                                                          {"db3", refusedOrRead<readSqliteFile>},
+                                                          {"cdr", refusedOrRead<readCdrMessage>},
+                                                          {"layout", refusedOrRead<readFieldLayout>},
+                                                          {"bundle", refusedOrRead<readTagBundle>}};
   return kTargets;
 }
 }  // namespace mrpt_ext

@@ -136,6 +136,15 @@ TEST(CsvRecording, SpeedOfAWheelAndFrameOfASensor)
   EXPECT_INPUT_ERROR((void)importCsv(files), "odometry.csv:2: steering_rad 0.7853981633974483 puts the centre");
 }
 
+TEST(CsvRecording, AFieldLayoutStandsForLandmarksCsv)
+{
+  const DamagedCopy copy("csv");
+  copy.replace("landmarks.json", R"({"tags": [{"ID": 7, "pose": {"translation": {"x": 1, "y": 2, "z": 1.4}}}]})");
+  EXPECT_INPUT_ERROR((void)findCsvFiles({copy.path()}), "landmarks.json: a second map beside");
+  copy.remove("landmarks.csv");
+  EXPECT_EQ(importFolder(copy.path()).map[0].id, 7);
+}
+
 TEST(CsvRecording, SemicolonsAreNamed)
 {
   const DamagedCopy copy("csv");

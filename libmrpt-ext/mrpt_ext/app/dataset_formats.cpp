@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "mrpt_ext/files/landmark_csv.h"
+#include "mrpt_ext/files/landmark_map_file.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/importers/csv_recording.h"
 #include "mrpt_ext/importers/cuhksz.h"
@@ -48,7 +48,7 @@ Recording readUwbDemo(const DatasetRequest& request)
 {
   const std::filesystem::path truth = request.inputs.size() > 1 ? request.inputs[1] : std::filesystem::path();
   return importUwbDemo(request.inputs[0], truth, request.truth_origin.value_or(kUwbDemoStart),
-                       request.map.empty() ? uwbDemoMap() : readLandmarkCsv(request.map));
+                       request.map.empty() ? uwbDemoMap() : readLandmarkMapFile(request.map));
 }
 
 Recording readKfSlamDemo(const DatasetRequest& request) { return importKfSlamDemo(request.inputs); }

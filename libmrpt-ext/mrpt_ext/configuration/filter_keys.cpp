@@ -62,7 +62,9 @@ KeyTable mrptKeys()
   table.append(KeySection("MetricMap")
                    .integer("landmarkMap2D_count", "", kLandmarkMaps, {1, 1}, "Number of landmark maps: one."));
   return table.append(KeySection("MetricMap_landmarkMap2D_00_creationOpts")
-                          .path("landmarks_file", "Map: CSV id,x,y,z,category[,std_x,std_y]. --map replaces it.")
+                          .path("landmarks_file",
+                                "Map: CSV id,x,y,z,category[,std_x,std_y], a WPILib field layout (.json) or tags.yaml. "
+                                "--map replaces it.")
                           .forBeginners());
 }
 }  // namespace mrpt_ext

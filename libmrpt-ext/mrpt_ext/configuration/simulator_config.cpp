@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "mrpt_ext/configuration/simulator_choices.h"
-#include "mrpt_ext/files/landmark_csv.h"
+#include "mrpt_ext/files/landmark_map_file.h"
 
 namespace mrpt_ext
 {
@@ -59,7 +59,7 @@ MapPlan readMap(const Settings& settings)
   plan.categories = settings.words("Map", "categories");
   const MapSource source = settings.choice("Map", "layout", mapSources());
   if (source == MapSource::written) plan.landmarks = explicitLandmarks(settings, plan);
-  if (source == MapSource::file) plan.landmarks = readLandmarkCsv(settings.existingPath("Map", "file")).all();
+  if (source == MapSource::file) plan.landmarks = readLandmarkMapFile(settings.existingPath("Map", "file")).all();
   if (source == MapSource::random) plan.layout = MapLayout::random;
   if (source == MapSource::grid) plan.layout = MapLayout::grid;
   plan.count = static_cast<int>(settings.integer("Map", "count"));

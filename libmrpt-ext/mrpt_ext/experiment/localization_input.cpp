@@ -7,7 +7,7 @@
 #include "mrpt_ext/evaluation/scoring.h"
 #include "mrpt_ext/experiment/log_adaptation.h"
 #include "mrpt_ext/experiment/method_factory.h"
-#include "mrpt_ext/files/landmark_csv.h"
+#include "mrpt_ext/files/landmark_map_file.h"
 #include "mrpt_ext/files/mrpt_index_truth.h"
 #include "mrpt_ext/files/number_format.h"
 #include "mrpt_ext/files/tum.h"
@@ -35,7 +35,7 @@ LandmarkTable loadMap(const Settings& settings)
 {
   const auto path = requiredPath(settings, kMapSection, "landmarks_file", "--map FILE");
   const auto most = static_cast<std::size_t>(settings.integer(kExperimentSection, "max_landmarks"));
-  LandmarkTable map = readLandmarkCsv(path, {most, "[" + kExperimentSection + "] max_landmarks"});
+  LandmarkTable map = readLandmarkMapFile(path, {most, "[" + kExperimentSection + "] max_landmarks"});
   if (map.empty()) throw configurationError(path.string() + ": holds no landmark, at least one is needed");
   return map;
 }

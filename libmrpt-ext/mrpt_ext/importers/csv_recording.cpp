@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mrpt_ext/files/landmark_map_file.h"
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/files/text_table.h"
 #include "mrpt_ext/files/tum.h"
-#include "mrpt_ext/importers/landmark_map_file.h"
 #include "mrpt_ext/importers/ordered_time.h"
 #include "mrpt_ext/importers/reading_collector.h"
 #include "mrpt_ext/importers/recording_notes.h"

@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/configuration/localization_keys.h"
 #include "mrpt_ext/correspondence/global_pose_search.h"
-#include "mrpt_ext/files/landmark_csv.h"
+#include "mrpt_ext/files/landmark_map_file.h"
 #include "mrpt_ext/geometry/arc_motion.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/geometry/physical_limits.h"
@@ -29,7 +29,7 @@ GaussianPose moved(const GaussianPose& pose, const OdometryPath& odometry, doubl
 LandmarkTable configuredMap(const Settings& settings)
 {
   if (settings.hasValue(kMapSection, "landmarks_file"))
-    return readLandmarkCsv(settings.existingPath(kMapSection, "landmarks_file"));
+    return readLandmarkMapFile(settings.existingPath(kMapSection, "landmarks_file"));
   throw configurationError(settings.file().string() + ": [" + kMapSection + "] landmarks_file is not set");
 }
 
@@ -41,7 +41,7 @@ OnlineOptions onlineOptions(const LocalizationConfig& config)
 OnlineLocalizer OnlineLocalizer::fromIni(const std::filesystem::path& ini, const std::filesystem::path& map)
 {
   const Settings settings = Settings::load(ini, localizationKeys());
-  const LandmarkTable landmarks = map.empty() ? configuredMap(settings) : readLandmarkCsv(map);
+  const LandmarkTable landmarks = map.empty() ? configuredMap(settings) : readLandmarkMapFile(map);
   return {onlineOptions(localizationConfig(settings, landmarks)), landmarks};
 }
 

@@ -3,7 +3,7 @@
 #include "bindings.h"
 #include "mrpt_ext/app/apps.h"
 #include "mrpt_ext/app/version.h"
-#include "mrpt_ext/files/landmark_csv.h"
+#include "mrpt_ext/files/landmark_map_file.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/maps/register_all_classes.h"
 
@@ -38,7 +38,7 @@ void bindMap(py::module_& module)
            py::arg("positions"), py::arg("ids") = py::none(), py::arg("categories") = py::none(),
            "positions: (n, 2) or (n, 3) [m]; ids: n numbers, default 0 ... n-1; categories: n texts.")
       .def_static(
-          "load", [](const std::string& path) { return readLandmarkCsv(path); }, py::arg("path"),
+          "load", [](const std::string& path) { return readLandmarkMapFile(path); }, py::arg("path"),
           "Reads landmarks.csv: id,x,y,z,category.")
       .def("__len__", &LandmarkTable::size)
       .def_property_readonly(

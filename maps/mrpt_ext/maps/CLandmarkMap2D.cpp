@@ -4,6 +4,7 @@
 #include <mrpt/serialization/CArchive.h>
 
 #include "mrpt_ext/files/landmark_csv.h"
+#include "mrpt_ext/files/landmark_map_file.h"
 #include "mrpt_ext/maps/known_keys.h"
 #include "mrpt_ext/maps/landmark_archive.h"
 #include "mrpt_ext/maps/landmark_file.h"
@@ -38,7 +39,7 @@ auto CLandmarkMap2D::internal_CreateFromMapDefinition(const mrpt::maps::TMetricM
     -> decltype(internal_CreateFromMapDefinition(definition))
 {
   const auto& own = dynamic_cast<const TMapDefinition&>(definition);
-  auto map = std::make_unique<CLandmarkMap2D>(readLandmarkCsv(findLandmarkFile(own.landmarks_file)));
+  auto map = std::make_unique<CLandmarkMap2D>(readLandmarkMapFile(findLandmarkFile(own.landmarks_file)));
   map->likelihood_options = own.likelihood_options;
   return handOver<decltype(internal_CreateFromMapDefinition(definition))>(std::move(map));
 }

@@ -6,9 +6,9 @@
 #include <optional>
 #include <set>
 
+#include "mrpt_ext/files/landmark_map_file.h"
 #include "mrpt_ext/files/number_format.h"
 #include "mrpt_ext/geometry/input_error.h"
-#include "mrpt_ext/importers/landmark_map_file.h"
 #include "mrpt_ext/importers/recording_notes.h"
 #include "mrpt_ext/importers/rosbag2/bag_files.h"
 #include "mrpt_ext/importers/rosbag2/sensor_records.h"

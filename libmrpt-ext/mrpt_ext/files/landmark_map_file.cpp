@@ -1,4 +1,4 @@
-#include "mrpt_ext/importers/landmark_map_file.h"
+#include "mrpt_ext/files/landmark_map_file.h"
 
 #include <yaml-cpp/yaml.h>
 
@@ -14,44 +14,47 @@ namespace mrpt_ext
 {
 namespace
 {
-namespace fs = std::filesystem;
-
 constexpr const char* kTagCategory = "tag";
 
 /// Collects tags and refuses what no map can have.
 class TagMap
 {
  public:
-  explicit TagMap(const fs::path& path) : path_(path) {}
+  TagMap(const std::string& name, const RowLimit& limit) : name_(name), limit_(limit) {}
 
   void add(int id, const Vector3d& position)
   {
-    const std::string where = path_.string() + ": tag " + std::to_string(id);
+    const std::string where = name_ + ": tag " + std::to_string(id);
     if (id < 0 || !seen_.insert(id).second) throw dataError(where + " is negative or occurs twice");
     if (!position.allFinite() || position.cwiseAbs().maxCoeff() > kLargestCoordinate)
       throw dataError(where + ": its position is not finite or far away, expected metres");
+    if (landmarks_.size() == limit_.rows)
+      throw dataError(name_ + ": more than " + std::to_string(limit_.rows) + " tags, expected no more" +
+                      (limit_.set_by.empty() ? "" : ": set " + limit_.set_by));
     landmarks_.push_back({.id = id, .position = position, .category = kTagCategory});
   }
   [[nodiscard]] LandmarkTable table() const
   {
-    if (landmarks_.empty()) throw dataError(path_.string() + ": holds no tag with a position");
+    if (landmarks_.empty()) throw dataError(name_ + ": holds no tag with a position");
     return LandmarkTable(landmarks_);
   }
 
  private:
-  fs::path path_;
+  const std::string& name_;
+  const RowLimit& limit_;
   std::set<int> seen_;
   std::vector<Landmark> landmarks_;
 };
 
 std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
+}  // namespace
 
-LandmarkTable readWpilib(const fs::path& path)
+LandmarkTable parseFieldLayout(const std::string& text, const std::string& name, const RowLimit& limit)
 {
-  TagMap map(path);
+  TagMap map(name, limit);
   try
   {
-    const auto layout = nlohmann::json::parse(readTextFile(path));
+    const auto layout = nlohmann::json::parse(text);
     for (const auto& tag : layout.at("tags"))
     {
       const auto& at = tag.at("pose").at("translation");
@@ -60,38 +63,37 @@ LandmarkTable readWpilib(const fs::path& path)
   }
   catch (const nlohmann::json::exception& error)
   {
-    throw dataError(path.string() + ": no WPILib field layout, expected tags with ID and pose (" +
-                    firstLine(error.what()) + ")");
+    throw dataError(name + ": no WPILib field layout, expected tags with ID and pose (" + firstLine(error.what()) +
+                    ")");
   }
   return map.table();
 }
 
-LandmarkTable readBundle(const fs::path& path)
+LandmarkTable parseTagBundle(const std::string& text, const std::string& name, const RowLimit& limit)
 {
-  TagMap map(path);
+  TagMap map(name, limit);
   try
   {
-    const YAML::Node bundles = YAML::Load(readTextFile(path))["tag_bundles"];
+    const YAML::Node bundles = YAML::Load(text)["tag_bundles"];
     if (!bundles || bundles.size() != 1)
-      throw dataError(path.string() + ": " + std::to_string(bundles ? bundles.size() : 0) +
+      throw dataError(name + ": " + std::to_string(bundles ? bundles.size() : 0) +
                       " tag_bundles, expected one, whose frame is the map's");
     for (const YAML::Node& tag : bundles[0]["layout"])
       map.add(tag["id"].as<int>(), {tag["x"].as<double>(0), tag["y"].as<double>(0), tag["z"].as<double>(0)});
   }
   catch (const YAML::Exception& error)
   {
-    throw dataError(path.string() + ":" + std::to_string(error.mark.line + 1) +
+    throw dataError(name + ":" + std::to_string(error.mark.line + 1) +
                     ": no tags.yaml of apriltag_ros, expected tag_bundles with a layout (" + error.msg + ")");
   }
   return map.table();
 }
-}  // namespace
 
-LandmarkTable readLandmarkMapFile(const fs::path& path)
+LandmarkTable readLandmarkMapFile(const std::filesystem::path& path, const RowLimit& limit)
 {
   const std::string ending = path.extension().string();
-  if (ending == ".json") return readWpilib(path);
-  if (ending == ".yaml" || ending == ".yml") return readBundle(path);
-  return readLandmarkCsv(path);
+  if (ending == ".json") return parseFieldLayout(readTextFile(path), path.string(), limit);
+  if (ending == ".yaml" || ending == ".yml") return parseTagBundle(readTextFile(path), path.string(), limit);
+  return readLandmarkCsv(path, limit);
 }
 }  // namespace mrpt_ext
