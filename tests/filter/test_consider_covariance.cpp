@@ -112,12 +112,13 @@ void run(const LastingErrors& errors, std::uint64_t seed, Statistics& statistics
   const LandmarkTable map = randomMap(10, 10, random);
   KalmanState state = startingState({poseAt(0), Vector3d(0.01, 0.01, 0.01).cwiseAbs2().asDiagonal()}, {});
   ConsiderCovariance consider(kGoodWheels, {}, map);
+  consider.follow(state, {});
   std::map<std::pair<int, bool>, double> constant;
   for (int k = 1; k < 1500; ++k)
   {
     const Frame frame = frameOf(map, k, errors, constant, random);
-    consider.update(state, frame);
     state = updateExtended(predict(state, {}, kGoodWheels, frame.motion), frame, map, {}).state;
+    consider.follow(state, frame);
     if (k < 500) continue;
     const Vector2d error = state.pose().position() - poseAt(k).position();
     const Matrix3d stated = state.gaussianPose().covariance, honest = stated + consider.added();
@@ -189,7 +190,7 @@ TEST(ConsiderCovariance, ANewEstimateHasNoLastingErrorYet)
   for (int k = 1; k < 500; ++k)
   {
     const Frame frame = frameOf(map, k, {.of_landmark = 2}, constant, random);
-    consider.update(startingState({poseAt(k - 1), 1e-4 * Matrix3d::Identity()}, {}), frame);
+    consider.follow(startingState({poseAt(k), 1e-4 * Matrix3d::Identity()}, {}), frame);
   }
   EXPECT_GT(consider.added().trace(), 0);
   consider.restart();

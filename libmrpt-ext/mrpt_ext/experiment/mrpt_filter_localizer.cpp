@@ -152,15 +152,9 @@ class MrptFilterLocalizer : public FilterLocalizer
   /// What the other engine states too.
   void addLastingErrors(const Frame& frame)
   {
-    const bool tracks = isUnimodal(step_.modes, options_.verdict);
-    if (tracked_ && tracks)
-      consider_.update(*tracked_, frame);
-    else
-      consider_.restart();
-    tracked_.reset();
-    if (!tracks) return;
+    if (!isUnimodal(step_.modes, options_.verdict)) return consider_.restart();
     GaussianPose& best = step_.modes.modes.front().pose;
-    tracked_ = startingState(best, {});
+    consider_.follow(startingState(best, {}), frame);
     best.covariance += consider_.added();
   }
 
@@ -195,7 +189,6 @@ class MrptFilterLocalizer : public FilterLocalizer
   LandmarkReliability reliability_;
   InlierRatioMonitor fast_ratio_, slow_ratio_;
   ConsiderCovariance consider_;
-  std::optional<KalmanState> tracked_;  // of the last step
   ParticleSet particles_;
   FilterStep step_;
 };

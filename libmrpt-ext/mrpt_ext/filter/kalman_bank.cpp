@@ -62,7 +62,11 @@ KalmanStep KalmanBank::process(const Frame& whole, const HypothesisSource& propo
   else
     track(frame, propose, step);
   step.modes = modesOf(hypotheses_);
-  if (!step.modes.modes.empty()) step.modes.modes.front().pose.covariance += consider_.added();
+  if (!hypotheses_.empty())
+  {
+    consider_.follow(hypotheses_.front().state, frame);
+    step.modes.modes.front().pose.covariance += consider_.added();
+  }
   judgeStep(step);
   return step;
 }
@@ -144,7 +148,6 @@ void KalmanBank::initialize(const Frame& frame, const HypothesisSource& propose)
 
 void KalmanBank::track(const Frame& frame, const HypothesisSource& propose, KalmanStep& step)
 {
-  const KalmanState heaviest = hypotheses_.front().state;
   for (KalmanHypothesis& h : hypotheses_) h.state = predict(h.state, options_.biases, options_.motion, frame.motion);
   const Recovery recovery = decideRecovery(frame.motion.duration);
   if (recovery.due()) step.restarted = inject(recovery.prior, propose);
@@ -157,8 +160,7 @@ void KalmanBank::track(const Frame& frame, const HypothesisSource& propose, Kalm
     best = i;
     step.best = std::move(result);
   }
-  const bool same = best == 0 && !(step.restarted && options_.max_hypotheses == 1);
-  same ? consider_.update(heaviest, frame) : consider_.restart();
+  if (best != 0 || (step.restarted && options_.max_hypotheses == 1)) consider_.restart();
   rank(hypotheses_);
   merge(hypotheses_);
   prune(hypotheses_, options_.max_hypotheses, kMinWeight);

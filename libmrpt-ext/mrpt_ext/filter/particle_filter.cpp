@@ -216,21 +216,13 @@ ModeSet ParticleFilter::updateModes(const Frame& frame, double effective)
                                                           found.modes.front().pose.covariance)
                                : 0;
   modes_ = std::move(found);
-  followLastingErrors(frame);
+  std::optional<KalmanState> only;
+  if (isUnimodal()) only = momentsOf(particles_, [this](std::size_t i) { return modes_.mode_of[i] == 0; });
+  consider_.follow(std::move(only), frame);
   ModeSet stated{modes_.modes, {}};
   sampling_error_.correct(stated, effective, remainder);
   if (!stated.modes.empty()) stated.modes.front().pose.covariance += consider_.added();
   return stated;
-}
-
-void ParticleFilter::followLastingErrors(const Frame& frame)
-{
-  if (tracked_ && isUnimodal())
-    consider_.update(*tracked_, frame);
-  else
-    consider_.restart();
-  tracked_.reset();
-  if (isUnimodal()) tracked_ = momentsOf(particles_, [this](std::size_t i) { return modes_.mode_of[i] == 0; });
 }
 
 std::size_t ParticleFilter::wantedParticles() const

@@ -64,7 +64,6 @@ class ParticleFilter
   [[nodiscard]] FilterStep estimate(const Frame& frame, Recovery::Kind injected);
   /// Finds the modes. What is stated of them: corrected for sampling and for errors that last.
   [[nodiscard]] ModeSet updateModes(const Frame& frame, double effective);
-  void followLastingErrors(const Frame& frame);
   void resample(FilterStep& step, const HypothesisSources& sources);
 
   [[nodiscard]] bool isUnimodal() const { return mrpt_ext::isUnimodal(modes_, options_.verdict); }
@@ -89,6 +88,5 @@ class ParticleFilter
   Resampler resampler_;
   SamplingError sampling_error_;
   ConsiderCovariance consider_;
-  std::optional<KalmanState> tracked_;  // the only mode of the last step
 };
 }  // namespace mrpt_ext

@@ -26,10 +26,16 @@ void solveGains(LinearStep& step)
   const Eigen::Index size = step.predicted.mean.size();
   const KalmanMatrix I = KalmanMatrix::Identity(size, size);
   const KalmanMatrix& P = step.predicted.covariance;
-  KalmanMatrix information = KalmanMatrix::Zero(size, size);  // H^T R^-1 H
+  step.information = KalmanMatrix::Zero(size, size);
   for (const InnovationRow& row : step.rows)
-    information += row.row.jacobian.transpose() * row.row.jacobian / row.row.variance;
-  step.remaining = KalmanMatrix(I + P * information).partialPivLu().inverse();
+  {
+    const KalmanMatrix of_row = row.row.jacobian.transpose() * row.row.jacobian / row.row.variance;
+    step.information += of_row;
+    std::vector<KalmanMatrix>& of_sensors = step.sensor_information;
+    if (row.source.sensor >= of_sensors.size()) of_sensors.resize(row.source.sensor + 1, KalmanMatrix::Zero(size, size));
+    of_sensors[row.source.sensor] += of_row;
+  }
+  step.remaining = KalmanMatrix(I + P * step.information).partialPivLu().inverse();
   step.posterior = step.remaining * P;
   for (const InnovationRow& row : step.rows)
     step.gains.push_back(step.posterior * row.row.jacobian.transpose() / row.row.variance);
@@ -52,16 +58,25 @@ ConsiderCovariance::ConsiderCovariance(MotionModel motion, BiasModel biases, con
 {
 }
 
+void ConsiderCovariance::follow(std::optional<KalmanState> now, const Frame& frame)
+{
+  if (stated_ && now)
+    update(linearise(*stated_, frame));
+  else
+    restart();
+  stated_ = std::move(now);
+}
+
 void ConsiderCovariance::restart()
 {
+  stated_.reset();
   persistent_.restart();
   systematic_.restart();
   added_.setZero();
 }
 
-void ConsiderCovariance::update(const KalmanState& before, const Frame& frame)
+void ConsiderCovariance::update(const LinearStep& step)
 {
-  const LinearStep step = linearise(before, frame);
   persistent_.update(step);
   systematic_.update(step);
   const Vector3d shift = systematic_.shift().head<3>();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,8 @@ class ConsiderCovariance
  public:
   ConsiderCovariance(MotionModel motion, BiasModel biases, const LandmarkTable& map);
 
-  /// The filter, that had stated `before`, takes this frame.
-  void update(const KalmanState& before, const Frame& frame);
+  /// The filter has taken this frame and states `now`: nothing while it has more than one mode.
+  void follow(std::optional<KalmanState> now, const Frame& frame);
   /// The estimate is another one, with an error of its own. What is known of the sensors stays.
   void restart();
 
@@ -30,6 +31,7 @@ class ConsiderCovariance
   [[nodiscard]] std::string finding(const Matrix3d& stated) const;
 
  private:
+  void update(const LinearStep& step);
   [[nodiscard]] LinearStep linearise(const KalmanState& before, const Frame& frame);
   void addRows(const Reading& reading, LinearStep& step);
   [[nodiscard]] std::size_t indexOf(const std::string& sensor);
@@ -41,6 +43,7 @@ class ConsiderCovariance
   std::vector<std::string> sensors_;
   PersistentErrors persistent_;
   SystematicErrors systematic_;
+  std::optional<KalmanState> stated_;  // after the last frame
   Matrix3d added_ = Matrix3d::Zero();
 };
 }  // namespace mrpt_ext

@@ -45,9 +45,11 @@ struct LinearStep
   KalmanState before, predicted;    ///< before and after the motion
   KalmanMatrix motion_jacobian;     ///< F
   Matrix3d increment_noise;         ///< covariance of the errors that odometry makes in world and in robot axes
+  KalmanMatrix information;         ///< H^T R^-1 H
   KalmanMatrix remaining;           ///< I - K H
   KalmanMatrix posterior;           ///< covariance after the measurement
   std::vector<InnovationRow> rows;  ///< outliers left out
   std::vector<KalmanVector> gains;  ///< columns of K
+  std::vector<KalmanMatrix> sensor_information;  ///< the part of every sensor, up to the last that measured
 };
 }  // namespace mrpt_ext

@@ -7,17 +7,6 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kVelocityMemory = 0.2;  // [s] over which the velocity is averaged
-
-/// H^T R^-1 H of the rows that `belongs` accepts.
-template <typename Belongs>
-KalmanMatrix informationOf(const LinearStep& step, Belongs belongs)
-{
-  const Eigen::Index size = step.predicted.mean.size();
-  KalmanMatrix information = KalmanMatrix::Zero(size, size);
-  for (const InnovationRow& row : step.rows)
-    if (belongs(row)) information += row.row.jacobian.transpose() * row.row.jacobian / row.row.variance;
-  return information;
-}
 }  // namespace
 
 Matrix3d VelocityNoise::toWorld(const LinearStep& step)
@@ -54,11 +43,9 @@ double VelocityNoise::expectedProduct(const LinearStep& step, std::size_t sensor
 {
   // The derivatives err by -(H_s velocity error + H response error), the innovations are -H error; weighted with the
   // inverse of their covariance.
-  const KalmanMatrix all = informationOf(step, [](const InnovationRow&) { return true; });
-  const KalmanMatrix own = informationOf(step, [&](const InnovationRow& row) { return row.source.sensor == sensor; });
-  const KalmanMatrix remaining = KalmanMatrix::Identity(size_, size_) - step.posterior * all;
-  const KalmanMatrix of_velocity = own * remaining * withError(step);
-  const KalmanMatrix of_response = all * remaining * with_response_[sensor];
+  const KalmanMatrix remaining = KalmanMatrix::Identity(size_, size_) - step.posterior * step.information;
+  const KalmanMatrix of_velocity = step.sensor_information[sensor] * remaining * withError(step);
+  const KalmanMatrix of_response = step.information * remaining * with_response_[sensor];
   return of_velocity.trace() + of_response.trace();
 }
 
@@ -68,9 +55,11 @@ void VelocityNoise::correct(const LinearStep& step)
   const KalmanMatrix with_error = withError(step);
   for (std::size_t sensor = 0; sensor < with_response_.size(); ++sensor)
   {
-    const KalmanMatrix own = informationOf(step, [&](const InnovationRow& row) { return row.source.sensor == sensor; });
     KalmanMatrix& covariance = with_response_[sensor];
-    covariance = (A * covariance * A.transpose() - A * with_error * (step.posterior * own).transpose()).eval();
+    covariance = (A * covariance * A.transpose()).eval();
+    if (sensor >= step.sensor_information.size()) continue;
+    const KalmanMatrix gain = step.posterior * step.sensor_information[sensor];
+    covariance -= A * with_error * gain.transpose();
   }
   with_error_ = (A * with_error_).eval();
   if (!(step.motion.duration > 0)) return;
