@@ -6,6 +6,7 @@
 
 #include "mrpt_ext/evaluation/run_merge.h"
 #include "mrpt_ext/evaluation/run_scoring.h"
+#include "summary_schema.h"
 #include "synthetic_run.h"
 
 namespace mrpt_ext
@@ -15,75 +16,23 @@ using Json = nlohmann::ordered_json;
 
 namespace
 {
-std::vector<std::string> keysOf(const Json& object)
-{
-  std::vector<std::string> keys;
-  for (const auto& [key, value] : object.items()) keys.push_back(key);
-  return keys;
-}
-
 Json summaryOf(const RunContext& context, const RunRecord& record)
 {
   return Json::parse(summaryJson(context, scoreRun(context, record, {})));
 }
 
-using Keys = std::vector<std::string>;
-const Keys kStatistics{"rmse", "mean", "median", "std", "min", "max", "p95"};
+const SummaryKeys kStatistics{"rmse", "mean", "median", "std", "min", "max", "p95"};
 }  // namespace
 
 TEST(SummaryJson, HasEveryKeyOfTheContractInItsOrder)
 {
   const RunContext context = syntheticContext();
   const Json json = summaryOf(context, syntheticRecord(context));
-  EXPECT_EQ(keysOf(json), (Keys{"schema",
-                                "version",
-                                "config",
-                                "seed",
-                                "trials",
-                                "success_rate",
-                                "trials_detail",
-                                "rawlog",
-                                "inputs",
-                                "observations",
-                                "methods",
-                                "judged_method",
-                                "position_error_m_with_detections",
-                                "time_per_step_ms",
-                                "filter",
-                                "landmarks",
-                                "limit",
-                                "verdict",
-                                "verdict_reason",
-                                "hints",
-                                "calibration",
-                                "verdict_shares",
-                                "verdict_spells",
-                                "cost"}));
-  EXPECT_EQ(keysOf(json["verdict_shares"]), (Keys{"ok", "ambiguous", "lost"}));
-  EXPECT_EQ(keysOf(json["verdict_spells"][0]), (Keys{"from_s", "to_s", "verdict", "reason"}));
-  EXPECT_EQ(keysOf(json["trials_detail"][0]), (Keys{"trial", "seed", "success", "verdict", "rmse", "converged_at_s"}));
-  EXPECT_EQ(keysOf(json["rawlog"]), (Keys{"path", "sha256", "entries", "duration_s"}));
-  EXPECT_EQ(keysOf(json["inputs"]), (Keys{"log", "map", "truth", "config"}));
-  EXPECT_EQ(keysOf(json["observations"]["CObservationImage"]), (Keys{"total", "used", "ignored"}));
-  for (const auto& [name, method] : json["methods"].items())
-  {
-    EXPECT_EQ(keysOf(method),
-              (Keys{"estimates", "availability", "position_error_m", "heading_error_deg", "position_error_whole_run_m",
-                    "position_error_m_with_detections", "position_error_m_blind", "time_per_step_ms"}))
-        << name;
-    for (const char* error : {"position_error_m", "heading_error_deg", "position_error_whole_run_m"})
-      EXPECT_EQ(keysOf(method[error]), kStatistics) << name;
-    EXPECT_EQ(keysOf(method["time_per_step_ms"]), (Keys{"median", "p95", "p99", "max"})) << name;
-  }
-  EXPECT_EQ(keysOf(json["filter"]), (Keys{"particles", "nees", "coverage_95", "effective_sample_ratio_min",
-                                          "converged_at_s", "lost_steps", "reseeds", "modes_at_end"}));
-  EXPECT_EQ(keysOf(json["filter"]["particles"]), (Keys{"min", "median", "max"}));
-  EXPECT_EQ(keysOf(json["filter"]["nees"]), (Keys{"mean", "band_low", "band_high"}));
-  EXPECT_EQ(keysOf(json["filter"]["modes_at_end"][0]), (Keys{"x", "y", "phi_deg", "weight"}));
-  EXPECT_EQ(keysOf(json["landmarks"]["3"]),
-            (Keys{"seen", "associated", "inlier_rate", "residual_mean", "residual_std"}));
-  EXPECT_EQ(keysOf(json["limit"]), (Keys{"pcrlb_position_rmse_m", "pcrlb_heading_rmse_deg"}));
-  EXPECT_EQ(keysOf(json["cost"]), (Keys{"cpu_s", "wall_s", "peak_memory_mb", "realtime_factor"}));
+  expectSchema1(json);
+  EXPECT_EQ(json["verdict_spells"].size(), 4u);
+  EXPECT_EQ(json["landmarks"].count("3"), 1u);
+  EXPECT_EQ(json["observations"].count("CObservationImage"), 1u);
+  EXPECT_FALSE(json["filter"]["modes_at_end"].empty());
 }
 
 TEST(SummaryJson, HoldsTheNumbers)
