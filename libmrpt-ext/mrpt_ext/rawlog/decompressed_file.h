@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "mrpt_ext/rawlog/decompressor.h"
+#include "mrpt_ext/files/decompressor.h"
 #include "mrpt_ext/rawlog/sha256.h"
 
 namespace mrpt_ext

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "mrpt_ext/files/decompressor.h"
 #include "mrpt_ext/files/staged_file.h"
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/geometry/input_error.h"
@@ -36,7 +37,10 @@ std::string startOf(const fs::path& path)
   return bytes;
 }
 
-bool isZstd(std::string_view start) { return start.starts_with("\x28\xb5\x2f\xfd"); }
+bool isZstd(std::string_view start)
+{
+  return compressionOf({reinterpret_cast<const unsigned char*>(start.data()), start.size()}) == Compression::zstd;
+}
 
 /// All bag files of a folder without metadata, by name.
 BagFiles filesWithoutMetadata(const fs::path& folder)

@@ -1,13 +1,14 @@
 #include "mrpt_ext/importers/rosbag2/block_decompression.h"
 
 #include <lz4frame.h>
-#include <zstd.h>
 
 #include <fstream>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
+#include "mrpt_ext/files/decompressor.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/importers/rosbag2/byte_reader.h"
 
@@ -19,31 +20,23 @@ constexpr std::size_t kPiece = 1 << 17;  // [bytes]
 
 using PieceSink = std::function<void(std::string_view)>;
 
-class ZstdStream
+/// Passes on what comes out of the next `bytes`.
+void decompress(Decompressor& stream, std::string_view bytes, const PieceSink& sink)
 {
- public:
-  /// Passes on what comes out of `bytes`.
-  void decompress(std::string_view bytes, const PieceSink& sink)
+  std::span in(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
+  std::vector<unsigned char> piece(kPiece);
+  for (std::size_t count = piece.size(); !in.empty() || count == piece.size();)
   {
-    ZSTD_inBuffer input{bytes.data(), bytes.size(), 0};
-    bool full = false;
-    while (input.pos < input.size || full)
-    {
-      ZSTD_outBuffer output{piece_.data(), piece_.size(), 0};
-      missing_ = ZSTD_decompressStream(stream_.get(), &output, &input);
-      if (ZSTD_isError(missing_))
-        throw DamagedBytes(std::string("damaged zstd data (") + ZSTD_getErrorName(missing_) + ")");
-      sink({piece_.data(), output.pos});
-      full = output.pos == output.size;
-    }
+    count = stream.decompress(in, piece);
+    if (!stream.damage().empty()) throw DamagedBytes(stream.damage());
+    sink({reinterpret_cast<const char*>(piece.data()), count});
   }
-  [[nodiscard]] bool complete() const { return missing_ == 0; }
+}
 
- private:
-  std::unique_ptr<ZSTD_DStream, decltype(&ZSTD_freeDStream)> stream_{ZSTD_createDStream(), &ZSTD_freeDStream};
-  std::vector<char> piece_ = std::vector<char>(kPiece);
-  std::size_t missing_ = 1;
-};
+void expectComplete(const Decompressor& stream)
+{
+  if (!stream.complete()) throw DamagedBytes("the compressed data is cut off");
+}
 
 void decompressLz4(std::string_view block, const PieceSink& sink)
 {
@@ -58,13 +51,14 @@ void decompressLz4(std::string_view block, const PieceSink& sink)
   {
     std::size_t in = block.size(), out = piece.size();
     missing = LZ4F_decompress(context.get(), piece.data(), &out, block.data(), &in, nullptr);
-    if (LZ4F_isError(missing)) throw DamagedBytes(std::string("damaged lz4 data (") + LZ4F_getErrorName(missing) + ")");
+    if (LZ4F_isError(missing))
+      throw DamagedBytes(std::string("the compressed data is damaged (") + LZ4F_getErrorName(missing) + ")");
     sink({piece.data(), out});
     block.remove_prefix(in);
     full = out == piece.size();
     if (in == 0 && out == 0) break;
   }
-  if (missing != 0) throw DamagedBytes("the lz4 data is cut off");
+  if (missing != 0) throw DamagedBytes("the compressed data is cut off");
 }
 }  // namespace
 
@@ -83,9 +77,9 @@ std::string decompressedBlock(std::string_view block, std::string_view method, s
     decompressLz4(block, append);
   else if (method == "zstd")
   {
-    ZstdStream stream;
-    stream.decompress(block, append);
-    if (!stream.complete()) throw DamagedBytes("the zstd data is cut off");
+    const auto stream = makeDecompressor(Compression::zstd);
+    decompress(*stream, block, append);
+    expectComplete(*stream);
   }
   else
     throw DamagedBytes("compressed by '" + std::string(method) + "', expected lz4, zstd or nothing");
@@ -97,14 +91,14 @@ void decompressZstdFile(const std::filesystem::path& from, const std::filesystem
   std::ifstream in(from, std::ios::binary);
   std::ofstream out(to, std::ios::binary);
   if (!in || !out) throw dataError((in ? to : from).string() + ": cannot be opened");
-  ZstdStream stream;
+  const auto stream = makeDecompressor(Compression::zstd);
   std::vector<char> bytes(kPiece);
   try
   {
     while (in.read(bytes.data(), static_cast<std::streamsize>(bytes.size())), in.gcount() > 0)
-      stream.decompress({bytes.data(), static_cast<std::size_t>(in.gcount())}, [&](std::string_view piece)
-                        { out.write(piece.data(), static_cast<std::streamsize>(piece.size())); });
-    if (!stream.complete()) throw DamagedBytes("the zstd data is cut off");
+      decompress(*stream, {bytes.data(), static_cast<std::size_t>(in.gcount())},
+                 [&](std::string_view piece) { out.write(piece.data(), static_cast<std::streamsize>(piece.size())); });
+    expectComplete(*stream);
   }
   catch (const DamagedBytes& damage)
   {

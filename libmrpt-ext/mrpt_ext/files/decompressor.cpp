@@ -1,4 +1,4 @@
-#include "mrpt_ext/rawlog/decompressor.h"
+#include "mrpt_ext/files/decompressor.h"
 
 #include <zlib.h>
 #include <zstd.h>
