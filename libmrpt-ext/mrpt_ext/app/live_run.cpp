@@ -8,6 +8,7 @@
 
 #include "mrpt_ext/app/exit_codes.h"
 #include "mrpt_ext/app/live_messages.h"
+#include "mrpt_ext/configuration/configured_files.h"
 #include "mrpt_ext/geometry/input_error.h"
 
 namespace mrpt_ext

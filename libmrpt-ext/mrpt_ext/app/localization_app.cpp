@@ -8,6 +8,7 @@
 #include "mrpt_ext/app/live_run.h"
 #include "mrpt_ext/app/localization_run.h"
 #include "mrpt_ext/app/shell_quote.h"
+#include "mrpt_ext/configuration/configured_files.h"
 #include "mrpt_ext/configuration/default_configuration.h"
 #include "mrpt_ext/configuration/localization_keys.h"
 #include "mrpt_ext/geometry/input_error.h"
@@ -129,7 +130,7 @@ Settings settingsOf(const LocalizationOptions& options, const AppShell& shell)
   };
   replace(options.rawlog, kExperimentSection, "rawlog_file", "RAWLOG");
   replace(options.truth, kExperimentSection, "ground_truth_path_file", "--ground-truth");
-  replace(options.map, "MetricMap_landmarkMap2D_00_creationOpts", "landmarks_file", "--map");
+  replace(options.map, kMapSection, "landmarks_file", "--map");
   if (const auto seed = shell.options().seed)
     settings.set(kExperimentSection, "random_seed", std::to_string(*seed), "--seed " + std::to_string(*seed));
   return settings;

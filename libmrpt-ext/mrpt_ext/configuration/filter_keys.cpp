@@ -1,5 +1,7 @@
 #include "mrpt_ext/configuration/filter_keys.h"
 
+#include "mrpt_ext/configuration/configured_files.h"
+
 #include "mrpt_ext/configuration/localization_choices.h"
 #include "mrpt_ext/configuration/localization_config.h"
 #include "mrpt_ext/settings/key_section.h"
@@ -61,7 +63,7 @@ KeyTable mrptKeys()
                    .integer("KLD_maxSampleSize", "", kld.max_size, ranges::kCount, "Maximum number of particles."));
   table.append(KeySection("MetricMap")
                    .integer("landmarkMap2D_count", "", kLandmarkMaps, {1, 1}, "Number of landmark maps: one."));
-  return table.append(KeySection("MetricMap_landmarkMap2D_00_creationOpts")
+  return table.append(KeySection(kMapSection)
                           .path("landmarks_file",
                                 "Map: CSV id,x,y,z,category[,std_x,std_y], a WPILib field layout (.json) or tags.yaml. "
                                 "--map replaces it.")

@@ -4,10 +4,10 @@
 #include <memory>
 #include <set>
 
+#include "mrpt_ext/configuration/configured_files.h"
 #include "mrpt_ext/evaluation/scoring.h"
 #include "mrpt_ext/experiment/log_adaptation.h"
 #include "mrpt_ext/experiment/method_factory.h"
-#include "mrpt_ext/files/landmark_map_file.h"
 #include "mrpt_ext/files/mrpt_index_truth.h"
 #include "mrpt_ext/files/number_format.h"
 #include "mrpt_ext/files/tum.h"
@@ -20,25 +20,7 @@ namespace mrpt_ext
 {
 namespace
 {
-const std::string kMapSection = "MetricMap_landmarkMap2D_00_creationOpts";
 constexpr double kSparseGap = 0.5;  // [s] truth that is mostly further apart cannot be interpolated
-
-std::filesystem::path requiredPath(const Settings& settings, const std::string& section, const std::string& key,
-                                   const std::string& option)
-{
-  if (settings.hasValue(section, key)) return settings.existingPath(section, key);
-  throw configurationError(settings.file().string() + ": [" + section + "] " + key + " is not set, set it or give " +
-                           option);
-}
-
-LandmarkTable loadMap(const Settings& settings)
-{
-  const auto path = requiredPath(settings, kMapSection, "landmarks_file", "--map FILE");
-  const auto most = static_cast<std::size_t>(settings.integer(kExperimentSection, "max_landmarks"));
-  LandmarkTable map = readLandmarkMapFile(path, {most, "[" + kExperimentSection + "] max_landmarks"});
-  if (map.empty()) throw configurationError(path.string() + ": holds no landmark, at least one is needed");
-  return map;
-}
 
 /// Tells the sensors from whose laser scans something is extracted. `sensors` must outlive what is returned.
 std::function<bool(const std::string&)> usedScans(const SensorConfigs& sensors)
@@ -202,7 +184,7 @@ void checkAnythingToScore(const LocalizationInput& input)
 LocalizationInput loadLocalization(const Settings& settings, const LogWindow& window)
 {
   LocalizationInput input;
-  input.context.map = loadMap(settings);
+  input.context.map = configuredMap(settings);
   input.config = localizationConfig(settings, input.context.map);
   input.log.path = requiredPath(settings, kExperimentSection, "rawlog_file", "RAWLOG");
   input.log.window = window;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mrpt_ext/configuration/configured_files.h"
 #include "mrpt_ext/configuration/localization_keys.h"
 #include "mrpt_ext/correspondence/global_pose_search.h"
 #include "mrpt_ext/files/landmark_map_file.h"
@@ -15,7 +16,6 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kLongestFix = 60;  // [s] between the two ranges of a running fix, to notice ranges logged twice
-const std::string kMapSection = "MetricMap_landmarkMap2D_00_creationOpts";
 
 /// By odometry, with its noise.
 GaussianPose moved(const GaussianPose& pose, const OdometryPath& odometry, double from, double to,
@@ -25,13 +25,6 @@ GaussianPose moved(const GaussianPose& pose, const OdometryPath& odometry, doubl
   return compound(pose, nominalMotion(model, motion).increment, incrementCovariance(model, motion));
 }
 }  // namespace
-
-LandmarkTable configuredMap(const Settings& settings)
-{
-  if (settings.hasValue(kMapSection, "landmarks_file"))
-    return readLandmarkMapFile(settings.existingPath(kMapSection, "landmarks_file"));
-  throw configurationError(settings.file().string() + ": [" + kMapSection + "] landmarks_file is not set");
-}
 
 OnlineOptions onlineOptions(const LocalizationConfig& config)
 {

@@ -26,8 +26,6 @@ struct OnlineOptions
   double odometry_wait = 1;      ///< [s] that an estimate waits for odometry which reaches its time
 };
 
-/// The map that a configuration names. Throws InputError.
-[[nodiscard]] LandmarkTable configuredMap(const Settings& settings);
 /// The options of a configured app; methods, evaluation and files play no part.
 [[nodiscard]] OnlineOptions onlineOptions(const LocalizationConfig& config);
 
