@@ -19,6 +19,12 @@ void bindSolvers(pybind11::module_& module);
 /// (x, y, phi) [m, m, rad] as numpy has it.
 [[nodiscard]] inline Vector3d arrayOf(const Pose2& pose) { return {pose.x, pose.y, pose.phi}; }
 [[nodiscard]] inline Pose2 poseOf(const Vector3d& array) { return {array.x(), array.y(), wrap(array.z())}; }
+/// Adds "pose" and "covariance".
+inline void addPose(pybind11::dict& to, const GaussianPose& pose)
+{
+  to["pose"] = arrayOf(pose.mean);
+  to["covariance"] = pose.covariance;
+}
 
 /// Values of n measurements with their standard deviations, one for all or one each. Throws std::invalid_argument (in
 /// Python ValueError) where the lengths differ.

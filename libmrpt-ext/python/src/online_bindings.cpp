@@ -53,8 +53,7 @@ py::dict dictOf(const PoseEstimate& estimate)
 {
   py::dict result;
   result["t"] = estimate.time;
-  result["pose"] = arrayOf(estimate.pose.mean);
-  result["covariance"] = estimate.pose.covariance;
+  addPose(result, estimate.pose);
   result["heading_known"] = estimate.heading_known;
   result["verdict"] = std::string(toString(estimate.verdict));
   return result;
@@ -72,8 +71,7 @@ py::dict dictOf(const OnlineEstimate& estimate)
   {
     py::dict one;
     one["weight"] = mode.weight;
-    one["pose"] = arrayOf(mode.pose.mean);
-    one["covariance"] = mode.pose.covariance;
+    addPose(one, mode.pose);
     modes.append(one);
   }
   result["modes"] = modes;

@@ -50,8 +50,7 @@ py::dict find(const PoseSearch& where, const Eigen::VectorXd& bearings, const py
   for (const ConsistentPose& pose : found.poses)
   {
     py::dict one;
-    one["pose"] = arrayOf(pose.pose.mean);
-    one["covariance"] = pose.pose.covariance;
+    addPose(one, pose.pose);
     one["probability"] = pose.probability;
     one["assignment"] = pose.assignment;
     poses.append(one);

@@ -43,8 +43,7 @@ py::dict bearingPoseMl(const Eigen::MatrixX2d& landmarks, const Eigen::VectorXd&
   py::dict result = answer(pose.status);
   result["chi2"] = pose.chi2;
   if (pose.status != SolveStatus::ok) return result;
-  result["pose"] = arrayOf(pose.pose.mean);
-  result["covariance"] = pose.pose.covariance;
+  addPose(result, pose.pose);
   return result;
 }
 
@@ -120,8 +119,7 @@ py::dict solvePose(const Eigen::MatrixX2d& bearing_landmarks, const Eigen::Vecto
   for (const PoseCandidate& candidate : pose.candidates)
   {
     py::dict one;
-    one["pose"] = arrayOf(candidate.pose.mean);
-    one["covariance"] = candidate.pose.covariance;
+    addPose(one, candidate.pose);
     one["heading_known"] = candidate.heading_known;
     one["probability"] = candidate.probability;
     candidates.append(one);
