@@ -43,7 +43,8 @@ const std::map<std::string, Names> kAllowed{
      {"geometry", "files", "solvers", "correspondence", "likelihood", "hypotheses", "filter", "relocalization",
       "localizers", "evaluation", "observations", "maps", "settings", "frames", "configuration", "rawlog", "scene"}},
     {"diagnosis",
-     {"geometry", "files", "solvers", "settings", "configuration", "experiment", "calibration", "evaluation"}},
+     {"geometry", "files", "solvers", "hypotheses", "settings", "configuration", "experiment", "calibration",
+      "evaluation"}},
     {"apps", {"app", "app_datasets", "app_images", "app_simulator", "maps"}}};
 
 /// The same between the sub-folders of a room, whose top folder is "": folder -> folders it may include.

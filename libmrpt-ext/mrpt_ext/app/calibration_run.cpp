@@ -63,8 +63,6 @@ int runCalibration(Settings settings, const CalibrationRequest& request, std::os
   }
   std::vector<CalibrationFinding> findings = calibrationFindings(errors, data.sensors, input.config);
   for (CalibrationFinding& finding : noiseFindings(errors, data, input.config)) findings.push_back(std::move(finding));
-  for (CalibrationFinding& finding : odometryNoiseFindings(errors, data, input.config))
-    findings.push_back(std::move(finding));
   const std::vector<IniAssignment> lines = linesToSet(findings);
   if (request.quiet)
   {

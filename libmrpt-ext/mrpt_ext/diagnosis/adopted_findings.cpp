@@ -36,9 +36,7 @@ std::vector<CalibrationFinding> adoptedFindings(const CalibrationChoice& choice,
   std::vector<CalibrationFinding> adopted;
   for (const CalibrationFinding& finding : calibrationFindings(errors, data.sensors, config))
     if (finding.why_not_observable.empty()) adopted.push_back(finding);
-  std::vector<CalibrationFinding> noise = noiseFindings(errors, data, config);
-  for (CalibrationFinding& finding : odometryNoiseFindings(errors, data, config)) noise.push_back(std::move(finding));
-  for (CalibrationFinding& finding : noise)
+  for (CalibrationFinding& finding : noiseFindings(errors, data, config))
   {
     if (!(finding.estimate > 0) || !isChosen(finding.line, choice.noise, data.sensors)) continue;
     finding.decimals = decimalsFor(finding.estimate, finding.decimals);

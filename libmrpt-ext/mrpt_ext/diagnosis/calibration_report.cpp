@@ -219,29 +219,9 @@ bool isOfRanges(const ParameterEstimate& error)
   return error.unknown.parameter == CalibrationParameter::range_offset ||
          error.unknown.parameter == CalibrationParameter::range_scale;
 }
-}  // namespace
 
-std::vector<CalibrationFinding> calibrationFindings(const CalibrationResult& errors,
-                                                    const std::vector<std::string>& sensors,
-                                                    const LocalizationConfig& config)
-{
-  const Translator translator(errors, sensors, config);
-  std::vector<CalibrationFinding> findings;
-  for (const ParameterEstimate& error : errors.errors) findings.push_back(translator.finding(error));
-  for (std::size_t k = 0; k < findings.size(); ++k)
-  {
-    const ParameterEstimate& error = errors.errors[k];
-    bool set = differs(findings[k]);
-    for (std::size_t j = 0; j < findings.size() && isOfRanges(error); ++j)
-      set = set || (isOfRanges(errors.errors[j]) && errors.errors[j].unknown.sensor == error.unknown.sensor &&
-                    differs(findings[j]));
-    settleLine(findings[k], set);
-  }
-  return findings;
-}
-
-std::vector<CalibrationFinding> noiseFindings(const CalibrationResult& errors, const CalibrationData& data,
-                                              const LocalizationConfig& config)
+std::vector<CalibrationFinding> measurementNoiseFindings(const CalibrationResult& errors, const CalibrationData& data,
+                                                         const LocalizationConfig& config)
 {
   ResidualsBySensor by_sensor;
   for (std::size_t i = 0; i < errors.misfits.size(); ++i)
@@ -300,6 +280,35 @@ std::vector<CalibrationFinding> odometryNoiseFindings(const CalibrationResult& e
   add("std_xy_per_m", now.std_xy_per_m, "m");
   add("std_phi_deg_per_deg", now.std_phi_per_deg, "deg");
   add("std_phi_deg_per_m", radToDeg(now.std_phi_per_m), "deg");
+  return findings;
+}
+}  // namespace
+
+std::vector<CalibrationFinding> calibrationFindings(const CalibrationResult& errors,
+                                                    const std::vector<std::string>& sensors,
+                                                    const LocalizationConfig& config)
+{
+  const Translator translator(errors, sensors, config);
+  std::vector<CalibrationFinding> findings;
+  for (const ParameterEstimate& error : errors.errors) findings.push_back(translator.finding(error));
+  for (std::size_t k = 0; k < findings.size(); ++k)
+  {
+    const ParameterEstimate& error = errors.errors[k];
+    bool set = differs(findings[k]);
+    for (std::size_t j = 0; j < findings.size() && isOfRanges(error); ++j)
+      set = set || (isOfRanges(errors.errors[j]) && errors.errors[j].unknown.sensor == error.unknown.sensor &&
+                    differs(findings[j]));
+    settleLine(findings[k], set);
+  }
+  return findings;
+}
+
+std::vector<CalibrationFinding> noiseFindings(const CalibrationResult& errors, const CalibrationData& data,
+                                              const LocalizationConfig& config)
+{
+  std::vector<CalibrationFinding> findings = measurementNoiseFindings(errors, data, config);
+  for (CalibrationFinding& finding : odometryNoiseFindings(errors, data, config))
+    findings.push_back(std::move(finding));
   return findings;
 }
 

@@ -34,17 +34,11 @@ struct CalibrationFinding
                                                                   const std::vector<std::string>& sensors,
                                                                   const LocalizationConfig& config);
 
-/// Measurement noise, and the share of outliers by sensor, counting the detections that no landmark is near; they
-/// differ where the configuration states less.
+/// Noise where it differs when the configuration states less: of the measurements; the share of outliers by sensor,
+/// counting the detections that no landmark is near; of odometry, that of the configuration times the scatter found.
 [[nodiscard]] std::vector<CalibrationFinding> noiseFindings(const CalibrationResult& errors,
                                                             const CalibrationData& data,
                                                             const LocalizationConfig& config);
-
-/// Noise of odometry: that of the configuration times the scatter found; it differs where the configuration states
-/// less. Empty without odometry.
-[[nodiscard]] std::vector<CalibrationFinding> odometryNoiseFindings(const CalibrationResult& errors,
-                                                                    const CalibrationData& data,
-                                                                    const LocalizationConfig& config);
 
 /// Shares of outliers by landmark, one line each.
 [[nodiscard]] std::vector<std::string> landmarkLines(const CalibrationResult& errors, const CalibrationData& data,

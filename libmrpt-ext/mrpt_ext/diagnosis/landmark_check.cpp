@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mrpt_ext/files/number_format.h"
+#include "mrpt_ext/hypotheses/landmark_measurement.h"
 #include "mrpt_ext/solvers/pose_from_landmarks.h"
 
 namespace mrpt_ext
@@ -16,29 +17,9 @@ constexpr double kMost = 0.5;         // share of the frames that counts as "the
 
 std::vector<PoseMeasurement> measurementsOf(const Frame& frame, const LandmarkTable& map)
 {
-  std::vector<PoseMeasurement> measurements;
-  for (const Reading& reading : frame.readings)
-    for (const Detection& detection : reading.detections)
-    {
-      const auto number = detection.id == kNoId ? std::nullopt : map.indexOf(detection.id);
-      if (!number || measurements.size() >= kMostMeasurements) continue;
-      PoseMeasurement m{.landmark = map[*number].position.head<2>(), .T_robot_sensor = reading.T_robot_sensor};
-      if (detection.bearing)
-      {
-        m.kind = PoseMeasurement::Kind::bearing;
-        m.value = *detection.bearing;
-        m.std = kTolerance * detection.std_bearing;
-        measurements.push_back(m);
-      }
-      const double height = reading.horizontal_range ? 0 : map[*number].position.z() - reading.sensor_height;
-      if (detection.range && *detection.range > std::abs(height))
-      {
-        m.kind = PoseMeasurement::Kind::range;
-        m.value = std::sqrt(square(*detection.range) - square(height));
-        m.std = kTolerance * detection.std_range;
-        measurements.push_back(m);
-      }
-    }
+  std::vector<PoseMeasurement> measurements = poseMeasurements(identifiedMeasurements(frame.readings, map));
+  if (measurements.size() > kMostMeasurements) measurements.resize(kMostMeasurements);
+  for (PoseMeasurement& m : measurements) m.std *= kTolerance;
   return measurements;
 }
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "mrpt_ext/diagnosis/frame_window_check.h"
 #include "mrpt_ext/diagnosis/innovation_observer.h"
-#include "mrpt_ext/diagnosis/joined_readings_check.h"
 #include "mrpt_ext/diagnosis/landmark_check.h"
 
 namespace mrpt_ext
@@ -28,7 +28,7 @@ class SelfDiagnosis
  private:
   const LocalizationInput& input_;
   InnovationObserver innovations_;
-  JoinedReadingsCheck joined_;
+  FrameWindowCheck joined_;
   LandmarkCheck landmarks_;
 };
 }  // namespace mrpt_ext

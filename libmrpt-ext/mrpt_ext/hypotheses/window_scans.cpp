@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "mrpt_ext/correspondence/local_map/local_map.h"
-#include "mrpt_ext/hypotheses/joined_readings.h"
+#include "mrpt_ext/hypotheses/informative_readings.h"
 #include "mrpt_ext/hypotheses/scans.h"
 #include "mrpt_ext/hypotheses/window_readings.h"
 

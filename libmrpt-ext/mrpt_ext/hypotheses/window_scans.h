@@ -16,8 +16,8 @@ namespace mrpt_ext
                                               const LandmarkIndex& index);
 
 /// The anonymous detections of a window, merged into a local map (local_map.h): the first scan holds its points, the
-/// others the detections left over. Of long windows some readings are taken (joined_readings.h). Readings of a single
-/// frame give the same as scansOf().
+/// others the detections left over. Of long windows some readings are taken (informative_readings.h). Readings of a
+/// single frame give the same as scansOf().
 [[nodiscard]] std::vector<Scan> windowScans(std::span<const Reading> oldest_first, const LandmarkTable& map,
                                             const LandmarkIndex& index, WorkBudget& budget);
 }  // namespace mrpt_ext

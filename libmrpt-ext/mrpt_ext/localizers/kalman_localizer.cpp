@@ -2,7 +2,7 @@
 
 #include "mrpt_ext/geometry/bounded_frame.h"
 #include "mrpt_ext/hypotheses/bias_inflation.h"
-#include "mrpt_ext/hypotheses/joined_readings.h"
+#include "mrpt_ext/hypotheses/informative_readings.h"
 #include "mrpt_ext/hypotheses/window_readings.h"
 #include "mrpt_ext/localizers/filter_localizer.h"
 #include "mrpt_ext/relocalization/measurement_window.h"

@@ -1,4 +1,4 @@
-#include "mrpt_ext/diagnosis/joined_readings_check.h"
+#include "mrpt_ext/diagnosis/frame_window_check.h"
 
 #include <algorithm>
 #include <set>
@@ -22,7 +22,7 @@ bool isRepeated(const Reading& first, const Reading& second)
 }
 }  // namespace
 
-void JoinedReadingsCheck::add(const Frame& frame)
+void FrameWindowCheck::add(const Frame& frame)
 {
   std::map<std::string, const Reading*> last;
   std::set<std::string> joined;
@@ -43,7 +43,7 @@ void JoinedReadingsCheck::add(const Frame& frame)
   for (const std::string& sensor : joined) ++sensors_[sensor].joined;
 }
 
-std::vector<std::string> JoinedReadingsCheck::hints() const
+std::vector<std::string> FrameWindowCheck::hints() const
 {
   std::vector<std::string> hints;
   for (const auto& [sensor, count] : sensors_)

@@ -1,4 +1,4 @@
-#include "mrpt_ext/diagnosis/joined_readings_check.h"
+#include "mrpt_ext/diagnosis/frame_window_check.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ Reading readingAt(double time, const std::string& sensor, const std::vector<int>
 
 std::vector<std::string> hintsOf(const std::vector<Reading>& readings)
 {
-  JoinedReadingsCheck check;
+  FrameWindowCheck check;
   Frame frame;
   frame.readings = readings;
   for (int k = 0; k < 10; ++k) check.add(frame);
@@ -25,7 +25,7 @@ std::vector<std::string> hintsOf(const std::vector<Reading>& readings)
 }
 }  // namespace
 
-TEST(JoinedReadingsCheck, TwoPicturesOfOneCameraAreToldWithTheCommand)
+TEST(FrameWindowCheck, TwoPicturesOfOneCameraAreToldWithTheCommand)
 {
   const auto hints = hintsOf({readingAt(1, "camera", {1, 2}), readingAt(1.033, "camera", {2, 3})});
   ASSERT_EQ(hints.size(), 1u);
@@ -33,14 +33,14 @@ TEST(JoinedReadingsCheck, TwoPicturesOfOneCameraAreToldWithTheCommand)
   EXPECT_NE(hints[0].find("frame_window_s=0.016"), std::string::npos) << hints[0];
 }
 
-TEST(JoinedReadingsCheck, ARadioThatAsksOneAnchorAfterTheOtherIsFine)
+TEST(FrameWindowCheck, ARadioThatAsksOneAnchorAfterTheOtherIsFine)
 {
   EXPECT_TRUE(hintsOf({readingAt(1, "radio", {1}), readingAt(1.01, "radio", {2})}).empty());
   EXPECT_TRUE(hintsOf({readingAt(1, "left", {1, 2}), readingAt(1.03, "right", {1, 2})}).empty());
   EXPECT_TRUE(hintsOf({readingAt(1, "scan", {kNoId}), readingAt(1.03, "scan", {kNoId})}).empty());
 }
 
-TEST(JoinedReadingsCheck, TwoScansWithoutIdsAreTold)
+TEST(FrameWindowCheck, TwoScansWithoutIdsAreTold)
 {
   EXPECT_EQ(hintsOf({readingAt(1, "scan", {kNoId, kNoId}), readingAt(1.03, "scan", {kNoId, kNoId})}).size(), 1u);
 }

@@ -1,4 +1,4 @@
-#include "mrpt_ext/hypotheses/joined_readings.h"
+#include "mrpt_ext/hypotheses/informative_readings.h"
 
 #include <algorithm>
 #include <map>

@@ -9,7 +9,7 @@
 namespace mrpt_ext
 {
 /// Finds frames that join two readings of one sensor, because it measures faster than `frame_window_s`.
-class JoinedReadingsCheck
+class FrameWindowCheck
 {
  public:
   void add(const Frame& frame);
