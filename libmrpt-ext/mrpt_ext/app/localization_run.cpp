@@ -31,6 +31,7 @@
 #include "mrpt_ext/report/calibration_text.h"
 #include "mrpt_ext/report/comparison_table.h"
 #include "mrpt_ext/report/html_tables.h"
+#include "mrpt_ext/report/number_text.h"
 #include "mrpt_ext/report/run_writer.h"
 #include "mrpt_ext/report/summary_reader.h"
 #include "mrpt_ext/scene/live_view.h"
@@ -260,16 +261,20 @@ int exitCode(const RunScore& score, const std::vector<RunScore>& trials, const L
   for (const RunScore& trial : trials)
     if (trial.verdict == Verdict::lost) return kExitLost;
   if (!request.fail_above) return kExitDone;
-  for (const MethodScore& method : score.methods)
-    if (score.judged_method && method.name == *score.judged_method)
-      if (const auto& rmse = method.position_error_m.rmse; rmse && *rmse <= *request.fail_above) return kExitDone;
+  const MethodScore* judged = judgedScore(score);
+  if (judged && judged->position_error_m.rmse.value_or(*request.fail_above + 1) <= *request.fail_above)
+    return kExitDone;
   err << "--fail-above: the position RMSE exceeds the limit, or there is none\n";
   return kExitLost;
 }
+
 LocalizationInput loaded(const Settings& settings, const LocalizationRequest& request)
 {
   LocalizationInput input = loadLocalization(settings, request.window);
   checkClocks(input);
+  // Threads that the trials leave over score particle blocks.
+  const int trials = request.last_trial - request.first_trial;
+  input.config.filter.threads = static_cast<unsigned>(std::max(1, request.jobs / std::min(request.jobs, trials)));
   input.context.version = version();
   input.context.built_with = builtWith();
   input.context.command_line = request.command_line;
@@ -297,9 +302,6 @@ int runLocalization(const Settings& settings, const LocalizationRequest& request
   if (!request.quiet) out << head << std::flush;
   if (request.dry_run) return kExitDone;
 
-  const int trials = request.last_trial - request.first_trial;
-  // Threads that the trials leave over score particle blocks.
-  const auto threads = static_cast<unsigned>(std::max(1, request.jobs / std::min(request.jobs, trials)));
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(request.jobs));
 
   const fs::path folder = outputFolder(settings, request);
@@ -308,9 +310,7 @@ int runLocalization(const Settings& settings, const LocalizationRequest& request
   const std::string resolved = resolvedConfiguration(settings, request.window);
   if (request.resume) expectSameSettings(folder, resolved);
   writeFileAtomically(folder / "config_resolved.ini", resolved);
-  input.config.filter.threads = threads;
   if (isAutoCalibrated(input)) adoptCalibration(input, settings, request, folder);
-  input.config.filter.threads = threads;
   input.context.settings_sha256 = sha256OfText(resolved);
   const std::uint64_t seed = input.config.seed;
   input.context.seed = seed;
@@ -328,7 +328,8 @@ int runLocalization(const Settings& settings, const LocalizationRequest& request
   const std::string tail = (input.config.frames.independent ? boundText(input) : batch.firstText()) + "\n" + table;
   writeFileAtomically(folder / "log.txt", input.context.command_line + "\n" + head + tail);
   if (batch.resumed() > 0 && !request.quiet)
-    out << "resumed  " << batch.resumed() << " of " << trials << " trials were finished already\n";
+    out << "resumed  " << batch.resumed() << " of " << request.last_trial - request.first_trial
+        << " trials were finished already\n";
   if (!request.quiet) out << otherTrialsText(folder, request);
   out << (request.quiet ? table : tail) << "report   " << (folder / "report.html").string() << '\n';
   const int code = exitCode(merged, scores, request, batch.interrupted(), err);

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "mrpt_ext/calibration/trajectory_model.h"
+#include "mrpt_ext/geometry/log_probability.h"
 
 namespace mrpt_ext
 {
@@ -27,11 +28,6 @@ std::vector<double> longestRanges(const CalibrationProblem& problem)
   for (const CalibrationReading& r : problem.readings)
     if (r.is_range) longest[r.sensor] = std::max(longest[r.sensor], r.value);
   return longest;
-}
-
-double gaussianDensity(double residual, double variance)
-{
-  return std::exp(-0.5 * square(residual) / variance) / std::sqrt(kTwoPi * variance);
 }
 
 class PredictionFilter
@@ -97,7 +93,7 @@ class PredictionFilter
     slope << row.own, row.shared;
     const Eigen::VectorXd spread = covariance_ * slope.transpose();
     const double variance = slope.dot(spread) + square(r.is_range ? noise.range : noise.bearing);
-    const double inlier = (1 - noise.outliers) * gaussianDensity(row.residual, variance) / r.std;
+    const double inlier = (1 - noise.outliers) * std::exp(logNormal(row.residual, variance)) / r.std;
     const double density = inlier + clutter;
     const bool counts = inlier > clutter;
     inliers_ += (static_cast<double>(counts) - inliers_) / kInlierMemory;

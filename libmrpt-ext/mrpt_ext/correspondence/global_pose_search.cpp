@@ -9,15 +9,6 @@ namespace mrpt_ext
 {
 namespace
 {
-std::size_t countPoints(std::span<const Scan> scans)
-{
-  std::size_t points = 0;
-  for (const Scan& scan : scans)
-    points += static_cast<std::size_t>(std::count_if(scan.detections.begin(), scan.detections.end(),
-                                                     [](const auto& d) { return d.bearing && d.range; }));
-  return points;
-}
-
 /// Number of bearings of the scan with most of them.
 int mostBearings(std::span<const Scan> scans)
 {
@@ -40,7 +31,7 @@ PoseSearchResult GlobalPoseSearch::search(std::span<const Scan> scans, const Pos
   WorkBudget own = budget();
   PoseSearchOptions within = options;
   if (within.budget == nullptr) within.budget = &own;
-  if (countPoints(scans) >= 2)
+  if (pointCount(scans) >= 2)
   {
     PoseSearchResult found = points().search(scans, within);
     if (found.status == SolveStatus::ok) return found;

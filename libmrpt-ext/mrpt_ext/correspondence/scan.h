@@ -36,4 +36,13 @@ struct Scan
   for (const Scan& scan : scans) count += scan.detections.size();
   return count;
 }
+
+/// Number of those that have both bearing and range.
+[[nodiscard]] inline std::size_t pointCount(std::span<const Scan> scans)
+{
+  std::size_t count = 0;
+  for (const Scan& scan : scans)
+    for (const AnonymousDetection& detection : scan.detections) count += detection.bearing && detection.range ? 1 : 0;
+  return count;
+}
 }  // namespace mrpt_ext

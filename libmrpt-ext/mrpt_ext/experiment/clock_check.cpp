@@ -46,13 +46,8 @@ double common(const TimeSpan& of, const TimeSpan& other)
 
 std::optional<TimeSpan> spanOfDetections(const RunContext& context)
 {
-  std::optional<TimeSpan> span;
-  for (const FrameGeometry& frame : context.geometry)
-  {
-    if (!span) span = TimeSpan{frame.time, frame.time};
-    span->to = frame.time;
-  }
-  return span;
+  if (context.geometry.empty()) return std::nullopt;
+  return TimeSpan{context.geometry.front().time, context.geometry.back().time};
 }
 
 void checkOdometry(LocalizationInput& input, const TimeSpan& detections)

@@ -137,9 +137,9 @@ TrialOutcome runTrial(const TrialInput& input, std::uint64_t seed, int trial)
     auto frame = frames.next();
     if (!frame) break;
     objects.add(frames.takeObjectFrames());
+    const std::string reason_before = methods.filter ? methods.filter->lastStep().reason : "";
     for (std::size_t m = 0; m < methods.localizers.size(); ++m)
     {
-      const std::string reason_before = methods.filter ? methods.filter->lastStep().reason : "";
       const auto before = Clock::now();
       const Estimate estimate = methods.localizers[m]->process(*frame);
       const double ms = std::chrono::duration<double, std::milli>(Clock::now() - before).count();

@@ -154,7 +154,7 @@ void FrameSynchronizer::configure(const Record& record)
 
 void FrameSynchronizer::enqueue(Record record, const std::string& sensor)
 {
-  if (timeOf(record) < now_ - kRounding)
+  if (queue_.isTooLate(timeOf(record) + kRounding))
     ++unusable_[sensor + ": later than records may arrive"];
   else
     queue_.push({.record = std::move(record)});

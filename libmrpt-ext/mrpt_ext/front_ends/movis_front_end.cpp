@@ -135,14 +135,18 @@ CalibrationNotes MovisFrontEnd::calibrate(const std::vector<FrameAtPose>& frames
     double variances = 0;
     bool is_there = false;
     for (const auto& [frame, robot] : frames)
-      if (const FrameImage* const image = frame.find(mounted.label); image && (is_there = true))
-        for (const OmniObject& object : mounted.camera.view(image->pixels).objects)
-          if (const auto pole = poles.indexOf(idOf(object.label)))
-          {
-            detections.push_back({robot, poles[*pole].position.head<2>(), bearingOf(mounted, object),
-                                  std::hypot(object.std_azimuth, kStdPlaces)});
-            variances += square(object.std_azimuth);
-          }
+    {
+      const FrameImage* const image = frame.find(mounted.label);
+      if (!image) continue;
+      is_there = true;
+      for (const OmniObject& object : mounted.camera.view(image->pixels).objects)
+        if (const auto pole = poles.indexOf(idOf(object.label)))
+        {
+          detections.push_back({robot, poles[*pole].position.head<2>(), bearingOf(mounted, object),
+                                std::hypot(object.std_azimuth, kStdPlaces)});
+          variances += square(object.std_azimuth);
+        }
+    }
     if (!is_there) continue;
     const CameraYaw yaw = calibrateCameraYaw(detections, {mounted.position.x(), mounted.position.y(), 0});
     if (yaw.status != SolveStatus::ok)

@@ -31,15 +31,6 @@ constexpr double kMostLikelyElsewhere = 1e300;
 // filter: beyond, a few bearings in a narrow field of view would move the mean out of the linear range.
 const Vector3d kInitialStd(1.0, 1.0, degToRad(20.0));
 
-std::size_t pointCount(std::span<const Scan> scans)
-{
-  std::size_t points = 0;
-  for (const Scan& scan : scans)
-    points += static_cast<std::size_t>(std::count_if(scan.detections.begin(), scan.detections.end(),
-                                                     [](const auto& d) { return d.bearing && d.range; }));
-  return points;
-}
-
 double logEvidence(const HypothesisTrack& track) { return track.log_evidence; }
 
 /// Neither mean is outside the uncertainty of the other.

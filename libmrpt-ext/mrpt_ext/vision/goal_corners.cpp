@@ -257,7 +257,7 @@ class CornerFinder
   }
 
   /// From the foot of an edge along a wall's foot, on the floor [m]; zero where the floor is not seen.
-  [[nodiscard]] Eigen::Vector2d wayAlong(const FootLine& line, double column, int side) const
+  [[nodiscard]] Eigen::Vector2d footDirection(const FootLine& line, double column, int side) const
   {
     const auto begin = camera_.floorAt({column, line.atZero()});
     const auto end = camera_.floorAt({column + side * kFootReach, line.atZero() + line.slope() * kFootReach});
@@ -283,7 +283,8 @@ class CornerFinder
     }
     if (of_colour.size() < kFootPoints || of_white.size() < kFootPoints) return false;
     if (of_white.atZero() - of_colour.atZero() > kFootStep) return false;
-    Eigen::Vector2d left = wayAlong(of_white, edge.x, -corner.side), right = wayAlong(of_colour, edge.x, corner.side);
+    Eigen::Vector2d left = footDirection(of_white, edge.x, -corner.side),
+                    right = footDirection(of_colour, edge.x, corner.side);
     if (corner.side < 0) std::swap(left, right);
     const double angle = std::atan2(left.x() * right.y() - left.y() * right.x(), left.dot(right));
     return angle > 0 && angle < degToRad(kHollow);

@@ -31,4 +31,7 @@ struct PolarImage
 
 [[nodiscard]] PolarImage unroll(const cv::Mat& grey, const AxisEllipse& rim, const PolarGrid& grid,
                                 const std::optional<MirrorAxis>& axis = std::nullopt);
+
+/// The column that `column` is across the seam of a panorama.
+[[nodiscard]] inline int wrappedColumn(int column, int columns) { return ((column % columns) + columns) % columns; }
 }  // namespace mrpt_ext

@@ -88,10 +88,9 @@ class EdgeJudge
   /// [grey levels] mean along a run.
   [[nodiscard]] double levelAt(const RadialRun& run, int column) const
   {
-    const int columns = polar_.grey.cols;
+    const int j = wrappedColumn(column, polar_.grey.cols);
     double sum = 0;
-    for (int row = run.first; row < run.end; ++row)
-      sum += polar_.grey.at<float>(row, ((column % columns) + columns) % columns);
+    for (int row = run.first; row < run.end; ++row) sum += polar_.grey.at<float>(row, j);
     return sum / (run.end - run.first);
   }
   [[nodiscard]] bool isClear(const RadialPeak& peak) const

@@ -42,7 +42,7 @@ double prominenceOf(const RunProfile& profile, int column, double peak, int reac
 std::vector<int> peakColumns(const std::vector<RadialRun>& runs, int reach)
 {
   const int columns = static_cast<int>(runs.size());
-  const auto evidence = [&](int j) { return runs[static_cast<std::size_t>((j + columns) % columns)].evidence; };
+  const auto evidence = [&](int j) { return runs[static_cast<std::size_t>(wrappedColumn(j, columns))].evidence; };
   std::vector<int> peaks;
   for (int j = 0; j < columns; ++j)
   {
@@ -68,7 +68,7 @@ RunProfile::RunProfile(const AzimuthSteps& steps, const RadialRun& run, int pola
 
 double RunProfile::operator()(int column) const
 {
-  const int columns = steps_.heights.cols, j = ((column % columns) + columns) % columns;
+  const int j = wrappedColumn(column, steps_.heights.cols);
   double sum = 0;
   for (int row = run_.first; row < run_.end; ++row)
     sum += weights_[static_cast<std::size_t>(row - run_.first)] * steps_.heights.at<float>(row, j);
