@@ -3,6 +3,8 @@
 #   install_dependencies.sh            what the build needs
 #   install_dependencies.sh --tests    ... and what the tests need
 #   install_dependencies.sh --lint     ... and the formatter and the static analyser, where there is their version 14
+#   install_dependencies.sh --packages ... and what Debian packages are made with
+#   install_dependencies.sh --list     installs nothing, prints the names
 set -euo pipefail
 
 build=(g++ cmake ninja-build libeigen3-dev zlib1g-dev libzstd-dev liblz4-dev libsqlite3-dev libjpeg-dev libtbb-dev libboost-dev libssl-dev
@@ -10,6 +12,7 @@ build=(g++ cmake ninja-build libeigen3-dev zlib1g-dev libzstd-dev liblz4-dev lib
   libmrpt-gui-dev libx11-dev libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev)
 tests=(libgtest-dev librapidcheck-dev libbenchmark-dev mrpt-apps mrpt-common xvfb xauth libxml2-utils python3 parallel
   chromium python3-dev pybind11-dev python3-numpy python3-pytest)
+packages=(dpkg-dev file help2man lintian python3-dev pybind11-dev python3-numpy)
 lint=(node-typescript)
 # Debian 13 has no version 14 of them.
 case "$(. /etc/os-release 2>/dev/null && echo "${ID:-}-${VERSION_ID:-}")" in
@@ -17,17 +20,23 @@ case "$(. /etc/os-release 2>/dev/null && echo "${ID:-}-${VERSION_ID:-}")" in
   *) lint+=(clang-format-14 clang-tidy-14) ;;
 esac
 
-wanted=("${build[@]}")
+wanted=("${build[@]}") list=
 for option in "$@"; do
   case "$option" in
     --tests) wanted+=("${tests[@]}") ;;
     --lint) wanted+=("${lint[@]}") ;;
+    --packages) wanted+=("${packages[@]}") ;;
+    --list) list=1 ;;
     *)
-      echo "install_dependencies.sh: unknown option '$option', expected --tests or --lint" >&2
+      echo "install_dependencies.sh: unknown option '$option', expected --tests, --lint, --packages or --list" >&2
       exit 2
       ;;
   esac
 done
+if [ -n "$list" ]; then
+  echo "${wanted[*]}"
+  exit 0
+fi
 
 if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
   echo "install_dependencies.sh: no apt-get here; install what corresponds to: ${wanted[*]}" >&2

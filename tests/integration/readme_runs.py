@@ -24,6 +24,7 @@ COMMANDS = APPS | {"bash", "cmake", "mkdir", "node", "npm", "pf-localization", "
 NOT_RUN = {
     "bash apps/quickstart.sh": "builds; a check of .ci/run",
     "bash tests/run.sh": "runs this test",
+    "bash apps/package.sh": "builds; tests/portability/packages.sh uses what it makes",
     "bash datasets/make_results.sh FOLDER": "needs all recordings and hours",
     "cmake --install build": "InstalledLibrary.IsFoundAndLocalizes",
     "cmake -S . -B build -DMRPT_EXT_BUILD_PYTHON": "apps/build.sh --tests configures so",

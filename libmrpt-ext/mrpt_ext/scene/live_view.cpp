@@ -24,7 +24,7 @@ SceneView viewOf(const LandmarkTable& map)
 std::unique_ptr<SceneWindow> openWindow(const LandmarkTable& map, std::ostream& err)
 {
   // Never unloaded: MRPT's window thread may outlive the window.
-  void* library = dlopen("libmrpt_ext_display.so", RTLD_NOW | RTLD_LOCAL);
+  void* library = dlopen(MRPT_EXT_DISPLAY_LIBRARY, RTLD_NOW | RTLD_LOCAL);
   void* function = library ? dlsym(library, kOpenSceneWindow) : nullptr;
   if (!function)
   {

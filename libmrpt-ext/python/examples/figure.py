@@ -8,7 +8,8 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import mrpt_ext
 
-source = Path(__file__).resolve().parents[3]
+above = Path(__file__).resolve().parents[3]  # the source tree, or /usr/share with the packages installed
+source = next(folder for folder in (above, above / "mrpt_ext") if (folder / "ini").is_dir())
 done = mrpt_ext.run(source / "ini/landmark-localization/quickstart.ini", "room-run", options=["--duration", "30"])
 landmarks = mrpt_ext.LandmarkMap.load(str(source / "datasets/room_map.csv")).positions
 figure, axes = plt.subplots()
