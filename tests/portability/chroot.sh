@@ -19,11 +19,11 @@ make_chroot() {
   done
 }
 
-# in_chroot CHROOT COMMAND [USER]: in the home of that user; root, in /src if there is one, without.
+# in_chroot CHROOT COMMAND [USER]: as that user in the own home; as root in /src, if there is one, without.
 in_chroot() {
-  local as=() home=/root
-  if [ -n "${3:-}" ]; then as=(setpriv --reuid "$3" --regid "$3" --clear-groups) home=/home/$3; fi
-  chroot "$1" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME="$home" LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive \
+  local as=()
+  [ -z "${3:-}" ] || as=(setpriv --reuid "$3" --regid "$3" --clear-groups)
+  chroot "$1" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive \
     ${http_proxy:+http_proxy=$http_proxy} ${https_proxy:+https_proxy=$https_proxy} \
-    "${as[@]}" bash -c "cd /src 2>/dev/null || cd; $2"
+    "${as[@]}" bash -c "export HOME=~; cd /src 2>/dev/null || cd; $2"
 }
