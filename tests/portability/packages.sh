@@ -76,9 +76,10 @@ check "man pages and completion" "for app in dataset2rawlog images2rawlog landma
   done" robot
 
 install libmrpt-ext-dev
-check "a consumer is built and localizes" "apt-get -q -y install --no-install-recommends cmake g++ make
-  setpriv --reuid robot --regid robot --clear-groups bash -ec 'cd ~robot; cp -r /usr/share/doc/libmrpt-ext-dev/examples/consumer .
-  cmake -S consumer -B consumer/build; cmake --build consumer/build; consumer/build/consumer | tee /dev/stderr | grep -q \"^estimate: \"'"
+check "compiler installed" "apt-get -q -y install --no-install-recommends cmake g++ make"
+check "a consumer is built and localizes" "cp -r /usr/share/doc/libmrpt-ext-dev/examples/consumer .
+  cmake -S consumer -B consumer/build; cmake --build consumer/build; consumer/build/consumer >estimate.txt
+  cat estimate.txt; grep -qE '^estimate: (1[.][89]|2[.][01])' estimate.txt" robot
 
 check "MRPT's tools are installed" "apt-get -q -y install --no-install-recommends mrpt-apps"
 check "rawlog-edit sees our classes" "rawlog-edit --info -i $share/datasets/room.rawlog -p libmrpt_ext_observations.so.0 >info.txt 2>&1
