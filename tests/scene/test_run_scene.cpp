@@ -47,7 +47,7 @@ TEST(RunScene, ShowsEveryModeAndTheDetections)
   EXPECT_EQ(countOf<CDisk>(*scene), 0U);
   const auto rays = std::dynamic_pointer_cast<CSetOfLines>(scene->getByName("rays"));
   ASSERT_TRUE(rays);
-  ASSERT_EQ(rays->getLineCount(), 2U);
+  ASSERT_EQ(rays->size(), 2U);
   // Straight ahead of a robot at (1, 1) that faces +y, two metres away.
   double x0, y0, z0, x1, y1, z1;
   rays->getLineByIndex(0, x0, y0, z0, x1, y1, z1);

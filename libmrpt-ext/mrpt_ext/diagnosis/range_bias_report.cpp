@@ -71,9 +71,12 @@ std::vector<RadioEpoch> epochsOf(const Recording& recording, const Radios& radio
     if (const auto* reading = std::get_if<Reading>(&record))
       addRanges(*reading, recording.map, radios, by_time[reading->time]);
   std::vector<RadioEpoch> all;
-  for (auto& [time, epoch] : by_time)
+  for (auto& entry : by_time)
+  {
+    RadioEpoch& epoch = entry.second;
     if (std::any_of(epoch.begin(), epoch.end(), [&](const RadioRange& r) { return r.sensor != epoch[0].sensor; }))
       all.push_back(std::move(epoch));
+  }
   if (all.size() <= kMostEpochs) return all;
   std::vector<RadioEpoch> chosen;
   for (std::size_t k = 0; k < kMostEpochs; ++k) chosen.push_back(std::move(all[k * all.size() / kMostEpochs]));
