@@ -18,13 +18,16 @@ import tempfile
 
 from readme_commands import APPS, NOT_SHIPPED, code_lines, is_synopsis
 
-COMMANDS = APPS | {"bash", "cmake", "mkdir", "node", "npm", "pf-localization", "python3", "rawlog-edit", "RawLogViewer",
-                   "sbatch", "socat", "study_parallel.sh", "sweep.sh"}
+COMMANDS = APPS | {"bash", "cmake", "cp", "mkdir", "node", "npm", "pf-localization", "python3", "rawlog-edit", "RawLogViewer",
+                   "sbatch", "socat", "study_parallel.sh", "sudo", "sweep.sh"}
 # What begins so is not run here, and why.
 NOT_RUN = {
     "bash apps/quickstart.sh": "builds; a check of .ci/run",
     "bash tests/run.sh": "runs this test",
     "bash apps/package.sh": "builds; tests/portability/packages.sh uses what it makes",
+    "bash apps/package.sh": "tests/portability/packages.sh",
+    "sudo apt install": "tests/portability/packages.sh",
+    "cp -r /usr/share/mrpt_ext": "tests/portability/packages.sh",
     "bash datasets/make_results.sh FOLDER": "needs all recordings and hours",
     "cmake --install build": "InstalledLibrary.IsFoundAndLocalizes",
     "cmake -S . -B build -DMRPT_EXT_BUILD_PYTHON": "apps/build.sh --tests configures so",
@@ -157,7 +160,7 @@ def run(readme, source, build):
             # A few rows of a recording, or ten seconds, need not be enough to find the robot. MRPT's tool also returns 0
             # when it found no file.
             failed = result.returncode not in (0, 3)
-            if failed or ("pf-localization" in command and not list(place.glob("build/pf-localization*/*"))):
+            if failed or ("pf-localization" in command and not list(place.glob("pf-localization*/*"))):
                 last = (result.stderr.strip() or result.stdout.strip()).splitlines()[-1:]
                 wrong.append(f"{name}:{number}: {command}: exit code {result.returncode}: {last}")
     return wrong, done

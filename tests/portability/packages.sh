@@ -84,9 +84,9 @@ check "a consumer is built and localizes" "cp -r /usr/share/doc/libmrpt-ext-dev/
 check "MRPT's tools are installed" "apt-get -q -y install --no-install-recommends mrpt-apps"
 check "rawlog-edit sees our classes" "rawlog-edit --info -i $share/datasets/room.rawlog -p libmrpt_ext_observations.so.0 >info.txt 2>&1
   cat info.txt; grep -q '451' info.txt; test \$(grep -c 'not registered' info.txt) = 0" robot
-check "pf-localization uses our map" "cd copy; mkdir build
-  LD_PRELOAD=libmrpt_ext_maps.so.0 pf-localization ini/pf-localization/room.ini datasets/room.rawlog </dev/null >build/pf.txt 2>&1
-  tail -n 5 build/pf.txt; test \$(grep -c 'not registered' build/pf.txt) = 0; ls build/pf-localization*/*" robot
+check "pf-localization uses our map" "cd copy
+  LD_PRELOAD=libmrpt_ext_maps.so.0 pf-localization ini/pf-localization/room.ini datasets/room.rawlog </dev/null >pf.txt 2>&1
+  tail -n 5 pf.txt; test \$(grep -c 'not registered' pf.txt) = 0; ls pf-localization*/*" robot
 
 check "removed" "apt-get -q -y purge mrpt-ext-apps libmrpt-ext0 libmrpt-ext-dev python3-mrpt-ext"
 check "nothing is left" "left=\$(find / -xdev \( -path /home -o -path /packages \) -prune -o -name '*mrpt[-_]ext*' -print -o -name 'lib*mrpt_ext*' -print -o -name 'landmark-localization*' -print)
