@@ -56,8 +56,8 @@ TEST(SearchInput, OfManyScansTheNewestIsAmongTheChosen)
 TEST(SearchInput, LargeMapsAreGivenMoreWork)
 {
   EXPECT_LT(mostSearchWork(3), mostSearchWork(10'000));
-  EXPECT_LE(mostSearchWork(10'000), mostStepWork(10'000));
-  EXPECT_LT(mostStepWork(10'000), 700'000'000u) << "below a second";
+  EXPECT_LT(mostSearchWork(10'000), 800'000'000u) << "below a second";
+  EXPECT_LT(mostStepWork(10'000), 500'000'000u) << "half a second, as a step does more than to search";
 }
 
 TEST(SearchInput, FarMoreDetectionsThanLandmarksHoldNoPose)

@@ -21,10 +21,12 @@ using testing::LogFiles;
 
 const Arguments kFilterAlone{"--set", "LocalizationExperiment.methods=particle_filter"};
 
-std::string onlineSteps(const fs::path& ini, const LogFiles& files)
+/// With changes of the configuration, "Section.key=value" each.
+std::string onlineSteps(const fs::path& ini, const LogFiles& files, const std::vector<std::string>& changes)
 {
   const LandmarkTable map = readLandmarkCsv(files.map);
-  OnlineLocalizer robot(onlineOptions(localizationConfig(Settings::load(ini, localizationKeys()), map)), map);
+  const Settings settings = Settings::load(ini, localizationKeys(), changes);
+  OnlineLocalizer robot(onlineOptions(localizationConfig(settings, map)), map);
   RunRecord run;
   run.methods.push_back({.name = "particle_filter", .continuous = true});
   const auto keep = [&](const std::vector<OnlineEstimate>& estimates)
@@ -47,12 +49,14 @@ std::string onlineSteps(const fs::path& ini, const LogFiles& files)
 class OnlineReplay : public ::testing::Test
 {
  protected:
-  void expectSameSteps(const std::string& name, const LogFiles& files)
+  void expectSameSteps(const std::string& name, const LogFiles& files, const std::vector<std::string>& changes = {})
   {
-    const fs::path run = testing::localized(folder_.path(), name, testing::joined(files.arguments(), kFilterAlone));
+    Arguments arguments = testing::joined(files.arguments(), kFilterAlone);
+    for (const std::string& change : changes) arguments = testing::joined(arguments, {"--set", change});
+    const fs::path run = testing::localized(folder_.path(), name, arguments);
     const std::string of_app = readTextFile(run / "steps.csv");
     EXPECT_GT(of_app.size(), 5000U);
-    EXPECT_TRUE(of_app == onlineSteps(testing::shipped("landmark-localization", name), files)) << name;
+    EXPECT_TRUE(of_app == onlineSteps(testing::shipped("landmark-localization", name), files, changes)) << name;
   }
 
   testing::ScratchFolder folder_;
@@ -69,4 +73,13 @@ TEST_F(OnlineReplay, HalfField) { expectSameSteps("half-field", shippedLog("half
 TEST_F(OnlineReplay, GoalCornersWithRunningFixes) { expectSameSteps("goal-corners", shippedLog("goal-corners")); }
 TEST_F(OnlineReplay, Kidnapping) { expectSameSteps("kidnap", testing::simulated(folder_.path(), "kidnap")); }
 TEST_F(OnlineReplay, Tracking) { expectSameSteps("tracking", testing::simulated(folder_.path(), "tracking")); }
+
+// Scans overlap: each begins before the frame of the one before, whose odometry must not be forgotten by then.
+TEST_F(OnlineReplay, ScansOfASpinningScanner)
+{
+  const LogFiles log = testing::simulated(folder_.path(), "tracking",
+                                          {"--set", "Odometry.rate_hz=100", "--set", "Sensor_camera.rate_hz=20",
+                                           "--set", "Sensor_camera.scan_duration_s=0.1"});
+  expectSameSteps("tracking", log, {"Sensor_camera.scan_duration_s=0.1"});
+}
 }  // namespace mrpt_ext

@@ -5,8 +5,6 @@
 #include <algorithm>
 
 #include "../hypotheses/exact_scene.h"
-#include "mrpt_ext/geometry/bounded_frame.h"
-#include "random_frames.h"
 
 namespace mrpt_ext
 {
@@ -125,27 +123,6 @@ TEST(ParticleFilterLocalizer, RangesAtStandstillKeepAllHeadings)
   ASSERT_TRUE(estimate.point);
   EXPECT_LT(distance(estimate.point->pose.mean, robot), 0.4);
   EXPECT_LT(turned(estimate.point->pose.mean, robot), degToRad(12));
-}
-
-// Whatever the sensors report in whatever map: a step ends, also a search that finds nothing.
-TEST(ParticleFilterLocalizer, OfAnyFrameTheWorkIsBounded)
-{
-  RandomStream random(77);
-  for (int trial = 0; trial < 6; ++trial)
-  {
-    const RandomFrames scene = randomFrames(10'000, 5000, 3, random);
-    ParticleFilterOptions options = optionsFor(scene.region.low, scene.region.high);
-    const auto search = std::make_shared<const GlobalPoseSearch>(scene.map);
-    ParticleFilterLocalizer filter(options, scene.map, 3, 1, 0, search);
-    for (const Frame& frame : scene.frames)
-    {
-      (void)filter.process(frame);
-      const FilterStep& step = filter.lastStep();
-      EXPECT_LE(step.search_operations, search->budget().limit()) << scene.text();
-      EXPECT_GE(step.detections_left_out + kMostDetections, detectionCount(frame)) << scene.text();
-      EXPECT_LE(filter.particles().size(), options.initial_particles) << scene.text();
-    }
-  }
 }
 
 TEST(ParticleFilterLocalizer, TheSameSeedGivesTheSameEstimates)

@@ -79,8 +79,28 @@ inline Reading readingAt(const RandomFrames& scene, const LandmarkTable& world, 
 }
 }  // namespace random_frames
 
+/// Map and `count` frames, one per second, for a scene whose properties are set.
+inline void fillFrames(RandomFrames& scene, std::size_t count, RandomStream& random)
+{
+  const double side = std::sqrt(10.0 * scene.landmarks) + 1;
+  scene.map = random_frames::someMap(scene.landmarks, side, random);
+  scene.region = {{0, 0}, {side, side}};
+  const LandmarkTable world = scene.right ? scene.map : random_frames::someMap(scene.landmarks, side, random);
+  Pose2 robot{random.uniform(0, side), random.uniform(0, side), random.uniform(-kPi, kPi)};
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    const Pose2 step = k == 0 || scene.standing ? Pose2{} : Pose2{0.2, 0, 0.1};
+    robot = compose(robot, step);
+    Frame frame{.time = static_cast<double>(k)};
+    frame.motion = {step, step.position().norm(), std::abs(step.phi), k == 0 ? 0.0 : 1.0};
+    frame.readings.push_back(random_frames::readingAt(scene, world, robot, side, random));
+    frame.readings.back().time = frame.time;
+    scene.frames.push_back(std::move(frame));
+  }
+}
+
 /// Up to `most_landmarks` and `most_detections`; `count` frames, one per second.
-inline RandomFrames randomFrames(int most_landmarks, int most_detections, int count, RandomStream& random)
+inline RandomFrames randomFrames(int most_landmarks, int most_detections, std::size_t count, RandomStream& random)
 {
   RandomFrames scene;
   scene.landmarks = random_frames::anyNumber(most_landmarks, random);
@@ -92,21 +112,7 @@ inline RandomFrames randomFrames(int most_landmarks, int most_detections, int co
   const std::size_t kind = random.below(3);
   scene.bearings = kind != 1;
   scene.ranges = kind != 0;
-  const double side = std::sqrt(10.0 * scene.landmarks) + 1;
-  scene.map = random_frames::someMap(scene.landmarks, side, random);
-  scene.region = {{0, 0}, {side, side}};
-  const LandmarkTable world = scene.right ? scene.map : random_frames::someMap(scene.landmarks, side, random);
-  Pose2 robot{random.uniform(0, side), random.uniform(0, side), random.uniform(-kPi, kPi)};
-  for (int k = 0; k < count; ++k)
-  {
-    const Pose2 step = k == 0 || scene.standing ? Pose2{} : Pose2{0.2, 0, 0.1};
-    robot = compose(robot, step);
-    Frame frame{.time = static_cast<double>(k)};
-    frame.motion = {step, step.position().norm(), std::abs(step.phi), k == 0 ? 0.0 : 1.0};
-    frame.readings.push_back(random_frames::readingAt(scene, world, robot, side, random));
-    frame.readings.back().time = frame.time;
-    scene.frames.push_back(std::move(frame));
-  }
+  fillFrames(scene, count, random);
   return scene;
 }
 }  // namespace mrpt_ext

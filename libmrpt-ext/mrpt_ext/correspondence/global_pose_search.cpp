@@ -28,7 +28,7 @@ PoseSearchResult GlobalPoseSearch::search(std::span<const Scan> scans, const Pos
     nothing.status = SolveStatus::bad_input;
     return nothing;
   }
-  WorkBudget own = budget();
+  WorkBudget own(std::max(mostStepWork(index_.size()), mostSearchWork(index_.size())), stop_);
   PoseSearchOptions within = options;
   if (within.budget == nullptr) within.budget = &own;
   if (pointCount(scans) >= 2)

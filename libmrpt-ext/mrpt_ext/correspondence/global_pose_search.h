@@ -24,7 +24,8 @@ class GlobalPoseSearch
   }
 
   [[nodiscard]] const LandmarkIndex& index() const { return index_; }
-  /// For all searches of one step of a localizer together; search() takes one where it is given none.
+  /// For all searches of one step of a localizer together. A search() without a budget takes as much as a single search
+  /// may.
   [[nodiscard]] WorkBudget budget() const { return WorkBudget(mostStepWork(index_.size()), stop_); }
   [[nodiscard]] PoseSearchResult search(std::span<const Scan> scans, const PoseSearchOptions& options) const;
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "mrpt_ext/geometry/work_counter.h"
+
 namespace mrpt_ext
 {
 namespace
@@ -52,7 +54,8 @@ class BoundedSet
   {
     const auto open = std::find_if(triples_.begin(), triples_.end(), [&](const auto& t) { return !isMarked(t, hit_); });
     if (open == triples_.end()) return true;
-    if (!budget_.spend(2 * triples_.size() + hit_.size())) return false;
+    WorkCounter::add(6 * triples_.size() + hit_.size());
+    if (!budget_.spend(6 * triples_.size() + hit_.size())) return false;
     if (members_.size() + membersNeeded(triples_, hit_) > size_) return false;
     for (const int member : *open)
     {

@@ -72,13 +72,4 @@ void LandmarkIndex::build(double bucket)
   std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
   for (std::size_t l = 0; l < size(); ++l) members_[next[bucket_of(positions_[l])]++] = static_cast<std::uint32_t>(l);
 }
-
-std::pair<int, int> LandmarkIndex::span(double offset, double radius, int count) const
-{
-  const double last = count - 1;
-  const double from = std::floor((offset - radius) / bucket_), to = std::floor((offset + radius) / bucket_);
-  if (!(from <= to)) return {0, -1};  // not finite: nothing is there
-  // Outside the map the range is empty or ends at its edge.
-  return {static_cast<int>(std::clamp(from, 0.0, last)), static_cast<int>(std::clamp(to, 0.0, last))};
-}
 }  // namespace mrpt_ext

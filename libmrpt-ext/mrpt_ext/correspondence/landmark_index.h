@@ -63,7 +63,14 @@ class LandmarkIndex
 
  private:
   void build(double bucket);
-  [[nodiscard]] std::pair<int, int> span(double offset, double radius, int count) const;
+  /// First and last of `count` buckets along an axis within `radius` of `offset` [m] from the corner of the map. Beyond
+  /// the edges: the bucket at the edge.
+  [[nodiscard]] std::pair<int, int> span(double offset, double radius, int count) const
+  {
+    const double last = count - 1, from = (offset - radius) / bucket_, to = (offset + radius) / bucket_;
+    if (!(from <= to)) return {0, -1};  // not finite: nothing is there
+    return {static_cast<int>(std::clamp(from, 0.0, last)), static_cast<int>(std::clamp(to, 0.0, last))};
+  }
 
   std::vector<Vector2d> positions_;
   std::vector<int> kinds_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "mrpt_ext/correspondence/scan_matching.h"
+#include "mrpt_ext/geometry/work_counter.h"
 #include "mrpt_ext/solvers/pose_ml.h"
 
 namespace mrpt_ext
@@ -11,6 +12,8 @@ namespace mrpt_ext
 namespace
 {
 constexpr int kMaxRounds = 6;  // of matching and refining; most poses refine in two
+// Operations: of a landmark that is expected, of it and a detection, of a row in a fit.
+constexpr std::uint64_t kWorkOfExpected = 150, kWorkOfPair = 8, kWorkOfRow = 150;
 
 /// The detections that a pose matches.
 struct Matching
@@ -19,13 +22,41 @@ struct Matching
   int matched = 0;
 };
 
-Matching match(const LandmarkIndex& map, std::span<const Scan> scans, const GaussianPose& pose, double gate)
+/// The fixed arguments of a verification, and its work.
+struct Verification
+{
+  const LandmarkIndex& map;
+  std::span<const Scan> scans;
+  double gate;
+  int least;
+  WorkBudget* budget;
+
+  /// False when there is no work left.
+  [[nodiscard]] bool spend(std::uint64_t operations) const { return budget == nullptr || budget->spend(operations); }
+};
+
+std::vector<ExpectedLandmark> expectedFrom(const Verification& with, const Scan& scan, const GaussianPose& pose)
+{
+  std::vector<ExpectedLandmark> expected = expectedLandmarks(with.map, scan, pose);
+  const std::uint64_t operations = expected.size() * (kWorkOfExpected + kWorkOfPair * scan.detections.size());
+  WorkCounter::add(operations);
+  static_cast<void>(with.spend(operations));
+  return expected;
+}
+
+/// Without a pose when there is no work left for the fit.
+PoseMl refined(const Verification& with, std::span<const PoseMeasurement> rows, const Pose2& start)
+{
+  return with.spend(kWorkOfRow * rows.size()) ? refinePose(rows, start) : PoseMl{};
+}
+
+Matching match(const Verification& with, const GaussianPose& pose)
 {
   Matching result;
-  for (const Scan& scan : scans)
+  for (const Scan& scan : with.scans)
   {
-    const std::vector<ExpectedLandmark> expected = expectedLandmarks(map, scan, pose);
-    for (const int h : associate(map, scan, expected, gate))
+    const std::vector<ExpectedLandmark> expected = expectedFrom(with, scan, pose);
+    for (const int h : associate(with.map, scan, expected, with.gate))
     {
       result.assignment.push_back(h < 0 ? -1 : static_cast<int>(expected[static_cast<std::size_t>(h)].landmark));
       result.matched += h >= 0;
@@ -40,16 +71,16 @@ struct MatchedRows
   std::vector<std::size_t> detection;  // of each row, counted over all scans
 };
 
-MatchedRows measurementsOf(const LandmarkIndex& map, std::span<const Scan> scans, const std::vector<int>& assignment)
+MatchedRows measurementsOf(const Verification& with, const std::vector<int>& assignment)
 {
   MatchedRows result;
   std::size_t d = 0;
-  for (const Scan& scan : scans)
+  for (const Scan& scan : with.scans)
     for (const AnonymousDetection& z : scan.detections)
     {
       const std::size_t detection = d++;
       if (assignment[detection] < 0) continue;
-      const Vector2d& position = map.position(static_cast<std::size_t>(assignment[detection]));
+      const Vector2d& position = with.map.position(static_cast<std::size_t>(assignment[detection]));
       const auto add = [&](PoseMeasurement::Kind kind, double value, double std)
       {
         result.rows.push_back({kind, position, value, std, scan.T_robot_sensor});
@@ -63,53 +94,51 @@ MatchedRows measurementsOf(const LandmarkIndex& map, std::span<const Scan> scans
 
 /// Associates and refines in turn until the association stays. False when fewer than `least` detections match or
 /// the pose is degenerate.
-bool refine(const LandmarkIndex& map, std::span<const Scan> scans, double gate, int least, GaussianPose& pose,
-            Matching& matching)
+bool refine(const Verification& with, GaussianPose& pose, Matching& matching)
 {
-  matching = match(map, scans, pose, gate);
+  matching = match(with, pose);
   for (int round = 0; round < kMaxRounds; ++round)
   {
-    if (matching.matched < least) return false;
-    const PoseMl fit = refinePose(measurementsOf(map, scans, matching.assignment).rows, pose.mean);
+    if (matching.matched < with.least) return false;
+    const PoseMl fit = refined(with, measurementsOf(with, matching.assignment).rows, pose.mean);
     if (fit.status != SolveStatus::ok) return false;
     pose = fit.pose;
-    Matching next = match(map, scans, pose, gate);
+    Matching next = match(with, pose);
     const bool unchanged = next.assignment == matching.assignment;
     matching = std::move(next);
     if (unchanged) break;
   }
-  return matching.matched >= least;
+  return matching.matched >= with.least;
 }
 
 /// Drops the worst match while its residual exceeds the gate of a single detection: while the pose was uncertain, a
 /// wrong landmark could pass. Detections that the pose was drawn away from can then match again.
-bool dropMisfits(const LandmarkIndex& map, std::span<const Scan> scans, double gate, int least, GaussianPose& pose,
-                 std::vector<int>& assignment)
+bool dropMisfits(const Verification& with, GaussianPose& pose, std::vector<int>& assignment)
 {
   for (auto matched = std::count_if(assignment.begin(), assignment.end(), [](int l) { return l >= 0; });
-       matched >= least; --matched)
+       matched >= with.least; --matched)
   {
-    const MatchedRows matches = measurementsOf(map, scans, assignment);
-    const PoseMl fit = refinePose(matches.rows, pose.mean);
+    const MatchedRows matches = measurementsOf(with, assignment);
+    const PoseMl fit = refined(with, matches.rows, pose.mean);
     if (fit.status != SolveStatus::ok) return false;
     pose = fit.pose;
     const auto misfit = [&](std::size_t row) { return std::abs(fit.residuals[row]) / matches.rows[row].std; };
     std::size_t worst = 0;
     for (std::size_t row = 1; row < matches.rows.size(); ++row)
       if (misfit(row) > misfit(worst)) worst = row;
-    if (misfit(worst) <= gate) return true;
+    if (misfit(worst) <= with.gate) return true;
     assignment[matches.detection[worst]] = -1;
   }
   return false;
 }
 
 /// log_likelihood and log_evidence of a pose with its assignment.
-bool score(const LandmarkIndex& map, std::span<const Scan> scans, ConsistentPose& pose)
+bool score(const Verification& with, ConsistentPose& pose)
 {
   std::size_t d = 0;
-  for (const Scan& scan : scans)
+  for (const Scan& scan : with.scans)
   {
-    const std::vector<ExpectedLandmark> expected = expectedLandmarks(map, scan, pose.pose);
+    const std::vector<ExpectedLandmark> expected = expectedFrom(with, scan, pose.pose);
     std::vector<int> matches;
     for (std::size_t n = 0; n < scan.detections.size(); ++n)
     {
@@ -118,7 +147,7 @@ bool score(const LandmarkIndex& map, std::span<const Scan> scans, ConsistentPose
                                    [&](const auto& h) { return static_cast<int>(h.landmark) == landmark; });
       matches.push_back(at == expected.end() ? -1 : static_cast<int>(at - expected.begin()));
     }
-    pose.log_likelihood += scanLogLikelihood(map, scan, expected, matches);
+    pose.log_likelihood += scanLogLikelihood(with.map, scan, expected, matches);
   }
   const double determinant = pose.pose.covariance.determinant();
   if (!(determinant > 0)) return false;
@@ -127,29 +156,22 @@ bool score(const LandmarkIndex& map, std::span<const Scan> scans, ConsistentPose
 }
 }  // namespace
 
-std::uint64_t costOfVerification(const LandmarkIndex& map, std::span<const Scan> scans)
-{
-  constexpr std::uint64_t kMatchings = 4, kOfFit = 1000, kOfFits = 5000;
-  std::uint64_t cost = kOfFits;
-  for (const Scan& scan : scans) cost += kMatchings * costOfMatching(map, scan) + kOfFit * scan.detections.size();
-  return cost;
-}
-
 std::optional<ConsistentPose> verifyPose(const LandmarkIndex& map, std::span<const Scan> scans,
                                          const PoseSearchOptions& options, const GaussianPose& candidate, int least)
 {
+  const Verification with{map, scans, options.gate, least, options.budget};
   ConsistentPose result{.pose = candidate};
   Matching matching;
-  if (!refine(map, scans, options.gate, least, result.pose, matching)) return std::nullopt;
+  if (!refine(with, result.pose, matching)) return std::nullopt;
   // What a dropped misfit had bent away may fit now: refine once more from the better pose.
-  if (!dropMisfits(map, scans, options.gate, least, result.pose, matching.assignment)) return std::nullopt;
-  if (!refine(map, scans, options.gate, least, result.pose, matching)) return std::nullopt;
-  if (!dropMisfits(map, scans, options.gate, least, result.pose, matching.assignment)) return std::nullopt;
+  if (!dropMisfits(with, result.pose, matching.assignment)) return std::nullopt;
+  if (!refine(with, result.pose, matching)) return std::nullopt;
+  if (!dropMisfits(with, result.pose, matching.assignment)) return std::nullopt;
   if (options.area && !options.area->contains(result.pose.mean.position())) return std::nullopt;
   result.assignment = std::move(matching.assignment);
   result.matched = static_cast<int>(
       std::count_if(result.assignment.begin(), result.assignment.end(), [](int landmark) { return landmark >= 0; }));
-  if (!score(map, scans, result)) return std::nullopt;
+  if (!score(with, result)) return std::nullopt;
   return result;
 }
 }  // namespace mrpt_ext

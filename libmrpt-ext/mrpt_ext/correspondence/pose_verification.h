@@ -21,12 +21,10 @@ namespace mrpt_ext
 /// detections share the landmarks in view: log(c / V + (1 - c) / n sum_j N). A matched landmark contributes only to
 /// its match.
 /// log_evidence adds log sqrt((2 pi)^3 det C), the Laplace approximation of the integral over the pose.
+/// Spends what it does of `options.budget`, and finds nothing where that ends.
 [[nodiscard]] std::optional<ConsistentPose> verifyPose(const LandmarkIndex& map, std::span<const Scan> scans,
                                                        const PoseSearchOptions& options, const GaussianPose& candidate,
                                                        int least);
-
-/// Operations of verifyPose() with these scans (work_budget.h).
-[[nodiscard]] std::uint64_t costOfVerification(const LandmarkIndex& map, std::span<const Scan> scans);
 
 /// Sorts by evidence, merges equal poses, drops those below `keep_log_units` or beyond `max_poses`, and sets the
 /// probabilities, `probability_elsewhere`, `unique` and the status. `unsearched_evidence`: log of the evidence that

@@ -9,12 +9,13 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr std::uint64_t kOfSearch = 150'000'000, kOfStep = 300'000'000, kPerLandmark = 40'000;
+constexpr std::uint64_t kOfSearch = 150'000'000, kOfSearchPerLandmark = 60'000;
+constexpr std::uint64_t kOfStep = 300'000'000, kOfStepPerLandmark = 40'000;
 }  // namespace
 
-std::uint64_t mostSearchWork(std::size_t landmarks) { return kOfSearch + kPerLandmark * landmarks; }
+std::uint64_t mostSearchWork(std::size_t landmarks) { return kOfSearch + kOfSearchPerLandmark * landmarks; }
 
-std::uint64_t mostStepWork(std::size_t landmarks) { return std::max(kOfStep, mostSearchWork(landmarks)); }
+std::uint64_t mostStepWork(std::size_t landmarks) { return std::max(kOfStep, kOfStepPerLandmark * landmarks); }
 
 SearchInput::SearchInput(std::span<const Scan> scans, std::size_t most) : scans_(scans), usable_(areUsable(scans))
 {

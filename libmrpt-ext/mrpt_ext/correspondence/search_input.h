@@ -10,10 +10,11 @@
 
 namespace mrpt_ext
 {
-/// Operations of one search at most: a tenth of a second, and more in large maps, where a single round takes longer.
+/// Operations of one search at most: two tenths of a second, and more in large maps, where a single round takes longer.
 /// The usual work is a fifth of it.
 [[nodiscard]] std::uint64_t mostSearchWork(std::size_t landmarks);
-/// Of all searches of one step of a localizer together.
+/// Of all searches of one step of a localizer together: in large maps less than a search by itself may take, as another
+/// step follows.
 [[nodiscard]] std::uint64_t mostStepWork(std::size_t landmarks);
 
 /// Of the work, for proposals; the rest is for verifying them.

@@ -14,7 +14,7 @@ constexpr double kOverlapCost = 1.5;      // per shared bearing
 
 /// Of the exact smallest hitting set of one round; beyond, a bound takes its place. Some twenty detections in any
 /// overlap stay below.
-constexpr std::uint64_t kExactWork = 200'000;
+constexpr std::uint64_t kExactWork = 600'000;
 
 bool contains(const DetectionTriple& triple, int detection)
 {

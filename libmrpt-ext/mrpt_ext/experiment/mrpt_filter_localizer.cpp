@@ -12,6 +12,7 @@
 
 #include "mrpt_ext/filter/consider/consider_covariance.h"
 #include "mrpt_ext/filter/kalman/kalman_state.h"
+#include "mrpt_ext/geometry/bounded_frame.h"
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
 #include "mrpt_ext/maps/CLandmarkMap2D.h"
 #include "mrpt_ext/observations/CObservationLandmarkBearings.h"
@@ -22,6 +23,19 @@ namespace mrpt_ext
 {
 namespace
 {
+constexpr double kMostScoredPairs =
+    1e7;  // of a landmark and a detection, for all particles: MRPT scores one after the other
+
+/// Of a detection and a landmark that it may show.
+double pairsIn(const Frame& frame, const LandmarkTable& map)
+{
+  double pairs = 0;
+  for (const Reading& reading : frame.readings)
+    for (const Detection& detection : reading.detections)
+      pairs += detection.id == kNoId ? static_cast<double>(map.size()) : 1;
+  return pairs;
+}
+
 class MrptFilterLocalizer : public FilterLocalizer
 {
  public:
@@ -53,8 +67,11 @@ class MrptFilterLocalizer : public FilterLocalizer
     initializeParticles();
   }
 
-  Estimate process(const Frame& frame) override
+  Estimate process(const Frame& whole) override
   {
+    const double work = static_cast<double>(pdf_.particlesCount()) * pairsIn(whole, map_);
+    const std::optional<Frame> affordable = affordableFrame(whole, work, kMostScoredPairs);
+    const Frame& frame = affordable ? *affordable : whole;
     const mrpt::obs::CActionCollection action = motionOf(frame.motion);
     bool moved = false;
     for (const Reading& reading : scoredReadings(frame))
@@ -72,6 +89,7 @@ class MrptFilterLocalizer : public FilterLocalizer
     }
     if (!moved) engine_.executeOn(pdf_, &action, nullptr);
     evaluateParticles(frame);
+    step_.detections_left_out = detectionCount(whole) - detectionCount(frame);
     return estimateFrom(step_, frame.time);
   }
 
@@ -113,7 +131,10 @@ class MrptFilterLocalizer : public FilterLocalizer
     RandomStream random(static_cast<std::uint64_t>(mrpt::random::getRandomGenerator().drawUniform32bit()));
     const bool known = options_.initial_mode == InitialMode::gaussian;
     const Matrix3d factor = options_.initial_pose.covariance.llt().matrixL();
-    const std::size_t count = known ? options_.particles : std::max(options_.particles, options_.initial_particles);
+    // In a large map fewer, so that a detection can be scored with all of them.
+    const auto affordable = static_cast<std::size_t>(kMostScoredPairs / static_cast<double>(map_.size() + 1));
+    const std::size_t many = std::min(options_.initial_particles, affordable);
+    const std::size_t count = known ? options_.particles : std::max(options_.particles, many);
     pdf_.resetDeterministic({0, 0, 0}, count);
     for (auto& particle : pdf_.m_particles)
     {

@@ -19,9 +19,9 @@ constexpr int kHalvings = 14;                          // of the interval of the
 constexpr std::size_t kFewDetections = 10;             // samples are saved before so many detections are left out
 // In densities of a detection (likelihood/scoring_work.h): of a component of a proposal at a sample, and of a sample,
 // which is ordered by place and clustered; what may be proposed and scored in one draw; of all draws.
-constexpr double kCostOfComponent = 8, kCostOfSample = 500;
+constexpr double kCostOfComponent = 1.5, kCostOfSample = 1000;
 constexpr double kMostProposed = 0.25 * kMostDensities, kMostScored = 0.5 * kMostDensities;
-constexpr double kMostDrawn = 2.25 * kMostDensities;
+constexpr double kMostDrawn = 1.8 * kMostDensities;
 constexpr double kMinExponent = 1e-4;
 
 /// Symmetric square root; directions without spread are allowed.

@@ -42,10 +42,12 @@ ParticleSet sampleSeeds(const ProposalDistribution& proposal, const PoseRegion& 
     const Pose2 pose = proposal.sample(random);
     const double prior = region.density(pose);
     // A seed outside the region has no prior weight; another draw keeps the count, the weights stay proportional.
-    if (prior > 0) particles.add(pose, std::log(prior / proposal.density(pose)));
+    if (prior > 0) particles.add(pose, std::log(prior));
   }
   drawBiases(particles, 0, random);
   orderByPlace(particles);
+  const std::vector<float> proposed = proposal.densities(particles.poses());
+  for (std::size_t i = 0; i < count; ++i) particles.log_weight[i] -= std::log(proposed[i]);
   return particles;
 }
 

@@ -21,12 +21,6 @@ Reading splitObjects(Reading& reading, const std::set<std::string>& categories)
   return objects;
 }
 
-void moveTo(Reading& reading, double time, const OdometryPath& odometry)
-{
-  const Pose2 T_frame_then = between(odometry.at(time), odometry.at(reading.time));
-  reading.T_robot_sensor = compose(T_frame_then, reading.T_robot_sensor);
-}
-
 /// Expresses both poses of the fix in the frame of the robot at `time`.
 void moveTo(RunningFixReading& fix, double time, const OdometryPath& odometry)
 {
@@ -104,13 +98,20 @@ Frame FrameSynchronizer::pop()
   return frame;
 }
 
+double FrameSynchronizer::odometryNeededFrom() const
+{
+  double longest_sweep = 0;
+  for (const auto& [label, config] : options_.sensors) longest_sweep = std::max(longest_sweep, config.sweep.duration);
+  return stamp_ ? *stamp_ - longest_sweep : -std::numeric_limits<double>::infinity();
+}
+
 std::vector<Frame> FrameSynchronizer::takeObjectFrames()
 {
   std::vector<Frame> taken;
   for (; !closed_objects_.empty() && closed_objects_.front().time <= stamp_; closed_objects_.pop_front())
   {
     Frame& frame = closed_objects_.front();
-    for (Reading& reading : frame.readings) moveTo(reading, frame.time, overview_.odometry);
+    for (Reading& reading : frame.readings) moveToStamp(reading, frame.time);
     taken.push_back(std::move(frame));
   }
   return taken;
@@ -181,8 +182,6 @@ void FrameSynchronizer::take(Record record)
 
 void FrameSynchronizer::take(Reading landmarks)
 {
-  if (!options_.independent)
-    removeScanSkew(landmarks, configOf(options_.sensors, landmarks.sensor).sweep, overview_.odometry);
   Reading objects = splitObjects(landmarks, options_.object_categories);
   if (!objects.detections.empty()) frameAt(open_objects_, objects.time).readings.push_back(std::move(objects));
   // Where missed detections are scored, an empty reading is a measurement too.
@@ -207,7 +206,17 @@ Frame& FrameSynchronizer::frameAt(std::optional<OpenFrame>& open, double time) c
   return open->frame;
 }
 
-/// Adds what depends on the stamp, which is final now.
+/// Expresses a reading in the frame of the robot at `time`: its detections as if taken at its stamp, the sensor where
+/// it was then.
+void FrameSynchronizer::moveToStamp(Reading& reading, double time) const
+{
+  const OdometryPath& odometry = overview_.odometry;
+  if (!options_.independent) removeScanSkew(reading, configOf(options_.sensors, reading.sensor).sweep, odometry);
+  const Pose2 T_frame_then = between(odometry.at(time), odometry.at(reading.time));
+  reading.T_robot_sensor = compose(T_frame_then, reading.T_robot_sensor);
+}
+
+/// Adds what depends on the stamp, which is final now, and on the odometry up to it.
 void FrameSynchronizer::complete(Frame& frame)
 {
   const OdometryPath& odometry = overview_.odometry;
@@ -224,7 +233,7 @@ void FrameSynchronizer::complete(Frame& frame)
   if (!options_.independent)
   {
     if (stamp_) frame.motion = odometry.between(*stamp_, frame.time);
-    for (Reading& reading : frame.readings) moveTo(reading, frame.time, odometry);
+    for (Reading& reading : frame.readings) moveToStamp(reading, frame.time);
     for (RunningFixReading& fix : frame.fixes) moveTo(fix, frame.time, odometry);
   }
   stamp_ = frame.time;

@@ -55,6 +55,9 @@ class FrameSynchronizer
   [[nodiscard]] std::optional<double> readyStamp() const;
   /// That frame; the odometry of the overview must reach its stamp.
   [[nodiscard]] Frame pop();
+  /// The frames to come need no odometry before this time [s]: a scan of theirs may have begun before the stamp of the
+  /// last frame.
+  [[nodiscard]] double odometryNeededFrom() const;
 
   /// Detections of objects since the last call, up to the last frame returned; all after the end. Without motions.
   [[nodiscard]] std::vector<Frame> takeObjectFrames();
@@ -76,6 +79,7 @@ class FrameSynchronizer
   void take(Reading reading);
   void closeOver(std::optional<OpenFrame>& open, std::deque<Frame>& closed) const;
   [[nodiscard]] Frame& frameAt(std::optional<OpenFrame>& open, double time) const;
+  void moveToStamp(Reading& reading, double time) const;
   void complete(Frame& frame);
 
   RecordStream records_;

@@ -4,8 +4,10 @@
 #include <vector>
 
 #include "mrpt_ext/geometry/random.h"
+#include "mrpt_ext/hypotheses/mixture_density.h"
 #include "mrpt_ext/hypotheses/pose_hypothesis.h"
 #include "mrpt_ext/hypotheses/pose_region.h"
+#include "mrpt_ext/likelihood/pose_batch.h"
 
 namespace mrpt_ext
 {
@@ -23,6 +25,9 @@ class ProposalDistribution
   [[nodiscard]] Pose2 sample(RandomStream& random) const;
   /// Density [1/(m^2 rad)] at a pose.
   [[nodiscard]] double density(const Pose2& pose) const;
+  /// The same for many poses, in single precision. Poses next to each other should be close together (ordered by
+  /// place): then few components are within reach of a block of them.
+  [[nodiscard]] std::vector<float> densities(const PoseBatch& poses) const;
   /// Components, on average, whose support reaches the mean of one: what the density of a sample costs.
   [[nodiscard]] double overlap() const;
 
@@ -47,6 +52,8 @@ class ProposalDistribution
       return std::abs(at_x - x) <= half_x && std::abs(at_y - y) <= half_y;
     }
   };
+  [[nodiscard]] MixtureTerm termOf(std::size_t component, const Vector2d& origin) const;
+
   std::vector<Component> components_;
   std::vector<SupportBox> support_;  // of each component
   PoseRegion region_;

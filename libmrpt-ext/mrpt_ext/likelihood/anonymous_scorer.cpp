@@ -5,6 +5,7 @@
 
 #include "mrpt_ext/geometry/vector_clones.h"
 #include "mrpt_ext/geometry/vector_math.h"
+#include "mrpt_ext/geometry/work_counter.h"
 #include "mrpt_ext/likelihood/density_kernels.h"
 #include "mrpt_ext/likelihood/detection_density.h"
 
@@ -12,6 +13,8 @@ namespace mrpt_ext
 {
 namespace
 {
+constexpr std::size_t kCostOfBroad = 3;  // densities that are not sharp take so much longer
+
 /// log_sum += ln of the mixture: each landmark's part weighted by its visibility, together 1. Where none can be in
 /// view, the detection is clutter.
 MRPT_EXT_VECTOR_CLONES
@@ -121,6 +124,7 @@ void AnonymousScorer::addTo(const SensorTile& tile, const Terms& terms, SensorTi
     }
     const DetectionKind kind{anonymous.detection->bearing.has_value(), anonymous.detection->range.has_value()};
     std::fill_n(density, SensorTile::kSize, 0.0F);
+    WorkCounter::add(SensorTile::kSize * (terms.sums[d].sharp.size() + kCostOfBroad * terms.sums[d].broad.size()));
     addDensities(tile, terms.sums[d].sharp, kind, density);
     addBroadDensities(tile, terms.sums[d].broad, kind, frame_.sensor_covariance, limits_, density);
     addLogOfShares(density, visibility, clutter, anonymous.clutter_density,

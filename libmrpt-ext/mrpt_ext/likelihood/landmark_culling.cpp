@@ -6,12 +6,14 @@
 
 #include "mrpt_ext/geometry/vector_clones.h"
 #include "mrpt_ext/geometry/vector_math.h"
+#include "mrpt_ext/geometry/work_counter.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr double kRounding = 1e-5;  // [rad] and relative: single precision must not cut off what belongs inside
+constexpr double kRounding = 1e-5;        // [rad] and relative: single precision must not cut off what belongs inside
+constexpr std::uint64_t kCostOfView = 6;  // operations, of a landmark
 constexpr float kPiF = 3.14159265F;
 
 struct Interval
@@ -114,6 +116,7 @@ LandmarkCulling::LandmarkCulling(const LandmarkTable& map, const ScoringFrame& f
 void LandmarkCulling::update(const SensorBounds& bounds, const VisibilityLimits& limits)
 {
   bounds_ = bounds;
+  WorkCounter::add(kCostOfView * x_.size());
   const auto radius = static_cast<float>(bounds.radius);
   directionsFrom(static_cast<float>(bounds.x), static_cast<float>(bounds.y), radius, x_.size(), x_.data(), y_.data(),
                  direction_.data(), half_width_.data(), nearest_.data());
@@ -155,6 +158,7 @@ void LandmarkCulling::findNear(const Detection& detection, double cut, std::span
   const auto shift_low = static_cast<float>(bounds_.shift_low), shift_high = static_cast<float>(bounds_.shift_high);
   const auto range = static_cast<float>(detection.range.value_or(0));
   const float plain_gate = c * std::sqrt(var_bearing), plain_reach = c * std::sqrt(var_range);
+  WorkCounter::add(candidates.size());
   for (const std::uint32_t j : candidates)
   {
     if (in_view_[j] == InView::no) continue;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "mrpt_ext/geometry/work_counter.h"
 #include "mrpt_ext/likelihood/detection_density.h"
 #include "mrpt_ext/likelihood/missed_detections.h"
 
@@ -124,6 +125,7 @@ void ReadingScorer::scoreTile(const SensorTile& tile, const BlockTerms& terms, S
   alignas(64) SensorTile::Column density;
   for (const Group& group : groups_)
   {
+    WorkCounter::add(kTile * group.detections.size());
     if (group.kind.sharp)
     {
       addLogMixtures(tile, group.detections, group.kind, group.together, log_sum);

@@ -8,7 +8,7 @@
 
 namespace mrpt_ext
 {
-/// Densities (of a detection, for a landmark, at a robot) in one weighting at most: some tenths of a second.
+/// Densities (of a detection, for a landmark, at a robot; one takes about a nanosecond) in one weighting at most.
 inline constexpr double kMostDensities = 1e8;
 
 /// Share of the map that may be in range of a sensor on robots within such an extent [m], if landmarks stand everywhere
@@ -20,7 +20,9 @@ inline constexpr double kMostDensities = 1e8;
 /// direction of the detection, of those all over the map every landmark may be. An estimate from the extents of blocks.
 [[nodiscard]] double landmarksCompared(const SensorModel& model, const LandmarkTable& map, const PoseBatch& robots);
 
-/// Densities of all detections of the frame for all robots.
+/// Densities of all detections of the frame for all robots, and what takes as long: a landmark near the edge of the
+/// view costs as much as several, and to leave a landmark out costs something too. Few robots cost as much as a tile of
+/// them (sensor_tile.h).
 [[nodiscard]] double scoringWork(const Frame& frame, const LandmarkTable& map, const PoseBatch& robots);
 
 /// The frame with fewer detections (bounded_frame.h), so that all robots can be scored with `most` densities; nothing

@@ -27,6 +27,7 @@ Proposal KalmanLocalizer::propose() const
   for (const Frame& frame : recent_) window.add(frame);
   Frame evidence = window.frame();
   if (isWindow(evidence.readings)) evidence.readings = informativeReadings(evidence.readings);
+  if (auto bounded = boundedFrame(evidence, kMostJoined)) evidence = std::move(*bounded);
   evidence.readings = withBiasUncertainty(std::move(evidence.readings), biases_);
   Proposal proposal(proposePoses(evidence, map_, *search_, {.region = region_}));
   proposal.complete = recent_.back().time - first_time_ >= seed_window_;

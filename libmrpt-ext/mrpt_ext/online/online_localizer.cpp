@@ -152,7 +152,7 @@ void OnlineLocalizer::processReady(std::vector<OnlineEstimate>& finished)
     if (!odometryReaches(*stamp)) return;
     finished.push_back(process(frames_.pop()));
     static_cast<void>(frames_.takeObjectFrames());
-    overview_.odometry.forgetBefore(*stamp);
+    overview_.odometry.forgetBefore(frames_.odometryNeededFrom());
   }
 }
 

@@ -11,11 +11,9 @@ constexpr std::size_t kCapacity = 500000;  // poses of one round that are kept
 constexpr double kLargestFreedom = 0.5;    // of the range: largest position uncertainty of a candidate
 constexpr double kAreaMargin = 0.5;        // [m] a triple's pose may be outside though the refined one is not
 constexpr std::size_t kSampledLandmarks = 16;
-constexpr double kSampleShare = 0.05;               // of the work, at most
-constexpr std::uint64_t kBoundsPerRefinement = 12;  // of a box, that take as long
-constexpr int kSplits = 3;                          // of a box of poses whose associations are ambiguous
-// Operations of refining a pose on its inliers: for each landmark in view, and besides.
-constexpr std::uint64_t kCostOfRefinement = 2500, kCostPerLandmark = 25;
+constexpr double kSampleShare = 0.05;                            // of the work, at most
+constexpr int kSplits = 3;                                       // of a box of poses whose associations are ambiguous
+constexpr double kCostOfBoxBound = 200, kCostOfBoxLandmark = 2;  // operations: of a box, for each landmark in view
 }  // namespace
 
 BearingCandidates::BearingCandidates(const LandmarkIndex& map, std::span<const Scan> scans,
@@ -34,7 +32,7 @@ BearingCandidates::BearingCandidates(const LandmarkIndex& map, std::span<const S
   for (const ScanBearing& r : bearings_) neighbours_.push_back(tables.neighboursOf(r.category));
   double in_view = 0;
   for (const auto& sets : visible_sets_) in_view += sets ? sets->meanCount() : 0;
-  cost_of_refinement_ = kCostOfRefinement + kCostPerLandmark * static_cast<std::uint64_t>(in_view);
+  cost_of_bound_ = static_cast<std::uint64_t>(kCostOfBoxBound + kCostOfBoxLandmark * in_view);
 }
 
 TripleHypotheses BearingCandidates::hypothesesOf(const DetectionTriple& triple) const
@@ -66,7 +64,7 @@ int BearingCandidates::propose(const DetectionTriple& triple, int floor, int lea
   ++rounds_;
   for (const PoseProposal& p : store.takeSorted())
   {
-    if (!budget_.spend(cost_of_refinement_)) break;
+    if (budget_.exhausted()) break;
     refine(p.sensor, scan, hypotheses.scans, least);
   }
   return store.floor();
@@ -135,6 +133,7 @@ std::optional<Box2> BearingCandidates::areaOfSensor(int scan) const
 void BearingCandidates::refine(const GaussianPose& sensor, int scan, std::span<const BoundingScan> scans, int least)
 {
   const RefinedPose refined_pose = refineOnInliers(sensor, scans, options_.gate, least, scratch_);
+  budget_.spend(refined_pose.operations);
   if (refined_pose.inliers >= least) addPending(refined_pose, scan);
 }
 
@@ -142,10 +141,10 @@ void BearingCandidates::refine(const GaussianPose& sensor, int scan, std::span<c
 void BearingCandidates::refineBox(const GaussianPose& sensor, int scan, std::span<const BoundingScan> scans, int least,
                                   int splits)
 {
-  if (!budget_.spend(cost_of_refinement_ / kBoundsPerRefinement)) return;
+  if (!budget_.spend(cost_of_bound_)) return;
   if (boundOfBox(sensor, scans.front(), options_.gate) < least) return;
-  budget_.spend(cost_of_refinement_);
   const RefinedPose refined_pose = refineOnInliers(sensor, scans, options_.gate, least, scratch_);
+  budget_.spend(refined_pose.operations);
   if (!refined_pose.enough_at_start) return;
   const bool inliers = refined_pose.inliers >= least;
   if (inliers && (refined_pose.refined || splits == 0)) return addPending(refined_pose, scan);

@@ -63,7 +63,7 @@ class BearingCandidates
   const PoseSearchOptions& options_;
   std::span<const ScanBearing> bearings_;
   WorkBudget& budget_;
-  std::uint64_t cost_of_refinement_ = 0;  // [operations]
+  std::uint64_t cost_of_bound_ = 0;  // [operations]
   std::vector<DirectionTable> tables_;
   std::vector<std::shared_ptr<const PotentiallyVisibleSets>> visible_sets_;  // none for a scan without bearings
   std::vector<std::shared_ptr<const NeighbourGrid>> neighbours_;             // that a bearing may show

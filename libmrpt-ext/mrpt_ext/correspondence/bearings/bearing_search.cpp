@@ -38,7 +38,6 @@ class SearchRun
         tables_(tables),
         budget_(budget),
         proposing_(budget, kProposingShare),
-        cost_of_verification_(costOfVerification(map, scans)),
         candidates_(map, scans, options, bearings_, tables, proposing_),
         log_evidence_below_(logEvidenceOfUnsearched(map, scans, areaOrMap(map, options.area)))
   {
@@ -205,7 +204,6 @@ class SearchRun
   void verify(const GaussianPose& robot)
   {
     ++result_.work.verified;
-    budget_.spend(cost_of_verification_);
     const auto pose = verifyPose(map_, scans_, options_, robot, leastNeeded());
     if (!pose) return;
     best_matched_ = std::max(best_matched_, pose->matched);
@@ -282,6 +280,7 @@ class SearchRun
 
   void finish()
   {
+    if (budget_.exhausted()) result_.finished = false;
     const int searched = std::max({floor_, complete_from_, static_cast<int>(bearings_.size()) - tolerated_});
     const double missed = result_.poses.empty() ? -kUnlimited : logEvidenceOfFewer(searched);
     if (!result_.poses.empty()) result_.expected_false = expectedFalsePoses(falseAlarmModel(), best_matched_);
@@ -298,7 +297,6 @@ class SearchRun
   const BearingSearchTables& tables_;
   WorkBudget& budget_;
   WorkBudget proposing_;
-  std::uint64_t cost_of_verification_;  // [operations]
   BearingCandidates candidates_;
   PoseSearchResult result_;
   std::vector<double> log_evidence_below_;  // by the number of matches
@@ -318,7 +316,9 @@ PoseSearchResult BearingSearch::search(std::span<const Scan> scans, const PoseSe
   WorkBudget own;
   WorkBudget budget =
       WorkBudget::partOf(options.budget != nullptr ? *options.budget : own, mostSearchWork(map_.size()));
-  PoseSearchResult result = SearchRun(map_, input.scans(), options, std::move(bearings), tables_, budget).run();
+  PoseSearchOptions within = options;
+  within.budget = &budget;
+  PoseSearchResult result = SearchRun(map_, input.scans(), within, std::move(bearings), tables_, budget).run();
   input.restore(result);
   return result;
 }

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mrpt_ext/geometry/work_counter.h"
+
 namespace mrpt_ext
 {
 namespace
@@ -17,6 +19,10 @@ constexpr std::size_t kAny = DirectionTable::kMaxBearings;
 /// the pose is uncertain that landmark may be a wrong one, so the best predicted bearings come first.
 constexpr std::array<std::size_t, 2> kAddedToTriple{1, 3};
 constexpr std::array<std::size_t, 1> kAddedToBox{kAny};  // the pose is only bounded, by no bearings of its own
+
+// Operations: of a round, of a landmark whose gate is computed, of a bearing compared with a landmark in its gate, of a
+// bearing in the system of equations.
+constexpr std::uint64_t kOfRound = 250, kOfGate = 6, kOfResidual = 16, kOfRow = 12;
 
 /// The landmark with the smallest residual for a bearing, and the number of possible ones.
 struct Association
@@ -48,8 +54,10 @@ bool hasMoreThan(int count, std::uint32_t set)
 
 /// Best landmark of each bearing; returns the number of inliers. A landmark so close that it may be in any
 /// direction matches one bearing, any one.
-int associate(const GatedLandmarks& seen, const DirectionTable& table, float gate2, Associations& found)
+int associate(const GatedLandmarks& seen, const DirectionTable& table, float gate2, Associations& found,
+              std::uint64_t& operations)
 {
+  operations += kOfGate * seen.count;
   int close = 0;
   for (std::size_t l = 0; l < seen.count; ++l)
   {
@@ -62,6 +70,7 @@ int associate(const GatedLandmarks& seen, const DirectionTable& table, float gat
     for (std::uint32_t set = seen.inliers[l]; set != 0; set &= set - 1)
     {
       const int bit = std::countr_zero(set);
+      operations += kOfResidual;
       const ScanBearing& bearing = table.bearing(bit);
       const float residual = angleAgainst(bearing.direction, seen.x[l], seen.y[l]);
       const float distance2 = residual * residual / (static_cast<float>(square(bearing.std)) + seen.variance[l]);
@@ -101,10 +110,9 @@ std::span<const std::size_t> addedBy(std::span<const BoundingScan> scans)
       std::any_of(scans.begin(), scans.end(), [](const BoundingScan& scan) { return scan.used != 0; });
   return of_triple ? std::span<const std::size_t>(kAddedToTriple) : kAddedToBox;
 }
-}  // namespace
 
-RefinedPose refineOnInliers(const GaussianPose& sensor, std::span<const BoundingScan> scans, double gate, int least,
-                            GatedLandmarks& scratch)
+RefinedPose refineInRounds(const GaussianPose& sensor, std::span<const BoundingScan> scans, double gate, int least,
+                           GatedLandmarks& scratch)
 {
   RefinedPose result{sensor};
   const std::span<const std::size_t> added = addedBy(scans);
@@ -114,16 +122,18 @@ RefinedPose refineOnInliers(const GaussianPose& sensor, std::span<const Bounding
     Matrix3d information = Matrix3d::Zero();
     Vector3d gradient = Vector3d::Zero();
     result.inliers = 0;
+    result.operations += kOfRound;
     for (const BoundingScan& scan : scans)
     {
       landmarkGates(result.sensor, scan, gate, scratch);
       Associations found{};
-      result.inliers += associate(scratch, *scan.table, static_cast<float>(gate * gate), found);
+      result.inliers += associate(scratch, *scan.table, static_cast<float>(gate * gate), found, result.operations);
       const float largest = growing ? largestVariance(found, scan, scratch, added[round]) : 0;
       for (int bit = 0; bit < scan.table->size(); ++bit)
       {
         const Association& e = found[static_cast<std::size_t>(bit)];
         if (e.candidates == 0) continue;
+        result.operations += kOfRow;
         const bool own = (scan.used >> bit & 1U) != 0;
         if (growing && !own && (e.candidates > 1 || scratch.variance[e.landmark] > largest)) continue;
         const Vector3d row(scratch.ex[e.landmark], scratch.ey[e.landmark], -scratch.w[e.landmark]);
@@ -142,5 +152,14 @@ RefinedPose refineOnInliers(const GaussianPose& sensor, std::span<const Bounding
     result.sensor.covariance = factors.solve(Matrix3d::Identity());
     result.refined = true;
   }
+}
+}  // namespace
+
+RefinedPose refineOnInliers(const GaussianPose& sensor, std::span<const BoundingScan> scans, double gate, int least,
+                            GatedLandmarks& scratch)
+{
+  RefinedPose refined = refineInRounds(sensor, scans, gate, least, scratch);
+  WorkCounter::add(refined.operations);
+  return refined;
 }
 }  // namespace mrpt_ext

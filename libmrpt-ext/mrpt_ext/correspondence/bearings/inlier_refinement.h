@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "mrpt_ext/correspondence/bearings/inlier_bound.h"
@@ -13,6 +14,7 @@ struct RefinedPose
   int inliers = 0;               ///< bearings with a landmark within the gate of the refined pose
   bool refined = false;          ///< false: the bearings with a single possible landmark do not determine a pose
   bool enough_at_start = false;  ///< enough inliers before the refinement
+  std::uint64_t operations = 0;  ///< spent (geometry/work_budget.h)
 };
 
 /// Refines a sensor pose that comes from few bearings on its inliers, in a few rounds: first on the few bearings

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "mrpt_ext/geometry/work_counter.h"
+
 namespace mrpt_ext
 {
 namespace
@@ -117,6 +119,7 @@ TripleHypotheses::Work TripleHypotheses::forEachScan(std::size_t stride, Visit&&
       scanTriples(shape, around_first, j, end, around_second, hits);
       const std::size_t tested = (end - j) * around_second.count;
       work.tested += tested;
+      WorkCounter::add(2 * tested);
       work.finished = budget->spend(2 * tested);
       if (area) keepInside(*area, map->position(i), hits);
       if (hits.count == 0) continue;
@@ -146,6 +149,7 @@ TripleHypotheses::Work TripleHypotheses::run(ProposalStore& store) const
                      [&](std::uint32_t i, const Neighbours& first, const Neighbours& second, const TripleHits& hits)
                      {
                        if (!budget->spend(hits.count * cost_of_hit)) return false;
+                       WorkCounter::add(hits.count * cost_of_hit);
                        posesOfHits(seen, first, second, hits, poses);
                        boundInliers(poses, map->position(i), scans, gate, store.floor(), inliers);
                        for (std::size_t n = 0; n < poses.count; ++n)

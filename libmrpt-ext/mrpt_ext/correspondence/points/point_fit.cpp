@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "mrpt_ext/geometry/work_counter.h"
+
 #include "mrpt_ext/solvers/plane.h"
 
 namespace mrpt_ext
@@ -9,7 +11,9 @@ namespace mrpt_ext
 namespace
 {
 constexpr std::size_t kMostGrown = 12;  // more points hardly improve the fit
-}
+// Operations: of a fit and of each of its points, of a point that is looked up on the map.
+constexpr std::uint64_t kWorkOfFit = 20, kWorkOfFittedPoint = 3, kWorkOfLookup = 12;
+}  // namespace
 
 GaussianPose PointFit::pose() const
 {
@@ -61,10 +65,11 @@ GrownFit growFit(const LandmarkIndex& map, std::span<const PointMatch> constella
   std::array<PointMatch, kMostGrown> matches;
   std::size_t count = std::min(constellation.size(), kMostGrown);
   std::copy_n(constellation.begin(), count, matches.begin());
-  GrownFit grown{fitPoints({matches.data(), count}), static_cast<int>(constellation.size())};
+  GrownFit grown{fitPoints({matches.data(), count}), static_cast<int>(constellation.size()), kWorkOfFit};
   int left = static_cast<int>(others.size());
   for (const ScanPoint& point : others)
   {
+    grown.operations += kWorkOfLookup;
     const Vector2d expected = grown.fit.toWorld(point.in_robot);
     double nearest = gate * std::sqrt(square(point.std) + grown.fit.varianceAt(point.in_robot));
     const Vector2d* landmark = nullptr;
@@ -83,10 +88,12 @@ GrownFit growFit(const LandmarkIndex& map, std::span<const PointMatch> constella
       {
         matches[count++] = {&point, *landmark};
         grown.fit = fitPoints({matches.data(), count});
+        grown.operations += kWorkOfFit + kWorkOfFittedPoint * count;
       }
     }
     if (grown.inliers + --left < least) break;
   }
+  WorkCounter::add(grown.operations);
   return grown;
 }
 }  // namespace mrpt_ext

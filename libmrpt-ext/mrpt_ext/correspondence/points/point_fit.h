@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "mrpt_ext/correspondence/landmark_index.h"
@@ -48,7 +49,8 @@ struct PointMatch
 struct GrownFit
 {
   PointFit fit;
-  int inliers = 0;  ///< points matched, the constellation's own included
+  int inliers = 0;               ///< points matched, the constellation's own included
+  std::uint64_t operations = 0;  ///< spent (geometry/work_budget.h)
 };
 
 /// Tries to add the other points one after the other: each with a landmark of its category within `gate` standard

@@ -19,9 +19,9 @@ namespace
 constexpr std::size_t kNearPoints = 4;          // a triangle is made of a point and two of its nearest
 constexpr std::size_t kMaxVerifiedFits = 2000;  // poses; each costs some ten microseconds
 constexpr std::size_t kMaxPending = 50000;
-constexpr std::size_t kMostPoints = 100;                                  // of a scan
-constexpr std::uint64_t kCostOfCandidate = 500, kCostOfPairOfPoints = 3;  // operations
-constexpr std::size_t kMaxPairs = 15;                                     // widest first: they fix the heading best
+constexpr std::size_t kMostPoints = 100;                                 // of a scan
+constexpr std::uint64_t kCostOfCandidate = 20, kCostOfPairOfPoints = 3;  // operations, besides growing it
+constexpr std::size_t kMaxPairs = 15;                                    // widest first: they fix the heading best
 /// So few inliers need not be near neighbours of one another, as the triangles of the index are.
 constexpr int kFewMatches = 3;
 constexpr double kDoubtful =
@@ -41,7 +41,6 @@ class PointSearchRun
         points_(std::move(points)),
         budget_(budget),
         proposing_(budget, kProposingShare),
-        cost_of_verification_(costOfVerification(map, scans)),
         false_alarms_(pointFalseAlarmModel(map, points_, options.gate))
   {
   }
@@ -225,6 +224,7 @@ class PointSearchRun
     }
     const int least = leastInliers();
     const GrownFit grown = growFit(map_, matches, others, kPlaneGate * options_.gate, least);
+    proposing_.spend(grown.operations);
     if (grown.inliers < least) return;
     if (pending_.size() < kMaxPending)
       pending_.push_back(grown);
@@ -259,7 +259,7 @@ class PointSearchRun
       if (candidate.inliers < leastInliers()) break;
       const GaussianPose pose = candidate.fit.pose();
       if (alreadyFound(pose)) continue;
-      if (result_.work.verified >= kMaxVerifiedFits || !budget_.spend(cost_of_verification_ + result_.poses.size()))
+      if (result_.work.verified >= kMaxVerifiedFits || !budget_.spend(result_.poses.size()))
       {
         result_.finished = false;
         break;
@@ -297,6 +297,7 @@ class PointSearchRun
 
   void finish()
   {
+    if (budget_.exhausted()) result_.finished = false;
     double missed = kLogZero;
     if (!result_.poses.empty())
     {
@@ -314,7 +315,6 @@ class PointSearchRun
   std::vector<ScanPoint> points_;
   WorkBudget& budget_;
   WorkBudget proposing_;
-  std::uint64_t cost_of_verification_;  // [operations]
   PointFalseAlarmModel false_alarms_;
   std::vector<GrownFit> pending_;
   PoseSearchResult result_;
@@ -332,7 +332,9 @@ PoseSearchResult PointSearch::search(std::span<const Scan> scans, const PoseSear
   WorkBudget own;
   WorkBudget budget =
       WorkBudget::partOf(options.budget != nullptr ? *options.budget : own, mostSearchWork(map_.size()));
-  PoseSearchResult result = PointSearchRun(map_, triangles_, input.scans(), options, std::move(points), budget).run();
+  PoseSearchOptions within = options;
+  within.budget = &budget;
+  PoseSearchResult result = PointSearchRun(map_, triangles_, input.scans(), within, std::move(points), budget).run();
   input.restore(result);
   return result;
 }

@@ -20,10 +20,9 @@ void verifyAll(const Interpretations& found, const LandmarkIndex& map, std::span
                const PoseSearchOptions& options, const TreeInput& input, PoseSearchResult& search)
 {
   search.poses.clear();
-  const std::uint64_t cost = costOfVerification(map, scans);
   for (const Interpretation& interpretation : found.solutions)
   {
-    if (options.budget != nullptr && !options.budget->spend(cost)) break;
+    if (options.budget != nullptr && options.budget->exhausted()) break;
     const GaussianPose robot = robotPose(interpretation.pose, input.scan->T_robot_sensor);
     if (auto pose = verifyPose(map, scans, options, robot, kLeastMatches)) search.poses.push_back(std::move(*pose));
   }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "mrpt_ext/filter/kalman/kalman_innovation.h"
+#include "mrpt_ext/geometry/work_counter.h"
 #include "mrpt_ext/likelihood/detection_density.h"
 #include "mrpt_ext/likelihood/landmark_prediction.h"
 #include "mrpt_ext/likelihood/visibility_limits.h"
@@ -14,6 +15,7 @@ namespace mrpt_ext
 {
 namespace
 {
+constexpr std::uint64_t kCostOfFar = 60, kCostOfLinearisation = 400;  // operations, of a landmark
 constexpr double kFar = 12;  // standard deviations: the density there is below e^-72 of its peak
 
 /// Leaves out landmarks whose linearisation would be wasted: far out of range, or far from the detection.
@@ -69,6 +71,7 @@ Association associate(const Detection& detection, const Reading& reading, const 
   double view_sum = 0, likelihood_sum = 0, best = 0;
   const auto consider = [&](std::size_t j)
   {
+    WorkCounter::add(kCostOfLinearisation);
     const DetectionRows rows = linearise(detection, reading, map[j], state.mean, biases);
     const double in_view = identified ? 1.0 : rows.visibility;  // what is identified was in view
     if (!(in_view > 0)) return;
@@ -89,6 +92,7 @@ Association associate(const Detection& detection, const Reading& reading, const 
   else
   {
     const FarLandmarks far(detection, reading, state, biases);
+    WorkCounter::add(kCostOfFar * map.size());
     for (std::size_t j = 0; j < map.size(); ++j)
     {
       if (!mayShow(detection, map[j])) continue;
