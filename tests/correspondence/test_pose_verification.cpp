@@ -96,6 +96,19 @@ TEST_F(PoseJudge, TooFewMatchesOrOutsideTheAreaIsNoPose)
   EXPECT_FALSE(verifyPose(LandmarkIndex(landmarks_), {&scan_, 1}, options, candidate, 4));
 }
 
+TEST_F(PoseJudge, SpendsWhatItDoesAndEndsWithTheBudget)
+{
+  const GaussianPose candidate{truth_, Vector3d(0.01, 0.01, 1e-4).asDiagonal()};
+  const LandmarkIndex map(landmarks_);
+  WorkBudget much(1'000'000), little(1000);
+  PoseSearchOptions options;
+  options.budget = &much;
+  EXPECT_TRUE(verifyPose(map, {&scan_, 1}, options, candidate, 4));
+  EXPECT_GT(much.spent(), 1000U);
+  options.budget = &little;
+  EXPECT_FALSE(verifyPose(map, {&scan_, 1}, options, candidate, 4));
+}
+
 TEST_F(PoseJudge, LikelihoodIsFiniteForEveryModel)
 {
   for (const double clutter : {0.0, 0.5, 1.0})

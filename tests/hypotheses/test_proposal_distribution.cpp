@@ -104,6 +104,28 @@ TEST(ProposalDistribution, SamplesFollowTheDensity)
   expectSameMass(mixture, {4, -4}, -1, 1);  // only the uniform share
 }
 
+TEST(ProposalDistribution, ManyPosesTogetherHaveTheDensityOfEach)
+{
+  PoseHypothesis tilted = hypothesis({1, 1, 3.0}, {0.3, 0.4, 0.4}, 0.6);
+  tilted.pose.covariance(0, 2) = tilted.pose.covariance(2, 0) = 0.06;
+  tilted.pose.covariance(0, 1) = tilted.pose.covariance(1, 0) = -0.05;
+  const HypothesisSet hypotheses{tilted, hypothesis({-2, 0, 0}, {0.01, 0.02, 0.01}, 0.4),
+                                 hypothesis({2, 3, -1}, {0.2, 0.2, 1.5}, 0.3),
+                                 hypothesis({-3, 3, 1}, {0.5, 0.5, 0.1}, 0.2, false)};
+  for (const double uniform_share : {0.0, 0.3})
+  {
+    const ProposalDistribution mixture(hypotheses, kRegion, uniform_share, 1.5, kNoFloor);
+    RandomStream random(8);
+    PoseColumns columns({0.5, -0.5});
+    for (int i = 0; i < 1000; ++i) columns.add(mixture.sample(random));
+    const PoseBatch poses = columns.batch();
+    const std::vector<float> densities = mixture.densities(poses);
+    ASSERT_EQ(densities.size(), poses.size());
+    for (std::size_t i = 0; i < poses.size(); ++i)
+      EXPECT_NEAR(densities[i], mixture.density(poses[i]), 1e-3 * mixture.density(poses[i])) << i;
+  }
+}
+
 TEST(ProposalDistribution, ImportanceWeightsAverageToOne)
 {
   const HypothesisSet two{hypothesis({1, 1, 3.0}, {0.3, 0.4, 0.3}, 0.7), hypothesis({4.9, 0, 0}, {0.5, 0.3, 0.4}, 0.3)};

@@ -8,6 +8,7 @@
 
 #include "mrpt_ext/filter/particles/particle_blocks.h"
 #include "mrpt_ext/filter/particles/weight_kernels.h"
+#include "mrpt_ext/geometry/work_counter.h"
 #include "mrpt_ext/likelihood/landmark_prediction.h"
 
 namespace mrpt_ext
@@ -16,8 +17,9 @@ namespace
 {
 constexpr std::size_t kMostDraws = 64;  // from the posterior: a probability to a few per cent
 constexpr std::size_t kLeastDraws = 4;
-constexpr std::size_t kMostPairs = 20'000'000;  // of a detection and a landmark, over all draws
-constexpr double kMaxClutter = 0.7;             // a landmark is never trusted less
+constexpr std::size_t kMostPairs = 8'000'000;  // of a detection and a landmark, over all draws
+constexpr std::uint64_t kCostOfPair = 12;      // operations
+constexpr double kMaxClutter = 0.7;            // a landmark is never trusted less
 
 /// Weights of the particles of one block, and their sum.
 struct BlockWeights
@@ -102,6 +104,7 @@ double LandmarkReliability::observe(const Reading& reading, const LandmarkTable&
   const std::size_t wanted = std::clamp(kMostPairs / pairs, kLeastDraws, kMostDraws);
   const std::vector<std::size_t> draws = spacedDraws(particles, wanted, threads);
   if (draws.empty() || reading.detections.empty()) return 0;
+  WorkCounter::add(kCostOfPair * pairs * draws.size());
   const LandmarkClutter current = clutter(reading.model.clutter_probability);
   const double share = 1.0 / static_cast<double>(draws.size());
   const PoseBatch poses = particles.poses();
