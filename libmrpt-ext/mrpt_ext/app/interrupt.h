@@ -28,7 +28,7 @@ class InterruptGuard
 class DeferredInterrupt
 {
  public:
-  static constexpr long kGrace = 900'000;  ///< [us] the contract gives a second
+  static constexpr long kGrace = 800'000;  ///< [us] the contract gives a second, of which a busy machine takes some
 
   DeferredInterrupt();
   ~DeferredInterrupt();
