@@ -101,6 +101,8 @@ PathPlan readPath(const Settings& settings)
   plan.side = settings.number("Path", "side_m");
   plan.clockwise = settings.flag("Path", "clockwise");
   if (plan.kind != PathKind::random_walk) return plan;
+  plan.straight_share = settings.number("Path", "straight_share");
+  plan.rest_share = settings.number("Path", "rest_share");
   const std::vector<double> bounds = exactly(4, settings, "Path", "bounds");
   plan.low = {bounds[0], bounds[2]};
   plan.high = {bounds[1], bounds[3]};
@@ -119,7 +121,23 @@ OdometryNoise readOdometry(const Settings& settings)
   noise.std_phi_deg_per_sqrt_s = value("std_phi_deg_per_sqrt_s");
   noise.scale_error = value("scale_error");
   noise.rotation_scale_error = value("rotation_scale_error");
+  noise.arc_scale_error = value("arc_scale_error");
+  noise.drift = settings.radians("Odometry", "drift_deg_s");
+  noise.slips_per_minute = value("slips_per_minute");
+  noise.std_slip = value("std_slip_m");
+  noise.std_slip_heading = settings.radians("Odometry", "std_slip_deg");
   return noise;
+}
+
+ErrorSpread readRandomErrors(const Settings& settings)
+{
+  const auto value = [&](const char* key) { return settings.number("RandomErrors", key); };
+  return {.drift = settings.radians("RandomErrors", "drift_deg_s"),
+          .arc_turn_loss = value("arc_turn_loss"),
+          .noise_factor = value("noise_factor"),
+          .slips_per_minute = value("slips_per_minute"),
+          .delay = value("delay_s"),
+          .lever_arm = value("lever_arm_m")};
 }
 
 SimulatedObject readObject(const Settings& settings, const std::string& section)
@@ -146,6 +164,7 @@ Scenario readScenario(const Settings& settings)
   scenario.map = readMap(settings);
   scenario.path = readPath(settings);
   scenario.odometry = readOdometry(settings);
+  scenario.spread = readRandomErrors(settings);
   for (const std::string& section : settings.sectionsMatching("Sensor_"))
   {
     scenario.sensors.push_back(readSimulatedSensor(settings, section));

@@ -70,7 +70,9 @@ KeyTable pathKeys()
       .number("radius_m", "m", path.radius, kLength, "Radius of the circle.")
       .number("side_m", "m", path.side, kLength, "Side of the square.")
       .flag("clockwise", path.clockwise, "Sense of circle and square.")
-      .numbers("bounds", "m", {}, ranges::kAny, "min_x max_x min_y max_y of a random walk.");
+      .numbers("bounds", "m", {}, ranges::kAny, "min_x max_x min_y max_y of a random walk.")
+      .number("straight_share", "", path.straight_share, {0, 1}, "Share of straight lines in a random walk.")
+      .number("rest_share", "", path.rest_share, {0, 1}, "Share of rests in a random walk.");
 }
 
 KeyTable odometryKeys()
@@ -93,7 +95,33 @@ KeyTable odometryKeys()
               "Standard deviation of the heading after one second. Also at standstill.")
       .alias("std_phi_min_deg")
       .number("scale_error", "", noise.scale_error, {-0.5, 0.5}, "Measured / true distance - 1.")
-      .number("rotation_scale_error", "", noise.rotation_scale_error, {-0.5, 0.5}, "Measured / true turn - 1.");
+      .number("rotation_scale_error", "", noise.rotation_scale_error, {-0.5, 0.5}, "Measured / true turn - 1.")
+      .number("arc_scale_error", "", noise.arc_scale_error, {-0.5, 2},
+              "Measured / true turn - 1 while driving, in addition. Turns in place are not affected.")
+      .degrees("drift_deg_s", "deg/s", noise.drift, ranges::kAny,
+               "How fast the heading of odometry drifts, also at standstill.")
+      .number("slips_per_minute", "", noise.slips_per_minute, {0, 600}, "Expected number of slips.")
+      .number("std_slip_m", "m", noise.std_slip, ranges::kNotNegative,
+              "Standard deviation of the displacement that odometry misses in a slip.")
+      .degrees("std_slip_deg", "deg", noise.std_slip_heading, ranges::kNotNegative,
+               "Standard deviation of the turn that odometry misses in a slip.");
+}
+
+KeyTable randomErrorKeys()
+{
+  const ErrorSpread spread;
+  return KeySection("RandomErrors")
+      .degrees("drift_deg_s", "deg/s", spread.drift, ranges::kNotNegative,
+               "Drift of the heading of odometry, up to this in either direction.")
+      .number("arc_turn_loss", "", spread.arc_turn_loss, {0, 0.9},
+              "Share by which arcs turn less than measured, up to this.")
+      .number("noise_factor", "", spread.noise_factor, {1, 100},
+              "Odometry noise is 1 to this many times what [Odometry] states.")
+      .number("slips_per_minute", "", spread.slips_per_minute, {0, 600}, "Expected number of slips, up to this.")
+      .number("delay_s", "s", spread.delay, ranges::kNotNegative, "Delay of every sensor, up to this.")
+      .number("lever_arm_m", "m", spread.lever_arm, ranges::kNotNegative,
+              "How far a sensor is from its logged place on the robot, along and across, up to this in either "
+              "direction.");
 }
 
 KeyTable objectKeys()
@@ -118,6 +146,7 @@ KeyTable simulatorKeys()
   return table.append(mapKeys())
       .append(pathKeys())
       .append(odometryKeys())
+      .append(randomErrorKeys())
       .append(simulatedSensorKeys())
       .append(objectKeys())
       .append(kidnappingKeys());

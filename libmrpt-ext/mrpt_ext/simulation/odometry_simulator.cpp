@@ -7,6 +7,11 @@
 
 namespace mrpt_ext
 {
+namespace
+{
+constexpr double kDriving = 0.01;  // [m/s] above which a turn is an arc
+}  // namespace
+
 SimulatedOdometry::SimulatedOdometry(const RobotPath& path, const OdometryNoise& noise, double duration,
                                      RandomStream& random)
     : path_(path), noise_(noise)
@@ -22,10 +27,26 @@ SimulatedOdometry::SimulatedOdometry(const RobotPath& path, const OdometryNoise&
     const double scale = 1 + noise.scale_error;
     const double dx = scale * moved.x + std.x() * random.gaussian();
     const double dy = scale * moved.y + std.y() * random.gaussian();
-    const double dphi = (1 + noise.rotation_scale_error) * moved.phi + std.z() * random.gaussian();
-    reckoned = compose(reckoned, {dx, dy, dphi});
+    const double dphi = rotationScale(begin, end) * moved.phi + std.z() * random.gaussian();
+    const Vector3d unnoticed = slip(end - begin, random);
+    reckoned = compose(reckoned, {dx + unnoticed.x(), dy + unnoticed.y(),
+                                  dphi + noise.drift * (end - begin) + unnoticed.z()});
     records_.push_back({rounded(end), rounded(reckoned)});
   }
+}
+
+double SimulatedOdometry::rotationScale(double begin, double end) const
+{
+  const bool drives = path_.lengthAt(end) - path_.lengthAt(begin) > kDriving * (end - begin);
+  return 1 + noise_.rotation_scale_error + (drives ? noise_.arc_scale_error : 0);
+}
+
+Vector3d SimulatedOdometry::slip(double duration, RandomStream& random) const
+{
+  if (!(noise_.slips_per_minute > 0) || !random.chance(noise_.slips_per_minute * duration / 60))
+    return Vector3d::Zero();
+  return {noise_.std_slip * random.gaussian(), noise_.std_slip * random.gaussian(),
+          noise_.std_slip_heading * random.gaussian()};
 }
 
 Vector3d SimulatedOdometry::incrementStd(double begin, double end) const

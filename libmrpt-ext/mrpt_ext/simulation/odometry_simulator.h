@@ -24,6 +24,10 @@ class SimulatedOdometry
   [[nodiscard]] std::optional<GaussianPose> displacement(double begin, double end) const;
 
  private:
+  /// Measured / true rotation.
+  [[nodiscard]] double rotationScale(double begin, double end) const;
+  /// What a slip within this time adds to the measured motion; nearly always nothing.
+  [[nodiscard]] Vector3d slip(double duration, RandomStream& random) const;
   [[nodiscard]] Vector3d incrementStd(double begin, double end) const;
 
   RobotPath path_;

@@ -33,5 +33,7 @@ struct PathPlan
   bool clockwise = false;  ///< circle and square
 
   Vector2d low{0, 0}, high{0, 0};  ///< [m] box that a random walk does not leave
+  double straight_share = 0;       ///< of the arcs of a random walk that are straight lines
+  double rest_share = 0;           ///< ... and rests
 };
 }  // namespace mrpt_ext

@@ -65,6 +65,8 @@ RobotPath planRandomWalk(const PathPlan& plan, double duration, RandomStream& ra
   {
     TwistSegment arc{random.uniform(0.5, 2.0), plan.speed, random.uniform(-plan.turn_rate, plan.turn_rate)};
     const double astray = random.uniform(-kPi / 3, kPi / 3);
+    if (plan.straight_share > 0 && random.chance(plan.straight_share)) arc.turn_rate = 0;
+    if (plan.rest_share > 0 && random.chance(plan.rest_share)) arc.speed = arc.turn_rate = 0;
     const Pose2 middle = compose(pose, arcMotion(arc.speed, arc.turn_rate, 0.5 * arc.duration));
     const Pose2 end = compose(pose, arcMotion(arc.speed, arc.turn_rate, arc.duration));
     if (!inside(plan, middle) || !inside(plan, end))

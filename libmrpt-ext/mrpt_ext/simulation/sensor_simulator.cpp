@@ -102,11 +102,14 @@ std::vector<VisibleFeature> visibleFeatures(const SimulatedSensor& sensor, const
                                             const std::vector<SceneFeature>& features)
 {
   std::vector<VisibleFeature> visible;
+  const Vector2d lever = sensor.lever_arm;
+  const Pose2 T_robot_sensor{sensor.T_robot_sensor.x + lever.x(), sensor.T_robot_sensor.y + lever.y(),
+                             sensor.T_robot_sensor.phi};
   for (std::size_t i = 0; i < features.size(); ++i)
   {
     const Vector2d position = features[i].position.head<2>();
-    const double distance = predictRange(robot, position, sensor.T_robot_sensor);
-    const double bearing = predictBearing(robot, position, sensor.T_robot_sensor);
+    const double distance = predictRange(robot, position, T_robot_sensor);
+    const double bearing = predictBearing(robot, position, T_robot_sensor);
     if (!features[i].is_landmark && !sensor.sees_objects) continue;
     if (std::abs(bearing) > 0.5 * sensor.field_of_view || distance < sensor.min_range) continue;
     if (sensor.max_range && distance > *sensor.max_range) continue;

@@ -6,6 +6,7 @@
 #include "mrpt_ext/geometry/measurement_jacobian.h"
 #include "mrpt_ext/geometry/record_stream.h"
 #include "mrpt_ext/simulation/odometry_simulator.h"
+#include "mrpt_ext/simulation/random_errors.h"
 #include "mrpt_ext/simulation/rounding.h"
 #include "mrpt_ext/simulation/running_fix_simulator.h"
 #include "mrpt_ext/simulation/sensor_simulator.h"
@@ -29,21 +30,21 @@ class SimulatedDrive::Simulation
 {
  public:
   explicit Simulation(const Scenario& scenario)
-      : scenario_(scenario),
+      : scenario_(withRandomErrors(scenario)),
         map_(planned<LandmarkTable>(kMapStream, [&](RandomStream& r) { return generateMap(scenario.map, r); })),
         path_(planned<RobotPath>(kPathStream,
                                  [&](RandomStream& r) { return planPath(scenario.path, scenario.duration, r); })),
         odometry_(
             planned<SimulatedOdometry>(kOdometryStream, [&](RandomStream& r)
-                                       { return SimulatedOdometry(path_, scenario.odometry, scenario.duration, r); }))
+                                       { return SimulatedOdometry(path_, scenario_.odometry, scenario_.duration, r); }))
   {
     for (std::size_t i = 0; i < scenario.objects.size(); ++i)
       object_paths_.push_back(planned<RobotPath>(kFirstObjectStream + i, [&](RandomStream& r)
                                                  { return planPath(scenario.objects[i].path, scenario.duration, r); }));
     sources_.push_back({odometryRecords(), {}});
-    for (std::size_t i = 0; i < scenario.sensors.size(); ++i)
+    for (std::size_t i = 0; i < scenario_.sensors.size(); ++i)
     {
-      const auto run = std::make_shared<SensorRun>(*this, scenario.sensors[i],
+      const auto run = std::make_shared<SensorRun>(*this, scenario_.sensors[i],
                                                    RandomStream(scenario.random_seed, kFirstSensorStream + i));
       sources_.push_back({[run] { return run->next(); }, {}});
     }
@@ -199,7 +200,7 @@ class SimulatedDrive::Simulation
     std::optional<Record> pending;
   };
 
-  const Scenario& scenario_;
+  Scenario scenario_;
   LandmarkTable map_;
   RobotPath path_;
   SimulatedOdometry odometry_;
