@@ -99,6 +99,15 @@ TEST(SimulatedRun, Tracking)
   EXPECT_LT(testing::positionRmse(summary), testing::positionRmse(summary, "bearing_maximum_likelihood"));
 }
 
+TEST(SimulatedRun, OdometryWorseThanStated)
+{
+  const testing::ScratchFolder folder;
+  const auto log = testing::simulated(folder.path(), "bad-odometry");
+  const auto summary = testing::summaryOf(testing::localized(folder.path(), "bad-odometry", log.arguments()));
+  EXPECT_EQ(summary.at("success_rate"), 1.0);
+  EXPECT_LT(summary.at("methods").at("particle_filter").at("position_error_m").at("median"), 0.2);
+}
+
 TEST(SimulatedRun, KidnappedRobotIsFoundAgain)
 {
   const testing::ScratchFolder folder;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 namespace mrpt_ext
@@ -62,6 +63,39 @@ TEST(SimulatedOdometry, WithoutErrorsRepeatsThePath)
     EXPECT_NEAR(record.pose.y, bend().poseAt(record.time).y, 1e-5);
     EXPECT_NEAR(wrap(record.pose.phi - bend().poseAt(record.time).phi), 0, 1e-5);
   }
+}
+
+TEST(SimulatedOdometry, ArcsMayBeMeasuredTooLongWhilePivotsAreRight)
+{
+  OdometryNoise noise = kPerfect;
+  noise.arc_scale_error = 0.5;
+  RandomStream random(1);
+  const SimulatedOdometry odometry(bend(), noise, 8, random);
+  const double before = odometry.displacement(0, 4)->mean.phi, arc = odometry.displacement(4, 6)->mean.phi,
+               pivot = odometry.displacement(6, 8)->mean.phi;
+  EXPECT_NEAR(before, 0, 1e-5);
+  EXPECT_NEAR(arc, 1.5 * 1.2, 1e-5);
+  EXPECT_NEAR(pivot, -2, 1e-5);
+}
+
+TEST(SimulatedOdometry, DriftTurnsAtStandstillToo)
+{
+  OdometryNoise noise = kPerfect;
+  noise.drift = 0.01;
+  RandomStream random(1);
+  const SimulatedOdometry odometry(RobotPath({1, 2, 0}, {}), noise, 10, random);
+  EXPECT_NEAR(odometry.displacement(0, 10)->mean.phi, 0.1, 1e-5);
+}
+
+TEST(SimulatedOdometry, SlipsAreRareAndLarge)
+{
+  OdometryNoise noise = kPerfect;
+  noise.slips_per_minute = 60 / bend().duration();  // one per run
+  noise.std_slip = 0.3;
+  int slipped = 0;
+  const int runs = 1000;
+  for (const Vector3d& error : finalErrors(noise, runs)) slipped += error.norm() > 1e-3 ? 1 : 0;
+  EXPECT_NEAR(slipped / static_cast<double>(runs), 1 - std::exp(-1), 0.05);
 }
 
 TEST(SimulatedOdometry, HeadingErrorIsAsConfigured)

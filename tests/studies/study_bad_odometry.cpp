@@ -63,7 +63,8 @@ void runBadOdometry(std::ostream& out)
   const int runs = studyRuns(200);
   out << "Lost for good: never within " << kFoundAgainWithin << " m in the last " << kEnd << " s. Wrong: ok, more than "
       << kFarOff << " m and " << kFarOffDeviations << " stated deviations off.\n\n"
-      << "| detections, seeds | runs | lost for good | ok | runs with ok but wrong | ok but wrong | truth in 95 % region "
+      << "| detections, seeds | runs | lost for good | ok | runs with ok but wrong | ok but wrong | truth in 95 % "
+         "region "
          "of the position | of the heading | RMSE when ok [m] |\n|---|---|---|---|---|---|---|---|---|\n";
   for (const std::string identity : {"known", "anonymous"})
   {

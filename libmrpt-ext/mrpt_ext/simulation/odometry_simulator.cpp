@@ -29,8 +29,8 @@ SimulatedOdometry::SimulatedOdometry(const RobotPath& path, const OdometryNoise&
     const double dy = scale * moved.y + std.y() * random.gaussian();
     const double dphi = rotationScale(begin, end) * moved.phi + std.z() * random.gaussian();
     const Vector3d unnoticed = slip(end - begin, random);
-    reckoned = compose(reckoned, {dx + unnoticed.x(), dy + unnoticed.y(),
-                                  dphi + noise.drift * (end - begin) + unnoticed.z()});
+    reckoned =
+        compose(reckoned, {dx + unnoticed.x(), dy + unnoticed.y(), dphi + noise.drift * (end - begin) + unnoticed.z()});
     records_.push_back({rounded(end), rounded(reckoned)});
   }
 }

@@ -4,7 +4,7 @@
 
 namespace mrpt_ext
 {
-/// The scenario with the errors that its random seed draws from its spread, each uniformly between none and the largest.
-/// A scenario without spread is returned as it is.
+/// The scenario with the errors that its random seed draws from its spread, each uniformly between none and the
+/// largest. A scenario without spread is returned as it is.
 [[nodiscard]] Scenario withRandomErrors(Scenario scenario);
 }  // namespace mrpt_ext

@@ -25,22 +25,22 @@ struct OdometryNoise
   double std_phi_deg_per_sqrt_s = 0;  ///< [deg] after one second, also at standstill
   double scale_error = 0;             ///< measured / true distance - 1
   double rotation_scale_error = 0;    ///< measured / true rotation - 1
-  double arc_scale_error = 0;         ///< the same for turns while driving, in addition; turns in place are not affected
-  double drift = 0;                   ///< [rad/s] that the heading turns in the log, also at standstill
-  double slips_per_minute = 0;        ///< expected number
-  double std_slip = 0;                ///< [m] of a displacement that odometry misses
-  double std_slip_heading = 0;        ///< [rad] of the turn that it misses
+  double arc_scale_error = 0;   ///< the same for turns while driving, in addition; turns in place are not affected
+  double drift = 0;             ///< [rad/s] that the heading turns in the log, also at standstill
+  double slips_per_minute = 0;  ///< expected number
+  double std_slip = 0;          ///< [m] of a displacement that odometry misses
+  double std_slip_heading = 0;  ///< [rad] of the turn that it misses
 };
 
 /// Odometry and mounting that nobody calibrated: each error is drawn anew per random seed, up to these sizes.
 struct ErrorSpread
 {
-  double drift = 0;            ///< [rad/s] heading drift of either sign
-  double arc_turn_loss = 0;    ///< on arcs the robot turns less than measured by up to this share
-  double noise_factor = 1;     ///< odometry noise is up to this many times the stated one
+  double drift = 0;          ///< [rad/s] heading drift of either sign
+  double arc_turn_loss = 0;  ///< on arcs the robot turns less than measured by up to this share
+  double noise_factor = 1;   ///< odometry noise is up to this many times the stated one
   double slips_per_minute = 0;
-  double delay = 0;            ///< [s] of every sensor
-  double lever_arm = 0;        ///< [m] that a sensor is off its stated place, along each axis
+  double delay = 0;      ///< [s] of every sensor
+  double lever_arm = 0;  ///< [m] that a sensor is off its stated place, along each axis
 };
 
 enum class SensorKind
