@@ -9,7 +9,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr std::uint64_t kOfSearch = 200'000'000, kOfSearchPerLandmark = 55'000;
+constexpr std::uint64_t kOfSearch = 150'000'000, kOfSearchPerLandmark = 60'000;
 constexpr std::uint64_t kOfStep = 300'000'000, kOfStepPerLandmark = 40'000;
 }  // namespace
 
