@@ -80,6 +80,12 @@ int AppShell::answer(const std::vector<std::string>& arguments, const std::funct
     err_ << oneLine(error.what()) << std::endl;
     return error.kind() == InputError::Kind::configuration ? kExitUsage : kExitFailed;
   }
+  catch (const std::bad_alloc&)
+  {
+    err_ << name_ << ": not enough memory: expected fewer particles (particles_count, initial_particles_count), a "
+                     "shorter part of the log (--duration), or a smaller map\n";
+    return kExitFailed;
+  }
   catch (const std::exception& error)
   {
     err_ << name_ << ": " << oneLine(error.what()) << std::endl;

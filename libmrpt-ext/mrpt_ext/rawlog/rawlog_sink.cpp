@@ -113,12 +113,11 @@ std::size_t writeRawlog(const std::filesystem::path& path, const std::function<R
   {
     writeTo(staged.path(), summary, records());
     // Closing does not report a full disk: check the trailing checksum.
-    if (!checkRawlogFile(staged.path()).damage.empty()) throw std::runtime_error("is the disk full?");
+    if (!checkRawlogFile(staged.path()).damage.empty()) throw std::runtime_error("incomplete");
   }
-  catch (const std::exception& error)
+  catch (const std::exception&)  // of MRPT, whose text names a line of its source
   {
-    const std::string text = error.what();
-    throw dataError(path.string() + ": cannot be written (" + text.substr(0, text.find('\n')) + ")");
+    throw dataError(path.string() + ": cannot be written (is the disk full?)");
   }
   staged.commit();
   return summary.entries;
