@@ -69,6 +69,21 @@ TEST(VisibleFeatures, RespectPoseFieldOfViewAndRange)
   EXPECT_NEAR(visibleFeatures(sensor, {0, 0, 0}, features)[0].range, 3, 1e-12);
 }
 
+TEST(VisibleFeatures, AreHiddenByNearerOnesWithARadius)
+{
+  SimulatedSensor sensor = rangeBearing();
+  sensor.field_of_view = kTwoPi;
+  const SceneFeature post{kNoId, "", {2, 0.3, 0}, false, 0.2};
+  const std::vector<SceneFeature> features{{1, "", {4, 0.6, 0}},   // behind the post
+                                           {2, "", {4, 0.1, 0}},   // beside it
+                                           {3, "", {1, 0.15, 0}},  // before it
+                                           {4, "", {-4, -0.6, 0}},
+                                           post};
+  std::vector<std::size_t> visible;
+  for (const VisibleFeature& feature : visibleFeatures(sensor, {0, 0, 0}, features)) visible.push_back(feature.feature);
+  EXPECT_EQ(visible, (std::vector<std::size_t>{1, 2, 3, 4}));
+}
+
 TEST(SimulateReading, NoiseAndBiasComeOutAsConfigured)
 {
   SimulatedSensor sensor = rangeBearing();

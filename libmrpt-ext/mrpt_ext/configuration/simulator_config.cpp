@@ -145,12 +145,22 @@ SimulatedObject readObject(const Settings& settings, const std::string& section)
   SimulatedObject object;
   object.category = settings.hasValue(section, "category") ? settings.text(section, "category") : labelOf(section);
   object.path.kind = settings.hasValue(section, "waypoints") ? PathKind::waypoints : PathKind::standstill;
+  object.radius = settings.number(section, "radius_m");
   readDrive(settings, section, object.path);
   if (!settings.hasValue(section, "position") && settings.hasValue(section, "waypoints")) return object;
   const std::vector<double> position = exactly(3, settings, section, "position");
   object.path.start = {position[0], position[1], 0};
   object.z = position[2];
   return object;
+}
+
+BarrierPlan readBarriers(const Settings& settings)
+{
+  return {.count = static_cast<int>(settings.integer("Barriers", "count")),
+          .length = settings.number("Barriers", "length_m"),
+          .spacing = settings.number("Barriers", "spacing_m"),
+          .post_radius = settings.number("Barriers", "post_radius_m"),
+          .clearance = settings.number("Barriers", "clearance_m")};
 }
 }  // namespace
 
@@ -173,6 +183,7 @@ Scenario readScenario(const Settings& settings)
   }
   for (const std::string& section : settings.sectionsMatching("Object_"))
     scenario.objects.push_back(readObject(settings, section));
+  scenario.barriers = readBarriers(settings);
   for (const std::string& section : settings.sectionsMatching("Kidnapping_"))
     scenario.kidnappings.push_back({settings.number(section, "time_s"), poseFrom(settings, section, "pose")});
   std::sort(scenario.kidnappings.begin(), scenario.kidnappings.end(),

@@ -128,8 +128,22 @@ KeyTable objectKeys()
 {
   KeySection keys("Object_<label>");
   keys.numbers("position", "m", {}, ranges::kAny, "x y z of an object that stands still. With waypoints only z counts.")
-      .text("category", "", "", "Category of its detections. Not set: its label.");
+      .text("category", "", "", "Category of its detections. Not set: its label.")
+      .number("radius_m", "m", SimulatedObject().radius, ranges::kNotNegative,
+              "It hides what is behind it. 0: it hides nothing.");
   return addDrive(keys);
+}
+
+KeyTable barrierKeys()
+{
+  const BarrierPlan plan;
+  return KeySection("Barriers")
+      .integer("count", "", plan.count, {0, 1e4},
+               "Rows of posts at random places that look like landmarks and hide what is behind them.")
+      .number("length_m", "m", plan.length, ranges::kNotNegative, "Length of a row.")
+      .number("spacing_m", "m", plan.spacing, kLength, "Distance between neighbouring posts.")
+      .number("post_radius_m", "m", plan.post_radius, ranges::kNotNegative, "Radius of a post.")
+      .number("clearance_m", "m", plan.clearance, ranges::kNotNegative, "Least distance of a post to the path.");
 }
 
 KeyTable kidnappingKeys()
@@ -149,6 +163,7 @@ KeyTable simulatorKeys()
       .append(randomErrorKeys())
       .append(simulatedSensorKeys())
       .append(objectKeys())
+      .append(barrierKeys())
       .append(kidnappingKeys());
 }
 }  // namespace mrpt_ext

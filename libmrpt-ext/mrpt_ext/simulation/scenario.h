@@ -8,6 +8,7 @@
 #include "mrpt_ext/geometry/identity_level.h"
 #include "mrpt_ext/geometry/landmark_table.h"
 #include "mrpt_ext/geometry/scan_sweep.h"
+#include "mrpt_ext/simulation/barrier_planner.h"
 #include "mrpt_ext/simulation/map_generator.h"
 #include "mrpt_ext/simulation/path_planner.h"
 
@@ -93,6 +94,7 @@ struct SimulatedObject
   std::string category;
   double z = 0;  ///< [m]
   PathPlan path{.kind = PathKind::standstill};
+  double radius = 0;  ///< [m] it hides what is behind it; 0: nothing
 };
 
 /// At `time` the robot is moved to `pose`, unnoticed by its odometry; it then continues its path from there.
@@ -115,6 +117,7 @@ struct Scenario
   ErrorSpread spread;
   std::vector<SimulatedSensor> sensors;
   std::vector<SimulatedObject> objects;
+  BarrierPlan barriers;
   std::vector<Kidnapping> kidnappings;  ///< ordered by time
 };
 }  // namespace mrpt_ext

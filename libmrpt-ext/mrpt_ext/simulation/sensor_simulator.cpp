@@ -92,6 +92,24 @@ Detection detectNothing(const SimulatedSensor& sensor, const std::vector<SceneFe
   return detection;
 }
 
+/// Seen from a sensor [rad, m horizontal].
+struct Direction
+{
+  double bearing = 0, distance = 0;
+};
+
+/// True when a nearer feature covers this one's centre.
+bool isHidden(std::size_t feature, const std::vector<Direction>& seen, const std::vector<SceneFeature>& features)
+{
+  for (std::size_t k = 0; k < features.size(); ++k)
+  {
+    if (!(features[k].radius > 0) || !(seen[k].distance < seen[feature].distance)) continue;
+    const double angle = std::abs(wrap(seen[feature].bearing - seen[k].bearing));
+    if (angle < kPi / 2 && seen[k].distance * std::sin(angle) < features[k].radius) return true;
+  }
+  return false;
+}
+
 void shuffle(std::vector<Detection>& detections, RandomStream& random)
 {
   for (std::size_t i = detections.size(); i > 1; --i) std::swap(detections[i - 1], detections[random.below(i)]);
@@ -101,18 +119,23 @@ void shuffle(std::vector<Detection>& detections, RandomStream& random)
 std::vector<VisibleFeature> visibleFeatures(const SimulatedSensor& sensor, const Pose2& robot,
                                             const std::vector<SceneFeature>& features)
 {
-  std::vector<VisibleFeature> visible;
   const Vector2d lever = sensor.lever_arm;
   const Pose2 T_robot_sensor{sensor.T_robot_sensor.x + lever.x(), sensor.T_robot_sensor.y + lever.y(),
                              sensor.T_robot_sensor.phi};
+  std::vector<Direction> seen;
+  for (const SceneFeature& feature : features)
+  {
+    const Vector2d position = feature.position.head<2>();
+    seen.push_back({predictBearing(robot, position, T_robot_sensor), predictRange(robot, position, T_robot_sensor)});
+  }
+  std::vector<VisibleFeature> visible;
   for (std::size_t i = 0; i < features.size(); ++i)
   {
-    const Vector2d position = features[i].position.head<2>();
-    const double distance = predictRange(robot, position, T_robot_sensor);
-    const double bearing = predictBearing(robot, position, T_robot_sensor);
+    const auto [bearing, distance] = seen[i];
     if (!features[i].is_landmark && !sensor.sees_objects) continue;
     if (std::abs(bearing) > 0.5 * sensor.field_of_view || distance < sensor.min_range) continue;
     if (sensor.max_range && distance > *sensor.max_range) continue;
+    if (isHidden(i, seen, features)) continue;
     const double rise = features[i].position.z() - sensor.height;
     visible.push_back({i, bearing, sensor.horizontal_range ? distance : std::hypot(distance, rise)});
   }

@@ -17,6 +17,7 @@ struct SceneFeature
   std::string category;
   Vector3d position{0, 0, 0};
   bool is_landmark = true;
+  double radius = 0;  ///< [m] it hides what is behind it; 0: nothing
 };
 
 /// A feature in view of a sensor, without errors.
@@ -27,7 +28,7 @@ struct VisibleFeature
   double range = 0;         ///< [m] slant or horizontal, as the sensor measures
 };
 
-/// The features inside field of view and range limits, without occlusion, in the order of the map.
+/// The features inside field of view and range limits that none with a radius hides, in the order of the map.
 [[nodiscard]] std::vector<VisibleFeature> visibleFeatures(const SimulatedSensor& sensor, const Pose2& robot,
                                                           const std::vector<SceneFeature>& features);
 

@@ -21,6 +21,7 @@ enum Stream : std::uint64_t
   kMapStream = 0,
   kPathStream = 1,
   kOdometryStream = 2,
+  kBarrierStream = 3,
   kFirstObjectStream = 1000,
   kFirstSensorStream = 2000
 };
@@ -38,6 +39,7 @@ class SimulatedDrive::Simulation
             planned<SimulatedOdometry>(kOdometryStream, [&](RandomStream& r)
                                        { return SimulatedOdometry(path_, scenario_.odometry, scenario_.duration, r); }))
   {
+    posts_ = planned<std::vector<Vector2d>>(kBarrierStream, [&](RandomStream& r) { return planPosts(r); });
     for (std::size_t i = 0; i < scenario.objects.size(); ++i)
       object_paths_.push_back(planned<RobotPath>(kFirstObjectStream + i, [&](RandomStream& r)
                                                  { return planPath(scenario.objects[i].path, scenario.duration, r); }));
@@ -86,6 +88,12 @@ class SimulatedDrive::Simulation
     return plan(random);
   }
 
+  [[nodiscard]] std::vector<Vector2d> planPosts(RandomStream& random) const
+  {
+    const auto [low, high] = map_.boundingBox();
+    return planBarriers(scenario_.barriers, low, high, path_, random);
+  }
+
   [[nodiscard]] double stamp(double time) const { return rounded(scenario_.start_time + time); }
 
   [[nodiscard]] Pose2 robotAt(double time) const
@@ -104,8 +112,11 @@ class SimulatedDrive::Simulation
     for (std::size_t i = 0; i < object_paths_.size(); ++i)
     {
       const Pose2 pose = object_paths_[i].poseAt(time);
-      features.push_back({kNoId, scenario_.objects[i].category, {pose.x, pose.y, scenario_.objects[i].z}, false});
+      const SimulatedObject& object = scenario_.objects[i];
+      features.push_back({kNoId, object.category, {pose.x, pose.y, object.z}, false, object.radius});
     }
+    for (const Vector2d& post : posts_)
+      features.push_back({kNoId, {}, {post.x(), post.y(), map_.meanHeight()}, false, scenario_.barriers.post_radius});
     return features;
   }
 
@@ -205,6 +216,7 @@ class SimulatedDrive::Simulation
   RobotPath path_;
   SimulatedOdometry odometry_;
   std::vector<RobotPath> object_paths_;
+  std::vector<Vector2d> posts_;  // of the barriers
   std::vector<Source> sources_;
 };
 
