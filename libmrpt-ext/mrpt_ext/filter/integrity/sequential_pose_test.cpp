@@ -24,11 +24,13 @@ ParticleSet thinned(const ParticleSet& particles)
   return few;
 }
 
-bool isAnonymousBearing(const Detection& d) { return d.id == kNoId && d.bearing && !d.range; }
 }  // namespace
 
 SequentialPoseTest::SequentialPoseTest(const MotionModel& motion, const LandmarkTable& map)
-    : decorrelator_(motion, map), null_model_(motion, defaultMaxRange(map)), spot_(motion, decorrelationDistance(map))
+    : decorrelator_(motion, map),
+      null_model_(motion, defaultMaxRange(map)),
+      point_null_model_(motion, defaultMaxRange(map)),
+      spot_(motion, decorrelationDistance(map))
 {
 }
 
@@ -47,6 +49,7 @@ void SequentialPoseTest::move(const OdometryMotion& motion)
 {
   decorrelator_.move(motion);
   null_model_.move(motion);
+  point_null_model_.move(motion);
   if (spot_.move(motion)) decorrelator_.clear();
   gap_ += motion.duration;
 }
@@ -70,8 +73,14 @@ double SequentialPoseTest::nullLogLikelihood(const Reading& independent, double 
 {
   double sum = 0;
   for (const Detection& d : independent.detections)
-    sum += isAnonymousBearing(d) ? null_model_.logLikelihood(independent, d)
-                                 : -std::log(measurementVolume(d, independent.model, default_max_range));
+  {
+    if (d.id != kNoId || !d.bearing)
+      sum -= std::log(measurementVolume(d, independent.model, default_max_range));
+    else if (d.range)
+      sum += point_null_model_.logLikelihood(independent, d);
+    else
+      sum += null_model_.logLikelihood(independent, d);
+  }
   return sum;
 }
 
@@ -80,6 +89,7 @@ void SequentialPoseTest::start(const std::vector<Reading>& readings, const Landm
 {
   decorrelator_.clear();
   null_model_.clear();
+  point_null_model_.clear();
   ParticleSet particles = samples;
   log_odds_ =
       normalizeWeights(particles).log_sum - std::log(static_cast<double>(std::max<std::size_t>(1, samples.size())));

@@ -4,6 +4,7 @@
 
 #include "mrpt_ext/filter/integrity/independent_detections.h"
 #include "mrpt_ext/filter/integrity/null_model.h"
+#include "mrpt_ext/filter/integrity/point_null_model.h"
 #include "mrpt_ext/filter/integrity/spot_evidence.h"
 #include "mrpt_ext/filter/motion/motion_model.h"
 #include "mrpt_ext/filter/particles/particle_set.h"
@@ -18,7 +19,8 @@ namespace mrpt_ext
 /// A filter whose particles missed the right pose converges to the best wrong one, and nearly all detections are
 /// inliers there: it was selected for that. The detections it was selected by are no evidence, nor are correlated ones.
 /// So only independent detections count (independent_detections.h), with their likelihood under the particles *before*
-/// they are weighted. Each adds its log-likelihood ratio against the null model (null_model.h). Under the null
+/// they are weighted. Each adds its log-likelihood ratio against the null models (null_model.h,
+/// point_null_model.h). Under the null
 /// hypothesis the odds exceed 1/a with probability a at most, at any time (Ville's inequality); at the right pose they
 /// grow with every independent detection. Detections that repeat themselves at one spot neither prove nor refute
 /// (spot_evidence.h).
@@ -60,7 +62,8 @@ class SequentialPoseTest
   void test(const std::vector<Reading>& readings, const LandmarkTable& map, ParticleSet particles);
 
   DetectionDecorrelator decorrelator_;
-  NullModel null_model_;
+  NullModel null_model_;             // of anonymous bearings
+  PointNullModel point_null_model_;  // of those with ranges
   SpotEvidence spot_;
   double log_odds_ = 0;
   double gap_ = 0;  // [s] since the last detection

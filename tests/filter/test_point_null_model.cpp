@@ -1,0 +1,98 @@
+#include "mrpt_ext/filter/integrity/point_null_model.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mrpt_ext/geometry/measurement_jacobian.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+const MotionModel kExact{
+    .std_xy_per_m = 0, .std_phi_per_deg = 0, .std_phi_per_m = 0, .std_xy_per_s = 0, .std_phi_per_s = 0};
+constexpr double kMaxRange = 5;
+const double kUniform = -std::log(kTwoPi * kMaxRange);
+
+Reading laser()
+{
+  Reading reading;
+  reading.sensor = "laser";
+  reading.T_robot_sensor = {0.1, 0.2, 0.3};
+  reading.model.max_range = kMaxRange;
+  reading.model.clutter_probability = 0.05;
+  return reading;
+}
+
+Detection at(double range, double bearing)
+{
+  Detection detection{.std_bearing = degToRad(1.0), .std_range = 0.05};
+  detection.range = range;
+  detection.bearing = bearing;
+  return detection;
+}
+
+Detection of(const Vector2d& post, const Pose2& robot)
+{
+  const Pose2 sensor = laser().T_robot_sensor;
+  return at(predictRange(robot, post, sensor), predictBearing(robot, post, sensor));
+}
+
+OdometryMotion aheadBy(double distance) { return {{distance, 0, 0}, distance, 0, 1}; }
+}  // namespace
+
+TEST(PointNullModel, TheFirstDetectionHasAUniformDensity)
+{
+  PointNullModel model(kExact, 20);
+  EXPECT_NEAR(model.logLikelihood(laser(), at(2, 1)), kUniform, 1e-12);
+}
+
+TEST(PointNullModel, AFeatureIsExpectedAgainFromWhereverItIsSeen)
+{
+  const Vector2d post(2, 1);
+  PointNullModel model(kExact, 20);
+  double last = 0;
+  for (int k = 0; k < 8; ++k)
+  {
+    last = model.logLikelihood(laser(), of(post, {0.3 * k, 0, 0}));
+    model.move(aheadBy(0.3));
+  }
+  EXPECT_EQ(model.size(), 1U);
+  EXPECT_GT(last, kUniform + 5);
+  EXPECT_LT(model.logLikelihood(laser(), at(4, -2)), kUniform) << "new features have become rare";
+  EXPECT_EQ(model.size(), 2U);
+}
+
+TEST(PointNullModel, OdometryForgetsWhereAFeatureIs)
+{
+  const MotionModel loose{.std_xy_per_m = 0.2, .std_phi_per_deg = 0, .std_phi_per_m = degToRad(10.0)};
+  const auto density = [](const MotionModel& motion)
+  {
+    PointNullModel model(motion, 20);
+    for (int k = 0; k < 5; ++k) (void)model.logLikelihood(laser(), of({2, 1}, {0, 0, 0}));
+    for (int k = 0; k < 10; ++k) model.move(aheadBy(0.1));
+    return model.logLikelihood(laser(), of({2, 1}, {1, 0, 0}));
+  };
+  EXPECT_LT(density(loose), density(kExact) - 2);
+}
+
+TEST(PointNullModel, ItsDensityIntegratesToOne)
+{
+  PointNullModel model(kExact, 20);
+  for (int k = 0; k < 4; ++k)
+    for (const Vector2d& post : {Vector2d(2, 1), Vector2d(1.5, -1)})
+      (void)model.logLikelihood(laser(), of(post, {0, 0, 0}));
+  constexpr int kRanges = 500, kBearings = 720;
+  const double cell = kMaxRange / kRanges * kTwoPi / kBearings;
+  double sum = 0;
+  for (int i = 0; i < kRanges; ++i)
+    for (int k = 0; k < kBearings; ++k)
+    {
+      PointNullModel copy = model;
+      const double range = (i + 0.5) * kMaxRange / kRanges, bearing = (k + 0.5) * kTwoPi / kBearings - kPi;
+      sum += cell * std::exp(copy.logLikelihood(laser(), at(range, bearing)));
+    }
+  EXPECT_NEAR(sum, 1, 0.01);
+}
+}  // namespace mrpt_ext
