@@ -147,7 +147,7 @@ TEST(Signals, ReportKeepsTheOldOneWhenItEnds)
             0);
   Arguments arguments{"-o", html};
   fs::create_directories(folder.path() / "runs");
-  for (int i = 0; i < 3000; ++i)
+  for (int i = 0; i < 20000; ++i)
   {
     arguments.push_back(folder.path() / "runs" / std::to_string(i));
     fs::create_directory_symlink(run, arguments.back());

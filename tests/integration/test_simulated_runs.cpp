@@ -166,6 +166,28 @@ TEST(SimulatedRun, SymmetricPlacesStayTwoUntilTheOddLandmarkIsSeen)
   EXPECT_GT(with_two_modes, 0.9 * undecided);
 }
 
+// Posts of a fence agree with each other from frame to frame. A wrong pose that fits two of them goes on to fit them.
+TEST(SimulatedRun, PostsThatLookLikeLandmarksProveNoPose)
+{
+  for (const std::string seed : {"4", "7"})
+  {
+    const testing::ScratchFolder folder;
+    const auto log = testing::simulated(folder.path(), "barriers", {"--seed", seed});
+    const auto run = testing::localized(
+        folder.path(), "barriers",
+        testing::joined(log.arguments(), {"--seed", seed, "--set", "LocalizationExperiment.methods=particle_filter"}));
+    const Trajectory truth = readTum(log.truth);
+    int ok = 0;
+    for (const StepRow& step : testing::stepsOf(run))
+    {
+      if (step.verdict != "ok") continue;
+      EXPECT_LT(testing::positionError(step, truth), 0.5) << "at " << step.time - truth.front().time << " s";
+      ++ok;
+    }
+    EXPECT_GT(ok, 20) << "seed " << seed;
+  }
+}
+
 // For the first eleven seconds nothing but chance tells a place in the room from the one opposite to it. A first sample
 // that is drawn before the place is narrowed down misses one of the two, and the filter is sure of what is left: of
 // fifty logs, on these six.
