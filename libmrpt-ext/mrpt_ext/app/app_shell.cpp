@@ -82,8 +82,9 @@ int AppShell::answer(const std::vector<std::string>& arguments, const std::funct
   }
   catch (const std::bad_alloc&)
   {
-    err_ << name_ << ": not enough memory: expected fewer particles (particles_count, initial_particles_count), a "
-                     "shorter part of the log (--duration), or a smaller map\n";
+    err_ << name_
+         << ": not enough memory: expected fewer particles (particles_count, initial_particles_count), a "
+            "shorter part of the log (--duration), or a smaller map\n";
     return kExitFailed;
   }
   catch (const std::exception& error)

@@ -32,7 +32,8 @@ void solveGains(LinearStep& step)
     const KalmanMatrix of_row = row.row.jacobian.transpose() * row.row.jacobian / row.row.variance;
     step.information += of_row;
     std::vector<KalmanMatrix>& of_sensors = step.sensor_information;
-    if (row.source.sensor >= of_sensors.size()) of_sensors.resize(row.source.sensor + 1, KalmanMatrix::Zero(size, size));
+    if (row.source.sensor >= of_sensors.size())
+      of_sensors.resize(row.source.sensor + 1, KalmanMatrix::Zero(size, size));
     of_sensors[row.source.sensor] += of_row;
   }
   step.remaining = KalmanMatrix(I + P * step.information).partialPivLu().inverse();

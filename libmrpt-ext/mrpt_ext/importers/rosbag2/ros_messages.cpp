@@ -90,8 +90,8 @@ Vector3d inPlane(double x, double y)
   return {x, y, 0};
 }
 
-/// The driver's own conversion first, then what the scanner measured: its axes are turned by half a circle against those
-/// of its frame in ROS (sick_scan_xd's angle shift of a NAV350).
+/// The driver's own conversion first, then what the scanner measured: its axes are turned by half a circle against
+/// those of its frame in ROS (sick_scan_xd's angle shift of a NAV350).
 std::optional<Vector3d> reflectorPosition(const MessageValue& reflector)
 {
   if (isOn(reflector, "pos_valid")) return inPlane(reflector.number("pos_x"), reflector.number("pos_y"));
