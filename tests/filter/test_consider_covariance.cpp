@@ -180,6 +180,23 @@ TEST(ConsiderCovariance, CoversOdometryThatTurnsLessAndDrifts)
   EXPECT_GT(all.covered / all.steps, 0.90);
 }
 
+TEST(ConsiderCovariance, SensorsTakeTurns)
+{
+  RandomStream random(7, 1);
+  const LandmarkTable map = randomMap(10, 10, random);
+  ConsiderCovariance consider({}, {}, map);
+  std::map<std::pair<int, bool>, double> constant;
+  for (int k = 1; k < 100; ++k)
+  {
+    Frame frame = frameOf(map, k, {.of_landmark = 2}, constant, random);
+    frame.readings.front().sensor = "laser " + std::to_string(k % 3);
+    if (k % 4 == 0) frame.readings.clear();
+    consider.follow(startingState({poseAt(k), 1e-4 * Matrix3d::Identity()}, {}), frame);
+    EXPECT_TRUE(consider.added().allFinite());
+  }
+  EXPECT_GT(consider.added().trace(), 0);
+}
+
 TEST(ConsiderCovariance, ANewEstimateHasNoLastingErrorYet)
 {
   RandomStream random(7, 1);

@@ -47,8 +47,8 @@ void report(const std::string& name, const std::vector<std::string>& simulator,
   for (int seed = 1; seed <= runs; ++seed) runOne(simulator, localization, seed, out, all);
   const auto ok = static_cast<double>(std::max<std::size_t>(1, all.ok));
   out << std::fixed << std::setprecision(3) << "| " << name << " | " << runs << " | " << all.found << " | "
-      << static_cast<double>(all.ok) / static_cast<double>(all.steps) << " | "
-      << static_cast<double>(all.inside) / ok << " | " << all.wrong << " | " << all.wrong_runs << " | "
+      << static_cast<double>(all.ok) / static_cast<double>(all.steps) << " | " << static_cast<double>(all.inside) / ok
+      << " | " << all.wrong << " | " << all.wrong_runs << " | "
       << std::sqrt(all.squared / std::max(1.0, ok - static_cast<double>(all.wrong))) << " |\n"
       << std::flush;
 }

@@ -21,20 +21,18 @@ constexpr double kClear = 0.5;            // probability of the association
 constexpr std::size_t kMostSensors = 16;  // the others share the last place
 
 /// The gains of all rows together, in information form: any number of rows, one inversion of the size of the state.
-void solveGains(LinearStep& step)
+void solveGains(LinearStep& step, std::size_t sensors)
 {
   const Eigen::Index size = step.predicted.mean.size();
   const KalmanMatrix I = KalmanMatrix::Identity(size, size);
   const KalmanMatrix& P = step.predicted.covariance;
   step.information = KalmanMatrix::Zero(size, size);
+  step.sensor_information.assign(sensors, step.information);
   for (const InnovationRow& row : step.rows)
   {
     const KalmanMatrix of_row = row.row.jacobian.transpose() * row.row.jacobian / row.row.variance;
     step.information += of_row;
-    std::vector<KalmanMatrix>& of_sensors = step.sensor_information;
-    if (row.source.sensor >= of_sensors.size())
-      of_sensors.resize(row.source.sensor + 1, KalmanMatrix::Zero(size, size));
-    of_sensors[row.source.sensor] += of_row;
+    step.sensor_information[row.source.sensor] += of_row;
   }
   step.remaining = KalmanMatrix(I + P * step.information).partialPivLu().inverse();
   step.posterior = step.remaining * P;
@@ -102,7 +100,7 @@ LinearStep ConsiderCovariance::linearise(const KalmanState& before, const Frame&
   step.increment_noise = composeJacobianSecond(before.pose()) * incrementCovariance(motion_, frame.motion);
   const std::optional<Frame> affordable = affordableToUpdate(frame, map_, 1);
   for (const Reading& reading : scoredReadings(affordable ? *affordable : frame)) addRows(reading, step);
-  solveGains(step);
+  solveGains(step, sensors_.size());
   return step;
 }
 

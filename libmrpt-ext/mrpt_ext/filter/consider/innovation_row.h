@@ -50,6 +50,6 @@ struct LinearStep
   KalmanMatrix posterior;           ///< covariance after the measurement
   std::vector<InnovationRow> rows;  ///< outliers left out
   std::vector<KalmanVector> gains;  ///< columns of K
-  std::vector<KalmanMatrix> sensor_information;  ///< the part of every sensor, up to the last that measured
+  std::vector<KalmanMatrix> sensor_information;  ///< the part of every sensor so far, zero without rows
 };
 }  // namespace mrpt_ext

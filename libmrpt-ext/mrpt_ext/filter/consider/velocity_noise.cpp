@@ -57,7 +57,6 @@ void VelocityNoise::correct(const LinearStep& step)
   {
     KalmanMatrix& covariance = with_response_[sensor];
     covariance = (A * covariance * A.transpose()).eval();
-    if (sensor >= step.sensor_information.size()) continue;
     const KalmanMatrix gain = step.posterior * step.sensor_information[sensor];
     covariance -= A * with_error * gain.transpose();
   }
