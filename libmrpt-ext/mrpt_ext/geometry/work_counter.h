@@ -9,10 +9,10 @@ namespace mrpt_ext
 class WorkCounter
 {
  public:
-  static void add(std::uint64_t operations) { done_ += operations; }
-  [[nodiscard]] static std::uint64_t done() { return done_; }
+  static void add(std::uint64_t operations) { count += operations; }
+  [[nodiscard]] static std::uint64_t done() { return count; }
 
  private:
-  static inline thread_local std::uint64_t done_ = 0;
+  static inline thread_local std::uint64_t count = 0;
 };
 }  // namespace mrpt_ext

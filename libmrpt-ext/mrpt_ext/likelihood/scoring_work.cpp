@@ -21,7 +21,8 @@ constexpr double kNearShare = 0.25;     // of the map: a landmark closer than th
 /// What the scorer works on: whole tiles.
 double paddedSize(std::size_t robots)
 {
-  return static_cast<double>((robots + kScoredTogether - 1) / kScoredTogether * kScoredTogether);
+  const std::size_t tiles = (robots + kScoredTogether - 1) / kScoredTogether;
+  return static_cast<double>(tiles * kScoredTogether);
 }
 
 double extentOf(std::span<const float> column)
