@@ -77,28 +77,25 @@ double NullModel::logLikelihood(const Reading& reading, const Detection& bearing
 {
   const Pose2 sensor = compose(odometry_.pose, reading.T_robot_sensor);
   const double uniform = 1 / measurementVolume(bearing, reading.model, max_range_);
-  double in_view = 0, density_sum = 0;
+  FeatureDensities known;
   TrackedFeature* best = nullptr;
   PredictedBearing best_prediction;
   for (TrackedFeature& feature : features_)
   {
     if (feature.sensor != reading.sensor || feature.category != bearing.category) continue;
     const PredictedBearing prediction = predict(feature, sensor, reading.model, bearing);
-    in_view += prediction.in_view;
-    density_sum += prediction.density;
+    known.in_view += prediction.in_view;
+    known.sum += prediction.density;
     if (!best || prediction.density > best_prediction.density)
     {
       best = &feature;
       best_prediction = prediction;
     }
   }
-  const double p_new = best ? (new_feature_count_ + 1) / (bearing_count_ + 2) : 1;  // Laplace's rule of succession
-  const double p_each = (1 - p_new) / std::max(1.0, in_view);
-  const double clutter = reading.model.clutter_probability;
-  const double density = clutter * uniform + (1 - clutter) * (p_new * uniform + p_each * density_sum);
-
-  bearing_count_ += 1;
-  if (best && p_each * best_prediction.density > p_new * uniform)
+  known.any = best != nullptr;
+  known.best = best_prediction.density;
+  const auto [log_density, is_known] = mixture_.observe(known, uniform, reading.model.clutter_probability);
+  if (is_known)
   {
     RangeWeights ranges{};
     for (std::size_t k = 0; k < kRanges; ++k) ranges[k] = (best->position[k] - sensor.position()).norm();
@@ -106,10 +103,7 @@ double NullModel::logLikelihood(const Reading& reading, const Detection& bearing
     relocate(*best, sensor, bearing, ranges);
   }
   else
-  {
-    new_feature_count_ += 1;
     add(reading, sensor, bearing);
-  }
-  return std::log(density);
+  return log_density;
 }
 }  // namespace mrpt_ext

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "mrpt_ext/filter/integrity/feature_mixture.h"
 #include "mrpt_ext/filter/motion/dead_reckoning.h"
 #include "mrpt_ext/geometry/frame.h"
 
@@ -59,8 +60,8 @@ class NullModel
 
   MotionModel motion_;
   double max_range_;
-  DeadReckoning odometry_;                            // since the start
-  double bearing_count_ = 0, new_feature_count_ = 0;  // so far
+  DeadReckoning odometry_;  // since the start
+  FeatureMixture mixture_;
   std::vector<TrackedFeature> features_;
 };
 }  // namespace mrpt_ext

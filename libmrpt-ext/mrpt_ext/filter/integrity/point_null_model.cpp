@@ -1,7 +1,6 @@
 #include "mrpt_ext/filter/integrity/point_null_model.h"
 
 #include <Eigen/LU>
-#include <algorithm>
 #include <cmath>
 
 #include "mrpt_ext/likelihood/detection_density.h"
@@ -50,41 +49,29 @@ double PointNullModel::logLikelihood(const Reading& reading, const Detection& de
                     axes.transpose();
 
   const double uniform = 1 / measurementVolume(detection, reading.model, max_range_);
-  double in_view = 0, density_sum = 0, best_density = 0;
+  FeatureDensities known{.any = !features_.empty()};
   auto best = features_.end();
   for (auto feature = features_.begin(); feature != features_.end(); ++feature)
   {
     if (feature->sensor != seen.sensor || feature->category != seen.category) continue;
     // d(x, y) = range d(range, bearing)
     const double density = range * normalDensity(seen.mean - feature->mean, feature->covariance + seen.covariance);
-    density_sum += density;
-    if (isInView(feature->mean, reading)) in_view += 1;
-    if (!(density > best_density)) continue;
+    known.sum += density;
+    if (isInView(feature->mean, reading)) known.in_view += 1;
+    if (!(density > known.best)) continue;
     best = feature;
-    best_density = density;
+    known.best = density;
   }
-  const double p_new = features_.empty() ? 1 : (new_feature_count_ + 1) / (detection_count_ + 2);  // Laplace's rule
-  const double p_each = (1 - p_new) / std::max(1.0, in_view);
-  const double clutter = reading.model.clutter_probability;
-  const double density = clutter * uniform + (1 - clutter) * (p_new * uniform + p_each * density_sum);
-
-  detection_count_ += 1;
-  if (best != features_.end() && p_each * best_density > p_new * uniform)
+  const auto [log_density, is_known] = mixture_.observe(known, uniform, reading.model.clutter_probability);
+  if (is_known)
   {
     const Matrix2d gain = best->covariance * (best->covariance + seen.covariance).inverse();
     seen.mean = best->mean + gain * (seen.mean - best->mean);
     seen.covariance = best->covariance - gain * best->covariance;
     features_.erase(best);
   }
-  else
-    new_feature_count_ += 1;
-  add(std::move(seen));
-  return std::log(density);
-}
-
-void PointNullModel::add(TrackedPoint feature)
-{
-  features_.push_back(std::move(feature));
+  features_.push_back(std::move(seen));
   if (features_.size() > kMaxPoints) features_.erase(features_.begin());
+  return log_density;
 }
 }  // namespace mrpt_ext

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "mrpt_ext/filter/integrity/feature_mixture.h"
 #include "mrpt_ext/filter/motion/motion_model.h"
 #include "mrpt_ext/geometry/frame.h"
 
@@ -39,11 +40,9 @@ class PointNullModel
     Matrix2d covariance;
   };
 
-  void add(TrackedPoint feature);
-
   MotionModel motion_;
   double max_range_;
-  double detection_count_ = 0, new_feature_count_ = 0;  // so far
-  std::vector<TrackedPoint> features_;                  // the last one seen last
+  FeatureMixture mixture_;
+  std::vector<TrackedPoint> features_;  // the last one seen last
 };
 }  // namespace mrpt_ext

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace mrpt_ext
+{
+/// What the tracked features of a null model expect of one detection.
+struct FeatureDensities
+{
+  bool any = false;    ///< there are features to compare with
+  double in_view = 0;  ///< their expected number
+  double sum = 0;      ///< of their densities of the detection
+  double best = 0;     ///< the largest of these
+};
+
+/// A detection comes from one of the features in view, all with equal chances, from a new one or from clutter. New ones
+/// are expected with their frequency so far (Laplace's rule of succession).
+class FeatureMixture
+{
+ public:
+  struct Outcome
+  {
+    double log_density = 0;
+    bool is_known = false;  ///< rather the feature with the largest density than a new one
+  };
+
+  /// Counts a detection; `uniform`: the density of new features and of clutter.
+  Outcome observe(const FeatureDensities& known, double uniform, double clutter)
+  {
+    const double p_new = known.any ? (new_ + 1) / (count_ + 2) : 1;
+    const double p_each = (1 - p_new) / std::max(1.0, known.in_view);
+    const double density = clutter * uniform + (1 - clutter) * (p_new * uniform + p_each * known.sum);
+    const bool is_known = p_each * known.best > p_new * uniform;
+    count_ += 1;
+    if (!is_known) new_ += 1;
+    return {std::log(density), is_known};
+  }
+
+ private:
+  double count_ = 0, new_ = 0;  // so far
+};
+}  // namespace mrpt_ext
