@@ -98,16 +98,23 @@ struct Direction
   double bearing = 0, distance = 0;
 };
 
-/// True when a nearer feature covers this one's centre.
-bool isHidden(std::size_t feature, const std::vector<Direction>& seen, const std::vector<SceneFeature>& features)
+/// Something that hides what is behind it.
+struct Occluder
 {
-  for (std::size_t k = 0; k < features.size(); ++k)
-  {
-    if (!(features[k].radius > 0) || !(seen[k].distance < seen[feature].distance)) continue;
-    const double angle = std::abs(wrap(seen[feature].bearing - seen[k].bearing));
-    if (angle < kPi / 2 && seen[k].distance * std::sin(angle) < features[k].radius) return true;
-  }
-  return false;
+  Direction direction;
+  double radius = 0;  // [m]
+};
+
+/// True when a nearer occluder covers the centre of a feature.
+bool isHidden(const Direction& feature, const std::vector<Occluder>& occluders)
+{
+  return std::any_of(occluders.begin(), occluders.end(),
+                     [&](const Occluder& o)
+                     {
+                       if (!(o.direction.distance < feature.distance)) return false;
+                       const double angle = std::abs(wrap(feature.bearing - o.direction.bearing));
+                       return angle < kPi / 2 && o.direction.distance * std::sin(angle) < o.radius;
+                     });
 }
 
 void shuffle(std::vector<Detection>& detections, RandomStream& random)
@@ -122,20 +129,23 @@ std::vector<VisibleFeature> visibleFeatures(const SimulatedSensor& sensor, const
   const Vector2d lever = sensor.lever_arm;
   const Pose2 T_robot_sensor{sensor.T_robot_sensor.x + lever.x(), sensor.T_robot_sensor.y + lever.y(),
                              sensor.T_robot_sensor.phi};
-  std::vector<Direction> seen;
-  for (const SceneFeature& feature : features)
+  const auto directionOf = [&](const SceneFeature& feature) -> Direction
   {
     const Vector2d position = feature.position.head<2>();
-    seen.push_back({predictBearing(robot, position, T_robot_sensor), predictRange(robot, position, T_robot_sensor)});
-  }
+    return {predictBearing(robot, position, T_robot_sensor), predictRange(robot, position, T_robot_sensor)};
+  };
+  std::vector<Occluder> occluders;
+  for (const SceneFeature& feature : features)
+    if (feature.radius > 0) occluders.push_back({directionOf(feature), feature.radius});
   std::vector<VisibleFeature> visible;
   for (std::size_t i = 0; i < features.size(); ++i)
   {
-    const auto [bearing, distance] = seen[i];
+    const Direction direction = directionOf(features[i]);
+    const auto [bearing, distance] = direction;
     if (!features[i].is_landmark && !sensor.sees_objects) continue;
     if (std::abs(bearing) > 0.5 * sensor.field_of_view || distance < sensor.min_range) continue;
     if (sensor.max_range && distance > *sensor.max_range) continue;
-    if (isHidden(i, seen, features)) continue;
+    if (isHidden(direction, occluders)) continue;
     const double rise = features[i].position.z() - sensor.height;
     visible.push_back({i, bearing, sensor.horizontal_range ? distance : std::hypot(distance, rise)});
   }
