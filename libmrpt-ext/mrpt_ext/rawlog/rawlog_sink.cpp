@@ -115,6 +115,14 @@ std::size_t writeRawlog(const std::filesystem::path& path, const std::function<R
     // Closing does not report a full disk: check the trailing checksum.
     if (!checkRawlogFile(staged.path()).damage.empty()) throw std::runtime_error("incomplete");
   }
+  catch (const InputError&)  // of the records
+  {
+    throw;
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw;
+  }
   catch (const std::exception&)  // of MRPT, whose text names a line of its source
   {
     throw dataError(path.string() + ": cannot be written (is the disk full?)");
