@@ -58,7 +58,8 @@ const std::map<std::string, std::map<std::string, Names>> kAllowedWithin{
       {"modes", {"particles"}},
       {"integrity", {"particles", "motion", "modes"}},
       {"kalman", {"particles", "motion", "modes", "integrity"}},
-      {"consider", {"particles", "motion", "kalman"}}}}};
+      {"consider", {"particles", "motion", "kalman"}}}},
+    {"vision", {{"", {}}, {"stereo", {""}}, {"tags", {""}}}}};
 
 const Names kEigenOnly{"geometry",       "files",      "solvers",   "calibration", "correspondence",
                        "likelihood",     "hypotheses", "filter",    "evaluation",  "localizers",

@@ -4,7 +4,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "mrpt_ext/vision/stereo_goal.h"
+#include "mrpt_ext/vision/stereo/stereo_goal.h"
 
 // Goal corners and line landmarks of one stereo pair of 320 x 240 pixels on one core; a frame of a camera lasts 33 ms.
 namespace mrpt_ext

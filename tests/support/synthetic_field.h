@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mrpt_ext/geometry/angle.h"
-#include "mrpt_ext/vision/stereo_camera.h"
+#include "mrpt_ext/vision/stereo/stereo_camera.h"
 
 // A football field painted by casting rays, for tests of the narrow stereo pair: a white wall with a goal across the
 // view, upright coloured boards for robots, and markings on a dark floor. Positions are (forward, left) of the left
@@ -59,6 +59,7 @@ struct FieldPicture
   std::vector<Marking> markings;
   double line_width = 0.003;  ///< [m]
   double noise = 3;           ///< [grey levels]
+  bool mirrors = false;       ///< the floor
 };
 
 inline cv::Vec3d colourSeen(const FieldPicture& picture, const Eigen::Vector3d& origin, const Eigen::Vector3d& ray)
@@ -77,6 +78,8 @@ inline cv::Vec3d colourSeen(const FieldPicture& picture, const Eigen::Vector3d& 
   const Eigen::Vector3d on_wall = origin + picture.wall / ray.x() * ray;
   if (on_wall.z() > 0.05) return kBackground;
   if (on_wall.z() >= 0) return kWhite;
+  if (picture.mirrors)
+    return 0.95 * colourSeen(picture, {origin.x(), origin.y(), -origin.z()}, {ray.x(), ray.y(), -ray.z()});
   const Eigen::Vector2d position = (origin + to_floor * ray).head<2>();
   for (const Marking& m : picture.markings)
   {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "../support/synthetic_field.h"
-#include "mrpt_ext/vision/stereo_goal.h"
+#include "mrpt_ext/vision/stereo/stereo_goal.h"
 
 namespace mrpt_ext
 {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "../support/synthetic_field.h"
-#include "mrpt_ext/vision/stereo_goal.h"
+#include "mrpt_ext/vision/stereo/stereo_goal.h"
 
 namespace mrpt_ext
 {
@@ -70,6 +70,38 @@ TEST(GoalCorners, OfTheBackAreNone)
     expectGoal(cornersOf(recessed(wall, testing::kYellow, testing::kYellow)), wall, 0, 0);
     EXPECT_TRUE(cornersOf(recessed(wall, testing::kWhite, testing::kYellow)).empty()) << wall;
     EXPECT_TRUE(cornersOf(recessed(wall, testing::kWhite, testing::kBlue)).empty()) << wall;
+  }
+}
+
+TEST(GoalCorners, AreWhereAWhiteSideBeginsWhenItIsInTheShade)
+{
+  for (const double wall : {0.6, 0.8})
+    for (const double shade : {0.8, 0.9})
+      expectGoal(cornersOf(recessed(wall, shade * testing::kWhite, testing::kYellow)), wall, 0, 0);
+  EXPECT_EQ(cornersOf(recessed(0.7, 0.8 * testing::kWhite, testing::kBlue)).size(), 2u);
+}
+
+TEST(GoalCorners, AreThoseOfPalePaintToo)
+{
+  expectGoal(cornersOf(withGoal(0.8, 0, {150, 105, 95})), 0.8, 0, 1);
+  expectGoal(cornersOf(withGoal(0.8, 0, {115, 180, 190})), 0.8, 0, 0);
+  EXPECT_TRUE(cornersOf(withGoal(0.8, 0, {190, 175, 170})).empty());  // a wall in blue light
+  EXPECT_TRUE(cornersOf(withGoal(0.8, 0, {60, 170, 70})).empty());
+}
+
+TEST(GoalCorners, AreNotThoseOfTheMirroredGoal)
+{
+  for (const double wall : {0.6, 0.9})
+  {
+    FieldPicture picture = withGoal(wall, 0);
+    picture.mirrors = true;
+    expectGoal(cornersOf(picture), wall, 0, 0);
+    for (const GoalCorner& corner : cornersOf(picture))
+      EXPECT_NEAR(corner.white_bottom, picture.camera.pixelOf({wall, 0})->y, 1.5);
+    picture = {};
+    picture.mirrors = true;
+    picture.boards = {Board{wall - 0.2, -0.03, 0.045, 0.075, testing::kYellow}};
+    EXPECT_TRUE(cornersOf(picture).empty()) << wall;
   }
 }
 

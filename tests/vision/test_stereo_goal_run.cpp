@@ -7,7 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "mrpt_ext/files/text_table.h"
-#include "mrpt_ext/vision/stereo_goal.h"
+#include "mrpt_ext/vision/stereo/stereo_goal.h"
 #include "run_images.h"
 #include "scratch_folder.h"
 #include "stereo_truth.h"

@@ -2,7 +2,7 @@
 
 #include "mrpt_ext/front_ends/camera_file.h"
 #include "mrpt_ext/front_ends/vision_front_end.h"
-#include "mrpt_ext/vision/stereo_goal.h"
+#include "mrpt_ext/vision/stereo/stereo_goal.h"
 
 namespace mrpt_ext
 {

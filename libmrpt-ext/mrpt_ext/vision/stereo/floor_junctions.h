@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "mrpt_ext/vision/floor_lines.h"
+#include "mrpt_ext/vision/stereo/floor_lines.h"
 
 namespace mrpt_ext
 {

@@ -1,4 +1,4 @@
-#include "mrpt_ext/vision/stereo_goal.h"
+#include "mrpt_ext/vision/stereo/stereo_goal.h"
 
 #include <cmath>
 #include <opencv2/core.hpp>

@@ -1,4 +1,4 @@
-#include "mrpt_ext/vision/stereo_camera.h"
+#include "mrpt_ext/vision/stereo/stereo_camera.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "mrpt_ext/vision/floor_junctions.h"
+#include "mrpt_ext/vision/stereo/floor_junctions.h"
 
 #include <algorithm>
 #include <cmath>

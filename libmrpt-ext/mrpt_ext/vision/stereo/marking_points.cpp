@@ -1,4 +1,4 @@
-#include "mrpt_ext/vision/marking_points.h"
+#include "mrpt_ext/vision/stereo/marking_points.h"
 
 #include <algorithm>
 #include <array>

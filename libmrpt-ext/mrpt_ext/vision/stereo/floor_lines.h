@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "mrpt_ext/vision/marking_points.h"
+#include "mrpt_ext/vision/stereo/marking_points.h"
 
 namespace mrpt_ext
 {

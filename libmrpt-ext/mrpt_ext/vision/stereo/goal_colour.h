@@ -14,17 +14,24 @@ class GoalColour
   /// Shares of blue, green and red, as coded in the image.
   explicit GoalColour(const cv::Vec3f& shares);
 
-  /// True if `colour` beside `white` is this colour: the channel that must be dark is nearer to the model than to
-  /// white, the middle one agrees, and it is neither much brighter than the white nor nearly black.
+  /// True if `colour` beside `white` is this colour: it has the hue of the model's shares, which paint keeps when it is
+  /// mixed with white or lies in the shade, is not greyer than half saturated, and neither much brighter than the white
+  /// nor nearly black.
   [[nodiscard]] bool matches(const cv::Vec3f& white, const cv::Vec3f& colour) const;
 
   /// The channel in which colour and white differ most.
   [[nodiscard]] int darkChannel() const { return dark_; }
 
  private:
-  int dark_ = 0, middle_ = 1, bright_ = 2;
-  float dark_limit_ = 0;                      ///< of the dark channel, share of the bright one
-  float middle_least_ = 0, middle_most_ = 0;  ///< likewise
+  int dark_ = 0, bright_ = 2;
+  float hue_ = 0;
+};
+
+/// What changes at an upright edge of a white wall.
+struct ColourStep
+{
+  const GoalColour* colour = nullptr;  ///< beside the white; null: white in the shade
+  int side = 1;                        ///< +1: colour or shade are at larger columns
 };
 
 /// The least level of each channel at which something may be the white of this image: a share of the brightest tenth of
@@ -36,10 +43,10 @@ class GoalColour
   return pixel[0] >= least_white[0] && pixel[1] >= least_white[1] && pixel[2] >= least_white[2];
 }
 
-/// Where white and a goal's colour meet in one row. `side` +1: the colour is at larger columns. Columns are to
-/// a fraction of a pixel, where the darkest channel is half way between both sides.
-[[nodiscard]] std::vector<double> colourStepsInRow(const cv::Mat& bgr, int row, int first_column, int last_column,
-                                                   const GoalColour& colour, int side, const cv::Vec3f& least_white);
+/// Where this step is in one row. Columns are to a fraction of a pixel, where the darkest channel is half way between
+/// both sides.
+[[nodiscard]] std::vector<double> stepsInRow(const cv::Mat& bgr, int row, int first_column, int last_column,
+                                             const ColourStep& step, const cv::Vec3f& least_white);
 
 /// The mean of three pixels of a row around a column; of fewer at the image's border.
 [[nodiscard]] cv::Vec3f meanAround(const cv::Mat& bgr, int row, int column);

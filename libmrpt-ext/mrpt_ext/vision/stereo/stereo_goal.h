@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "mrpt_ext/vision/floor_junctions.h"
-#include "mrpt_ext/vision/goal_corners.h"
+#include "mrpt_ext/vision/stereo/floor_junctions.h"
+#include "mrpt_ext/vision/stereo/goal_corners.h"
 
 namespace mrpt_ext
 {

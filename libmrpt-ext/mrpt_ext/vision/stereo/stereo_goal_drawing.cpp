@@ -1,5 +1,5 @@
 #include "mrpt_ext/vision/drawing.h"
-#include "mrpt_ext/vision/stereo_goal.h"
+#include "mrpt_ext/vision/stereo/stereo_goal.h"
 
 namespace mrpt_ext
 {

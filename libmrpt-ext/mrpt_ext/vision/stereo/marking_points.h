@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "mrpt_ext/vision/stereo_camera.h"
+#include "mrpt_ext/vision/stereo/stereo_camera.h"
 
 namespace mrpt_ext
 {

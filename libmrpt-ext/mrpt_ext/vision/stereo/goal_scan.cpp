@@ -1,15 +1,15 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "mrpt_ext/vision/goal_corners.h"
+#include "mrpt_ext/vision/stereo/goal_corners.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr int kSpan = 8;          ///< [px] between the two pixels compared: both are beside a blurred step
-constexpr int kRowGap = 12;       ///< [px] rows without a hit within one candidate
-constexpr int kLeastChange = 24;  ///< [grey levels] of blue minus red; with less nothing can be a goal's colour
+constexpr int kSpan = 8;              ///< [px] between the two pixels compared: both are beside a blurred step
+constexpr int kRowGap = 12;           ///< [px] rows without a hit within one candidate
+constexpr float kLeastChange = 0.2F;  ///< of blue minus red, share of what may be white; with less there is no colour
 
 struct Hit
 {
@@ -36,13 +36,14 @@ std::vector<CornerCandidate> scanForGoals(const cv::Mat& bgr, const GoalCornerSe
   std::vector<CornerCandidate> candidates;
   const int step = settings.scan_step;
   const cv::Vec3f least_white = leastWhite(bgr, 4 * step);
+  const int least_change = cvRound(kLeastChange * least_white[1]);
   for (int row = step / 2; row < bgr.rows; row += step)
   {
     const cv::Vec3b* const pixels = bgr.ptr<cv::Vec3b>(row);
     for (int column = step / 2; column + kSpan < bgr.cols; column += step)
     {
       const cv::Vec3b &a = pixels[column], &b = pixels[column + kSpan];
-      if (std::abs((a[0] - a[2]) - (b[0] - b[2])) < kLeastChange) continue;
+      if (std::abs((a[0] - a[2]) - (b[0] - b[2])) < least_change) continue;
       for (int colour = 0; colour < static_cast<int>(settings.colours.size()); ++colour)
       {
         const GoalColour& model = settings.colours[static_cast<std::size_t>(colour)];

@@ -1,4 +1,4 @@
-#include "mrpt_ext/vision/floor_lines.h"
+#include "mrpt_ext/vision/stereo/floor_lines.h"
 
 #include <algorithm>
 #include <cmath>

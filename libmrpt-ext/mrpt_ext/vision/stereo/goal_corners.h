@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "mrpt_ext/vision/goal_colour.h"
-#include "mrpt_ext/vision/stereo_camera.h"
+#include "mrpt_ext/vision/stereo/goal_colour.h"
+#include "mrpt_ext/vision/stereo/stereo_camera.h"
 
 namespace mrpt_ext
 {

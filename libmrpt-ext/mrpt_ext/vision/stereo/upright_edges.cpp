@@ -1,0 +1,174 @@
+#include "mrpt_ext/vision/stereo/upright_edges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "mrpt_ext/geometry/angle.h"
+#include "mrpt_ext/geometry/quantile.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr int kWhiteStep = 16;          ///< [px] between pixels that define white
+constexpr double kSameFeature = 1.5;    ///< [px] disparities of one feature agree
+constexpr double kSameColumn = 1;       ///< [px] likewise columns
+constexpr int kLookRows = 8;            ///< rows of a first look
+constexpr int kLeastLookRows = 3;       ///< of them that must agree
+constexpr double kOutlier = 3;          ///< in robust standard deviations
+constexpr double kLeastScatter = 0.2;   ///< [px] least robust standard deviation of a row's column
+constexpr double kAgreeingShare = 0.5;  ///< of the rows of the left image
+
+/// The value that most of all agree with, and how many do.
+std::pair<double, int> commonest(const std::vector<double>& all, double tolerance)
+{
+  std::pair<double, int> best{0, 0};
+  for (const double value : all)
+  {
+    const auto count =
+        std::count_if(all.begin(), all.end(), [&](double other) { return std::abs(other - value) <= tolerance; });
+    if (count > best.second) best = {value, static_cast<int>(count)};
+  }
+  return best;
+}
+
+double nearest(const std::vector<double>& values, double to)
+{
+  return *std::min_element(values.begin(), values.end(),
+                           [&](double a, double b) { return std::abs(a - to) < std::abs(b - to); });
+}
+
+void eraseNear(std::vector<double>& values, double to, double tolerance)
+{
+  std::erase_if(values, [&](double value) { return std::abs(value - to) <= tolerance; });
+}
+
+struct MeanColumn
+{
+  double mean = 0, std = 0;  ///< [px] of the mean
+};
+
+template <typename Row>
+MeanColumn meanOf(const std::vector<Row>& rows, double Row::*member)
+{
+  const double n = static_cast<double>(rows.size());
+  MeanColumn result;
+  for (const Row& r : rows) result.mean += r.*member / n;
+  for (const Row& r : rows) result.std += square(r.*member - result.mean);
+  result.std = std::sqrt(result.std / (n * (n - 1)));
+  return result;
+}
+
+/// Removes rows whose value is an outlier against the median and its scatter.
+template <typename Row>
+void removeOutliers(std::vector<Row>& rows, double Row::*member)
+{
+  if (rows.empty()) return;
+  std::vector<double> values;
+  for (const Row& r : rows) values.push_back(r.*member);
+  const double middle = upperMedian(values);
+  for (double& v : values) v = std::abs(v - middle);
+  const double limit = kOutlier * std::max(kLeastScatter, upperMedian(values) / kNormalMedianDeviation);
+  std::erase_if(rows, [&](const Row& r) { return std::abs(r.*member - middle) > limit; });
+}
+}  // namespace
+
+/// The step in one row of the left image, moved along the upright edge to a common row, and where it may be in the
+/// right.
+struct UprightEdges::RowStep
+{
+  int row = 0;
+  double left = 0;
+  std::vector<double> disparities;
+  double disparity = 0;
+};
+
+UprightEdges::UprightEdges(const cv::Mat& left, const cv::Mat& right, const StereoCamera& camera,
+                           const EdgeSearch& search)
+    : left_(left), right_(right), camera_(camera), search_(search), least_white_(leastWhite(left, kWhiteStep))
+{
+}
+
+double UprightEdges::atMiddleRow(double column, int row, const EdgeWindow& window) const
+{
+  const int middle = (window.first_row + window.last_row) / 2;
+  return column - camera_.uprightSlope(cv::Point2d(column, middle)) * (row - middle);
+}
+
+std::vector<UprightEdges::RowStep> UprightEdges::stepsInLeft(const EdgeWindow& window, const ColourStep& step) const
+{
+  const int column = static_cast<int>(std::lround(window.column));
+  std::vector<RowStep> rows;
+  for (int row = window.first_row; row <= window.last_row; ++row)
+  {
+    auto steps = stepsInRow(left_, row, column - window.reach, column + window.reach, step, least_white_);
+    if (steps.empty()) continue;
+    rows.push_back({row, atMiddleRow(nearest(steps, window.column), row, window), {}, 0});
+  }
+  removeOutliers(rows, &RowStep::left);
+  return rows;
+}
+
+void UprightEdges::searchRight(std::vector<RowStep>& rows, const EdgeWindow& window, const ColourStep& step) const
+{
+  for (RowStep& r : rows)
+  {
+    const int first = static_cast<int>(std::floor(r.left - search_.most_disparity)) - 2;
+    const int last = static_cast<int>(std::ceil(r.left - search_.least_disparity)) + 2;
+    for (const double column : stepsInRow(right_, r.row, first, last, step, least_white_))
+    {
+      const double disparity = r.left - atMiddleRow(column, r.row, window);
+      if (disparity > search_.least_disparity && disparity < search_.most_disparity) r.disparities.push_back(disparity);
+    }
+  }
+}
+
+std::vector<double> UprightEdges::columnsIn(const EdgeWindow& window, const ColourStep& step) const
+{
+  const int column = static_cast<int>(std::lround(window.column));
+  const int stride = std::max(1, (window.last_row - window.first_row) / kLookRows);
+  std::vector<double> all, columns;
+  for (int row = window.first_row; row <= window.last_row; row += stride)
+    for (const double found : stepsInRow(left_, row, column - window.reach, column + window.reach, step, least_white_))
+      all.push_back(atMiddleRow(found, row, window));
+  for (auto best = commonest(all, kSameColumn); best.second >= kLeastLookRows; best = commonest(all, kSameColumn))
+  {
+    columns.push_back(best.first);
+    eraseNear(all, best.first, 2 * kSameColumn);
+  }
+  return columns;
+}
+
+std::vector<UprightEdge> UprightEdges::in(const EdgeWindow& window, const ColourStep& step) const
+{
+  std::vector<RowStep> rows = stepsInLeft(window, step);
+  searchRight(rows, window, step);
+  std::vector<UprightEdge> edges;
+  while (true)
+  {
+    std::vector<double> all;
+    for (const RowStep& r : rows) all.insert(all.end(), r.disparities.begin(), r.disparities.end());
+    const auto [disparity, most] = commonest(all, kSameFeature);
+    if (most < search_.min_rows || most < kAgreeingShare * static_cast<double>(rows.size())) return edges;
+    std::vector<RowStep> agreeing;
+    for (RowStep& r : rows)
+    {
+      if (r.disparities.empty()) continue;
+      r.disparity = nearest(r.disparities, disparity);
+      if (std::abs(r.disparity - disparity) <= kSameFeature) agreeing.push_back(r);
+      eraseNear(r.disparities, disparity, kSameFeature);
+    }
+    removeOutliers(agreeing, &RowStep::disparity);
+    if (static_cast<int>(agreeing.size()) < std::max(2, search_.min_rows)) continue;
+    const auto u = meanOf(agreeing, &RowStep::left), d = meanOf(agreeing, &RowStep::disparity);
+    UprightEdge edge{{u.mean, static_cast<double>((window.first_row + window.last_row) / 2)},
+                     d.mean,
+                     std::hypot(search_.std_column, u.std),
+                     std::hypot(search_.std_disparity, d.std),
+                     {}};
+    for (const RowStep& r : agreeing) edge.rows.push_back(r.row);
+    edges.push_back(edge);
+  }
+}
+}  // namespace mrpt_ext
