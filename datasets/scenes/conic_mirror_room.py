@@ -84,8 +84,9 @@ def mirror(cam, pose):
     za = zc + d
     s = ("cone { %s 0 %s %g open no_shadow pigment{rgb 0} finish{ambient 0 diffuse 0 specular 0 reflection{%g}} }\n"
          % (v3((wx, wy, za)), v3((wx, wy, za + t)), R, cam.get("reflectivity", 0.9)))
-    s += ("disc { %s <0,0,1> %g no_shadow pigment{rgb 0.01} finish{ambient 0.3 diffuse 0.1} }\n"
-          % (v3((wx, wy, za + t + 0.025)), (d + t + 0.025) * 0.85))   # raised: must not shade the rim's upward view
+    if cam.get("plate", True):
+        s += ("disc { %s <0,0,1> %g no_shadow pigment{rgb 0.01} finish{ambient 0.3 diffuse 0.1} }\n"
+              % (v3((wx, wy, za + t + 0.025)), (d + t + 0.025) * 0.85))   # raised: must not shade the rim's upward view
     s += ("cylinder { %s %s 0.012 no_shadow pigment{rgb 0.02} finish{ambient 0.2 diffuse 0.3} }\n"
           % (v3((x, y, zc - 0.06)), v3((x, y, zc - 0.004))))
     g = cam.get("glass_tube")
@@ -112,8 +113,12 @@ def main():
         right = (math.cos(m), math.sin(m), 0)
         down = (-math.sin(m), math.cos(m), 0)       # image v axis = camera-frame +y
         up = tuple(-c for c in down)
+        forward, tilt = (0, 0, 1), math.radians(cam.get("camera_tilt_deg", 0.0))
+        if tilt:      # of the camera alone, towards the image's u axis; the mirror stays upright
+            a, b = np.array(forward), np.array(right)
+            forward, right = math.cos(tilt) * a + math.sin(tilt) * b, math.cos(tilt) * b - math.sin(tilt) * a
         mir, R = mirror(cam, (x, y, th))
-        pov = (header() + pinhole((x, y, cam["pinhole_height"]), (0, 0, 1), right, up, W, H,
+        pov = (header() + pinhole((x, y, cam["pinhole_height"]), forward, right, up, W, H,
                                   cam["fx"], cam["fy"], cam["cx"], cam["cy"]) + base + mir)
         pov = wallf(pov, amb, dif)
         name = "%s_%02d" % (cfg["name"], k)

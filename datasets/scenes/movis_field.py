@@ -22,6 +22,27 @@ from scenelib import *
 S3 = math.sqrt(3.0)
 
 
+def robots(all):
+    """others on the field: upright cylinders x, y, radius, height [, colour], black unless said"""
+    return "".join("cylinder { %s %s %g pigment{%s} finish{WALLF} }\n"
+                   % (v3((r[0], r[1], 0)), v3((r[0], r[1], r[3])), r[2], rgb(r[4] if len(r) > 4 else [0.04] * 3)) for r in all)
+
+
+def covered(eye, centre, radius, others):
+    """share of an object's width behind others that are nearer, seen from eye"""
+    def span(c, r):
+        d = math.hypot(c[0] - eye[0], c[1] - eye[1])
+        return d, math.atan2(c[1] - eye[1], c[0] - eye[0]), math.asin(min(1.0, r / d))
+    d, middle, half = span(centre, radius)
+    hidden = np.zeros(200, bool)
+    at = np.linspace(-half, half, len(hidden))
+    for r in others:
+        near, az, reach = span(r, r[2])
+        if near < d:
+            hidden |= np.abs(at - wrap(az - middle)) < reach
+    return float(hidden.mean())
+
+
 def field(c):
     Fw, Fd = c["Fw"], c["Fd"]
     o = []
@@ -57,8 +78,6 @@ def field(c):
     for h in c.get("hall", []):      # hall walls / spectators far behind the field
         o.append(box(h["lo"], h["hi"], "pigment{ %s }" % (rgb(h["col"]) if "tex" not in h else
                  "%s scale %g color_map{[0 %s][1 %s]}" % (h["tex"], h.get("scale", 0.5), rgb(h["col"]), rgb([v * 0.7 for v in h["col"]])))))
-    for r in c.get("robots", []):    # other robots: black cylinders
-        o.append("cylinder { %s %s %g pigment{rgb 0.04} finish{WALLF} }\n" % (v3((r[0], r[1], 0)), v3((r[0], r[1], r[3])), r[2]))
     for l in c["lights"]:
         o.append(light(l["pos"], l.get("power", 1), l.get("col", [1, 1, 1]), l.get("fade"), l.get("soft", 0)))
     return "".join(o)
@@ -98,9 +117,10 @@ def main():
     W, H = cam["width"], cam["height"]
     cams = cfg.get("cameras", [1, 2, 3])
     frames, obs = [], []
-    odometry = dead_reckoning([P[1:] for P in cfg["poses"]], cfg["odometry"], seed_of(cfg["name"], "odometry")) if "odometry" in cfg else None
+    odometry = dead_reckoning([P[1:4] for P in cfg["poses"]], cfg["odometry"], seed_of(cfg["name"], "odometry")) if "odometry" in cfg else None
     for k, P in enumerate(cfg["poses"]):
-        pt, x, y, hd = P
+        pt, x, y, hd = P[:4]
+        others = f.get("robots", []) + (P[4] if len(P) > 4 else [])
         th = math.radians(hd)                 # angle of the robot x axis in the field frame
         rot = lambda p: (x + p[0] * math.cos(th) - p[1] * math.sin(th), y + p[0] * math.sin(th) + p[1] * math.cos(th))
         frames.append({"frame": k, "point": pt, "x_m": float(x), "y_m": float(y), "heading_deg": float(hd)})
@@ -120,7 +140,7 @@ def main():
             name = "%s_%s_M%d" % (cfg["name"], pt, i)
             cxy = cam["centers"][i - 1]
             pov = wallf(header() + pinhole((mw[0], mw[1], zp), (0, 0, 1), right, tuple(-q for q in down), W, H,
-                                           cam["fx"], cam["fy"], cxy[0], cxy[1]) + base + s, amb, dif)
+                                           cam["fx"], cam["fy"], cxy[0], cxy[1]) + base + robots(others) + s, amb, dif)
             png = os.path.join(out, name + "_clean.png")
             if not truth_only:
               render(pov, W, H, png, keep_pov=os.path.join(out, name + ".pov") if (k == 0 and i == cams[0]) else None)
@@ -134,7 +154,7 @@ def main():
                 d = math.hypot(dx, dy)
                 thi = math.degrees(math.atan2(dy, dx) - th - zero[i - 1]) % 360.0
                 blk = [j for j in (1, 2, 3) if j != i and circ_hit(mw, q, rot(M[j - 1]), cam["rim_radius"] * 1.1)]
-                rb = any(circ_hit(mw, q, r[:2], r[2]) for r in f.get("robots", []))
+                rb = any(circ_hit(mw, q, r[:2], r[2]) for r in others)
                 # share of the object's height hidden by the own robot body (top disc r = 0.24 at z = 0.45)
                 zt = 2 * rad if nm == "ball" else f["pole_height"]
                 hid = 0
@@ -145,7 +165,8 @@ def main():
                 obs.append({"hidden_by_body": hid / 25.0, "frame": k, "point": pt, "camera": i, "image": name + ".jpg", "object": nm,
                             "theta_deg": thi, "range_from_camera_m": d,
                             "half_width_deg": math.degrees(math.asin(rad / d)),
-                            "blocked_by_own_mirror": int(bool(blk)), "blocked_by_robot": int(rb)})
+                            "blocked_by_own_mirror": int(bool(blk)), "blocked_by_robot": int(rb),
+                            "covered": covered(mw, q, rad, others)})
             print(name, flush=True)
     for fr in frames:
         th = math.radians(fr["heading_deg"])

@@ -100,10 +100,10 @@ def degrade(img, cfg, seed):
     return np.clip(np.rint(f), 0, 255).astype(np.uint8)
 
 
-def save(img, path, quality=93):
+def save(img, path, quality=93, subsampling=0):
     if path.endswith(".jpg"):
         from PIL import Image
-        Image.fromarray(img[:, :, ::-1]).save(path, quality=quality, subsampling=0)
+        Image.fromarray(img[:, :, ::-1]).save(path, quality=quality, subsampling=subsampling)
     else:
         cv2.imwrite(path, img, [cv2.IMWRITE_PNG_COMPRESSION, 9])
 

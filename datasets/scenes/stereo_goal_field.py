@@ -36,8 +36,10 @@ def field(f):
     o = []
     fl = f["floor"]
     o.append("plane { <0,0,1>, -0.001 pigment { %s } finish{WALLF} }\n" % rgb(f.get("table", [0.3, 0.28, 0.26])))
-    o.append("box { <%g,%g,-0.0009> <%g,%g,0> pigment { granite scale 0.05 color_map { [0 %s] [1 %s] } } finish{WALLF} }\n"
-             % (-gd, -wt, X + gd, Y + wt, rgb(fl), rgb([v * 1.4 for v in fl])))
+    finish = "finish{WALLF}" if "gloss" not in f else (
+        "finish{ambient %g diffuse %g reflection{%g}}" % (f.get("ambient", 0.35), f.get("diffuse", 0.6), f["gloss"]))
+    o.append("box { <%g,%g,-0.0009> <%g,%g,0> pigment { granite scale 0.05 color_map { [0 %s] [1 %s] } } %s }\n"
+             % (-gd, -wt, X + gd, Y + wt, rgb(fl), rgb([v * 1.4 for v in fl]), finish))
     white, top = "pigment{%s}" % rgb(f.get("wall_col", [0.88, 0.88, 0.88])), "pigment{rgb 0.04}"
 
     def wall(x0, y0, x1, y1, pig=white):
