@@ -7,6 +7,7 @@
 
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/vision/omni_objects.h"
+#include "mrpt_ext/vision/pole_distance.h"
 
 // One omnidirectional camera of paper 001: its mirror, its colours, what it sees and what it refuses.
 namespace mrpt_ext
@@ -153,20 +154,54 @@ TEST(OmniCamera, DoesNotMeasureBehindItsNeighbours)
   EXPECT_NE(find(view.objects, "q"), nullptr);
 }
 
-TEST(OmniCamera, APoleHalfCoveredIsLeftOut)
+namespace
+{
+/// A black robot in front of what is to the left of the share `from` of a pole's half width.
+cv::Mat coveredFrom(double from, const OmniObject& pole)
 {
   const OmniCameraSettings settings = ownCamera();
   cv::Mat image = ownImage("field_00_M1.jpg");
-  const OmniView whole = OmniCamera(settings).view(image);
-  const OmniObject p = *find(whole.objects, "p");
-  // A black robot in front of one half of it.
-  for (double azimuth = p.azimuth; azimuth < p.azimuth + 3 * p.half_width; azimuth += 0.002)
+  for (double azimuth = pole.azimuth + from * pole.half_width; azimuth < pole.azimuth + 3 * pole.half_width;
+       azimuth += 0.002)
     cv::line(image, settings.mirror.pixel(azimuth, 0.4 * settings.mirror.rimRho()),
              settings.mirror.pixel(azimuth, settings.mirror.rimRho()), {25, 25, 25}, 2);
-  const OmniView view = OmniCamera(settings).view(image);
-  const OmniObject* const seen = find(view.objects, "p");
-  EXPECT_TRUE(!seen || std::abs(wrap(seen->azimuth - p.azimuth)) < 3 * seen->std_azimuth);
-  EXPECT_NE(find(view.objects, "q"), nullptr);
+  return image;
+}
+}  // namespace
+
+TEST(OmniCamera, APoleCoveredInPartIsLeftOutOrSaysHowFarItMayBeOff)
+{
+  const OmniCamera camera(ownCamera());
+  const OmniObject p = *find(camera.view(ownImage("field_00_M1.jpg")).objects, "p");
+  for (const double from : {0.0, 0.3, 0.5, 0.7, 1.1, 1.5})
+  {
+    const OmniView view = camera.view(coveredFrom(from, p));
+    const OmniObject* const seen = find(view.objects, "p");
+    EXPECT_TRUE(!seen || std::abs(wrap(seen->azimuth - p.azimuth)) < 2 * seen->std_azimuth) << from;
+    EXPECT_NE(find(view.objects, "q"), nullptr);
+  }
+  EXPECT_NE(find(camera.view(coveredFrom(1.1, p)).objects, "p"), nullptr);
+}
+
+TEST(PoleDistance, FollowsFromWhereBandsMeet)
+{
+  const OmniCameraSettings settings = ownCamera();
+  const OmniView view = OmniCamera(settings).view(ownImage("field_00_M1.jpg"));
+  for (const auto& [label, truth] : {std::pair{"p", 3.59}, std::pair{"q", 5.1}})
+  {
+    const OmniObject object = *find(view.objects, label);
+    for (const double guess : {0.95 * object.distance, object.distance})
+    {
+      const auto found = distanceByBands(ownImage("field_00_M1.jpg"), settings.mirror, settings.sizes.pole_height,
+                                         {object.azimuth, object.half_width, guess});
+      ASSERT_TRUE(found) << label;
+      EXPECT_NEAR(found->distance, truth, 3 * found->std) << label;
+      EXPECT_LT(found->std, 0.05 * truth) << label;
+    }
+    EXPECT_FALSE(distanceByBands(ownImage("field_00_M1.jpg"), settings.mirror, settings.sizes.pole_height,
+                                 {object.azimuth + 0.5, object.half_width, object.distance}))
+        << label;
+  }
 }
 
 TEST(OmniCamera, StatesWhyThereIsNoMeasurement)

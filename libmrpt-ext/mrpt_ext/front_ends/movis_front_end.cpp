@@ -147,7 +147,11 @@ CalibrationNotes MovisFrontEnd::calibrate(const std::vector<FrameAtPose>& frames
           variances += square(object.std_azimuth);
         }
     }
-    if (!is_there) continue;
+    if (!is_there)
+    {
+      notes.results.push_back(mounted.label + ": not calibrated, no image of it in the calibration frames");
+      continue;
+    }
     const CameraYaw yaw = calibrateCameraYaw(detections, {mounted.position.x(), mounted.position.y(), 0});
     if (yaw.status != SolveStatus::ok)
     {

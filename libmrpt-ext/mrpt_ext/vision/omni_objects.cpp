@@ -4,6 +4,7 @@
 
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/vision/image_check.h"
+#include "mrpt_ext/vision/pole_distance.h"
 #include "mrpt_ext/vision/silhouette.h"
 
 namespace mrpt_ext
@@ -11,11 +12,13 @@ namespace mrpt_ext
 namespace
 {
 constexpr int kRimSamples = 90;
-constexpr double kRimDistance = 0.04;  ///< of the samples on either side of the rim, share of its radius
-constexpr double kSliceHeight = 2;     ///< [px]
-constexpr int kMinSliceCount = 5;      ///< of one colour, so that they can be compared
-constexpr double kSliceMargin = 1.5;   ///< [px] from where a colour ends
-constexpr double kBallShare = 0.75;    ///< of the ball's height that is measured: its poles are short
+constexpr double kRimDistance = 0.04;   ///< of the samples on either side of the rim, share of its radius
+constexpr double kSliceHeight = 2;      ///< [px]
+constexpr int kMinSliceCount = 5;       ///< of one colour, so that they can be compared
+constexpr double kSliceMargin = 1.5;    ///< [px] from where a colour ends
+constexpr double kGuessedWidth = 0.04;  ///< standard deviation of a width by a rough distance, share
+constexpr double kSeenWidth = 0.012;    ///< of a silhouette's width, share
+constexpr double kBallShare = 0.75;     ///< of the ball's height that is measured: its poles are short
 
 int brightnessAt(const cv::Mat& image, const cv::Point2d& position)
 {
@@ -93,6 +96,21 @@ std::vector<SilhouetteSlice> ballSlices(const OmniCameraSettings& settings, cons
   return slices;
 }
 
+/// Half of an object's width by its distance.
+struct ExpectedWidth
+{
+  double half_width = 0, std = 0;  ///< [rad]
+};
+
+std::optional<ExpectedWidth> widthByBands(const cv::Mat& image, const OmniCameraSettings& settings,
+                                          const ObjectGuess& seen)
+{
+  const auto by_bands = distanceByBands(image, settings.mirror, settings.sizes.pole_height, seen);
+  if (!by_bands) return std::nullopt;
+  const double half_width = poleHalfWidth(settings.sizes, by_bands->distance);
+  return ExpectedWidth{half_width, std::hypot(by_bands->std / by_bands->distance, kSeenWidth) * half_width};
+}
+
 bool isBlocked(const std::vector<BlockedSector>& sectors, double azimuth)
 {
   for (const BlockedSector& sector : sectors)
@@ -103,16 +121,24 @@ bool isBlocked(const std::vector<BlockedSector>& sectors, double azimuth)
 
 bool OmniCamera::measure(const cv::Mat& image, const std::string& label, const ObjectGuess& guess, OmniView& view) const
 {
-  const auto slices = label == "ball" ? ballSlices(settings_, guess) : poleSlices(settings_, guess);
+  const bool is_ball = label == "ball";
+  const auto slices = is_ball ? ballSlices(settings_, guess) : poleSlices(settings_, guess);
   const auto silhouette = measureSilhouette(image, settings_.mirror, guess.azimuth, slices, settings_.min_slices);
   if (isBlocked(settings_.blocked, silhouette ? silhouette->azimuth : guess.azimuth))
   {
     view.hidden.push_back({label, guess.azimuth, guess.half_width, guess.half_width, guess.distance});
     return true;
   }
-  if (!silhouette || std::abs(silhouette->width_ratio - 1) > settings_.search.width_tolerance) return false;
-  view.objects.push_back({label, silhouette->azimuth, std::hypot(silhouette->std_azimuth, settings_.std_floor),
-                          guess.half_width * silhouette->width_ratio, guess.distance});
+  if (!silhouette) return false;
+  const ObjectGuess seen{silhouette->azimuth, silhouette->width_ratio * guess.half_width, guess.distance};
+  ExpectedWidth expected{guess.half_width, kGuessedWidth * guess.half_width};
+  if (!is_ball) expected = widthByBands(image, settings_, seen).value_or(expected);
+  if (std::abs(seen.half_width - expected.half_width) > settings_.search.width_tolerance * expected.half_width)
+    return false;
+  // What is missing of the width may be missing on either side.
+  const double missing = std::sqrt(std::max(0.0, square(seen.half_width - expected.half_width) - square(expected.std)));
+  const double std = std::sqrt(square(silhouette->std_azimuth) + square(settings_.std_floor) + square(missing));
+  view.objects.push_back({label, silhouette->azimuth, std, seen.half_width, guess.distance});
   return true;
 }
 

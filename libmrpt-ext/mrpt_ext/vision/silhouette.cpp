@@ -21,22 +21,6 @@ constexpr int kRecentring = 2;
 
 using Profile = std::vector<cv::Vec3d>;
 
-/// Linear light at a point of the image, between its pixels; nothing outside.
-std::optional<cv::Vec3d> lightAt(const cv::Mat& image, const cv::Point2d& position)
-{
-  const int u = static_cast<int>(std::floor(position.x)), v = static_cast<int>(std::floor(position.y));
-  if (u < 0 || v < 0 || u + 1 >= image.cols || v + 1 >= image.rows) return std::nullopt;
-  const auto& linear = linearLight();
-  const auto light = [&](int row, int column)
-  {
-    const auto& p = image.at<cv::Vec3b>(row, column);
-    return cv::Vec3d(linear[p[0]], linear[p[1]], linear[p[2]]);
-  };
-  const double x = position.x - u, y = position.y - v;
-  return (1 - y) * ((1 - x) * light(v, u) + x * light(v, u + 1)) +
-         y * ((1 - x) * light(v + 1, u) + x * light(v + 1, u + 1));
-}
-
 /// Mean light of a slice outwards from the middle, on the side given by `sign`; sample i is (i + 1/2) `step` away.
 std::optional<Profile> profileOf(const cv::Mat& image, const HyperbolicMirror& mirror, double middle, int sign,
                                  const SilhouetteSlice& slice, double step, int samples)

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <optional>
+
+#include "mrpt_ext/vision/field_objects.h"
+
+namespace mrpt_ext
+{
+/// How far away a banded pole is.
+struct PoleDistance
+{
+  double distance = 0, std = 0;  ///< [m] from the mirror's axis
+};
+
+/// From where the colours of neighbouring bands meet in the middle of the pole, which `guess` knows roughly: its height
+/// and the mirror tell the distance, without a look at the width, of which something may hide a part. Nothing where a
+/// boundary is not seen or the boundaries fit no distance.
+[[nodiscard]] std::optional<PoleDistance> distanceByBands(const cv::Mat& image, const HyperbolicMirror& mirror,
+                                                          double pole_height, const ObjectGuess& guess);
+}  // namespace mrpt_ext
