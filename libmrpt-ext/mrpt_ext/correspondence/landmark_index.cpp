@@ -71,5 +71,7 @@ void LandmarkIndex::build(double bucket)
   members_.resize(size());
   std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
   for (std::size_t l = 0; l < size(); ++l) members_[next[bucket_of(positions_[l])]++] = static_cast<std::uint32_t>(l);
+  in_buckets_.reserve(size());
+  for (const std::uint32_t member : members_) in_buckets_.push_back(positions_[member]);
 }
 }  // namespace mrpt_ext

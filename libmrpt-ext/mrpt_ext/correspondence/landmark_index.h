@@ -56,8 +56,7 @@ class LandmarkIndex
       const auto row = static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_);
       const std::size_t end = first_[row + static_cast<std::size_t>(i1) + 1];
       for (std::size_t k = first_[row + static_cast<std::size_t>(i0)]; k < end; ++k)
-        if ((positions_[members_[k]] - point).squaredNorm() <= radius * radius)
-          visit(static_cast<std::size_t>(members_[k]));
+        if ((in_buckets_[k] - point).squaredNorm() <= radius * radius) visit(static_cast<std::size_t>(members_[k]));
     }
   }
 
@@ -81,5 +80,6 @@ class LandmarkIndex
   int columns_ = 1, rows_ = 1;
   std::vector<std::size_t> first_;      // per bucket, row-major, into members_; one more at the end
   std::vector<std::uint32_t> members_;  // landmarks by bucket
+  std::vector<Vector2d> in_buckets_;    // their positions: neighbours in memory
 };
 }  // namespace mrpt_ext

@@ -4,16 +4,14 @@
 #include <algorithm>
 
 #include "mrpt_ext/correspondence/scan_matching.h"
-#include "mrpt_ext/geometry/work_counter.h"
 #include "mrpt_ext/solvers/pose_ml.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr int kMaxRounds = 6;  // of matching and refining; most poses refine in two
-// Operations: of a landmark that is expected, of it and a detection, of a row in a fit.
-constexpr std::uint64_t kWorkOfExpected = 150, kWorkOfPair = 8, kWorkOfRow = 150;
+constexpr int kMaxRounds = 6;              // of matching and refining; most poses refine in two
+constexpr std::uint64_t kWorkOfRow = 150;  // operations, in a fit
 
 /// The detections that a pose matches.
 struct Matching
@@ -38,9 +36,7 @@ struct Verification
 std::vector<ExpectedLandmark> expectedFrom(const Verification& with, const Scan& scan, const GaussianPose& pose)
 {
   std::vector<ExpectedLandmark> expected = expectedLandmarks(with.map, scan, pose);
-  const std::uint64_t operations = expected.size() * (kWorkOfExpected + kWorkOfPair * scan.detections.size());
-  WorkCounter::add(operations);
-  static_cast<void>(with.spend(operations));
+  static_cast<void>(with.spend(costOfMatching(expected.size(), scan.detections.size())));
   return expected;
 }
 

@@ -5,12 +5,14 @@
 #include "mrpt_ext/correspondence/unsearched_evidence.h"
 #include "mrpt_ext/geometry/log_probability.h"
 #include "mrpt_ext/geometry/measurement_jacobian.h"
+#include "mrpt_ext/geometry/work_counter.h"
 #include "mrpt_ext/likelihood/detection_density.h"
 
 namespace mrpt_ext
 {
 namespace
 {
+constexpr std::uint64_t kCostOfPrediction = 200, kCostOfPair = 8;  // operations
 constexpr double kSlack = 3;  // standard deviations of the pose by which a landmark may be out of view
 
 double quadratic(const JacobianRow& J, const Matrix3d& P) { return std::max(0.0, (J * P * J.transpose()).value()); }
@@ -54,14 +56,17 @@ double visibilityOf(const SensorModel& model, const ExpectedLandmark& h)
 }
 }  // namespace
 
+std::uint64_t costOfMatching(std::size_t expected, std::size_t detections)
+{
+  return expected * (kCostOfPrediction + kCostOfPair * detections);
+}
+
 std::uint64_t costOfMatching(const LandmarkIndex& map, const Scan& scan)
 {
-  constexpr double kOfPrediction = 200, kOfPair = 8;
   const Vector2d extent = map.high() - map.low();
   const double area = std::max(extent.prod(), 1e-3 * extent.squaredNorm() + 1e-9);
   const double seen = scan.model.max_range ? std::min(1.0, kPi * square(*scan.model.max_range) / area) : 1;
-  return static_cast<std::uint64_t>(seen * static_cast<double>(map.size()) *
-                                    (kOfPrediction + kOfPair * static_cast<double>(scan.detections.size())));
+  return costOfMatching(static_cast<std::size_t>(seen * static_cast<double>(map.size())), scan.detections.size());
 }
 
 std::vector<ExpectedLandmark> expectedLandmarks(const LandmarkIndex& map, const Scan& scan, const GaussianPose& robot)
@@ -88,6 +93,7 @@ std::vector<ExpectedLandmark> expectedLandmarks(const LandmarkIndex& map, const 
                     h.visibility = visibilityOf(scan.model, h);
                     expected.push_back(h);
                   });
+  WorkCounter::add(kCostOfPrediction * expected.size());
   return expected;
 }
 
@@ -100,6 +106,7 @@ std::vector<int> associate(const LandmarkIndex& map, const Scan& scan, std::span
     int detection, expected;
   };
   std::vector<Pair> pairs;
+  WorkCounter::add(kCostOfPair * expected.size() * scan.detections.size());
   for (std::size_t d = 0; d < scan.detections.size(); ++d)
     for (std::size_t h = 0; h < expected.size(); ++h)
       if (map.mayShow(scan.detections[d].category, expected[h].landmark))

@@ -20,7 +20,8 @@ struct ExpectedLandmark
   double visibility = 0;                            ///< probability of being in view, over the uncertainty of the pose
 };
 
-/// Operations (work_budget.h) of expectedLandmarks() and associate() with a precise pose.
+/// Operations (work_budget.h) of expectedLandmarks() and associate(): for so many landmarks, and with a precise pose.
+[[nodiscard]] std::uint64_t costOfMatching(std::size_t expected, std::size_t detections);
 [[nodiscard]] std::uint64_t costOfMatching(const LandmarkIndex& map, const Scan& scan);
 
 /// The landmarks in view of a scan from the pose, and those that would be in view from nearby poses.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mrpt_ext/geometry/vector_clones.h"
+#include "mrpt_ext/geometry/work_counter.h"
 
 namespace mrpt_ext
 {
@@ -103,6 +104,7 @@ class Grid
         const Ray ray{static_cast<float>(sensor.x), static_cast<float>(sensor.y),
                       static_cast<float>(std::cos(direction)), static_cast<float>(std::sin(direction)),
                       static_cast<float>(information)};
+        WorkCounter::add(static_cast<std::uint64_t>(kCostOfRay * static_cast<double>(rows_ * columns_ * x.size())));
         for (std::size_t j = 0; j < rows_; ++j)
           addRay(ray, x.data(), y.data(), x.size(), static_cast<float>(0.5 * side.x()),
                  static_cast<float>((static_cast<double>(j) + 0.5) * side.y()), static_cast<float>(side.x()),

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mrpt_ext/geometry/work_counter.h"
+
 namespace mrpt_ext
 {
 namespace
@@ -73,7 +75,11 @@ int BearingCandidates::propose(const DetectionTriple& triple, int floor, int lea
 void BearingCandidates::propose(std::span<const PoseBox> boxes, const VisibilityGrid& index, int scan, int least)
 {
   const std::vector<BoundingScan> scans = scansFrom(scan, 0);
-  for (const PoseBox& box : boxes) refineBox(poseOf(box, index, options_.gate), scan, scans, least, kSplits);
+  for (const PoseBox& box : boxes)
+  {
+    if (budget_.exhausted()) break;
+    refineBox(poseOf(box, index, options_.gate), scan, scans, least, kSplits);
+  }
 }
 
 TripleEffort BearingCandidates::sampleEffort(const DetectionTriple& triple)
@@ -142,6 +148,7 @@ void BearingCandidates::refineBox(const GaussianPose& sensor, int scan, std::spa
                                   int splits)
 {
   if (!budget_.spend(cost_of_bound_)) return;
+  WorkCounter::add(cost_of_bound_);
   if (boundOfBox(sensor, scans.front(), options_.gate) < least) return;
   const RefinedPose refined_pose = refineOnInliers(sensor, scans, options_.gate, least, scratch_);
   budget_.spend(refined_pose.operations);

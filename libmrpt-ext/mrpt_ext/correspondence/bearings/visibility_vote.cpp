@@ -7,12 +7,14 @@
 #include <cstring>
 
 #include "mrpt_ext/geometry/vector_clones.h"
+#include "mrpt_ext/geometry/work_counter.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr std::uint64_t kCostOfTurn = 1;  // operations, for all headings
+// Operations: a rotation for all headings, and a box that is kept.
+constexpr std::uint64_t kCostOfTurn = 6, kCostOfBox = 6;
 constexpr int kWords = VisibilityGrid::kWords, kBins = VisibilityGrid::kBins;
 
 /// One rotation of the ring, in the form of the kernel.
@@ -127,10 +129,12 @@ PoseBoxes voteForPoses(const VisibilityGrid& index, std::span<const ScanBearing>
   {
     hits.finished = budget.spend(cost_of_cell);
     if (!hits.finished) break;
+    WorkCounter::add(cost_of_cell);
     // Landmarks in or close to the cell are not in its ring: each may match one bearing more.
     const int close = index.closeLandmarks(cell);
     const int allowed = std::min(usable - hits.floor + close, kMostOutliers);
     if (!countMisses(index.ring(cell), rotations.data(), rotations.size(), allowed, count)) continue;
+    const std::size_t before = held;
     for (std::size_t w = 0; w < kWords; ++w)
       for (std::uint64_t left = count.within[w]; left != 0; left &= left - 1)
       {
@@ -141,6 +145,8 @@ PoseBoxes voteForPoses(const VisibilityGrid& index, std::span<const ScanBearing>
              static_cast<std::uint16_t>(inliers)});
         ++held;
       }
+    WorkCounter::add(kCostOfBox * (held - before));
+    budget.spend(kCostOfBox * (held - before));
     for (; held > capacity && hits.floor < usable; ++hits.floor)
     {
       auto& lowest = hits.by_inliers[static_cast<std::size_t>(hits.floor)];

@@ -12,7 +12,7 @@ namespace
 {
 constexpr std::size_t kMostGrown = 12;  // more points hardly improve the fit
 // Operations: of a fit and of each of its points, of a point that is looked up on the map.
-constexpr std::uint64_t kWorkOfFit = 20, kWorkOfFittedPoint = 3, kWorkOfLookup = 12;
+constexpr std::uint64_t kWorkOfFit = 20, kWorkOfFittedPoint = 3, kWorkOfLookup = 15, kWorkOfCandidate = 5;
 }  // namespace
 
 GaussianPose PointFit::pose() const
@@ -71,14 +71,15 @@ GrownFit growFit(const LandmarkIndex& map, std::span<const PointMatch> constella
   {
     grown.operations += kWorkOfLookup;
     const Vector2d expected = grown.fit.toWorld(point.in_robot);
-    double nearest = gate * std::sqrt(square(point.std) + grown.fit.varianceAt(point.in_robot));
+    double nearest2 = square(gate) * (square(point.std) + grown.fit.varianceAt(point.in_robot));
     const Vector2d* landmark = nullptr;
-    map.forEachNear(expected, nearest,
+    map.forEachNear(expected, std::sqrt(nearest2),
                     [&](std::size_t candidate)
                     {
-                      const double distance = (map.position(candidate) - expected).norm();
-                      if (distance > nearest || !map.mayShow(point.category, candidate)) return;
-                      nearest = distance;
+                      grown.operations += kWorkOfCandidate;
+                      const double distance2 = (map.position(candidate) - expected).squaredNorm();
+                      if (distance2 > nearest2 || !map.mayShow(point.category, candidate)) return;
+                      nearest2 = distance2;
                       landmark = &map.position(candidate);
                     });
     if (landmark)

@@ -20,7 +20,7 @@ constexpr std::size_t kNearPoints = 4;          // a triangle is made of a point
 constexpr std::size_t kMaxVerifiedFits = 2000;  // poses; each costs some ten microseconds
 constexpr std::size_t kMaxPending = 50000;
 constexpr std::size_t kMostPoints = 100;                                 // of a scan
-constexpr std::uint64_t kCostOfCandidate = 20, kCostOfPairOfPoints = 3;  // operations, besides growing it
+constexpr std::uint64_t kCostOfCandidate = 20, kCostOfPairOfPoints = 6;  // operations, besides growing it
 constexpr std::size_t kMaxPairs = 15;                                    // widest first: they fix the heading best
 /// So few inliers need not be near neighbours of one another, as the triangles of the index are.
 constexpr int kFewMatches = 3;
@@ -183,11 +183,12 @@ class PointSearchRun
     const std::array<const ScanPoint*, 2> seen{&points_[static_cast<std::size_t>(indices[0])],
                                                &points_[static_cast<std::size_t>(indices[1])]};
     const double tolerance = options_.gate * std::hypot(seen[0]->std, seen[1]->std);
+    const double least2 = square(std::max(0.0, distance - tolerance));
     const std::vector<ScanPoint> others = otherPoints({indices.begin(), indices.end()});
     const auto evaluate_pair = [&](std::size_t i, std::size_t j)
     {
-      const double apart = (map_.position(i) - map_.position(j)).norm();
-      const bool fits = j != i && apart >= distance - tolerance;
+      const double apart2 = (map_.position(i) - map_.position(j)).squaredNorm();
+      const bool fits = j != i && apart2 >= least2;
       if (proposing_.spend(fits ? kCostOfCandidate : kCostOfPairOfPoints) && fits) evaluate<2>(seen, {i, j}, others);
     };
     for (std::size_t i = 0; i < map_.size() && withinWork(); ++i)

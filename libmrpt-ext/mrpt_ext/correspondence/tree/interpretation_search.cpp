@@ -5,6 +5,7 @@
 #include "mrpt_ext/correspondence/tree/interpretation_refinement.h"
 #include "mrpt_ext/correspondence/tree/matching_order.h"
 #include "mrpt_ext/correspondence/tree/ray_bundle.h"
+#include "mrpt_ext/geometry/work_counter.h"
 #include "mrpt_ext/solvers/plane.h"
 
 namespace mrpt_ext
@@ -165,6 +166,7 @@ class Search
   {
     std::size_t children = allowed(order_.bearings[step]).size();
     for (const Match& m : matched_) children -= masks_[step][m.landmark] != 0;
+    WorkCounter::add(kCostOfNode * children);
     result_.tested[matched_.size() - 2] += children;
     total_ += children;
     const bool within = options_.budget == nullptr || options_.budget->spend(kCostOfNode * children);
@@ -302,6 +304,7 @@ class Search
   void record()
   {
     const RayCrossing& base = nodes_[matched_.size()].base;
+    WorkCounter::add(kCostOfRecord);
     if (options_.budget != nullptr) options_.budget->spend(kCostOfRecord);
     if (auto found = refineInterpretation(problem_, assignment_, bearings_, base))
       result_.found.push_back(std::move(*found));
