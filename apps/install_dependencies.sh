@@ -9,7 +9,7 @@ set -euo pipefail
 
 build=(g++ cmake ninja-build libeigen3-dev zlib1g-dev libzstd-dev liblz4-dev libsqlite3-dev libjpeg-dev libtbb-dev libboost-dev libssl-dev
   libcli11-dev nlohmann-json3-dev libyaml-cpp-dev libjs-dygraphs libmrpt-obs-dev libmrpt-maps-dev libmrpt-opengl-dev libmrpt-slam-dev
-  libmrpt-gui-dev libx11-dev libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev)
+  libmrpt-gui-dev libx11-dev libopencv-core-dev libopencv-imgproc-dev libopencv-imgcodecs-dev libapriltag-dev)
 tests=(libgtest-dev librapidcheck-dev libbenchmark-dev mrpt-apps mrpt-common xvfb xauth libxml2-utils python3 parallel
   chromium python3-dev pybind11-dev python3-numpy python3-pytest)
 packages=(dpkg-dev file help2man lintian python3-dev pybind11-dev python3-numpy)

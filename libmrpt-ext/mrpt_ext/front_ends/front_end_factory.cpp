@@ -5,6 +5,7 @@
 #include "mrpt_ext/front_ends/conic_mirror_front_end.h"
 #include "mrpt_ext/front_ends/movis_front_end.h"
 #include "mrpt_ext/front_ends/stereo_goal_front_end.h"
+#include "mrpt_ext/front_ends/tags_front_end.h"
 #include "mrpt_ext/solvers/movis_frame.h"
 
 namespace mrpt_ext
@@ -28,6 +29,7 @@ std::unique_ptr<VisionFrontEnd> makeFrontEnd(const Settings& settings, const Cam
   if (sensor == "conic_mirror") return std::make_unique<ConicMirrorFrontEnd>(settings, camera);
   if (sensor == "movis") return std::make_unique<MovisFrontEnd>(settings, camera);
   if (sensor == "stereo_goal") return std::make_unique<StereoGoalFrontEnd>(settings, camera);
+  if (sensor == "tags") return std::make_unique<TagsFrontEnd>(settings, camera);
   throw std::logic_error("no front end for sensor " + sensor);
 }
 }  // namespace mrpt_ext

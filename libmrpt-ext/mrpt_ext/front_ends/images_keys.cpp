@@ -11,9 +11,10 @@ KeyTable imagesKeys()
           .choice("sensor", "",
                   {{"conic_mirror", {}, "one camera below a cone: azimuths of vertical edges"},
                    {"movis", {}, "three cameras below hyperbolic mirrors: azimuths of corner poles and ball"},
-                   {"stereo_goal", {}, "a narrow stereo pair on a football field: goal corners and line landmarks"}},
+                   {"stereo_goal", {}, "a narrow stereo pair on a football field: goal corners and line landmarks"},
+                   {"tags", {}, "one camera and fiducial tags (AprilTag, ArUco): their bearings and ranges"}},
                   "What took the images.")
           .forBeginners();
-  return table.append(conicMirrorKeys()).append(movisKeys()).append(stereoGoalKeys());
+  return table.append(conicMirrorKeys()).append(movisKeys()).append(stereoGoalKeys()).append(tagsKeys());
 }
 }  // namespace mrpt_ext
