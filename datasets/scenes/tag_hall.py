@@ -144,8 +144,8 @@ def main():
     for k, pose in enumerate(cfg["poses"]):
         rng = np.random.default_rng(seed_of(cfg["name"], k))
         image = "%s_%02d.%s" % (cfg["name"], k, cfg.get("format", "jpg"))
-        frames.append(dict(zip(("frame", "image", "x_m", "y_m", "heading_deg", "odometry_x_m", "odometry_y_m", "odometry_heading_deg"),
-                               [k, image] + [float(p) for p in pose] + list(odometry[k]))))
+        frames.append(dict(zip(("frame", "t", "image", "x_m", "y_m", "heading_deg", "odometry_x_m", "odometry_y_m", "odometry_heading_deg"),
+                               [k, round(k * cfg.get("seconds_per_frame", 1), 6), image] + [float(p) for p in pose] + list(odometry[k]))))
         drawn = []
         for tag in tags:
             view = view_of(c, pose, tag, edge)

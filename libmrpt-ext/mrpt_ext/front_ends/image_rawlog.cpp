@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <map>
 #include <opencv2/imgproc.hpp>
 
 #include "mrpt_ext/front_ends/image_frame.h"
@@ -65,25 +66,55 @@ cv::Mat pixelsOf(const mrpt::img::CImage& image)
   }
 }
 
-/// What the log states about its stereo pair, under the names of camera.json; zero stands for unknown. The optical axis
-/// is the pose's z axis, as MRPT has it.
-CameraFile cameraOf(const mrpt::obs::CObservationStereoImages& stereo)
+using CameraNumbersByName = std::map<std::string, double>;
+
+/// Size, focal lengths and principal point, as far as they are known: zero stands for unknown.
+CameraNumbersByName intrinsicsOf(const mrpt::img::TCamera& model)
 {
-  std::map<std::string, double> camera;
+  CameraNumbersByName camera;
   const auto state = [&](const char* name, double value)
   {
     if (value > 0) camera[name] = value;
   };
-  const mrpt::img::TCamera& model = stereo.leftCamera;
   state("width", model.ncols), state("height", model.nrows);
   state("fx", model.fx()), state("fy", model.fy()), state("cx", model.cx()), state("cy", model.cy());
-  state("baseline", std::abs(stereo.rightCameraPose.x()));
-  const mrpt::poses::CPose3D pose(stereo.cameraPose);
+  return camera;
+}
+
+/// Adds where the camera is and how it looks; nothing but the height of one that looks up or down: its pose was not
+/// set. The optical axis is the pose's z axis, as MRPT has it.
+void addMounting(CameraNumbersByName& camera, const mrpt::poses::CPose3D& pose)
+{
   const auto rotation = pose.getRotationMatrix();
-  state("height_m", pose.z());
-  if (std::abs(rotation(2, 2)) > kLeastHorizontal) return CameraFile(camera);  // looks up or down: the pose was not set
+  if (pose.z() > 0) camera["height_m"] = pose.z();
+  if (std::abs(rotation(2, 2)) > kLeastHorizontal) return;
   camera["pitch_deg"] = radToDeg(std::asin(-rotation(2, 2)));
   camera["forward"] = pose.x(), camera["left"] = pose.y();
+}
+
+/// What the log states about its stereo pair, under the names of camera.json.
+CameraFile cameraOf(const mrpt::obs::CObservationStereoImages& stereo)
+{
+  CameraNumbersByName camera = intrinsicsOf(stereo.leftCamera);
+  if (const double baseline = std::abs(stereo.rightCameraPose.x()); baseline > 0) camera["baseline"] = baseline;
+  addMounting(camera, mrpt::poses::CPose3D(stereo.cameraPose));
+  return CameraFile(camera);
+}
+
+/// The same of a camera that looks ahead, with its distortion; nothing of one whose model or pose was not set.
+CameraFile cameraOf(const mrpt::obs::CObservationImage& image)
+{
+  const mrpt::img::TCamera &model = image.cameraParams, unset;
+  const auto rotation = image.cameraPose.getRotationMatrix();
+  const bool has_model = model.fx() != unset.fx() || model.fy() != unset.fy() || model.cx() != unset.cx();
+  if (!has_model || std::abs(rotation(2, 2)) > kLeastHorizontal) return {};
+  CameraNumbersByName camera = intrinsicsOf(model);
+  camera["k1"] = model.k1(), camera["k2"] = model.k2(), camera["k3"] = model.k3();
+  camera["p1"] = model.p1(), camera["p2"] = model.p2();
+  addMounting(camera, image.cameraPose);
+  camera["mount_yaw_deg"] = radToDeg(std::atan2(rotation(1, 2), rotation(0, 2)));
+  // The image's right and lower side, against the horizontal.
+  camera["roll_deg"] = radToDeg(std::atan2(-rotation(2, 0), -rotation(2, 1)));
   return CameraFile(camera);
 }
 
@@ -147,11 +178,11 @@ class ImageRawlog : public ImageSequence
     // One of the sensor's cameras by its label, or the only one.
     const bool labelled = std::find(roles_.begin(), roles_.end(), observation.sensorLabel) != roles_.end();
     const std::string role = labelled ? observation.sensorLabel : "image";
+    if (!has_camera_) camera = image ? cameraOf(*image) : cameraOf(*stereo);
+    has_camera_ = true;
     if (image) frame.images = {{role, name, pixelsOf(image->image), planarPose(image->cameraPose)}};
     if (stereo)
     {
-      if (!has_camera_) camera = cameraOf(*stereo);
-      has_camera_ = true;
       frame.images = {{"left", name + "_left", pixelsOf(stereo->imageLeft), {}}};
       if (stereo->hasImageRight) frame.images.push_back({"right", name + "_right", pixelsOf(stereo->imageRight), {}});
     }
@@ -162,7 +193,7 @@ class ImageRawlog : public ImageSequence
   std::vector<std::string> roles_;
   std::deque<ImageRecord> waiting_;
   int frames_ = 0;
-  bool has_camera_ = false;  // of the first stereo pair
+  bool has_camera_ = false;  // of the first image or stereo pair
 };
 }  // namespace
 

@@ -13,10 +13,10 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr std::size_t kFewestTags = 10;     ///< that tell how precise corners are
-constexpr double kSignificance = 3;         ///< standard deviations by which they must disagree with what is stated
-const double kMedianResidual = 2 * std::log(2.0);  ///< of chi-squared with two degrees of freedom
-const double kStdOfMedian = 1 / std::log(2.0);     ///< relative, of one value
+constexpr std::size_t kFewestTags = 10;    ///< that tell how precise corners are
+constexpr double kSignificance = 3;        ///< standard deviations by which they must disagree with what is stated
+constexpr double kMedianResidual = 1.386;  ///< of chi-squared with two degrees of freedom
+constexpr double kStdOfMedian = 1.44;      ///< relative, of one value
 
 PinholeCamera readPinhole(const CameraNumbers& numbers)
 {
@@ -41,7 +41,8 @@ TagSettings readTagModel(const Settings& settings, const CameraFile& camera)
   TagSettings model;
   model.camera = readPinhole(numbers);
   model.edge = numbers.size("tag_edge_m", "tag_edge_m");
-  model.std_corner = number("std_corner_px"), model.gate = number("gate");
+  model.noise.std_corner = number("std_corner_px"), model.gate = number("gate");
+  model.noise.std_upright = settings.radians(kTagsSection, "std_upright_deg");
   TagDetectorSettings& detector = model.detector;
   detector.family = settings.choice(kTagsSection, "family");
   if (settings.hasValue(kTagsSection, "dictionary_file"))
@@ -52,6 +53,21 @@ TagSettings readTagModel(const Settings& settings, const CameraFile& camera)
   detector.corrected_bits = static_cast<int>(settings.integer(kTagsSection, "corrected_bits"));
   detector.coding_power = number("coding_power");
   return model;
+}
+
+/// [px] how far the corners of these tags scatter about squares in any attitude; nothing of too few to tell, nor when
+/// it is not more than stated.
+std::optional<double> excessiveScatter(const std::vector<TagCorners>& tags, const TagSettings& stated)
+{
+  constexpr double kAnyAttitude = 1e3;
+  std::vector<double> residuals;
+  for (const TagCorners& corners : tags)
+    if (const auto poses = posesOfTag(corners, stated.edge, stated.camera, {1, kAnyAttitude}); !poses.empty())
+      residuals.push_back(poses.front().residual);
+  if (residuals.size() < kFewestTags) return std::nullopt;
+  const double significant = kSignificance * kStdOfMedian / std::sqrt(static_cast<double>(residuals.size()));
+  const double scatter = std::sqrt(*median(residuals) / kMedianResidual);
+  return scatter > stated.noise.std_corner * std::sqrt(1 + significant) ? std::optional(scatter) : std::nullopt;
 }
 
 Pose2 readMounting(const Settings& settings, const CameraFile& camera)
@@ -85,16 +101,14 @@ CalibrationNotes TagsFrontEnd::selfCalibrate(const std::vector<ImageFrame>& fram
 {
   TagSettings open = model_;
   open.gate = std::numeric_limits<double>::infinity();
-  std::vector<double> residuals;
+  std::vector<TagCorners> tags;
   for (const ImageFrame& frame : frames)
     if (const FrameImage* const image = frame.find("image"); image && !image->pixels.empty())
-      for (const SeenTag& tag : viewTags(image->pixels, detector_, open).tags)
-        residuals.push_back(tag.measured.residual);
-  if (residuals.size() < kFewestTags) return {};
-  const double excess = *median(residuals) / kMedianResidual;
-  if (excess < 1 + kSignificance * kStdOfMedian / std::sqrt(static_cast<double>(residuals.size()))) return {};
-  model_.std_corner *= std::sqrt(excess);
-  return {{"tags: corners scatter by " + fixedText(model_.std_corner, 2) +
+      for (const SeenTag& tag : viewTags(image->pixels, detector_, open).tags) tags.push_back(tag.corners);
+  const auto scatter = excessiveScatter(tags, model_);
+  if (!scatter) return {};
+  model_.noise.std_corner = *scatter;
+  return {{"tags: corners scatter by " + fixedText(*scatter, 2) +
            " px about squares, more than std_corner_px states; taken instead"},
           {}};
 }

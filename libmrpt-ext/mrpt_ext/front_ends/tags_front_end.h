@@ -6,7 +6,8 @@
 
 namespace mrpt_ext
 {
-/// Fiducial tags (AprilTag, ArUco) in one camera: bearings and ranges to their centres, identified by the tags' numbers.
+/// Fiducial tags (AprilTag, ArUco) in one camera: bearings and ranges to their centres, identified by the tags'
+/// numbers.
 class TagsFrontEnd : public VisionFrontEnd
 {
  public:

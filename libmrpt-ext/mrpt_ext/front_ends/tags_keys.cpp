@@ -27,8 +27,9 @@ KeyTable tagCameraKeys()
       .number("sensor_y_m", "m", kUnset, kMetres,
               "Left of the robot's origin. Not set: left of camera.json; neither: 0.")
       .number("camera_height_m", "m", kUnset, kMetres, "Above the floor. Not set: height_m of camera.json; neither: 0.")
-      .number("mount_yaw_deg", "deg", kUnset, {-360, 360},
-              "Where the camera looks, from the robot's forward axis. Not set: mount_yaw_deg of camera.json; neither: 0.")
+      .number(
+          "mount_yaw_deg", "deg", kUnset, {-360, 360},
+          "Where the camera looks, from the robot's forward axis. Not set: mount_yaw_deg of camera.json; neither: 0.")
       .number("pitch_deg", "deg", kUnset, {-89, 89},
               "Looking down is positive. Not set: pitch_deg of camera.json; neither: 0.")
       .number("roll_deg", "deg", kUnset, {-180, 180},
@@ -48,13 +49,19 @@ KeyTable tagsKeys()
           .text("sensor_label", "", "tags", "Label of the observations.")
           .choice("family", detector.family, families, "Which tags hang in the world.")
           .forBeginners()
-          .path("dictionary_file", "Tags of another kind, instead of a family: YAML with nmarkers, markersize, marker_0 ...")
-          .number("tag_edge_m", "m", kUnset, {0.001, 100},
-                  "Outer edge of the black border; with a white border (tagStandard, tagCircle) its inner edge. Not set: "
-                  "tag_edge_m of camera.json.")
+          .path("dictionary_file",
+                "Tags of another kind, instead of a family: YAML with nmarkers, markersize, marker_0 ...")
+          .number(
+              "tag_edge_m", "m", kUnset, {0.001, 100},
+              "Outer edge of the black border; with a white border (tagStandard, tagCircle) its inner edge. Not set: "
+              "tag_edge_m of camera.json.")
           .forBeginners()
-          .number("std_corner_px", "px", view.std_corner, {0.01, 100},
+          .number("std_corner_px", "px", view.noise.std_corner, {0.01, 100},
                   "Standard deviation of a tag's corner, each way: covariances of bearing and range follow from it.")
+          .degrees(
+              "std_upright_deg", "deg", view.noise.std_upright, {0.01, 1000},
+              "Standard deviation of a tag's upright edges from the vertical, a tilt of the robot included. 90 and "
+              "more: tags hang in any attitude, and small ones seem up to a standard deviation too near.")
           .integer("corner_noise_frames", "", 20, {0, 1000},
                    "Frames whose tags tell std_corner_px when they fit squares worse than it states. 0: none.")
           .number("gate", "", view.gate, {1, 100},

@@ -10,13 +10,13 @@ namespace mrpt_ext
 /// them. Camera axes: x right, y down, z along the optical axis. Pixel centres are at integers.
 struct PinholeCamera
 {
-  cv::Size size;                   ///< [px]; empty: any
-  double fx = 0, fy = 0;           ///< [px]
-  double cx = 0, cy = 0;           ///< [px]
-  double k1 = 0, k2 = 0, k3 = 0;   ///< radial distortion
-  double p1 = 0, p2 = 0;           ///< tangential distortion
-  double pitch = 0;                ///< [rad] positive: looking down
-  double roll = 0;                 ///< [rad] positive: the image's right side is lower
+  cv::Size size;                  ///< [px]; empty: any
+  double fx = 0, fy = 0;          ///< [px]
+  double cx = 0, cy = 0;          ///< [px]
+  double k1 = 0, k2 = 0, k3 = 0;  ///< radial distortion
+  double p1 = 0, p2 = 0;          ///< tangential distortion
+  double pitch = 0;               ///< [rad] positive: looking down
+  double roll = 0;                ///< [rad] positive: the image's right side is lower
 
   /// A pixel and its derivative by the point that it shows.
   struct Projection

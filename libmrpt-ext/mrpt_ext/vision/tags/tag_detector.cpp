@@ -34,8 +34,8 @@ constexpr std::array kLibraryFamilies{
     LibraryFamily{"tagStandard41h12", tagStandard41h12_create, tagStandard41h12_destroy},
     LibraryFamily{"tagCircle21h7", tagCircle21h7_create, tagCircle21h7_destroy}};
 
-/// A dictionary in the library's terms. It turns a code by a quarter by shifting a quarter of its bits, so the cells are
-/// told quarter by quarter, each turned against the one before; a cell in the middle comes last.
+/// A dictionary in the library's terms. It turns a code by a quarter by shifting a quarter of its bits, so the cells
+/// are told quarter by quarter, each turned against the one before; a cell in the middle comes last.
 struct DictionaryFamily
 {
   explicit DictionaryFamily(const TagDictionary& dictionary)
@@ -48,7 +48,8 @@ struct DictionaryFamily
     for (std::size_t k = 0; k < 3 * quarter; ++k) cells.push_back(cells[k] % n * n + n - 1 - cells[k] / n);
     if (n % 2 == 1) cells.push_back(n * n / 2);
     for (const int cell : cells)
-      columns.push_back(static_cast<std::uint32_t>(cell % n + 1)), rows.push_back(static_cast<std::uint32_t>(cell / n + 1));
+      columns.push_back(static_cast<std::uint32_t>(cell % n + 1)),
+          rows.push_back(static_cast<std::uint32_t>(cell / n + 1));
     for (const std::uint64_t by_rows : dictionary.codes)
     {
       std::uint64_t code = 0;
@@ -124,8 +125,8 @@ std::vector<DetectedTag> TagDetector::detect(const cv::Mat& grey) const
 {
   cv::Mat light = lightOf(grey, settings_.coding_power);
   image_u8_t image{light.cols, light.rows, static_cast<int>(light.step), light.data};
-  const std::unique_ptr<zarray_t, void (*)(zarray_t*)> found(
-      apriltag_detector_detect(library_->detector.get(), &image), apriltag_detections_destroy);
+  const std::unique_ptr<zarray_t, void (*)(zarray_t*)> found(apriltag_detector_detect(library_->detector.get(), &image),
+                                                             apriltag_detections_destroy);
   std::vector<DetectedTag> tags;
   for (int i = 0; i < zarray_size(found.get()); ++i)
   {

@@ -31,8 +31,8 @@ struct DetectedTag
 [[nodiscard]] std::vector<std::string> tagFamilies();
 
 /// The detector of the AprilTag library (Wang, Olson, "AprilTag 2", 2016). An edge between black and white that is
-/// summed in light and coded for screens seems to stand up to 0.2 px within the black; so it sees light, not grey levels.
-/// One thread at a time.
+/// summed in light and coded for screens seems to stand up to 0.2 px within the black; so it sees light, not grey
+/// levels. One thread at a time.
 class TagDetector
 {
  public:

@@ -32,30 +32,28 @@ PolarPosition polarOf(const Eigen::Vector3d& centre, const Eigen::Matrix3d& cova
 PolarPosition mixtureOf(const PolarPosition& first, const PolarPosition& second, double share)
 {
   const Eigen::Vector2d apart(second.at[0] - first.at[0], wrap(second.at[1] - first.at[1]));
-  return {first.at + share * apart, (1 - share) * first.covariance + share * second.covariance +
-                                        share * (1 - share) * apart * apart.transpose()};
+  return {first.at + share * apart,
+          (1 - share) * first.covariance + share * second.covariance + share * (1 - share) * apart * apart.transpose()};
 }
 }  // namespace
 
 std::optional<TagMeasurement> measureTag(const TagCorners& corners, double edge, const PinholeCamera& camera,
-                                         double std_corner)
+                                         const TagNoise& noise)
 {
-  const std::vector<TagPose> poses = posesOfTag(corners, edge, camera);
+  const std::vector<TagPose> poses = posesOfTag(corners, edge, camera, noise);
   if (poses.empty()) return std::nullopt;
-  const double variance = square(std_corner);
-  const auto polar = [&](const TagPose& pose)
-  { return polarOf(pose.centre, variance * pose.covariance, camera.levelAxes()); };
+  const auto polar = [&](const TagPose& pose) { return polarOf(pose.centre, pose.covariance, camera.levelAxes()); };
   PolarPosition seen = polar(poses[0]);
   if (poses.size() == 2)
   {
-    const double odds = std::exp(0.5 * (poses[0].residual - poses[1].residual) / variance);
+    const double odds = std::exp(0.5 * (poses[0].residual - poses[1].residual));
     seen = mixtureOf(seen, polar(poses[1]), odds / (1 + odds));
   }
   TagMeasurement measured;
   measured.range = seen.at[0], measured.bearing = wrap(seen.at[1]);
   measured.std_range = std::sqrt(seen.covariance(0, 0)), measured.std_bearing = std::sqrt(seen.covariance(1, 1));
   measured.correlation = seen.covariance(0, 1) / (measured.std_range * measured.std_bearing);
-  measured.residual = poses[0].residual / variance;
+  measured.residual = poses[0].residual;
   const bool usable = std::isfinite(measured.bearing) && measured.std_bearing < kLargestStdBearing &&
                       measured.std_range < measured.range;
   return usable ? std::optional(measured) : std::nullopt;

@@ -12,13 +12,12 @@ struct TagMeasurement
   double bearing = 0, std_bearing = 0;  ///< [rad] CCW from the camera's forward axis
   double range = 0, std_range = 0;      ///< [m] horizontal
   double correlation = 0;               ///< of bearing and range
-  double residual = 0;                  ///< of the corners, squared, in units of `std_corner`: chi-squared, two degrees
+  double residual = 0;                  ///< chi-squared of the corners, as in TagPose
 };
 
-/// Bearing and range with the covariance that independent errors of the corners cause, `std_corner` [px] each way. Of
-/// two poses that explain the corners both count by their likelihoods, and what they disagree in is an error. Nothing
-/// where the corners show no square, nor where the centre is so nearly above or below the camera that its bearing is
-/// open.
+/// Bearing and range with the covariance that independent errors of the corners cause. Of two poses that explain the
+/// corners both count by their likelihoods, and what they disagree in is an error. Nothing where the corners show no
+/// square, nor where the centre is so nearly above or below the camera that its bearing is open.
 [[nodiscard]] std::optional<TagMeasurement> measureTag(const TagCorners& corners, double edge,
-                                                       const PinholeCamera& camera, double std_corner);
+                                                       const PinholeCamera& camera, const TagNoise& noise);
 }  // namespace mrpt_ext

@@ -12,6 +12,7 @@ namespace
 {
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Vector8 = Eigen::Matrix<double, 8, 1>;
+using Vector10 = Eigen::Matrix<double, 10, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 constexpr int kDescentSteps = 40;
@@ -30,28 +31,49 @@ struct RigidPose
   Eigen::Vector3d centre;
 };
 
-/// Distances of the corners in the image, with their derivative by a rotation about the centre and a shift.
-struct CornerMisfit
+/// What is seen of a tag, and of which size it is.
+struct TagSight
 {
-  Vector8 distances;
-  Eigen::Matrix<double, 8, 6> by_pose;
+  const TagCorners& corners;
+  double edge;
+  const PinholeCamera& camera;
+  TagNoise noise;
+  Eigen::Matrix<double, 2, 3> level;  ///< horizontal part of what is given in camera axes
 };
 
-std::optional<CornerMisfit> misfitOf(const RigidPose& pose, const TagCorners& corners, double edge,
-                                     const PinholeCamera& camera)
+/// Distances of the corners in the image and of the upright edges from the vertical, in standard deviations; with their
+/// derivative by a rotation about the centre and a shift, negative.
+struct TagMisfit
 {
-  CornerMisfit misfit;
+  Vector10 distances;
+  Eigen::Matrix<double, 10, 6> by_pose = Eigen::Matrix<double, 10, 6>::Zero();
+};
+
+/// Derivative of a vector by a rotation.
+Eigen::Matrix3d byRotation(const Eigen::Vector3d& v)
+{
+  Eigen::Matrix3d derivative;
+  derivative << 0, v.z(), -v.y(), -v.z(), 0, v.x(), v.y(), -v.x(), 0;
+  return derivative;
+}
+
+std::optional<TagMisfit> misfitOf(const RigidPose& pose, const TagSight& sight)
+{
+  TagMisfit misfit;
   for (int i = 0; i < 4; ++i)
   {
-    const Eigen::Vector3d arm = 0.5 * edge * (pose.rotation.leftCols<2>() * kSquare[i]);
-    const auto seen = camera.project(pose.centre + arm);
+    const Eigen::Vector3d arm = 0.5 * sight.edge * (pose.rotation.leftCols<2>() * kSquare[i]);
+    const auto seen = sight.camera.project(pose.centre + arm);
     if (!seen) return std::nullopt;
-    misfit.distances.segment<2>(2 * i) = corners[i] - seen->pixel;
-    Eigen::Matrix3d turned;  // cross product with the arm, negative: derivative of the arm by a rotation
-    turned << 0, arm.z(), -arm.y(), -arm.z(), 0, arm.x(), arm.y(), -arm.x(), 0;
-    misfit.by_pose.block<2, 3>(2 * i, 0) = seen->by_point * turned;
-    misfit.by_pose.block<2, 3>(2 * i, 3) = seen->by_point;
+    misfit.distances.segment<2>(2 * i) = (sight.corners[i] - seen->pixel) / sight.noise.std_corner;
+    misfit.by_pose.block<2, 3>(2 * i, 0) = seen->by_point * byRotation(arm) / sight.noise.std_corner;
+    misfit.by_pose.block<2, 3>(2 * i, 3) = seen->by_point / sight.noise.std_corner;
   }
+  // Those edges are upright that are less horizontal.
+  const Eigen::Vector3d x = pose.rotation.col(0), y = pose.rotation.col(1);
+  const Eigen::Vector3d upright = (sight.level * x).squaredNorm() < (sight.level * y).squaredNorm() ? x : y;
+  misfit.distances.tail<2>() = -sight.level * upright / sight.noise.std_upright;
+  misfit.by_pose.block<2, 3>(8, 0) = sight.level * byRotation(upright) / sight.noise.std_upright;
   return misfit;
 }
 
@@ -63,9 +85,9 @@ RigidPose moved(const RigidPose& pose, const Vector6& step)
 }
 
 /// From a pose into the minimum that it lies above; nothing where the corners do not determine a pose.
-std::optional<TagPose> descended(RigidPose pose, const TagCorners& corners, double edge, const PinholeCamera& camera)
+std::optional<TagPose> descended(RigidPose pose, const TagSight& sight)
 {
-  auto misfit = misfitOf(pose, corners, edge, camera);
+  auto misfit = misfitOf(pose, sight);
   if (!misfit) return std::nullopt;
   double residual = misfit->distances.squaredNorm(), damping = kFirstDamping;
   for (int step = 0; step < kDescentSteps && damping < kLargestDamping; ++step)
@@ -73,7 +95,7 @@ std::optional<TagPose> descended(RigidPose pose, const TagCorners& corners, doub
     Matrix6 normal = misfit->by_pose.transpose() * misfit->by_pose;
     normal.diagonal() *= 1 + damping;
     const RigidPose next = moved(pose, normal.ldlt().solve(misfit->by_pose.transpose() * misfit->distances));
-    auto there = misfitOf(next, corners, edge, camera);
+    auto there = misfitOf(next, sight);
     if (!there || !(there->distances.squaredNorm() < residual))
     {
       damping *= 10;
@@ -89,13 +111,13 @@ std::optional<TagPose> descended(RigidPose pose, const TagCorners& corners, doub
 }
 
 /// From the homography of the corners' rays; nothing when they enclose no area or are not convex.
-std::optional<RigidPose> poseByHomography(const TagCorners& corners, double edge, const PinholeCamera& camera)
+std::optional<RigidPose> poseByHomography(const TagSight& sight)
 {
   Eigen::Matrix<double, 8, 8> equations = Eigen::Matrix<double, 8, 8>::Zero();
   Vector8 right_side;
   for (int i = 0; i < 4; ++i)
   {
-    const auto ray = camera.rayOf(corners[i]);
+    const auto ray = sight.camera.rayOf(sight.corners[i]);
     if (!ray) return std::nullopt;
     const Eigen::RowVector3d at(kSquare[i].x(), kSquare[i].y(), 1);
     for (int axis = 0; axis < 2; ++axis)
@@ -117,7 +139,7 @@ std::optional<RigidPose> poseByHomography(const TagCorners& corners, double edge
   axes << x.normalized(), y.normalized(), x.cross(y).normalized();
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(axes, Eigen::ComputeFullU | Eigen::ComputeFullV);
   return RigidPose{svd.matrixU() * svd.matrixV().transpose(),
-                   0.5 * edge / scale * Eigen::Vector3d(h[2], h[5], 1)};
+                   0.5 * sight.edge / scale * Eigen::Vector3d(h[2], h[5], 1)};
 }
 
 /// The same silhouette under a perspective without depth: the tag's normal mirrored at the line of sight.
@@ -129,14 +151,16 @@ RigidPose mirrored(const TagPose& pose)
 }
 }  // namespace
 
-std::vector<TagPose> posesOfTag(const TagCorners& corners, double edge, const PinholeCamera& camera)
+std::vector<TagPose> posesOfTag(const TagCorners& corners, double edge, const PinholeCamera& camera,
+                                const TagNoise& noise)
 {
+  const TagSight sight{corners, edge, camera, noise, camera.levelAxes().topRows<2>()};
   std::vector<TagPose> poses;
-  const auto start = poseByHomography(corners, edge, camera);
+  const auto start = poseByHomography(sight);
   if (!start) return poses;
-  if (const auto first = descended(*start, corners, edge, camera)) poses.push_back(*first);
+  if (const auto first = descended(*start, sight)) poses.push_back(*first);
   if (poses.empty()) return poses;
-  const auto second = descended(mirrored(poses.front()), corners, edge, camera);
+  const auto second = descended(mirrored(poses.front()), sight);
   if (!second || (second->rotation - poses.front().rotation).norm() < kSamePose) return poses;
   poses.push_back(*second);
   if (poses[1].residual < poses[0].residual) std::swap(poses[0], poses[1]);

@@ -13,11 +13,11 @@ namespace
 /// Bearing and range, or why there is none.
 void measureInto(TagView& view, const DetectedTag& tag, const TagSettings& settings)
 {
-  const auto measured = measureTag(tag.corners, settings.edge, settings.camera, settings.std_corner);
+  const auto measured = measureTag(tag.corners, settings.edge, settings.camera, settings.noise);
   if (!measured)
     view.refused.push_back({tag.id, "its corners show no square with a bearing"});
   else if (measured->residual > square(settings.gate))
-    view.refused.push_back({tag.id, "its corners are not those of a square"});
+    view.refused.push_back({tag.id, "its corners are not those of an upright square"});
   else
     view.tags.push_back({tag.id, tag.corners, *measured});
 }

@@ -13,9 +13,9 @@ namespace mrpt_ext
 struct TagSettings
 {
   PinholeCamera camera;
-  double edge = 0;          ///< [m] of the square whose corners are found: the outer edge of the black border
-  double std_corner = 0.5;  ///< [px] of a corner, each way
-  double gate = 5;          ///< corners farther than so many standard deviations from any square are no tag's
+  double edge = 0;  ///< [m] of the square whose corners are found: the outer edge of the black border
+  TagNoise noise;
+  double gate = 5;  ///< corners farther than so many standard deviations from any square are no tag's
   TagDetectorSettings detector;
 };
 
@@ -36,8 +36,8 @@ struct RefusedTag
 /// What one image shows.
 struct TagView
 {
-  std::string problem;           ///< why there is no measurement; empty when there may be some
-  std::vector<SeenTag> tags;     ///< in ascending order of ids
+  std::string problem;        ///< why there is no measurement; empty when there may be some
+  std::vector<SeenTag> tags;  ///< in ascending order of ids
   std::vector<RefusedTag> refused;
 };
 
