@@ -54,9 +54,9 @@ def corners_of(tag, edge):
 
 def pattern_of(dictionary, number):
     """cells of a tag with its border, 1 is white, and a white margin of one cell"""
-    known = cv2.aruco.Dictionary_get(getattr(cv2.aruco, "DICT_" + dictionary.upper()))
-    n = known.markerSize + 2
-    cells = (cv2.aruco.drawMarker(known, number, n) > 127).astype(float)
+    known = cv2.aruco.getPredefinedDictionary(getattr(cv2.aruco, "DICT_" + dictionary))
+    draw_marker = getattr(cv2.aruco, "generateImageMarker", None) or cv2.aruco.drawMarker   # OpenCV 4.7 has renamed it
+    cells = (draw_marker(known, number, known.markerSize + 2) > 127).astype(float)
     return np.pad(cells, 1, constant_values=1.0)
 
 

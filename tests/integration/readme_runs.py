@@ -42,6 +42,8 @@ NOT_RUN = {
     "python3 apps/landmark-localization/live_replay.py my_folder | socat": "needs two machines",
     "python3 conic_mirror_room.py": "renders a shipped data set again, minutes",
     "python3 stereo_goal_field.py": "renders a shipped data set again, minutes",
+    "python3 tag_hall.py": "renders a shipped data set again, minutes",
+    "python3 apps/images2rawlog/tag_dictionary.py": "needs python3-opencv",
     "mkdir bags": "makes test data from packages of npm",
     "npm": "makes test data",
     "NODE_PATH": "makes test data",
