@@ -49,6 +49,8 @@ TEST(CameraFile, HasTheCentresOfSeveralCameras)
   EXPECT_EQ(fileOf(R"({"camera": {"centers": [[1, 2], [3, 4]]}})").centres(), expected);
   EXPECT_EQ(messageOf<InputError>([] { (void)fileOf(R"({"camera": {"centers": [1, 2]}})").centres(); }),
             "camera.json: centers: expected [cx, cy] of each camera");
+  EXPECT_EQ(messageOf<InputError>([] { (void)fileOf(R"({"camera": {"centers": [[1, 1e308]]}})").centres(); }),
+            "camera.json: centers is beyond any meaning");
 }
 
 TEST(CameraFile, DamageIsAnError)

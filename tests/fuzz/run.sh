@@ -11,7 +11,7 @@ fi
 minutes=$1
 shift
 targets=("$@")
-[ ${#targets[@]} -gt 0 ] || targets=(rawlog ini map tum camera image summary mcap db3 cdr layout bundle)
+[ ${#targets[@]} -gt 0 ] || targets=(rawlog ini scenario images_ini map tum csv live camera image summary mcap db3 cdr layout bundle)
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$here/../..
 build=$root/build-fuzz

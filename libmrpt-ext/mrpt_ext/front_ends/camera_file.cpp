@@ -18,14 +18,18 @@ const Json* objectIn(const Json* parent, const char* name)
   return present ? &(*parent)[name] : nullptr;
 }
 
-std::optional<double> numberIn(const Json* object, const std::string& name)
+double numberOf(const Json& value, const std::string& name)
 {
-  if (!object || !object->contains(name)) return std::nullopt;
-  const Json& value = (*object)[name];
   if (!value.is_number()) throw dataError("camera.json: " + name + " is no number");
   const double number = value.get<double>();
   if (!(std::abs(number) <= kLargestNumber)) throw dataError("camera.json: " + name + " is beyond any meaning");
   return number;
+}
+
+std::optional<double> numberIn(const Json* object, const std::string& name)
+{
+  if (!object || !object->contains(name)) return std::nullopt;
+  return numberOf((*object)[name], name);
 }
 }  // namespace
 
@@ -69,10 +73,9 @@ std::optional<std::vector<double>> CameraFile::centres() const
   std::vector<double> all;
   for (const Json& centre : (*camera_)["centers"])
   {
-    if (!centre.is_array() || centre.size() != 2 || !centre[0].is_number() || !centre[1].is_number())
+    if (!centre.is_array() || centre.size() != 2)
       throw dataError("camera.json: centers: expected [cx, cy] of each camera");
-    all.push_back(centre[0].get<double>());
-    all.push_back(centre[1].get<double>());
+    for (const Json& coordinate : centre) all.push_back(numberOf(coordinate, "centers"));
   }
   return all;
 }

@@ -1,7 +1,5 @@
 #include "mrpt_ext/observations/register_all_classes.h"
 
-#include <mrpt/core/initializer.h>
-
 #include "mrpt_ext/observations/CObservationLandmarkBearings.h"
 #include "mrpt_ext/observations/CObservationRunningFix.h"
 #include "mrpt_ext/observations/CObservationStereoRanges.h"
@@ -14,6 +12,11 @@ void registerAllObservationClasses()
   mrpt::rtti::registerClass(CLASS_ID(CObservationStereoRanges));
   mrpt::rtti::registerClass(CLASS_ID(CObservationRunningFix));
 }
-}  // namespace mrpt_ext
 
-MRPT_INITIALIZER(registerMrptExtObservations) { mrpt_ext::registerAllObservationClasses(); }
+namespace
+{
+// When the library is loaded. No MRPT_INITIALIZER: it may run before the class ids, in files above this one, have their
+// values.
+[[maybe_unused]] const bool kAreRegistered = (registerAllObservationClasses(), true);
+}  // namespace
+}  // namespace mrpt_ext
