@@ -82,6 +82,10 @@ def mirror(cam, pose):
     ox, oy = cam.get("mirror_offset", [0, 0])
     wx, wy = x + ox * math.cos(th) - oy * math.sin(th), y + ox * math.sin(th) + oy * math.cos(th)
     za = zc + d
+    if cam.get("ball"):       # a polished ball instead: azimuths are exact as well, but its rim shows what is beside it
+        s = ("sphere { %s %g no_shadow pigment{rgb 0} finish{ambient 0 diffuse 0 specular 0 reflection{%g}} }\n"
+             % (v3((wx, wy, zc + 0.05 / math.sin(math.radians(cam["rim_phi_deg"])))), 0.05, cam.get("reflectivity", 0.9)))
+        return s, 0.05
     s = ("cone { %s 0 %s %g open no_shadow pigment{rgb 0} finish{ambient 0 diffuse 0 specular 0 reflection{%g}} }\n"
          % (v3((wx, wy, za)), v3((wx, wy, za + t)), R, cam.get("reflectivity", 0.9)))
     if cam.get("plate", True):

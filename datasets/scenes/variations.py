@@ -34,6 +34,8 @@ VARIATIONS = {
     "conic_offset": ({"room": 4, "mirror_offset": [0.0009, -0.0004]}, {}),
     "conic_offset_blur16": ({"room": 4, "mirror_offset": [0.0009, -0.0004]}, {"blur": 1.6}),
     "conic_no_plate": ({"room": 5, "plate": False}, {}), "conic_no_plate_blur16": ({"room": 5, "plate": False}, {"blur": 1.6}),
+    "conic_ball": ({"room": 6, "ball": True}, {}), "conic_ball_blur16": ({"room": 6, "ball": True}, {"blur": 1.6}),
+    "conic_ball_people": ({"room": 7, "ball": True, "people": 3}, {}),
     # half a field with poles and ball
     "movis_plain": ({}, {}), "movis_blur": ({}, {"blur": 1.6}), "movis_noise": ({}, {"read": 6}),
     "movis_dim": ({}, {"gain": 0.4}), "movis_dim_blur_jpeg": ({}, DIM), "movis_jpeg": ({}, {"quality": 60, "subsampling": 2}),

@@ -213,6 +213,24 @@ TEST(ConicMirror, StatesWhyThereIsNoMeasurement)
   EXPECT_EQ(problem(cv::Mat::zeros(2, 1, CV_8UC3)), "image is 1x2 pixels, expected at least 64 either way");
 }
 
+TEST(ConicMirror, MeasuresNothingWhereTheMirrorIsElsewhereThanInOtherImages)
+{
+  const MirrorPicture picture;
+  MirrorPicture other = picture;
+  other.rim = {{300, 245}, 190, 180};
+  const cv::Mat usual = testing::paint(picture), odd = testing::paint(other);
+  ConicMirrorSettings settings;
+  EXPECT_FALSE(usualRimOf({usual, usual}, settings));
+  EXPECT_FALSE(usualRimOf({usual, odd, odd, usual}, settings));
+  settings.usual_rim = usualRimOf({odd, usual, usual, usual}, settings);
+  ASSERT_TRUE(settings.usual_rim);
+  EXPECT_NEAR(settings.usual_rim->centre.x, picture.rim.centre.x, 1);
+  EXPECT_EQ(viewConicMirror(usual, settings).problem, "");
+  const ConicMirrorView view = viewConicMirror(odd, settings);
+  EXPECT_EQ(view.problem.find("mirror found about 300 245 px, in other images about 322 239 px"), 0u) << view.problem;
+  EXPECT_TRUE(view.edges.empty());
+}
+
 TEST(ConicMirror, DrawsFeatures)
 {
   const cv::Mat image = testing::paint({});

@@ -76,6 +76,18 @@ TEST(MirrorOutline, DoesNotDependOnTheLight)
   expectFound(picture, dim);
 }
 
+TEST(MirrorOutline, NamesARivalAboutAnotherCentre)
+{
+  const MirrorPicture picture;
+  EXPECT_FALSE(findMirrorOutline(testing::paint(picture), {})->rival);
+  MirrorPicture other = picture;
+  other.rim.centre.x += 40;
+  cv::Mat image = testing::paint(picture);
+  testing::paint(other).rowRange(0, 240).copyTo(image.rowRange(0, 240));
+  const auto outline = findMirrorOutline(image, {});
+  EXPECT_TRUE(!outline || outline->rival);
+}
+
 TEST(MirrorOutline, IsNotInventedWithoutAMirror)
 {
   const cv::Size size(640, 480);

@@ -99,6 +99,7 @@ CalibrationNotes ConicMirrorFrontEnd::selfCalibrate(const std::vector<ImageFrame
   for (const ImageFrame& frame : frames)
     if (const FrameImage* const image = frame.find("image"); image && !image->pixels.empty())
       images.push_back(image->pixels);
+  model_.usual_rim = usualRimOf(images, model_);
   const auto alignment = calibrateMirror(images, model_);
   if (!alignment || !alignment->isBetter()) return {};
   model_.axis = alignment->axis;

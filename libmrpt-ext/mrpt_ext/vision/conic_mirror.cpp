@@ -1,9 +1,43 @@
 #include "mrpt_ext/vision/conic_mirror.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "mrpt_ext/vision/image_check.h"
 
 namespace mrpt_ext
 {
+namespace
+{
+std::string textOf(const cv::Point2d& pixel)
+{
+  return std::to_string(std::lround(pixel.x)) + " " + std::to_string(std::lround(pixel.y)) + " px";
+}
+
+/// The same circle: a mirror of which a part is hidden is found with some pixels of error.
+bool isSameRim(const AxisEllipse& a, const AxisEllipse& b)
+{
+  constexpr double kSameRim = 0.03;  // of the radius
+  return cv::norm(a.centre - b.centre) < kSameRim * b.semi_v && std::abs(a.semi_v - b.semi_v) < kSameRim * b.semi_v;
+}
+}  // namespace
+
+std::optional<AxisEllipse> usualRimOf(const std::vector<cv::Mat>& images, const ConicMirrorSettings& settings)
+{
+  constexpr std::ptrdiff_t kLeastImages = 3;
+  std::vector<AxisEllipse> rims;
+  for (const cv::Mat& image : images)
+    if (const ConicMirrorView view = viewConicMirror(image, settings); view.problem.empty())
+      rims.push_back(view.outline->rim);
+  for (const AxisEllipse& rim : rims)
+  {
+    const auto same =
+        std::count_if(rims.begin(), rims.end(), [&](const AxisEllipse& other) { return isSameRim(other, rim); });
+    if (same >= kLeastImages && 2 * same > static_cast<std::ptrdiff_t>(rims.size())) return rim;
+  }
+  return std::nullopt;
+}
+
 ConicMirrorView viewConicMirror(const cv::Mat& image, const ConicMirrorSettings& settings)
 {
   ConicMirrorView view;
@@ -18,6 +52,17 @@ ConicMirrorView viewConicMirror(const cv::Mat& image, const ConicMirrorSettings&
     return view;
   }
   const AxisEllipse& rim = view.outline->rim;
+  if (const auto& rival = view.outline->rival)
+  {
+    view.problem = "two circles may be the mirror, about " + textOf(rim.centre) + " and " + textOf(rival->centre);
+    return view;
+  }
+  if (settings.usual_rim && !isSameRim(rim, *settings.usual_rim))
+  {
+    view.problem = "mirror found about " + textOf(rim.centre) + ", in other images about " +
+                   textOf(settings.usual_rim->centre) + ": something else was taken for its rim";
+    return view;
+  }
   view.edges = findRadialEdges(unroll(grey, rim, settings.grid, settings.axis), view.outline->std_centre, rim.semi_v,
                                settings.edges);
   return view;

@@ -15,6 +15,8 @@ namespace
 {
 constexpr std::size_t kTriedCandidates = 12;  ///< of the coarse search
 constexpr double kDominantShare = 0.7;        ///< of the rim: no other candidate can have as much
+constexpr double kRivalShare = 0.7;   ///< of the best one's share of a rim, that another one needs to be a rival
+constexpr double kSameCentre = 0.02;  ///< of the rim's radius; circles about one centre do no harm
 constexpr int kCoarseRays = 128, kFineRays = 512;
 constexpr double kCoarseWindow = 0.12;  ///< half width of the search across the rim, share of its radius
 constexpr double kFineWindow = 0.02;
@@ -181,16 +183,27 @@ double leastStep(const cv::Mat& grey, const OutlineSettings& settings)
                   kStepSignificance * upperMedian(std::move(steps)) / (2 * kNormalMedianDeviation));
 }
 
+/// Rays of which a step is within the tolerance of the rim, less as many as have one there by chance: what is as near
+/// but beyond the tolerance tells.
+double shareOfRim(const AxisEllipse& rim, std::size_t support, std::size_t steps)
+{
+  const double window = 2 * kFineWindow * std::sqrt(rim.semi_u * rim.semi_v), band = 2 * kFineTolerance;
+  const double beyond = static_cast<double>(steps - support) * band / std::max(band, window - band);
+  return (static_cast<double>(support) - beyond) / kFineRays;
+}
+
 std::optional<MirrorOutline> refine(const cv::Mat& grey, const AxisEllipse& coarse, double least_step,
                                     const OutlineSettings& settings)
 {
   AxisEllipse rim = coarse;
   EllipseFit fit;
   std::vector<cv::Point2d> support;
+  std::size_t steps_seen = 0;
   for (const double tolerance : {kCoarseTolerance, kFineTolerance, kFineTolerance})
   {
     const auto steps = stepsAcross(grey, rim, kFineRays, kFineWindow, least_step);
     support = supportOf(rim, steps, tolerance);
+    steps_seen = steps.size();
     const auto refined = refineEllipse(rim, support);
     if (!refined || !isAllowed(refined->ellipse, grey, settings)) return std::nullopt;
     fit = *refined;
@@ -201,7 +214,7 @@ std::optional<MirrorOutline> refine(const cv::Mat& grey, const AxisEllipse& coar
   outline.std_centre = std::sqrt((fit.covariance(0, 0) + fit.covariance(1, 1)) / 2);
   const Eigen::Vector2d by_axes(1 / rim.semi_v, -rim.aspect() / rim.semi_v);
   outline.std_aspect = std::sqrt(by_axes.dot(fit.covariance.bottomRightCorner<2, 2>() * by_axes));
-  outline.visible_share = static_cast<double>(support.size()) / kFineRays;
+  outline.visible_share = shareOfRim(rim, support.size(), steps_seen);
   outline.support = std::move(support);
   return outline;
 }
@@ -210,7 +223,7 @@ std::optional<MirrorOutline> refine(const cv::Mat& grey, const AxisEllipse& coar
 std::optional<MirrorOutline> findMirrorOutline(const cv::Mat& grey, const OutlineSettings& settings)
 {
   const double least_step = leastStep(grey, settings);
-  std::optional<MirrorOutline> best;
+  std::vector<MirrorOutline> outlines;
   std::vector<AxisEllipse> candidates = voteForMirrors(grey, settings);
   if (candidates.size() > kTriedCandidates) candidates.resize(kTriedCandidates);
   for (const AxisEllipse& candidate : candidates)
@@ -218,12 +231,17 @@ std::optional<MirrorOutline> findMirrorOutline(const cv::Mat& grey, const Outlin
     const auto steps = stepsAcross(grey, candidate, kCoarseRays, kCoarseWindow, least_step);
     const auto coarse = bestSample(grey, steps, settings);
     if (!coarse) continue;
-    auto outline = refine(grey, *coarse, least_step, settings);
-    const bool is_dominant = outline && outline->visible_share > kDominantShare;
-    if (outline && (!best || outline->visible_share > best->visible_share)) best = std::move(outline);
-    if (is_dominant) break;
+    if (auto outline = refine(grey, *coarse, least_step, settings)) outlines.push_back(std::move(*outline));
+    if (!outlines.empty() && outlines.back().visible_share > kDominantShare) break;
   }
-  if (best && best->visible_share < settings.min_visible_share) return std::nullopt;
-  return best;
+  const auto best = std::max_element(outlines.begin(), outlines.end(),
+                                     [](const MirrorOutline& a, const MirrorOutline& b)
+                                     { return a.visible_share < b.visible_share; });
+  if (best == outlines.end() || best->visible_share < settings.min_visible_share) return std::nullopt;
+  for (const MirrorOutline& other : outlines)
+    if (cv::norm(other.rim.centre - best->rim.centre) > kSameCentre * best->rim.semi_v &&
+        other.visible_share > kRivalShare * best->visible_share)
+      best->rival = other.rim;
+  return *best;
 }
 }  // namespace mrpt_ext

@@ -15,8 +15,9 @@ struct MirrorOutline
   AxisEllipse rim;
   double std_centre = 0;             ///< [px] of either coordinate of its centre
   double std_aspect = 0;             ///< of semi_u / semi_v
-  double visible_share = 0;          ///< of the circumference where it was found
+  double visible_share = 0;          ///< of the circumference where it was found, less what chance finds
   std::vector<cv::Point2d> support;  ///< the points it was fitted to
+  std::optional<AxisEllipse> rival;  ///< another circle with nearly as much of a rim, about another centre
 };
 
 /// Finds the rim of a rotationally symmetric mirror that the camera sees along its axis (paper 000, section 4: its
