@@ -78,7 +78,7 @@ TEST(TagDetector, SeesLightWhereScreensShowGreyLevels)
   const auto excess = [&]
   { return diagonal(TagDetector(settings).detect(image).at(0).corners) - diagonal(tag.corners); };
   EXPECT_NEAR(excess(), 0, 0.1);
-  settings.coding_power = 1;
+  settings.linear_camera = true;
   EXPECT_LT(excess(), -0.15);
 }
 
@@ -102,6 +102,18 @@ TEST(TagDetector, CorrectsBitsAsConfigured)
   EXPECT_EQ(TagDetector(settings).detect(image).size(), 1U);
   settings.corrected_bits = 0;
   EXPECT_TRUE(TagDetector(settings).detect(image).empty());
+}
+
+TEST(TagDetector, CorrectsNothingWhereNoiseWouldBeATag)
+{
+  TagDetectorSettings settings;
+  settings.dictionary = randomDictionary(4, 50);
+  settings.corrected_bits = 2;
+  TagDictionary damaged = settings.dictionary;
+  damaged.codes[4] ^= 1ULL << 7;
+  const PaintedTag tag{4, PlacedTag{.range = 1}.corners(wallCamera())};
+  EXPECT_EQ(TagDetector(settings).detect(paintTags({640, 480}, settings.dictionary, {tag})).size(), 1U);
+  EXPECT_TRUE(TagDetector(settings).detect(paintTags({640, 480}, damaged, {tag})).empty());
 }
 
 TEST(TagDetector, AprilTagFamiliesAreKnownByName)

@@ -51,7 +51,7 @@ TagSettings readTagModel(const Settings& settings, const CameraFile& camera)
     detector.dictionary = arucoOriginal();
   detector.decimation = number("decimation"), detector.min_margin = number("min_margin");
   detector.corrected_bits = static_cast<int>(settings.integer(kTagsSection, "corrected_bits"));
-  detector.coding_power = number("coding_power");
+  detector.linear_camera = settings.flag(kTagsSection, "linear_camera");
   return model;
 }
 

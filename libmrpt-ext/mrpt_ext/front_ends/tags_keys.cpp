@@ -68,11 +68,14 @@ KeyTable tagsKeys()
                   "Corners that are farther from any square than so many standard deviations are no tag's.")
           .number("decimation", "", detector.decimation, {1, 8},
                   "Tags are searched in an image smaller by this; 1 finds the smallest ones.")
-          .integer("corrected_bits", "", detector.corrected_bits, {0, 2}, "Of a tag's code that may be wrong.")
+          .integer(
+              "corrected_bits", "", detector.corrected_bits, {0, 2},
+              "Of a tag's code that may be wrong; fewer where one random code in a thousand would be a tag then, as "
+              "of tag16h5 and of ArUco with 4x4 cells.")
           .number("min_margin", "", detector.min_margin, {0, 255},
                   "Least mean contrast of a tag's cells, in 255ths of the brightest light in the image.")
-          .number("coding_power", "", detector.coding_power, {0.2, 5},
-                  "Light is grey level to this power: 2.2 for what is made for screens, 1 for a linear camera.");
+          .flag("linear_camera", detector.linear_camera,
+                "Grey levels are proportional to light. Otherwise they are coded for screens (sRGB).");
   return table.append(tagCameraKeys());
 }
 }  // namespace mrpt_ext

@@ -18,7 +18,8 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kPixelCentre = 0.5;  ///< the library counts from the corner of a pixel
+constexpr double kPixelCentre = 0.5;      ///< the library counts from the corner of a pixel
+constexpr double kMostRandomTags = 1e-3;  ///< share of quads with random cells that are taken for tags
 
 struct LibraryFamily
 {
@@ -81,17 +82,35 @@ std::shared_ptr<apriltag_family_t> familyOf(const TagDetectorSettings& settings)
   throw std::logic_error("no tag family " + settings.family);
 }
 
-/// Light from 0 to 255: the brightest pixel of the image is 255.
-cv::Mat lightOf(const cv::Mat& grey, double coding_power)
+/// Bits of a code that may be wrong, as wanted or as few as keep random codes from being tags, in any of four turns.
+int correctedBits(const apriltag_family_t& family, int wanted)
 {
+  double taken = 4.0 * family.ncodes / std::pow(2.0, family.nbits), with_errors = 1;
+  for (int bits = 1; bits <= wanted; ++bits)
+  {
+    with_errors *= (family.nbits - bits + 1.0) / bits;
+    taken += 4.0 * family.ncodes / std::pow(2.0, family.nbits) * with_errors;
+    if (taken > kMostRandomTags) return bits - 1;
+  }
+  return wanted;
+}
+
+/// Light that a grey level codes for a screen (IEC 61966-2-1), both from 0 to 1.
+double lightOfScreen(double level) { return level <= 0.04045 ? level / 12.92 : std::pow((level + 0.055) / 1.055, 2.4); }
+
+/// Light from 0 to 255: the brightest pixel of the image is 255.
+cv::Mat lightOf(const cv::Mat& grey, bool linear_camera)
+{
+  constexpr double kWhite = 255;
+  const auto light = [&](double level) { return linear_camera ? level / kWhite : lightOfScreen(level / kWhite); };
   double brightest = 0;
   cv::minMaxLoc(grey, nullptr, &brightest);
-  cv::Mat light, of_level(1, 256, CV_8U);
+  cv::Mat result, of_level(1, 256, CV_8U);
   for (int level = 0; level < 256; ++level)
     of_level.at<std::uint8_t>(level) =
-        cv::saturate_cast<std::uint8_t>(255 * std::pow(level / std::max(brightest, 1.0), coding_power));
-  cv::LUT(grey, of_level, light);
-  return light;
+        cv::saturate_cast<std::uint8_t>(kWhite * light(level) / light(std::max(brightest, 1.0)));
+  cv::LUT(grey, of_level, result);
+  return result;
 }
 }  // namespace
 
@@ -107,7 +126,7 @@ struct TagDetector::Library
   explicit Library(const TagDetectorSettings& settings) : family(familyOf(settings))
   {
     detector->quad_decimate = static_cast<float>(settings.decimation);
-    apriltag_detector_add_family_bits(detector.get(), family.get(), settings.corrected_bits);
+    apriltag_detector_add_family_bits(detector.get(), family.get(), correctedBits(*family, settings.corrected_bits));
   }
 
   std::shared_ptr<apriltag_family_t> family;  // outlives the detector
@@ -124,7 +143,7 @@ TagDetector::~TagDetector() = default;
 
 std::vector<DetectedTag> TagDetector::detect(const cv::Mat& grey) const
 {
-  cv::Mat light = lightOf(grey, settings_.coding_power);
+  cv::Mat light = lightOf(grey, settings_.linear_camera);
   image_u8_t image{light.cols, light.rows, static_cast<int>(light.step), light.data};
   const std::unique_ptr<zarray_t, void (*)(zarray_t*)> found(apriltag_detector_detect(library_->detector.get(), &image),
                                                              apriltag_detections_destroy);

@@ -15,9 +15,9 @@ struct TagDetectorSettings
   std::string family = "tag36h11";  ///< one of tagFamilies()
   TagDictionary dictionary;         ///< instead of a family when it has codes
   double decimation = 1.5;          ///< quads are searched in an image smaller by this
-  int corrected_bits = 1;           ///< of a tag's code, 0 to 2
-  double min_margin = 20;           ///< mean contrast of the cells [grey levels of light]; less is no tag
-  double coding_power = 2.2;        ///< grey levels are light to the power of one over this
+  int corrected_bits = 1;      ///< of a tag's code, at most 2; fewer in dictionaries that would take noise for tags
+  double min_margin = 20;      ///< mean contrast of the cells [grey levels of light]; less is no tag
+  bool linear_camera = false;  ///< grey levels are light; else it is coded for screens (sRGB)
 };
 
 /// A tag that was found.
