@@ -30,7 +30,8 @@ TEST(CdrReader, ReadsBothOrdersOfBytes)
 
 TEST(CdrReader, AlignsNumbersToTheirSizeBehindTheHeader)
 {
-  CdrReader reader("\0\1\0\0\7\0\0\0\5\0\0\0"s);
+  const std::string message = "\0\1\0\0\7\0\0\0\5\0\0\0"s;
+  CdrReader reader(message);
   EXPECT_EQ(reader.number<std::uint8_t>(), 7);
   EXPECT_EQ(reader.number<std::uint32_t>(), 5U);
 }

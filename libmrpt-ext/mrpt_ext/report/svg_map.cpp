@@ -29,6 +29,7 @@ template <typename Points, typename Position>
 std::string trajectoryShape(const Points& points, Position position, double max_gap, const MapView& view,
                             const std::string& css_class)
 {
+  if (points.empty()) return {};
   const auto thinned = [&](const SvgPoints& part)
   { return thinnedPath(part, kResolution, 50 + kMaxTrajectoryPoints * part.size() / points.size()); };
   std::string svg;
