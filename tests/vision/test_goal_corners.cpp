@@ -81,6 +81,22 @@ TEST(GoalCorners, AreWhereAWhiteSideBeginsWhenItIsInTheShade)
   EXPECT_EQ(cornersOf(recessed(0.7, 0.8 * testing::kWhite, testing::kBlue)).size(), 2u);
 }
 
+TEST(GoalCorners, AreNotMeasuredAtTheBackOfASideTooNarrowToBeSeen)
+{
+  for (const double pixels : {2.0, 3.0})
+    for (const cv::Vec3d& colour : {testing::kYellow, testing::kBlue})
+    {
+      FieldPicture picture = recessed(0.8, 0.8 * testing::kWhite, colour);
+      const double left = pixels / (300 * (1 / 0.8 - 1 / 0.95));  // its side covers so many pixels
+      picture.boards[0].right = picture.sides[0].left = left;
+      picture.boards[2].left = left;
+      for (const GoalCorner& corner : cornersOf(picture))
+      {
+        EXPECT_LT(std::abs(corner.measured.position.x() - 0.8), 4 * corner.measured.std_range) << pixels;
+      }
+    }
+}
+
 TEST(GoalCorners, AreThoseOfPalePaintToo)
 {
   expectGoal(cornersOf(withGoal(0.8, 0, {150, 105, 95})), 0.8, 0, 1);

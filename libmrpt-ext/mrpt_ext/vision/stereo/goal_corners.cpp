@@ -22,6 +22,11 @@ constexpr double kFootStep = 0.6;        ///< [px] by more a wall's foot is lowe
 constexpr double kHollow = 140;          ///< [deg] a quarter of a turn, as badly as it can be measured
 constexpr double kLeastSide = 4;         ///< [px] columns of a goal's side that can be told from its back
 constexpr int kSameEdge = 2;             ///< [px] an edge of which the column is known
+constexpr int kSideReach = 5;            ///< [px] from the step that a narrow side is sought
+constexpr int kLevelColumns = 4;         ///< [px] beyond it, that tell the level of white and of colour
+constexpr double kLeastDeficit = 0.25;   ///< [px] of complete darkness that a side in the shade amounts to
+constexpr double kOutlierDeficit = 2;    ///< likewise, standard deviations of the noise
+constexpr double kBesideStep = 0.4;      ///< [px] towards the colour; a coloured side is farther there
 constexpr double kDepthTolerance = 0.3;  ///< share of a goal's depth
 constexpr double kEndOfRows = 1.5;       ///< [px] a height in the image is known to
 
@@ -71,7 +76,7 @@ class CornerFinder
       {
         moveToFoot(*corner, edge);
         if (auto front = frontOf(*corner, edge, window)) return front;
-        if (!isHollow(*corner, edge.middle, colour)) return corner;
+        if (!isHollow(*corner, edge.middle, colour) && !hasNarrowSide(*corner, edge)) return corner;
       }
     return std::nullopt;
   }
@@ -104,7 +109,8 @@ class CornerFinder
     EdgeWindow beside = window;
     beside.column = edge.middle.x - back.side * (kLeastSide + widest) / 2;
     beside.reach = static_cast<int>(std::ceil((widest - kLeastSide) / 2));
-    beside.first_row = edge.rows.front(), beside.last_row = edge.rows.back();
+    beside.first_row = edge.rows.front();
+    beside.last_row = std::min(edge.rows.back(), static_cast<int>(back.white_bottom));  // not on a glossy floor
     for (const int darker : {back.side, -back.side})
       for (const double column : edges_.columnsIn(beside, {nullptr, darker}))
       {
@@ -219,6 +225,59 @@ class CornerFinder
     if (corner.side < 0) std::swap(left, right);
     const double angle = std::atan2(left.x() * right.y() - left.y() * right.x(), left.dot(right));
     return angle > 0 && angle < degToRad(kHollow);
+  }
+
+  /// Linear light (up to a factor) of a pixel beside an edge; nothing beyond the image.
+  [[nodiscard]] std::optional<cv::Vec3d> lightBeside(const GoalCorner& corner, const UprightEdge& edge, int row,
+                                                     int offset) const
+  {
+    const double u = edge.middle.x + camera_.uprightSlope(edge.middle) * (row - edge.middle.y);
+    const int column = cvRound(u) + corner.side * offset;
+    if (column < 0 || column >= left_.cols) return std::nullopt;
+    const cv::Vec3d level = left_.at<cv::Vec3b>(row, column);
+    return level.mul(level);
+  }
+
+  /// Mean over an edge's rows and some columns beside it.
+  [[nodiscard]] std::optional<cv::Vec3d> levelBeside(const GoalCorner& corner, const UprightEdge& edge,
+                                                     int offset) const
+  {
+    cv::Vec3d sum(0, 0, 0);
+    for (const int row : edge.rows)
+      for (int i = 0; i < kLevelColumns; ++i)
+        if (const auto light = lightBeside(corner, edge, row, offset + i))
+          sum += *light;
+        else
+          return std::nullopt;
+    return sum / static_cast<double>(kLevelColumns * edge.rows.size());
+  }
+
+  /// Whether a white side in the shade lies between white and colour, too narrow to show where it begins: what is
+  /// measured then is the goal's back. Pixels at an edge are mixtures of both sides, whose shares make one; a side in
+  /// the shade takes light away. A white side does so on the white side of the step, a coloured one on the other.
+  [[nodiscard]] bool hasNarrowSide(const GoalCorner& corner, const UprightEdge& edge) const
+  {
+    const auto white = levelBeside(corner, edge, -kSideReach - kLevelColumns),
+               dyed = levelBeside(corner, edge, kInside);
+    if (!white || !dyed) return false;
+    const double ww = white->dot(*white), dd = dyed->dot(*dyed), wd = white->dot(*dyed), det = ww * dd - wd * wd;
+    const cv::Vec3d share = ((dd - wd) * *white + (ww - wd) * *dyed) / det;  // of both, in a pixel
+    const double fraction = corner.side * (cvRound(edge.middle.x) - edge.middle.x);
+    const double rows = static_cast<double>(edge.rows.size());
+    double missing = 0, squares = 0, moment = 0;
+    for (const int row : edge.rows)
+    {
+      double in_row = 0;
+      for (int offset = -kSideReach; offset < kInside; ++offset)
+        if (const auto light = lightBeside(corner, edge, row, offset))
+        {
+          const double deficit = 1 - share.dot(*light);
+          in_row += deficit, moment += (offset + fraction) * deficit / rows;
+        }
+      missing += in_row / rows, squares += in_row * in_row / rows;
+    }
+    const double std = std::sqrt((squares - missing * missing) / rows);
+    return missing > std::max(kLeastDeficit, kOutlierDeficit * std) && moment < kBesideStep * missing;
   }
 
   /// The last row up or down from `start` for which `holds`; single rows for which it does not are passed over.
