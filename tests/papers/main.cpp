@@ -19,8 +19,8 @@ constexpr const char* kIntroduction =
     "measurements, and the *limit*: what no unbiased estimator can beat (Cramer-Rao), as an error drawn from it where "
     "means of distances are compared. ± is a standard deviation unless the text says otherwise. The outcome is one of "
     "*reproduced*, *differs because ...*, and *not reproducible, input missing*: the papers leave out much of what "
-    "their experiments depend on, and of some tables only the summary figures are at hand, not the rows. Scenarios "
-    "are .ini files; the same code runs on fewer trials in `build/bin/test_papers`.\n\n";
+    "their experiments depend on. Scenarios are .ini files; the same code runs on fewer trials in "
+    "`build/bin/test_papers`.\n\n";
 
 std::string results()
 {
@@ -35,6 +35,7 @@ std::string results()
        sectionsMovis(runMovisExperiment(lattice), scanYaw(lattice), runDrives(paperSettings("paper-001-drive")),
                      runDrives(paperSettings("paper-001-drive-turned"))))
     add(section);
+  for (const ResultSection& section : sectionsRebuilt(readLattice(lattice))) add(section);
   note("004, ranges, running fixes, drive");
   const Settings ranges = paperSettings("paper-004-ranges");
   add(sectionRanges(runRangeExperiment(ranges), tryOtherPlaces(ranges)));

@@ -20,6 +20,9 @@ namespace mrpt_ext::papers
 [[nodiscard]] std::vector<ResultSection> sectionsMovis(const MovisExperiment& movis, const std::vector<YawTry>& scan,
                                                        const DriveErrors& drive, const DriveErrors& turned_drive);
 
+/// What the rows of paper 001 tell of the measurements behind them, and what estimators make of these.
+[[nodiscard]] std::vector<ResultSection> sectionsRebuilt(const MovisLattice& lattice);
+
 /// Tables 1 to 4 of paper 004.
 [[nodiscard]] ResultSection sectionRanges(const std::vector<RangeResult>& ranges,
                                           const std::vector<std::vector<RangeResult>>& other_places);

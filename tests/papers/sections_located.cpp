@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "printed_rows.h"
 #include "sections.h"
 
 namespace mrpt_ext::papers
@@ -80,7 +81,7 @@ ResultSection errorSection(const LocatedExperiment& e, const DriveErrors& drive)
                  "ini/landmark-localization/goal-corners-stereo.ini"};
   s.paragraph =
       "Errors of the trials whose circles meet, for a way of 30 cm in any direction; of the two places the one is "
-      "taken that the bearing speaks for. The printed errors of both tables are not at hand. Our best estimator uses "
+      "taken that the bearing speaks for; mean and standard deviation of absolute errors. Our best estimator uses "
       "the same two ranges with their scale taken off, the bearing and the heading, by maximum likelihood; the limit "
       "is drawn from its Cramer-Rao bound. A filter does without calibration and without a known heading: on drives "
       "of 20 s from an unknown start, one corner in view at a time and the scale of the ranges unknown, its error at "
@@ -92,21 +93,23 @@ ResultSection errorSection(const LocatedExperiment& e, const DriveErrors& drive)
   for (std::size_t w = 0; w < e.errors.size() && w < 2; ++w)
   {
     const LocatedErrors& errors = e.errors[w];
-    const auto row = [&](const std::string& what, Sample LocatedErrors::Method::*figure, double unit, bool bound)
+    const auto row = [&](const std::string& what, const std::string& printed, Sample LocatedErrors::Method::*figure,
+                         double unit, bool bound)
     {
-      ResultRow r{.what = std::string(kTables[w]) + ": " + what};
-      r.closed_form = (errors.closed_form.*figure).medianText(1, unit);
-      r.best = (errors.best.*figure).medianText(1, unit);
-      if (bound) r.limit = (errors.bound.*figure).medianText(1, unit);
+      ResultRow r{.what = std::string(kTables[w]) + ": " + what, .paper = printed};
+      r.closed_form = (errors.closed_form.*figure).text(1, unit);
+      r.best = (errors.best.*figure).text(1, unit);
+      if (bound) r.limit = (errors.bound.*figure).text(1, unit);
       r.trials = std::to_string((errors.closed_form.*figure).count());
       r.outcome = Outcome::input_missing;
-      r.reason = "the printed errors, and the way";
+      r.reason = "the way, and what counts as located";
       s.rows.push_back(r);
     };
-    row("dx [cm], median (90 %)", &LocatedErrors::Method::dx, kCm, true);
-    row("dy [cm]", &LocatedErrors::Method::dy, kCm, true);
-    row("distance [cm]", &LocatedErrors::Method::distance, kCm, true);
-    row("heading by eq 7 [deg]", &LocatedErrors::Method::heading, kDeg, false);
+    const PrintedPoseErrors& printed = kPrintedPoseErrors[w];
+    row("dx [cm]", printed.dx, &LocatedErrors::Method::dx, kCm, true);
+    row("dy [cm]", printed.dy, &LocatedErrors::Method::dy, kCm, true);
+    row("distance [cm]", "-", &LocatedErrors::Method::distance, kCm, true);
+    row("heading by eq 7 [deg]", printed.heading, &LocatedErrors::Method::heading, kDeg, false);
   }
   ResultRow filter{.what = "QVGA, filter on a drive: mean dx, dy, distance [cm]"};
   filter.best = drive.dx.text(1, kCm) + ", " + drive.dy.text(1, kCm) + ", " + drive.distance.text(1, kCm);
