@@ -1,5 +1,7 @@
 #include "mrpt_ext/configuration/bias_config.h"
 
+#include <cmath>
+
 #include "mrpt_ext/filter/kalman/kalman_state.h"
 #include "mrpt_ext/geometry/bias_units.h"
 #include "mrpt_ext/geometry/input_error.h"
@@ -12,6 +14,9 @@ namespace
 const std::string kCommon = "Bias";
 constexpr std::size_t kMaxBiases = kMaxKalmanStates - 3;
 const std::string kSensorPrefix = "Sensor_";
+// [s] in which errors of odometry change by their prior deviation, where nothing else is said: they depend on floor,
+// load and curve. Sensors keep theirs.
+constexpr double kOdometryChanges = 600;
 
 // The keys of one kind of error: range_offset_std_m, range_offset_mean_m, range_offset_std_per_sqrt_s_m.
 
@@ -45,8 +50,10 @@ KeyTable keysOf(const BiasUnit& bias, const std::string& section, const std::str
       .number(stdKey(bias), bias.unit, none.std, ranges::kNotNegative,
               "Prior standard deviation; above 0 it is estimated. It is the " + definitionOf(bias.kind) + ". " + scope)
       .number(meanKey(bias), bias.unit, none.mean, ranges::kAny, "Prior mean.")
-      .number(driftKey(bias), bias.unit, none.std_per_sqrt_s, ranges::kNotNegative,
-              "Random-walk standard deviation after one second.");
+      .number(
+          driftKey(bias), bias.unit, none.std_per_sqrt_s, ranges::kNotNegative,
+          std::string("Random-walk standard deviation after one second.") +
+              (belongsToOdometry(bias.kind) ? " Where it is not set, it makes up the prior one in ten minutes." : ""));
 }
 
 void append(BiasModel& model, const Settings& settings, const std::string& section, const std::string& sensor)
@@ -60,11 +67,13 @@ void append(BiasModel& model, const Settings& settings, const std::string& secti
       if (!settings.isSet(section, key)) return 0.0;
       return settings.number(section, key) / bias.factor;
     };
-    const BiasState state{.kind = bias.kind,
-                          .sensor = sensor,
-                          .mean = value(meanKey(bias)),
-                          .std = value(stdKey(bias)),
-                          .std_per_sqrt_s = value(driftKey(bias))};
+    BiasState state{.kind = bias.kind,
+                    .sensor = sensor,
+                    .mean = value(meanKey(bias)),
+                    .std = value(stdKey(bias)),
+                    .std_per_sqrt_s = value(driftKey(bias))};
+    if (belongsToOdometry(bias.kind) && !settings.isSet(section, driftKey(bias)))
+      state.std_per_sqrt_s = state.std / std::sqrt(kOdometryChanges);
     if (state.mean != 0 || state.std > 0 || state.std_per_sqrt_s > 0) model.push_back(state);
   }
 }

@@ -18,7 +18,6 @@ constexpr double kSameModeGate = 3;       // likewise for the mean of a mode
 constexpr double kDuplicate = 1;          // likewise for another component
 constexpr double kMinModeWeight = 0.005;  // of a mode that gets a component
 constexpr std::size_t kMaxComponents = 30;
-constexpr double kCompactStdXy = 0.5, kCompactStdPhi = degToRad(20.0);  // of a compact mode
 constexpr double kMaxUnsupported = 60;                                  // [s] without particles
 constexpr double kMinLogWeight = -25;                                   // of a mode without particles
 constexpr double kDetachedLogWeight = -7;                               // that it starts with at most
@@ -26,12 +25,6 @@ constexpr double kRespawnWeight = 0.05;
 // Residuals of the log weight within kSlack + kSigmas standard deviations are chance: many, because the sampling error
 // of one frame influences the next ones. And the share that is remembered in the next frame.
 constexpr double kSigmas = 6, kSlack = 1, kMemory = 0.98;
-
-bool isCompact(const Mode& mode)
-{
-  const Matrix3d& C = mode.pose.covariance;
-  return C(0, 0) + C(1, 1) < square(kCompactStdXy) && C(2, 2) < square(kCompactStdPhi);
-}
 
 /// True within so many standard deviations, by the uncertainty of both.
 bool isSame(const GaussianPose& a, const GaussianPose& b, double sigmas)

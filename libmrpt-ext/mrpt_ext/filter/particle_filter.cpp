@@ -39,7 +39,8 @@ ParticleFilter::ParticleFilter(const ParticleFilterOptions& options, const Landm
       injector_(options.recovery, options.region, options.particles),
       mode_mixture_(options.motion, options.biases),
       resampler_(options),
-      consider_(options.motion, options.biases, map)
+      consider_(options.motion, options.biases, map),
+      bias_filter_(options.motion, options.biases)
 {
 }
 
@@ -196,7 +197,7 @@ FilterStep ParticleFilter::estimate(const Frame& frame, Recovery::Kind injected)
   step.verdict = verdict.verdict;
   step.reason = verdict.reason;
   step.inlier_ratio = integrity_.inlierRatio();
-  step.biases = estimateBiases(particles_);
+  step.biases = bias_filter_.estimates().value_or(estimateBiases(particles_));
   for (const std::string& finding :
        {integrity_.finding(), outlierText(observation_model_.map(), reliability().histories()),
         biasText(options_.biases, step.biases),
@@ -218,6 +219,7 @@ ModeSet ParticleFilter::updateModes(const Frame& frame, double effective)
   modes_ = std::move(found);
   std::optional<KalmanState> only;
   if (isUnimodal()) only = momentsOf(particles_, [this](std::size_t i) { return modes_.mode_of[i] == 0; });
+  bias_filter_.follow(only && isCompact(modes_.modes.front()) ? only : std::nullopt, frame, observation_model_.map());
   consider_.follow(std::move(only), frame);
   ModeSet stated{modes_.modes, {}};
   sampling_error_.correct(stated, effective, remainder);
@@ -241,6 +243,7 @@ void ParticleFilter::resample(FilterStep& step, const HypothesisSources& sources
   const bool too_many = !options_.adaptive_size && particles_.size() > wanted;
   if (!(step.effective_ratio < options_.resample_below) && !too_many) return;
   resampler_.resample(particles_, modes_, wanted, random_);
+  bias_filter_.draw(particles_, random_);
   if (!sources.since_start.empty() && !isUnimodal())
     rejuvenate(
         particles_, options_, sources.since_start,

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "mrpt_ext/filter/bias_filter.h"
 #include "mrpt_ext/filter/consider/consider_covariance.h"
 #include "mrpt_ext/filter/hypothesis_injector.h"
 #include "mrpt_ext/filter/hypothesis_sources.h"
@@ -88,5 +89,6 @@ class ParticleFilter
   Resampler resampler_;
   SamplingError sampling_error_;
   ConsiderCovariance consider_;
+  BiasFilter bias_filter_;
 };
 }  // namespace mrpt_ext

@@ -10,20 +10,16 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kMinRegularizedWeight = 0.01;                  // lighter modes are not worth it
-constexpr double kMaxStdXy = 0.5, kMaxStdPhi = degToRad(20.0);  // wider modes have enough distinct poses
+constexpr double kMinRegularizedWeight = 0.01;  // lighter modes are not worth it
 
-/// Modes narrow enough to be regularized whose covariance is not singular: else there is no spread to preserve.
+/// Modes to be regularized: wider ones have enough distinct poses, and a singular covariance has no spread to preserve.
 std::vector<Mode> compactModes(const ModeSet& modes)
 {
   std::vector<Mode> compact;
   for (const Mode& mode : modes.modes)
-  {
-    const Matrix3d& C = mode.pose.covariance;
-    const bool narrow = C(0, 0) + C(1, 1) < square(kMaxStdXy) && C(2, 2) < square(kMaxStdPhi);
-    if (mode.weight >= kMinRegularizedWeight && narrow && Eigen::LLT<Matrix3d>(C).info() == Eigen::Success)
+    if (mode.weight >= kMinRegularizedWeight && isCompact(mode) &&
+        Eigen::LLT<Matrix3d>(mode.pose.covariance).info() == Eigen::Success)
       compact.push_back(mode);
-  }
   return compact;
 }
 }  // namespace

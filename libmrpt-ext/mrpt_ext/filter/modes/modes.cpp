@@ -13,6 +13,7 @@ namespace
 {
 constexpr int kNoLabel = -1;
 constexpr double kCoreShare = 0.05;  // of the heaviest cell; lighter cells separate modes
+constexpr double kCompactStdXy = 0.5, kCompactStdPhi = degToRad(20.0);  // of a compact mode
 
 /// Labels connected heavy cells; returns the number of labels.
 int labelCores(const PoseHistogram& grid, double threshold, std::vector<int>& label)
@@ -114,6 +115,12 @@ Mode describe(const PoseHistogram& grid, const std::vector<std::size_t>& cells)
   return mode;
 }
 }  // namespace
+
+bool isCompact(const Mode& mode)
+{
+  const Matrix3d& C = mode.pose.covariance;
+  return C(0, 0) + C(1, 1) < square(kCompactStdXy) && C(2, 2) < square(kCompactStdPhi);
+}
 
 ModeSet findModes(const ParticleSet& particles, const ModeOptions& options, unsigned threads, std::vector<int> buffer)
 {

@@ -21,6 +21,9 @@ struct Mode
   double weight = 0;
 };
 
+/// True for a mode narrow enough to be taken for a Gaussian.
+[[nodiscard]] bool isCompact(const Mode& mode);
+
 struct ModeSet
 {
   std::vector<Mode> modes;   ///< heaviest first
