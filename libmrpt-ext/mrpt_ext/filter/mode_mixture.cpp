@@ -18,9 +18,9 @@ constexpr double kSameModeGate = 3;       // likewise for the mean of a mode
 constexpr double kDuplicate = 1;          // likewise for another component
 constexpr double kMinModeWeight = 0.005;  // of a mode that gets a component
 constexpr std::size_t kMaxComponents = 30;
-constexpr double kMaxUnsupported = 60;                                  // [s] without particles
-constexpr double kMinLogWeight = -25;                                   // of a mode without particles
-constexpr double kDetachedLogWeight = -7;                               // that it starts with at most
+constexpr double kMaxUnsupported = 60;     // [s] without particles
+constexpr double kMinLogWeight = -25;      // of a mode without particles
+constexpr double kDetachedLogWeight = -7;  // that it starts with at most
 constexpr double kRespawnWeight = 0.05;
 // Residuals of the log weight within kSlack + kSigmas standard deviations are chance: many, because the sampling error
 // of one frame influences the next ones. And the share that is remembered in the next frame.
