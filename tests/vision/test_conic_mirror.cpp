@@ -213,6 +213,25 @@ TEST(ConicMirror, StatesWhyThereIsNoMeasurement)
   EXPECT_EQ(problem(cv::Mat::zeros(2, 1, CV_8UC3)), "image is 1x2 pixels, expected at least 64 either way");
 }
 
+TEST(ConicMirror, EdgesBesideClippedLightSayHowFarTheyMayBeOff)
+{
+  const MirrorPicture picture;
+  const cv::Mat image = testing::paint(picture);
+  cv::Mat bright;
+  image.convertTo(bright, CV_8U, 1.5);  // four of the sectors are beyond 255
+  const ConicMirrorView usual = viewConicMirror(image, {}), clipped = viewConicMirror(bright, {});
+  int wider = 0;
+  for (const testing::Sector& sector : picture.sectors)
+  {
+    const RadialEdge *const before = edgeAt(usual, sector.azimuth_deg), *const edge =
+                                                                            edgeAt(clipped, sector.azimuth_deg);
+    ASSERT_TRUE(before && edge) << sector.azimuth_deg;
+    EXPECT_LT(std::abs(wrap(edge->azimuth - degToRad(sector.azimuth_deg))), 3 * edge->std_azimuth);
+    wider += edge->std_azimuth > 1.5 * before->std_azimuth;
+  }
+  EXPECT_GE(wider, 4);
+}
+
 TEST(ConicMirror, MeasuresNothingWhereTheMirrorIsElsewhereThanInOtherImages)
 {
   const MirrorPicture picture;

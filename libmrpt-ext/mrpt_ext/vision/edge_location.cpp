@@ -94,7 +94,8 @@ void locateByParts(std::vector<RadialEdge>& edges, const EdgeBlur& blur, double 
   for (int round = 0; round < kNeighbourRounds; ++round)
   {
     std::vector<MeanOfParts> means;
-    for (const RadialEdge& edge : edges) means.push_back(meanOf(freed(edges, edge, blur), centre_std));
+    for (const RadialEdge& edge : edges)
+      means.push_back(meanOf(freed(edges, edge, blur), std::hypot(centre_std, edge.std_clipping)));
     for (std::size_t i = 0; i < edges.size(); ++i)
     {
       edges[i].azimuth = wrap(edges[i].azimuth + means[i].azimuth);

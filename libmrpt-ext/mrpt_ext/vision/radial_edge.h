@@ -15,6 +15,7 @@ struct RadialEdge
   int polarity = 0;         ///< +1: brighter towards growing azimuth, -1: darker
   double contrast = 0;      ///< [grey levels] mean step
   double coding_shift = 0;  ///< [px] towards its darker side that its parts have (light_coding.h)
+  double std_clipping = 0;  ///< [px] of all its parts together, where a side is too bright for the image
   double significance = 0;
   double inner = 0, outer = 0;  ///< ends, shares of the rim's radius
   std::vector<EdgePart> parts;  ///< those that show it by themselves

@@ -19,7 +19,10 @@ constexpr double kSharpestShare = 0.35;   ///< of them are as sharp as the camer
 constexpr std::size_t kClearEdges = 4;    ///< fewer tell nothing about the camera
 constexpr double kLargestBlur = 4;        ///< [px] beyond it shadows and edges look alike
 constexpr double kBeside = 2.5;           ///< the levels of its sides are so many standard deviations away
-constexpr int kBlurRounds = 8;            ///< of bisection: to a sixtieth of a pixel
+constexpr double kClippedLevel = 250;     ///< [grey levels] of a side that may be brighter than the image shows
+constexpr double kClippingShift = 0.2;  ///< of the blur, by which half the clipped step is beside half of the whole one
+constexpr double kUnevenBlur = 0.03;    ///< of a larger blur, by which what is beside an edge moves it
+constexpr int kBlurRounds = 8;          ///< of bisection: to a sixtieth of a pixel
 
 double medianBrightness(const PolarImage& polar)
 {
@@ -69,7 +72,9 @@ class EdgeJudge
     edge.contrast = peak.height;
     edge.significance = peak.significance();
     const int beside = static_cast<int>(std::lround(kBeside * peak.sigma)), column = static_cast<int>(peak.column);
-    edge.coding_shift = shiftByCoding(levelAt(peak.run, column - beside), levelAt(peak.run, column + beside));
+    const double before = levelAt(peak.run, column - beside), behind = levelAt(peak.run, column + beside);
+    edge.coding_shift = shiftByCoding(before, behind);
+    if (std::max(before, behind) > kClippedLevel) edge.std_clipping = kClippingShift * blur_;
     edge.width = std::max(sigmaOf(peak), sharpest(peak));  // a neighbour makes the peak narrower than any edge is
     edge.inner = grid_.radiusOf(peak.run.first);
     edge.outer = grid_.radiusOf(peak.run.end - 1);
@@ -152,7 +157,9 @@ std::vector<RadialEdge> findRadialEdges(const PolarImage& polar, double centre_s
       edges.back().parts = partsOf(peak, steps, polar.grid, settings.smoothing / polar.grid.azimuthStep());
       if (edges.back().parts.empty()) edges.back().parts.push_back(judge.wholeOf(peak));
     }
-  locateByParts(edges, {settings.smoothing, judge.blur(), radius}, centre_std, settings.std_floor);
+  const double beyond = std::sqrt(square(judge.blur()) - square(settings.blur));
+  locateByParts(edges, {settings.smoothing, judge.blur(), radius}, std::hypot(centre_std, kUnevenBlur * beyond),
+                settings.std_floor);
   std::sort(edges.begin(), edges.end(), [](const RadialEdge& a, const RadialEdge& b) { return a.azimuth < b.azimuth; });
   return edges;
 }
