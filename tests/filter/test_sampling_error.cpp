@@ -33,6 +33,19 @@ TEST(SamplingError, AccumulatesTheRemainingSamplingVariance)
   EXPECT_NEAR(corrected(error, 100, 0), 101.0 / 99, 1e-12) << "a new mode";
 }
 
+TEST(SamplingError, ClonesOfOneParticleCountAsOneUntilMeasurementsReplaceWhatItKnew)
+{
+  SamplingError error;
+  (void)corrected(error, 2000, 0);
+  EXPECT_NEAR(error.effectiveAncestors(), 2000, 1e-9);
+  (void)corrected(error, 1, 0.9);  // a surprise: one is left, and resampled
+  EXPECT_NEAR(error.effectiveAncestors(), 1, 0.01);
+  (void)corrected(error, 2000, 0.9);
+  EXPECT_NEAR(error.effectiveAncestors(), 1 / 0.9, 0.01);
+  for (int k = 0; k < 30; ++k) (void)corrected(error, 2000, 0.9);
+  EXPECT_GT(error.effectiveAncestors(), 15);
+}
+
 TEST(SamplingError, TheRemainderIsThatOfTheKalmanGain)
 {
   const Matrix3d I = Matrix3d::Identity();

@@ -192,8 +192,8 @@ FilterStep ParticleFilter::estimate(const Frame& frame, Recovery::Kind injected)
 
   // Hypotheses that are injected into a verified mode leave it few effective particles, for this frame only.
   const bool thinned = injected == Recovery::Kind::verify && integrity_.verified();
-  const VerdictWithReason verdict =
-      integrity_.verdict(stated, thinned ? std::numeric_limits<double>::infinity() : effective);
+  const VerdictWithReason verdict = integrity_.verdict(
+      stated, thinned ? std::numeric_limits<double>::infinity() : sampling_error_.effectiveAncestors());
   step.verdict = verdict.verdict;
   step.reason = verdict.reason;
   step.inlier_ratio = integrity_.inlierRatio();

@@ -23,7 +23,7 @@ double SamplingError::remainder(const Matrix3d& before, const Matrix3d& predicte
 void SamplingError::correct(ModeSet& modes, double effective, double remainder)
 {
   const double earlier = variance_ * remainder;
-  variance_ = earlier + 1 / std::max(kMinEffectiveParticles, effective);
+  variance_ = earlier + 1 / std::max(1.0, effective);
   for (Mode& mode : modes.modes)
   {
     const double n = std::max(kMinEffectiveParticles, mode.weight * effective);

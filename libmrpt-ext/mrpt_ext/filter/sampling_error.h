@@ -18,6 +18,10 @@ class SamplingError
   /// remainder(), or 0 if there were several modes before the step or are after it.
   void correct(ModeSet& modes, double effective, double remainder);
 
+  /// Effective particles over generations: a cloud of which all but one died stays as good as one particle, whatever
+  /// the number of its clones, until measurements have replaced what that one knew.
+  [[nodiscard]] double effectiveAncestors() const { return variance_ > 0 ? 1 / variance_ : 0; }
+
  private:
   double variance_ = 0;  // sampling variance of the mean in the last step, relative to the covariance
 };
