@@ -29,7 +29,7 @@ for target in "${targets[@]}"; do
   memory=1024
   [ "$target" != rawlog ] || memory=8192
   "$build/bin/fuzz_$target" -max_total_time=$((60 * minutes)) -timeout=5 -rss_limit_mb="$memory" -malloc_limit_mb="$memory" -max_len=65536 \
-    -print_final_stats=1 -artifact_prefix="$build/faults/$target-" "$build/corpus/$target" "$here/corpus/$target" \
+    -print_final_stats=1 -print_funcs=0 -artifact_prefix="$build/faults/$target-" "$build/corpus/$target" "$here/corpus/$target" \
     >"$build/$target.log" 2>&1 || status=1
   printf '%-8s %s executions\n' "$target" "$(sed -n 's/^stat::number_of_executed_units: *//p' "$build/$target.log")"
 done
