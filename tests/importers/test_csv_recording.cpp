@@ -76,6 +76,7 @@ TEST(CsvRecording, TruthIsOptionalAndThreePathsDoAsWell)
 TEST(CsvRecording, SensorsAreMountedWhereTheirFileSays)
 {
   const DamagedCopy copy("csv");
+  EXPECT_TRUE(hasNote(importFolder(copy.path()), "no sensors.csv: all sensors are at the robot's origin"));
   copy.replace("sensors.csv", "sensor,x,y,z,yaw_deg\nomni,0.2,0,1.5,0\nstereo,-0.1,0.3,0.5,90\nspare,0,0,0,0\n");
   const Recording recording = importFolder(copy.path());
   const auto readings = recordsOf<Reading>(recording);
@@ -177,6 +178,37 @@ TEST(CsvRecording, MistakesInDetectionsAreNamedWithTheirLine)
                      "detections.csv:1: unknown column 'bearing', expected only t,sensor");
   copy.remove("detections.csv");
   EXPECT_INPUT_ERROR((void)importFolder(copy.path()), "detections.csv: no such file");
+}
+
+TEST(CsvRecording, ColumnsOfWhatIsNotMeasuredMayBeLeftOut)
+{
+  const DamagedCopy copy("csv");
+  copy.replace("landmarks.csv", "x,y\n4,0\n0,3\n");
+  copy.replace("detections.csv", "t,sensor,bearing_deg,std_bearing_deg\n0.5,lidar,90,1\n");
+  const Recording recording = importFolder(copy.path());
+  EXPECT_EQ(recording.map.size(), 2U);
+  EXPECT_EQ(recording.map[0].id, kNoId);
+  const Detection detection = recordsOf<Reading>(recording).at(0).detections.at(0);
+  EXPECT_EQ(detection.id, kNoId);
+  EXPECT_NEAR(*detection.bearing, kPi / 2, 1e-12);
+  EXPECT_FALSE(detection.range);
+  copy.replace("detections.csv", "t,sensor,range_m\n0.5,lidar,4\n");
+  EXPECT_INPUT_ERROR((void)importFolder(copy.path()), "detections.csv:1: no column 'std_range_m'");
+  copy.replace("detections.csv", "t,sensor\n0.5,lidar\n");
+  EXPECT_INPUT_ERROR((void)importFolder(copy.path()), "detections.csv:2: neither bearing_deg nor range_m");
+}
+
+TEST(CsvRecording, MillisecondsAreNoticed)
+{
+  const DamagedCopy copy("csv");
+  copy.replace("detections.csv", "t,sensor,range_m,std_range_m\n60,lidar,4,0.1\n160,lidar,4,0.1\n");
+  copy.replace("odometry.csv", "t,v,omega_deg_s\n0,1,0\n50,1,0\n100,1,0\n");
+  EXPECT_TRUE(hasNote(importFolder(copy.path()), "are the times in milliseconds?"));
+  copy.replace("odometry.csv", "t,v,omega_deg_s\n0,1,0\n50.5,1,0\n");
+  EXPECT_FALSE(hasNote(importFolder(copy.path()), "milliseconds"));
+  copy.replace("odometry.csv", "t,v,omega_deg_s\n1732300000000,1,0\n");
+  EXPECT_INPUT_ERROR((void)importFolder(copy.path()),
+                     "odometry.csv:2: time 1732300000000 is too large, expected seconds: divide milliseconds by 1000");
 }
 
 TEST(CsvRecording, MistakesInTheOtherFilesAreNamedWithTheirLine)

@@ -18,7 +18,8 @@ namespace
 std::string whyImpossible(SolveStatus status, const std::vector<PoseEstimate>& trajectory)
 {
   if (trajectory.empty())
-    return "the filter never reached `ok`: set wider std_range_m, std_bearing_deg or [Bias] to start from";
+    return "the filter never reached `ok`: check the map (order of x and y, metres) and where the sensors are on the "
+           "robot, or set wider std_range_m, std_bearing_deg or [Bias] to start from";
   return status == SolveStatus::too_few ? "too few measurements while the verdict was `ok`"
                                         : "the measurements do not determine the trajectory";
 }

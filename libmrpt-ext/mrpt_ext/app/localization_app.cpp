@@ -108,6 +108,9 @@ void addOptions(CommandLine& line, LocalizationOptions& options)
 /// A log in the place of the configuration is the log.
 void sortArguments(LocalizationOptions& options)
 {
+  if (std::filesystem::is_directory(options.config) || std::filesystem::path(options.config).extension() == ".csv")
+    throw configurationError(options.config + ": expected an .ini file or a rawlog; `dataset2rawlog csv FOLDER -o " +
+                             "STEM.rawlog` makes one of CSV files");
   const bool is_log = std::filesystem::path(options.config).filename().string().find(".rawlog") != std::string::npos;
   if (is_log && options.rawlog.empty()) options.rawlog = std::exchange(options.config, {});
 }

@@ -11,10 +11,10 @@ namespace mrpt_ext
 {
 namespace
 {
-int readId(const TextTable& table, std::size_t row, std::size_t column)
+int readId(const TextTable& table, std::size_t row, std::optional<std::size_t> column)
 {
-  if (table.text(row, column).empty()) return kNoId;
-  const int id = table.integer(row, column);
+  if (!column || table.text(row, *column).empty()) return kNoId;
+  const int id = table.integer(row, *column);
   if (id < 0)
     throw table.errorAt(row, "landmark id " + std::to_string(id) + " is negative, expected >= 0 or empty (anonymous)");
   return id;
@@ -40,8 +40,8 @@ LandmarkTable readLandmarkCsv(const std::filesystem::path& path, const RowLimit&
 {
   const TextTable table(path, {.limit = limit});
   table.expectOnlyColumns({"id", "x", "y", "z", "category", "std_x", "std_y"});
-  const std::size_t id = table.column("id"), x = table.column("x"), y = table.column("y");
-  const auto z = table.findColumn("z"), category = table.findColumn("category");
+  const std::size_t x = table.column("x"), y = table.column("y");
+  const auto id = table.findColumn("id"), z = table.findColumn("z"), category = table.findColumn("category");
   const auto std_x = table.findColumn("std_x"), std_y = table.findColumn("std_y");
 
   std::vector<Landmark> landmarks;

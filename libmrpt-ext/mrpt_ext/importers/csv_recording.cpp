@@ -7,6 +7,7 @@
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/files/text_table.h"
 #include "mrpt_ext/files/tum.h"
+#include "mrpt_ext/geometry/formatted.h"
 #include "mrpt_ext/importers/ordered_time.h"
 #include "mrpt_ext/importers/reading_collector.h"
 #include "mrpt_ext/importers/recording_notes.h"
@@ -119,7 +120,7 @@ class DetectionTable
   {
     Detection detection;
     detection.id = id(row);
-    detection.category = table_.text(row, category_);
+    if (category_) detection.category = table_.text(row, *category_);
     if (const auto degrees = checked(row, bearing_, -360, 360)) detection.bearing = wrap(degToRad(*degrees));
     detection.range = checked(row, range_, 0, kMost);
     if (!detection.bearing && !detection.range)
@@ -134,36 +135,47 @@ class DetectionTable
 
   [[nodiscard]] int id(std::size_t row) const
   {
-    if (table_.text(row, id_).empty()) return kNoId;
-    const int id = table_.integer(row, id_);
+    if (!id_ || table_.text(row, *id_).empty()) return kNoId;
+    const int id = table_.integer(row, *id_);
     if (id < kNoId)
-      throw table_.errorAt(row, "id " + table_.text(row, id_) + ", expected >= 0, or empty when not known");
+      throw table_.errorAt(row, "id " + table_.text(row, *id_) + ", expected >= 0, or empty when not known");
     return id;
   }
 
-  [[nodiscard]] std::optional<double> checked(std::size_t row, std::size_t column, double least, double most) const
+  [[nodiscard]] std::optional<double> checked(std::size_t row, std::optional<std::size_t> column, double least,
+                                              double most) const
   {
-    const auto value = table_.optionalNumber(row, column);
+    if (!column) return std::nullopt;
+    const auto value = table_.optionalNumber(row, *column);
     if (value && (*value < least || *value > most))
-      throw table_.errorAt(row, table_.columns()[column] + ' ' + table_.text(row, column) +
+      throw table_.errorAt(row, table_.columns()[*column] + ' ' + table_.text(row, *column) +
                                     " is out of range, expected " + (most == kMost ? ">= 0" : "within +-360"));
     return value;
   }
 
-  [[nodiscard]] double stdOf(std::size_t row, std::size_t column, bool needed) const
+  [[nodiscard]] double stdOf(std::size_t row, std::optional<std::size_t> column, bool needed) const
   {
-    const auto value = table_.optionalNumber(row, column);
+    if (!column) return 0;
+    const auto value = table_.optionalNumber(row, *column);
     if ((needed && !value) || (value && *value <= 0))
-      throw table_.errorAt(row, table_.columns()[column] + " is '" + table_.text(row, column) +
+      throw table_.errorAt(row, table_.columns()[*column] + " is '" + table_.text(row, *column) +
                                     "', expected a standard deviation > 0 of a measurement");
     return value.value_or(0);
   }
 
+  /// The column of the standard deviations, which a column of measurements needs.
+  [[nodiscard]] std::optional<std::size_t> stdColumn(std::optional<std::size_t> measurement,
+                                                     std::string_view name) const
+  {
+    return measurement ? table_.column(name) : table_.findColumn(name);
+  }
+
   TextTable table_;
-  std::size_t t_ = table_.column("t"), sensor_ = table_.column("sensor"), id_ = table_.column("id"),
-              category_ = table_.column("category"), bearing_ = table_.column("bearing_deg"),
-              range_ = table_.column("range_m"), std_bearing_ = table_.column("std_bearing_deg"),
-              std_range_ = table_.column("std_range_m");
+  std::size_t t_ = table_.column("t"), sensor_ = table_.column("sensor");
+  std::optional<std::size_t> id_ = table_.findColumn("id"), category_ = table_.findColumn("category"),
+                             bearing_ = table_.findColumn("bearing_deg"), range_ = table_.findColumn("range_m"),
+                             std_bearing_ = stdColumn(bearing_, "std_bearing_deg"),
+                             std_range_ = stdColumn(range_, "std_range_m");
 };
 
 void addReadings(Recording& recording, const fs::path& path)
@@ -189,6 +201,20 @@ void setBase(Recording& recording, const CsvFiles& files, const std::map<std::st
         "--base " + files.base + ": " +
         (files.sensors.empty() ? "there is no sensors.csv" : files.sensors.string() + " has no such sensor"));
   setRobotFrame(recording, base->second);
+}
+
+/// Whole numbers seconds apart are a log at standstill, or one in milliseconds.
+void noteSparseWholeStamps(Recording& recording)
+{
+  constexpr double kSparse = 5;  ///< [s] between records on average
+  const std::vector<Record>& records = recording.records;
+  if (records.size() < 3) return;
+  for (const Record& record : records)
+    if (timeOf(record) != std::floor(timeOf(record))) return;
+  const double interval = (timeOf(records.back()) - timeOf(records.front())) / static_cast<double>(records.size() - 1);
+  if (interval >= kSparse)
+    recording.notes.push_back(
+        formatted("one record in %.0f s: are the times in milliseconds? Seconds are expected", interval));
 }
 
 /// The map of the folder: landmarks.csv, or the one other format that is there.
@@ -249,13 +275,17 @@ Recording importCsv(const CsvFiles& files)
   const auto sensors = files.sensors.empty() ? std::map<std::string, SensorPose>() : readSensorPoses(files.sensors);
   if (!files.detections.empty()) addReadings(recording, files.detections);
   if (!files.scans.empty()) addScans(recording, files.scans, sensors);
-  if (!files.sensors.empty()) mountSensors(recording, sensors, files.sensors);
+  if (files.sensors.empty())
+    recording.notes.emplace_back("no sensors.csv: all sensors are at the robot's origin and face forward");
+  else
+    mountSensors(recording, sensors, files.sensors);
   setBase(recording, files, sensors);
   if (files.ground_truth.empty())
     recording.notes.emplace_back("no truth file");
   else
     recording.truth = readTum(files.ground_truth);
   sortByTime(recording);
+  noteSparseWholeStamps(recording);
   correctTruthHeading(recording);
   return recording;
 }
