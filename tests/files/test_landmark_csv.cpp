@@ -40,6 +40,15 @@ TEST(LandmarkCsv, WhatIsWrittenIsReadBackExactly)
   }
 }
 
+TEST(LandmarkCsv, WithoutIdsAllLandmarksAreAnonymous)
+{
+  const ScratchFolder folder;
+  const LandmarkTable read = readLandmarkCsv(folder.write("map.csv", "x,y\n4,0\n0,3\n"));
+  ASSERT_EQ(read.size(), 2U);
+  EXPECT_EQ(read[0].id, kNoId);
+  EXPECT_EQ(read[1].position, Vector3d(0, 3, 0));
+}
+
 TEST(LandmarkCsv, MistakesAreNamedWithTheirLine)
 {
   const ScratchFolder folder;

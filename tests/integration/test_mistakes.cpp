@@ -76,6 +76,8 @@ TEST_F(Mistake, OnTheCommandLine)
 {
   expectError({}, 2, {"CONFIG"});
   expectError({folder_.path() / "none.ini"}, 2, {"CONFIG ", "none.ini", "expected an .ini file"});
+  expectError({folder_.path()}, 2, {"expected an .ini file or a rawlog; `dataset2rawlog csv FOLDER"});
+  expectError({folder_.write("detections.csv", "t,sensor\n")}, 2, {"expected an .ini file or a rawlog"});
   expectError({room(), "--nonsense"}, 2, {"--nonsense"});
   expectError({room(), "--set", "MotionModel.std_xy_perm=1"}, 2, {"did you mean 'std_xy_per_m'?"});
   expectError({room(), "--set", "MotionModel.std_xy_per_m=-1"}, 2, {"std_xy_per_m=-1", "at least 0"});
