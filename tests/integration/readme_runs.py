@@ -43,6 +43,8 @@ NOT_RUN = {
     "python3 conic_mirror_room.py": "renders a shipped data set again, minutes",
     "python3 stereo_goal_field.py": "renders a shipped data set again, minutes",
     "python3 tag_hall.py": "renders a shipped data set again, minutes",
+    "python3 variations.py": "renders sixty scenes, half an hour",
+    "python3 score_variations.py": "needs those sixty scenes",
     "python3 apps/images2rawlog/tag_dictionary.py": "needs python3-opencv",
     "mkdir bags": "makes test data from packages of npm",
     "npm": "makes test data",

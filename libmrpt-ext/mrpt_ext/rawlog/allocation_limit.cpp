@@ -16,7 +16,7 @@ AllocationLimit::AllocationLimit(std::size_t bytes) : before_(largest_allocation
 AllocationLimit::~AllocationLimit() { largest_allocation = before_; }
 }  // namespace mrpt_ext
 
-// The forms for arrays and without exceptions call these. Weak: a program that replaces them itself keeps its own.
+// The forms for arrays call these. Weak: a program that replaces them itself keeps its own.
 __attribute__((weak)) void* operator new(std::size_t size)
 {
   if (size > mrpt_ext::largest_allocation) throw std::bad_alloc();
@@ -29,5 +29,19 @@ __attribute__((weak)) void* operator new(std::size_t size)
   }
 }
 
+// The standard library's calls the one above; that of the address sanitizer does not, and would not match our delete.
+__attribute__((weak)) void* operator new(std::size_t size, const std::nothrow_t&) noexcept
+{
+  try
+  {
+    return ::operator new(size);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return nullptr;
+  }
+}
+
 __attribute__((weak)) void operator delete(void* memory) noexcept { std::free(memory); }
 __attribute__((weak)) void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+__attribute__((weak)) void operator delete(void* memory, const std::nothrow_t&) noexcept { std::free(memory); }
