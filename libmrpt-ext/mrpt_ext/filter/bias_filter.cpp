@@ -23,7 +23,7 @@ bool isSame(const KalmanState& a, const KalmanState& b)
 }  // namespace
 
 BiasFilter::BiasFilter(MotionModel motion, BiasModel biases)
-    : motion_(std::move(motion)), biases_(std::move(biases)), state_(startingState({}, biases_))
+    : motion_(motion), biases_(std::move(biases)), state_(startingState({}, biases_))
 {
 }
 
