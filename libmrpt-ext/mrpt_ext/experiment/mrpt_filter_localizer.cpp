@@ -23,8 +23,8 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kMostScoredPairs =
-    1e7;  // of a landmark and a detection, for all particles: MRPT scores one after the other
+// Pairs of a landmark and a detection, for all particles: MRPT scores one after the other, in a tenth of a microsecond.
+constexpr double kMostPairsOfFrame = 6e6, kMostPairsOfDetection = 1e7;
 
 /// Of a detection and a landmark that it may show.
 double pairsIn(const Frame& frame, const LandmarkTable& map)
@@ -70,7 +70,7 @@ class MrptFilterLocalizer : public FilterLocalizer
   Estimate process(const Frame& whole) override
   {
     const double work = static_cast<double>(pdf_.particlesCount()) * pairsIn(whole, map_);
-    const std::optional<Frame> affordable = affordableFrame(whole, work, kMostScoredPairs);
+    const std::optional<Frame> affordable = affordableFrame(whole, work, kMostPairsOfFrame);
     const Frame& frame = affordable ? *affordable : whole;
     const mrpt::obs::CActionCollection action = motionOf(frame.motion);
     bool moved = false;
@@ -132,7 +132,7 @@ class MrptFilterLocalizer : public FilterLocalizer
     const bool known = options_.initial_mode == InitialMode::gaussian;
     const Matrix3d factor = options_.initial_pose.covariance.llt().matrixL();
     // In a large map fewer, so that a detection can be scored with all of them.
-    const auto affordable = static_cast<std::size_t>(kMostScoredPairs / static_cast<double>(map_.size() + 1));
+    const auto affordable = static_cast<std::size_t>(kMostPairsOfDetection / static_cast<double>(map_.size() + 1));
     const std::size_t many = std::min(options_.initial_particles, affordable);
     const std::size_t count = known ? options_.particles : std::max(options_.particles, many);
     pdf_.resetDeterministic({0, 0, 0}, count);
