@@ -14,12 +14,6 @@ namespace
 {
 constexpr double kSameGate = 3;  // standard deviations, of both estimates of the pose together
 constexpr double kModeGate = 5;  // standard deviations that the particles of the mode are within
-
-bool isSame(const KalmanState& a, const KalmanState& b)
-{
-  const GaussianPose pose_a = a.gaussianPose(), pose_b = b.gaussianPose();
-  return mahalanobis2(pose_a.mean, pose_b.mean, pose_a.covariance + pose_b.covariance) < square(kSameGate);
-}
 }  // namespace
 
 BiasFilter::BiasFilter(MotionModel motion, BiasModel biases)
@@ -35,7 +29,7 @@ void BiasFilter::follow(const std::optional<KalmanState>& now, const Frame& fram
   {
     const std::optional<Frame> affordable = affordableToUpdate(frame, map, 1);
     state_ = updateIterated(state_, affordable ? *affordable : frame, map, biases_).state;
-    following_ = isSame(state_, *now);
+    following_ = agree(state_.gaussianPose(), now->gaussianPose(), kSameGate);
     if (!following_) state_ = startingState({}, biases_);  // learned elsewhere
   }
   else

@@ -26,12 +26,6 @@ constexpr double kRespawnWeight = 0.05;
 // of one frame influences the next ones. And the share that is remembered in the next frame.
 constexpr double kSigmas = 6, kSlack = 1, kMemory = 0.98;
 
-/// True within so many standard deviations, by the uncertainty of both.
-bool isSame(const GaussianPose& a, const GaussianPose& b, double sigmas)
-{
-  return mahalanobis2(a.mean, b.mean, a.covariance + b.covariance + 1e-9 * Matrix3d::Identity()) < square(sigmas);
-}
-
 /// Weighted particles of one component, weights relative to the heaviest of all.
 struct ParticleMass
 {
@@ -178,7 +172,7 @@ void ModeMixture::associate(const ModeSet& modes, const ParticleSet& particles)
     if (mode.weight < kMinModeWeight) break;
     const auto known = std::find_if(components_.begin(), components_.end(),
                                     [&](const MixtureComponent& component)
-                                    { return isSame(component.state.gaussianPose(), mode.pose, kSameModeGate); });
+                                    { return agree(component.state.gaussianPose(), mode.pose, kSameModeGate); });
     if (known == components_.end())
     {
       if (isCompact(mode)) add(modes, m, particles);
@@ -225,7 +219,7 @@ void ModeMixture::prune()
   keepDistinct(
       components_,
       [](const MixtureComponent& a, const MixtureComponent& b)
-      { return isSame(a.state.gaussianPose(), b.state.gaussianPose(), kDuplicate); },
+      { return agree(a.state.gaussianPose(), b.state.gaussianPose(), kDuplicate); },
       [](MixtureComponent&, const MixtureComponent&) {});
   if (components_.size() == 1 && components_.front().has_particles) components_.clear();
 }

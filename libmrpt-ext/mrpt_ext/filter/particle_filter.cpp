@@ -197,7 +197,8 @@ FilterStep ParticleFilter::estimate(const Frame& frame, Recovery::Kind injected)
   step.verdict = verdict.verdict;
   step.reason = verdict.reason;
   step.inlier_ratio = integrity_.inlierRatio();
-  step.biases = bias_filter_.estimates().value_or(estimateBiases(particles_));
+  const auto biases = bias_filter_.estimates();
+  step.biases = biases ? *biases : estimateBiases(particles_);
   for (const std::string& finding :
        {integrity_.finding(), outlierText(observation_model_.map(), reliability().histories()),
         biasText(options_.biases, step.biases),

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mrpt_ext/settings/key_table.h"
+#include "mrpt_ext/settings/key_section.h"
 
 namespace mrpt_ext
 {
@@ -12,6 +12,9 @@ inline constexpr const char* kArucoOriginal = "aruco_original";  ///< of the key
 
 /// The keys of images2rawlog's .ini files.
 [[nodiscard]] KeyTable imagesKeys();
+
+/// Size, focal lengths and centre of a pinhole camera: the first keys of a section.
+[[nodiscard]] KeySection pinholeKeys(const std::string& section);
 
 /// Those of one sensor each.
 [[nodiscard]] KeyTable conicMirrorKeys();

@@ -1,5 +1,4 @@
 #include "mrpt_ext/front_ends/images_keys.h"
-#include "mrpt_ext/settings/key_section.h"
 
 namespace mrpt_ext
 {
@@ -8,14 +7,8 @@ namespace
 
 KeyTable cameraKeys()
 {
-  constexpr ValueRange kCameraLength{1e-4, 100}, kPixels{1, 1e5};
-  return KeySection(kStereoGoalSection)
-      .integer("image_width", "px", kUnset, {64, 20000}, "Not set: width of camera.json.")
-      .integer("image_height", "px", kUnset, {64, 20000}, "Not set: height of camera.json.")
-      .number("focal_u_px", "px", kUnset, kPixels, "Not set: fx of camera.json.")
-      .number("focal_v_px", "px", kUnset, kPixels, "Not set: fy of camera.json.")
-      .number("centre_u_px", "px", kUnset, {-1e5, 1e5}, "Not set: cx of camera.json.")
-      .number("centre_v_px", "px", kUnset, {-1e5, 1e5}, "Not set: cy of camera.json.")
+  constexpr ValueRange kCameraLength{1e-4, 100};
+  return pinholeKeys(kStereoGoalSection)
       .number("baseline_m", "m", kUnset, kCameraLength,
               "From the left to the right camera. Not set: baseline of camera.json.")
       .number("camera_height_m", "m", kUnset, kCameraLength, "Above the floor. Not set: height_m of camera.json.")

@@ -1,5 +1,4 @@
 #include "mrpt_ext/front_ends/images_keys.h"
-#include "mrpt_ext/settings/key_section.h"
 #include "mrpt_ext/vision/tags/tag_view.h"
 
 namespace mrpt_ext
@@ -8,14 +7,8 @@ namespace
 {
 KeyTable tagCameraKeys()
 {
-  constexpr ValueRange kPixels{1, 1e5}, kDistortion{-100, 100}, kMetres{-100, 100};
-  return KeySection(kTagsSection)
-      .integer("image_width", "px", kUnset, {64, 20000}, "Not set: width of camera.json.")
-      .integer("image_height", "px", kUnset, {64, 20000}, "Not set: height of camera.json.")
-      .number("focal_u_px", "px", kUnset, kPixels, "Not set: fx of camera.json.")
-      .number("focal_v_px", "px", kUnset, kPixels, "Not set: fy of camera.json.")
-      .number("centre_u_px", "px", kUnset, {-1e5, 1e5}, "Not set: cx of camera.json.")
-      .number("centre_v_px", "px", kUnset, {-1e5, 1e5}, "Not set: cy of camera.json.")
+  constexpr ValueRange kDistortion{-100, 100}, kMetres{-100, 100};
+  return pinholeKeys(kTagsSection)
       .number("distortion_k1", "", kUnset, kDistortion,
               "Radial distortion, as OpenCV and ROS (plumb_bob) count it. Not set: k1 of camera.json; neither: 0.")
       .number("distortion_k2", "", kUnset, kDistortion, "Not set: k2 of camera.json; neither: 0.")

@@ -20,6 +20,12 @@ namespace mrpt_ext
   return e.dot(covariance.llt().solve(e));
 }
 
+/// True if two estimates are within so many standard deviations of each other, by the uncertainty of both.
+[[nodiscard]] inline bool agree(const GaussianPose& a, const GaussianPose& b, double stds)
+{
+  return mahalanobis2(a.mean, b.mean, a.covariance + b.covariance + 1e-9 * Matrix3d::Identity()) < square(stds);
+}
+
 /// True if every coordinate of `pose` is within `stds` standard deviations of the mean: cheaper than mahalanobis2().
 [[nodiscard]] inline bool isWithin(const GaussianPose& gaussian, const Pose2& pose, double stds)
 {
