@@ -58,11 +58,10 @@ Settings AppShell::loadSettings(const std::filesystem::path& config, const KeyTa
 int AppShell::run(const std::vector<std::string>& arguments, const std::function<int()>& job)
 {
   const InterruptGuard interrupt;
-  errno = 0;
   const int code = answer(arguments, job);
   if (out_.flush()) return code;
-  err_ << name_ << ": standard output cannot be written (" << std::strerror(errno != 0 ? errno : EIO) << ")\n"
-       << std::flush;
+  const int error = out_.error() != 0 ? out_.error() : EIO;
+  err_ << name_ << ": standard output cannot be written (" << std::strerror(error) << ")\n" << std::flush;
   return kExitFailed;
 }
 

@@ -1,5 +1,7 @@
 #include "mrpt_ext/app/printable_stream.h"
 
+#include <cerrno>
+
 namespace mrpt_ext
 {
 namespace
@@ -61,15 +63,19 @@ int PrintableStream::LineBuffer::overflow(int character)
   if (character == traits_type::eof()) return 0;
   line_ += static_cast<char>(character);
   if (character != '\n') return character;
-  target_ << printable(line_);
-  line_.clear();
-  return target_.good() ? character : traits_type::eof();
+  return passOn(false) ? character : traits_type::eof();
 }
 
-int PrintableStream::LineBuffer::sync()
+int PrintableStream::LineBuffer::sync() { return passOn(true) ? 0 : -1; }
+
+bool PrintableStream::LineBuffer::passOn(bool flushed)
 {
-  target_ << printable(line_) << std::flush;
+  const bool failed_before = !target_.good();
+  errno = 0;
+  target_ << printable(line_);
+  if (flushed) target_.flush();
   line_.clear();
-  return target_.good() ? 0 : -1;
+  if (!failed_before && !target_.good()) error_ = errno;
+  return target_.good();
 }
 }  // namespace mrpt_ext
