@@ -1,17 +1,18 @@
 #!/usr/bin/env bash
-# Full disks, little memory and closed streams: an app ends with exit code 1 and one line, what it has written is whole,
-# and nothing temporary is left.
+# Full disks, little memory, read-only folders and closed streams: an app ends with exit code 1 and one line, what it has
+# written is whole, and nothing temporary is left.
 #   exhausted_resources.sh BIN_FOLDER SOURCE_FOLDER
 set -euo pipefail
 bin=$1 ini=$2/ini
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 fail() { echo "$*"; cat "$work/err"; exit 1; }
+without_rights=()
 localize() {
-  "$bin/landmark-localization" "$ini/landmark-localization/quickstart.ini" --duration 6 -q -o "$1" \
+  "${without_rights[@]}" "$bin/landmark-localization" "$ini/landmark-localization/quickstart.ini" --duration 6 -q -o "$1" \
     --set LocalizationExperiment.methods=particle_filter --set LocalizationExperiment.particles_count=200
 }
-simulate() { "$bin/landmark-simulator" "$ini/landmark-simulator/quickstart.ini" -o "$1/log.rawlog"; }
+simulate() { "${without_rights[@]}" "$bin/landmark-simulator" "$ini/landmark-simulator/quickstart.ini" -o "$1/log.rawlog"; }
 
 # Runs `app` with its results in $work/part under a limit of the shell: option and value of ulimit.
 status=0
@@ -62,6 +63,19 @@ for app in localize simulate; do
   [ "$status" -eq 0 ] || fail "$app: $kilobytes kB do not suffice"
   echo "$app: full disks up to $largest bytes, memory up to $kilobytes kB ($ended times too little of it): one line, no half file"
 done
+
+# Root may write everywhere, but for this.
+[ "$(id -u)" -ne 0 ] || without_rights=(setpriv --bounding-set=-dac_override)
+for app in localize simulate; do
+  for place in "$work/part" "$work/part/new"; do
+    rm -rf "$work/part" && mkdir "$work/part" && chmod 555 "$work/part"
+    status=0
+    "$app" "$place" >/dev/null 2>"$work/err" || status=$?
+    expect_line "$app into a read-only folder"
+    [ -z "$(ls -A "$work/part")" ] || fail "$app: something is in the read-only folder"
+  done
+done
+without_rights=()
 
 rm -rf "$work/part" && mkdir "$work/part"
 status=0
