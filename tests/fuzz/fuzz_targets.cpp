@@ -23,6 +23,7 @@
 #include "mrpt_ext/front_ends/front_end_factory.h"
 #include "mrpt_ext/front_ends/image_file.h"
 #include "mrpt_ext/front_ends/images_keys.h"
+#include "mrpt_ext/front_ends/tag_dictionary_file.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/importers/csv_recording.h"
 #include "mrpt_ext/importers/rosbag2/byte_reader.h"
@@ -130,7 +131,7 @@ void readCamera(std::string_view bytes)
   static const std::vector<Settings> kSensors = []
   {
     std::vector<Settings> sensors;
-    for (const char* const name : {"conic_mirror", "movis", "stereo_goal"})
+    for (const char* const name : {"conic_mirror", "movis", "stereo_goal", "tags"})
       sensors.push_back(
           Settings::parse(std::string("[Images]\nsensor = ") + name + '\n', "/data/fuzz.ini", imagesKeys()));
     return sensors;
@@ -145,6 +146,8 @@ void readCamera(std::string_view bytes)
       // Refused by this sensor, perhaps not by the next.
     }
 }
+
+void readDictionary(std::string_view bytes) { static_cast<void>(readTagDictionary(MemoryFile(bytes).path())); }
 
 void readImage(std::string_view bytes) { static_cast<void>(readImageFile(MemoryFile(bytes).path())); }
 
@@ -243,6 +246,7 @@ const std::map<std::string, FuzzTarget>& fuzzTargets()
                                                           {"map", refusedOrRead<readMap>},
                                                           {"tum", refusedOrRead<readTruth>},
                                                           {"camera", refusedOrRead<readCamera>},
+                                                          {"dictionary", refusedOrRead<readDictionary>},
                                                           {"image", refusedOrRead<readImage>},
                                                           {"summary", refusedOrRead<readSummary>},
                                                           {"mcap", refusedOrRead<readMcapBag>},
