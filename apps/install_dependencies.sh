@@ -3,6 +3,7 @@
 #   install_dependencies.sh            what the build needs
 #   install_dependencies.sh --tests    ... and what the tests need
 #   install_dependencies.sh --lint     ... and the formatter and the static analyser, where there is their version 14
+#   install_dependencies.sh --sanitizers ... and the compiler of the sanitizers and fuzzers
 #   install_dependencies.sh --packages ... and what Debian packages are made with
 #   install_dependencies.sh --list     installs nothing, prints the names
 set -euo pipefail
@@ -13,6 +14,7 @@ build=(g++ cmake ninja-build libeigen3-dev zlib1g-dev libzstd-dev liblz4-dev lib
 tests=(libgtest-dev librapidcheck-dev libbenchmark-dev mrpt-apps mrpt-common xvfb xauth libxml2-utils python3 parallel
   chromium python3-dev pybind11-dev python3-numpy python3-pytest)
 packages=(dpkg-dev file help2man lintian python3-dev pybind11-dev python3-numpy)
+sanitizers=(clang libclang-rt-dev)
 lint=(node-typescript)
 # Debian 13 has no version 14 of them.
 case "$(. /etc/os-release 2>/dev/null && echo "${ID:-}-${VERSION_ID:-}")" in
@@ -25,10 +27,11 @@ for option in "$@"; do
   case "$option" in
     --tests) wanted+=("${tests[@]}") ;;
     --lint) wanted+=("${lint[@]}") ;;
+    --sanitizers) wanted+=("${sanitizers[@]}") ;;
     --packages) wanted+=("${packages[@]}") ;;
     --list) list=1 ;;
     *)
-      echo "install_dependencies.sh: unknown option '$option', expected --tests, --lint, --packages or --list" >&2
+      echo "install_dependencies.sh: unknown option '$option', expected --tests, --lint, --sanitizers, --packages or --list" >&2
       exit 2
       ;;
   esac

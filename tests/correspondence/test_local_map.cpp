@@ -6,6 +6,7 @@
 #include <set>
 
 #include "local_map_truth.h"
+#include "test_length.h"
 
 namespace mrpt_ext
 {
@@ -55,8 +56,9 @@ WindowSceneOptions bearingOnly()
 
 TEST(LocalLandmarkMap, BearingsAlongAWayBecomePoints)
 {
-  const int trials = 40;
+  const int trials = testing::runsOfTest(40);
   const Tally tally = tallyOf(bearingOnly(), trials);
+  if (testing::isShort()) return;  // too few trials for the bounds
   EXPECT_GE(tally.points, 10 * trials) << "of about 20 landmarks in view";
   EXPECT_GE(tally.right, 0.93 * tally.points);
   EXPECT_GE(tally.pure, 0.8 * tally.points) << "one wrong sighting among seven hardly moves a point";
@@ -69,8 +71,9 @@ TEST(LocalLandmarkMap, RangesAndBearingsOfManyMomentsBecomeOnePointEach)
   WindowSceneOptions options = bearingOnly();
   options.scene.with_range = true;
   options.scene.false_detections = 0;
-  const int trials = 30;
+  const int trials = testing::runsOfTest(30);
   const Tally tally = tallyOf(options, trials);
+  if (testing::isShort()) return;  // too few trials for the bounds
   EXPECT_GE(tally.points, 15 * trials);
   EXPECT_GE(tally.pure, 0.98 * tally.points);
   EXPECT_LE(tally.doubled, 0.02 * tally.points);
@@ -84,7 +87,7 @@ TEST(LocalLandmarkMap, NothingIsLostAndNothingCountedTwice)
   {
     WindowSceneOptions options = bearingOnly();
     options.scene.with_range = ranges;
-    const Tally tally = tallyOf(options, 10);
+    const Tally tally = tallyOf(options, testing::runsOfTest(10));
     EXPECT_EQ(tally.members + tally.rest, tally.detections);
   }
 }

@@ -68,7 +68,9 @@ TEST(TriangleIndex, HoldsEveryTriangleOfASmallMapOnce)
 
 TEST(TriangleIndex, FindsExactlyWhatFits)
 {
-  const std::vector<Vector2d> points = strewn(25, 15, 9);
+  std::vector<Vector2d> points = strewn(25, 15, 9);
+  // One that fits, and its mirror image, whatever the others are.
+  points.insert(points.end(), {{5, 5}, {9, 5}, {5.625, 9.961}, {5.625, 0.039}});
   const TriangleIndex index{LandmarkIndex(points)};
   const Triangle asked{{0, 0, 0}, {4, 5, 6}};
   constexpr double kTolerance = 0.3, kRounding = 1e-3;

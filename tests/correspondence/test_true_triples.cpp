@@ -6,6 +6,7 @@
 #include "mrpt_ext/correspondence/bearings/inlier_refinement.h"
 #include "mrpt_ext/correspondence/bearings/triple_hypotheses.h"
 #include "mrpt_ext/correspondence/scan_bearing.h"
+#include "test_length.h"
 
 namespace mrpt_ext
 {
@@ -77,14 +78,15 @@ TEST(TrueTriples, LeadToTheTruth)
   SearchSceneOptions options;
   options.landmarks = 80;
   Fate fate;
-  for (std::uint64_t scene = 0; scene < 60; ++scene)
+  const auto scenes = static_cast<std::uint64_t>(testing::runsOfTest(60));
+  for (std::uint64_t scene = 0; scene < scenes; ++scene)
   {
     RandomStream random(77, scene);
     const SceneMap map = randomMap(options, random);
     const LandmarkIndex index = map.index();
     follow(index, observeSomewhere(map, index, options, random), fate);
   }
-  EXPECT_EQ(fate.triples, 600);
+  EXPECT_EQ(fate.triples, static_cast<int>(10 * scenes));
   EXPECT_GE(fate.at_truth, 0.92 * fate.triples);
 }
 }  // namespace

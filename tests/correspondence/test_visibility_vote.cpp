@@ -7,6 +7,7 @@
 #include "mrpt_ext/correspondence/bearings/direction_intervals.h"
 #include "mrpt_ext/correspondence/bearings/search_strategy.h"
 #include "mrpt_ext/correspondence/bearings/visibility_vote.h"
+#include "test_length.h"
 
 namespace mrpt_ext
 {
@@ -109,7 +110,7 @@ TEST(VisibilityGrid, RefusesWhatHasNoGrid)
   EXPECT_FALSE(VisibilityGrid::chooseLayout(LandmarkIndex(std::vector<Vector2d>{}), scene.area, kNoLimit, 2));
 }
 
-class VisibilityVote : public testing::TestWithParam<double>  // standard deviation [deg]
+class VisibilityVote : public ::testing::TestWithParam<double>  // standard deviation [deg]
 {
 };
 
@@ -117,7 +118,7 @@ TEST_P(VisibilityVote, TheBoxOfTheTruthSurvivesWhateverIsFalse)
 {
   constexpr double kGate = 3.3;
   RandomStream random(3);
-  for (int trial = 0; trial < 20; ++trial)
+  for (int trial = 0; trial < testing::runsOfTest(20); ++trial)
   {
     SearchSceneOptions options = everythingInView(trial % 3);
     options.std_bearing = degToRad(GetParam());
@@ -149,7 +150,7 @@ TEST_P(VisibilityVote, TheBoxOfTheTruthSurvivesWhateverIsFalse)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Deviations, VisibilityVote, testing::Values(0.03, 0.1, 0.4));
+INSTANTIATE_TEST_SUITE_P(Deviations, VisibilityVote, ::testing::Values(0.03, 0.1, 0.4));
 
 TEST(VisibilityVote, RaisesTheFloorWhenTooMuchSurvives)
 {

