@@ -45,6 +45,13 @@ TEST(KeyDefaults, OfTheFilterAreThoseOfItsOptions)
   EXPECT_EQ(read.reliability_prior_strength, plain.reliability_prior_strength);
 }
 
+TEST(KeyDefaults, OfLiveRunsAreThoseOfTheOnlineLocalizer)
+{
+  const LocalizationConfig read = emptyConfig(), plain;
+  EXPECT_EQ(read.lateness, plain.lateness);
+  EXPECT_EQ(read.odometry_wait, plain.odometry_wait);
+}
+
 TEST(KeyDefaults, OfRecoveryAndVerdictAreThoseOfTheirOptions)
 {
   const ParticleFilterOptions read = emptyConfig().filter, plain;

@@ -148,6 +148,8 @@ LocalizationConfig localizationConfig(const Settings& settings, const LandmarkTa
   config.step = settings.number(kExperimentSection, "step_s");
   config.join_window = settings.number(kExperimentSection, "join_window_s");
   config.seed_window = settings.number(kExperimentSection, "seed_window_s");
+  config.lateness = settings.number(kExperimentSection, "lateness_s");
+  config.odometry_wait = settings.number(kExperimentSection, "odometry_wait_s");
   config.methods = settings.words(kExperimentSection, "methods");
   std::erase(config.methods, "all");
   config.final_scene = settings.flag(kExperimentSection, "save_final_scene");

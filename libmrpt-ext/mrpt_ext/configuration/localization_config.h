@@ -36,6 +36,8 @@ struct LocalizationConfig
   double step = 1;                   ///< [s] that a step of a log of steps counts where its stamps are no clock
   double join_window = 0;            ///< [s]
   double seed_window = 3;            ///< [s]
+  double lateness = 0;               ///< [s] live: a record may be this much older than the newest
+  double odometry_wait = 1;          ///< [s] live: that an estimate waits for odometry which reaches its time
   std::vector<std::string> methods;  ///< empty: all that the log has measurements for
   ConvergenceLimits limits;
   bool final_scene = false;

@@ -78,6 +78,10 @@ KeyTable methodKeys()
           "seed_window_s", "s", config.seed_window, ranges::kNotNegative,
           "Window of past detections for hypotheses. With anonymous detections the filter starts after this time, or "
           "as soon as a single hypothesis is left.")
+      .number("lateness_s", "s", config.lateness, ranges::kNotNegative,
+              "Live: a record may be this much older than the newest one. Estimates wait as long.")
+      .number("odometry_wait_s", "s", config.odometry_wait, ranges::kNotNegative,
+              "Live: an estimate waits this long for odometry that reaches its time, then does without.")
       .flag("auto_calibrate", config.auto_calibrate,
             "Run twice: the first pass tells delays, scales, offsets and noise. What is found is adopted where it "
             "predicts the second half of the log better; logs of more than a minute only. The truth is not used.")

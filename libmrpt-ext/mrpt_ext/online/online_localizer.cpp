@@ -28,7 +28,12 @@ GaussianPose moved(const GaussianPose& pose, const OdometryPath& odometry, doubl
 
 OnlineOptions onlineOptions(const LocalizationConfig& config)
 {
-  return {.filter = config.filter, .frames = config.frames, .seed_window = config.seed_window, .seed = config.seed};
+  return {.filter = config.filter,
+          .frames = config.frames,
+          .seed_window = config.seed_window,
+          .seed = config.seed,
+          .lateness = config.lateness,
+          .odometry_wait = config.odometry_wait};
 }
 
 OnlineLocalizer OnlineLocalizer::fromIni(const std::filesystem::path& ini, const std::filesystem::path& map)
