@@ -112,6 +112,15 @@ TEST(MotionModel, ManySmallIncrementsHaveTheCovarianceOfOneLargeIncrement)
   EXPECT_NEAR(often.mean.x(), once.mean.x(), 0.01 * 4);
 }
 
+TEST(MotionModel, TheSourcesOfNoiseAddUpToTheStatedOne)
+{
+  OdometryMotion motion{{1.2, 0.3, 0.4}, 1.4, 0.5, 2};
+  motion.excess = Vector3d(0.01, 0.02, 0.03).asDiagonal();
+  Matrix3d sum = motion.excess;
+  for (const Matrix3d& source : covarianceBySource(MotionModel{}, motion)) sum += source;
+  EXPECT_TRUE(sum.isApprox(incrementCovariance(MotionModel{}, motion), 1e-12));
+}
+
 TEST(MotionModel, TheVelocityModelHasNoLateralNoise)
 {
   MotionModel model = kModel;

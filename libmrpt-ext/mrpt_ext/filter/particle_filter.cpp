@@ -48,7 +48,8 @@ FilterStep ParticleFilter::process(const Frame& whole, const HypothesisSources& 
 {
   if (particles_.empty()) return initialize(whole, sources);
   const std::optional<Frame> affordable = affordableToScore(whole, observation_model_.map(), particles_.poses());
-  const Frame& frame = affordable ? *affordable : whole;
+  Frame frame = affordable ? *affordable : whole;
+  frame.motion = consider_.withExcess(frame.motion);
 
   // Decide on recovery, from the posterior of the last step
   const PosteriorState before = assess(frame, sources);
@@ -221,6 +222,9 @@ ModeSet ParticleFilter::updateModes(const Frame& frame, double effective)
   std::optional<KalmanState> only;
   if (isUnimodal()) only = momentsOf(particles_, [this](std::size_t i) { return modes_.mode_of[i] == 0; });
   bias_filter_.follow(only && isCompact(modes_.modes.front()) ? only : std::nullopt, frame, observation_model_.map());
+  // While nothing is seen a mode is followed however imprecise it becomes: what is seen then tells odometry's noise.
+  const bool blind = detectionCount(frame) == 0 && isDominant(modes_, options_.verdict);
+  if (!only && blind) only = momentsOf(particles_, [this](std::size_t i) { return modes_.mode_of[i] == 0; });
   consider_.follow(std::move(only), frame);
   ModeSet stated{modes_.modes, {}};
   sampling_error_.correct(stated, effective, remainder);

@@ -11,10 +11,11 @@ namespace mrpt_ext
 /// Motion between two times by odometry, with what the noise model needs to know about the trajectory between them.
 struct OdometryMotion
 {
-  Pose2 increment;         ///< later pose in the frame of the earlier one
-  double path_length = 0;  ///< [m] along the trajectory
-  double turned = 0;       ///< [rad] sum of absolute heading changes
-  double duration = 0;     ///< [s]
+  Pose2 increment;                     ///< later pose in the frame of the earlier one
+  double path_length = 0;              ///< [m] along the trajectory
+  double turned = 0;                   ///< [rad] sum of absolute heading changes
+  double duration = 0;                 ///< [s]
+  Matrix3d excess = Matrix3d::Zero();  ///< covariance of the increment [m^2, m rad, rad^2] beyond the stated noise
 };
 
 /// The detections of all sensors at (nearly) one time: the input of every localizer.

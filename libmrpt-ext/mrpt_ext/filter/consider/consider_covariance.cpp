@@ -16,7 +16,7 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kInnovationGate = 4;     // standard deviations
-constexpr double kRemarkable = 1.5;       // times the standard deviation
+constexpr double kRemarkable = 1.5;       // times the stated standard deviation
 constexpr double kClear = 0.5;            // probability of the association
 constexpr std::size_t kMostSensors = 16;  // the others share the last place
 
@@ -53,17 +53,22 @@ ConsiderCovariance::ConsiderCovariance(MotionModel motion, BiasModel biases, con
       map_(map),
       default_max_range_(map.empty() ? 1 : defaultMaxRange(map)),
       persistent_(3 + static_cast<Eigen::Index>(biases_.size())),
-      systematic_(3 + static_cast<Eigen::Index>(biases_.size()))
+      systematic_(3 + static_cast<Eigen::Index>(biases_.size())),
+      noise_(motion, 3 + static_cast<Eigen::Index>(biases_.size()))
 {
 }
 
 void ConsiderCovariance::follow(std::optional<KalmanState> now, const Frame& frame)
 {
-  if (stated_ && now)
-    update(linearise(*stated_, frame));
-  else
-    restart();
+  if (stated_) update(linearise(*stated_, frame));
+  if (!now) restart();
   stated_ = std::move(now);
+}
+
+OdometryMotion ConsiderCovariance::withExcess(OdometryMotion motion) const
+{
+  motion.excess = noise_.excess(motion);
+  return motion;
 }
 
 void ConsiderCovariance::restart()
@@ -71,6 +76,7 @@ void ConsiderCovariance::restart()
   stated_.reset();
   persistent_.restart();
   systematic_.restart();
+  noise_.restart();
   added_.setZero();
 }
 
@@ -78,18 +84,24 @@ void ConsiderCovariance::update(const LinearStep& step)
 {
   persistent_.update(step);
   systematic_.update(step);
-  const Vector3d shift = systematic_.shift().head<3>();
+  noise_.update(step, persistent_.lastingVariances(step));
+  const Matrix3d systematic = systematic_.added().topLeftCorner<3, 3>();
   const Matrix3d lasting = persistent_.added().topLeftCorner<3, 3>();
-  if (!shift.allFinite() || !lasting.allFinite()) return restart();
-  added_ = positivePart(lasting) + shift * shift.transpose();
+  if (!systematic.allFinite() || !lasting.allFinite()) return restart();
+  added_ = positivePart(lasting) + systematic;
 }
 
 std::string ConsiderCovariance::finding(const Matrix3d& stated) const
 {
   const double before = stated.topLeftCorner<2, 2>().trace(), more = added_.topLeftCorner<2, 2>().trace();
-  if (!(std::sqrt(before + more) > kRemarkable * std::sqrt(before))) return {};
-  return formatted("errors that last: standard deviation %.3f m instead of %.3f m", std::sqrt(before + more),
-                   std::sqrt(before));
+  std::string text;
+  if (std::sqrt(before + more) > kRemarkable * std::sqrt(before))
+    text = formatted("errors that last: standard deviation %.3f m instead of %.3f m", std::sqrt(before + more),
+                     std::sqrt(before));
+  const double noise = std::sqrt(*std::max_element(noise_.factors().begin(), noise_.factors().end()));
+  if (noise > kRemarkable)
+    text += (text.empty() ? "" : "; ") + formatted("odometry errs %.1f times as much as stated", noise);
+  return text;
 }
 
 LinearStep ConsiderCovariance::linearise(const KalmanState& before, const Frame& frame)

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "mrpt_ext/filter/consider/excess_noise.h"
 #include "mrpt_ext/filter/consider/persistent_errors.h"
 #include "mrpt_ext/filter/consider/systematic_errors.h"
 #include "mrpt_ext/geometry/landmark_table.h"
@@ -11,8 +12,9 @@
 namespace mrpt_ext
 {
 /// What errors that last add to the covariance that a filter states, which takes all errors for white: those of single
-/// landmarks (PersistentErrors), and those of sensors and odometry (SystematicErrors). Their size comes from the
-/// innovations alone; white ones add nothing.
+/// landmarks (PersistentErrors), and those of sensors and odometry (SystematicErrors); and how much more than stated
+/// odometry errs from motion to motion (ExcessNoise). All comes from the innovations; white ones that are as large as
+/// stated add nothing.
 ///
 /// It follows a filter of any kind from outside, as the Kalman filter that would have stated the same.
 class ConsiderCovariance
@@ -22,12 +24,15 @@ class ConsiderCovariance
 
   /// The filter has taken this frame and states `now`: nothing while it has more than one mode.
   void follow(std::optional<KalmanState> now, const Frame& frame);
+  /// The motion with what its noise exceeds the stated one by, for the next step of the filter.
+  [[nodiscard]] OdometryMotion withExcess(OdometryMotion motion) const;
   /// The estimate is another one, with an error of its own. What is known of the sensors stays.
   void restart();
 
   /// To be added to the stated covariance of the pose; positive semidefinite.
   [[nodiscard]] Matrix3d added() const { return added_; }
-  /// "errors that last: standard deviation 0.024 m instead of 0.012 m"; empty where they add less than a half.
+  /// "errors that last: standard deviation 0.024 m instead of 0.012 m", "odometry errs 2.1 times as much as stated";
+  /// empty where either adds less than a half.
   [[nodiscard]] std::string finding(const Matrix3d& stated) const;
 
  private:
@@ -43,6 +48,7 @@ class ConsiderCovariance
   std::vector<std::string> sensors_;
   PersistentErrors persistent_;
   SystematicErrors systematic_;
+  ExcessNoise noise_;
   std::optional<KalmanState> stated_;  // after the last frame
   Matrix3d added_ = Matrix3d::Zero();
 };

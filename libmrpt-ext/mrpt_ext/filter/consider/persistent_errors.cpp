@@ -86,6 +86,18 @@ void PersistentErrors::correct(const LinearStep& step)
   }
 }
 
+Eigen::VectorXd PersistentErrors::lastingVariances(const LinearStep& step) const
+{
+  Eigen::VectorXd variances(static_cast<Eigen::Index>(step.rows.size()));
+  for (std::size_t i = 0; i < step.rows.size(); ++i)
+  {
+    const PerDuration shares = correlation_.lastingShares(step.rows[i].source.kind());
+    variances[static_cast<Eigen::Index>(i)] =
+        std::accumulate(shares.begin(), shares.end(), 0.0) * step.rows[i].row.variance;
+  }
+  return variances;
+}
+
 KalmanMatrix PersistentErrors::added() const
 {
   KalmanMatrix sum = KalmanMatrix::Zero(size_, size_);

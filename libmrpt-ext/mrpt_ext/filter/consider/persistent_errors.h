@@ -20,6 +20,8 @@ class PersistentErrors
   /// The estimate starts anew: its error is again what the filter says. The sizes of the errors are kept.
   void restart();
 
+  /// Variance of the lasting error of every row, as far as it is known.
+  [[nodiscard]] Eigen::VectorXd lastingVariances(const LinearStep& step) const;
   /// To be added to the covariance that the filter states.
   [[nodiscard]] KalmanMatrix added() const;
 

@@ -30,6 +30,18 @@ constexpr double kParameterMemory = 600;  // [s] after which parameters may have
 constexpr std::array<double, odometry_errors> kOdometryPrior = {degToRad(5.0), degToRad(1.0)};
 constexpr std::array<double, sensor_errors> kSensorPrior = {0.2, 0.3, 0.1, 0.1, 0.1};
 
+/// What is left of chi square of the parameters beyond what chance makes of as many that are zero, two standard
+/// deviations above its mean.
+double significantShare(const LinearEvidence& evidence, const Eigen::VectorXd& plausible)
+{
+  Eigen::MatrixXd with_prior = evidence.information;
+  with_prior.diagonal() += plausible.cwiseAbs2().cwiseInverse();
+  const Eigen::VectorXd parameters = with_prior.llt().solve(evidence.weighted);
+  const auto count = static_cast<double>(parameters.size());
+  const double by_chance = count + 2 * std::sqrt(2 * count), chi2 = parameters.dot(evidence.information * parameters);
+  return chi2 > by_chance ? 1 - by_chance / chi2 : 0;
+}
+
 double priorStd(Eigen::Index parameter)
 {
   return parameter < odometry_errors
@@ -55,6 +67,8 @@ void SystematicErrors::resize(Eigen::Index parameters)
   information_.conservativeResizeLike(Eigen::MatrixXd::Zero(parameters, parameters));
   weighted_.conservativeResizeLike(Eigen::VectorXd::Zero(parameters));
   by_noise_.conservativeResizeLike(Eigen::VectorXd::Zero(parameters));
+  known_.mean.conservativeResizeLike(Eigen::VectorXd::Zero(parameters));
+  known_.covariance.conservativeResizeLike(Eigen::MatrixXd::Zero(parameters, parameters));
 }
 
 void SystematicErrors::update(const LinearStep& step)
@@ -68,6 +82,7 @@ void SystematicErrors::update(const LinearStep& step)
   for (std::size_t i = 0; i < step.rows.size(); ++i)
     response_ += step.gains[i] * by_parameters.row(static_cast<Eigen::Index>(i));
   velocity_.correct(step);
+  estimate();
 }
 
 void SystematicErrors::restart()
@@ -112,6 +127,8 @@ void SystematicErrors::learn(const LinearStep& step, const Eigen::MatrixXd& by_p
   information_ *= kept;
   weighted_ *= kept;
   by_noise_ *= kept;
+  const Eigen::MatrixXd information_before = information_;
+  const Eigen::VectorXd weighted_before = weighted_;
   // The innovations share the error of the predicted pose: their covariance is R + H P H^T, inverted by the lemma.
   const Eigen::Index size = step.predicted.mean.size(), parameters = response_.cols();
   Eigen::MatrixXd shared = Eigen::MatrixXd::Zero(size, parameters);
@@ -129,6 +146,8 @@ void SystematicErrors::learn(const LinearStep& step, const Eigen::MatrixXd& by_p
   }
   information_.noalias() -= shared.transpose() * step.posterior * shared;
   weighted_.noalias() -= shared.transpose() * (step.posterior * shared_residual);
+  const Eigen::MatrixXd more = information_ - information_before;
+  score_variance_.add(step.motion.duration, weighted_ - weighted_before - more * known_.mean, more.diagonal(), kept);
   if (step.rows.empty()) return;
   // Of the stated noise as much as the innovations show.
   nis -= shared_residual.dot(step.posterior * shared_residual);
@@ -137,24 +156,32 @@ void SystematicErrors::learn(const LinearStep& step, const Eigen::MatrixXd& by_p
     by_noise_[delay] += shown * velocity_.expectedProduct(step, sensorOf(delay));
 }
 
-KalmanVector SystematicErrors::shift() const
+void SystematicErrors::estimate()
 {
-  Eigen::MatrixXd with_prior = information_;
-  for (Eigen::Index k = 0; k < with_prior.rows(); ++k) with_prior(k, k) += 1 / square(priorStd(k));
-  const Eigen::MatrixXd covariance =
-      with_prior.llt().solve(Eigen::MatrixXd::Identity(with_prior.rows(), with_prior.cols()));
+  LinearEvidence evidence{information_, weighted_};
   // As little of a delay as the noise of odometry leaves.
-  Eigen::VectorXd weighted = weighted_;
-  for (Eigen::Index k = 0; k < weighted.size(); ++k)
+  const RelevantParameters before = relevance_.posterior(evidence);
+  for (Eigen::Index k = 0; k < weighted_.size(); ++k)
   {
-    const double by_noise = covariance(k, k) * by_noise_[k];
-    if (by_noise != 0) weighted[k] -= std::clamp(covariance.row(k).dot(weighted) / by_noise, 0.0, 1.0) * by_noise_[k];
+    const double by_noise = before.covariance(k, k) * by_noise_[k];
+    if (by_noise != 0) evidence.weighted[k] -= std::clamp(before.mean[k] / by_noise, 0.0, 1.0) * by_noise_[k];
   }
-  const Eigen::VectorXd parameters = covariance * weighted;
-  // Chi square of as many parameters, all zero: two standard deviations above its mean.
-  const auto count = static_cast<double>(parameters.size());
-  const double by_chance = count + 2 * std::sqrt(2 * count), chi2 = parameters.dot(information_ * parameters);
-  if (!(chi2 > by_chance)) return KalmanVector::Zero(response_.rows());
-  return response_ * parameters * (1 - by_chance / chi2);
+  Eigen::VectorXd plausible(weighted_.size());
+  for (Eigen::Index k = 0; k < plausible.size(); ++k) plausible[k] = priorStd(k);
+  significant_ = significantShare(evidence, plausible);
+
+  // How well they are known: by errors of readings that last.
+  const Eigen::VectorXd worth = score_variance_.worth();
+  const Eigen::VectorXd scale = worth.cwiseSqrt();
+  evidence.information = scale.asDiagonal() * evidence.information * scale.asDiagonal();
+  evidence.weighted = evidence.weighted.cwiseProduct(worth);
+  relevance_.update(evidence, plausible);
+  known_ = relevance_.posterior(evidence);
+}
+
+KalmanMatrix SystematicErrors::added() const
+{
+  const KalmanVector shift = response_ * known_.mean;
+  return significant_ * (shift * shift.transpose() + response_ * known_.covariance * response_.transpose());
 }
 }  // namespace mrpt_ext

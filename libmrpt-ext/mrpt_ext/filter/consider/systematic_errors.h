@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include "mrpt_ext/filter/consider/relevance.h"
+#include "mrpt_ext/filter/consider/score_variance.h"
 #include "mrpt_ext/filter/consider/velocity_noise.h"
 
 namespace mrpt_ext
@@ -14,8 +16,10 @@ namespace mrpt_ext
 ///
 /// The derivatives U of the error of the estimate by these parameters follow the filter through its steps; the
 /// innovations are then linear in the parameters, which are estimated by recursive least squares (the separate-bias
-/// filter of Friedland, IEEE Trans. Autom. Control 14(4), 1969). The estimate itself is left as it is: what the
-/// parameters, as far as they are significant, do to it is added to its covariance.
+/// filter of Friedland, IEEE Trans. Autom. Control 14(4), 1969). Those that the innovations do not ask for are zero
+/// (relevance.h). The estimate itself is left as it is: what the parameters, and what is not known of them, do to it is
+/// added to its covariance. Correcting the readings by them would help where a sensor is mounted elsewhere than stated,
+/// but errors of other kinds pass for these ones, too.
 class SystematicErrors
 {
  public:
@@ -27,19 +31,24 @@ class SystematicErrors
   /// The estimate starts anew, without errors that came from the parameters. What is known of them is kept.
   void restart();
 
-  /// Error of the estimate by the parameters as far as they are significant: its square is added to the covariance.
-  [[nodiscard]] KalmanVector shift() const;
+  /// What the errors add to the covariance of the estimate.
+  [[nodiscard]] KalmanMatrix added() const;
 
  private:
   void resize(Eigen::Index parameters);
   void predict(const LinearStep& step);
   [[nodiscard]] Eigen::MatrixXd measurementDerivatives(const LinearStep& step) const;
   void learn(const LinearStep& step, const Eigen::MatrixXd& by_parameters);
+  void estimate();
 
   Eigen::MatrixXd response_;     // U
   Eigen::MatrixXd information_;  // of the parameters
   Eigen::VectorXd weighted_;     // information times parameters
   Eigen::VectorXd by_noise_;     // ... that the noise of the velocity would have caused alone
+  RelevantParameters known_;
+  double significant_ = 0;  // share of what they add
+  Relevance relevance_;
+  ScoreVariance score_variance_;
   VelocityNoise velocity_;
 };
 }  // namespace mrpt_ext

@@ -24,18 +24,20 @@ Spread spreadOf(const Mode& mode)
 }
 
 // Comparisons are written so that a weight or spread that is no number fails.
-bool isDominant(const Mode& mode, const VerdictOptions& options) { return mode.weight >= options.min_best_weight; }
-
 bool isPrecise(const Spread& spread, const VerdictOptions& options)
 {
   return spread.xy <= options.max_std_xy && spread.phi <= options.max_std_phi;
 }
 }  // namespace
 
+bool isDominant(const ModeSet& modes, const VerdictOptions& options)
+{
+  return !modes.modes.empty() && modes.modes.front().weight >= options.min_best_weight;
+}
+
 bool isUnimodal(const ModeSet& modes, const VerdictOptions& options)
 {
-  return !modes.modes.empty() && isDominant(modes.modes.front(), options) &&
-         isPrecise(spreadOf(modes.modes.front()), options);
+  return isDominant(modes, options) && isPrecise(spreadOf(modes.modes.front()), options);
 }
 
 VerdictWithReason judge(const ModeSet& modes, const VerdictEvidence& evidence, const VerdictOptions& options)
@@ -48,7 +50,7 @@ VerdictWithReason judge(const ModeSet& modes, const VerdictEvidence& evidence, c
   const Mode& best = modes.modes.front();
   const Spread spread = spreadOf(best);
   const auto ambiguous = [](std::string reason) { return VerdictWithReason{Verdict::ambiguous, std::move(reason)}; };
-  if (!isDominant(best, options))
+  if (!isDominant(modes, options))
     return ambiguous(formatted("%zu modes, the best has weight %.2f", modes.modes.size(), best.weight));
   const bool heading_counts = std::isfinite(options.max_std_phi);
   const std::string heading = heading_counts ? formatted(" and %.1f deg", radToDeg(spread.phi)) : ", heading unknown";

@@ -32,6 +32,9 @@ struct VerdictEvidence
   bool contradicted = false;  ///< the recent trajectory fits another pose better
 };
 
+/// True when the best mode has nearly all of the weight.
+[[nodiscard]] bool isDominant(const ModeSet& modes, const VerdictOptions& options);
+
 /// True when the posterior is one precise mode, whether the detections agree with it or not.
 [[nodiscard]] bool isUnimodal(const ModeSet& modes, const VerdictOptions& options);
 

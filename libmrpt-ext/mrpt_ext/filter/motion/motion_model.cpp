@@ -20,7 +20,7 @@ Vector2d swingDirection(const MotionModel& model, const OdometryMotion& motion)
 Matrix2d lowerFactor(const Matrix2d& matrix)
 {
   Matrix2d factor = Matrix2d::Zero();
-  factor(0, 0) = std::sqrt(matrix(0, 0));
+  factor(0, 0) = std::sqrt(std::max(0.0, matrix(0, 0)));
   if (factor(0, 0) > 0) factor(1, 0) = matrix(1, 0) / factor(0, 0);
   factor(1, 1) = std::sqrt(std::max(0.0, matrix(1, 1) - square(factor(1, 0))));
   return factor;
@@ -52,18 +52,32 @@ Matrix3d incrementCovariance(const MotionModel& model, const OdometryMotion& mot
   covariance.topLeftCorner<2, 2>() += square(std.z()) / 3 * swing * swing.transpose();
   covariance.topRightCorner<2, 1>() = square(std.z()) / 2 * swing;
   covariance.bottomLeftCorner<1, 2>() = covariance.topRightCorner<2, 1>().transpose();
-  return covariance;
+  return covariance + motion.excess;
+}
+
+PerNoiseSource<Matrix3d> covarianceBySource(const MotionModel& model, const OdometryMotion& motion)
+{
+  OdometryMotion stated = motion;
+  stated.excess.setZero();
+  const MotionModel none{model.type, 0, 0, 0, 0, 0};
+  MotionModel position = none, turning = none, path = none, time = none;
+  position.std_xy_per_m = model.std_xy_per_m;
+  position.std_xy_per_s = model.std_xy_per_s;
+  turning.std_phi_per_deg = model.std_phi_per_deg;
+  path.std_phi_per_m = model.std_phi_per_m;
+  time.std_phi_per_s = model.std_phi_per_s;
+  return {incrementCovariance(position, stated), incrementCovariance(turning, stated),
+          incrementCovariance(path, stated), incrementCovariance(time, stated)};
 }
 
 void sampleMotion(ParticleSet& particles, const MotionModel& model, const OdometryMotion& motion, RandomStream& random,
                   unsigned threads)
 {
-  const Vector3d std = incrementStd(model, motion);
-  const Vector2d swing = swingDirection(model, motion);
-  // Half of the final heading error swings the chord; what remains of the swing, std^2 (1/3 - 1/4), is independent.
-  Matrix2d independent = std.head<2>().cwiseAbs2().asDiagonal();
-  independent += square(std.z()) / 12 * swing * swing.transpose();
-  const Matrix2d factor = lowerFactor(independent);
+  // The error of the heading swings the chord; what else errs in position is independent of it.
+  const Matrix3d C = incrementCovariance(model, motion);
+  const double std_turn = std::sqrt(C(2, 2));
+  const Vector2d swing = std_turn > 0 ? Vector2d(C.topRightCorner<2, 1>() / C(2, 2)) : Vector2d::Zero();
+  const Matrix2d factor = lowerFactor(C.topLeftCorner<2, 2>() - C(2, 2) * swing * swing.transpose());
   const Pose2 mean = nominalMotion(model, motion).increment;
   const MotionStep step{.x = static_cast<float>(mean.x),
                         .y = static_cast<float>(mean.y),
@@ -71,9 +85,9 @@ void sampleMotion(ParticleSet& particles, const MotionModel& model, const Odomet
                         .xa = static_cast<float>(factor(0, 0)),
                         .ya = static_cast<float>(factor(1, 0)),
                         .yb = static_cast<float>(factor(1, 1)),
-                        .swing_x = static_cast<float>(0.5 * swing.x()),
-                        .swing_y = static_cast<float>(0.5 * swing.y()),
-                        .std_turn = static_cast<float>(std.z())};
+                        .swing_x = static_cast<float>(swing.x()),
+                        .swing_y = static_cast<float>(swing.y()),
+                        .std_turn = static_cast<float>(std_turn)};
   const std::uint64_t seed = random.nextBits();
   forEachBlock(particles.size(), threads,
                [&](std::size_t first, std::size_t count)

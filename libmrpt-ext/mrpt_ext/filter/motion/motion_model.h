@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "mrpt_ext/filter/particles/particle_set.h"
 #include "mrpt_ext/geometry/frame.h"
 #include "mrpt_ext/geometry/random.h"
@@ -39,8 +41,16 @@ struct MotionModel
 
 /// Covariance of the increment: the square of incrementStd, and the effect of the heading error, which accumulates
 /// evenly along the motion, on the position: std_phi^2 / 3 across the chord, std_phi^2 / 2 between that and the
-/// heading, per metre of chord. So one long motion spreads like many short ones.
+/// heading, per metre of chord. So one long motion spreads like many short ones. The motion's excess is added.
 [[nodiscard]] Matrix3d incrementCovariance(const MotionModel& model, const OdometryMotion& motion);
+
+/// Where the stated noise comes from: the position; the heading by turning, per metre, and with time.
+inline constexpr std::size_t kNoiseSources = 4;
+template <typename Value>
+using PerNoiseSource = std::array<Value, kNoiseSources>;
+
+/// The stated part of incrementCovariance() as a sum over its sources.
+[[nodiscard]] PerNoiseSource<Matrix3d> covarianceBySource(const MotionModel& model, const OdometryMotion& motion);
 
 /// Moves every particle by the increment plus noise of its own (drawn from incrementCovariance, added to the increment,
 /// then composed). Scale errors of odometry that a particle carries multiply distance and rotation by (1 + scale); the

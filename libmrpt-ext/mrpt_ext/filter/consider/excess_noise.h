@@ -1,0 +1,49 @@
+#pragma once
+
+#include "mrpt_ext/filter/consider/innovation_row.h"
+
+namespace mrpt_ext
+{
+/// How much larger the noise of odometry is than stated, source by source, as the innovations show it: those of a
+/// filter that trusts its odometry too much are larger than their stated covariance after the motions that err.
+///
+/// The error of the estimate is a sum of independent parts, one by each source of noise and one by the measurements;
+/// their covariances, each for the stated variance, follow the filter through its steps. The covariance of the
+/// innovations is linear in the factors of these variances, which are estimated by Fisher scoring (covariance matching:
+/// Mehra, IEEE Trans. Autom. Control 17(5), 1972; variance components: Rao, J. Multivariate Anal. 1, 1971). The stated
+/// noise is the prior and the least: a good drive alone does not make odometry better than stated.
+class ExcessNoise
+{
+ public:
+  /// `size`: of the filter's state.
+  ExcessNoise(const MotionModel& motion, Eigen::Index size);
+
+  /// Propagates through one step of the filter, and learns from its innovations. `lasting`: variance of the errors of
+  /// each row that last: beside those the noise of odometry has to be seen.
+  void update(const LinearStep& step, const Eigen::VectorXd& lasting);
+  /// The estimate starts anew, with an error that no odometry caused. The factors are kept.
+  void restart();
+
+  /// Of the variances; at least 1.
+  [[nodiscard]] const PerNoiseSource<double>& factors() const { return factors_; }
+  /// Covariance of this motion beyond its stated noise.
+  [[nodiscard]] Matrix3d excess(const OdometryMotion& motion) const;
+
+ private:
+  static constexpr int kParts = kNoiseSources + 1;  // the last one: measurements
+  using PartMatrix = Eigen::Matrix<double, kParts, kParts>;
+  using PartVector = Eigen::Matrix<double, kParts, 1>;
+
+  void predict(const LinearStep& step);
+  void learn(const LinearStep& step, const Eigen::VectorXd& lasting);
+  void correct(const LinearStep& step);
+  void solve();
+
+  MotionModel motion_;
+  bool started_ = false;
+  std::array<KalmanMatrix, kParts> parts_;  // of the covariance of the estimate, for the stated variances
+  PartMatrix information_ = PartMatrix::Zero();
+  PartVector weighted_ = PartVector::Zero();
+  PerNoiseSource<double> factors_;
+};
+}  // namespace mrpt_ext

@@ -1,0 +1,55 @@
+#include "mrpt_ext/filter/consider/relevance.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+
+#include "mrpt_ext/geometry/angle.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr Eigen::Index kAtATime = 8;  // parameters of an update
+}  // namespace
+
+std::vector<Eigen::Index> Relevance::relevant() const
+{
+  std::vector<Eigen::Index> indices;
+  for (Eigen::Index k = 0; k < variances_.size(); ++k)
+    if (variances_[k] > 0) indices.push_back(k);
+  return indices;
+}
+
+void Relevance::update(const LinearEvidence& evidence, const Eigen::VectorXd& plausible)
+{
+  const Eigen::Index count = evidence.weighted.size();
+  variances_.conservativeResizeLike(Eigen::VectorXd::Zero(count));
+  for (Eigen::Index n = 0; n < std::min(kAtATime, count); ++n)
+  {
+    const Eigen::Index k = next_++ % count;
+    // What the others, as they are known, leave for this one.
+    variances_[k] = 0;
+    const RelevantParameters others = posterior(evidence);
+    const auto shared = evidence.information.col(k);
+    const double information = evidence.information(k, k) - shared.dot(others.covariance * shared);
+    const double weighted = evidence.weighted[k] - shared.dot(others.mean);
+    if (information > 0) variances_[k] = std::min(square(weighted / information), square(plausible[k]));
+  }
+}
+
+RelevantParameters Relevance::posterior(const LinearEvidence& evidence) const
+{
+  const Eigen::Index count = evidence.weighted.size();
+  RelevantParameters all{Eigen::VectorXd::Zero(count), Eigen::MatrixXd::Zero(count, count)};
+  const std::vector<Eigen::Index> indices = relevant();
+  if (indices.empty()) return all;
+  Eigen::MatrixXd information = evidence.information(indices, indices);
+  const Eigen::VectorXd of_prior = variances_(indices).cwiseInverse();
+  information.diagonal() += of_prior;
+  const Eigen::MatrixXd covariance =
+      information.llt().solve(Eigen::MatrixXd::Identity(information.rows(), information.cols()));
+  all.covariance(indices, indices) = covariance;
+  all.mean = all.covariance * evidence.weighted;
+  return all;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace mrpt_ext
+{
+/// What the data of a linear model tell of its parameters: the information and, times it, their estimate.
+struct LinearEvidence
+{
+  Eigen::MatrixXd information;
+  Eigen::VectorXd weighted;
+};
+
+struct RelevantParameters
+{
+  Eigen::VectorXd mean;
+  Eigen::MatrixXd covariance;  ///< zero where the prior is
+};
+
+/// Parameters of which most are about zero, and nobody knows which: the prior of each one is as wide as the parameter
+/// seems large, given the others (automatic relevance determination: MacKay 1994; one parameter after the other:
+/// Tipping and Faul, Fast marginal likelihood maximisation for sparse Bayesian models, AISTATS 2003). So one error is
+/// explained by the one parameter that fits it, not by a little of each.
+///
+/// The prior that makes the data most likely is narrower by the variance of that estimate. Without it parameters that
+/// are hardly known keep their uncertainty.
+class Relevance
+{
+ public:
+  /// Determines the priors of some parameters, in turn, given those of the others as they were found before.
+  /// `plausible`: the largest standard deviation of each prior.
+  void update(const LinearEvidence& evidence, const Eigen::VectorXd& plausible);
+  [[nodiscard]] RelevantParameters posterior(const LinearEvidence& evidence) const;
+
+ private:
+  [[nodiscard]] std::vector<Eigen::Index> relevant() const;
+
+  Eigen::Index next_ = 0;
+  Eigen::VectorXd variances_;  // of the priors
+};
+}  // namespace mrpt_ext
