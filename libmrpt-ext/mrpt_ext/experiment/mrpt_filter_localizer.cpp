@@ -71,7 +71,8 @@ class MrptFilterLocalizer : public FilterLocalizer
   {
     const double work = static_cast<double>(pdf_.particlesCount()) * pairsIn(whole, map_);
     const std::optional<Frame> affordable = affordableFrame(whole, work, kMostPairsOfFrame);
-    const Frame& frame = affordable ? *affordable : whole;
+    Frame frame = affordable ? *affordable : whole;
+    frame.motion = consider_.withExcess(frame.motion);
     const mrpt::obs::CActionCollection action = motionOf(frame.motion);
     bool moved = false;
     for (const Reading& reading : scoredReadings(frame))
@@ -154,7 +155,7 @@ class MrptFilterLocalizer : public FilterLocalizer
   /// The increment with the Gaussian noise of our motion model, as MRPT represents it.
   [[nodiscard]] mrpt::obs::CActionCollection motionOf(const OdometryMotion& motion) const
   {
-    const Vector3d std = incrementStd(options_.motion, motion);
+    const Vector3d std = (incrementStd(options_.motion, motion).cwiseAbs2() + motion.excess.diagonal()).cwiseSqrt();
     mrpt::obs::CActionRobotMovement2D::TMotionModelOptions noise;
     noise.modelSelection = mrpt::obs::CActionRobotMovement2D::mmGaussian;
     auto& model = noise.gaussianModel;

@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mrpt_ext/filter/consider/significant.h"
+
 namespace mrpt_ext
 {
 namespace
 {
 constexpr double kNoiseMemory = 300;   // [s] after which the floor may be another one
 constexpr double kStatedWorth = 60;    // degrees of freedom that the stated noise counts as, whatever the factor
+constexpr double kByChanceAlone = 1;   // standard deviations
 constexpr double kMostNoise = 100;     // times the stated variance
 constexpr double kSurpriseLimit = 25;  // times the expected square that one step counts as at most
 }  // namespace
@@ -122,9 +125,11 @@ void ExcessNoise::solve()
   for (std::size_t i = 0; i < kNoiseSources; ++i) worth[static_cast<Eigen::Index>(i)] /= square(factors_[i]);
   PartMatrix with_prior = information_;
   with_prior.diagonal() += worth;
-  const PartVector factors = with_prior.llt().solve(weighted_ + worth);
+  const PartMatrix covariance = 2 * with_prior.llt().solve(PartMatrix::Identity());
+  const PartVector factors = 0.5 * covariance * (weighted_ + worth);
   for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(kNoiseSources); ++i)
-    factors_[static_cast<std::size_t>(i)] = std::clamp(factors[i], 1.0, kMostNoise);
+    factors_[static_cast<std::size_t>(i)] =
+        std::clamp(1 + significantPart(factors[i] - 1, covariance(i, i), kByChanceAlone), 1.0, kMostNoise);
 }
 
 void ExcessNoise::correct(const LinearStep& step)

@@ -9,7 +9,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr Eigen::Index kAtATime = 8;  // parameters of an update
+constexpr Eigen::Index kAtATime = 2;  // parameters of an update
 }  // namespace
 
 std::vector<Eigen::Index> Relevance::relevant() const
