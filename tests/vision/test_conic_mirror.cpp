@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 
 #include "mrpt_ext/vision/conic_mirror.h"
@@ -113,6 +114,31 @@ TEST(ConicMirror, MeasuresCloseEdges)
       const double error = std::abs(wrap(edge->azimuth - degToRad(azimuth)));
       EXPECT_LT(error, degToRad(0.15)) << gap;
       EXPECT_LT(error, 2.5 * edge->std_azimuth) << gap;
+    }
+  }
+}
+
+TEST(ConicMirror, TellsTwoStepsOfOnePolarityApart)
+{
+  // A door frame: two steps downwards, so near that they make one peak.
+  MirrorPicture picture;
+  picture.noise = 2;
+  for (const double gap : {1.0, 1.1, 1.2})
+  {
+    picture.sectors = {{-150, 190}, {20, 150}, {20 + gap, 100}, {80, 60}, {120, 170}, {-60, 90}};
+    std::sort(picture.sectors.begin(), picture.sectors.end(),
+              [](const auto& a, const auto& b) { return a.azimuth_deg < b.azimuth_deg; });
+    const ConicMirrorView view = viewConicMirror(testing::paint(picture), {});
+    EXPECT_EQ(view.edges.size(), picture.sectors.size()) << gap;
+    for (const double azimuth : {20.0, 20 + gap})
+    {
+      const RadialEdge* nearest = nullptr;
+      for (const RadialEdge& edge : view.edges)
+        if (std::abs(wrap(edge.azimuth - degToRad(azimuth))) < degToRad(0.3)) nearest = &edge;
+      ASSERT_TRUE(nearest) << gap;
+      const double error = std::abs(wrap(nearest->azimuth - degToRad(azimuth)));
+      EXPECT_LT(error, degToRad(0.15)) << gap;
+      EXPECT_LT(error, 3 * nearest->std_azimuth) << gap;
     }
   }
 }

@@ -37,9 +37,19 @@ struct Outcome
 {
   Recording recording;
   MeasurementCsv csv;
-  int frames = 0, without_measurement = 0;
-  std::size_t measurements = 0;
+  int frames = 0, without_measurement = 0, contradictory = 0;
+  std::size_t measurements = 0, contradicted = 0;
 };
+
+constexpr int kOneInSoMany = 5;  ///< contradictory frames: not a person who walks by, but the cameras
+
+/// Empty when the images agree.
+std::string disagreementText(const Outcome& outcome)
+{
+  if (kOneInSoMany * outcome.contradictory < outcome.frames || outcome.contradictory < 2) return "";
+  return "the images disagree in " + std::to_string(outcome.contradictory) + " of " + std::to_string(outcome.frames) +
+         " frames: expected cameras that stand as camera.json says, and one mirror that does not move in its image";
+}
 
 void writeDrawings(const fs::path& folder, const std::vector<DebugImage>& drawings)
 {
@@ -69,6 +79,8 @@ Outcome measureAll(ImageSequence& images, const VisionFrontEnd& front_end, const
     ++outcome.frames;
     if (found.rows.empty()) ++outcome.without_measurement;
     outcome.measurements += found.rows.size();
+    outcome.contradicted += found.contradicted;
+    if (found.contradicted > 0) ++outcome.contradictory;
     for (const std::string& problem : found.problems) err << problem << ", no measurement\n";
     for (Reading& reading : found.readings) outcome.recording.records.emplace_back(std::move(reading));
     outcome.csv.add(frame, found.rows);
@@ -127,7 +139,10 @@ int convert(const ImageOptions& options, const Settings& settings, AppShell& she
 
   if (images->ignored > 0) print(std::to_string(images->ignored) + " records that are no images were left out");
   print(std::to_string(outcome.frames) + " frames, " + std::to_string(outcome.measurements) + " measurements, " +
-        std::to_string(outcome.without_measurement) + " frames without measurement");
+        std::to_string(outcome.without_measurement) + " frames without measurement" +
+        (outcome.contradicted > 0 ? ", " + std::to_string(outcome.contradicted) + " left out that others contradict"
+                                  : ""));
+  if (const std::string text = disagreementText(outcome); !text.empty()) shell.err() << text << '\n';
   writeRawlog(files.rawlog, outcome.recording);
   print("wrote " + files.rawlog.string());
   const LandmarkTable map = images->map.empty() ? front_end->landmarks() : images->map;

@@ -120,6 +120,7 @@ FrameMeasurements ConicMirrorFrontEnd::measure(const ImageFrame& frame, bool wit
   const ConicMirrorView view = viewConicMirror(image->pixels, model_);
   const double yaw = model_.mount_yaw + image->T_robot_camera.phi;
   if (with_drawings) result.drawings.push_back({image->name, drawConicMirror(image->pixels, view, yaw)});
+  if (view.contradicts) result.contradicted = 1;
   if (const std::string problem = image->complaint(view.problem); !problem.empty())
   {
     result.problems.push_back(frame.nameOf(*image) + ": " + problem);

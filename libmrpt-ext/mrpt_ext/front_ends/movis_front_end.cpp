@@ -8,13 +8,16 @@
 #include "mrpt_ext/front_ends/movis_settings.h"
 #include "mrpt_ext/solvers/camera_yaw_calibration.h"
 #include "mrpt_ext/solvers/movis_frame.h"
+#include "mrpt_ext/solvers/sight_agreement.h"
 
 namespace mrpt_ext
 {
 namespace
 {
 constexpr double kStdPlaces = degToRad(0.1);  ///< of a bearing, by errors of the robot's and the poles' places
+constexpr double kMounting = degToRad(3);     ///< cameras that are turned by more contradict each other
 constexpr std::array kLabels{"M1", "M2", "M3"};
+constexpr std::array kObjects{"p", "q", "ball"};
 
 std::vector<int> wholeNumbers(const Settings& settings, const char* key)
 {
@@ -87,9 +90,36 @@ LandmarkTable MovisFrontEnd::landmarks() const
   return LandmarkTable({pole(pole_ids_[0], "p", -field_.half_width), pole(pole_ids_[1], "q", field_.half_width)});
 }
 
+std::size_t MovisFrontEnd::dropContradicted(std::vector<Seen>& frame) const
+{
+  std::size_t dropped = 0;
+  for (const std::string label : kObjects)
+  {
+    std::vector<RangedSight> sights;
+    for (const auto& [mounted, objects] : frame)
+      for (const OmniObject& object : objects)
+        if (object.label == label)
+          sights.push_back({{mounted->position, bearingOf(*mounted, object), object.std_azimuth}, object.distance});
+    const std::vector<bool> confirmed = confirmedSights(sights, kMounting);
+    std::size_t next = 0;
+    for (Seen& seen : frame)
+    {
+      std::vector<OmniObject> kept;
+      for (OmniObject& object : seen.objects)
+        if (object.label != label || confirmed[next++])
+          kept.push_back(std::move(object));
+        else
+          ++dropped;
+      seen.objects = std::move(kept);
+    }
+  }
+  return dropped;
+}
+
 FrameMeasurements MovisFrontEnd::measure(const ImageFrame& frame, bool with_drawings) const
 {
   FrameMeasurements result;
+  std::vector<Seen> seen;
   bool any = false;
   for (const Mounted& mounted : cameras_)
   {
@@ -103,19 +133,24 @@ FrameMeasurements MovisFrontEnd::measure(const ImageFrame& frame, bool with_draw
       result.problems.push_back(frame.nameOf(*image) + ": " + problem);
       continue;
     }
+    seen.push_back({&mounted, view.objects});
+  }
+  result.contradicted = dropContradicted(seen);
+  for (const auto& [mounted, objects] : seen)
+  {
     Reading reading;
     reading.time = frame.time;
-    reading.sensor = mounted.label;
-    reading.T_robot_sensor = {mounted.position.x(), mounted.position.y(), 0};
-    for (const OmniObject& object : view.objects)
+    reading.sensor = mounted->label;
+    reading.T_robot_sensor = {mounted->position.x(), mounted->position.y(), 0};
+    for (const OmniObject& object : objects)
     {
       Detection detection;
       detection.id = idOf(object.label);
       detection.category = object.label;
-      detection.bearing = bearingOf(mounted, object);
+      detection.bearing = bearingOf(*mounted, object);
       detection.std_bearing = object.std_azimuth;
       reading.detections.push_back(detection);
-      result.rows.emplace_back(mounted.label, object.label, detection);
+      result.rows.emplace_back(mounted->label, object.label, detection);
     }
     result.readings.push_back(std::move(reading));
   }

@@ -32,7 +32,16 @@ class MovisFrontEnd : public VisionFrontEnd
     OmniCamera camera;
   };
 
+  /// What a camera sees in one frame.
+  struct Seen
+  {
+    const Mounted* mounted = nullptr;
+    std::vector<OmniObject> objects;
+  };
+
   [[nodiscard]] double bearingOf(const Mounted& mounted, const OmniObject& object) const;
+  /// Removes what the other cameras see elsewhere. Returns how many.
+  std::size_t dropContradicted(std::vector<Seen>& frame) const;
   [[nodiscard]] int idOf(const std::string& label) const;
 
   std::vector<Mounted> cameras_;

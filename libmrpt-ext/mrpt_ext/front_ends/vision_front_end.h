@@ -41,6 +41,7 @@ struct FrameMeasurements
   std::vector<Reading> readings;
   std::vector<MeasurementRow> rows;
   std::vector<DebugImage> drawings;  ///< only on request
+  std::size_t contradicted = 0;      ///< measurements or images left out because others contradict them
 };
 
 /// A frame taken where the robot's pose is known.

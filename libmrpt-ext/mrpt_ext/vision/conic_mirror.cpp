@@ -54,11 +54,13 @@ ConicMirrorView viewConicMirror(const cv::Mat& image, const ConicMirrorSettings&
   const AxisEllipse& rim = view.outline->rim;
   if (const auto& rival = view.outline->rival)
   {
+    view.contradicts = true;
     view.problem = "two circles may be the mirror, about " + textOf(rim.centre) + " and " + textOf(rival->centre);
     return view;
   }
   if (settings.usual_rim && !isSameRim(rim, *settings.usual_rim))
   {
+    view.contradicts = true;
     view.problem = "mirror found about " + textOf(rim.centre) + ", in other images about " +
                    textOf(settings.usual_rim->centre) + ": something else was taken for its rim";
     return view;

@@ -30,6 +30,7 @@ struct ConicMirrorView
   std::optional<MirrorOutline> outline;  ///< nothing with a problem
   std::optional<MirrorAxis> axis;        ///< that of the settings
   std::vector<RadialEdge> edges;         ///< azimuths in the image
+  bool contradicts = false;              ///< itself or other images: the problem is that the rim is not certain
 };
 
 /// Vertical edges seen in the mirror. A wrong, empty or black image and one without a mirror, with two circles that may

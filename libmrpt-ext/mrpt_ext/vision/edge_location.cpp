@@ -9,10 +9,17 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr int kNeighbourRounds = 12;  ///< neighbours' moves depend on each other
-constexpr double kMoveUnknown = 0.6;  ///< share of a neighbour's pull that is not known
-constexpr double kUneven = 0.0003;    ///< [rad] standard deviation of a part beyond noise
-constexpr double kForeign = 4;        ///< standard deviations from which on a part shows something else
+constexpr int kNeighbourRounds = 12;   ///< neighbours' moves depend on each other
+constexpr double kMoveUnknown = 0.6;   ///< share of a neighbour's pull that is not known
+constexpr double kPullReach = 5;       ///< [widths] between edges
+constexpr double kUsualDrift = 0.04;   ///< of an edge's width, by what is beside it
+constexpr double kDriftShare = 0.9;    ///< of the drift, by which smoothing has moved an edge already
+constexpr double kDriftUnknown = 0.6;  ///< of the drift, standard deviation of that
+constexpr double kDriftNoise = 0.5;    ///< of an edge's own noise, in its drift
+constexpr double kPriorFreedom = 5;    ///< degrees of freedom that what is usual counts as
+constexpr double kMostScatter = 4;     ///< of an edge that tells what is usual, in units of its parts' variances
+constexpr double kUneven = 0.0003;     ///< [rad] standard deviation of a part beyond noise
+constexpr double kForeign = 4;         ///< standard deviations from which on a part shows something else
 constexpr int kLocationReweightings = 3;
 
 /// [rad] by which `other` moves a part of `edge`: to where the slopes of both profiles cancel. Edges of opposite
@@ -21,6 +28,7 @@ double pull(const RadialEdge& edge, const EdgePart& part, const RadialEdge& othe
 {
   if (part.radius < other.inner || part.radius > other.outer) return 0;
   const double apart = wrap(other.azimuth - edge.azimuth);
+  if (std::abs(apart) > kPullReach * width) return 0;
   const double height = edge.polarity * other.polarity * other.contrast / edge.contrast;
   return std::clamp(height * apart * std::exp(-square(apart / width) / 2), -width, width);
 }
@@ -28,31 +36,64 @@ double pull(const RadialEdge& edge, const EdgePart& part, const RadialEdge& othe
 /// A part as its neighbours left it.
 struct FreedPart
 {
-  double azimuth = 0;    ///< [rad] against the edge's
-  double variance = 0;   ///< [rad^2]
-  double move = 0;       ///< [rad]
-  double per_pixel = 0;  ///< [rad] of a pixel that the centre is off
+  double azimuth = 0;     ///< [rad] against the edge's
+  double variance = 0;    ///< [rad^2]
+  double move = 0;        ///< [rad] by neighbours
+  double drift = 0;       ///< [rad] with more smoothing, but for what neighbours do
+  double wider_move = 0;  ///< [rad] by which neighbours move it more with more smoothing
+  double per_pixel = 0;   ///< [rad] of a pixel that the centre is off
 };
 
 struct MeanOfParts
 {
   double azimuth = 0;  ///< [rad] against the edge's
   double std = 0;
+  double squares = 0, freedom = 0;  ///< of the parts about the mean, in units of their variances; degrees of freedom
 };
 
-MeanOfParts meanOf(const std::vector<FreedPart>& parts, double centre_std)
+/// How much parts scatter in this image, in units of their variances. Noise is measured where there are no edges; what
+/// a camera's compression, sharpening and a room's walls do beside edges shows in their parts alone.
+double usualScatter(const std::vector<MeanOfParts>& means)
+{
+  double squares = kPriorFreedom, freedom = kPriorFreedom;
+  for (const MeanOfParts& mean : means)
+  {
+    squares += std::min(mean.squares, kMostScatter * mean.freedom);
+    freedom += mean.freedom;
+  }
+  return squares / freedom;
+}
+
+/// What is beside an edge moves it the more, the more the image is smoothed. How far without smoothing, and the
+/// variance that this leaves.
+struct DriftedBack
+{
+  double move = 0, variance = 0;
+};
+
+/// From the drift with more smoothing and its standard deviation [rad], for an edge whose profile has this width.
+DriftedBack driftedBack(double drift, double std_drift, double width)
+{
+  const double usual = square(kUsualDrift * width), believed = drift * usual / (usual + square(std_drift));
+  const double left = usual * square(std_drift) / (usual + square(std_drift));
+  return {-kDriftShare * believed, square(kDriftUnknown * believed) + square(kDriftShare) * left};
+}
+
+MeanOfParts meanOf(const std::vector<FreedPart>& parts, double centre_std, double width, double usual_scatter)
 {
   std::vector<double> weights(parts.size(), 1.0);
-  double total = 0, mean = 0, move = 0, per_pixel = 0, squares = 0, count = 0;
+  double total = 0, mean = 0, move = 0, drift = 0, wider_move = 0, per_pixel = 0, squares = 0, count = 0;
   for (int round = 0; round < kLocationReweightings; ++round)
   {
-    total = mean = move = per_pixel = squares = count = 0;
+    total = mean = move = drift = wider_move = per_pixel = squares = count = 0;
     for (std::size_t i = 0; i < parts.size(); ++i)
     {
       const double weight = weights[i] / parts[i].variance;
       total += weight;
       mean += weight * parts[i].azimuth;
       move += weight * parts[i].move;
+      drift += weight * parts[i].drift;
+      wider_move += weight * parts[i].wider_move;
       per_pixel += weight * parts[i].per_pixel;
     }
     mean /= total;
@@ -65,9 +106,15 @@ MeanOfParts meanOf(const std::vector<FreedPart>& parts, double centre_std)
       weights[i] = std::max(0.01, share < square(kForeign) ? square(1 - share / square(kForeign)) : 0.0);
     }
   }
-  const double scatter = count > 1 ? std::max(1.0, squares / (count - 1)) : 1.0;
-  return {mean,
-          std::sqrt(scatter / total + square(kMoveUnknown * move / total) + square(centre_std * per_pixel / total))};
+  const double freedom = std::max(0.0, count - 1);
+  if (freedom == 0) squares = 0;
+  const double scatter = (kPriorFreedom * usual_scatter + squares) / (kPriorFreedom + freedom);
+  const double std_drift = std::hypot(kDriftNoise / std::sqrt(total), kMoveUnknown * wider_move / total);
+  const DriftedBack back = driftedBack(drift / total, std_drift, width);
+  return {mean + back.move,
+          std::sqrt(scatter / total + square(kMoveUnknown * move / total) + back.variance +
+                    square(centre_std * per_pixel / total)),
+          squares, freedom};
 }
 
 std::vector<FreedPart> freed(const std::vector<RadialEdge>& edges, const RadialEdge& edge, const EdgeBlur& blur)
@@ -75,13 +122,18 @@ std::vector<FreedPart> freed(const std::vector<RadialEdge>& edges, const RadialE
   std::vector<FreedPart> parts;
   for (const EdgePart& part : edge.parts)
   {
-    double move = 0;
+    double move = 0, softer = 0;
     for (const RadialEdge& other : edges)
-      if (&other != &edge) move += pull(edge, part, other, blur.widthAt(part.radius));
+      if (&other != &edge && (edge.pair == 0 || other.pair != edge.pair))
+      {
+        move += pull(edge, part, other, blur.widthAt(part.radius));
+        softer += pull(edge, part, other, blur.smoothed(kMoreSmoothing).widthAt(part.radius));
+      }
     const double pixel = 1 / (part.radius * blur.radius);
     const double coding = edge.polarity * edge.coding_shift * pixel;
     parts.push_back({wrap(part.azimuth - edge.azimuth) - move + coding,
-                     square(part.std_azimuth) + square(kUneven) + square(kMoveUnknown * move), move, pixel});
+                     square(part.std_azimuth) + square(kUneven) + square(kMoveUnknown * move), move,
+                     part.drift - (softer - move), softer - move, pixel});
   }
   return parts;
 }
@@ -91,11 +143,14 @@ double EdgeBlur::widthAt(double share) const { return std::hypot(smoothing, pixe
 
 void locateByParts(std::vector<RadialEdge>& edges, const EdgeBlur& blur, double centre_std, double floor)
 {
+  double usual_scatter = 1;
   for (int round = 0; round < kNeighbourRounds; ++round)
   {
     std::vector<MeanOfParts> means;
     for (const RadialEdge& edge : edges)
-      means.push_back(meanOf(freed(edges, edge, blur), std::hypot(centre_std, edge.std_clipping)));
+      means.push_back(
+          meanOf(freed(edges, edge, blur), std::hypot(centre_std, edge.std_clipping), edge.width, usual_scatter));
+    usual_scatter = usualScatter(means);
     for (std::size_t i = 0; i < edges.size(); ++i)
     {
       edges[i].azimuth = wrap(edges[i].azimuth + means[i].azimuth);

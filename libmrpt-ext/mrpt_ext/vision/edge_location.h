@@ -15,12 +15,14 @@ struct EdgeBlur
 
   /// [rad] standard deviation of the edge's profile at a radius, share of the rim's.
   [[nodiscard]] double widthAt(double share) const;
+  /// The same seen with `times` the smoothing.
+  [[nodiscard]] EdgeBlur smoothed(double times) const { return {times * smoothing, pixels, radius}; }
 };
 
 /// Places every edge at the mean of its parts, weighted by what noise and neighbours leave of them: edges closer than
 /// their profiles are wide pull at each other's peaks, the more the nearer the centre. Each part is moved back by what
-/// Gaussian profiles tell, and half of the move is its error. Where parts scatter by more than they should, so does
-/// their mean: that is what the standard deviation states, together with `centre_std` [px] of the rim's centre, what
+/// Gaussian profiles tell, and half of the move is its error. The standard deviation states how much an edge's
+/// parts scatter, and those of the other edges of the image, together with `centre_std` [px] of the rim's centre, what
 /// clipping may move the edge by, and `floor` [rad]. Every edge must have a part.
 void locateByParts(std::vector<RadialEdge>& edges, const EdgeBlur& blur, double centre_std, double floor);
 }  // namespace mrpt_ext

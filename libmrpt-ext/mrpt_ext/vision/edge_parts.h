@@ -6,12 +6,16 @@
 
 namespace mrpt_ext
 {
+constexpr double kMoreSmoothing = 1.5;
+
 /// Where a part of an edge is: a few neighbouring rows of its run.
 struct EdgePart
 {
   double radius = 0;       ///< share of the rim's
   double azimuth = 0;      ///< [rad] in the image, wrapped
   double std_azimuth = 0;  ///< [rad] by noise
+  /// [rad] by which it moves when it is smoothed `kMoreSmoothing` times as much: what is beside the edge pulls at it.
+  double drift = 0;
 };
 
 /// The peak's run in parts of equal numbers of rows, from the centre outwards, for steps smoothed by `smoothing`

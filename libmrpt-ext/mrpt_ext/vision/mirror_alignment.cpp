@@ -22,6 +22,7 @@ constexpr double kTukey = 4.7;         ///< standard deviations from which on a 
 constexpr double kStraight = 5;        ///< standard deviations from which on a part is not one of a straight edge
 constexpr double kStraighter = 0.8;    ///< by less, edges are not worth new axes
 constexpr double kMoreParts = 1.1;     ///< likewise
+constexpr double kByChance = 1.7;      ///< of a single edge, share by which other axes may seem better
 constexpr int kReweightings = 8;
 
 /// A part's azimuth against the mean of its edge's parts.
@@ -193,7 +194,9 @@ MirrorAxis changed(const MirrorAxis& start, const AxisEllipse& rim, const Vector
 
 bool MirrorAlignment::isBetter() const
 {
-  return bend_after < kStraighter * bend_before || straight_parts > kMoreParts * straight_before;
+  const double chance = kByChance / std::sqrt(static_cast<double>(std::max<std::size_t>(1, edges)));
+  return bend_after < std::min(kStraighter, 1 - chance) * bend_before ||
+         straight_parts > std::max(kMoreParts, 1 + chance) * straight_before;
 }
 
 double MirrorAlignment::stdAzimuth(double share) const

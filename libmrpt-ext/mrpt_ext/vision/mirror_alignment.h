@@ -37,7 +37,8 @@ struct MirrorAlignment
   double straight_parts = 0;   ///< number of parts that fit straight edges, those that fit less well for less
   double straight_before = 0;  ///< the same about the axes it started from
 
-  /// Whether it straightens edges, or shows more of them, than what it started from.
+  /// Whether it straightens edges, or shows more of them, than what it started from: by more than few edges do by
+  /// chance.
   [[nodiscard]] bool isBetter() const;
   /// [rad] standard deviation that the alignment leaves to the azimuth of an edge, mean over the turn, at a radius.
   [[nodiscard]] double stdAzimuth(double share) const;

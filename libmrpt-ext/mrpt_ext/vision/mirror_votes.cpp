@@ -65,7 +65,7 @@ std::vector<EdgePixel> stretched(std::vector<EdgePixel> edges, float aspect)
   {
     e.v *= aspect;
     e.gv /= aspect;
-    const float norm = std::hypot(e.gu, e.gv);
+    const float norm = std::sqrt(e.gu * e.gu + e.gv * e.gv);
     e.gu /= norm;
     e.gv /= norm;
   }
@@ -76,13 +76,16 @@ std::vector<EdgePixel> stretched(std::vector<EdgePixel> edges, float aspect)
 cv::Mat castVotes(const std::vector<EdgePixel>& edges, const cv::Size& size, float low, float high, float sign)
 {
   cv::Mat votes = cv::Mat::zeros(size, CV_32F);
+  float* const cells = votes.ptr<float>();
+  const float end_u = static_cast<float>(size.width), end_v = static_cast<float>(size.height);
+  const int most = static_cast<int>((high - low) / kRadialStride) + 1;
   for (const EdgePixel& e : edges)
-    for (float r = low; r <= high; r += kRadialStride)
-    {
-      const int u = static_cast<int>(e.u + sign * r * e.gu + 0.5F), v = static_cast<int>(e.v + sign * r * e.gv + 0.5F);
-      if (u < 0 || v < 0 || u >= size.width || v >= size.height) break;
-      votes.at<float>(v, u) += 1;
-    }
+  {
+    float u = e.u + sign * low * e.gu + 0.5F, v = e.v + sign * low * e.gv + 0.5F;
+    const float step_u = sign * kRadialStride * e.gu, step_v = sign * kRadialStride * e.gv;
+    for (int k = 0; k < most && u >= 0 && v >= 0 && u < end_u && v < end_v; ++k, u += step_u, v += step_v)
+      cells[static_cast<int>(v) * size.width + static_cast<int>(u)] += 1;
+  }
   cv::GaussianBlur(votes, votes, {9, 9}, 2);
   return votes;
 }
@@ -95,7 +98,7 @@ void addRadii(const std::vector<EdgePixel>& edges, const cv::Point& centre, floa
   for (const EdgePixel& e : edges)
   {
     const float du = e.u - static_cast<float>(centre.x), dv = e.v - static_cast<float>(centre.y);
-    const float r = std::hypot(du, dv);
+    const float r = std::sqrt(du * du + dv * dv);
     if (r < low || r > high || -sign * (du * e.gu + dv * e.gv) < kPointsAtCentre * r) continue;
     histogram[static_cast<std::size_t>(r + 0.5F)] += 1 / r;
   }

@@ -19,5 +19,6 @@ struct RadialEdge
   double significance = 0;
   double inner = 0, outer = 0;  ///< ends, shares of the rim's radius
   std::vector<EdgePart> parts;  ///< those that show it by themselves
+  int pair = 0;                 ///< above 0: of two edges that were located together (edge_pair.h)
 };
 }  // namespace mrpt_ext

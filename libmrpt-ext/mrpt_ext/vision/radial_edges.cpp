@@ -7,6 +7,7 @@
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/geometry/quantile.h"
 #include "mrpt_ext/vision/edge_location.h"
+#include "mrpt_ext/vision/edge_pair.h"
 #include "mrpt_ext/vision/light_coding.h"
 #include "mrpt_ext/vision/radial_peaks.h"
 
@@ -21,7 +22,8 @@ constexpr double kLargestBlur = 4;        ///< [px] beyond it shadows and edges 
 constexpr double kBeside = 2.5;           ///< the levels of its sides are so many standard deviations away
 constexpr double kClippedLevel = 250;     ///< [grey levels] of a side that may be brighter than the image shows
 constexpr double kClippingShift = 0.2;  ///< of the blur, by which half the clipped step is beside half of the whole one
-constexpr double kUnevenBlur = 0.03;    ///< of a larger blur, by which what is beside an edge moves it
+constexpr double kUnevenBlur = 0.015;   ///< of a larger blur, by which what is beside an edge moves it
+constexpr double kPairWidth = 1.15;     ///< of a sharp edge's width; two edges make a wider peak
 constexpr int kBlurRounds = 8;          ///< of bisection: to a sixtieth of a pixel
 
 double medianBrightness(const PolarImage& polar)
@@ -81,12 +83,40 @@ class EdgeJudge
     edge.std_azimuth = columnNoise(peak, settings_.smoothing / step) * step;
     return edge;
   }
+  /// Two edges that a peak is too wide for one of.
+  [[nodiscard]] std::vector<RadialEdge> pairAt(const RadialPeak& peak, const AzimuthSteps& steps, int number) const
+  {
+    if (!isClear(peak) || sigmaOf(peak) < kPairWidth * sharpest(peak)) return {};
+    const double step = grid_.azimuthStep();
+    std::vector<EdgeShape::Row> rows;
+    for (int row = peak.run.first; row < peak.run.end; ++row)
+      rows.push_back({std::hypot(settings_.smoothing, blur_ / (radius_ * grid_.radiusOf(row))) / step,
+                      1 / square(steps.noise[static_cast<std::size_t>(row)])});
+    const EdgeShape shape(rows);
+    const int middle = static_cast<int>(std::lround(peak.column)), reach = static_cast<int>(4 * shape.width());
+    const RunProfile profile(steps, peak.run, peak.polarity, middle, reach);
+    const auto pair = fitEdgePair(profile, peak.column, shape);
+    if (!pair) return {};
+    std::vector<RadialEdge> edges;
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      RadialPeak one = peak;
+      one.column = pair->column[i], one.height = pair->height[i], one.sigma = shape.width();
+      if (one.height < least_contrast_ || one.significance() < settings_.min_significance) return {};
+      RadialEdge edge = edgeAt(one);
+      edge.coding_shift = 0;  // the levels on either side are those of the other edge, too
+      edge.pair = number;
+      edge.parts = {{std::sqrt(edge.inner * edge.outer), edge.azimuth, pair->std_column * step, 0}};
+      edges.push_back(std::move(edge));
+    }
+    return edges;
+  }
   /// The peak as the only part of its edge.
   [[nodiscard]] EdgePart wholeOf(const RadialPeak& peak) const
   {
     const double step = grid_.azimuthStep();
     return {std::sqrt(grid_.radiusOf(peak.run.first) * grid_.radiusOf(peak.run.end - 1)), wrap(peak.column * step),
-            columnNoise(peak, settings_.smoothing / step) * step};
+            columnNoise(peak, settings_.smoothing / step) * step, 0};
   }
 
  private:
@@ -138,6 +168,25 @@ class EdgeJudge
 };
 }  // namespace
 
+namespace
+{
+/// Puts a pair in the place of what was taken for one edge. False when another pair is there.
+bool replaceByPair(std::vector<RadialEdge>& edges, std::vector<RadialEdge> pair)
+{
+  const double low = pair[0].azimuth, apart = wrap(pair[1].azimuth - low), beside = pair[0].width / 2;
+  const auto isAmong = [&](const RadialEdge& edge)
+  {
+    const double from = wrap(edge.azimuth - low);
+    return edge.polarity == pair[0].polarity && from > -beside && from < apart + beside;
+  };
+  if (std::any_of(edges.begin(), edges.end(), [&](const RadialEdge& edge) { return edge.pair > 0 && isAmong(edge); }))
+    return false;
+  std::erase_if(edges, isAmong);
+  for (RadialEdge& edge : pair) edges.push_back(std::move(edge));
+  return true;
+}
+}  // namespace
+
 std::vector<RadialEdge> findRadialEdges(const PolarImage& polar, double centre_std, double radius,
                                         const RadialEdgeSettings& settings)
 {
@@ -157,6 +206,10 @@ std::vector<RadialEdge> findRadialEdges(const PolarImage& polar, double centre_s
       edges.back().parts = partsOf(peak, steps, polar.grid, settings.smoothing / polar.grid.azimuthStep());
       if (edges.back().parts.empty()) edges.back().parts.push_back(judge.wholeOf(peak));
     }
+  int pairs = 0;
+  for (const RadialPeak& peak : peaks)
+    if (auto pair = judge.pairAt(peak, steps, pairs + 1); !pair.empty() && replaceByPair(edges, std::move(pair)))
+      ++pairs;
   const double beyond = std::sqrt(square(judge.blur()) - square(settings.blur));
   locateByParts(edges, {settings.smoothing, judge.blur(), radius}, std::hypot(centre_std, kUnevenBlur * beyond),
                 settings.std_floor);

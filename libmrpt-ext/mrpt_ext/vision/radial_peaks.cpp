@@ -55,48 +55,79 @@ std::vector<int> peakColumns(const std::vector<RadialRun>& runs, int reach)
 }
 }  // namespace
 
-RunProfile::RunProfile(const AzimuthSteps& steps, const RadialRun& run, int polarity) : steps_(steps), run_(run)
+RunProfile::RunProfile(const AzimuthSteps& steps, const RadialRun& run, int polarity, int middle, int reach)
+    : first_(middle - reach), values_(static_cast<std::size_t>(2 * reach + 1), 0.0)
 {
+  const int columns = steps.heights.cols;
+  double total = 0;
   for (int row = run.first; row < run.end; ++row)
   {
-    const double noise = steps.noise[static_cast<std::size_t>(row)];
-    weights_.push_back(polarity / square(noise));
-    total_ += 1 / square(noise);
+    const double weight = 1 / square(steps.noise[static_cast<std::size_t>(row)]);
+    const float* const heights = steps.heights.ptr<float>(row);
+    int j = wrappedColumn(first_, columns);
+    for (double& value : values_)
+    {
+      value += weight * heights[j];
+      if (++j == columns) j = 0;
+    }
+    total += weight;
   }
-  noise_ = kRowCorrelation / std::sqrt(total_);
+  for (double& value : values_) value *= polarity / total;
+  noise_ = kRowCorrelation / std::sqrt(total);
 }
 
 double RunProfile::operator()(int column) const
 {
-  const int j = wrappedColumn(column, steps_.heights.cols);
-  double sum = 0;
-  for (int row = run_.first; row < run_.end; ++row)
-    sum += weights_[static_cast<std::size_t>(row - run_.first)] * steps_.heights.at<float>(row, j);
-  return sum / total_;
+  const int at = column - first_;
+  return at >= 0 && at < static_cast<int>(values_.size()) ? values_[static_cast<std::size_t>(at)] : 0;
+}
+
+int RunProfile::reachOf(double sigma) { return static_cast<int>(std::ceil(3 * sigma)); }
+
+RunProfile RunProfile::smoothed(double sigma) const
+{
+  const int reach = reachOf(sigma);
+  std::vector<double> kernel;
+  double total = 0;
+  for (int k = -reach; k <= reach; ++k) total += kernel.emplace_back(std::exp(-square(k / sigma) / 2));
+  RunProfile result = *this;
+  result.first_ += reach;
+  result.values_.resize(values_.size() - 2 * static_cast<std::size_t>(reach));
+  for (std::size_t i = 0; i < result.values_.size(); ++i)
+  {
+    double sum = 0;
+    for (std::size_t k = 0; k < kernel.size(); ++k) sum += kernel[k] * values_[i + k];
+    result.values_[i] = sum / total;
+  }
+  return result;
 }
 
 std::optional<SampledPeak> sampledPeak(const RunProfile& profile, int column, int spacing)
 {
   const auto near = gaussianAround(profile, column, spacing);
   if (!near || near->sigma < kWiderSamples * spacing) return near;
-  return gaussianAround(profile, column, static_cast<int>(std::lround(std::min(near->sigma, 4.0 * spacing))));
+  return gaussianAround(profile, column,
+                        static_cast<int>(std::lround(std::min<double>(near->sigma, reachOfSamples(spacing)))));
 }
 
 std::vector<RadialPeak> findRadialPeaks(const AzimuthSteps& steps, int polarity, double smoothing, double least_rows)
 {
   const int spacing = std::max(1, static_cast<int>(std::lround(smoothing)));
   const auto runs = strongestRuns(steps, polarity);
+  const int flank = static_cast<int>(kFlank * smoothing), reach = std::max(flank, reachOfSamples(spacing));
   std::vector<RadialPeak> peaks;
   for (const int column : peakColumns(runs, static_cast<int>(std::ceil(kNeighbourhood * smoothing))))
   {
     const RadialRun& run = runs[static_cast<std::size_t>(column)];
     if (run.end - run.first < least_rows) continue;
-    const RunProfile profile(steps, run, polarity);
+    const RunProfile profile(steps, run, polarity, column, reach);
     const auto peak = sampledPeak(profile, column, spacing);
-    if (!peak) continue;
     const double height = profile(column);
-    peaks.push_back({run, polarity, column + peak->offset, peak->sigma, peak->spacing, height, profile.noise(),
-                     prominenceOf(profile, column, height, static_cast<int>(kFlank * smoothing))});
+    if (!(height > 0)) continue;
+    // Two edges may have no top between them.
+    const SampledPeak shape = peak.value_or(SampledPeak{0, 1.0 * reach, 1.0 * spacing});
+    peaks.push_back({run, polarity, column + shape.offset, shape.sigma, shape.spacing, height, profile.noise(),
+                     prominenceOf(profile, column, height, flank)});
   }
   return peaks;
 }

@@ -7,22 +7,26 @@
 
 namespace mrpt_ext
 {
-/// Steps of one run of rows summed with the weights 1/noise^2, as a function of the column. The steps must outlive it.
+/// Steps of one run of rows summed with the weights 1/noise^2, as a function of the column, about one of them.
 class RunProfile
 {
  public:
-  RunProfile(const AzimuthSteps& steps, const RadialRun& run, int polarity);
+  /// At the columns up to `reach` beside `middle`, also across the seam.
+  RunProfile(const AzimuthSteps& steps, const RadialRun& run, int polarity, int middle, int reach);
 
-  /// [grey levels] mean step at a column, which may be beyond either end of a turn; positive for the polarity's edges.
+  /// [grey levels] mean step at a column, positive for the polarity's edges; 0 beyond the reach.
   [[nodiscard]] double operator()(int column) const;
   /// [grey levels] standard deviation of a value.
   [[nodiscard]] double noise() const { return noise_; }
+  /// Smoothed again, by a Gaussian of so many columns. Its reach is smaller by that of the Gaussian.
+  [[nodiscard]] RunProfile smoothed(double sigma) const;
+  /// [columns] by which smoothing takes from the reach.
+  [[nodiscard]] static int reachOf(double sigma);
 
  private:
-  const AzimuthSteps& steps_;
-  RadialRun run_;
-  std::vector<double> weights_;
-  double total_ = 0, noise_ = 0;
+  int first_ = 0;
+  std::vector<double> values_;
+  double noise_ = 0;
 };
 
 /// A Gaussian through three samples of a profile.
@@ -37,13 +41,16 @@ struct SampledPeak
 /// is flat. Nothing where there is no peak.
 [[nodiscard]] std::optional<SampledPeak> sampledPeak(const RunProfile& profile, int column, int spacing);
 
+/// [columns] beside the middle one that `sampledPeak` may look at.
+[[nodiscard]] inline int reachOfSamples(int spacing) { return 4 * spacing; }
+
 /// A peak of the evidence for edges of one polarity, before anybody judges whether it is an edge. Lengths are columns.
 struct RadialPeak
 {
   RadialRun run;
   int polarity = 0;
   double column = 0;      ///< where the profile of the run is highest, from a Gaussian through three samples
-  double sigma = 0;       ///< of that Gaussian
+  double sigma = 0;       ///< of that Gaussian; as wide as is looked where there is no top
   double spacing = 0;     ///< of its samples
   double height = 0;      ///< [grey levels]
   double noise = 0;       ///< [grey levels] of the profile

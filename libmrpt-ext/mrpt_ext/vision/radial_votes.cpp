@@ -14,7 +14,7 @@ namespace
 constexpr float kFullVote = 3;          ///< of one row, in standard deviations of its noise
 constexpr float kExcessShare = 0.05F;   ///< what is above counts little, only to leave peaks of strong edges sharp
 constexpr float kVoteThreshold = 0.7F;  ///< a row below it is evidence against the edge
-constexpr float kLeastNoise = 0.15F;    ///< [grey levels] that rounding leaves even in a perfect image
+constexpr float kRoundingNoise = 0.15F;    ///< [grey levels] that rounding leaves even in a perfect image
 constexpr int kNoiseStride = 4;         ///< every fourth column is enough for a median
 
 /// Derivative of a Gaussian, each half summing to 1.
@@ -34,7 +34,7 @@ float noiseOf(const cv::Mat& row)
   std::vector<float> sizes;
   const float* const values = row.ptr<float>();
   for (int j = 0; j < row.cols; j += kNoiseStride) sizes.push_back(std::abs(values[j]));
-  return std::max(kLeastNoise, static_cast<float>(upperMedian(std::move(sizes)) / kNormalMedianDeviation));
+  return std::max(kRoundingNoise, static_cast<float>(upperMedian(std::move(sizes)) / kNormalMedianDeviation));
 }
 }  // namespace
 

@@ -17,9 +17,17 @@ constexpr double kBackground = 6;         ///< [px] from an edge, where the back
 constexpr double kMinAngleSquare = 0.01;  ///< squared sine of the angle between two colours that can be distinguished
 constexpr double kOutlier = 3;            ///< standard deviations
 constexpr double kAgreement = 0.15;       ///< [px] by which slices may differ in any case, as standard deviation
+constexpr double kChroma = 0.5;           ///< of its precision that colour has: JPEG and sensors have few pixels of it
 constexpr int kRecentring = 2;
 
 using Profile = std::vector<cv::Vec3d>;
+
+/// Mixtures are the same mixtures; least squares over them trust brightness more.
+cv::Vec3d withLessChroma(const cv::Vec3d& light)
+{
+  const double luminance = light.dot(cv::Vec3d(0.114, 0.587, 0.299));
+  return cv::Vec3d::all((1 - kChroma) * luminance) + kChroma * light;
+}
 
 /// Mean light of a slice outwards from the middle, on the side given by `sign`; sample i is (i + 1/2) `step` away.
 std::optional<Profile> profileOf(const cv::Mat& image, const HyperbolicMirror& mirror, double middle, int sign,
@@ -35,7 +43,7 @@ std::optional<Profile> profileOf(const cv::Mat& image, const HyperbolicMirror& m
     {
       const auto light = lightAt(image, mirror.pixel(middle + sign * (i + 0.5) * step, rho));
       if (!light) return std::nullopt;
-      profile[static_cast<std::size_t>(i)] += *light / rows;
+      profile[static_cast<std::size_t>(i)] += withLessChroma(*light) / rows;
     }
   }
   return profile;
