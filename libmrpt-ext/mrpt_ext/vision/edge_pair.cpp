@@ -12,10 +12,10 @@ namespace mrpt_ext
 namespace
 {
 constexpr int kSamplesPerColumn = 8;
-constexpr double kShapeReach = 4;     ///< of an edge's profile, in widths
-constexpr double kPeakFoot = 0.15;    ///< share of the peak's height at which it is left
-constexpr double kPeakReach = 3.5;    ///< [widths] a peak of two edges is no wider
-constexpr double kUnevenWall = 0.01;  ///< standard deviation of the profile beyond noise, share of its height
+constexpr double kShapeReach = 4;       ///< of an edge's profile, in widths
+constexpr double kPeakFoot = 0.15;      ///< share of the peak's height at which it is left
+constexpr double kPeakReach = 3.5;      ///< [widths] a peak of two edges is no wider
+constexpr double kUnevenWall = 0.01;    ///< standard deviation of the profile beyond noise, share of its height
 constexpr double kLeastGain = 30;       ///< of the sum of squared residuals in units of their variance
 constexpr double kLeastWeaker = 0.2;    ///< height of the weaker edge, share of the stronger one's
 constexpr double kLeastDistance = 0.9;  ///< [widths] between the edges
@@ -187,7 +187,7 @@ std::optional<EdgePair> fitEdgePair(const RunProfile& profile, double column, co
     return std::nullopt;
   const double residual = fit.squares / static_cast<double>(samples.columns.size());
   found.std_column = stdColumn(samples, shape, found, std::sqrt(std::max(variance, residual)));
-  if (found.column[1] - found.column[0] < kResolved * found.std_column) return std::nullopt;
+  if (!(found.column[1] - found.column[0] >= kResolved * found.std_column)) return std::nullopt;
   return found;
 }
 }  // namespace mrpt_ext

@@ -11,11 +11,11 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr float kFullVote = 3;          ///< of one row, in standard deviations of its noise
-constexpr float kExcessShare = 0.05F;   ///< what is above counts little, only to leave peaks of strong edges sharp
-constexpr float kVoteThreshold = 0.7F;  ///< a row below it is evidence against the edge
-constexpr float kRoundingNoise = 0.15F;    ///< [grey levels] that rounding leaves even in a perfect image
-constexpr int kNoiseStride = 4;         ///< every fourth column is enough for a median
+constexpr float kFullVote = 3;           ///< of one row, in standard deviations of its noise
+constexpr float kExcessShare = 0.05F;    ///< what is above counts little, only to leave peaks of strong edges sharp
+constexpr float kVoteThreshold = 0.7F;   ///< a row below it is evidence against the edge
+constexpr float kRoundingNoise = 0.15F;  ///< [grey levels] that rounding leaves even in a perfect image
+constexpr int kNoiseStride = 4;          ///< every fourth column is enough for a median
 
 /// Derivative of a Gaussian, each half summing to 1.
 cv::Mat stepKernel(double sigma)
