@@ -108,7 +108,10 @@ MeanOfParts meanOf(const std::vector<FreedPart>& parts, double centre_std, doubl
   }
   const double freedom = std::max(0.0, count - 1);
   if (freedom == 0) squares = 0;
-  const double scatter = (kPriorFreedom * usual_scatter + squares) / (kPriorFreedom + freedom);
+  // Parts that agree share errors of the camera and of the wall all the same; those that do not are no matter of
+  // chance.
+  const double own = freedom > 0 ? squares / freedom : 0;
+  const double scatter = std::max({1.0, own, (kPriorFreedom * usual_scatter + squares) / (kPriorFreedom + freedom)});
   const double std_drift = std::hypot(kDriftNoise / std::sqrt(total), kMoveUnknown * wider_move / total);
   const DriftedBack back = driftedBack(drift / total, std_drift, width);
   return {mean + back.move,
