@@ -71,8 +71,7 @@ class MrptFilterLocalizer : public FilterLocalizer
   {
     const double work = static_cast<double>(pdf_.particlesCount()) * pairsIn(whole, map_);
     const std::optional<Frame> affordable = affordableFrame(whole, work, kMostPairsOfFrame);
-    Frame frame = affordable ? *affordable : whole;
-    frame.motion = consider_.withExcess(frame.motion);
+    const Frame frame = consider_.withExcess(affordable ? *affordable : whole);
     const mrpt::obs::CActionCollection action = motionOf(frame.motion);
     bool moved = false;
     for (const Reading& reading : scoredReadings(frame))

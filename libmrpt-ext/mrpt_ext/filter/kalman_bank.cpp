@@ -55,8 +55,7 @@ KalmanStep KalmanBank::process(const Frame& whole, const HypothesisSource& propo
 {
   const std::size_t filters = std::max(hypotheses_.size(), options_.max_hypotheses);
   const std::optional<Frame> affordable = affordableToUpdate(whole, map_, filters);
-  Frame frame = affordable ? *affordable : whole;
-  frame.motion = consider_.withExcess(frame.motion);
+  const Frame frame = consider_.withExcess(affordable ? *affordable : whole);
   KalmanStep step;
   if (hypotheses_.empty())
     initialize(frame, propose);

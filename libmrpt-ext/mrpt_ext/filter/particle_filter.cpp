@@ -48,8 +48,7 @@ FilterStep ParticleFilter::process(const Frame& whole, const HypothesisSources& 
 {
   if (particles_.empty()) return initialize(whole, sources);
   const std::optional<Frame> affordable = affordableToScore(whole, observation_model_.map(), particles_.poses());
-  Frame frame = affordable ? *affordable : whole;
-  frame.motion = consider_.withExcess(frame.motion);
+  const Frame frame = consider_.withExcess(affordable ? *affordable : whole);
 
   // Decide on recovery, from the posterior of the last step
   const PosteriorState before = assess(frame, sources);
@@ -219,12 +218,12 @@ ModeSet ParticleFilter::updateModes(const Frame& frame, double effective)
                                                           found.modes.front().pose.covariance)
                                : 0;
   modes_ = std::move(found);
-  std::optional<KalmanState> only;
-  if (isUnimodal()) only = momentsOf(particles_, [this](std::size_t i) { return modes_.mode_of[i] == 0; });
-  bias_filter_.follow(only && isCompact(modes_.modes.front()) ? only : std::nullopt, frame, observation_model_.map());
   // While nothing is seen a mode is followed however imprecise it becomes: what is seen then tells odometry's noise.
-  const bool blind = detectionCount(frame) == 0 && isDominant(modes_, options_.verdict);
-  if (!only && blind) only = momentsOf(particles_, [this](std::size_t i) { return modes_.mode_of[i] == 0; });
+  const bool unimodal = isUnimodal(), blind = detectionCount(frame) == 0 && isDominant(modes_, options_.verdict);
+  std::optional<KalmanState> only;
+  if (unimodal || blind) only = momentsOf(particles_, [this](std::size_t i) { return modes_.mode_of[i] == 0; });
+  const bool compact = unimodal && isCompact(modes_.modes.front());
+  bias_filter_.follow(compact ? only : std::nullopt, frame, observation_model_.map());
   consider_.follow(std::move(only), frame);
   ModeSet stated{modes_.modes, {}};
   sampling_error_.correct(stated, effective, remainder);

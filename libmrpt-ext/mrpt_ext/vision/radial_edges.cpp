@@ -166,10 +166,7 @@ class EdgeJudge
   const RadialEdgeSettings& settings_;
   double least_contrast_, blur_;
 };
-}  // namespace
 
-namespace
-{
 /// Puts a pair in the place of what was taken for one edge. False when another pair is there.
 bool replaceByPair(std::vector<RadialEdge>& edges, std::vector<RadialEdge> pair)
 {

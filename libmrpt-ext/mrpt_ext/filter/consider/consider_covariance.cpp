@@ -65,10 +65,10 @@ void ConsiderCovariance::follow(std::optional<KalmanState> now, const Frame& fra
   stated_ = std::move(now);
 }
 
-OdometryMotion ConsiderCovariance::withExcess(OdometryMotion motion) const
+Frame ConsiderCovariance::withExcess(Frame frame) const
 {
-  motion.excess = noise_.excess(motion);
-  return motion;
+  frame.motion.excess = noise_.excess(frame.motion);
+  return frame;
 }
 
 void ConsiderCovariance::restart()

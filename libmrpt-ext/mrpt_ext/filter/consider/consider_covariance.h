@@ -24,8 +24,8 @@ class ConsiderCovariance
 
   /// The filter has taken this frame and states `now`: nothing while it has more than one mode.
   void follow(std::optional<KalmanState> now, const Frame& frame);
-  /// The motion with what its noise exceeds the stated one by, for the next step of the filter.
-  [[nodiscard]] OdometryMotion withExcess(OdometryMotion motion) const;
+  /// The frame that the filter is to take: its motion with what its noise exceeds the stated one by.
+  [[nodiscard]] Frame withExcess(Frame frame) const;
   /// The estimate is another one, with an error of its own. What is known of the sensors stays.
   void restart();
 
