@@ -50,6 +50,7 @@ TEST(KeyDefaults, OfLiveRunsAreThoseOfTheOnlineLocalizer)
   const LocalizationConfig read = emptyConfig(), plain;
   EXPECT_EQ(read.lateness, plain.lateness);
   EXPECT_EQ(read.odometry_wait, plain.odometry_wait);
+  EXPECT_EQ(read.step_budget_ms, plain.step_budget_ms);
 }
 
 TEST(KeyDefaults, OfRecoveryAndVerdictAreThoseOfTheirOptions)

@@ -78,7 +78,8 @@ class LiveRun
       ++errors_;
       out_ << liveErrorLine(lines_, error.what()) << std::endl;
     }
-    write(robot_.estimates(), started);
+    do write(robot_.estimates(), started);
+    while (robot_.working());  // the lines to come wait in the pipe
   }
 
   int finish()

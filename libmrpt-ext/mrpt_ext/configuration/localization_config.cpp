@@ -150,6 +150,7 @@ LocalizationConfig localizationConfig(const Settings& settings, const LandmarkTa
   config.seed_window = settings.number(kExperimentSection, "seed_window_s");
   config.lateness = settings.number(kExperimentSection, "lateness_s");
   config.odometry_wait = settings.number(kExperimentSection, "odometry_wait_s");
+  config.step_budget_ms = settings.number(kExperimentSection, "step_budget_ms");
   config.methods = settings.words(kExperimentSection, "methods");
   std::erase(config.methods, "all");
   config.final_scene = settings.flag(kExperimentSection, "save_final_scene");

@@ -17,6 +17,7 @@ namespace mrpt_ext
 inline const std::string kExperimentSection = "LocalizationExperiment";  ///< of the .ini file
 
 inline constexpr double kRegionMargin = 3;             ///< [m] around the landmarks: where the robot may be
+inline constexpr double kStepBudgetMs = 50;            ///< [ms] of a step of the particle filter
 inline constexpr double kStartStdXy = 0.1;             ///< [m] of a known start
 inline constexpr double kStartStdPhi = degToRad(5.0);  ///< [rad]
 inline constexpr std::uint64_t kLandmarkMaps = 1;      ///< that a configuration declares for MRPT
@@ -32,13 +33,14 @@ struct LocalizationConfig
   int mrpt_algorithm = 0;  ///< PF_algorithm of the mrpt engine
   RunningFixOptions running_fix;
   FrameOptions frames;
-  bool auto_calibrate = true;        ///< from a first pass over the log
-  double step = 1;                   ///< [s] that a step of a log of steps counts where its stamps are no clock
-  double join_window = 0;            ///< [s]
-  double seed_window = 3;            ///< [s]
-  double lateness = 0;               ///< [s] live: a record may be this much older than the newest
-  double odometry_wait = 1;          ///< [s] live: that an estimate waits for odometry which reaches its time
-  std::vector<std::string> methods;  ///< empty: all that the log has measurements for
+  bool auto_calibrate = true;             ///< from a first pass over the log
+  double step = 1;                        ///< [s] that a step of a log of steps counts where its stamps are no clock
+  double join_window = 0;                 ///< [s]
+  double seed_window = 3;                 ///< [s]
+  double lateness = 0;                    ///< [s] live: a record may be this much older than the newest
+  double step_budget_ms = kStepBudgetMs;  ///< of a step of the particle filter, in operations; 0: no limit
+  double odometry_wait = 1;               ///< [s] live: that an estimate waits for odometry which reaches its time
+  std::vector<std::string> methods;       ///< empty: all that the log has measurements for
   ConvergenceLimits limits;
   bool final_scene = false;
   std::size_t scene_every = 0;          ///< a scene of every N-th frame; 0: none

@@ -82,6 +82,10 @@ KeyTable methodKeys()
               "Live: a record may be this much older than the newest one. Estimates wait as long.")
       .number("odometry_wait_s", "s", config.odometry_wait, ranges::kNotNegative,
               "Live: an estimate waits this long for odometry that reaches its time, then does without.")
+      .number(
+          "step_budget_ms", "ms", config.step_budget_ms, ranges::kNotNegative,
+          "Time that a step of the particle filter may take, in counted operations, whatever the machine. What takes "
+          "longer goes on in the next steps: its estimate is the same, and comes later. 0: no limit.")
       .flag("auto_calibrate", config.auto_calibrate,
             "Run twice: the first pass tells delays, scales, offsets and noise. What is found is adopted where it "
             "predicts the second half of the log better; logs of more than a minute only. The truth is not used.")

@@ -152,6 +152,7 @@ void MethodFactory::checkNames() const
 Methods MethodFactory::make(std::uint64_t seed, int trial) const
 {
   Methods methods;
+  if (config_.engine == FilterEngine::batch) methods.step_budget_ms = config_.step_budget_ms;
   for (const Entry& entry : entries(seed, trial, methods))
   {
     const bool selected = config_.methods.empty() ? entry.applies

@@ -20,6 +20,7 @@ struct Methods
 {
   std::vector<std::unique_ptr<Localizer>> localizers;
   FilterLocalizer* filter = nullptr;
+  double step_budget_ms = 0;  ///< of the filter, where it counts its work (localizers/sliced_localizer.h)
 };
 
 /// Which measurements a log contains: decides which methods apply.

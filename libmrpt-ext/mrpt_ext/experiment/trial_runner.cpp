@@ -10,6 +10,7 @@
 #include "mrpt_ext/experiment/object_tracker.h"
 #include "mrpt_ext/experiment/oracle_trajectories.h"
 #include "mrpt_ext/experiment/run_verdict.h"
+#include "mrpt_ext/localizers/sliced_localizer.h"
 #include "mrpt_ext/scene/playback_recorder.h"
 
 namespace mrpt_ext
@@ -17,6 +18,11 @@ namespace mrpt_ext
 namespace
 {
 using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start)
+{
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
 
 double threadCpuSeconds()
 {
@@ -31,9 +37,8 @@ bool hasDetection(const Frame& frame)
                                              [](const Reading& reading) { return !reading.detections.empty(); });
 }
 
-void record(const Estimate& estimate, const Frame& frame, double milliseconds, MethodTrajectory& trajectory)
+void record(const Estimate& estimate, const Frame& frame, MethodTrajectory& trajectory)
 {
-  trajectory.step_milliseconds.push_back(milliseconds);
   if (hasDetection(frame))
   {
     ++trajectory.frames_offered;
@@ -51,8 +56,8 @@ Verdict verdictOf(const Estimate& estimate)
 }
 
 /// `reason_before`: of the verdict one frame before.
-void recordFilter(const FilterStep& step, const BiasModel& biases, const Estimate& estimate, double time,
-                  const std::string& reason_before, RunRecord& run)
+void recordStep(const FilterStep& step, const BiasModel& biases, const Estimate& estimate, double time,
+                const std::string& reason_before, RunRecord& run)
 {
   run.verdicts.add(time, step.verdict, step.reason);
   run.filter.particle_counts.push_back(step.particles);
@@ -95,79 +100,163 @@ std::map<std::string, LandmarkRecord> landmarkRecords(const FilterLocalizer& fil
   return records;
 }
 
-void finish(const Methods& methods, const TrialInput& input, RunRecord& run)
+void finishFilter(const FilterLocalizer& filter, const LandmarkTable& map, RunRecord& run)
 {
-  if (!methods.filter)
-  {
-    const VerdictWithReason verdict = verdictOfClosedForms(run);
-    run.verdict = verdict.verdict;
-    run.verdict_reason = verdict.reason;
-    return;
-  }
-  for (const Mode& mode : methods.filter->lastStep().modes.modes)
+  for (const Mode& mode : filter.lastStep().modes.modes)
     if (mode.weight > 0.01) run.filter.modes_at_end.push_back({mode.pose, mode.weight});
-  run.landmarks = landmarkRecords(*methods.filter, input.methods.map());
-  const VerdictWithReason verdict = verdictOfFilter(run, methods.filter->lastStep());
+  run.landmarks = landmarkRecords(filter, map);
+  const VerdictWithReason verdict = verdictOfFilter(run, filter.lastStep());
   run.verdict = verdict.verdict;
   run.verdict_reason = verdict.reason;
+}
+
+/// The filter goes first, in steps that end soon; all that is to be done with a frame then waits for it.
+class Trial
+{
+ public:
+  Trial(const TrialInput& input, std::uint64_t seed, int trial);
+  TrialOutcome run();
+
+ private:
+  using Finished = SlicedLocalizer::Finished;
+
+  void process(Frame frame);
+  /// One step of the filter, with its time.
+  void step();
+  void recordFilter(const Finished& finished);
+  /// The other methods, and what is shown.
+  void complete(const Finished& finished);
+  void finish();
+
+  const TrialInput& input_;
+  Methods methods_;
+  std::optional<SlicedLocalizer> filter_;
+  TrialOutcome outcome_;
+  RunRecord& run_ = outcome_.record;
+  OracleTrajectories oracles_;
+  ObjectTracker objects_;
+  PlaybackRecorder playback_;
+  const MethodTrajectory* judged_ = nullptr;
+  std::size_t completed_ = 0;  // frames
+  std::optional<Frame> last_;
+  std::string reason_;  // of the filter's verdict one frame before
+};
+
+Trial::Trial(const TrialInput& input, std::uint64_t seed, int trial)
+    : input_(input),
+      methods_(input.methods.make(seed, trial)),
+      oracles_(input.run.context.truth),
+      objects_(input.run.log.overview.odometry),
+      playback_(input.run.log.frames, input.methods.map())
+{
+  run_.trial = trial;
+  run_.seed = seed;
+  for (const auto& localizer : methods_.localizers)
+    run_.methods.push_back({.name = localizer->name(), .continuous = localizer->continuous()});
+  judged_ = judgedMethod(run_);
+  if (!methods_.filter) return;
+  filter_.emplace([filter = methods_.filter](const Frame& frame) { return filter->process(frame); },
+                  methods_.step_budget_ms);
+  reason_ = methods_.filter->lastStep().reason;
+}
+
+TrialOutcome Trial::run()
+{
+  const auto started = Clock::now();
+  const double cpu_before = threadCpuSeconds();
+  FrameSynchronizer frames = framesOf(input_.run);
+  while (!input_.stop)
+  {
+    auto frame = frames.next();
+    if (!frame) break;
+    objects_.add(frames.takeObjectFrames());
+    process(std::move(*frame));
+  }
+  while (!input_.stop && filter_ && filter_->hasWaiting())
+  {
+    filter_->goOn();
+    step();
+  }
+  run_.interrupted = input_.stop;
+  for (MethodTrajectory& trajectory : oracles_.take()) run_.methods.push_back(std::move(trajectory));
+  finish();
+  run_.wall_s = 1e-3 * millisecondsSince(started);
+  run_.cpu_s = threadCpuSeconds() - cpu_before + (filter_ ? filter_->cpuSeconds() : 0);
+  return std::move(outcome_);
+}
+
+void Trial::process(Frame frame)
+{
+  if (!filter_) return complete({std::move(frame), {}});
+  filter_->add(std::move(frame));
+  step();
+}
+
+void Trial::step()
+{
+  double milliseconds = 0;
+  while (true)
+  {
+    const auto before = Clock::now();
+    const std::optional<Finished> finished = filter_->next();
+    milliseconds += millisecondsSince(before);
+    if (!finished) break;
+    recordFilter(*finished);
+    complete(*finished);
+  }
+  run_.methods.front().step_milliseconds.push_back(milliseconds);
+}
+
+void Trial::recordFilter(const Finished& finished)
+{
+  const auto& [frame, estimate] = finished;
+  record(estimate, frame, run_.methods.front());
+  recordStep(methods_.filter->lastStep(), methods_.filter->particles().bias_states, estimate, frame.time, reason_,
+             run_);
+  if (estimate.point) objects_.locate(*estimate.point, run_.objects);
+  reason_ = methods_.filter->lastStep().reason;
+}
+
+void Trial::complete(const Finished& finished)
+{
+  const Frame& frame = finished.frame;
+  for (std::size_t m = filter_ ? 1 : 0; m < methods_.localizers.size(); ++m)
+  {
+    const auto before = Clock::now();
+    const Estimate estimate = methods_.localizers[m]->process(frame);
+    run_.methods[m].step_milliseconds.push_back(millisecondsSince(before));
+    record(estimate, frame, run_.methods[m]);
+    if (&run_.methods[m] == judged_)
+      run_.verdicts.add(frame.time, verdictOf(estimate), {});
+    else if (!run_.methods[m].continuous)
+      oracles_.add(run_.methods[m], estimate, frame.time);
+  }
+  playback_.add(frame, methods_.filter, run_.playback);
+  if (input_.on_frame) input_.on_frame(completed_, frame, methods_.filter);
+  ++completed_;
+  if (input_.on_progress)
+    input_.on_progress(static_cast<double>(completed_) / static_cast<double>(input_.run.log.frames));
+  last_ = frame;
+}
+
+void Trial::finish()
+{
+  if (methods_.filter)
+    finishFilter(*methods_.filter, input_.methods.map(), run_);
+  else
+  {
+    const VerdictWithReason verdict = verdictOfClosedForms(run_);
+    run_.verdict = verdict.verdict;
+    run_.verdict_reason = verdict.reason;
+  }
+  if (last_)
+    outcome_.final_step =
+        playbackStep(*last_, methods_.filter, input_.methods.map(), std::numeric_limits<std::size_t>::max());
 }
 }  // namespace
 
 TrialOutcome runTrial(const TrialInput& input, std::uint64_t seed, int trial)
 {
-  const auto started = Clock::now();
-  const double cpu_before = threadCpuSeconds();
-  TrialOutcome outcome;
-  RunRecord& run = outcome.record;
-  run.trial = trial;
-  run.seed = seed;
-  const Methods methods = input.methods.make(seed, trial);
-  OracleTrajectories oracles(input.run.context.truth);
-  ObjectTracker objects(input.run.log.overview.odometry);
-  for (const auto& localizer : methods.localizers)
-    run.methods.push_back({.name = localizer->name(), .continuous = localizer->continuous()});
-
-  const MethodTrajectory* judged = judgedMethod(run);
-  const std::size_t count = input.run.log.frames;
-  PlaybackRecorder playback(count, input.methods.map());
-  FrameSynchronizer frames = framesOf(input.run);
-  std::optional<Frame> last;
-  for (std::size_t k = 0; !input.stop; ++k)
-  {
-    auto frame = frames.next();
-    if (!frame) break;
-    objects.add(frames.takeObjectFrames());
-    const std::string reason_before = methods.filter ? methods.filter->lastStep().reason : "";
-    for (std::size_t m = 0; m < methods.localizers.size(); ++m)
-    {
-      const auto before = Clock::now();
-      const Estimate estimate = methods.localizers[m]->process(*frame);
-      const double ms = std::chrono::duration<double, std::milli>(Clock::now() - before).count();
-      record(estimate, *frame, ms, run.methods[m]);
-      if (methods.localizers[m].get() == methods.filter)
-      {
-        recordFilter(methods.filter->lastStep(), methods.filter->particles().bias_states, estimate, frame->time,
-                     reason_before, run);
-        if (estimate.point) objects.locate(*estimate.point, run.objects);
-      }
-      else if (&run.methods[m] == judged)
-        run.verdicts.add(frame->time, verdictOf(estimate), {});
-      else if (!run.methods[m].continuous)
-        oracles.add(run.methods[m], estimate, frame->time);
-    }
-    playback.add(*frame, methods.filter, run.playback);
-    if (input.on_frame) input.on_frame(k, *frame, methods.filter);
-    if (input.on_progress) input.on_progress(static_cast<double>(k + 1) / static_cast<double>(count));
-    last = std::move(*frame);
-  }
-  run.interrupted = input.stop;
-  for (MethodTrajectory& trajectory : oracles.take()) run.methods.push_back(std::move(trajectory));
-  finish(methods, input, run);
-  if (last)
-    outcome.final_step =
-        playbackStep(*last, methods.filter, input.methods.map(), std::numeric_limits<std::size_t>::max());
-  run.wall_s = std::chrono::duration<double>(Clock::now() - started).count();
-  run.cpu_s = threadCpuSeconds() - cpu_before;
-  return outcome;
+  return Trial(input, seed, trial).run();
 }
 }  // namespace mrpt_ext

@@ -6,6 +6,7 @@
 
 #include "mrpt_ext/filter/particles/particle_bias.h"
 #include "mrpt_ext/filter/proposal_sampling.h"
+#include "mrpt_ext/geometry/work_counter.h"
 #include "mrpt_ext/likelihood/scoring_work.h"
 
 namespace mrpt_ext
@@ -23,6 +24,7 @@ constexpr double kCostOfComponent = 1.5, kCostOfSample = 1000;
 constexpr double kMostProposed = 0.25 * kMostDensities, kMostScored = 0.5 * kMostDensities;
 constexpr double kMostDrawn = 1.8 * kMostDensities;
 constexpr double kMinExponent = 1e-4;
+constexpr std::size_t kCostOfPower = 10;  // of a sample, in operations (work_counter.h)
 
 /// Symmetric square root; directions without spread are allowed.
 Matrix3d squareRoot(const Matrix3d& covariance)
@@ -137,6 +139,7 @@ double annealingExponent(std::span<const float> log_prior, std::span<const float
     const auto at = [&](std::size_t i)
     { return double{log_prior[i]} + exponent * (double{log_weight[i]} - double{log_prior[i]}); };
     double best = at(0), sum = 0, squares = 0;
+    WorkCounter::add(kCostOfPower * log_prior.size());
     for (std::size_t i = 1; i < log_prior.size(); ++i) best = std::max(best, at(i));
     for (std::size_t i = 0; i < log_prior.size(); ++i)
     {

@@ -7,12 +7,14 @@
 #include "mrpt_ext/filter/kalman/distinct_hypotheses.h"
 #include "mrpt_ext/geometry/log_probability.h"
 #include "mrpt_ext/geometry/mahalanobis.h"
+#include "mrpt_ext/geometry/work_counter.h"
 
 namespace mrpt_ext
 {
 namespace
 {
 constexpr int kNoComponent = -1;
+constexpr std::size_t kCostOfGate = 10, kCostOfShare = 20;  // of a particle, in operations (work_counter.h)
 constexpr double kComponentGate = 5;      // standard deviations that the particles of a component are within
 constexpr double kSameModeGate = 3;       // likewise for the mean of a mode
 constexpr double kDuplicate = 1;          // likewise for another component
@@ -75,6 +77,7 @@ void ModeMixture::assignParticles(const ParticleSet& predicted)
   for (const MixtureComponent& component : components_) gates.emplace_back(component.state, kComponentGate);
   component_of_.assign(predicted.size(), kNoComponent);
   prior_mass_.assign(components_.size(), 0.0);
+  WorkCounter::add((kCostOfGate * components_.size() + kCostOfShare) * predicted.size());
   for (std::size_t i = 0; i < predicted.size(); ++i)
   {
     double nearest = square(kComponentGate);
@@ -96,6 +99,7 @@ void ModeMixture::reweight(ParticleSet& particles)
   if (components_.empty() || component_of_.size() != particles.size()) return;
   const double top = double{*std::max_element(particles.log_weight.begin(), particles.log_weight.end())};
   std::vector<ParticleMass> masses(components_.size());
+  WorkCounter::add(kCostOfShare * particles.size());
   double sum = 0;
   for (std::size_t i = 0; i < particles.size(); ++i)
   {

@@ -4,11 +4,14 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "mrpt_ext/geometry/work_counter.h"
+
 namespace mrpt_ext
 {
 namespace
 {
 constexpr double kMinMomentVariance = 1e-12;
+constexpr std::size_t kCostOfMoments = 50;  // of a particle, in operations (work_counter.h)
 }  // namespace
 
 Vector3d offsetFrom(const Pose2& from, const ParticleSet& particles, std::size_t i)
@@ -23,6 +26,7 @@ std::optional<KalmanState> momentsOf(const ParticleSet& particles, const std::fu
   KalmanVector reference, sum = KalmanVector::Zero(size);  // offsets from the first, for headings and for rounding
   KalmanMatrix squares = KalmanMatrix::Zero(size, size);
   double weight = 0, weight2 = 0;
+  WorkCounter::add(kCostOfMoments * particles.size());
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
     if (!belongs(i)) continue;

@@ -4,6 +4,7 @@
 
 #include "mrpt_ext/filter/particles/particle_bias.h"
 #include "mrpt_ext/filter/particles/particle_order.h"
+#include "mrpt_ext/geometry/work_counter.h"
 #include "mrpt_ext/hypotheses/proposal.h"
 
 namespace mrpt_ext
@@ -14,6 +15,7 @@ constexpr double kProposalInflation = 2.0;                    // a proposal is w
 const Vector3d kMinSeedingStd{0.002, 0.002, degToRad(0.02)};  // of a proposal
 constexpr double kMinProposalWeight = 1e-4;
 constexpr std::size_t kMaxModes = 500;
+constexpr std::size_t kCostOfSeed = 200;  // in operations (work_counter.h), beside its density
 }  // namespace
 
 ProposalDistribution proposalAround(const HypothesisSet& hypotheses, const PoseRegion& region, double uniform_share)
@@ -37,6 +39,7 @@ ParticleSet sampleSeeds(const ProposalDistribution& proposal, const PoseRegion& 
 {
   ParticleSet particles = like.emptyLikeThis();
   particles.reserve(count);
+  WorkCounter::add(kCostOfSeed * count);
   while (particles.size() < count)
   {
     const Pose2 pose = proposal.sample(random);

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "mrpt_ext/filter/particle_moments.h"
+#include "mrpt_ext/geometry/work_counter.h"
 
 namespace mrpt_ext
 {
@@ -23,7 +24,8 @@ constexpr double kRotationShare = 0.3;                // of the steps
 constexpr std::size_t kMaxWalkingModes = 40;          // the heaviest ones; the others only rotate
 constexpr int kMinSweeps = 2;
 constexpr std::size_t kMostScored = 400'000'000;  // detections, over all particles and sweeps
-constexpr double kMinGrowth = 0.1;                // of the logarithm of a mode's volume
+constexpr std::size_t kCostOfStep = 120;  // of a particle, in operations (work_counter.h); and of its part in a shape
+constexpr double kMinGrowth = 0.1;        // of the logarithm of a mode's volume
 
 /// Distribution of the steps of the particles of one mode.
 struct StepShape
@@ -76,6 +78,7 @@ std::vector<std::optional<StepShape>> stepShapes(const ParticleSet& particles, c
                                                  const ModeSet& modes)
 {
   std::vector<ModeSums> sums(std::min(modes.modes.size(), kMaxWalkingModes));
+  WorkCounter::add(kCostOfStep * particles.size());
   for (std::size_t i = 0; i < particles.size(); ++i)
     if (const auto m = static_cast<std::size_t>(modes.mode_of[i]); m < sums.size())
       sums[m].add(pointOf(particles, i), std::exp(double{log_weight[i]}));
@@ -112,6 +115,7 @@ ParticleSet proposed(const ParticleSet& particles, const ModeSet& modes,
                      const std::vector<std::optional<StepShape>>& shapes, const Vector2d& pivot, RandomStream& random)
 {
   ParticleSet next = particles;
+  WorkCounter::add(kCostOfStep * particles.size());
   for (std::size_t i = 0; i < next.size(); ++i)
   {
     if (random.chance(kRotationShare))

@@ -4,9 +4,15 @@
 #include <utility>
 
 #include "mrpt_ext/filter/regularization.h"
+#include "mrpt_ext/geometry/work_counter.h"
 
 namespace mrpt_ext
 {
+namespace
+{
+constexpr std::size_t kCostOfDraw = 60;  // of a particle, in operations (work_counter.h)
+}  // namespace
+
 std::size_t Resampler::kldSize(const ParticleSet& particles, RandomStream& random) const
 {
   // The bins that a resampled set of the present size would occupy (Fox 2003).
@@ -18,6 +24,7 @@ std::size_t Resampler::kldSize(const ParticleSet& particles, RandomStream& rando
 
 void Resampler::resample(ParticleSet& particles, const ModeSet& modes, std::size_t count, RandomStream& random)
 {
+  WorkCounter::add(kCostOfDraw * (particles.size() + count));
   if (adaptive_) count = kldSize(particles, random);
   ParticleSet drawn = resampleByMode(particles, modes.mode_of, method_, count, random, threads_, std::move(buffer_));
   buffer_ = std::exchange(particles, std::move(drawn));

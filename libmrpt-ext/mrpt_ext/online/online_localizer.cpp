@@ -33,7 +33,8 @@ OnlineOptions onlineOptions(const LocalizationConfig& config)
           .seed_window = config.seed_window,
           .seed = config.seed,
           .lateness = config.lateness,
-          .odometry_wait = config.odometry_wait};
+          .odometry_wait = config.odometry_wait,
+          .step_budget_ms = config.step_budget_ms};
 }
 
 OnlineLocalizer OnlineLocalizer::fromIni(const std::filesystem::path& ini, const std::filesystem::path& map)
@@ -49,6 +50,7 @@ OnlineLocalizer::OnlineLocalizer(const OnlineOptions& options, const LandmarkTab
       overview_{.odometry = OdometryPath(options.frames.odometry), .fix_span = kLongestFix},
       frames_(map_, options_.frames, overview_, options.lateness),
       search_(std::make_shared<const GlobalPoseSearch>(map_)),
+      steps_([this](const Frame& frame) { return process(frame); }, options.step_budget_ms),
       recent_(options.frames.odometry)
 {
   restart({}, 0);
@@ -102,10 +104,14 @@ void OnlineLocalizer::post(Event event)
   inbox_.push_back(std::move(event));
 }
 
-void OnlineLocalizer::take(const Event& event)
+void OnlineLocalizer::take(const Event& event, std::vector<OnlineEstimate>& finished)
 {
   if (const auto* restart = std::get_if<Restart>(&event)) restarts_.push_back(*restart);
-  if (const auto* map = std::get_if<LandmarkTable>(&event)) take(*map);
+  if (const auto* map = std::get_if<LandmarkTable>(&event))
+  {
+    collectAll(finished);  // in the map that the frames were seen in
+    take(*map);
+  }
   if (const auto* record = std::get_if<Record>(&event)) take(*record);
 }
 
@@ -132,11 +138,15 @@ std::vector<OnlineEstimate> OnlineLocalizer::estimates()
     events.swap(inbox_);
   }
   std::vector<OnlineEstimate> finished;
+  bool any = false;
   for (const Event& event : events)
   {
-    take(event);
-    processReady(finished);
+    take(event, finished);
+    any = processReady(finished) || any;
   }
+  if (any) return finished;
+  steps_.goOn();
+  collect(finished);
   return finished;
 }
 
@@ -147,17 +157,42 @@ std::vector<OnlineEstimate> OnlineLocalizer::finish()
   newest_ = std::numeric_limits<double>::infinity();
   frames_.close();
   processReady(finished);
+  collectAll(finished);
   return finished;
 }
 
-void OnlineLocalizer::processReady(std::vector<OnlineEstimate>& finished)
+bool OnlineLocalizer::working() const
 {
-  while (const auto stamp = frames_.readyStamp())
+  const std::lock_guard work(work_);
+  return steps_.hasWaiting();
+}
+
+bool OnlineLocalizer::processReady(std::vector<OnlineEstimate>& finished)
+{
+  bool any = false;
+  for (auto stamp = frames_.readyStamp(); stamp && odometryReaches(*stamp); stamp = frames_.readyStamp())
   {
-    if (!odometryReaches(*stamp)) return;
-    finished.push_back(process(frames_.pop()));
+    any = true;
+    steps_.add(frames_.pop());
+    collect(finished);
     static_cast<void>(frames_.takeObjectFrames());
-    overview_.odometry.forgetBefore(frames_.odometryNeededFrom());
+    // A restart moves its pose to the frame that it waits for.
+    if (!steps_.hasWaiting()) overview_.odometry.forgetBefore(frames_.odometryNeededFrom());
+  }
+  return any;
+}
+
+void OnlineLocalizer::collect(std::vector<OnlineEstimate>& finished)
+{
+  while (const auto frame = steps_.next()) finished.push_back(stated(*frame));
+}
+
+void OnlineLocalizer::collectAll(std::vector<OnlineEstimate>& finished)
+{
+  while (steps_.hasWaiting())
+  {
+    steps_.goOn();
+    collect(finished);
   }
 }
 
@@ -168,19 +203,23 @@ bool OnlineLocalizer::odometryReaches(double stamp) const
          newest_ - stamp > options_.odometry_wait;
 }
 
-OnlineEstimate OnlineLocalizer::process(const Frame& frame)
+Estimate OnlineLocalizer::process(const Frame& frame)
 {
   for (; !restarts_.empty() && restarts_.front().time <= frame.time; restarts_.pop_front())
     restart(restarts_.front(), frame.time);
-  const Estimate estimate = filter_->process(frame);
+  return filter_->process(frame);
+}
+
+OnlineEstimate OnlineLocalizer::stated(const SlicedLocalizer::Finished& finished)
+{
   const FilterStep& step = filter_->lastStep();
   {
     const std::lock_guard lock(exchange_);
-    newest_estimate_ = estimate.point;
-    recent_.forgetBefore(frame.time);
+    newest_estimate_ = finished.estimate.point;
+    recent_.forgetBefore(finished.frame.time);
   }
-  return {.time = frame.time,
-          .best = estimate.point,
+  return {.time = finished.frame.time,
+          .best = finished.estimate.point,
           .modes = step.modes.modes,
           .verdict = step.verdict,
           .reason = step.reason,

@@ -13,6 +13,7 @@
 
 #include "mrpt_ext/configuration/localization_config.h"
 #include "mrpt_ext/localizers/particle_filter_localizer.h"
+#include "mrpt_ext/localizers/sliced_localizer.h"
 
 namespace mrpt_ext
 {
@@ -24,6 +25,8 @@ struct OnlineOptions
   std::uint64_t seed = 1;        ///< of the random numbers
   double lateness = 0;           ///< [s] a record may be this much older than the newest; estimates wait as long
   double odometry_wait = 1;      ///< [s] that an estimate waits for odometry which reaches its time
+  /// [ms] of work, in counted operations, that estimates() does for every frame that it gets, or at once; 0: no limit.
+  double step_budget_ms = kStepBudgetMs;
 };
 
 /// The options of a configured app; methods, evaluation and files play no part.
@@ -50,7 +53,9 @@ struct OnlineEstimate
 ///     const auto now = robot.poseAt(0.12);
 ///
 /// Threads: every function may be called from any thread. The add functions and poseAt() never wait for the filter;
-/// estimates(), finish(), reset() and snapshot() wait for each other. The work is done by who calls estimates().
+/// estimates(), finish(), reset() and snapshot() wait for each other. The work is done by who calls estimates(), a step
+/// of it per call: what takes longer, as a start, goes on in the next calls, and its estimates come then
+/// (localizers/sliced_localizer.h).
 ///
 /// Memory depends on lateness, window, delays, and the longest time without detections, not on the time that it runs.
 /// Times may be of any clock, but of one.
@@ -75,6 +80,8 @@ class OnlineLocalizer
 
   /// What became final since the last call, in the order of time.
   [[nodiscard]] std::vector<OnlineEstimate> estimates();
+  /// True while frames wait for more work: who need not do anything else meanwhile calls estimates() again.
+  [[nodiscard]] bool working() const;
   /// No record will follow: what is left.
   [[nodiscard]] std::vector<OnlineEstimate> finish();
 
@@ -111,12 +118,17 @@ class OnlineLocalizer
   using Event = std::variant<Record, Restart, LandmarkTable>;
 
   void post(Event event);
-  void take(const Event& event);
+  void take(const Event& event, std::vector<OnlineEstimate>& finished);
   void take(const Record& record);
   void take(const LandmarkTable& map);
-  void processReady(std::vector<OnlineEstimate>& finished);
+  /// True when a frame was ready.
+  bool processReady(std::vector<OnlineEstimate>& finished);
+  void collect(std::vector<OnlineEstimate>& finished);
+  /// ... on all that waits.
+  void collectAll(std::vector<OnlineEstimate>& finished);
   [[nodiscard]] bool odometryReaches(double stamp) const;
-  [[nodiscard]] OnlineEstimate process(const Frame& frame);
+  [[nodiscard]] Estimate process(const Frame& frame);
+  [[nodiscard]] OnlineEstimate stated(const SlicedLocalizer::Finished& finished);
   void restart(const Restart& restart, double time);
   /// Pose and systematic errors as of the last estimate, for a filter that takes over.
   [[nodiscard]] Restart handover() const;
@@ -133,6 +145,7 @@ class OnlineLocalizer
   std::deque<Restart> restarts_;
   double newest_ = -std::numeric_limits<double>::infinity();  // [s] of the records taken
   std::uint64_t starts_ = 0;                                  // of the filter
+  SlicedLocalizer steps_;                                     // last: uses the others
 
   // Of those who add and ask
   mutable std::mutex exchange_;

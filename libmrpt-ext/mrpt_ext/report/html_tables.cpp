@@ -31,7 +31,8 @@ std::string methodRow(const MethodScore& method, const RunScore& score, bool bes
       {name + badge, countText(method.estimates), percentText(method.availability), magnitudeText(error.rmse),
        intervalText(method.rmse_low, method.rmse_high), magnitudeText(error.median), magnitudeText(error.p95),
        magnitudeText(error.max), numberText(method.heading_error_deg.rmse, 2),
-       magnitudeText(method.position_error_whole_run_m.rmse), numberText(method.step_ms_median, 3)},
+       magnitudeText(method.position_error_whole_run_m.rmse), numberText(method.step_ms_median, 3),
+       numberText(method.step_ms_p99, 3), numberText(method.step_ms_max, 3)},
       css_class);
 }
 
@@ -63,7 +64,7 @@ std::string methodTable(const RunScore& score)
   std::string rows;
   for (const MethodScore& method : score.methods) rows += methodRow(method, score, &method == best);
   return htmlTable({"method", "estimates", "available", "RMSE m", "95 % interval", "median m", "95 % m", "max m",
-                    "heading RMSE deg", "whole run RMSE m", "ms per step"},
+                    "heading RMSE deg", "whole run RMSE m", "ms per step", "99 % ms", "max ms"},
                    rows, "methods");
 }
 

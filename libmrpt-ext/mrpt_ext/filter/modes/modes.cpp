@@ -6,12 +6,15 @@
 
 #include "mrpt_ext/filter/modes/pose_histogram.h"
 #include "mrpt_ext/filter/particles/particle_blocks.h"
+#include "mrpt_ext/geometry/work_counter.h"
 
 namespace mrpt_ext
 {
 namespace
 {
 constexpr int kNoLabel = -1;
+// In operations (work_counter.h): of a particle; of a cell; of asking for the neighbours of one.
+constexpr std::size_t kCostOfParticle = 100, kCostOfCell = 300, kCostOfNeighbours = 700;
 constexpr double kCoreShare = 0.05;  // of the heaviest cell; lighter cells separate modes
 constexpr double kCompactStdXy = 0.5, kCompactStdPhi = degToRad(20.0);  // of a compact mode
 
@@ -29,6 +32,7 @@ int labelCores(const PoseHistogram& grid, double threshold, std::vector<int>& la
     {
       const std::size_t cell = open.back();
       open.pop_back();
+      WorkCounter::add(kCostOfNeighbours);
       grid.forNeighbours(cell,
                          [&](std::size_t next)
                          {
@@ -52,6 +56,7 @@ int labelRest(const PoseHistogram& grid, int labels, std::vector<int>& label)
   for (const std::size_t cell : order)
   {
     if (label[cell] != kNoLabel) continue;
+    WorkCounter::add(kCostOfNeighbours);
     double best = -1;
     grid.forNeighbours(cell,
                        [&](std::size_t next)
@@ -126,7 +131,9 @@ ModeSet findModes(const ParticleSet& particles, const ModeOptions& options, unsi
 {
   ModeSet result;
   if (particles.empty()) return result;
+  WorkCounter::add(kCostOfParticle * particles.size());
   PoseHistogram grid(particles, options.cell_xy, options.cell_phi, threads, std::move(buffer));
+  WorkCounter::add(kCostOfCell * grid.size());
   double heaviest = 0;
   for (std::size_t cell = 0; cell < grid.size(); ++cell) heaviest = std::max(heaviest, grid.weight(cell));
   std::vector<int> label(grid.size(), kNoLabel);

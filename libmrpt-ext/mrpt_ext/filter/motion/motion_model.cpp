@@ -4,11 +4,14 @@
 
 #include "mrpt_ext/filter/motion/motion_kernel.h"
 #include "mrpt_ext/filter/particles/particle_blocks.h"
+#include "mrpt_ext/geometry/work_counter.h"
 
 namespace mrpt_ext
 {
 namespace
 {
+constexpr std::size_t kCostOfMove = 15;  // of a particle, in operations (work_counter.h)
+
 /// Derivative of the end point by a heading error: the chord, rotated by 90 degrees.
 Vector2d swingDirection(const MotionModel& model, const OdometryMotion& motion)
 {
@@ -89,6 +92,7 @@ void sampleMotion(ParticleSet& particles, const MotionModel& model, const Odomet
                         .swing_y = static_cast<float>(swing.y()),
                         .std_turn = static_cast<float>(std_turn)};
   const std::uint64_t seed = random.nextBits();
+  WorkCounter::add(kCostOfMove * particles.size());
   forEachBlock(particles.size(), threads,
                [&](std::size_t first, std::size_t count)
                {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <atomic>
 
+#include "mrpt_ext/geometry/work_counter.h"
+
 namespace mrpt_ext
 {
 void forEachBlock(std::size_t particles, unsigned threads, const std::function<void(std::size_t, std::size_t)>& work)
@@ -17,6 +19,7 @@ void forEachBlock(std::size_t particles, unsigned threads, const std::function<v
     for (std::size_t b = 0; b < blocks; ++b) block(b);
     return;
   }
+  const WorkCounter::Undivided other_threads_take_part;
   // TBB hands the blocks over and back in its library, where the thread sanitizer does not look; the counter shows it.
   std::atomic<std::size_t> left;
   left.store(blocks, std::memory_order_release);

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <optional>
+
+#include "mrpt_ext/geometry/sliced_work.h"
+#include "mrpt_ext/localizers/localizer.h"
+
+namespace mrpt_ext
+{
+/// Makes the steps of a localizer short. Every frame brings the work of one step with it; a frame that takes more goes
+/// on in the next steps, and later frames wait for it. The estimates are those of the localizer itself, whatever a step
+/// may do: some of them come some frames late. A step of 50 ms is exceeded at the start, by searches of a lost robot,
+/// and hardly ever else.
+class SlicedLocalizer
+{
+ public:
+  using Process = std::function<Estimate(const Frame&)>;
+  struct Finished
+  {
+    Frame frame;
+    Estimate estimate;
+  };
+  /// Frames that wait at most. Of a localizer that is too slow for its budget in the long run, steps take longer.
+  static constexpr std::size_t kMostWaiting = 250;
+
+  /// `process`: of the localizer. `step_budget_ms`: in counted operations (work_counter.h), so that it is the same on
+  /// every machine; 0: no limit.
+  SlicedLocalizer(Process process, double step_budget_ms);
+
+  /// A frame, and the work of a step.
+  void add(Frame frame);
+  /// The work of a step without a frame.
+  void goOn();
+  /// The next frame that is finished; nothing when no frame waits, or the work of this step is done. Until the next
+  /// call the localizer is as this frame left it.
+  std::optional<Finished> next();
+  /// True while next() has not given all frames.
+  [[nodiscard]] bool hasWaiting() const { return !waiting_.empty() || !work_.isDone(); }
+  /// Processor time [s] that the calling thread did not spend itself.
+  [[nodiscard]] double cpuSeconds() { return work_.cpuSeconds(); }
+
+ private:
+  Process process_;
+  std::uint64_t step_;      // operations
+  std::uint64_t left_ = 0;  // of this step
+  std::deque<Frame> waiting_;
+  Finished current_;
+  SlicedWork work_;  // last: its destructor ends the work
+};
+}  // namespace mrpt_ext

@@ -1,0 +1,42 @@
+#include <gtest/gtest.h>
+
+#include "mrpt_ext/files/text_file.h"
+#include "scratch_folder.h"
+#include "whole_runs.h"
+
+// What a step of the particle filter may take changes no estimate: those of long steps come later.
+namespace mrpt_ext
+{
+namespace
+{
+namespace fs = std::filesystem;
+using testing::Arguments;
+
+class StepBudget : public ::testing::TestWithParam<const char*>
+{
+ protected:
+  /// The tables that a run with this budget leaves.
+  std::string tables(const testing::LogFiles& log, const std::string& budget_ms)
+  {
+    const std::string key = "LocalizationExperiment.step_budget_ms=" + budget_ms;
+    const fs::path run =
+        testing::localized(folder_.path() / budget_ms, GetParam(), testing::joined(log.arguments(), {"--set", key}));
+    return readTextFile(run / "steps.csv") + readTextFile(run / "hypotheses.csv");
+  }
+
+  testing::ScratchFolder folder_;
+};
+}  // namespace
+
+TEST_P(StepBudget, ChangesNoEstimate)
+{
+  const testing::LogFiles log = testing::simulated(folder_.path(), GetParam());
+  const std::string without = tables(log, "0");
+  EXPECT_GT(without.size(), 5000U);
+  EXPECT_TRUE(tables(log, "2") == without);
+  EXPECT_TRUE(tables(log, "50") == without);
+}
+
+INSTANTIATE_TEST_SUITE_P(OfSimulatedRuns, StepBudget, ::testing::Values("room", "kidnap", "symmetric"),
+                         [](const auto& scenario) { return std::string(scenario.param); });
+}  // namespace mrpt_ext
