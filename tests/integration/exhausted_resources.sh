@@ -8,8 +8,9 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 fail() { echo "$*"; cat "$work/err"; exit 1; }
 without_rights=()
+duration=$([ -n "${LANDMARK_SHORT_TESTS:-}" ] && echo 2 || echo 6)  # short under the sanitizers
 localize() {
-  "${without_rights[@]}" "$bin/landmark-localization" "$ini/landmark-localization/quickstart.ini" --duration 6 -q -o "$1" \
+  "${without_rights[@]}" "$bin/landmark-localization" "$ini/landmark-localization/quickstart.ini" --duration $duration -q -o "$1" \
     --set LocalizationExperiment.methods=particle_filter --set LocalizationExperiment.particles_count=200
 }
 simulate() { "${without_rights[@]}" "$bin/landmark-simulator" "$ini/landmark-simulator/quickstart.ini" -o "$1/log.rawlog"; }

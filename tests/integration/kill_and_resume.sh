@@ -6,8 +6,10 @@ set -euo pipefail
 program=$1/landmark-localization config=$2/ini/landmark-localization/quickstart.ini kills=$3
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-study=("$program" "$config" --duration 6 --repeat 6 -q --set LocalizationExperiment.methods=particle_filter
-  --set LocalizationExperiment.particles_count=200 --set LocalizationExperiment.initial_particles_count=2000)
+duration=6 particles=2000
+[ -z "${LANDMARK_SHORT_TESTS:-}" ] || duration=2 particles=200  # under the sanitizers
+study=("$program" "$config" --duration $duration --repeat 6 -q --set LocalizationExperiment.methods=particle_filter
+  --set LocalizationExperiment.particles_count=200 --set LocalizationExperiment.initial_particles_count=$particles)
 
 start=$(date +%s%N)
 "${study[@]}" -o "$work/whole" >/dev/null

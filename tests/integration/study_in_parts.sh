@@ -11,8 +11,10 @@ apps=$2/apps/landmark-localization config=$2/ini/landmark-localization/quickstar
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
-brief=(--duration 6 --set LocalizationExperiment.methods=particle_filter
-  --set LocalizationExperiment.particles_count=200 --set LocalizationExperiment.initial_particles_count=2000)
+duration=6 particles=2000
+[ -z "${LANDMARK_SHORT_TESTS:-}" ] || duration=2 particles=200  # under the sanitizers
+brief=(--duration $duration --set LocalizationExperiment.methods=particle_filter
+  --set LocalizationExperiment.particles_count=200 --set LocalizationExperiment.initial_particles_count=$particles)
 
 same() {
   local compared=0 file

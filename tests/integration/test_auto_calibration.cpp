@@ -6,6 +6,7 @@
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/settings/settings.h"
 #include "scratch_folder.h"
+#include "test_length.h"
 #include "whole_runs.h"
 
 namespace mrpt_ext
@@ -114,7 +115,9 @@ TEST(AutoCalibration, IsNotForShortLogs)
 TEST(BuiltInConfiguration, NeedsALogAndAMapOnly)
 {
   const testing::ScratchFolder folder;
-  const testing::LogFiles log = testing::simulated(folder.path(), "half-field");
+  const testing::LogFiles log =
+      testing::simulated(folder.path(), "half-field",
+                         {"--set", testing::isShort() ? "Simulation.duration_s=20" : "Simulation.duration_s=90"});
   const auto out = folder.path() / "run";
   const testing::AppOutcome outcome = testing::localize(joined(log.arguments(), {"-o", out, "-q"}));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -1,5 +1,6 @@
 #include "stock_tools.h"
 
+#include <dlfcn.h>
 #include <unistd.h>
 
 #include <array>
@@ -44,6 +45,15 @@ bool isInstalled(const std::string& program)
 std::filesystem::path pluginPath(const std::string& folder)
 {
   return std::filesystem::path(MRPT_EXT_BINARY_DIR) / "lib" / ("libmrpt_ext_" + folder + ".so");
+}
+
+std::string preload(const std::string& folder)
+{
+  Dl_info runtime{};
+  const void* sanitizer = dlsym(RTLD_DEFAULT, "__asan_init");
+  const bool is_sanitized = sanitizer && dladdr(sanitizer, &runtime) != 0;
+  return "LD_PRELOAD='" + (is_sanitized ? runtime.dli_fname + std::string(" ") : "") + pluginPath(folder).string() +
+         "'";
 }
 
 std::string readText(const std::filesystem::path& path)

@@ -9,7 +9,7 @@ namespace mrpt_ext
 {
 /// Runs MRPT's own programs with our plugins in a folder of its own for each test. Their exit codes mean little (0 also
 /// when nothing could be read): look at what they print and write.
-class StockToolTest : public testing::Test
+class StockToolTest : public ::testing::Test
 {
  protected:
   void SetUp() override;
@@ -27,6 +27,10 @@ class StockToolTest : public testing::Test
 
 /// The plugin of a folder of the tree, e.g. "observations".
 [[nodiscard]] std::filesystem::path pluginPath(const std::string& folder);
+
+/// LD_PRELOAD=... for a program that is to know the plugin's classes. The runtime of the address sanitizer, where this
+/// build has one, has to be first.
+[[nodiscard]] std::string preload(const std::string& folder);
 
 [[nodiscard]] std::string readText(const std::filesystem::path& path);
 [[nodiscard]] inline bool contains(const std::string& text, const std::string& part)

@@ -2,6 +2,7 @@
 
 #include "mrpt_ext/files/text_file.h"
 #include "stock_tools.h"
+#include "test_length.h"
 
 namespace mrpt_ext
 {
@@ -13,8 +14,9 @@ class LiveView : public StockToolTest
  protected:
   std::string command() const
   {
-    return MRPT_EXT_BINARY_DIR "/bin/landmark-localization " MRPT_EXT_SOURCE_DIR
-                               "/ini/landmark-localization/quickstart.ini";
+    return std::string(MRPT_EXT_BINARY_DIR "/bin/landmark-localization " MRPT_EXT_SOURCE_DIR
+                                           "/ini/landmark-localization/quickstart.ini") +
+           (testing::isShort() ? " --duration 10" : "");
   }
 };
 
