@@ -27,8 +27,11 @@ void expectSame(const Content& a, const Content& b)
 /// Anonymous bearings from an unknown start: the interpretation tree, thousands of particles, many modes.
 Arguments roomArguments()
 {
-  return {"--duration", testing::isShort() ? "9" : "14", "--set",
-          std::string("LocalizationExperiment.initial_particles_count=") + (testing::isShort() ? "1000" : "4000")};
+  const std::string section = "LocalizationExperiment.";
+  if (testing::isShort())
+    return {
+        "--duration", "9", "--set", section + "initial_particles_count=1000", "--set", section + "particles_count=200"};
+  return {"--duration", "14", "--set", section + "initial_particles_count=4000"};
 }
 
 class Determinism : public ::testing::Test

@@ -42,7 +42,10 @@ TEST_F(LongRuns, MemoryHardlyGrowsWithTheLog)
   constexpr std::size_t kPerSecond = 2500;
   const std::size_t little = peakOf(short_, {}), much = peakOf(long_, {});
   RecordProperty("bytes_per_second", std::to_string((much - little) / (long_ - short_)));
-  if (!testing::isShort()) EXPECT_LT(much, little + kPerSecond * (long_ - short_)) << "short: " << little;
+  if (!testing::isShort())
+  {
+    EXPECT_LT(much, little + kPerSecond * (long_ - short_)) << "short: " << little;
+  }
   EXPECT_EQ(testing::stepsOf(run_).size(), 5U * long_ + 1);
   EXPECT_EQ(testing::stepsOf(run_, "odometry").size(), 5U * long_ + 1);
 }
@@ -54,6 +57,9 @@ TEST_F(LongRuns, ClosedFormsBesideTheFilterKeepAsLittle)
                           "LocalizationExperiment.methods=particle_filter odometry extended_kalman_filter "
                           "two_landmark_pose"};
   const std::size_t little = peakOf(short_, methods), much = peakOf(long_, methods);
-  if (!testing::isShort()) EXPECT_LT(much, little + kPerSecond * (long_ - short_)) << "short: " << little;
+  if (!testing::isShort())
+  {
+    EXPECT_LT(much, little + kPerSecond * (long_ - short_)) << "short: " << little;
+  }
 }
 }  // namespace mrpt_ext

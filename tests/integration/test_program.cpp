@@ -83,14 +83,16 @@ TEST(Program, InterruptedWhileItLoadsEndsWithALineWithinASecond)
   EXPECT_FALSE(fs::exists(run));
 }
 
+const std::string kFewParticles = "LocalizationExperiment.initial_particles_count=500";
+
 TEST(Program, AnInheritedIgnoreOfInterruptsIsKept)
 {
   const testing::ScratchFolder folder;
   const fs::path out = folder.path() / "out.txt", err = folder.path() / "err.txt";
-  ChildProgram child(
-      "landmark-localization",
-      {testing::shipped("landmark-localization", "quickstart"), "-o", folder.path() / "run", "--duration", "5"}, out,
-      err, true);
+  ChildProgram child("landmark-localization",
+                     {testing::shipped("landmark-localization", "quickstart"), "-o", folder.path() / "run",
+                      "--duration", "5", "--set", kFewParticles},
+                     out, err, true);
   child.waitUntilItHandles(SIGTERM);
   child.interrupt();
   EXPECT_EQ(child.exitCode(), 0) << readTextFile(err);
@@ -105,7 +107,7 @@ TEST(Program, OutputThatCannotBeWrittenIsAFailure)
   // The second one fails in the middle of its run.
   for (const testing::Arguments& arguments :
        {testing::Arguments{"--list-keys"},
-        testing::Arguments{quickstart, "-o", folder.path() / "run", "--duration", "5"}})
+        testing::Arguments{quickstart, "-o", folder.path() / "run", "--duration", "5", "--set", kFewParticles}})
   {
     ChildProgram child("landmark-localization", arguments, "/dev/full", err);
     EXPECT_EQ(child.exitCode(), 1);

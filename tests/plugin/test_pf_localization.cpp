@@ -87,7 +87,10 @@ TEST_F(StockPfLocalization, FindsTheRobotInTheShippedRoom)
   const auto errors =
       lateErrors(datasets / "room.rawlog", datasets / "room_map.csv", readTum(datasets / "room_ground_truth.tum"));
   ASSERT_GT(errors.size(), 30U) << output_;
-  if (!testing::isShort()) EXPECT_LT(mean(errors), 0.5) << output_.substr(0, 5000);
+  if (!testing::isShort())
+  {
+    EXPECT_LT(mean(errors), 0.5) << output_.substr(0, 5000);
+  }
   EXPECT_FALSE(contains(output_, "not registered"));
 }
 
@@ -98,7 +101,10 @@ TEST_F(StockPfLocalization, FindsTheRobotByBearingsRangesAndFixes)
   writeLandmarkCsv(folder() / "walk_map.csv", recording.map);
   const auto errors = lateErrors(folder() / "walk.rawlog", folder() / "walk_map.csv", recording.truth);
   ASSERT_GT(errors.size(), 30U) << output_;
-  if (!testing::isShort()) EXPECT_LT(mean(errors), 0.5) << output_.substr(0, 5000);
+  if (!testing::isShort())
+  {
+    EXPECT_LT(mean(errors), 0.5) << output_.substr(0, 5000);
+  }
 }
 
 TEST_F(StockPfLocalization, RoomIniNamesFilesThatExistBelowTheRoot)
