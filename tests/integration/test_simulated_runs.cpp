@@ -174,7 +174,9 @@ TEST(SimulatedRun, PostsThatLookLikeLandmarksProveNoPose)
   {
     if (testing::isShort() && seed != "4") continue;
     const testing::ScratchFolder folder;
-    const auto log = testing::simulated(folder.path(), "barriers", {"--seed", seed});
+    const auto log = testing::simulated(
+        folder.path(), "barriers",
+        {"--seed", seed, "--set", testing::isShort() ? "Simulation.duration_s=15" : "Simulation.duration_s=90"});
     const auto run = testing::localized(
         folder.path(), "barriers",
         testing::joined(log.arguments(), {"--seed", seed, "--set", "LocalizationExperiment.methods=particle_filter"}));
@@ -186,7 +188,10 @@ TEST(SimulatedRun, PostsThatLookLikeLandmarksProveNoPose)
       EXPECT_LT(testing::positionError(step, truth), 0.5) << "at " << step.time - truth.front().time << " s";
       ++ok;
     }
-    EXPECT_GT(ok, 20) << "seed " << seed;
+    if (!testing::isShort())
+    {
+      EXPECT_GT(ok, 20) << "seed " << seed;
+    }
   }
 }
 
