@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <deque>
+#include <sstream>
 
+#include "../importers/sample_data.h"
 #include "mrpt_ext/configuration/localization_keys.h"
 #include "mrpt_ext/files/landmark_csv.h"
 #include "mrpt_ext/files/text_file.h"
@@ -61,6 +63,19 @@ std::string onlineSteps(const fs::path& ini, const LogFiles& files, const std::v
   return text;
 }
 
+/// The first line in which two texts differ, and what stands there; empty where they are the same.
+std::string firstDifference(const std::string& a, const std::string& b)
+{
+  std::istringstream left(a), right(b);
+  for (int number = 1;; ++number)
+  {
+    std::string one, other;
+    const bool more = bool(std::getline(left, one)), also = bool(std::getline(right, other));
+    if (!more && !also) return {};
+    if (more != also || one != other) return "line " + std::to_string(number) + ": " + one + "\n" + other;
+  }
+}
+
 class OnlineReplay : public ::testing::Test
 {
  protected:
@@ -72,7 +87,8 @@ class OnlineReplay : public ::testing::Test
     const fs::path run = testing::localized(folder_.path(), name, arguments);
     const std::string of_app = readTextFile(run / "steps.csv");
     EXPECT_GT(of_app.size(), 5000U);
-    EXPECT_TRUE(of_app == onlineSteps(testing::shipped("landmark-localization", name), files, changes, delay)) << name;
+    const fs::path ini = testing::shipped("landmark-localization", name);
+    EXPECT_EQ(firstDifference(of_app, onlineSteps(ini, files, changes, delay)), "") << name;
   }
 
   testing::ScratchFolder folder_;
@@ -101,5 +117,38 @@ TEST_F(OnlineReplay, ScansOfASpinningScanner)
                                           {"--set", "Odometry.rate_hz=100", "--set", "Sensor_camera.rate_hz=20",
                                            "--set", "Sensor_camera.scan_duration_s=0.1"});
   expectSameSteps("tracking", log, {"Sensor_camera.scan_duration_s=0.1"});
+}
+
+TEST_F(OnlineReplay, MrptsUwbDemo)
+{
+  const fs::path rawlog = "/usr/share/mrpt/datasets/uwb_ro-localization_demo.rawlog";
+  if (!fs::exists(rawlog)) GTEST_SKIP() << rawlog << " is absent, it comes with mrpt-common";
+  const fs::path map =
+      testing::shipped("landmark-localization", "mrpt-uwb-demo").replace_filename("mrpt-uwb-demo_map.csv");
+  expectSameSteps("mrpt-uwb-demo", {rawlog, map, {}});
+}
+
+// Real recordings, whose folder is named by LANDMARK_DATA_DIR.
+TEST_F(OnlineReplay, CarPark)
+{
+  const fs::path recording = testing::recordingsFolder("carpark");
+  if (!fs::exists(recording)) GTEST_SKIP() << recording << " is absent";
+  const testing::ScratchFolder data;
+  for (const char* file : {"landmarks.csv", "ground_truth.tum", "detections.csv", "odometry.csv"})
+    fs::copy(recording / file, data.path() / file);
+  expectSameSteps("csv", testing::imported(folder_.path(), {"csv", data.path()}));
+}
+TEST_F(OnlineReplay, MrclamWithoutNames)
+{
+  const fs::path recording = testing::recordingsFolder("mrclam/MRCLAM_Dataset6");
+  if (!fs::exists(recording)) GTEST_SKIP() << recording << " is absent";
+  expectSameSteps("mrclam",
+                  testing::imported(folder_.path(), {"mrclam", recording, "--robot", "1", "--identity", "anonymous"}));
+}
+TEST_F(OnlineReplay, Plaza)
+{
+  const fs::path recording = testing::recordingsFolder("plaza");
+  if (!fs::exists(recording)) GTEST_SKIP() << recording << " is absent";
+  expectSameSteps("plaza", testing::imported(folder_.path(), {"plaza", recording}));
 }
 }  // namespace mrpt_ext

@@ -17,21 +17,13 @@ namespace
 namespace fs = std::filesystem;
 using testing::Arguments;
 
-/// Converts a recording into `folder`/log.rawlog and its companions.
-testing::LogFiles converted(const fs::path& folder, const Arguments& format_and_input)
-{
-  const testing::LogFiles files = testing::logFiles(folder, "log");
-  const auto outcome = testing::convert(testing::joined(format_and_input, {"-q", "-o", files.rawlog}));
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  return files;
-}
-
 void expectMrclamRobotIsFound(const std::string& measurements)
 {
   const fs::path recording = testing::recordingsFolder("mrclam/MRCLAM_Dataset6");
   if (!fs::exists(recording)) GTEST_SKIP() << recording << " is absent";
   const testing::ScratchFolder folder;
-  const auto log = converted(folder.path(), {"mrclam", recording, "--robot", "1", "--measurements", measurements});
+  const auto log =
+      testing::imported(folder.path(), {"mrclam", recording, "--robot", "1", "--measurements", measurements});
   const auto summary = testing::summaryOf(testing::localized(folder.path(), "mrclam", log.arguments()));
   EXPECT_EQ(summary.at("success_rate"), 1.0) << summary.at("verdict_reason");
   EXPECT_LE(testing::positionRmse(summary), 0.40);
@@ -45,7 +37,7 @@ void expectSnapshotMedian(int set, double reference)
   const fs::path recording = testing::recordingsFolder("mrclam/MRCLAM_Dataset" + std::to_string(set));
   if (!fs::exists(recording)) GTEST_SKIP() << recording << " is absent";
   const testing::ScratchFolder folder;
-  const auto log = converted(folder.path(), {"mrclam-snapshots", recording});
+  const auto log = testing::imported(folder.path(), {"mrclam-snapshots", recording});
   const auto summary = testing::summaryOf(testing::localized(folder.path(), "mrclam-snapshots", log.arguments()));
   const double ml = testing::medianPositionError(summary, "bearing_maximum_likelihood");
   EXPECT_LE(ml, 1.1 * reference);
@@ -60,7 +52,7 @@ TEST(RecordedRun, MrptsLandmarkSlamDemo)
   const fs::path rawlog = "/usr/share/mrpt/datasets/kf-slam_demo.rawlog";
   if (!fs::exists(rawlog)) GTEST_SKIP() << rawlog << " is absent, it comes with mrpt-common";
   const testing::ScratchFolder folder;
-  const auto log = converted(folder.path(), {"mrpt-kf-slam", rawlog});
+  const auto log = testing::imported(folder.path(), {"mrpt-kf-slam", rawlog});
   const auto summary = testing::summaryOf(testing::localized(folder.path(), "mrpt-kf-slam-demo", log.arguments()));
   EXPECT_EQ(summary.at("success_rate"), 1.0) << summary.at("verdict_reason");
   EXPECT_EQ(summary.at("verdict"), "ok") << summary.at("verdict_reason");
@@ -72,7 +64,7 @@ TEST(RecordedRun, MrptsRangeOnlySlamDemo)
   const fs::path rawlog = "/usr/share/mrpt/datasets/RO-SLAM_demo.rawlog";
   if (!fs::exists(rawlog)) GTEST_SKIP() << rawlog << " is absent, it comes with mrpt-common";
   const testing::ScratchFolder folder;
-  const auto log = converted(folder.path(), {"mrpt-ro-slam", rawlog});
+  const auto log = testing::imported(folder.path(), {"mrpt-ro-slam", rawlog});
   const auto summary = testing::summaryOf(
       testing::localized(folder.path(), "mrpt-ro-slam-demo", {log.rawlog.string(), "--map", log.map.string()}));
   EXPECT_EQ(summary.at("verdict"), "ok") << summary.at("verdict_reason");
@@ -88,8 +80,8 @@ TEST(RecordedRun, CarParkFromRawScans)
   fs::copy(recording / "speed_steering.csv", data.path() / "odometry.csv");
   static_cast<void>(data.write("sensors.csv",
                                "sensor,x,y,z,yaw_deg,first_bearing_deg,last_bearing_deg\nlaser,3.78,0.5,0,0,-90,90\n"));
-  const auto log = converted(folder.path(),
-                             {"csv", data.path(), "--wheelbase", "2.83", "--wheel-offset", "0.76", "--base", "laser"});
+  const auto log = testing::imported(
+      folder.path(), {"csv", data.path(), "--wheelbase", "2.83", "--wheel-offset", "0.76", "--base", "laser"});
   const auto summary = testing::summaryOf(testing::localized(
       folder.path(), "reflectors", testing::joined(log.arguments(), {"--repeat", "5", "--jobs", "2"})));
   EXPECT_EQ(summary.at("success_rate"), 1.0);
@@ -119,7 +111,7 @@ TEST(RecordedRun, Labyrinth)
   const fs::path recording = testing::recordingsFolder("labyrinth_uwb");
   if (!fs::exists(recording)) GTEST_SKIP() << recording << " is absent";
   const testing::ScratchFolder folder;
-  const auto log = converted(folder.path(), {"labyrinth", recording});
+  const auto log = testing::imported(folder.path(), {"labyrinth", recording});
   const auto summary = testing::summaryOf(testing::localized(
       folder.path(), "labyrinth", testing::joined(log.arguments(), {"--repeat", "5", "--jobs", "2"})));
   EXPECT_EQ(summary.at("success_rate"), 1.0);
@@ -154,7 +146,7 @@ TEST(RecordedRun, CuhkszDelaysAreTold)
   const testing::ScratchFolder folder;
   const fs::path shipped = testing::shipped("landmark-localization", "cuhksz"), again = folder.path() / "cuhksz.ini";
   fs::copy(shipped, again);
-  (void)converted(folder.path(), {"cuhksz", recording, "--calibrate", again});
+  (void)testing::imported(folder.path(), {"cuhksz", recording, "--calibrate", again});
   EXPECT_EQ(readTextFile(again), readTextFile(shipped));
 }
 
@@ -164,7 +156,7 @@ TEST(RecordedRun, Cuhksz)
   const fs::path recording = testing::recordingsFolder("cuhksz_uwb_planar");
   if (!fs::exists(recording)) GTEST_SKIP() << recording << " is absent";
   const testing::ScratchFolder folder;
-  const auto log = converted(folder.path(), {"cuhksz", recording});
+  const auto log = testing::imported(folder.path(), {"cuhksz", recording});
   const auto summary = testing::summaryOf(
       testing::localized(folder.path(), "cuhksz", testing::joined(log.arguments(), {"--duration", "20"})));
   EXPECT_EQ(summary.at("success_rate"), 1.0);
@@ -185,7 +177,7 @@ TEST(RecordedRun, Roh)
   const fs::path recording = testing::recordingsFolder("roh_angulation");
   if (!fs::exists(recording)) GTEST_SKIP() << recording << " is absent";
   const testing::ScratchFolder folder;
-  const auto log = converted(folder.path(), {"roh", recording});
+  const auto log = testing::imported(folder.path(), {"roh", recording});
   const auto summary = testing::summaryOf(testing::localized(folder.path(), "roh", log.arguments()));
   EXPECT_LE(testing::medianPositionError(summary, "bearing_maximum_likelihood"), 0.10);
   EXPECT_EQ(summary.at("methods").at("bearing_maximum_likelihood").at("availability"), 1);

@@ -51,11 +51,22 @@ fs::path shipped(const std::string& app, const std::string& name)
   return fs::path(MRPT_EXT_SOURCE_DIR) / "ini" / app / (name + ".ini");
 }
 
-Arguments LogFiles::arguments() const { return {rawlog, "--map", map, "--ground-truth", truth}; }
+Arguments LogFiles::arguments() const
+{
+  return truth.empty() ? Arguments{rawlog, "--map", map} : Arguments{rawlog, "--map", map, "--ground-truth", truth};
+}
 
 LogFiles logFiles(const fs::path& folder, const std::string& stem)
 {
   return {folder / (stem + ".rawlog"), folder / (stem + "_map.csv"), folder / (stem + "_ground_truth.tum")};
+}
+
+LogFiles imported(const fs::path& folder, const Arguments& arguments)
+{
+  const LogFiles files = logFiles(folder, "log");
+  const AppOutcome outcome = convert(joined(arguments, {"-q", "-o", files.rawlog}));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  return files;
 }
 
 LogFiles simulated(const fs::path& folder, const std::string& scenario, const Arguments& more)

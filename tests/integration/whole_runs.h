@@ -31,10 +31,14 @@ struct AppOutcome
 struct LogFiles
 {
   std::filesystem::path rawlog, map, truth;
-  /// RAWLOG, --map and --ground-truth for landmark-localization.
+  /// RAWLOG, --map and, if there is a truth, --ground-truth for landmark-localization.
   [[nodiscard]] Arguments arguments() const;
 };
 [[nodiscard]] LogFiles logFiles(const std::filesystem::path& folder, const std::string& stem);
+
+/// Imports a recording: `arguments` of dataset2rawlog are the format, the input and options; a failure is a failure of
+/// the test.
+LogFiles imported(const std::filesystem::path& folder, const Arguments& arguments);
 
 /// Plays ini/landmark-simulator/<scenario>.ini into `folder`; a failure is a failure of the test.
 LogFiles simulated(const std::filesystem::path& folder, const std::string& scenario, const Arguments& more = {});
