@@ -61,20 +61,22 @@ def linear_to_srgb(v):
 
 
 def render(pov_text, W, H, out_png, aa=0.08, keep_pov=None, ss=1):
-    """ss > 1: brute-force supersampling (ss x ss rays per pixel, box-averaged in linear light).
-    POV-Ray's adaptive anti-aliasing misses structures thinner than a pixel, ss does not."""
+    """ss > 1 or (columns, rows): brute-force supersampling (so many rays per pixel, box-averaged in linear light).
+    POV-Ray's adaptive anti-aliasing misses structures thinner than a pixel, ss does not. An upright edge is then up to
+    half a ray beside its place."""
+    sx, sy = ss if isinstance(ss, (tuple, list)) else (ss, ss)
     base = out_png[:-4]
     pov = keep_pov or base + ".pov"
     with open(pov, "w") as f:
         f.write(pov_text)
-    cmd = ["povray", "+I" + pov, "+O" + out_png, "+W%d" % (W * ss), "+H%d" % (H * ss), "-D", "-GA", "+FN8", "+WT1"]
-    cmd += ["-A"] if ss > 1 else ["+A%g" % aa, "+AM1", "+R4", "-J"]
+    cmd = ["povray", "+I" + pov, "+O" + out_png, "+W%d" % (W * sx), "+H%d" % (H * sy), "-D", "-GA", "+FN8", "+WT1"]
+    cmd += ["-A"] if sx * sy > 1 else ["+A%g" % aa, "+AM1", "+R4", "-J"]
     r = subprocess.run(cmd, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     if r.returncode != 0 or not os.path.exists(out_png):
         raise RuntimeError("povray failed: " + r.stderr[-2000:])
-    if ss > 1:
+    if sx * sy > 1:
         im = srgb_to_linear(cv2.imread(out_png).astype(np.float32) / 255)
-        im = im.reshape(H, ss, W, ss, 3).mean(axis=(1, 3))
+        im = im.reshape(H, sy, W, sx, 3).mean(axis=(1, 3))
         cv2.imwrite(out_png, np.rint(linear_to_srgb(im) * 255).astype(np.uint8))
     if not keep_pov:
         os.remove(pov)

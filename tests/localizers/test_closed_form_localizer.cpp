@@ -46,6 +46,17 @@ TEST(ClosedFormLocalizer, ASingleDoubtfulCandidateIsAmbiguous)
   }
 }
 
+TEST(ClosedFormLocalizer, AnImpreciseCandidateIsAmbiguous)
+{
+  const auto verdict = [](bool heading_known, const ErrorLimits& limits) {
+    return estimateFrom({SolveStatus::ok, {at(1, -3, heading_known)}}, 0, limits).point->verdict;
+  };
+  EXPECT_EQ(verdict(true, {0.29, 0.21}), Verdict::ok);  // twice the standard deviations of 0.14 m and 0.1 rad
+  EXPECT_EQ(verdict(true, {0.27, 0.21}), Verdict::ambiguous);
+  EXPECT_EQ(verdict(true, {0.29, 0.19}), Verdict::ambiguous);
+  EXPECT_EQ(verdict(false, {0.29, 0.19}), Verdict::ok);
+}
+
 TEST(ClosedFormLocalizer, EqualScoresAreAmbiguousAndGiveNoEstimate)
 {
   const Estimate estimate = estimateFrom({SolveStatus::ok, {at(1, -3), at(2, -3), at(3, -9)}}, 0);

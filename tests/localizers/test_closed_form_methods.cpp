@@ -164,6 +164,18 @@ TEST(TwoLandmarkPose, AveragesRepeatedPoints)
   expectPose(twoLandmarkPose(frameOf({reading}), kMap), kRobot);
 }
 
+TEST(TwoLandmarkPose, LandmarksFartherFromEachOtherThanOnTheMapAreDoubtful)
+{
+  for (const std::vector<std::size_t>& seen : {std::vector<std::size_t>{0, 2}, {0, 1, 2, 3, 4}})
+  {
+    Reading reading = seenFrom(kRobot, kMap, seen, kPoints);
+    for (Detection& d : reading.detections) *d.range += d.std_range;
+    EXPECT_TRUE(twoLandmarkPose(frameOf({reading}), kMap).unique) << seen.size();
+    for (Detection& d : reading.detections) *d.range += 9 * d.std_range;
+    EXPECT_FALSE(twoLandmarkPose(frameOf({reading}), kMap).unique) << seen.size();
+  }
+}
+
 TEST(TwoLandmarkPose, OnePointIsTooFewAndBearingsAloneAreNoPoints)
 {
   EXPECT_EQ(twoLandmarkPose(frameOf({seenFrom(kRobot, kMap, {0, 0}, kPoints)}), kMap).status, SolveStatus::too_few);

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <opencv2/imgcodecs.hpp>
+
 #include "../support/synthetic_field.h"
 #include "mrpt_ext/vision/stereo/stereo_goal.h"
 
@@ -97,6 +99,23 @@ TEST(GoalCorners, AreNotMeasuredAtTheBackOfASideTooNarrowToBeSeen)
     }
 }
 
+TEST(GoalCorners, AreLeftOutWhereTheOtherSideTellsThatTheirOwnIsTooNarrowToBeSeen)
+{
+  int found = 0;
+  for (const double right : {0.01, 0.02, 0.03})  // [m] of the line of sight to the goal's right side
+  {
+    FieldPicture picture = recessed(1.1, 0.85 * testing::kWhite, testing::kYellow);
+    picture.boards[0].right = picture.sides[0].left = picture.boards[2].left = 0.4 - right;
+    picture.boards[1].left = picture.sides[1].left = picture.boards[2].right = -right;
+    for (const GoalCorner& corner : cornersOf(picture))
+    {
+      EXPECT_LT(std::abs(corner.measured.position.x() - 1.1), 3 * corner.measured.std_range) << right;
+      found += corner.side > 0;
+    }
+  }
+  EXPECT_EQ(found, 3);
+}
+
 TEST(GoalCorners, AreThoseOfPalePaintToo)
 {
   expectGoal(cornersOf(withGoal(0.8, 0, {150, 105, 95})), 0.8, 0, 1);
@@ -165,6 +184,34 @@ TEST(GoalCorners, HaveStandardDeviations)
   EXPECT_LT(ranges / n, 3.0);
   EXPECT_GT(bearings / n, 0.3);
   EXPECT_LT(bearings / n, 4.0);
+}
+
+TEST(GoalCorners, StateTheErrorOfColourThatIsCoarserThanThePixels)
+{
+  double squares = 0, largest = 0;
+  int n = 0;
+  for (int i = 0; i < 16; ++i)
+    for (const cv::Vec3d& colour : {testing::kYellow, testing::kBlue})
+    {
+      const double wall = 0.8 + 0.023 * i;
+      const FieldPicture picture = withGoal(wall, 0.003 * i, colour);
+      auto pair = testing::paint(picture, i + 1);
+      for (cv::Mat* image : {&pair.left, &pair.right})
+      {
+        std::vector<unsigned char> file;
+        cv::imencode(".jpg", *image, file, {cv::IMWRITE_JPEG_QUALITY, 60});  // a colour for every second pixel
+        *image = cv::imdecode(file, cv::IMREAD_COLOR);
+      }
+      for (const GoalCorner& corner : viewStereoGoal(pair.left, pair.right, settingsFor(picture)).corners)
+      {
+        const double error = corner.measured.range - std::hypot(wall, 0.003 * i + 0.2 * corner.side);
+        squares += square(error / corner.measured.std_range), ++n;
+        largest = std::max(largest, std::abs(error / corner.measured.std_range));
+      }
+    }
+  ASSERT_GE(n, 56);
+  EXPECT_LT(squares / n, 1.3);
+  EXPECT_LT(largest, 3.3);
 }
 
 TEST(GoalCorners, AreFoundInOtherLightAndMoreNoise)

@@ -151,6 +151,28 @@ TEST(ImagesApp, ReadsImagesOfARawlog)
   EXPECT_NEAR(content.bearings[0]->detections.front().bearing, degToRad(-140), degToRad(0.12));
 }
 
+TEST(ImagesApp, TellsTheVerdictOfARunThatTheImagesDisagree)
+{
+  const ScratchFolder folder;
+  const fs::path shown = fs::path(MRPT_EXT_SOURCE_DIR) / "datasets/conic-mirror", images = folder.path() / "images";
+  fs::copy(shown, images);
+  for (const char* const name : {"room_08.jpg", "room_09.jpg", "room_10.jpg"})  // the mirror has been knocked
+  {
+    const cv::Mat before = cv::imread((shown / name).string());
+    cv::Mat after = before.clone();
+    before(cv::Rect(14, 0, before.cols - 14, before.rows)).copyTo(after(cv::Rect(0, 0, before.cols - 14, before.rows)));
+    cv::imwrite((images / name).string(), after);
+  }
+  const auto log = testing::logFiles(folder.path(), "log");
+  const auto outcome = runOn(images, log.rawlog);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("\nthe images disagree in 3 of 12 frames: expected"), std::string::npos) << outcome.err;
+  const auto summary = testing::summaryOf(testing::localized(folder.path(), "conic-mirror", log.arguments()));
+  EXPECT_NE(summary.at("verdict_reason").get<std::string>().find("; the log warns: the images disagree in 3 of 12"),
+            std::string::npos)
+      << summary.at("verdict_reason");
+}
+
 TEST(ImagesApp, ReportsMistakesInOneLine)
 {
   const ScratchFolder folder;

@@ -142,8 +142,9 @@ int convert(const ImageOptions& options, const Settings& settings, AppShell& she
         std::to_string(outcome.without_measurement) + " frames without measurement" +
         (outcome.contradicted > 0 ? ", " + std::to_string(outcome.contradicted) + " left out that others contradict"
                                   : ""));
-  if (const std::string text = disagreementText(outcome); !text.empty()) shell.err() << text << '\n';
-  writeRawlog(files.rawlog, outcome.recording);
+  const std::string disagreement = disagreementText(outcome);
+  if (!disagreement.empty()) shell.err() << disagreement << '\n';
+  writeRawlog(files.rawlog, outcome.recording, disagreement);
   print("wrote " + files.rawlog.string());
   const LandmarkTable map = images->map.empty() ? front_end->landmarks() : images->map;
   if (!map.empty()) writeLandmarkCsv(files.map, map);

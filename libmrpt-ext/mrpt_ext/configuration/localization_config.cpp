@@ -106,7 +106,8 @@ ParticleFilterOptions filterOptions(const Settings& settings, const LandmarkTabl
   return options;
 }
 
-RunningFixOptions runningFixOptions(const Settings& settings, const ParticleFilterOptions& filter)
+RunningFixOptions runningFixOptions(const Settings& settings, const ParticleFilterOptions& filter,
+                                    const ConvergenceLimits& limits)
 {
   RunningFixOptions options;
   options.heading_source = settings.choice(kExperimentSection, "heading_source", headingSources());
@@ -114,6 +115,7 @@ RunningFixOptions runningFixOptions(const Settings& settings, const ParticleFilt
     options.start_heading = HeadingPrior{filter.initial_pose.mean.phi, std::sqrt(filter.initial_pose.covariance(2, 2))};
   options.region = filter.region;
   options.motion = filter.motion;
+  options.limits = {limits.within_m, degToRad(limits.within_deg)};
   return options;
 }
 }  // namespace
@@ -129,7 +131,7 @@ LocalizationConfig localizationConfig(const Settings& settings, const LandmarkTa
   config.biases = biasModel(settings);
   config.filter = filterOptions(settings, map, config.limits);
   config.filter.biases = config.biases;
-  config.running_fix = runningFixOptions(settings, config.filter);
+  config.running_fix = runningFixOptions(settings, config.filter, config.limits);
   config.engine = settings.choice(kExperimentSection, "filter_engine", filterEngines());
   config.mrpt_algorithm = settings.choice("PF_options", "PF_algorithm", mrptAlgorithms());
   if (config.engine == FilterEngine::batch && config.mrpt_algorithm != 0)

@@ -13,6 +13,7 @@
 #include "mrpt_ext/files/tum.h"
 #include "mrpt_ext/frames/log_overview.h"
 #include "mrpt_ext/geometry/input_error.h"
+#include "mrpt_ext/rawlog/rawlog_comment.h"
 #include "mrpt_ext/rawlog/rawlog_source.h"
 #include "mrpt_ext/rawlog/sha256.h"
 
@@ -194,6 +195,7 @@ LocalizationInput loadLocalization(const Settings& settings, const LogWindow& wi
   if (source.hasSensoryFrames()) input.config.frames.window = 0;
   if (!source.clockNote().empty()) input.notes.push_back(source.clockNote());
   readOverview(input, source);
+  input.warning = statedWarning(source.comment());
   input.context.odometry = input.log.overview.odometry.trajectory();
   input.context.truth = loadTruth(settings, source);
   input.context.truth_is_sparse = isSparse(input.context.truth);

@@ -39,6 +39,7 @@ struct LocalizationInput
   LocalizationConfig config;
   FrameLog log;
   std::vector<std::string> notes;  ///< what the log lacks, and what is assumed for it
+  std::string warning;             ///< that the log itself states; empty: none
   UnusableCounts unusable;         ///< detections that were left out, by reason
   LogGaps gaps;
   std::vector<std::string> logged_sensors;     ///< labels of the records

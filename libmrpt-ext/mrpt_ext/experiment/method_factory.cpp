@@ -71,8 +71,11 @@ std::vector<MethodFactory::Entry> MethodFactory::closedForms() const
 {
   const PoseRegion region = config_.filter.region;
   const LandmarkTable& map = map_;
-  const auto entry = [](const std::string& name, bool applies, ClosedFormLocalizer::Method method) {
-    return Entry{name, applies, [name, method] { return std::make_unique<ClosedFormLocalizer>(name, method); }};
+  const ErrorLimits limits{config_.limits.within_m, degToRad(config_.limits.within_deg)};
+  const auto entry = [&](const std::string& name, bool applies, ClosedFormLocalizer::Method method)
+  {
+    return Entry{name, applies,
+                 [name, method, limits] { return std::make_unique<ClosedFormLocalizer>(name, method, limits); }};
   };
   return {
       entry("bearing_least_squares", available_.identified_bearing && map.size() >= 3,

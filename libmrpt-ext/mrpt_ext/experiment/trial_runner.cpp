@@ -100,14 +100,18 @@ std::map<std::string, LandmarkRecord> landmarkRecords(const FilterLocalizer& fil
   return records;
 }
 
-void finishFilter(const FilterLocalizer& filter, const LandmarkTable& map, RunRecord& run)
+void setVerdict(const VerdictWithReason& verdict, const std::string& warning, RunRecord& run)
+{
+  run.verdict = verdict.verdict;
+  run.verdict_reason = warning.empty() ? verdict.reason : verdict.reason + "; the log warns: " + warning;
+}
+
+void finishFilter(const FilterLocalizer& filter, const TrialInput& input, RunRecord& run)
 {
   for (const Mode& mode : filter.lastStep().modes.modes)
     if (mode.weight > 0.01) run.filter.modes_at_end.push_back({mode.pose, mode.weight});
-  run.landmarks = landmarkRecords(filter, map);
-  const VerdictWithReason verdict = verdictOfFilter(run, filter.lastStep());
-  run.verdict = verdict.verdict;
-  run.verdict_reason = verdict.reason;
+  run.landmarks = landmarkRecords(filter, input.methods.map());
+  setVerdict(verdictOfFilter(run, filter.lastStep()), input.run.warning, run);
 }
 
 /// The filter goes first, in steps that end soon; all that is to be done with a frame then waits for it.
@@ -242,13 +246,9 @@ void Trial::complete(const Finished& finished)
 void Trial::finish()
 {
   if (methods_.filter)
-    finishFilter(*methods_.filter, input_.methods.map(), run_);
+    finishFilter(*methods_.filter, input_, run_);
   else
-  {
-    const VerdictWithReason verdict = verdictOfClosedForms(run_);
-    run_.verdict = verdict.verdict;
-    run_.verdict_reason = verdict.reason;
-  }
+    setVerdict(verdictOfClosedForms(run_), input_.run.warning, run_);
   if (last_)
     outcome_.final_step =
         playbackStep(*last_, methods_.filter, input_.methods.map(), std::numeric_limits<std::size_t>::max());

@@ -17,6 +17,8 @@ namespace mrpt_ext
 {
 namespace
 {
+constexpr double kOutlierGate = 3.3;  ///< standard deviations: one error in a thousand
+
 /// Averages repeated measurements of one landmark from one sensor pose, in the order of first appearance.
 std::vector<LandmarkMeasurement> averaged(const std::vector<LandmarkMeasurement>& measurements)
 {
@@ -100,6 +102,13 @@ void refineInWindow(HypothesisSet& candidates, std::vector<Reading> readings, co
     if (const auto refined = refineOnWindow(readings, map, h.pose.mean)) h.pose = *refined;
 }
 
+/// Whether the landmarks are as far from each other as the map has them, given the errors that are stated.
+bool agreesWithMap(const PointPose& fit, std::size_t landmarks)
+{
+  const auto redundant = static_cast<double>(2 * landmarks - 3);  // the root of a sum of so many squares is as often
+  return std::sqrt(fit.chi2) <= std::sqrt(redundant - 1) + kOutlierGate;  // beyond as a single error is, or less often
+}
+
 const auto kAny = [](const LandmarkMeasurement&) { return true; };
 
 /// True if the bearings determine a pose: to three landmarks, or to two from several positions on the robot (the
@@ -179,7 +188,9 @@ ClosedFormResult twoLandmarkPose(const Frame& frame, const LandmarkTable& map)
   for (const LandmarkMeasurement& m : measurements)
     points.push_back({m.position, {m.pointInRobot(), m.pointCovariance()}});
   const PointPose fit = solvePointPose(points);
-  return single(fit.status, fit.pose, "two_landmark_pose");
+  ClosedFormResult result = single(fit.status, fit.pose, "two_landmark_pose");
+  result.unique = agreesWithMap(fit, points.size());
+  return result;
 }
 
 ClosedFormResult interpretationTree(const Frame& frame, const LandmarkTable& map, const GlobalPoseSearch& search,

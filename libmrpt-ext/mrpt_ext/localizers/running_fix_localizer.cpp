@@ -2,7 +2,6 @@
 
 #include "mrpt_ext/hypotheses/landmark_measurement.h"
 #include "mrpt_ext/likelihood/reading_likelihood.h"
-#include "mrpt_ext/localizers/closed_form_localizer.h"
 #include "mrpt_ext/localizers/closed_form_methods.h"
 
 namespace mrpt_ext
@@ -30,7 +29,7 @@ Estimate RunningFixLocalizer::process(const Frame& frame)
 
   ClosedFormResult result{.candidates = candidatesOf(fixes, frame)};
   result.status = result.candidates.empty() ? SolveStatus::none : SolveStatus::ok;
-  Estimate estimate = estimateFrom(std::move(result), frame.time);
+  Estimate estimate = estimateFrom(std::move(result), frame.time, options_.limits);
   if (estimate.point && options_.heading_source == HeadingSource::bearing) heading_ = headingOf(estimate.point->pose);
   return estimate;
 }

@@ -7,7 +7,7 @@
 
 #include "mrpt_ext/filter/motion/motion_model.h"
 #include "mrpt_ext/hypotheses/pose_region.h"
-#include "mrpt_ext/localizers/localizer.h"
+#include "mrpt_ext/localizers/closed_form_localizer.h"
 #include "mrpt_ext/solvers/running_fix_pose.h"
 
 namespace mrpt_ext
@@ -27,6 +27,7 @@ struct RunningFixOptions
   std::optional<HeadingPrior> start_heading;  ///< known start, for HeadingSource::bearing
   PoseRegion region;                          ///< candidates outside are dropped
   MotionModel motion;
+  ErrorLimits limits;
 };
 
 /// The running fix of paper 004: logged fixes, or two ranges to one landmark with odometry in between. The candidates

@@ -2,6 +2,7 @@
 
 #include <mrpt/serialization/CArchive.h>
 
+#include <sstream>
 #include <stdexcept>
 #include <vector>
 
@@ -26,6 +27,16 @@ std::string readLongText(mrpt::serialization::CArchive& in)
   }
   return text;
 }
+const std::string kEntries = "entries=", kWarning = "warning=";
+
+/// What the first line that begins so ends with; empty without.
+std::string stated(const std::string& comment, const std::string& beginning)
+{
+  std::istringstream lines(comment);
+  for (std::string line; std::getline(lines, line);)
+    if (line.rfind(beginning, 0) == 0) return line.substr(beginning.size());
+  return "";
+}
 }  // namespace
 
 void writeComment(mrpt::serialization::CArchive& out, const std::string& text, double time)
@@ -47,4 +58,19 @@ std::string readComment(mrpt::serialization::CArchive& in, const ObjectHeader& h
   if (in.ReadAs<std::uint8_t>() != kObjectEnd) throw std::runtime_error("the end of the comment is missing");
   return text;
 }
+
+std::string commentOf(std::size_t entries, const std::string& warning)
+{
+  const std::string text = kEntries + std::to_string(entries);
+  return warning.empty() ? text : text + '\n' + kWarning + warning;
+}
+
+std::optional<std::size_t> statedEntries(const std::string& comment)
+{
+  std::size_t number = 0;
+  if (std::istringstream(stated(comment, kEntries)) >> number) return number;
+  return std::nullopt;
+}
+
+std::string statedWarning(const std::string& comment) { return stated(comment, kWarning); }
 }  // namespace mrpt_ext

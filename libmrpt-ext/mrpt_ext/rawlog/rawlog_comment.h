@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 
 namespace mrpt::serialization
@@ -21,4 +23,11 @@ void writeComment(mrpt::serialization::CArchive& out, const std::string& text, d
 
 /// The text of the comment that begins with this header. Throws where its end is missing.
 [[nodiscard]] std::string readComment(mrpt::serialization::CArchive& in, const ObjectHeader& header);
+
+/// What our logs state of themselves, a line each: "entries=N", and "warning=..." unless the warning is empty.
+[[nodiscard]] std::string commentOf(std::size_t entries, const std::string& warning);
+/// The number of entries that a comment states.
+[[nodiscard]] std::optional<std::size_t> statedEntries(const std::string& comment);
+/// The warning in a comment; empty without.
+[[nodiscard]] std::string statedWarning(const std::string& comment);
 }  // namespace mrpt_ext

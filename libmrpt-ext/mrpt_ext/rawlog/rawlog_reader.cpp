@@ -198,15 +198,4 @@ void RawlogReader::compareWithStatedEntries() const
                   " entries in its comment; if a tool shortened it on purpose, remove the comment with: "
                   "rawlog-edit --remove-label entries -i IN -o OUT");
 }
-
-std::optional<std::size_t> statedEntries(const std::string& comment)
-{
-  std::istringstream lines(comment);
-  for (std::string line; std::getline(lines, line);)
-  {
-    std::size_t number = 0;
-    if (line.rfind("entries=", 0) == 0 && std::istringstream(line.substr(8)) >> number) return number;
-  }
-  return std::nullopt;
-}
 }  // namespace mrpt_ext

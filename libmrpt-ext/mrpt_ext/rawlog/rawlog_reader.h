@@ -70,7 +70,4 @@ class RawlogReader
   std::map<std::pair<std::string, int>, std::string> unreadable_;  // reason, by class (with namespace) and version
   std::map<std::pair<std::string, std::string>, std::size_t> skipped_;
 };
-
-/// N of a comment line "entries=N".
-[[nodiscard]] std::optional<std::size_t> statedEntries(const std::string& comment);
 }  // namespace mrpt_ext

@@ -89,29 +89,32 @@ LogSummary summaryOf(const std::filesystem::path& path, const RecordStream& reco
   return summary;
 }
 
-void writeTo(const std::filesystem::path& file, const LogSummary& summary, const RecordStream& records)
+void writeTo(const std::filesystem::path& file, const LogSummary& summary, const RecordStream& records,
+             const std::string& warning)
 {
   mrpt::io::CFileGZOutputStream stream;
   if (!stream.open(file.string())) throw std::runtime_error("cannot be opened");
   auto archive = mrpt::serialization::archiveFrom(stream);
   const ObservationMaker make(summary.ranging_sensors);
-  writeComment(archive, "entries=" + std::to_string(summary.entries), summary.first_time);
+  writeComment(archive, commentOf(summary.entries, warning), summary.first_time);
   while (const auto record = records()) archive << *std::visit(make, *record);
 }
 }  // namespace
 
-void writeRawlog(const std::filesystem::path& path, const Recording& recording)
+void writeRawlog(const std::filesystem::path& path, const Recording& recording, const std::string& warning)
 {
-  writeRawlog(path, [&recording] { return streamOf(recording.records); });
+  writeRawlog(
+      path, [&recording] { return streamOf(recording.records); }, warning);
 }
 
-std::size_t writeRawlog(const std::filesystem::path& path, const std::function<RecordStream()>& records)
+std::size_t writeRawlog(const std::filesystem::path& path, const std::function<RecordStream()>& records,
+                        const std::string& warning)
 {
   const LogSummary summary = summaryOf(path, records());
   StagedFile staged(path);
   try
   {
-    writeTo(staged.path(), summary, records());
+    writeTo(staged.path(), summary, records(), warning);
     // Closing does not report a full disk: check the trailing checksum.
     if (!checkRawlogFile(staged.path()).damage.empty()) throw std::runtime_error("incomplete");
   }

@@ -107,6 +107,25 @@ cv::Vec3f meanAround(const cv::Mat& bgr, int row, int column)
   return meanOf(bgr.ptr<cv::Vec3b>(row), bgr.cols, column - kMean / 2, kMean);
 }
 
+std::optional<double> brightnessStepAt(const cv::Mat& bgr, int row, double column, int side)
+{
+  const cv::Vec3b* const pixels = bgr.ptr<cv::Vec3b>(row);
+  const auto brightness = [](const cv::Vec3f& colour)
+  { return 0.114F * colour[0] + 0.587F * colour[1] + 0.299F * colour[2]; };
+  const int reach = kStepGap + kMean, u = static_cast<int>(std::floor(column));
+  if (u - reach + 1 < 0 || u + reach >= bgr.cols) return std::nullopt;
+  const float left = brightness(meanOf(pixels, bgr.cols, u - reach + 1, kMean)),
+              right = brightness(meanOf(pixels, bgr.cols, u + kStepGap + 1, kMean)), half = 0.5F * (left + right);
+  if (static_cast<float>(side) * (left - right) <= 0) return std::nullopt;
+  for (const int i : {u, u - 1, u + 1})
+  {
+    const float a = brightness(pixels[i]) - half, b = brightness(pixels[i + 1]) - half;
+    if (static_cast<float>(side) * a >= 0 && static_cast<float>(side) * b < 0)
+      return i + static_cast<double>(a / (a - b));
+  }
+  return std::nullopt;
+}
+
 std::vector<double> stepsInRow(const cv::Mat& bgr, int row, int first_column, int last_column, const ColourStep& step,
                                const cv::Vec3f& least_white)
 {

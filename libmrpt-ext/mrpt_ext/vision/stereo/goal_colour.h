@@ -1,6 +1,7 @@
 #pragma once
 
 #include <opencv2/core/mat.hpp>
+#include <optional>
 #include <vector>
 
 namespace mrpt_ext
@@ -47,6 +48,10 @@ struct ColourStep
 /// both sides.
 [[nodiscard]] std::vector<double> stepsInRow(const cv::Mat& bgr, int row, int first_column, int last_column,
                                              const ColourStep& step, const cv::Vec3f& least_white);
+
+/// Where the brightness alone is half way between both sides of a step that is about `column`, white at smaller columns
+/// (`side` +1) or at larger ones (-1). Cameras and JPEG files may keep colour in coarser pixels than brightness.
+[[nodiscard]] std::optional<double> brightnessStepAt(const cv::Mat& bgr, int row, double column, int side);
 
 /// The mean of three pixels of a row around a column; of fewer at the image's border.
 [[nodiscard]] cv::Vec3f meanAround(const cv::Mat& bgr, int row, int column);

@@ -21,6 +21,7 @@ constexpr int kFootPoints = 5;           ///< of a line
 constexpr double kFootStep = 0.6;        ///< [px] by more a wall's foot is lower where it covers the goal
 constexpr double kHollow = 140;          ///< [deg] a quarter of a turn, as badly as it can be measured
 constexpr double kLeastSide = 4;         ///< [px] columns of a goal's side that can be told from its back
+constexpr double kLeastCovered = 1;      ///< [px] of a goal's side by the wall, to be sure of it
 constexpr int kSameEdge = 2;             ///< [px] an edge of which the column is known
 constexpr int kSideReach = 5;            ///< [px] from the step that a narrow side is sought
 constexpr int kLevelColumns = 4;         ///< [px] beyond it, that tell the level of white and of colour
@@ -125,6 +126,7 @@ class CornerFinder
           const double std = std::hypot(front->measured.std_range, back.measured.std_range);
           front->white_bottom = back.white_bottom;
           moveToFoot(*front, turn);
+          front->side_width = std::abs(edge.middle.x - turn.middle.x);
           if (front->measured.range < back.measured.range &&
               std::abs(apart - settings_.goal_depth) < kDepthTolerance * settings_.goal_depth + 2 * std)
             return front;
@@ -316,6 +318,24 @@ class CornerFinder
   const GoalCornerSettings& settings_;
   UprightEdges edges_;
 };
+
+/// Both sides of a goal are white if one is. Together they are as wide in the image as the goal's back is narrower than
+/// its front; what is left of that beside the one that is seen is the other one's, unless the wall covers it.
+bool maybeHasUnseenSide(const GoalCorner& corner, const std::vector<GoalCorner>& all, double depth)
+{
+  if (corner.side_width > 0) return false;
+  return std::any_of(all.begin(), all.end(),
+                     [&](const GoalCorner& other)
+                     {
+                       if (other.colour != corner.colour || other.side == corner.side || !(other.side_width > 0))
+                         return false;
+                       const Eigen::Vector2d along = corner.measured.position - other.measured.position;
+                       const double front = 0.5 * (corner.measured.depth + other.measured.depth);
+                       const double deeper = depth * std::abs(along.y()) / along.norm();
+                       const double both = std::abs(corner.u_left - other.u_left) * deeper / (front + deeper);
+                       return both - other.side_width > -kLeastCovered;
+                     });
+}
 }  // namespace
 
 std::vector<GoalCorner> findGoalCorners(const cv::Mat& left, const cv::Mat& right, const StereoCamera& camera,
@@ -339,7 +359,9 @@ std::vector<GoalCorner> findGoalCorners(const cv::Mat& left, const cv::Mat& righ
     return 1 < std::count_if(all.begin(), all.end(),
                              [&](const GoalCorner& o) { return o.colour == c.colour && o.side == c.side; });
   };
-  corners.erase(std::remove_if(corners.begin(), corners.end(), isAmbiguous), corners.end());
+  std::erase_if(corners, isAmbiguous);
+  std::erase_if(corners,
+                [&, all = corners](const GoalCorner& c) { return maybeHasUnseenSide(c, all, settings.goal_depth); });
   return corners;
 }
 }  // namespace mrpt_ext

@@ -33,6 +33,7 @@ struct GoalCorner
   double row_top = 0, row_bottom = 0;  ///< [px] of the coloured side
   double white_bottom = 0;             ///< [px] of the white side
   StereoMeasurement measured;
+  double side_width = 0;  ///< [px] columns of the goal's own side, where that is white and seen
 };
 
 /// A pixel where the coarse scan found white beside a goal's colour.
@@ -49,7 +50,8 @@ struct CornerCandidate
 /// Corners of goals by paper 004: a coarse scan, the step searched for at full scale around it row by row, outliers
 /// over the rows removed, the same step in the right image. A robot in the goal's colour in front of a white wall is
 /// not as high as a goal where it stands, and its foot is below the wall's: it is left out; so are both of two that
-/// would be the same corner. Images are BGR of equal size.
+/// would be the same corner, and a corner whose white side is too narrow to be seen, as the goal's other side tells.
+/// Images are BGR of equal size.
 [[nodiscard]] std::vector<GoalCorner> findGoalCorners(const cv::Mat& left, const cv::Mat& right,
                                                       const StereoCamera& camera, const GoalCornerSettings& settings);
 }  // namespace mrpt_ext

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "mrpt_ext/geometry/angle.h"
@@ -18,6 +19,7 @@ constexpr int kLookRows = 8;            ///< rows of a first look
 constexpr int kLeastLookRows = 3;       ///< of them that must agree
 constexpr double kOutlier = 3;          ///< in robust standard deviations
 constexpr double kLeastScatter = 0.2;   ///< [px] least robust standard deviation of a row's column
+constexpr double kMostSlope = 0.08;     ///< columns per row of an upright edge: a camera may roll by some degrees
 constexpr double kAgreeingShare = 0.5;  ///< of the rows of the left image
 
 /// The value that most of all agree with, and how many do.
@@ -58,6 +60,36 @@ MeanColumn meanOf(const std::vector<Row>& rows, double Row::*member)
   for (const Row& r : rows) result.std += square(r.*member - result.mean);
   result.std = std::sqrt(result.std / (n * (n - 1)));
   return result;
+}
+
+/// Whether the columns, which were moved along an upright edge to one row, stay where they are from row to row.
+template <typename Row>
+bool isUpright(const std::vector<Row>& rows, double Row::*column)
+{
+  const double n = static_cast<double>(rows.size());
+  if (rows.size() < 3) return true;
+  double mean_row = 0, mean_column = 0, rr = 0, rc = 0, cc = 0;
+  for (const Row& r : rows) mean_row += r.row / n, mean_column += r.*column / n;
+  for (const Row& r : rows)
+  {
+    const double down = r.row - mean_row, aside = r.*column - mean_column;
+    rr += down * down, rc += down * aside, cc += aside * aside;
+  }
+  const double slope = rc / rr, variance = std::max(0.0, cc - slope * rc) / (n - 2) / rr;
+  return std::abs(slope) <= kMostSlope + kOutlier * std::sqrt(variance);
+}
+
+/// What colour and brightness tell of one column. Where they differ by more than their scatter, colour errs by it. The
+/// result is no surer than they are, since what the scatter does not show may move both alike.
+MeanColumn jointColumn(const MeanColumn& colour, const MeanColumn& brightness, double floor)
+{
+  const double colour_variance = square(colour.std) + std::max(0.0, square(colour.mean - brightness.mean) -
+                                                                        square(colour.std) - square(brightness.std));
+  const double of_colour = colour_variance + square(floor),
+               of_both = of_colour + square(brightness.std) + square(floor);
+  const double share = of_both > 0 ? of_colour / of_both : 0.5;  // of brightness
+  return {colour.mean + share * (brightness.mean - colour.mean),
+          (1 - share) * std::sqrt(colour_variance) + share * brightness.std};
 }
 
 /// Removes rows whose value is an outlier against the median and its scatter.
@@ -161,14 +193,46 @@ std::vector<UprightEdge> UprightEdges::in(const EdgeWindow& window, const Colour
     }
     removeOutliers(agreeing, &RowStep::disparity);
     if (static_cast<int>(agreeing.size()) < std::max(2, search_.min_rows)) continue;
-    const auto u = meanOf(agreeing, &RowStep::left), d = meanOf(agreeing, &RowStep::disparity);
-    UprightEdge edge{{u.mean, static_cast<double>((window.first_row + window.last_row) / 2)},
-                     d.mean,
-                     std::hypot(search_.std_column, u.std),
-                     std::hypot(search_.std_disparity, d.std),
-                     {}};
-    for (const RowStep& r : agreeing) edge.rows.push_back(r.row);
-    edges.push_back(edge);
+    if (isUpright(agreeing, &RowStep::left)) edges.push_back(measured(agreeing, window, step));
   }
+}
+
+/// The same rows of an edge, located by brightness.
+std::vector<UprightEdges::RowStep> UprightEdges::inBrightness(const std::vector<RowStep>& rows,
+                                                              const EdgeWindow& window, int side) const
+{
+  std::vector<RowStep> result;
+  for (const RowStep& r : rows)
+  {
+    const auto columnIn = [&](const cv::Mat& image, double at_middle) -> std::optional<double>
+    {
+      const double lean = at_middle - atMiddleRow(at_middle, r.row, window);
+      const auto column = brightnessStepAt(image, r.row, at_middle + lean, side);
+      return column ? std::optional(*column - lean) : std::nullopt;
+    };
+    const auto left = columnIn(left_, r.left), right = columnIn(right_, r.left - r.disparity);
+    if (left && right) result.push_back({r.row, *left, {}, *left - *right});
+  }
+  removeOutliers(result, &RowStep::left), removeOutliers(result, &RowStep::disparity);
+  return result;
+}
+
+UprightEdge UprightEdges::measured(const std::vector<RowStep>& rows, const EdgeWindow& window,
+                                   const ColourStep& step) const
+{
+  auto u = meanOf(rows, &RowStep::left), d = meanOf(rows, &RowStep::disparity);
+  const auto bright = step.colour ? inBrightness(rows, window, step.side) : std::vector<RowStep>{};
+  if (2 * bright.size() > rows.size() && bright.size() > 1)
+  {
+    u = jointColumn(u, meanOf(bright, &RowStep::left), search_.std_column);
+    d = jointColumn(d, meanOf(bright, &RowStep::disparity), search_.std_disparity);
+  }
+  UprightEdge edge{{u.mean, static_cast<double>((window.first_row + window.last_row) / 2)},
+                   d.mean,
+                   std::hypot(search_.std_column, u.std),
+                   std::hypot(search_.std_disparity, d.std),
+                   {}};
+  for (const RowStep& r : rows) edge.rows.push_back(r.row);
+  return edge;
 }
 }  // namespace mrpt_ext

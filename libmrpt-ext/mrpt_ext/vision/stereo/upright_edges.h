@@ -33,7 +33,9 @@ struct UprightEdge
 
 /// Upright edges of one kind in a rectified pair of BGR images, each row located by itself (paper 004: the search at
 /// full scale), rows moved along the edge, which leans when the cameras have a pitch, outliers removed, and the same
-/// step found in the right image. Several edges may be so close that only the disparity tells them apart.
+/// step found in the right image. An edge of a colour is located by its brightness as well, which counts more
+/// where they do not agree: colour is often coarser than the pixels. Several edges may be so close that only the
+/// disparity tells them apart.
 class UprightEdges
 {
  public:
@@ -50,6 +52,10 @@ class UprightEdges
   [[nodiscard]] double atMiddleRow(double column, int row, const EdgeWindow& window) const;
   [[nodiscard]] std::vector<RowStep> stepsInLeft(const EdgeWindow& window, const ColourStep& step) const;
   void searchRight(std::vector<RowStep>& rows, const EdgeWindow& window, const ColourStep& step) const;
+  [[nodiscard]] std::vector<RowStep> inBrightness(const std::vector<RowStep>& rows, const EdgeWindow& window,
+                                                  int side) const;
+  [[nodiscard]] UprightEdge measured(const std::vector<RowStep>& rows, const EdgeWindow& window,
+                                     const ColourStep& step) const;
 
   const cv::Mat& left_;
   const cv::Mat& right_;
