@@ -33,7 +33,8 @@ double StereoCamera::uprightSlope(const cv::Point2d& pixel) const
 {
   // The vanishing point of the vertical is (cx, cy + fy / tan(pitch)).
   const double x = (pixel.x - cx) / fx, y = (pixel.y - cy) / fy;
-  return fx / fy * x * std::sin(pitch) / (y * std::sin(pitch) - std::cos(pitch));
+  const double t = std::tan(pitch);
+  return fx / fy * x * t / (y * t - 1);
 }
 
 std::optional<StereoMeasurement> measureStereo(const StereoCamera& camera, const cv::Point2d& left, double disparity,

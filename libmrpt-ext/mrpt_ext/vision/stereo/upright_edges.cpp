@@ -124,8 +124,7 @@ UprightEdges::UprightEdges(const cv::Mat& left, const cv::Mat& right, const Ster
 
 double UprightEdges::atMiddleRow(double column, int row, const EdgeWindow& window) const
 {
-  const int middle = (window.first_row + window.last_row) / 2;
-  return column - camera_.uprightSlope(cv::Point2d(column, middle)) * (row - middle);
+  return column - camera_.uprightSlope(cv::Point2d(column, window.middle())) * (row - window.middle());
 }
 
 std::vector<UprightEdges::RowStep> UprightEdges::stepsInLeft(const EdgeWindow& window, const ColourStep& step) const
@@ -201,17 +200,16 @@ std::vector<UprightEdge> UprightEdges::in(const EdgeWindow& window, const Colour
 std::vector<UprightEdges::RowStep> UprightEdges::inBrightness(const std::vector<RowStep>& rows,
                                                               const EdgeWindow& window, int side) const
 {
+  const double middle = window.middle(), column = rows.front().left;
+  const double slope_left = camera_.uprightSlope({column, middle}),
+               slope_right = camera_.uprightSlope({column - rows.front().disparity, middle});
   std::vector<RowStep> result;
   for (const RowStep& r : rows)
   {
-    const auto columnIn = [&](const cv::Mat& image, double at_middle) -> std::optional<double>
-    {
-      const double lean = at_middle - atMiddleRow(at_middle, r.row, window);
-      const auto column = brightnessStepAt(image, r.row, at_middle + lean, side);
-      return column ? std::optional(*column - lean) : std::nullopt;
-    };
-    const auto left = columnIn(left_, r.left), right = columnIn(right_, r.left - r.disparity);
-    if (left && right) result.push_back({r.row, *left, {}, *left - *right});
+    const double lean_left = slope_left * (r.row - middle), lean_right = slope_right * (r.row - middle);
+    const auto left = brightnessStepAt(left_, r.row, r.left + lean_left, side),
+               right = brightnessStepAt(right_, r.row, r.left - r.disparity + lean_right, side);
+    if (left && right) result.push_back({r.row, *left - lean_left, {}, *left - lean_left - *right + lean_right});
   }
   removeOutliers(result, &RowStep::left), removeOutliers(result, &RowStep::disparity);
   return result;
@@ -227,7 +225,7 @@ UprightEdge UprightEdges::measured(const std::vector<RowStep>& rows, const EdgeW
     u = jointColumn(u, meanOf(bright, &RowStep::left), search_.std_column);
     d = jointColumn(d, meanOf(bright, &RowStep::disparity), search_.std_disparity);
   }
-  UprightEdge edge{{u.mean, static_cast<double>((window.first_row + window.last_row) / 2)},
+  UprightEdge edge{{u.mean, static_cast<double>(window.middle())},
                    d.mean,
                    std::hypot(search_.std_column, u.std),
                    std::hypot(search_.std_disparity, d.std),

@@ -13,6 +13,8 @@ struct EdgeWindow
   int first_row = 0, last_row = 0;
   double column = 0;  ///< where it is expected in the middle row
   int reach = 0;      ///< [px] to either side
+
+  [[nodiscard]] int middle() const { return (first_row + last_row) / 2; }
 };
 
 /// Which edges of both images belong together.
