@@ -12,7 +12,8 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kNoiseMemory = 300;   // [s] after which the floor may be another one
-constexpr double kStatedWorth = 60;    // degrees of freedom that the stated noise counts as, whatever the factor
+constexpr double kStatedWorth = 60;    // degrees of freedom that the stated noise counts as beside what is in common
+constexpr double kInCommon = 1;        // standard deviation of the factor that all sources share, in units of it
 constexpr double kByChanceAlone = 1;   // standard deviations
 constexpr double kMostNoise = 100;     // times the stated variance
 constexpr double kSurpriseLimit = 25;  // times the expected square that one step counts as at most
@@ -121,12 +122,16 @@ void ExcessNoise::learn(const LinearStep& step, const Eigen::VectorXd& lasting)
 
 void ExcessNoise::solve()
 {
-  PartVector worth = PartVector::Constant(kStatedWorth);
-  for (std::size_t i = 0; i < kNoiseSources; ++i) worth[static_cast<Eigen::Index>(i)] /= square(factors_[i]);
-  PartMatrix with_prior = information_;
-  with_prior.diagonal() += worth;
-  const PartMatrix covariance = 2 * with_prior.llt().solve(PartMatrix::Identity());
-  const PartVector factors = 0.5 * covariance * (weighted_ + worth);
+  // Odometry that is worse than stated in one kind of motion mostly is in the others, too: a minute tells that much of
+  // all sources together, and next to nothing of each by itself.
+  PartVector size = PartVector::Ones(), shared = PartVector::Zero();
+  for (std::size_t i = 0; i < kNoiseSources; ++i)
+    size[static_cast<Eigen::Index>(i)] = shared[static_cast<Eigen::Index>(i)] = factors_[i];
+  PartMatrix of_prior = square(kInCommon) * shared * shared.transpose();
+  of_prior.diagonal() += 2 / kStatedWorth * size.cwiseAbs2();
+  const PartMatrix prior = 2 * of_prior.llt().solve(PartMatrix::Identity());
+  const PartMatrix covariance = 2 * PartMatrix(information_ + prior).llt().solve(PartMatrix::Identity());
+  const PartVector factors = 0.5 * covariance * (weighted_ + prior * PartVector::Ones());
   for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(kNoiseSources); ++i)
     factors_[static_cast<std::size_t>(i)] =
         std::clamp(1 + significantPart(factors[i] - 1, covariance(i, i), kByChanceAlone), 1.0, kMostNoise);
