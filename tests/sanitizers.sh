@@ -25,5 +25,5 @@ build_and_test() {
 build_and_test asan all -- "$@"
 rooms=(geometry files filter particle_filter experiment maps online)
 build_and_test tsan "${rooms[@]/#/test_}" -- \
-  -R 'WorkBudget|DiskBacked|StagedFile|MotionModel|ParticleFilter\.|TrialPool|LandmarkMap2D|OnlineLocalizer'
+  -R 'WorkBudget|SlicedWork|DiskBacked|StagedFile|MotionModel|ParticleFilter\.|TrialPool|LandmarkMap2D|OnlineLocalizer'
 exit "$status"
