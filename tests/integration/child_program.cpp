@@ -29,8 +29,9 @@ ChildProgram::ChildProgram(const std::string& app, const Arguments& arguments, c
   argv.push_back(nullptr);
   pid_ = fork();
   if (pid_ != 0) return;
-  prctl(PR_SET_PDEATHSIG, SIGKILL);  // no program outlives its test
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);  // the tests may run under nohup
+  // No program outlives its test, which may itself run under nohup.
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
   if (ignores_interrupts) std::signal(SIGINT, SIG_IGN);
   dup2(open(out.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600), STDOUT_FILENO);
   dup2(open(err.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600), STDERR_FILENO);

@@ -53,7 +53,8 @@ VerdictWithReason verdictOfClosedForms(const RunRecord& run)
       best->points.begin(), best->points.end(), [](const PoseEstimate& p) { return p.verdict == Verdict::ok; }));
   if (2 * unambiguous >= best->frames_offered) return {Verdict::ok, figures};
   if (2 * (best->frames_answered + best->frames_ambiguous) >= best->frames_offered)
-    return {Verdict::ambiguous, figures + ", but only " + std::to_string(unambiguous) + " with a single, precise candidate"};
+    return {Verdict::ambiguous,
+            figures + ", but only " + std::to_string(unambiguous) + " with a single, precise candidate"};
   return {Verdict::lost, figures};
 }
 }  // namespace mrpt_ext
