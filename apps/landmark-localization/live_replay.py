@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
-"""Writes a recording of three CSV files as the lines that `landmark-localization --live` reads, at the pace it was made.
+"""Writes a recording as the lines that `landmark-localization --live` reads, at the pace it was made.
 
-live_replay.py FOLDER [SPEED]    FOLDER holds odometry.csv (poses or velocities) and detections.csv, see
-                                 apps/dataset2rawlog/README.md; SPEED times real time, default 1
+live_replay.py RECORDING [SPEED]   RECORDING: lines that `landmark-localization --lines` wrote of a log (- for standard
+                                   input), or a folder of CSV files, see apps/dataset2rawlog/README.md; SPEED times real
+                                   time, default 1
 """
 import csv
 import json
+import os
 import sys
 import time
 
@@ -18,20 +20,32 @@ def rows(path):
 def detection(row):
     numbers = ("bearing_deg", "range_m", "std_bearing_deg", "std_range_m")
     found = {key: float(row[key]) for key in numbers if row.get(key)}
-    return found | ({"id": int(row["id"])} if row["id"] else {}) | ({"category": row["category"]} if row["category"] else {})
+    return found | ({"id": int(row["id"])} if row.get("id") else {}) | ({"category": row["category"]} if row.get("category") else {})
 
 
-folder, speed = sys.argv[1], float(sys.argv[2]) if len(sys.argv) > 2 else 1
-lines, readings = [], {}
-for row in rows(folder + "/odometry.csv"):
-    motion = ("velocity", ("v", "omega_deg_s")) if "v" in row else ("odometry", ("x", "y", "phi_deg"))
-    lines.append({"t": float(row["t"]), motion[0]: [float(row[key]) for key in motion[1]]})
-for row in rows(folder + "/detections.csv"):
-    readings.setdefault((float(row["t"]), row["sensor"]), []).append(detection(row))
-for (t, sensor), detections in readings.items():
-    lines.append({"t": t, "sensor": sensor, "detections": detections})
-lines.sort(key=lambda line: line["t"])
-start, began = lines[0]["t"], time.monotonic()
+def lines_of_csv(folder):
+    lines, readings, mounts = [], {}, {}
+    for row in rows(folder + "/odometry.csv"):
+        motion = ("velocity", ("v", "omega_deg_s")) if "v" in row else ("odometry", ("x", "y", "phi_deg"))
+        lines.append({"t": float(row["t"]), motion[0]: [float(row[key]) for key in motion[1]]})
+    if os.path.exists(folder + "/sensors.csv"):
+        for row in rows(folder + "/sensors.csv"):
+            mounts[row["sensor"]] = {"mount": [float(row[key]) for key in ("x", "y", "yaw_deg")], "height_m": float(row["z"])}
+    for row in rows(folder + "/detections.csv"):
+        readings.setdefault((float(row["t"]), row["sensor"]), []).append(detection(row))
+    for (t, sensor), detections in readings.items():
+        lines.append({"t": t, "sensor": sensor} | mounts.get(sensor, {}) | {"detections": detections})
+    return [json.dumps(line) for line in sorted(lines, key=lambda line: line["t"])]
+
+
+recording, speed = sys.argv[1], float(sys.argv[2]) if len(sys.argv) > 2 else 1
+if os.path.isdir(recording):
+    lines = lines_of_csv(recording)
+else:
+    lines = sys.stdin if recording == "-" else open(recording)
+start, began = None, time.monotonic()
 for line in lines:
-    time.sleep(max(0, (line["t"] - start) / speed - (time.monotonic() - began)))
-    print(json.dumps(line), flush=True)
+    t = json.loads(line)["t"]
+    start = t if start is None else start
+    time.sleep(max(0, (t - start) / speed - (time.monotonic() - began)))
+    print(line.strip(), flush=True)

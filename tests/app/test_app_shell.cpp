@@ -8,7 +8,7 @@
 #include "mrpt_ext/app/version.h"
 #include "mrpt_ext/geometry/input_error.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_app_shell
 {
 namespace
 {
@@ -105,7 +105,7 @@ TEST(AppShell, WrongUsageIsOneLineAndTwo)
                                                     {"a.ini", "--set"},
                                                     {"--explain", "Run.sed"}})
   {
-    SCOPED_TRACE(testing::PrintToString(arguments));
+    SCOPED_TRACE(::testing::PrintToString(arguments));
     const Outcome o = runApp(arguments);
     EXPECT_FALSE(o.ran);
     EXPECT_EQ(o.exit_code, kExitUsage);
@@ -137,4 +137,4 @@ TEST(OneLine, TakesTheMessageOutOfMrptsReport)
   EXPECT_EQ(oneLine("plain"), "plain");
   EXPECT_EQ(oneLine("\n"), "failed without saying why");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_app_shell

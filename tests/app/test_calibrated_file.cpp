@@ -5,7 +5,7 @@
 #include "mrpt_ext/geometry/input_error.h"
 #include "scratch_folder.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_calibrated_file
 {
 using testing::messageOf;
 using testing::ScratchFolder;
@@ -29,4 +29,4 @@ TEST(CalibratedFile, NothingElseIsWrittenInto)
   EXPECT_NE(messageOf<InputError>([&] { (void)readFileToCalibrate(folder.path() / "none.ini"); }).find("no such file"),
             std::string::npos);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_calibrated_file

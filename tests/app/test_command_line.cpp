@@ -5,7 +5,7 @@
 #include "mrpt_ext/geometry/input_error.h"
 #include "scratch_folder.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_command_line
 {
 namespace
 {
@@ -102,4 +102,4 @@ TEST(CommandLine, WrongUsageIsOneLineWithTheNameOfTheProgram)
     EXPECT_EQ(error.find('\n'), std::string::npos) << error;
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_command_line

@@ -13,7 +13,7 @@
 #include "mrpt_ext/maps/register_all_classes.h"
 #include "mrpt_ext/rawlog/rawlog_source.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_dataset_app
 {
 namespace
 {
@@ -218,4 +218,4 @@ TEST(DatasetApp, DamagedDataIsOneLineExitCodeOneAndNoFile)
   EXPECT_TRUE(isOneLine(unwritable.err)) << unwritable.err;
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_dataset_app

@@ -13,7 +13,7 @@
 #include "mrpt_ext/geometry/measurement_jacobian.h"
 #include "scratch_folder.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_live_run
 {
 namespace
 {
@@ -105,6 +105,8 @@ TEST_F(LiveRunTest, EstimatesAndASummaryAreLines)
   EXPECT_EQ(end["lines"], 42);
   EXPECT_EQ(end["estimates"], 21);
   EXPECT_EQ(end["errors"], 0);
+  EXPECT_EQ(last["steps_late"], 0);
+  EXPECT_EQ(end["late"], (Json{{"estimates", 0}, {"most_steps", 0}}));
   EXPECT_GE(end["latency_ms"]["max"].get<double>(), end["latency_ms"]["median"].get<double>());
   EXPECT_GT(end["latency_ms"]["median"].get<double>(), 0);
 }
@@ -139,6 +141,15 @@ TEST_F(LiveRunTest, EveryMistakeSaysWhatIsExpected)
       {R"({"t": 1, "sensor": "a", "detections": [{"bearing_deg": 4}]})", "detection: 'std_bearing_deg' is missing"},
       {R"({"t": 1, "sensor": "a", "detections": [{"range_m": 4, "std_range_m": 0}]})",
        "detection: 'std_range_m': expected a standard deviation > 0"},
+      {R"({"t": 1, "odometry": [0, 0, 0], "odometry_rad": [0, 0, 0]})",
+       "line: 'odometry' and 'odometry_rad': expected one of them"},
+      {R"({"t": 1, "sensor": "a", "detections": [{"bearing_deg": 4, "std_bearing_deg": 1, "bearing_rad": 4}]})",
+       "detection: 'bearing_deg' and 'bearing_rad': expected one of them"},
+      {R"({"t": 1, "sensor": "a", "detections": [], "horizontal": 1})", "line: 'horizontal': expected true or false"},
+      {R"({"t": 1, "sensor": "a", "detections": [], "field_of_view_deg": 0})",
+       "line: 'field_of_view_deg': expected an angle > 0"},
+      {R"({"t": 1, "sensor": "a", "detections": [], "max_range_m": -1})",
+       "line: 'max_range_m': expected a distance > 0"},
       {R"({"t": 1, "reset": "home"})", "line: 'reset': expected [3 numbers]"},
       {R"({"map": [{"id": 1, "x": 1, "y": 2}, {"id": 1, "x": 3, "y": 2}]})", ""},
       {R"({"map": [{"id": 1, "x": 1}]})", "landmark: 'y' is missing"}};
@@ -151,6 +162,42 @@ TEST_F(LiveRunTest, EveryMistakeSaysWhatIsExpected)
       EXPECT_EQ(errors[0]["error"], message) << line;
     }
   }
+}
+
+// 90 degrees are the same double both ways.
+TEST_F(LiveRunTest, AnglesMayBeRadians)
+{
+  const auto lineWith = [](const std::string& odometry, const std::string& mount, const std::string& bearing)
+  {
+    return "{\"t\": 1, \"reset" + mount + "}\n{\"t\": 1, \"odometry" + odometry +
+           "}\n{\"t\": 1, \"sensor\": \"camera\", \"mount" + mount + ", \"detections\": [{\"id\": 1, \"bearing" +
+           bearing + "}]}\n";
+  };
+  const std::vector<Json> degrees =
+      run(lineWith("\": [0, 0, 90]", "\": [3, 1, 90]", "_deg\": 90, \"std_bearing_deg\": 90"));
+  const std::string quarter = Json(degToRad(90)).dump();
+  const std::vector<Json> radians = run(lineWith("_rad\": [0, 0, " + quarter + "]", "_rad\": [3, 1, " + quarter + "]",
+                                                 "_rad\": " + quarter + ", \"std_bearing_rad\": " + quarter));
+  ASSERT_EQ(degrees.size(), 2U) << degrees[0];
+  ASSERT_EQ(radians.size(), 2U) << radians[0];
+  for (const char* key : {"x", "y", "phi_deg", "covariance", "modes"}) EXPECT_EQ(degrees[0][key], radians[0][key]);
+}
+
+// Of an anonymous detection the landmarks out of view are no candidates.
+TEST_F(LiveRunTest, WhatASensorSeesIsPartOfItsLine)
+{
+  const auto reasonWith = [&](const std::string& limits)
+  {
+    std::string lines = R"({"t": 0, "reset": [3, 2.5, 0]})"
+                        "\n";
+    for (int k = 0; k < 5; ++k)
+      lines += R"({"t": )" + std::to_string(k) +
+               R"(, "sensor": "camera", "detections": [{"bearing_deg": 39.8, "std_bearing_deg": 1}])" + limits + "}\n";
+    const std::vector<Json> answers = run(lines);
+    EXPECT_TRUE(errorsOf(answers).empty());
+    return answers[4]["reason"].get<std::string>();
+  };
+  EXPECT_NE(reasonWith(""), reasonWith(R"(, "max_range_m": 1)"));
 }
 
 TEST_F(LiveRunTest, ResetAndMapAreTaken)
@@ -171,4 +218,4 @@ TEST_F(LiveRunTest, ResetAndMapAreTaken)
   EXPECT_EQ(lines[0]["modes"].size(), 1U) << "the start is known";
   EXPECT_NE(lines[6]["verdict"], "ok") << "one bearing does not tell the pose";
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_live_run

@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_printable_stream
 {
 TEST(Printable, KeepsTextInAnyLanguage)
 {
@@ -44,4 +44,4 @@ TEST(PrintableStream, FailsWhereItsTargetFails)
   stream << "text" << std::flush;
   EXPECT_FALSE(stream.good());
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_printable_stream

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_progress_line
 {
 TEST(ProgressText, TellsTheTimeLeftOnceThereIsSomethingToGoBy)
 {
@@ -13,4 +13,4 @@ TEST(ProgressText, TellsTheTimeLeftOnceThereIsSomethingToGoBy)
   EXPECT_EQ(progressText("localizing", 1, 9), "localizing 100 %, 0 s left");
   EXPECT_EQ(progressText("localizing", 1.2, 0), "localizing 100 %");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_progress_line

@@ -5,7 +5,7 @@
 #include "mrpt_ext/geometry/input_error.h"
 #include "scratch_folder.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_rawlog_output
 {
 TEST(RawlogOutput, NamesMapAndTruthAfterTheRawlog)
 {
@@ -30,4 +30,4 @@ TEST(RawlogOutput, IsNoInput)
   EXPECT_THROW((void)rawlogOutput("my-app", link, {"elsewhere", input}), InputError);
   EXPECT_EQ(rawlogOutput("my-app", folder.path() / "c.rawlog", {input}).map, folder.path() / "c_map.csv");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_rawlog_output

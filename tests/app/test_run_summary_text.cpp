@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_run_summary_text
 {
 namespace
 {
@@ -78,4 +78,4 @@ TEST(RunSummaryText, ReportsWhenThePoseBecameUnique)
             "start    1 pose hypothesis after the first frame\n"
             "unique   never: the filter did not reach `ok`\n");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_run_summary_text

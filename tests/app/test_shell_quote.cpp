@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_shell_quote
 {
 namespace
 {
@@ -30,4 +30,4 @@ TEST(ShellLine, AShellSplitsItIntoTheSameWords)
   EXPECT_EQ(splitByAShell(shellLine({"a b", "it's", "", "$(reboot)", "`x`", "*", "a\nb", "\"", "\\", "~", ";", "!"})),
             "<a b><it's><><$(reboot)><`x`><*><a\nb><\"><\\><~><;><!>");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_shell_quote

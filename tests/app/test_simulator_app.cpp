@@ -15,7 +15,7 @@
 #include "mrpt_ext/settings/settings.h"
 #include "scratch_folder.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_simulator_app
 {
 namespace
 {
@@ -164,4 +164,4 @@ TEST_F(SimulatorAppTest, AnswersQuestionsAboutItsKeys)
   EXPECT_EQ(run({"--help"}), kExitDone);
   EXPECT_NE(out_.str().find("--set"), std::string::npos);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_simulator_app

@@ -3,7 +3,7 @@
 #include "rules.h"
 
 // Each rule is shown a small tree that breaks it, beside the nearest one that does not.
-namespace mrpt_ext::architecture
+namespace mrpt_ext::architecture::test_rules
 {
 namespace
 {
@@ -201,4 +201,4 @@ TEST(CodeOnly, DropsCommentsAndStrings)
   EXPECT_EQ(codeOnly("a /* b\n * c */ d"), "a   d");
   EXPECT_EQ(codeOnly(R"(f("a // \" b", c))"), "f( , c)");
 }
-}  // namespace mrpt_ext::architecture
+}  // namespace mrpt_ext::architecture::test_rules

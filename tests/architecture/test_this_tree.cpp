@@ -3,7 +3,7 @@
 #include "rules.h"
 
 // The rules of the architecture, held against this tree.
-namespace mrpt_ext::architecture
+namespace mrpt_ext::architecture::test_this_tree
 {
 namespace
 {
@@ -42,4 +42,4 @@ TEST(ThisTree, EveryConfigurationIsTested) { expectNone(checkConfigurationsAreTe
 TEST(ThisTree, KeysTakeTheirDefaultsFromStructs) { expectNone(checkKeyDefaults(thisTree())); }
 TEST(ThisTree, DocumentsNameExistingFiles) { expectNone(checkDocumentsNameFiles(thisTree())); }
 TEST(ThisTree, TextIsFinishedAndPortable) { expectNone(checkText(thisTree())); }
-}  // namespace mrpt_ext::architecture
+}  // namespace mrpt_ext::architecture::test_this_tree

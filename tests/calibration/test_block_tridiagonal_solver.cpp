@@ -6,7 +6,7 @@
 
 #include "mrpt_ext/geometry/random.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_block_tridiagonal_solver
 {
 namespace
 {
@@ -107,4 +107,4 @@ TEST(PoseChainSystem, SaysWhenSomethingIsUndetermined)
   loose_error.addPrior(1, Eigen::RowVectorXd::Unit(2, 1), 1);
   EXPECT_TRUE(loose_error.solve());
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_block_tridiagonal_solver

@@ -7,7 +7,7 @@
 
 #include "recorded_drive.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_predictive_likelihood
 {
 namespace
 {
@@ -98,4 +98,4 @@ TEST(PredictiveLikelihood, FewPosesTellNothing)
   CalibrationProblem problem = driven({.duration = 1}, 5);
   EXPECT_TRUE(std::isinf(gainOf(problem, model(), model()).std));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_predictive_likelihood

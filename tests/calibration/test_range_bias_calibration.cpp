@@ -8,7 +8,7 @@
 #include "mrpt_ext/geometry/measurement_jacobian.h"
 #include "mrpt_ext/geometry/random.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_range_bias_calibration
 {
 namespace
 {
@@ -98,4 +98,4 @@ TEST(RangeBiases, BadInputIsAStatus)
   all[3][2].range = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(estimateRangeBiases(all, 0.1).status, SolveStatus::bad_input);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_range_bias_calibration

@@ -8,7 +8,7 @@
 #include "recorded_drive.h"
 #include "test_length.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_self_calibration
 {
 namespace
 {
@@ -34,6 +34,8 @@ double trueValue(const DrivePlan& plan, Kind kind)
       return plan.range_offset;
     case Kind::range_scale:
       return plan.range_scale;
+    case Kind::range_height:
+      return square(plan.height);
     case Kind::distance_scale:
       return plan.distance_scale;
     case Kind::rotation_scale:
@@ -191,4 +193,4 @@ TEST(CalibrationResult, BadOrLittleInputIsAStatus)
   EXPECT_EQ(calibrate(problem, kAll).status, SolveStatus::too_few);
   EXPECT_EQ(calibrate(problem, {{Kind::delay, 3}}).status, SolveStatus::bad_input);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_self_calibration

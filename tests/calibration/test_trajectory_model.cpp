@@ -4,7 +4,7 @@
 
 #include "recorded_drive.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_trajectory_model
 {
 namespace
 {
@@ -114,4 +114,4 @@ TEST(TrajectoryModel, MotionIsTheInverseOfALink)
     }
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_trajectory_model

@@ -9,7 +9,7 @@
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/geometry/input_error.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_bias_config
 {
 namespace
 {
@@ -91,4 +91,4 @@ TEST(BiasConfig, TheFilterEstimatesWhatTheConfigurationNames)
   ASSERT_EQ(config.biases.size(), 1u);
   EXPECT_EQ(config.filter.biases.size(), 1u);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_bias_config

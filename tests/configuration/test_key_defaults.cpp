@@ -7,7 +7,7 @@
 #include "mrpt_ext/configuration/simulator_keys.h"
 
 // An empty .ini gives what the library's structs are by default: app and library are one filter.
-namespace mrpt_ext
+namespace mrpt_ext::test_key_defaults
 {
 namespace
 {
@@ -192,4 +192,4 @@ TEST(KeyDefaults, OfASimulatedSensorAreThoseOfItsStruct)
   EXPECT_EQ(read.fix_distance, plain.fix_distance);
   EXPECT_EQ(read.fix_bearing, plain.fix_bearing);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_key_defaults

@@ -9,7 +9,7 @@
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/settings/setting_value.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_localization_config
 {
 namespace
 {
@@ -214,4 +214,4 @@ TEST(LocalizationConfig, ListsOfWords)
   EXPECT_EQ(config.frames.object_categories, (std::set<std::string>{"ball", "cup"}));
   EXPECT_EQ(config.methods, (std::vector<std::string>{"odometry", "running_fix"}));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_localization_config

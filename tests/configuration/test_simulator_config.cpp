@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/configuration/simulator_keys.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_simulator_config
 {
 namespace
 {
@@ -88,4 +88,4 @@ TEST(SimulatorConfig, SaysWhatDoesNotFitTogether)
   EXPECT_EQ(errorOf(std::string(kSmall) + "[Kidnapping_1]\ntime_s = 1\npose = 1 2\n"),
             "my.ini:7: pose = 1 2: expected 3 numbers");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_simulator_config

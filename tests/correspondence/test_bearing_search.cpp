@@ -7,7 +7,7 @@
 #include "global_search_scene.h"
 #include "test_length.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_bearing_search
 {
 namespace
 {
@@ -244,4 +244,4 @@ TEST(BearingSearch, StopsWhenToldTo)
   EXPECT_FALSE(found.unique);
 }
 }  // namespace
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_bearing_search

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_bearing_search_tables
 {
 namespace
 {
@@ -37,4 +37,4 @@ TEST(BearingSearchTables, KeepsTheTwoLatestGrids)
   EXPECT_NE(tables.visibilityGrid(layout(7)), nullptr);
   EXPECT_EQ(tables.builtVisibilityGrid(kArea, kNoLimit), nullptr);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_bearing_search_tables

@@ -10,7 +10,7 @@
 #include "mrpt_ext/correspondence/points/point_search.h"
 #include "test_length.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_false_alarms_bearings
 {
 namespace
 {
@@ -120,4 +120,4 @@ TEST(ExpectedFalsePoses, FallWithTheMatchesAndRiseWithTheReadings)
   EXPECT_EQ(expectedFalsePoses(BearingFalseAlarmModel{1000, 4, 0.05}, 5), 0);
 }
 }  // namespace
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_false_alarms_bearings

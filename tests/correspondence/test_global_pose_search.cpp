@@ -7,7 +7,7 @@
 
 #include "global_search_scene.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_global_pose_search
 {
 namespace
 {
@@ -86,4 +86,4 @@ TEST(GlobalPoseSearch, NothingToGoOnIsAValue)
   EXPECT_EQ(search.search({&scan, 1}, {}).status, SolveStatus::bad_input);
   EXPECT_EQ(GlobalPoseSearch(LandmarkTable()).search({}, {}).status, SolveStatus::too_few);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_global_pose_search

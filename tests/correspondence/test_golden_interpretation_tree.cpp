@@ -4,7 +4,7 @@
 #include "mrpt_ext/correspondence/tree/interpretation_tree.h"
 #include "paper_interpretation_tree.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_golden_interpretation_tree
 {
 namespace
 {
@@ -91,4 +91,4 @@ TEST(GoldenVectors, InterpretationTree)
     checkCase(c);
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_golden_interpretation_tree

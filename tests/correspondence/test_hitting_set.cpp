@@ -6,7 +6,7 @@
 
 #include "mrpt_ext/geometry/random.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_hitting_set
 {
 namespace
 {
@@ -86,4 +86,4 @@ TEST(HittingSet, OfHundredsOfTriplesEndsWithItsBudget)
   EXPECT_TRUE(hitsAll(found.members, triples));
   EXPECT_GT(found.least, 50u);  // disjoint triples alone
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_hitting_set

@@ -6,7 +6,7 @@
 #include "test_length.h"
 #include "tree_counts.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_interpretation_tree
 {
 namespace
 {
@@ -308,4 +308,4 @@ TEST(InterpretationTree, CountsOfPaper000)
   EXPECT_EQ(totalPaths(12, 4), 11880);
   EXPECT_EQ(totalPaths(12, 7), 3991680);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_interpretation_tree

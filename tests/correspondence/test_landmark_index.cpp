@@ -6,7 +6,7 @@
 
 #include "mrpt_ext/geometry/random.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_landmark_index
 {
 namespace
 {
@@ -90,4 +90,4 @@ TEST(LandmarkIndex, ACategoryCountsByTheCategoriesThatTheMapHas)
   EXPECT_NEAR(volume(all_have_one, 1), 2 * uncategorized, 1e-12);
   EXPECT_NEAR(volume(some_have_none, 1), 3 * uncategorized, 1e-12);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_landmark_index

@@ -8,7 +8,7 @@
 #include "local_map_truth.h"
 #include "test_length.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_local_map
 {
 namespace
 {
@@ -168,4 +168,4 @@ TEST(LocalLandmarkMap, ASearchGetsPointsFirstAndTheRestFromItsOwnPlaces)
     EXPECT_FALSE(scans[k + 1].model.detection_probability);
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_local_map

@@ -7,7 +7,7 @@
 #include "global_search_scene.h"
 #include "probability_calibration.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_point_search
 {
 namespace
 {
@@ -245,4 +245,4 @@ TEST(PointSearch, AnUnfinishedSearchCallsNothingUnique)
   }
   EXPECT_GT(unfinished, 0);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_point_search

@@ -7,7 +7,7 @@
 #include "probability_calibration.h"
 #include "test_length.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_pose_probability
 {
 namespace
 {
@@ -134,4 +134,4 @@ TEST(PoseProbability, EvidenceOfAllPosesIsTheIntegralOfTheLikelihood)
   }
 }
 }  // namespace
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_pose_probability

@@ -9,14 +9,14 @@
 #include "mrpt_ext/geometry/measurement_jacobian.h"
 #include "mrpt_ext/geometry/random.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_pose_verification
 {
 namespace
 {
 constexpr double kLogZero = -std::numeric_limits<double>::infinity();
 
 /// Twelve landmarks, and a sensor that sees those within 8 m.
-class PoseJudge : public testing::Test
+class PoseJudge : public ::testing::Test
 {
  protected:
   PoseJudge()
@@ -212,4 +212,4 @@ TEST(RankPoses, NothingFound)
   EXPECT_EQ(search.probability_elsewhere, 1);
 }
 }  // namespace
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_pose_verification

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_search_input
 {
 namespace
 {
@@ -69,4 +69,4 @@ TEST(SearchInput, FarMoreDetectionsThanLandmarksHoldNoPose)
   const std::vector<Scan> usual{scanOf(30)};
   EXPECT_TRUE(SearchInput(usual, 32).isPromising(3));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_search_input

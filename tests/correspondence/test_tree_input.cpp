@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/geometry/random.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_tree_input
 {
 namespace
 {
@@ -83,4 +83,4 @@ TEST(TreeInput, ThePoseOfTheRobotIsAsUncertainAsThatOfItsSensor)
   }
   EXPECT_NEAR((scatter - robot.covariance).norm() / robot.covariance.norm(), 0, 0.05);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_tree_input

@@ -6,7 +6,7 @@
 
 #include "mrpt_ext/geometry/random.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_triangle_index
 {
 namespace
 {
@@ -136,4 +136,4 @@ TEST(TriangleIndex, MapsWithoutTriangles)
     EXPECT_TRUE(lookUp(index, {{0, 0, 0}, {1, 1, 1}}, 0.5).empty());
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_triangle_index

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_triple_schedule
 {
 namespace
 {
@@ -60,4 +60,4 @@ TEST(TripleSchedule, EndsWithItsBudget)
   EXPECT_FALSE(schedule.next());
   EXPECT_TRUE(budget.exhausted());
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_triple_schedule

@@ -8,7 +8,7 @@
 #include "mrpt_ext/correspondence/scan_bearing.h"
 #include "test_length.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_true_triples
 {
 namespace
 {
@@ -90,4 +90,4 @@ TEST(TrueTriples, LeadToTheTruth)
   EXPECT_GE(fate.at_truth, 0.92 * fate.triples);
 }
 }  // namespace
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_true_triples

@@ -9,7 +9,7 @@
 #include "mrpt_ext/correspondence/bearings/visibility_vote.h"
 #include "test_length.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_visibility_vote
 {
 namespace
 {
@@ -212,4 +212,4 @@ TEST(BearingSearch, WithoutRangeLimitItCountsOffTheArea)
       {scene.area.min - Vector2d(0.5, 0.5), scene.area.max + Vector2d(0.5, 0.5)}, kNoLimit));
 }
 }  // namespace
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_visibility_vote

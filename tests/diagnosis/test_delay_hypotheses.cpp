@@ -4,7 +4,7 @@
 
 #include "recorded_drive.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_delay_hypotheses
 {
 namespace
 {
@@ -69,4 +69,4 @@ TEST(DelayHypotheses, ARobotThatStandsTellsNoDelay)
   plan.delay = 0.2;
   EXPECT_FALSE(delayOf(plan, 1));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_delay_hypotheses

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_frame_window_check
 {
 namespace
 {
@@ -44,4 +44,4 @@ TEST(FrameWindowCheck, TwoScansWithoutIdsAreTold)
 {
   EXPECT_EQ(hintsOf({readingAt(1, "scan", {kNoId, kNoId}), readingAt(1.03, "scan", {kNoId, kNoId})}).size(), 1u);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_frame_window_check

@@ -4,7 +4,7 @@
 
 #include "recorded_drive.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_innovation_regression
 {
 namespace
 {
@@ -12,7 +12,8 @@ using testing::DrivePlan;
 using Kind = CalibrationParameter;
 
 const std::vector<CalibrationUnknown> kAll{{Kind::distance_scale}, {Kind::rotation_scale}, {Kind::veer},
-                                           {Kind::bearing_offset}, {Kind::range_offset},   {Kind::range_scale}};
+                                           {Kind::bearing_offset}, {Kind::range_offset},   {Kind::range_scale},
+                                           {Kind::range_height}};
 
 DrivePlan quietDrive()
 {
@@ -40,6 +41,7 @@ ScalarMeasurement measured(const CalibrationReading& r, const BiasFreeFilter& fi
   unknown[3] = r.is_range ? 0 : 1;
   unknown[4] = r.is_range ? 1 : 0;
   unknown[5] = r.is_range ? predicted : 0;
+  unknown[6] = r.is_range ? 0.5 / predicted : 0;
   return {r.is_range ? r.value - predicted : wrap(r.value - predicted), r.std, row, unknown};
 }
 
@@ -107,6 +109,23 @@ TEST(InnovationRegression, FindsAScaleOfOdometry)
   expectFound(plan, Kind::distance_scale, 0.1);
 }
 
+TEST(InnovationRegression, TellsAHeightFromAnOffset)
+{
+  DrivePlan plan = quietDrive();
+  plan.height = 1;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed)
+  {
+    const std::vector<RegressedError> errors = errorsFound(plan, seed);
+    ASSERT_FALSE(errors.empty()) << seed;
+    EXPECT_EQ(errors.front().unknown.parameter, Kind::range_height) << seed;
+    EXPECT_NEAR(errors.front().value, 1, 0.3) << seed;
+  }
+  plan.height = 0;
+  plan.range_offset = 0.2;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed)
+    EXPECT_EQ(find(errorsFound(plan, seed), Kind::range_height), nullptr) << seed;
+}
+
 TEST(InnovationRegression, ACleanRecordingHasNone)
 {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) EXPECT_TRUE(errorsFound(quietDrive(), seed).empty()) << seed;
@@ -124,4 +143,4 @@ TEST(InnovationRegression, ANuisanceIsNotReported)
   }
   EXPECT_TRUE(regression.significantErrors().empty());
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_innovation_regression

@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/geometry/random.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_innovation_statistics
 {
 TEST(InnovationStatistics, TheScatterOfNormalInnovationsIsTheirStandardDeviation)
 {
@@ -33,4 +33,4 @@ TEST(OutlierStatistics, OutliersInGroupsAreLessCertain)
   EXPECT_NEAR(statistics.share(), 0.1, 1e-12);
   EXPECT_GT(statistics.shareStd(), 0.03);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_innovation_statistics

@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/geometry/measurement_jacobian.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_landmark_check
 {
 namespace
 {
@@ -53,6 +53,24 @@ TEST(LandmarkCheck, FindsBearingsThatAreCountedClockwise)
   EXPECT_EQ(faultOf(kRoom, [](Detection& d) { d.bearing = -*d.bearing; }).fault, LandmarkFault::mirrored);
 }
 
+TEST(LandmarkCheck, FindsBearingsInRadians)
+{
+  EXPECT_EQ(faultOf(kRoom, [](Detection& d) { d.bearing = degToRad(*d.bearing); }).fault, LandmarkFault::radians);
+  const auto bearings_alone = [](Detection& d)
+  {
+    d.bearing = degToRad(*d.bearing);
+    d.range.reset();
+  };
+  EXPECT_EQ(faultOf(kRoom, bearings_alone).fault, LandmarkFault::radians)
+      << "seen from far away all landmarks are straight ahead, too";
+}
+
+TEST(LandmarkCheck, NamesWhatToCheckWithoutAFrameThatTells)
+{
+  const std::string cause = LandmarkCheck(kRoom).cause();
+  EXPECT_TRUE(cause.starts_with("check that the map is of this place")) << cause;
+}
+
 TEST(LandmarkCheck, FindsAMapInMillimetres)
 {
   std::vector<Landmark> landmarks = kRoom.all();
@@ -83,4 +101,4 @@ TEST(LandmarkCheck, SpeaksUpOnlyIfMostLandmarksAreWrong)
   const std::string hint = check.hint(landmarks);
   EXPECT_TRUE(hint.starts_with("5 of 5 landmarks are often wrong")) << hint;
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_landmark_check

@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/geometry/random.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_noise_check
 {
 namespace
 {
@@ -38,4 +38,4 @@ TEST(NoiseCheck, NoiseThatIsDeclaredTooSmallIsTold)
   ASSERT_EQ(hints.size(), 1u);
   EXPECT_NE(hints[0].find("2.0 times"), std::string::npos) << hints[0];
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_noise_check

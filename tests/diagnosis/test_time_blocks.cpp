@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_time_blocks
 {
 TEST(TimeBlocks, KeepTheSumInConstantMemory)
 {
@@ -19,4 +19,4 @@ TEST(TimeBlocks, KeepTheSumInConstantMemory)
   EXPECT_EQ(std::accumulate(blocks.complete().begin(), blocks.complete().end(), 0.0), 1024 * 1025 / 2);
   EXPECT_EQ(blocks.complete().front(), 32 * 33 / 2);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_time_blocks

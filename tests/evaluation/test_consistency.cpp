@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_consistency
 {
 namespace
 {
@@ -65,4 +65,4 @@ TEST(Consistency, ACovarianceOfZeroIsCountedNotScored)
   EXPECT_EQ(c.count, 0u);
   EXPECT_EQ(c.singular, 1u);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_consistency

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_convergence
 {
 namespace
 {
@@ -86,4 +86,4 @@ TEST(Convergence, ATruthThatBeginsLateOrIsShortTellsNoSuccess)
   EXPECT_FALSE(tellsSuccess({10, 14}, 0, kLimits));
   EXPECT_FALSE(tellsSuccess({}, 0, kLimits));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_convergence

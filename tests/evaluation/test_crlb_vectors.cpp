@@ -8,7 +8,7 @@
 #include "mrpt_ext/evaluation/information_bound.h"
 #include "posterior_bounds.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_crlb_vectors
 {
 namespace
 {
@@ -199,4 +199,4 @@ TEST(CrlbVectors, AllCasesAgree)
     check(test);
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_crlb_vectors

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_detection_gaps
 {
 namespace
 {
@@ -35,4 +35,4 @@ TEST(DetectionGaps, BeforeTheFirstDetectionTheRobotIsBlind)
 {
   EXPECT_EQ(splitByDetections(errorsAt({1}), framesAt({2})).blind.size(), 1u);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_detection_gaps

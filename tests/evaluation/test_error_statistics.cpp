@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_error_statistics
 {
 TEST(ErrorStatistics, OfThreeNumbers)
 {
@@ -44,4 +44,4 @@ RC_GTEST_PROP(ErrorStatistics, AreOrderedAndConsistent, (const std::vector<int>&
   RC_ASSERT(*s.mean <= *s.rmse + 1e-9);
   RC_ASSERT(std::abs(*s.rmse * *s.rmse - *s.mean * *s.mean - *s.std * *s.std) < 1e-6);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_error_statistics

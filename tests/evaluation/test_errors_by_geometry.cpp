@@ -5,7 +5,7 @@
 #include "mrpt_ext/evaluation/run_scoring.h"
 #include "mrpt_ext/geometry/angle.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_errors_by_geometry
 {
 namespace
 {
@@ -76,4 +76,4 @@ TEST(ErrorsByGeometry, WithoutTruthAreEmpty)
   run.score = scoreRun(run.context, run.record, {});
   EXPECT_TRUE(errorsByGeometry(run.context, run.record, run.score).empty());
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_errors_by_geometry

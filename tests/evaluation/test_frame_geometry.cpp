@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/geometry/angle.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_frame_geometry
 {
 namespace
 {
@@ -58,4 +58,4 @@ TEST(FrameGeometry, ALandmarkCountsOnceAndEmptyFramesDoNotCount)
   EXPECT_FALSE(geometry->spread);
   EXPECT_FALSE(frameGeometry(frameOf({}), kMap, kTruth, 0.5));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_frame_geometry

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_information_bound
 {
 TEST(InformationBound, ThreeRangesFromFourSides)
 {
@@ -37,4 +37,4 @@ TEST(InformationBound, NoInformationOrNotFinite)
   EXPECT_FALSE(informationBound(Matrix3d::Zero()));
   EXPECT_FALSE(informationBound(Matrix3d::Constant(NAN)));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_information_bound

@@ -7,7 +7,7 @@
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/geometry/random.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_method_comparison
 {
 namespace
 {
@@ -94,4 +94,4 @@ TEST(MethodComparison, OverTrialsEachTrialIsOnePair)
   EXPECT_NEAR(comparisons[0].rmse_ratio, 2, 1e-9);
   EXPECT_NEAR(comparisons[0].ratio_low, 2, 1e-9);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_method_comparison

@@ -4,7 +4,7 @@
 
 #include "hand_made_runs.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_odometry_alignment
 {
 using namespace testing;
 
@@ -49,4 +49,4 @@ TEST(OdometryAlignment, OtherMethodsStay)
   EXPECT_NEAR(record.methods[0].points.front().pose.mean.x, 0, 1e-9);
   EXPECT_NEAR(record.methods[1].points.front().pose.mean.y, 0.4, 1e-9);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_odometry_alignment

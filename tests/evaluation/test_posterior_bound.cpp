@@ -7,7 +7,7 @@
 #include "mrpt_ext/geometry/measurement_jacobian.h"
 #include "posterior_bounds.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_posterior_bound
 {
 TEST(PosteriorBound, WithoutMeasurementsVariancesAddUp)
 {
@@ -36,4 +36,4 @@ TEST(PosteriorBound, NoiseFreeOdometryIsAllowed)
   EXPECT_TRUE(bound.allFinite());
   EXPECT_LT(bound(0, 0), 1);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_posterior_bound

@@ -7,7 +7,7 @@
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/geometry/random.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_rmse_interval
 {
 namespace
 {
@@ -62,4 +62,4 @@ TEST(MedianInterval, ContainsTheMedian)
   EXPECT_LE(interval->high, 19);
   EXPECT_FALSE(medianInterval({1, 2, 3, 4}));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_rmse_interval

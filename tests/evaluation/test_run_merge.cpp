@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_run_merge
 {
 namespace
 {
@@ -72,4 +72,4 @@ TEST(MergeScores, OneTrialStaysAsItIs)
   EXPECT_EQ(merged.verdict_reason, "reason 4");
   EXPECT_TRUE(merged.filter.modes_at_end);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_run_merge

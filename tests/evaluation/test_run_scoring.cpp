@@ -6,7 +6,7 @@
 
 #include "hand_made_runs.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_run_scoring
 {
 using namespace testing;
 
@@ -146,4 +146,4 @@ TEST(RunScoring, NumbersOfAnEmptyTrajectoryDoNotExist)
   EXPECT_FALSE(score.step_ms_median);
   EXPECT_FALSE(score.position_error_whole_run_m.rmse);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_run_scoring

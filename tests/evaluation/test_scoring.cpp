@@ -4,7 +4,7 @@
 
 #include "hand_made_runs.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_scoring
 {
 using namespace testing;
 
@@ -131,4 +131,4 @@ TEST(ErrorsOf, HeadingOnlyWhereBothHaveIt)
   entry.estimate.heading_known = false;
   EXPECT_FALSE(errorsOf({entry})[0].heading_deg);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_scoring

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_verdict_history
 {
 TEST(VerdictHistory, WithoutAFrameThereIsNoShare)
 {
@@ -28,4 +28,4 @@ TEST(VerdictHistory, FramesInARowAreASpellWithTheReasonOfTheFirst)
   EXPECT_EQ(history.shares().ok, 0.25);
   EXPECT_EQ(history.shares().lost, 0.25);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_verdict_history

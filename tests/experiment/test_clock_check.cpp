@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/geometry/input_error.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_clock_check
 {
 namespace
 {
@@ -78,4 +78,4 @@ TEST(ClockCheck, ATruthWithAnotherClockIsAnErrorForAWholeLog)
   input.log.window.start = 10;
   EXPECT_EQ(errorOf(input), "");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_clock_check

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_log_adaptation
 {
 namespace
 {
@@ -81,4 +81,4 @@ TEST(LogAdaptation, RangesToTheOriginAloneDoNotTellTheHeading)
     EXPECT_EQ(notes.size(), lever_arm ? 1U : 2U);
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_log_adaptation

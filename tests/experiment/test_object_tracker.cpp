@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/geometry/measurement_jacobian.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_object_tracker
 {
 namespace
 {
@@ -114,4 +114,4 @@ TEST(ObjectTracker, EveryDetectionIsLocatedOnceInOrder)
   tracker.locate(pointAt(9, kRobot), rows);
   EXPECT_EQ(rows.size(), 3u);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_object_tracker

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_oracle_trajectories
 {
 namespace
 {
@@ -81,4 +81,4 @@ TEST(OracleTrajectories, TrajectoriesAreInOrderOfAppearance)
   EXPECT_EQ(tracks[0].points.size(), 2u);
   EXPECT_EQ(tracks[1].name, "oracle_ant");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_oracle_trajectories

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_run_verdict
 {
 namespace
 {
@@ -103,4 +103,4 @@ TEST(RunVerdict, TheBestOfSeveralCandidatesIsAmbiguous)
   run.methods[0].points = points;
   EXPECT_EQ(verdictOfClosedForms(run).verdict, kOk);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_run_verdict

@@ -5,7 +5,7 @@
 #include "mrpt_ext/evaluation/information_bound.h"
 #include "mrpt_ext/geometry/measurement_jacobian.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_tracking_bound
 {
 namespace
 {
@@ -128,4 +128,4 @@ TEST(TrackingBound, StatesWhyThereIsNone)
   EXPECT_FALSE(boundOf(gap).why_none.empty());
   EXPECT_TRUE(boundOf(gap).stamps.empty());
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_tracking_bound

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_trial_pool
 {
 TEST(TrialPool, EveryTrialRunsOnceHoweverManyThreads)
 {
@@ -90,4 +90,4 @@ TEST(TrialPool, NoTrialsNoWork)
   runTrials(3, 3, 2, [](int) { FAIL(); });
   runTrials(3, 1, 2, [](int) { FAIL(); });
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_trial_pool

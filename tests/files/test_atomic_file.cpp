@@ -9,7 +9,7 @@
 #include "mrpt_ext/geometry/input_error.h"
 #include "scratch_folder.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_atomic_file
 {
 using testing::messageOf;
 using testing::ScratchFolder;
@@ -63,4 +63,4 @@ TEST(WriteFileAtomically, FullDiskIsAnInputError)
   EXPECT_NE(message.find("out.txt: cannot be written (File too large)"), std::string::npos) << message;
   EXPECT_EQ(filesIn(folder.path()), 0);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_atomic_file

@@ -9,7 +9,7 @@
 #include "mrpt_ext/geometry/input_error.h"
 #include "scratch_folder.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_disk_backed_sequence
 {
 namespace
 {
@@ -145,4 +145,4 @@ TEST(DiskBackedSequence, LeavesNothingInTheFolderForTemporaryFiles)
   const TemporaryFile elsewhere;  // where the system keeps such files when TMPDIR is no folder
   before ? setenv("TMPDIR", kept.c_str(), 1) : unsetenv("TMPDIR");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_disk_backed_sequence

@@ -8,7 +8,7 @@
 #include "mrpt_ext/geometry/input_error.h"
 #include "scratch_folder.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_folder_lock
 {
 TEST(FolderLock, ASecondWriterIsRefusedUntilTheFirstEnds)
 {
@@ -50,4 +50,4 @@ TEST(FolderLock, AFolderThatDoesNotExistIsNoReasonToFail)
   const testing::ScratchFolder folder;
   const FolderLock lock(folder.path() / "none");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_folder_lock

@@ -5,7 +5,7 @@
 #include "mrpt_ext/geometry/input_error.h"
 #include "scratch_folder.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_landmark_csv
 {
 using testing::messageOf;
 using testing::ScratchFolder;
@@ -69,4 +69,4 @@ TEST(LandmarkCsv, CategoryThatWouldBreakTheFileIsRejected)
   EXPECT_THROW(writeLandmarkCsv(folder.path() / "map.csv", LandmarkTable({{1, {0, 0, 0}, "a,b", {0, 0}}})), InputError);
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "map.csv"));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_landmark_csv

@@ -5,7 +5,7 @@
 #include "mrpt_ext/geometry/input_error.h"
 #include "scratch_folder.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_landmark_map_file
 {
 namespace
 {
@@ -85,4 +85,4 @@ TEST(LandmarkMapFile, AnyOtherNameIsACsv)
   const testing::ScratchFolder folder;
   EXPECT_EQ(readLandmarkMapFile(folder.write("map.txt", "id,x,y\n3,1,2\n"))[0].id, 3);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_landmark_map_file

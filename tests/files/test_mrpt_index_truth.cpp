@@ -5,7 +5,7 @@
 #include "mrpt_ext/geometry/input_error.h"
 #include "scratch_folder.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_mrpt_index_truth
 {
 using testing::messageOf;
 using testing::ScratchFolder;
@@ -30,4 +30,4 @@ TEST(MrptIndexTruth, MistakesAreNamedWithTheirLine)
   EXPECT_NE(read("1.5 0 0 0\n").find("gt.txt:1: '1.5' is not a step number"), std::string::npos);
   EXPECT_NE(read("1 0 0\n").find("gt.txt:1: 3 fields, expected 4"), std::string::npos);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_mrpt_index_truth

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_number_format
 {
 TEST(FixedText, RoundsToDecimalsAndKeepsTrailingZeros)
 {
@@ -60,4 +60,4 @@ RC_GTEST_PROP(NumberText, ShortestTextReadsBackExactly, (double value))
   RC_PRE(std::isfinite(value));
   RC_ASSERT(parseNumber(shortestText(value)) == value);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_number_format

@@ -10,7 +10,7 @@
 #include "mrpt_ext/geometry/input_error.h"
 #include "scratch_folder.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_staged_file
 {
 namespace fs = std::filesystem;
 using testing::messageOf;
@@ -114,4 +114,4 @@ TEST(StagedFile, UnwritableFolderIsAnInputErrorAboutTheTarget)
   const auto message = messageOf<InputError>([&] { const StagedFile file(folder.path() / "file" / "out.txt"); });
   EXPECT_NE(message.find("out.txt: cannot be written (Not a directory)"), std::string::npos) << message;
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_staged_file

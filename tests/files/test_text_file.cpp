@@ -6,7 +6,7 @@
 #include "mrpt_ext/geometry/input_error.h"
 #include "scratch_folder.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_text_file
 {
 using testing::messageOf;
 using testing::ScratchFolder;
@@ -71,4 +71,4 @@ TEST(FindPlainOrGzipped, PrefersThePlainFile)
   folder.write("a", "");
   EXPECT_EQ(findPlainOrGzipped(folder.path() / "a"), folder.path() / "a");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_text_file

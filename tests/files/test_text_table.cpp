@@ -4,7 +4,7 @@
 
 #include "scratch_folder.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_text_table
 {
 using testing::messageOf;
 using testing::ScratchFolder;
@@ -86,4 +86,4 @@ TEST(TextTable, RowsCanBeReadOneByOne)
   forEachRow(folder.write("u.csv", "a,b\n1,2\n3,4"), {}, take);
   EXPECT_EQ(seen, (std::vector<std::string>{"2", "4"}));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_text_table

@@ -7,7 +7,7 @@
 #include "mrpt_ext/geometry/input_error.h"
 #include "scratch_folder.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_tum
 {
 using testing::messageOf;
 using testing::ScratchFolder;
@@ -58,4 +58,4 @@ RC_GTEST_PROP(Tum, WhatIsWrittenIsReadBack, ())
   RC_ASSERT((read[0].pose.position() - written[0].pose.position()).norm() < 1e-6);
   if (read[0].heading_known) RC_ASSERT(std::abs(wrap(read[0].pose.phi - written[0].pose.phi)) < 1e-8);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_tum

@@ -7,7 +7,7 @@
 
 #include "mrpt_ext/geometry/random.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_cell_kernel
 {
 namespace
 {
@@ -72,4 +72,4 @@ TEST(CellKernel, SumsHoldAllMomentsOfEachCell)
   }
 }
 }  // namespace
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_cell_kernel

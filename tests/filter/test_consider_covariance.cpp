@@ -9,7 +9,7 @@
 #include "simulated_run.h"
 #include "test_length.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_consider_covariance
 {
 namespace
 {
@@ -221,4 +221,4 @@ TEST(ConsiderCovariance, ANewEstimateHasNoLastingErrorYet)
   consider.restart();
   EXPECT_EQ(consider.added(), Matrix3d::Zero());
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_consider_covariance

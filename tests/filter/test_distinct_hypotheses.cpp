@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_distinct_hypotheses
 {
 TEST(KeepDistinct, TheFirstOfEachGroupStaysAndAbsorbsTheOthers)
 {
@@ -22,4 +22,4 @@ TEST(KeepDistinct, TheFirstOfEachGroupStaysAndAbsorbsTheOthers)
   EXPECT_NEAR(hypotheses[1].weight, 0.3, 1e-12);
   EXPECT_EQ(hypotheses[2].position, 1.8) << "compared with those kept, not with those absorbed";
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_distinct_hypotheses

@@ -8,7 +8,7 @@
 
 #include "mrpt_ext/geometry/random.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_excess_noise
 {
 namespace
 {
@@ -162,4 +162,4 @@ TEST(ExcessNoise, ARandomWalkHasNoOdometryThatCouldErr)
   EXPECT_EQ(noise.excess({{1, 0, 0.5}, 1, 0.5, 1}), Matrix3d(Matrix3d::Zero()));
 }
 }  // namespace
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_excess_noise

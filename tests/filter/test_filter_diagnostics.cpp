@@ -4,7 +4,7 @@
 
 #include "simulated_run.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_filter_diagnostics
 {
 TEST(FilterDiagnostics, OnlyTheFaultyBeaconIsReported)
 {
@@ -86,4 +86,4 @@ TEST(FilterDiagnostics, SystematicErrorsHaveTheirUnits)
   EXPECT_EQ(biasName(biases[0]), "uwb.range_offset_m");
   EXPECT_EQ(biasName(biases[1]), "bearing_offset_deg");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_filter_diagnostics

@@ -3,7 +3,7 @@
 #include "mrpt_ext/likelihood/reading_likelihood.h"
 #include "simulated_run.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_filter_posterior
 {
 namespace
 {
@@ -193,4 +193,4 @@ TEST(FilterPosterior, AGaussianStartHasItsCovarianceEvenWithoutSpreadInOneDirect
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(std::sqrt(found(i, i)), std[i], 0.03 * std[i] + 1e-6) << std.transpose();
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_filter_posterior

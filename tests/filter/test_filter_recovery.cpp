@@ -2,7 +2,7 @@
 
 #include "simulated_run.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_filter_recovery
 {
 namespace
 {
@@ -139,4 +139,4 @@ TEST(FilterRecovery, DetectionsOfLandmarksThatAreNotInTheMapDoNotMeanLost)
     }
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_filter_recovery

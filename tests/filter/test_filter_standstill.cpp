@@ -1,8 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "simulated_run.h"
+#include "test_length.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_filter_standstill
 {
 namespace
 {
@@ -15,7 +16,7 @@ struct SensorKind
   bool bearing, range, identified;
 };
 
-class FilterStandstill : public testing::TestWithParam<SensorKind>
+class FilterStandstill : public ::testing::TestWithParam<SensorKind>
 {
 };
 
@@ -36,6 +37,7 @@ SimulatedRobot robotWith(const SensorKind& kind)
 TEST_P(FilterStandstill, AnHourChangesNoVerdict)
 {
   const SimulatedRobot robot = robotWith(GetParam());
+  const int end = kDrive + testing::runsOfTest(kHour);
   for (std::uint64_t run = 0; run < 1; ++run)
   {
     RandomStream random(17, run);
@@ -50,7 +52,7 @@ TEST_P(FilterStandstill, AnHourChangesNoVerdict)
     ParticleFilter filter(options, map, 7, run);
     int changed = 0;
     std::string reason;
-    for (int k = 0; k < kDrive + kHour; ++k)
+    for (int k = 0; k < end; ++k)
     {
       const Pose2 increment = k < kDrive ? roundTripStep(k) : Pose2{};
       truth = compose(truth, increment);
@@ -67,9 +69,10 @@ TEST_P(FilterStandstill, AnHourChangesNoVerdict)
 }
 
 INSTANTIATE_TEST_SUITE_P(EverySensorKind, FilterStandstill,
-                         testing::Values(SensorKind{"bearings", true, false, true},
-                                         SensorKind{"ranges", false, true, true}, SensorKind{"both", true, true, true},
-                                         SensorKind{"anonymous_bearings", true, false, false},
-                                         SensorKind{"anonymous_ranges_and_bearings", true, true, false}),
+                         ::testing::Values(SensorKind{"bearings", true, false, true},
+                                           SensorKind{"ranges", false, true, true},
+                                           SensorKind{"both", true, true, true},
+                                           SensorKind{"anonymous_bearings", true, false, false},
+                                           SensorKind{"anonymous_ranges_and_bearings", true, true, false}),
                          [](const auto& kind) { return std::string(kind.param.name); });
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_filter_standstill

@@ -5,7 +5,7 @@
 #include "posterior_bounds.h"
 #include "simulated_run.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_filter_tracking
 {
 namespace
 {
@@ -117,4 +117,4 @@ TEST(FilterTracking, ConvergesFromAnywhereInTheRegion)
   }
   EXPECT_EQ(right, 5);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_filter_tracking

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_filter_verdict
 {
 namespace
 {
@@ -81,4 +81,4 @@ TEST(FilterVerdict, NotANumberIsNeverOk)
   EXPECT_NE(verdictOn({mode(kNaN)}).verdict, Verdict::ok);
   EXPECT_NE(verdictOn({mode(1, kNaN)}).verdict, Verdict::ok);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_filter_verdict

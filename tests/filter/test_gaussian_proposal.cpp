@@ -8,7 +8,7 @@
 #include "mrpt_ext/geometry/measurement_jacobian.h"
 #include "mrpt_ext/likelihood/reading_likelihood.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_gaussian_proposal
 {
 namespace
 {
@@ -114,4 +114,4 @@ TEST(GaussianProposal, ReplacesTheParticlesOnlyWhereTooFewAreEffective)
   EXPECT_LT(effective_after({400, 0.001}), 20) << "the ratio allows it";
   EXPECT_GT(effective_after({400, 0.5}), 200);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_gaussian_proposal

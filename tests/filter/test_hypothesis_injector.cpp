@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_hypothesis_injector
 {
 namespace
 {
@@ -129,4 +129,4 @@ TEST(HypothesisInjector, WithoutTrajectoryHypothesesNothingChanges)
   EXPECT_EQ(particles.size(), 100U);
   EXPECT_FLOAT_EQ(particles.log_weight[0], std::log(0.01F));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_hypothesis_injector

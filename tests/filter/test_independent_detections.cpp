@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_independent_detections
 {
 namespace
 {
@@ -28,7 +28,7 @@ OdometryMotion motionBy(const Pose2& increment)
           .duration = 1};
 }
 
-class IndependentDetectionsTest : public testing::Test
+class IndependentDetectionsTest : public ::testing::Test
 {
  protected:
   std::size_t independentOf(const Reading& reading) { return decorrelator_.independent(reading).detections.size(); }
@@ -93,4 +93,4 @@ TEST_F(IndependentDetectionsTest, TheDistanceIsShorterInASmallMap)
   decorrelator.move(motionBy({0.02, 0, 0}));
   EXPECT_EQ(decorrelator.independent(readingOf({0.5})).detections.size(), 1U);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_independent_detections

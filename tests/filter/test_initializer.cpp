@@ -6,7 +6,7 @@
 #include "mrpt_ext/likelihood/scoring_work.h"
 #include "simulated_run.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_initializer
 {
 namespace
 {
@@ -185,4 +185,4 @@ TEST(AnnealingExponent, KeepsTheEffectiveSamples)
   EXPECT_NEAR(sum * sum / squares, 200, 5);
   EXPECT_EQ(annealingExponent(prior, prior, 200), 1);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_initializer

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_inlier_ratio_monitor
 {
 TEST(InlierRatioMonitor, IsOneBeforeAnyDetection)
 {
@@ -75,4 +75,4 @@ TEST(InlierRatioMonitor, TheImmediateOneFallsFirstAndTheSlowOneLast)
   EXPECT_EQ(suspicious_after(fast), 8);
   EXPECT_EQ(suspicious_after(slow), 42);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_inlier_ratio_monitor

@@ -4,7 +4,7 @@
 
 #include "simulated_run.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_integrity_monitor
 {
 namespace
 {
@@ -113,4 +113,4 @@ TEST(IntegrityMonitor, AFrameThatSelectedTheModeIsNoEvidence)
   EXPECT_GT(counting.logOdds(), 1);
   EXPECT_EQ(skipping.logOdds(), 0);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_integrity_monitor

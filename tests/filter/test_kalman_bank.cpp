@@ -4,7 +4,7 @@
 
 #include "simulated_run.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_kalman_bank
 {
 namespace
 {
@@ -197,4 +197,4 @@ TEST(KalmanBank, ASingleFilterWaitsForADominantProposalOrAFullWindow)
   EXPECT_LT(distance(step.modes.modes.front().pose.mean, trip.truth), 0.5);
   EXPECT_NE(step.verdict, Verdict::ok) << "too few detections so far";
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_kalman_bank

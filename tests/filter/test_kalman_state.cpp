@@ -5,7 +5,7 @@
 
 #include <Eigen/Eigenvalues>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_kalman_state
 {
 namespace
 {
@@ -77,4 +77,4 @@ RC_GTEST_PROP(KalmanState, PredictsTheCovarianceWithTheJacobianOfTheMotion, ())
     RC_ASSERT((here.covariance - slope * slope.transpose()).cwiseAbs().maxCoeff() < 1e-6);
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_kalman_state

@@ -7,7 +7,7 @@
 #include "posterior_bounds.h"
 #include "simulated_run.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_kalman_tracking
 {
 namespace
 {
@@ -130,4 +130,4 @@ TEST(KalmanTracking, EstimatesSystematicErrorsTogetherWithThePose)
   }
   for (int b = 0; b < 5; ++b) EXPECT_LT(nees[b], chiSquareQuantile(kBiasRuns, 0.999)) << "error " << b;
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_kalman_tracking

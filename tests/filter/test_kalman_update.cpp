@@ -11,7 +11,7 @@
 #include "mrpt_ext/likelihood/reading_likelihood.h"
 #include "simulated_run.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_kalman_update
 {
 namespace
 {
@@ -249,4 +249,4 @@ RC_GTEST_PROP(KalmanUpdate, AnyMeasurementLeavesAFiniteStateAndAPositiveDefinite
     RC_ASSERT(isPositiveDefinite(update.state.covariance));
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_kalman_update

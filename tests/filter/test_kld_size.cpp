@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_kld_size
 {
 namespace
 {
@@ -62,4 +62,4 @@ TEST(OccupiedBins, HeadingBinsCloseAtPi)
   for (int deg = 0; deg < 7200; ++deg) around.add({0.1, 0.1, degToRad(deg + 0.5)}, 0);
   EXPECT_EQ(occupiedBins(around, kOptions), 36u);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_kld_size

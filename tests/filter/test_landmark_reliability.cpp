@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/geometry/random.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_landmark_reliability
 {
 namespace
 {
@@ -115,4 +115,4 @@ TEST(LandmarkReliability, WithoutAPriorTheFirstDetectionsDecideAlone)
   for (const double clutter : learned(0.4, true, 5, 0).clutter(kSensorClutter))
     EXPECT_TRUE(clutter >= 0 && clutter <= 0.7);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_landmark_reliability

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_measurement_linearization
 {
 namespace
 {
@@ -81,4 +81,4 @@ RC_GTEST_PROP(MeasurementLinearization, JacobiansAreTheDerivativesOfThePredictio
     RC_ASSERT(std::abs(range - here.rows[1].jacobian[k]) < 1e-5);
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_measurement_linearization

@@ -6,7 +6,7 @@
 
 #include "simulated_run.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_mode_mixture
 {
 namespace
 {
@@ -148,4 +148,4 @@ TEST(ModeMixture, ModesAreCountedOnlyWhenAllWeightIsInCompactOnes)
   EXPECT_EQ(countCompactModes({{{{{}, narrow}, 0.6}, {{{}, wide}, 0.4}}, {}}), 0U);
   EXPECT_EQ(countCompactModes({}), 0U);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_mode_mixture

@@ -6,7 +6,7 @@
 
 #include "mrpt_ext/geometry/random.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_modes
 {
 namespace
 {
@@ -159,4 +159,4 @@ TEST(Modes, ModesAreSortedByWeightAndDeterministic)
   }
   EXPECT_NEAR(weightSum(a), 1, 1e-5);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_modes

@@ -4,7 +4,7 @@
 
 #include <Eigen/Cholesky>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_motion_model
 {
 namespace
 {
@@ -185,4 +185,4 @@ TEST(MotionModel, TheResultDoesNotDependOnTheNumberOfThreads)
   };
   EXPECT_EQ(moved(1), moved(2));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_motion_model

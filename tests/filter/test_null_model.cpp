@@ -4,7 +4,7 @@
 
 #include "simulated_run.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_null_model
 {
 namespace
 {
@@ -109,4 +109,4 @@ TEST(NullModel, FeaturesOfAnotherCategoryOrSensorAreNotExpected)
   model.clear();
   EXPECT_EQ(model.size(), 0U);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_null_model

@@ -5,7 +5,7 @@
 #include "mrpt_ext/likelihood/reading_likelihood.h"
 #include "simulated_run.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_observation_model
 {
 namespace
 {
@@ -102,4 +102,4 @@ TEST(ObservationModel, LearnsFaultyLandmarksOnlyIfSwitchedOn)
   EXPECT_EQ(clutter_after(true, false), 0.1);
   EXPECT_EQ(clutter_after(false, true), 0.1);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_observation_model

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_particle_bias
 {
 namespace
 {
@@ -54,4 +54,4 @@ TEST(ParticleBias, WalksWithTheRootOfTime)
   EXPECT_NEAR(momentsOf(particles.bias[0]).std, 0.06, 0.002);
   EXPECT_EQ(particles.bias[1], std::vector<float>(kCount, 0.0F));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_particle_bias

@@ -6,7 +6,7 @@
 
 #include "simulated_run.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_particle_filter
 {
 namespace
 {
@@ -280,4 +280,4 @@ TEST(ParticleFilter, AKnownStartIsNotOverruledByATrajectorySearchThatDoesNotKnow
   }
   EXPECT_EQ(step.verdict, Verdict::ok) << step.reason;
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_particle_filter

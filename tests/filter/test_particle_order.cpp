@@ -6,7 +6,7 @@
 
 #include "mrpt_ext/geometry/random.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_particle_order
 {
 namespace
 {
@@ -68,4 +68,4 @@ TEST(ParticleOrder, NoneAndCopiesAreFine)
   orderByPlace(copies);
   EXPECT_EQ(copies.size(), 5u);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_particle_order

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_particle_set
 {
 namespace
 {
@@ -125,4 +125,4 @@ TEST(ParticleSet, ParticlesKeepTheirSystematicErrors)
   EXPECT_EQ(particles.poses().block(1, 2).bias[1][0], 2);
   EXPECT_EQ(particles.emptyLikeThis().bias.size(), 2u);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_particle_set

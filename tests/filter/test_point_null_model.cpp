@@ -6,7 +6,7 @@
 
 #include "mrpt_ext/geometry/measurement_jacobian.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_point_null_model
 {
 namespace
 {
@@ -95,4 +95,4 @@ TEST(PointNullModel, ItsDensityIntegratesToOne)
     }
   EXPECT_NEAR(sum, 1, 0.01);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_point_null_model

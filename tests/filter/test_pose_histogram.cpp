@@ -7,7 +7,7 @@
 
 #include "mrpt_ext/geometry/random.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_pose_histogram
 {
 namespace
 {
@@ -97,4 +97,4 @@ TEST(PoseHistogram, TheResultDoesNotDependOnTheNumberOfThreads)
   EXPECT_EQ(cellsOf(one), cellsOf(four));
   for (std::size_t k = 0; k < one.size(); ++k) EXPECT_EQ(one.weight(k), four.weight(k));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_pose_histogram

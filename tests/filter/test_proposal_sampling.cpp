@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_proposal_sampling
 {
 namespace
 {
@@ -107,4 +107,4 @@ TEST(WithWideCopies, HoldsEveryHypothesisTwice)
   EXPECT_EQ(both[3].pose.mean.x, twoPoses()[1].pose.mean.x);
   EXPECT_NEAR(both[3].pose.covariance(1, 1), 0.04 + 0.16, 1e-12);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_proposal_sampling

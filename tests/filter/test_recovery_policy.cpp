@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_recovery_policy
 {
 namespace
 {
@@ -79,4 +79,4 @@ TEST(RecoveryPolicy, SeveralModesAreVerifiedByATrajectoryOnly)
   EXPECT_TRUE(timesOf(alone, {}, Kind::verify, 60).empty());
   EXPECT_EQ(timesOf(with_trajectory, {.has_trajectory = true}, Kind::verify, 1), (std::vector<double>{0.5}));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_recovery_policy

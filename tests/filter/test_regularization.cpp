@@ -7,7 +7,7 @@
 #include "mrpt_ext/filter/particle_moments.h"
 #include "mrpt_ext/filter/particles/resampling.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_regularization
 {
 namespace
 {
@@ -169,4 +169,4 @@ TEST(Regularization, AModeWithZeroCovarianceStaysWhereItIs)
   regularizeModes(none, {}, {}, random);
   EXPECT_TRUE(none.empty());
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_regularization

@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/geometry/random.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_relevance
 {
 namespace
 {
@@ -60,4 +60,4 @@ TEST(Relevance, AnEstimateIsNoLargerThanPlausible)
   EXPECT_LE(found.covariance(0, 0), 0.01 * 0.01);
 }
 }  // namespace
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_relevance

@@ -7,7 +7,7 @@
 
 #include "mrpt_ext/filter/particle_moments.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_resample_move
 {
 namespace
 {
@@ -109,4 +109,4 @@ TEST(ResampleMove, NoParticleEntersWhereThePosteriorIsZero)
   moveByPosterior(particles, oneMode(), {0, 0}, posterior, random);
   for (const float x : particles.x) EXPECT_GT(x, 0);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_resample_move

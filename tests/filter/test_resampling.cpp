@@ -8,7 +8,7 @@
 
 #include "mrpt_ext/filter/particles/systematic_resampling.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_resampling
 {
 namespace
 {
@@ -47,10 +47,10 @@ double weightOfFirstHalf(const ParticleSet& particles)
 }
 }  // namespace
 
-class EveryMethod : public testing::TestWithParam<ResamplingMethod>
+class EveryMethod : public ::testing::TestWithParam<ResamplingMethod>
 {
 };
-INSTANTIATE_TEST_SUITE_P(Resampling, EveryMethod, testing::ValuesIn(kMethods));
+INSTANTIATE_TEST_SUITE_P(Resampling, EveryMethod, ::testing::ValuesIn(kMethods));
 
 TEST_P(EveryMethod, IsUnbiased)
 {
@@ -233,4 +233,4 @@ TEST(Resampling, ResamplesNoParticlesToNone)
   RandomStream random(13);
   EXPECT_TRUE(resampleByMode({}, {}, ResamplingMethod::systematic, 100, random).empty());
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_resampling

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_sampling_error
 {
 namespace
 {
@@ -54,4 +54,4 @@ TEST(SamplingError, TheRemainderIsThatOfTheKalmanGain)
   EXPECT_EQ(SamplingError::remainder(I, 0.1 * I, I), 1) << "never more";
   EXPECT_EQ(SamplingError::remainder(I, Matrix3d::Zero(), I), 0);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_sampling_error

@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/geometry/random.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_score_variance
 {
 namespace
 {
@@ -42,4 +42,4 @@ TEST(ScoreVariance, ErrorsThatLastAreWorthTheNumberOfIndependentOnes)
   EXPECT_NEAR(worthOf(50, 0.5, 4), 1.0 / 25.5, 0.5 / 25.5);
 }
 }  // namespace
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_score_variance

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_sensor_monitors
 {
 TEST(SensorMonitors, KeysAreSensorsAndWhatTheyMeasure)
 {
@@ -53,4 +53,4 @@ TEST(SensorMonitors, ASensorThatNeverAgreedIsReportedAndRaisesNoAlarm)
   }
   EXPECT_EQ(sensors.finding(), "camera bearings: inlier ratio 11 % of the expected value");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_sensor_monitors

@@ -5,7 +5,7 @@
 #include "mrpt_ext/hypotheses/pose_region.h"
 #include "simulated_run.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_sequential_pose_test
 {
 namespace
 {
@@ -195,4 +195,4 @@ TEST(SequentialPoseTest, LimitsTheLogOdds)
   EXPECT_FALSE(test.verified());
   EXPECT_FALSE(test.refuted());
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_sequential_pose_test

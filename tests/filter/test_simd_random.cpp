@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_simd_random
 {
 namespace
 {
@@ -55,4 +55,4 @@ TEST(SimdRandom, SeedsBlocksAndCallsGiveNumbersOfTheirOwn)
   for (int call = 0; call < 2; ++call) lanes.fillGaussians(again);
   EXPECT_NEAR(correlation(first, again), 0, 4.0 / 256);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_simd_random

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_spot_evidence
 {
 namespace
 {
@@ -56,4 +56,4 @@ TEST(SpotEvidence, LaterReadingsTakeBackAtMostWhatTheFirstGave)
   for (int k = 0; k < 10; ++k) sum += spot.counted(-3, false);
   EXPECT_DOUBLE_EQ(sum, 0);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_spot_evidence

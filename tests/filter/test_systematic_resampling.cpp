@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_systematic_resampling
 {
 namespace
 {
@@ -114,4 +114,4 @@ TEST(SystematicResampling, ReturnsNothingWithoutWeightOrCount)
   std::fill(weightless.log_weight.begin(), weightless.log_weight.end(), -1e6F);
   EXPECT_FALSE(resampleSystematically(weightless, drawn.mode_of, 10, random, 1));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_systematic_resampling

@@ -8,7 +8,7 @@
 
 #include "mrpt_ext/geometry/random.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_weight_kernels
 {
 namespace
 {
@@ -80,4 +80,4 @@ TEST(WeightKernels, SubtractsBothOneAfterTheOther)
   subtractAll(values, 0.5F, 0.25F);
   EXPECT_EQ(values, (std::vector<float>{0.25F, 1.75F}));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_weight_kernels

@@ -8,7 +8,7 @@
 #include "mrpt_ext/geometry/measurement_jacobian.h"
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_frame_synchronizer
 {
 namespace
 {
@@ -278,4 +278,4 @@ TEST(FrameSynchronizer, RangesAreKeptAsLongAsAFixMayNeedThem)
   records.front() = bearingTo(0, 1);
   EXPECT_FALSE(buildFrames(records, kMap, {}).frames.back().fixes.at(0).ranges_logged_too);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_frame_synchronizer

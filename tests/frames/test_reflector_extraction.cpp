@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/geometry/random.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_reflector_extraction
 {
 namespace
 {
@@ -143,4 +143,4 @@ TEST(ReflectorExtraction, NothingComesOfNothing)
   EXPECT_TRUE(extractReflectors(dark, kPost).detections.empty());
   EXPECT_TRUE(reflectorReading(RangeScan(), {}).detections.empty());
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_reflector_extraction

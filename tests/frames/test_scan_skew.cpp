@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/geometry/measurement_jacobian.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_scan_skew
 {
 namespace
 {
@@ -105,4 +105,4 @@ TEST(ScanSkew, WithoutADurationOrABearingNothingChanges)
   EXPECT_EQ(same.detections.back().range, 4.0);
   EXPECT_FALSE(same.detections.back().bearing);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_scan_skew

@@ -6,7 +6,7 @@
 #include "mrpt_ext/configuration/localization_keys.h"
 #include "mrpt_ext/geometry/input_error.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_sensor_config
 {
 namespace
 {
@@ -304,4 +304,4 @@ TEST(SensorConfig, ALabelInheritsFromTheOneItContinues)
   EXPECT_EQ(configOf(configs, "eye").scale_range, 1.1);
   EXPECT_EQ(configOf(configs, "eyelid").scale_range, 1.0);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_sensor_config

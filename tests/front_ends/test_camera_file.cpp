@@ -5,7 +5,7 @@
 #include "mrpt_ext/geometry/input_error.h"
 #include "scratch_folder.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_camera_file
 {
 namespace
 {
@@ -95,4 +95,4 @@ TEST(CameraFile, ItsTextWithOtherNumbersKeepsAllElse)
   EXPECT_EQ(after.fieldNumber("depth"), 2);
   EXPECT_EQ(CameraFile::read(folder.write("new.json", CameraFile().textWith({{"cy", 3}}))).number("cy"), 3);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_camera_file

@@ -7,7 +7,7 @@
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/geometry/random.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_image_integrity
 {
 namespace
 {
@@ -71,4 +71,4 @@ TEST(ImageIntegrity, AHugeHeaderIsRefusedWithoutMemory)
 }
 
 TEST(ImageIntegrity, OtherFormatsAreNotRead) { EXPECT_EQ(whyNoImage("BM some bitmap"), kDamaged); }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_image_integrity

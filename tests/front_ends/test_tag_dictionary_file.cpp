@@ -5,7 +5,7 @@
 #include "mrpt_ext/geometry/input_error.h"
 #include "scratch_folder.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_tag_dictionary_file
 {
 namespace
 {
@@ -42,4 +42,4 @@ TEST(TagDictionaryFile, SaysWhatIsWrong)
   EXPECT_NE(complaintAbout("nmarkers: 2\nmarkersize: 3\nmarker_0: \"101011111\"\n").find("marker_1: expected"),
             std::string::npos);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_tag_dictionary_file

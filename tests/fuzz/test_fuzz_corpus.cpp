@@ -9,7 +9,7 @@
 #include "mrpt_ext/geometry/random.h"
 
 // The seeds of the fuzzer and the inputs that once did harm, each through every reader, whole and changed.
-namespace mrpt_ext
+namespace mrpt_ext::test_fuzz_corpus
 {
 namespace
 {
@@ -62,4 +62,4 @@ TEST(FuzzCorpus, ChangedInputsAreReadOrRefused)
       }
     }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_fuzz_corpus

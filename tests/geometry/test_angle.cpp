@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_angle
 {
 TEST(Wrap, KeepsAnglesAlreadyInRange)
 {
@@ -30,4 +30,4 @@ RC_GTEST_PROP(Wrap, IsInRangeAndKeepsTheDirection, (double raw))
   RC_ASSERT(std::abs(std::sin(wrapped) - std::sin(angle)) < 1e-9);
   RC_ASSERT(std::abs(std::cos(wrapped) - std::cos(angle)) < 1e-9);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_angle

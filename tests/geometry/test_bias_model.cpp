@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_bias_model
 {
 TEST(BiasModel, ASensorsErrorActsOnItsPartsAfterADot)
 {
@@ -17,4 +17,4 @@ TEST(BiasModel, AnErrorOfAllSensorsActsOnEachAndOneOfOdometryOnNone)
   EXPECT_TRUE(actsOn({.kind = BiasKind::range_scale, .sensor = ""}, "sonar"));
   EXPECT_FALSE(actsOn({.kind = BiasKind::distance_scale, .sensor = ""}, "sonar"));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_bias_model

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_bias_units
 {
 TEST(BiasUnits, EveryKindHasItsRow)
 {
@@ -22,4 +22,4 @@ TEST(BiasUnits, AnglesAreDegreesInFiles)
     EXPECT_EQ(std::string(row.suffix), *row.unit == '\0' ? "" : std::string("_") + row.unit);
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_bias_units

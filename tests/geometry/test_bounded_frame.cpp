@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_bounded_frame
 {
 namespace
 {
@@ -50,4 +50,4 @@ TEST(BoundedFrame, WorkThatGrowsWithTheDetectionsLeavesItsShareOfThem)
   EXPECT_EQ(detectionCount(affordableFrame(frame, 1e6, 3e5).value()), 30u);
   EXPECT_EQ(detectionCount(affordableFrame(frame, 1e6, 1).value()), 1u) << "never none";
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_bounded_frame

@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/geometry/measurement.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_even_choice
 {
 namespace
 {
@@ -29,4 +29,4 @@ TEST(EvenChoice, FewStayAsTheyAre)
   EXPECT_EQ(evenChoice(std::span<const Detection>(detections), 3), (std::vector<std::size_t>{0, 1, 2}));
   EXPECT_TRUE(evenChoice(std::span<const Detection>(), 3).empty());
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_even_choice

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_formatted
 {
 TEST(Formatted, WritesNumbersAsPrintfDoes)
 {
@@ -14,4 +14,4 @@ TEST(Formatted, CutsNothingHoweverLong)
   const std::string name(5000, 'x');
   EXPECT_EQ(formatted("<%s>", name.c_str()), "<" + name + ">");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_formatted

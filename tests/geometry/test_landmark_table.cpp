@@ -6,7 +6,7 @@
 
 #include "mrpt_ext/geometry/input_error.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_landmark_table
 {
 namespace
 {
@@ -36,4 +36,4 @@ TEST(LandmarkTable, BoundingBoxHoldsAll)
   EXPECT_EQ(low, Vector2d(-1, -2));
   EXPECT_EQ(high, Vector2d(3, 5));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_landmark_table

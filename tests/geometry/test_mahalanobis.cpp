@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_mahalanobis
 {
 TEST(Mahalanobis, CountsStandardDeviationsAcrossTheHalfTurn)
 {
@@ -29,4 +29,4 @@ TEST(IsWithin, ChecksEachCoordinate)
   EXPECT_FALSE(isWithin(gaussian, {1, 2, wrap(3.25)}, 1));
   EXPECT_TRUE(isWithin(gaussian, {1, 2, wrap(3.25)}, 2));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_mahalanobis

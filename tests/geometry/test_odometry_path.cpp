@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_odometry_path
 {
 namespace
 {
@@ -168,4 +168,4 @@ TEST(Propagate, WithoutHeadingTheEstimateStays)
   estimate.heading_known = false;
   EXPECT_DOUBLE_EQ(propagate(estimate, kUpwards, 2).pose.mean.x, 1);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_odometry_path

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_physical_limits
 {
 namespace
 {
@@ -36,4 +36,4 @@ TEST(PhysicalLimits, NamesWhatIsBeyond)
   fix.first_time = -1e300;
   EXPECT_NE(whyImpossible(fix), "");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_physical_limits

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_pose
 {
 namespace
 {
@@ -60,4 +60,4 @@ RC_GTEST_PROP(Pose, ComposeJacobiansMatchDifferences, (int x, int y, int phi, in
     RC_ASSERT((db - composeJacobianSecond(a).col(k)).norm() < 1e-3);
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_pose

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_quantile
 {
 TEST(Quantile, InterpolatesBetweenNeighbours)
 {
@@ -26,4 +26,4 @@ TEST(UpperMedian, IsOneOfTheValues)
   EXPECT_DOUBLE_EQ(upperMedian({3, 1, 2}), 2);
   EXPECT_DOUBLE_EQ(upperMedian({7}), 7);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_quantile

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_random
 {
 namespace
 {
@@ -135,4 +135,4 @@ TEST(RandomStream, PoissonHasItsMeanAsVariance)
   }
   EXPECT_EQ(RandomStream(1).poisson(0), 0);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_random

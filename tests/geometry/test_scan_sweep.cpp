@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_scan_sweep
 {
 TEST(ScanSweep, TheStampIsTheTimeOfTheLastBeam)
 {
@@ -32,4 +32,4 @@ TEST(ScanSweep, TheTurnMayBeginAnywhere)
   const ScanSweep right{.duration = 0.2, .direction = SweepDirection::clockwise, .start = 0};
   EXPECT_NEAR(right.ageOf(kPi / 2, kTwoPi), 0.05, 1e-12);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_scan_sweep

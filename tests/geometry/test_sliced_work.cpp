@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_sliced_work
 {
 namespace
 {
@@ -125,4 +125,4 @@ TEST(SlicedWork, ThrowsWhatTheWorkThrowsAndGoesOn)
   work.begin(parts(1, done));
   EXPECT_EQ(work.resume(20), 10U);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_sliced_work

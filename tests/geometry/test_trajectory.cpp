@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_trajectory
 {
 namespace
 {
@@ -32,4 +32,4 @@ TEST(Interpolate, LongGapsAndOutsideGiveNothing)
   EXPECT_FALSE(interpolate(kTwoPoses, 5.1, 0.5));
   EXPECT_FALSE(interpolate({}, 0, 1));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_trajectory

@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/geometry/angle.h"
 
-namespace mrpt_ext::vector_math
+namespace mrpt_ext::vector_math::test_vector_math
 {
 namespace
 {
@@ -104,4 +104,4 @@ TEST(VectorMath, SquaredAngleFromSquaredSine)
   }
   EXPECT_EQ(squaredAngleOf(0), 0);
 }
-}  // namespace mrpt_ext::vector_math
+}  // namespace mrpt_ext::vector_math::test_vector_math

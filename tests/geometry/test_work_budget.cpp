@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_work_budget
 {
 TEST(WorkBudget, EndsWhenItsOperationsAreUsedUp)
 {
@@ -52,4 +52,4 @@ TEST(WorkBudget, AFlagEndsItAndItsShares)
   EXPECT_TRUE(share.exhausted());
   EXPECT_FALSE(share.spend(1));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_work_budget

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_bias_inflation
 {
 namespace
 {
@@ -42,4 +42,4 @@ TEST(BiasInflation, ARangeThatTheMeanWouldMakeNegativeIsLeftAsItIs)
   const auto readings = withBiasUncertainty(oneReading(), {{.kind = BiasKind::range_offset, .mean = 60, .std = 1}});
   EXPECT_EQ(readings[0].detections[0].range, 52.5);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_bias_inflation

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_informative_readings
 {
 namespace
 {
@@ -51,4 +51,4 @@ TEST(JoinedReadings, EverySensorKeepsItsShare)
   EXPECT_LE(countOf(chosen, "left"), kMostJoinedReadings);
   EXPECT_EQ(chosen.back().time, 89);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_informative_readings

@@ -5,7 +5,7 @@
 #include "exact_scene.h"
 #include "mrpt_ext/geometry/random.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_landmark_measurement
 {
 namespace
 {
@@ -140,4 +140,4 @@ TEST(LandmarkMeasurement, FixesAreReducedToThePlaneToo)
   RunningFixReading impossible{.sensor_height = 0.5, .first_range = 2.5, .second_range = 1.4};
   EXPECT_FALSE(reduceToHorizontal(impossible, 2));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_landmark_measurement

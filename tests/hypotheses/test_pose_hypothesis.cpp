@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_pose_hypothesis
 {
 namespace
 {
@@ -91,4 +91,4 @@ TEST(MergeDuplicates, AnUnknownHeadingOnlyMergesWithItsLike)
   EXPECT_FALSE(hypotheses[0].heading_known);
   EXPECT_TRUE(hypotheses[1].heading_known);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_pose_hypothesis

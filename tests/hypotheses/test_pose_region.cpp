@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_pose_region
 {
 namespace
 {
@@ -68,4 +68,4 @@ TEST(PoseRegion, ARegionWithoutExtentStillHasAFiniteDensityWhereItIs)
   }
   EXPECT_EQ(point.density({2.5, 3, 1}), 0);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_pose_region

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_proposal_distribution
 {
 namespace
 {
@@ -189,4 +189,4 @@ TEST(ProposalDistribution, TheOverlapCountsTheComponentsThatReachASample)
   EXPECT_DOUBLE_EQ(ProposalDistribution(together, kRegion, 0.3, 1, kNoFloor).overlap(), 200);
   EXPECT_EQ(ProposalDistribution({}, kRegion, 0.3, 1, kNoFloor).overlap(), 0);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_proposal_distribution

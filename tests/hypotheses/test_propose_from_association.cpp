@@ -9,7 +9,7 @@
 #include "mrpt_ext/geometry/random.h"
 #include "test_length.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_propose_from_association
 {
 namespace
 {
@@ -179,4 +179,4 @@ TEST(ProposeFromThreeBearings, UsesTheScanWithMostBearings)
   EXPECT_TRUE(holdsTruth(threeBearings({few, many})));
   EXPECT_TRUE(holdsTruth(threeBearings({many, few})));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_propose_from_association

@@ -6,7 +6,7 @@
 
 #include "window_of_readings.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_propose_from_window
 {
 namespace
 {
@@ -97,4 +97,4 @@ TEST(ProposeFromWindow, RefinementRejectsOutliers)
   EXPECT_LT(distance(pose->mean, kRobot) + turned(pose->mean, kRobot), 1e-4);
   EXPECT_FALSE(refineOnWindow(windowOfReadings(kRobot, kBend, 6, kMap, {0}, kBearings), kMap, kRobot)) << "a ring";
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_propose_from_window

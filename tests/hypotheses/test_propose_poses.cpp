@@ -6,7 +6,7 @@
 
 #include "exact_scene.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_propose_poses
 {
 namespace
 {
@@ -217,4 +217,4 @@ TEST(ProposePoses, NothingToProposeFrom)
       proposePoses({.readings = {seenFrom(kRobot, kMap, {0, 1, 2, 3}, kAnonymous)}}, {}, GlobalPoseSearch({}), kOptions)
           .empty());
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_propose_poses

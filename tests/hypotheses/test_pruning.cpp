@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_pruning
 {
 namespace
 {
@@ -47,4 +47,4 @@ TEST(Pruning, KeepsAtMostSoMany)
   mergeSame(set, areNeighbours, 2);
   EXPECT_EQ(set, (Hypotheses{{3, 10}, {1, 12}}));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_pruning

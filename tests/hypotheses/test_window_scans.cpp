@@ -5,7 +5,7 @@
 #include "mrpt_ext/hypotheses/scans.h"
 #include "window_of_readings.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_window_scans
 {
 namespace
 {
@@ -54,4 +54,4 @@ TEST(WindowScans, OdometryNoiseIsKeptApartFromSensorNoise)
     EXPECT_NEAR(scans[k].scan.detections[0].std_bearing, kAnonymous.std_bearing, 1e-9);
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_window_scans

@@ -5,7 +5,7 @@
 #include "bag_samples.h"
 #include "sample_data.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_bag_files
 {
 namespace
 {
@@ -50,4 +50,4 @@ TEST(BagFiles, DamageNamesTheFileThatTheUserKnows)
   static_cast<void>(empty.write("metadata.yaml", "rosbag2_bagfile_information: 3"));
   EXPECT_INPUT_ERROR(topicsIn({empty.path()}), "metadata.yaml: ");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_bag_files

@@ -4,7 +4,7 @@
 
 #include "bag_samples.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_cdr_reader
 {
 namespace
 {
@@ -45,4 +45,4 @@ TEST(CdrReader, RefusesWhatGoesBeyondTheMessage)
 }
 
 TEST(CdrReader, RefusesOtherForms) { EXPECT_THROW(CdrReader("\0\7\0\0abcd"s), DamagedBytes); }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_cdr_reader

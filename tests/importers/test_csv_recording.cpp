@@ -5,7 +5,7 @@
 #include "mrpt_ext/geometry/input_error.h"
 #include "sample_data.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_csv_recording
 {
 using testing::DamagedCopy;
 using testing::hasNote;
@@ -224,4 +224,4 @@ TEST(CsvRecording, MistakesInTheOtherFilesAreNamedWithTheirLine)
   copy.replace("landmarks.csv", "id,x,y,z,category\n1,a,0,0,\n");
   EXPECT_INPUT_ERROR((void)importFolder(copy.path()), "landmarks.csv:2: 'a' is not a number, expected x");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_csv_recording

@@ -7,7 +7,7 @@
 #include "mrpt_ext/geometry/input_error.h"
 #include "sample_data.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_cuhksz
 {
 using testing::DamagedCopy;
 using testing::hasNote;
@@ -90,4 +90,4 @@ TEST(CuhkszRecordings, RangesFitTheTruth)
   EXPECT_NEAR(mean, 0.181, 0.01);
   EXPECT_NEAR(std::sqrt(squares / static_cast<double>(count) - square(mean)), kCuhkszStdRange, 0.01);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_cuhksz

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_date_time
 {
 TEST(DateTime, CountsSecondsSince1970)
 {
@@ -18,4 +18,4 @@ TEST(DateTime, RejectsOtherText)
         "2022-08-15 9:42:75", "2022-08-15T9:42:24", "15.8.2022 9:42:24", "2022-08-15 9:42:24 Z"})
     EXPECT_FALSE(parseDateTime(text)) << text;
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_date_time

@@ -8,7 +8,7 @@
 #include "mrpt_ext/importers/recording_notes.h"
 #include "sample_data.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_import_options
 {
 using testing::hasNote;
 using testing::recordsOf;
@@ -104,4 +104,4 @@ TEST(DescribeRecording, CountsRatesGapsAndUnknownIds)
   for (const double time : {10.0, 11.0, 11.5, 14.0}) recording.records.emplace_back(OdometryRecord{time, {}});
   EXPECT_EQ(describe(recording)[0], "odometry: 4 records, 4.0 s, 0.75 per s, longest gap 2.50 s");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_import_options

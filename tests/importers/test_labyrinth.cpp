@@ -7,7 +7,7 @@
 #include "mrpt_ext/geometry/input_error.h"
 #include "sample_data.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_labyrinth
 {
 using testing::DamagedCopy;
 using testing::hasNote;
@@ -97,4 +97,4 @@ TEST(LabyrinthRecordings, DeadReckoningFitsTheTruth)
     EXPECT_LT((laid_over - recording.truth[i].pose.position()).norm(), 0.2) << odometry[i].time;
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_labyrinth

@@ -5,7 +5,7 @@
 #include "bag_samples.h"
 #include "sample_data.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_mcap_reader
 {
 namespace
 {
@@ -73,4 +73,4 @@ TEST(McapReader, AnUnknownChannelIsDamage)
   const std::string record = "\x05\x16\0\0\0\0\0\0\0"s + std::string(22, '\0');
   EXPECT_INPUT_ERROR(topicsIn(folder.write("a.mcap", magic + record + magic)), "byte 8: a message of channel 0");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_mcap_reader

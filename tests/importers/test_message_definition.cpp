@@ -5,7 +5,7 @@
 #include "mrpt_ext/importers/rosbag2/byte_reader.h"
 #include "mrpt_ext/importers/rosbag2/well_known_definitions.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_message_definition
 {
 TEST(MessageDefinition, FindsStructuresOfItsPackageAndOfOthers)
 {
@@ -56,4 +56,4 @@ TEST(MessageDefinition, TheWellKnownOnesAreComplete)
   }
   EXPECT_TRUE(wellKnownDefinitions("sensor_msgs/msg/Image").empty());
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_message_definition

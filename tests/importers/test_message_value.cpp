@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/importers/rosbag2/byte_reader.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_message_value
 {
 namespace
 {
@@ -63,4 +63,4 @@ TEST(MessageValue, AnEmptyStructureTakesOneByte)
   EXPECT_EQ(value.list("a").size(), 2U);
   EXPECT_EQ(value.number("b"), 9);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_message_value

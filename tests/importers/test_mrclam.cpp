@@ -8,7 +8,7 @@
 #include "mrpt_ext/importers/mrclam_files.h"
 #include "sample_data.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_mrclam
 {
 using testing::DamagedCopy;
 using testing::hasNote;
@@ -195,4 +195,4 @@ TEST(MrclamRecordings, EverySetOfEveryRobotIsReadWhole)
     EXPECT_EQ(hasNote(recording, "no odometry file"), set == 5) << set;
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_mrclam

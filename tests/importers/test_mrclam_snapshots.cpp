@@ -7,7 +7,7 @@
 #include "mrpt_ext/geometry/input_error.h"
 #include "sample_data.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_mrclam_snapshots
 {
 using testing::DamagedCopy;
 using testing::hasNote;
@@ -74,4 +74,4 @@ TEST(MrclamRecordings, SnapshotsHaveTheKnownCounts)
     EXPECT_EQ(recording.truth.size(), count) << set;
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_mrclam_snapshots

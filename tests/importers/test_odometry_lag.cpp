@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_odometry_lag
 {
 TEST(OdometryLag, IsTheAgeOfTheOdometry)
 {
@@ -23,4 +23,4 @@ TEST(OdometryLag, IsNothingWithoutOdometry)
   EXPECT_FALSE(odometryLag({5}, {1, 2}));
   EXPECT_FALSE(odometryLag({5}, {}));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_odometry_lag

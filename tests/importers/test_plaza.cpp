@@ -7,7 +7,7 @@
 #include "mrpt_ext/geometry/input_error.h"
 #include "sample_data.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_plaza
 {
 using testing::DamagedCopy;
 using testing::hasNote;
@@ -106,4 +106,4 @@ TEST(PlazaRecordings, RangesFitTheTruth)
   EXPECT_NEAR(mean, 2.79, 0.05);
   EXPECT_NEAR(std::sqrt(squares / static_cast<double>(count) - square(mean)), kPlazaStdRange, 0.05);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_plaza

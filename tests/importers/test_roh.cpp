@@ -7,7 +7,7 @@
 #include "mrpt_ext/geometry/input_error.h"
 #include "sample_data.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_roh
 {
 using testing::DamagedCopy;
 using testing::hasNote;
@@ -76,4 +76,4 @@ TEST(RohRecordings, BearingsFitTheTruePositions)
   }
   EXPECT_NEAR(radToDeg(std::sqrt(squares / 4800)), 1.96, 0.02);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_roh

@@ -8,7 +8,7 @@
 #include "sample_data.h"
 
 // The bags hold exact measurements of four posts by sensors that sit on the robot in different ways.
-namespace mrpt_ext
+namespace mrpt_ext::test_rosbag2_recording
 {
 namespace
 {
@@ -185,4 +185,4 @@ TEST(Rosbag2Recording, DamagedMessagesAreALine)
     odd.replace(at, 8, std::string("\0\0\0\0\0\0\xF8\x7F", 8));
   EXPECT_INPUT_ERROR(static_cast<void>(importRosbag2({folder.write("odd.mcap", odd)}, {})), "odd.mcap: message ");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_rosbag2_recording

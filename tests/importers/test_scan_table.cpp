@@ -4,7 +4,7 @@
 
 #include "sample_data.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_scan_table
 {
 namespace
 {
@@ -40,4 +40,4 @@ TEST(ScanTable, MistakesAreALine)
   EXPECT_INPUT_ERROR(read("t,sensor,r0,r1,i0,i1\n0,sonar,1,1,1,1\n"), "a scan of sensor 'sonar', expected its row");
   EXPECT_INPUT_ERROR(read("t,sensor,r0,r1,i0,i1\n0,rear,1,1,1,1\n"), "a scan of sensor 'rear'");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_scan_table

@@ -5,7 +5,7 @@
 #include "bag_samples.h"
 #include "sample_data.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_sqlite_bag
 {
 namespace
 {
@@ -40,4 +40,4 @@ TEST(SqliteBag, DamageIsALine)
   EXPECT_INPUT_ERROR(topicsIn(folder.write("damaged.db3", damaged)), "damaged.db3: ");
   EXPECT_INPUT_ERROR(topicsIn(folder.write("empty.db3", "")), "no table topics");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_sqlite_bag

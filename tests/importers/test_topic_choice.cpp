@@ -4,7 +4,7 @@
 
 #include "sample_data.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_topic_choice
 {
 namespace
 {
@@ -63,4 +63,4 @@ TEST(TopicChoice, MistakesAreALine)
   EXPECT_INPUT_ERROR(chosen(bag, {"truth=/pose"}), "--topic truth=/pose: not in the bag, expected one of /odom");
   EXPECT_INPUT_ERROR(chosen(bag, {"scan=/odom"}), "of type nav_msgs/msg/Odometry, expected none");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_topic_choice

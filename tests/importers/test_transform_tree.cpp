@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_transform_tree
 {
 namespace
 {
@@ -52,4 +52,4 @@ TEST(TransformTree, LoopsEnd)
   EXPECT_TRUE(tree.fixedPose("a", "c"));
   EXPECT_FALSE(tree.fixedPose("a", "d"));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_transform_tree

@@ -6,7 +6,7 @@
 #include "mrpt_ext/importers/velocity_odometry.h"
 #include "sample_data.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_truth_heading
 {
 namespace
 {
@@ -72,4 +72,4 @@ TEST(TruthHeading, UnknownHeadingsAndShortPathsGiveNoOffset)
   const Trajectory path = windingPath(1);
   EXPECT_FALSE(truthHeadingOffset(recordingWith(Trajectory(path.begin(), path.begin() + 50), {})));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_truth_heading

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_velocity_odometry
 {
 TEST(ArcMotion, QuarterCircleStraightLineAndTurnOnTheSpot)
 {
@@ -51,4 +51,4 @@ TEST(IntegrateVelocities, OfOneStampTheLastVelocityHolds)
   EXPECT_EQ(odometry[1].pose.x, 1);
   EXPECT_EQ(odometry[2].pose.x, 3);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_velocity_odometry

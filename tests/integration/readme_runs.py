@@ -1,8 +1,8 @@
 """Runs the commands that the READMEs print: readme_runs.py SOURCE_DIR BUILD_DIR [PART_OF_A_README'S_PATH]
 
 Each README has a copy of the folders that its commands name, with small stand-ins for recordings that are not shipped, and
-its commands run there in their order. As printed, but for the length of runs: two trials, ten seconds of a log. A command
-that is neither run nor named in NOT_RUN, with what stands in for it, is a failure.
+its commands run there in their order. As printed, but for the length of runs: two trials, ten seconds of a log, live input
+at twenty times its pace. A command that is neither run nor named in NOT_RUN, with what stands in for it, is a failure.
 """
 
 import contextlib
@@ -25,7 +25,6 @@ NOT_RUN = {
     "bash apps/quickstart.sh": "builds; a check of .ci/run",
     "bash tests/run.sh": "runs this test",
     "bash apps/package.sh": "builds; tests/portability/packages.sh uses what it makes",
-    "bash apps/package.sh": "tests/portability/packages.sh",
     "sudo apt install": "tests/portability/packages.sh",
     "cp -r /usr/share/mrpt_ext": "tests/portability/packages.sh",
     "bash datasets/make_results.sh FOLDER": "needs all recordings and hours",
@@ -128,6 +127,7 @@ def commands_of(readme):
 
 def shortened(command):
     command = re.sub(r"--repeat \d+", "--repeat 2", command)
+    command = re.sub(r"(live_replay\.py my_folder)(?= \|)", r"\1 20", command)
     if "landmark-localization" in command and "--live" not in command and (SHORT or "--repeat" not in command):
         command += f" --duration {SECONDS}" if "--diagnose" not in command else ""
     return command

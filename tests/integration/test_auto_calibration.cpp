@@ -9,7 +9,7 @@
 #include "test_length.h"
 #include "whole_runs.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_auto_calibration
 {
 namespace
 {
@@ -142,4 +142,4 @@ TEST(BuiltInConfiguration, SaysThatTheMapIsMissing)
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_NE(outcome.err.find("--map FILE"), std::string::npos) << outcome.err;
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_auto_calibration

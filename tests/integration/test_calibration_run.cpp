@@ -6,7 +6,7 @@
 #include "scratch_folder.h"
 #include "whole_runs.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_calibration_run
 {
 namespace
 {
@@ -83,4 +83,4 @@ TEST(CalibrationRun, TheFormerNameOfTheOptionStillWorks)
   EXPECT_EQ(testing::localize(joined({shipped, "--examine"}, log)).out, diagnosed.out);
   EXPECT_EQ(testing::localize({"--help"}).out.find("--examine"), std::string::npos);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_calibration_run

@@ -10,7 +10,7 @@
 #include "whole_runs.h"
 
 // A person with three CSV files gets a report in two commands.
-namespace mrpt_ext
+namespace mrpt_ext::test_csv_to_report
 {
 namespace
 {
@@ -83,4 +83,4 @@ TEST(CsvToReport, TakesTwoCommands)
     EXPECT_LT(std::abs(wrap(step.phi - truth.phi)), degToRad(5)) << step.time;
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_csv_to_report

@@ -11,7 +11,7 @@
 #include "whole_runs.h"
 
 // Evidence is counted once: a running fix is two ranges; where the log has these ranges, the fix adds nothing to them.
-namespace mrpt_ext
+namespace mrpt_ext::test_evidence_once
 {
 namespace
 {
@@ -154,4 +154,4 @@ TEST_F(EvidenceOnce, FixesAloneAreWorthTheirTwoRanges)
   // Once: about the same variance. Not at all: that of the start and of the odometry; twice: about half of it.
   EXPECT_NEAR(positionVariance(fixes) / with_ranges, 1, 0.3);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_evidence_once

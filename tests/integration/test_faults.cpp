@@ -9,7 +9,7 @@
 #include "whole_runs.h"
 
 // Inputs that once made the program crash, hang, overwrite or mix something up.
-namespace mrpt_ext
+namespace mrpt_ext::test_faults
 {
 namespace
 {
@@ -167,4 +167,4 @@ TEST(Faults, AReportOfALargeMapStaysSmall)
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_LT(fs::file_size(run / "report.html"), 5'000'000U);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_faults

@@ -12,7 +12,7 @@
 // Our engine and MRPT's own filter over the same map give the same posterior within sampling error. Both run the same
 // log several times with different random seeds; the spread over the seeds is the measure for the difference of the
 // means. Neither learns reliability nor recovers, so that both compute the same model.
-namespace mrpt_ext
+namespace mrpt_ext::test_filter_engines
 {
 namespace
 {
@@ -146,4 +146,4 @@ TEST_F(FilterEngines, AnotherNoiseIsAnotherPosterior)
   EXPECT_GT(d.ratio_of_stds.maxCoeff(), 1.06);
   EXPECT_GT(d.normalized.maxCoeff(), 4);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_filter_engines

@@ -6,7 +6,7 @@
 #include "whole_runs.h"
 
 // The Kalman filters beside the particle filter, in whole runs over shipped configurations.
-namespace mrpt_ext
+namespace mrpt_ext::test_kalman_runs
 {
 namespace
 {
@@ -63,4 +63,4 @@ TEST(KalmanRun, ASystematicErrorOfTheRangesIsFoundAndTakenOff)
   EXPECT_FALSE(after >= 0.7 * before) << before << " -> " << after;
   EXPECT_LT(after, 0.12);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_kalman_runs

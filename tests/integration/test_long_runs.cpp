@@ -6,7 +6,7 @@
 #include "whole_runs.h"
 
 // A log may be of any length: what a run keeps of every second is little, and every file is as complete as ever.
-namespace mrpt_ext
+namespace mrpt_ext::test_long_runs
 {
 namespace
 {
@@ -62,4 +62,4 @@ TEST_F(LongRuns, ClosedFormsBesideTheFilterKeepAsLittle)
     EXPECT_LT(much, little + kPerSecond * (long_ - short_)) << "short: " << little;
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_long_runs

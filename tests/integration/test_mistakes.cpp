@@ -13,7 +13,7 @@
 
 // A user's mistakes and damaged data: one clear line on stderr and the exit code of the contract. Wrong usage and
 // configuration is 2; a file that is named but cannot be read, is damaged or cannot be used is 1.
-namespace mrpt_ext
+namespace mrpt_ext::test_mistakes
 {
 namespace
 {
@@ -157,4 +157,4 @@ TEST_F(Mistake, OutputThatCannotBeWritten)
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   EXPECT_NE(outcome.err.find("file/output"), std::string::npos) << outcome.err;
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_mistakes

@@ -1,33 +1,61 @@
 #include <gtest/gtest.h>
 
 #include <deque>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 
 #include "../importers/sample_data.h"
+#include "mrpt_ext/app/exit_codes.h"
+#include "mrpt_ext/app/live_messages.h"
+#include "mrpt_ext/app/live_run.h"
 #include "mrpt_ext/configuration/localization_keys.h"
 #include "mrpt_ext/files/landmark_csv.h"
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/maps/register_all_classes.h"
 #include "mrpt_ext/online/online_localizer.h"
 #include "mrpt_ext/rawlog/rawlog_source.h"
+#include "mrpt_ext/report/csv_field.h"
 #include "mrpt_ext/report/run_csv.h"
 #include "scratch_folder.h"
+#include "test_length.h"
 #include "whole_runs.h"
 
-// A log that is fed to OnlineLocalizer record by record gives the bytes of the app's steps.csv.
-namespace mrpt_ext
+// A log that is fed to OnlineLocalizer record by record, or to --live line by line, gives the bytes of the app's
+// steps.csv.
+namespace mrpt_ext::test_online_replay
 {
 namespace
 {
 namespace fs = std::filesystem;
 using testing::Arguments;
 using testing::LogFiles;
+using Json = nlohmann::json;
 
 const Arguments kFilterAlone{"--set", "LocalizationExperiment.methods=particle_filter"};
 
-/// With changes of the configuration, "Section.key=value" each. Every third reading comes `delay` [s] late.
+/// The records of a log as a robot may get them: every third reading comes `delay` [s] late.
+void forEachAsItComes(const fs::path& rawlog, double delay, const std::function<void(Record)>& add)
+{
+  RawlogSource source(rawlog);
+  std::deque<Record> late;
+  std::size_t readings = 0;
+  while (auto record = source.next())
+  {
+    for (; !late.empty() && timeOf(late.front()) + delay <= timeOf(*record); late.pop_front())
+      add(std::move(late.front()));
+    if (delay > 0 && std::holds_alternative<Reading>(*record) && readings++ % 3 == 0)
+      late.push_back(std::move(*record));
+    else
+      add(std::move(*record));
+  }
+  for (Record& record : late) add(std::move(record));
+}
+
+/// With changes of the configuration, "Section.key=value" each.
 std::string onlineSteps(const fs::path& ini, const LogFiles& files, const std::vector<std::string>& changes,
-                        double delay = 0)
+                        double delay)
 {
   const LandmarkTable map = readLandmarkCsv(files.map);
   const Settings settings = Settings::load(ini, localizationKeys(), changes);
@@ -39,28 +67,49 @@ std::string onlineSteps(const fs::path& ini, const LogFiles& files, const std::v
     for (const OnlineEstimate& estimate : estimates)
       if (estimate.best) run.methods[0].points.push_back(*estimate.best);
   };
-  RawlogSource source(files.rawlog);
-  std::deque<Record> late;  // every third reading
-  std::size_t readings = 0;
-  const auto add = [&](Record record)
-  {
-    robot.add(std::move(record));
-    keep(robot.estimates());
-  };
-  while (auto record = source.next())
-  {
-    for (; !late.empty() && timeOf(late.front()) + delay <= timeOf(*record); late.pop_front())
-      add(std::move(late.front()));
-    if (delay > 0 && std::holds_alternative<Reading>(*record) && readings++ % 3 == 0)
-      late.push_back(std::move(*record));
-    else
-      add(std::move(*record));
-  }
-  for (Record& record : late) add(std::move(record));
+  forEachAsItComes(files.rawlog, delay,
+                   [&](Record record)
+                   {
+                     robot.add(std::move(record));
+                     keep(robot.estimates());
+                   });
   keep(robot.finish());
   std::string text;
   stepsCsv(run, [&](std::string_view line) { text += line; });
   return text;
+}
+
+/// A line of --live as the row of steps.csv, as far as it says what stands there.
+std::string stepOf(const Json& line)
+{
+  const bool heading_known = !line["phi_deg"].is_null();
+  const auto covariance = [&](int k) { return ',' + covarianceField(line["covariance"][k]); };
+  return timeField(line["t"]) + ",particle_filter," + lengthField(line["x"]) + ',' + lengthField(line["y"]) + ',' +
+         (heading_known ? fixedText(line["phi_deg"], kAngleDecimals) : "") + covariance(0) + covariance(1) +
+         covariance(3) + (heading_known ? covariance(5) : ",") + ',' + line["verdict"].get<std::string>() + '\n';
+}
+
+std::string liveSteps(const fs::path& ini, const LogFiles& files, std::vector<std::string> changes, double delay)
+{
+  std::stringstream lines, answers;
+  forEachAsItComes(files.rawlog, delay,
+                   [&](const Record& record)
+                   {
+                     const auto line = liveLineOf(record);
+                     if (line) lines << *line << '\n';
+                   });
+  changes.push_back("MetricMap_landmarkMap2D_00_creationOpts.landmarks_file=" + files.map.string());
+  EXPECT_NE(runLive(Settings::load(ini, localizationKeys(), changes), lines, answers), kExitFailed);
+  std::string rows;
+  for (std::string text; std::getline(answers, text);)
+    if (const Json line = Json::parse(text); line.contains("x")) rows += stepOf(line);
+  return rows;
+}
+
+/// Rows of steps.csv without what --live does not tell: modes, w_best, ess.
+std::string toldLive(const std::string& steps)
+{
+  return std::regex_replace(steps.substr(steps.find('\n') + 1), std::regex("(,[^,\n]*){3}(,[^,\n]*\n)"), "$2");
 }
 
 /// The first line in which two texts differ, and what stands there; empty where they are the same.
@@ -76,19 +125,36 @@ std::string firstDifference(const std::string& a, const std::string& b)
   }
 }
 
+const std::string kMayBeLate = "LocalizationExperiment.lateness_s=0.6";
+constexpr double kLate = 0.5;  // [s]
+
 class OnlineReplay : public ::testing::Test
 {
  protected:
-  void expectSameSteps(const std::string& name, const LogFiles& files, const std::vector<std::string>& changes = {},
-                       double delay = 0)
+  using Changes = std::vector<std::string>;
+
+  /// steps.csv of a run of the app.
+  std::string stepsOfApp(const std::string& name, const LogFiles& files, const Changes& changes)
   {
     Arguments arguments = testing::joined(files.arguments(), kFilterAlone);
     for (const std::string& change : changes) arguments = testing::joined(arguments, {"--set", change});
-    const fs::path run = testing::localized(folder_.path(), name, arguments);
-    const std::string of_app = readTextFile(run / "steps.csv");
-    EXPECT_GT(of_app.size(), 5000U);
+    std::string steps = readTextFile(testing::localized(folder_.path(), name, arguments) / "steps.csv");
+    EXPECT_GT(steps.size(), 5000U);
+    return steps;
+  }
+
+  /// Through OnlineLocalizer, and through --live in order and with every third reading late.
+  void expectSameSteps(const std::string& name, const LogFiles& files, const Changes& changes = {})
+  {
+    const std::string of_app = stepsOfApp(name, files, changes), told = toldLive(of_app);
     const fs::path ini = testing::shipped("landmark-localization", name);
-    EXPECT_EQ(firstDifference(of_app, onlineSteps(ini, files, changes, delay)), "") << name;
+    if (!testing::isShort())
+    {
+      EXPECT_EQ(firstDifference(of_app, onlineSteps(ini, files, changes, 0)), "") << name;
+      EXPECT_EQ(firstDifference(told, liveSteps(ini, files, changes, 0)), "") << name;
+    }
+    const Changes tolerant = testing::joined(changes, {kMayBeLate});
+    EXPECT_EQ(firstDifference(told, liveSteps(ini, files, tolerant, kLate)), "") << name << ", late";
   }
 
   testing::ScratchFolder folder_;
@@ -103,10 +169,34 @@ LogFiles shippedLog(const std::string& name)
 TEST_F(OnlineReplay, Room) { expectSameSteps("room", shippedLog("room")); }
 TEST_F(OnlineReplay, RoomWithEveryThirdReadingLate)
 {
-  expectSameSteps("room", shippedLog("room"), {"LocalizationExperiment.lateness_s=0.6"}, 0.5);
+  const fs::path ini = testing::shipped("landmark-localization", "room");
+  const std::string of_app = stepsOfApp("room", shippedLog("room"), {kMayBeLate});
+  EXPECT_EQ(firstDifference(of_app, onlineSteps(ini, shippedLog("room"), {kMayBeLate}, kLate)), "");
 }
 TEST_F(OnlineReplay, HalfField) { expectSameSteps("half-field", shippedLog("half-field")); }
-TEST_F(OnlineReplay, GoalCornersWithRunningFixes) { expectSameSteps("goal-corners", shippedLog("goal-corners")); }
+TEST_F(OnlineReplay, GoalCornersWithRunningFixes)
+{
+  const fs::path ini = testing::shipped("landmark-localization", "goal-corners");
+  const std::string of_app = stepsOfApp("goal-corners", shippedLog("goal-corners"), {});
+  EXPECT_EQ(firstDifference(of_app, onlineSteps(ini, shippedLog("goal-corners"), {}, 0)), "");
+}
+TEST_F(OnlineReplay, LinesAreWrittenOfALog)
+{
+  const testing::AppOutcome lines =
+      testing::localize({testing::shipped("landmark-localization", "goal-corners"), "--lines"});
+  EXPECT_EQ(lines.exit_code, 0);
+  std::string expected;
+  std::size_t left_out = 0;
+  RawlogSource source(shippedLog("goal-corners").rawlog);
+  while (const auto record = source.next())
+    if (const auto line = liveLineOf(*record))
+      expected += *line + '\n';
+    else
+      ++left_out;
+  EXPECT_EQ(firstDifference(lines.out, expected), "");
+  EXPECT_GT(left_out, 0U) << "running fixes";
+  EXPECT_NE(lines.err.find("note: " + std::to_string(left_out) + " records left out"), std::string::npos) << lines.err;
+}
 TEST_F(OnlineReplay, Kidnapping) { expectSameSteps("kidnap", testing::simulated(folder_.path(), "kidnap")); }
 TEST_F(OnlineReplay, Tracking) { expectSameSteps("tracking", testing::simulated(folder_.path(), "tracking")); }
 
@@ -151,4 +241,4 @@ TEST_F(OnlineReplay, Plaza)
   if (!fs::exists(recording)) GTEST_SKIP() << recording << " is absent";
   expectSameSteps("plaza", testing::imported(folder_.path(), {"plaza", recording}));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_online_replay

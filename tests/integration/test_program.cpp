@@ -12,7 +12,7 @@
 #include "whole_runs.h"
 
 // The real program as a child: what Ctrl-C leaves, and that nothing but the one line reaches stderr.
-namespace mrpt_ext
+namespace mrpt_ext::test_program
 {
 namespace
 {
@@ -129,4 +129,4 @@ TEST(Program, SaysOneLineAboutDamage)
   EXPECT_EQ(lines(err), 1) << readTextFile(err);
   EXPECT_EQ(readTextFile(out), "");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_program

@@ -3,7 +3,7 @@
 #include "mrclam_trajectories.h"
 #include "shared_data.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_real_windows
 {
 namespace
 {
@@ -21,4 +21,4 @@ TEST(RealWindows, FromRangesAndBearingsTheTruePoseIsFirstOnceTheWindowTellsEnoug
   EXPECT_EQ(tally.first, tally.enough);
 }
 }  // namespace
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_real_windows

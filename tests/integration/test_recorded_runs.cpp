@@ -10,7 +10,7 @@
 
 // Whole runs of landmark-localization over real recordings. They are not part of the sources: the folder is named by
 // LANDMARK_DATA_DIR, and a test skips where it is absent.
-namespace mrpt_ext
+namespace mrpt_ext::test_recorded_runs
 {
 namespace
 {
@@ -184,4 +184,4 @@ TEST(RecordedRun, Roh)
   EXPECT_TRUE(summary.at("methods").at("bearing_maximum_likelihood").at("heading_error_deg").at("rmse").is_null())
       << "headings are not judged";
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_recorded_runs

@@ -11,7 +11,7 @@
 #include "whole_runs.h"
 
 // What a run leaves: names of files, columns and keys that scripts rely on.
-namespace mrpt_ext
+namespace mrpt_ext::test_run_files
 {
 namespace
 {
@@ -144,4 +144,4 @@ TEST(RunFiles, DryRunWritesNothing)
   EXPECT_NE(outcome.out.find("451 CObservationLandmarkBearings"), std::string::npos) << outcome.out;
   EXPECT_TRUE(fs::is_empty(folder.path()));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_run_files

@@ -8,7 +8,7 @@
 #include "whole_runs.h"
 
 // The verdict of a run is what its exit code says, and a map that does not fit is never answered with a sure pose.
-namespace mrpt_ext
+namespace mrpt_ext::test_run_judgement
 {
 namespace
 {
@@ -80,4 +80,4 @@ TEST(RunJudgement, WrongMapIsNeverAnsweredWithASurePose)
   }
   EXPECT_LT(sure_and_wrong, 0.05 * steps);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_run_judgement

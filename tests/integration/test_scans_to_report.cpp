@@ -10,7 +10,7 @@
 #include "whole_runs.h"
 
 // A car with a laser scanner among reflective posts: from raw scans, speed and steering to a report in two commands.
-namespace mrpt_ext
+namespace mrpt_ext::test_scans_to_report
 {
 namespace
 {
@@ -113,4 +113,4 @@ TEST(ScansToReport, WithoutExtractNothingCanBeScored)
   EXPECT_NE(outcome.err.find("of sensor 'laser', whose section has no extract = reflectors"), std::string::npos)
       << outcome.err;
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_scans_to_report

@@ -11,7 +11,7 @@
 
 // SIGTERM in the longest step of every app. Each job would take a minute or more; the contract gives an app a second to
 // end, and so that a busy machine fails no test, the tests wait for longer than that, but not for the job.
-namespace mrpt_ext
+namespace mrpt_ext::test_signals
 {
 namespace
 {
@@ -161,4 +161,4 @@ TEST(Signals, ReportKeepsTheOldOneWhenItEnds)
   EXPECT_EQ(readTextFile(html), "the one before");
   EXPECT_EQ(filesIn(html.parent_path()), std::vector<std::string>{"all.html"});
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_signals

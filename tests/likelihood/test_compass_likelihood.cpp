@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_compass_likelihood
 {
 namespace
 {
@@ -46,4 +46,4 @@ TEST(CompassLikelihood, AddsToWhatIsThere)
   EXPECT_NEAR(log_likelihood[0], -1.0 + std::log(density(0.0, 0.1, 0.0)), 1e-6);
   EXPECT_NEAR(log_likelihood[1], -2.0 + std::log(density(0.0, 0.1, 0.5)), 1e-6);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_compass_likelihood

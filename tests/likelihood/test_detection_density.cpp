@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_detection_density
 {
 TEST(DetectionDensity, FalseDetectionsFillFieldOfViewRangeAndCategories)
 {
@@ -35,4 +35,4 @@ TEST(DetectionDensity, LogDensityIsThatOfIndependentNormalDistributions)
   const double expected = -0.5 * (0.04 / 0.25 + std::log(kTwoPi * 0.25) + 0.25 / 0.25 + std::log(kTwoPi * 0.25));
   EXPECT_NEAR(logDensity(z, h), expected, 1e-12);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_detection_density

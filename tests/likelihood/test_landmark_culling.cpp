@@ -8,7 +8,7 @@
 #include "mrpt_ext/geometry/random.h"
 #include "mrpt_ext/likelihood/landmark_prediction.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_landmark_culling
 {
 namespace
 {
@@ -120,4 +120,4 @@ TEST(LandmarkCulling, RobotsAllOverLeaveNothingOut)
   EXPECT_TRUE(
       std::all_of(culling.inView().begin(), culling.inView().end(), [](InView view) { return view == InView::all; }));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_landmark_culling

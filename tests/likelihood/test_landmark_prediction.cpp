@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_landmark_prediction
 {
 TEST(LandmarkPrediction, LandmarkOnTheLeft)
 {
@@ -61,4 +61,4 @@ TEST(LandmarkPrediction, LandmarkAtTheSensorStaysFinite)
   const LandmarkPrediction p = predict({.position = {1, 1, 0}, .stddev = {0.1, 0.1}}, Reading{}, {1, 1, 0.3});
   EXPECT_TRUE(std::isfinite(p.bearing) && std::isfinite(p.range_variance) && std::isfinite(p.bearing_variance));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_landmark_prediction

@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/likelihood/reading_likelihood.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_missed_detections
 {
 namespace
 {
@@ -73,4 +73,4 @@ TEST(MissedDetections, AnonymousCountPrefersThePlaceWithThatManyInView)
   EXPECT_GT(missedTerm({0, 0, 0}), missedTerm({5, 0, 0}) + 1);
   EXPECT_TRUE(std::isfinite(missedTerm({1e6, 0, 0})));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_missed_detections

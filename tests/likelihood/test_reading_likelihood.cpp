@@ -5,7 +5,7 @@
 
 #include <numeric>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_reading_likelihood
 {
 namespace
 {
@@ -134,4 +134,4 @@ RC_GTEST_PROP(ReadingLikelihood, BatchEqualsSingleAndIsFinite, (int seed))
     RC_ASSERT(std::abs(double{batch[i]} - logLikelihood(reading, kMap, poses[i])) < 1e-4);
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_reading_likelihood

@@ -6,7 +6,7 @@
 #include "mrpt_ext/likelihood/reading_likelihood.h"
 
 // The batch in single precision against the double-precision likelihood of each pose.
-namespace mrpt_ext
+namespace mrpt_ext::test_reading_scorer
 {
 namespace
 {
@@ -124,7 +124,7 @@ Scene sceneOf(const Options& options, std::uint64_t seed)
   return scene;
 }
 
-class EveryOption : public testing::TestWithParam<Options>
+class EveryOption : public ::testing::TestWithParam<Options>
 {
 };
 
@@ -216,7 +216,7 @@ TEST_P(EveryOption, ScoresLikeTheDoublePrecisionLikelihood)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(ReadingScorer, EveryOption, testing::ValuesIn(allOptions()),
+INSTANTIATE_TEST_SUITE_P(ReadingScorer, EveryOption, ::testing::ValuesIn(allOptions()),
                          [](const auto& option) { return option.param.name; });
 
 TEST(ReadingScorer, SharesItsWorkBetweenBatches)
@@ -253,4 +253,4 @@ TEST(ReadingScorer, StaysFiniteWhereverTheRobotIs)
   addLogLikelihood(scene.reading, scene.map, {}, robots.batch(), out);
   for (const float value : out) EXPECT_TRUE(std::isfinite(value));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_reading_scorer

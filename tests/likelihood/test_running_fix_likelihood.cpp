@@ -7,7 +7,7 @@
 #include "mrpt_ext/likelihood/landmark_prediction.h"
 #include "mrpt_ext/likelihood/reading_likelihood.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_running_fix_likelihood
 {
 namespace
 {
@@ -76,4 +76,4 @@ TEST(RunningFixLikelihood, BearingIsScoredWithTheSecondRangeOnly)
   EXPECT_FALSE(readings[0].detections[0].bearing.has_value());
   EXPECT_EQ(readings[1].detections[0].bearing, 0.2);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_running_fix_likelihood

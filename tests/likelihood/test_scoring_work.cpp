@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/geometry/random.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_scoring_work
 {
 namespace
 {
@@ -121,4 +121,4 @@ TEST(ScoringWork, SomeRobotsCanBeScoredWithTheDetectionsThatAreNeeded)
   EXPECT_NEAR(static_cast<double>(few), kMostDensities / (10 * 1000), 0.01 * kMostDensities / (10 * 1000));
   EXPECT_EQ(affordableRobots(bearings(4), map, spread.batch(), 10), 20'000u) << "4 detections: below the limit";
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_scoring_work

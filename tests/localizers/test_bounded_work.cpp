@@ -9,7 +9,7 @@
 
 // Whatever the sensors report in whatever map, a step ends soon. Time is not tested: what is counted is done by the
 // innermost loops themselves (work_counter.h), so that a loop around them that asks no budget is seen.
-namespace mrpt_ext
+namespace mrpt_ext::test_bounded_work
 {
 namespace
 {
@@ -95,4 +95,4 @@ TEST_P(BoundedWork, OfTheKalmanFilterBank)
 INSTANTIATE_TEST_SUITE_P(LandmarksAndDetections, BoundedWork,
                          ::testing::Values(std::pair{30, 30}, std::pair{1000, 20}, std::pair{1, 5000},
                                            std::pair{10'000, 5000}));
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_bounded_work

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_closed_form_localizer
 {
 namespace
 {
@@ -98,4 +98,4 @@ TEST(ClosedFormLocalizer, AppliesTheMethodToEveryFrameSeparately)
   EXPECT_FALSE(localizer.continuous());
   for (const double time : {5.0, 2.0}) EXPECT_EQ(localizer.process({.time = time}).point->pose.mean.x, time);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_closed_form_localizer

@@ -6,7 +6,7 @@
 
 #include "../hypotheses/exact_scene.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_closed_form_methods
 {
 namespace
 {
@@ -233,4 +233,4 @@ TEST(InterpretationTree, ASymmetricMapGivesSeveralPosesOfEqualScore)
   }
   EXPECT_TRUE(estimateFrom(answer, 0).ambiguous);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_closed_form_methods

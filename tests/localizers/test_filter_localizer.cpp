@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_filter_localizer
 {
 namespace
 {
@@ -75,4 +75,4 @@ TEST(FilterLocalizer, TheHeadingIsGivenOnlyWhileTheVerdictIsOk)
   EXPECT_FALSE(confidentHeading(FixedFilter(stepWith({mode(0, 2, 1)}, Verdict::lost))));
   EXPECT_FALSE(confidentHeading(FixedFilter(stepWith({}, Verdict::ok))));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_filter_localizer

@@ -6,7 +6,7 @@
 
 #include "../hypotheses/exact_scene.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_kalman_localizer
 {
 namespace
 {
@@ -73,4 +73,4 @@ TEST(KalmanLocalizer, ARingOfEqualPosesHasNoEstimate)
   EXPECT_GT(most, 5U) << "all are listed";
   EXPECT_TRUE(estimate.ambiguous);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_kalman_localizer

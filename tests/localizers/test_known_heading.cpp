@@ -6,7 +6,7 @@
 #include "mrpt_ext/solvers/running_fix.h"
 #include "test_length.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_known_heading
 {
 namespace
 {
@@ -97,4 +97,4 @@ TEST(KnownHeading, OneLandmarkSufficesWhereTwoCirclesHardlyCross)
   EXPECT_LE(filter, 0.04) << "two circles: " << fix;
   EXPECT_GE(fix, 3 * filter);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_known_heading

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_odometry_localizer
 {
 namespace
 {
@@ -66,4 +66,4 @@ TEST(OdometryLocalizer, CovarianceIsThatOfPropagatedParticles)
   }
   EXPECT_LT((pose.covariance - sampled).norm(), 0.06 * sampled.norm()) << pose.covariance << "\n\n" << sampled;
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_odometry_localizer

@@ -6,7 +6,7 @@
 
 #include "../hypotheses/exact_scene.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_particle_filter_localizer
 {
 namespace
 {
@@ -141,4 +141,4 @@ TEST(ParticleFilterLocalizer, TheSameSeedGivesTheSameEstimates)
   }
   EXPECT_TRUE(std::equal(x.begin(), x.begin() + 5, x.begin() + 5));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_particle_filter_localizer

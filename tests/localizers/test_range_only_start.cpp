@@ -4,7 +4,7 @@
 
 #include "../hypotheses/exact_scene.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_range_only_start
 {
 namespace
 {
@@ -75,4 +75,4 @@ TEST(RangeOnlyStart, EndsOnRequest)
   history.add(frameWithRanges(1, 0));
   EXPECT_TRUE(history.readings().empty());
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_range_only_start

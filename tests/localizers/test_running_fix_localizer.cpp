@@ -6,7 +6,7 @@
 
 #include "../hypotheses/exact_scene.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_running_fix_localizer
 {
 namespace
 {
@@ -230,4 +230,4 @@ TEST(RunningFixLocalizer, NothingMeasuredIsTooFew)
 {
   EXPECT_EQ(RunningFixLocalizer(optionsFor(HeadingSource::compass), kMap).process({}).status, SolveStatus::too_few);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_running_fix_localizer

@@ -7,7 +7,7 @@
 #include "../hypotheses/exact_scene.h"
 #include "mrpt_ext/localizers/particle_filter_localizer.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_sliced_localizer
 {
 namespace
 {
@@ -157,6 +157,22 @@ TEST(SlicedLocalizer, AStepWithoutAFrameGoesOn)
   EXPECT_EQ(count(sliced), 1U);
 }
 
+TEST(SlicedLocalizer, LatenessIsTold)
+{
+  std::size_t processed = 0;
+  SlicedLocalizer sliced(costing({1'200'000, 60'000}, processed), 1);
+  std::vector<std::size_t> late;
+  for (int k = 0; k < 4; ++k)
+  {
+    sliced.add({});
+    while (const auto finished = sliced.next()) late.push_back(finished->steps_late);
+  }
+  EXPECT_EQ(late, (std::vector<std::size_t>{2, 1, 0, 0}));
+  EXPECT_EQ(reasonWithLateness("one mode", late[0]), "one mode; 2 steps late");
+  EXPECT_EQ(reasonWithLateness("one mode", late[1]), "one mode; 1 step late");
+  EXPECT_EQ(reasonWithLateness("one mode", late[2]), "one mode");
+}
+
 TEST(SlicedLocalizer, WhatAStepDoesNotNeedIsNotSaved)
 {
   std::size_t processed = 0;
@@ -178,4 +194,4 @@ TEST(SlicedLocalizer, OneThatIsAlwaysTooSlowTakesLongerSteps)
     EXPECT_LE(k - processed, SlicedLocalizer::kMostWaiting + 1) << k;
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_sliced_localizer

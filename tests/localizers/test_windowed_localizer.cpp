@@ -4,7 +4,7 @@
 
 #include "../hypotheses/exact_scene.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_windowed_localizer
 {
 namespace
 {
@@ -47,4 +47,4 @@ TEST(WindowedLocalizer, PassesTheReadingsOfTheWindowToTheMethod)
   ASSERT_EQ(recorded.readings.size(), 2u);
   EXPECT_NEAR(recorded.readings[0].T_robot_sensor.x, kSensor.T_robot_sensor.x - 1, 1e-12);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_windowed_localizer

@@ -22,7 +22,7 @@
 #include "mrpt_ext/observations/mrpt_scene.h"
 #include "mrpt_ext/observations/observation_conversions.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_landmark_map
 {
 namespace
 {
@@ -264,11 +264,11 @@ TEST(LandmarkMap, ShowsEveryLandmarkWithItsId)
 
 TEST(LandmarkMap, SavesItselfAsAMapFile)
 {
-  const std::string prefix = testing::TempDir() + "landmark_map_" + std::to_string(getpid());
+  const std::string prefix = ::testing::TempDir() + "landmark_map_" + std::to_string(getpid());
   CLandmarkMap2D(room()).saveMetricMapRepresentationToFile(prefix);
   const LandmarkTable again = readLandmarkCsv(prefix + "_landmarks.csv");
   ASSERT_EQ(again.size(), room().size());
   EXPECT_EQ(again[3].stddev, room()[3].stddev);
   std::filesystem::remove(prefix + "_landmarks.csv");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_landmark_map

@@ -12,11 +12,11 @@
 #include "mrpt_ext/maps/landmark_file.h"
 #include "mrpt_ext/maps/register_all_classes.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_map_from_ini
 {
 namespace
 {
-class MapFromIni : public testing::Test
+class MapFromIni : public ::testing::Test
 {
  protected:
   void SetUp() override
@@ -58,7 +58,7 @@ class MapFromIni : public testing::Test
   }
 
   const std::filesystem::path folder_ =
-      std::filesystem::path(testing::TempDir()) / ("map_from_ini_" + std::to_string(getpid()));
+      std::filesystem::path(::testing::TempDir()) / ("map_from_ini_" + std::to_string(getpid()));
 };
 }  // namespace
 
@@ -92,4 +92,4 @@ TEST_F(MapFromIni, RefusesMistakes)
   EXPECT_NE(messageOf(file, "clutter_probability = 2\n").find("found '2'"), std::string::npos);
   EXPECT_NE(messageOf(file, "default_std_range_m = -1\n").find("default_std_range_m"), std::string::npos);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_map_from_ini

@@ -7,7 +7,7 @@
 #include "mrpt_ext/observations/timestamps.h"
 #include "sample_observations.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_conversions
 {
 namespace
 {
@@ -154,4 +154,4 @@ TEST(ObservationConversions, AnEmptyLabelIsDerivedFromTheClass)
   EXPECT_EQ(labelOf(*observation), "bearings");
   EXPECT_EQ(shortClassName(*observation), "CObservationLandmarkBearings");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_conversions

@@ -7,7 +7,7 @@
 #include "mrpt_ext/observations/timestamps.h"
 #include "sample_observations.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_serialization
 {
 namespace
 {
@@ -41,7 +41,7 @@ void expectSameHeader(const mrpt::obs::CObservation& a, const mrpt::obs::CObserv
   EXPECT_NEAR(a.sensorPose().yaw, b.sensorPose().yaw, 1e-12);
 }
 
-class ObservationSerialization : public testing::Test
+class ObservationSerialization : public ::testing::Test
 {
  protected:
   void SetUp() override { registerAllObservationClasses(); }
@@ -164,4 +164,4 @@ TEST(Timestamps, KeepSevenDecimalsInBothDirections)
   EXPECT_FALSE(isValid(INVALID_TIMESTAMP));
   EXPECT_TRUE(isValid(timestampOf(0)));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_serialization

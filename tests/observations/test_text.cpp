@@ -5,7 +5,7 @@
 #include "mrpt_ext/observations/observation_text.h"
 #include "sample_observations.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_text
 {
 namespace
 {
@@ -74,4 +74,4 @@ TEST(ObservationText, RangeStdFollowsFromTheDisparity)
   EXPECT_DOUBLE_EQ(observation->rangeStd(observation->detections[1]), 2.0 * 2.0 * 0.5 / 60);
   EXPECT_EQ(observation->rangeStd(observation->detections[2]), 0);  // no range
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_text

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_usable_detections
 {
 namespace
 {
@@ -58,4 +58,4 @@ TEST(UsableDetections, ChecksRunningFixes)
   fix.second_bearing = kNan;
   EXPECT_EQ(whyUnusable(fix), "bearing not finite");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_usable_detections

@@ -7,7 +7,7 @@
 #include "mrpt_ext/geometry/measurement_jacobian.h"
 #include "mrpt_ext/online/online_snapshot.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_online_localizer
 {
 namespace
 {
@@ -89,6 +89,34 @@ TEST(OnlineLocalizer, EstimatesComeSoonAndAreRight)
   EXPECT_EQ(all.back().time, 6);
   expectAt(*all.back().best, truthAt(6));
   EXPECT_TRUE(robot.unusable().empty());
+}
+
+TEST(OnlineLocalizer, WhatAStepIsTooShortForComesLaterAndIsTold)
+{
+  OnlineOptions hurried = roomOptions(), unhurried = roomOptions();
+  hurried.step_budget_ms = 0.5;
+  unhurried.step_budget_ms = 0;
+  OnlineLocalizer robot(hurried, kMap), patient(unhurried, kMap);
+  std::vector<OnlineEstimate> all = fed(robot, driveUntil(2));
+  EXPECT_TRUE(robot.working() || !all.empty());
+  for (OnlineEstimate& estimate : robot.finish()) all.push_back(std::move(estimate));
+  EXPECT_FALSE(robot.working());
+  std::vector<OnlineEstimate> expected = fed(patient, driveUntil(2));
+  for (OnlineEstimate& estimate : patient.finish()) expected.push_back(std::move(estimate));
+  ASSERT_EQ(all.size(), expected.size());
+  std::size_t late = 0;
+  for (std::size_t k = 0; k < all.size(); ++k)
+  {
+    late += all[k].steps_late > 0 ? 1 : 0;
+    EXPECT_EQ(all[k].reason, reasonWithLateness(expected[k].reason, all[k].steps_late)) << k;
+    EXPECT_EQ(expected[k].steps_late, 0U);
+    ASSERT_EQ(all[k].best.has_value(), expected[k].best.has_value()) << k;
+    if (all[k].best)
+    {
+      EXPECT_EQ(all[k].best->pose.mean.vector(), expected[k].best->pose.mean.vector()) << k;
+    }
+  }
+  EXPECT_GT(late, 0U);
 }
 
 TEST(OnlineLocalizer, LateRecordsWithinTheLatenessChangeNothing)
@@ -252,4 +280,4 @@ TEST(OnlineLocalizer, OneThreadMeasuresAndAnotherEstimates)
   count += robot.finish().size();
   EXPECT_EQ(count, 61U);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_online_localizer

@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/geometry/input_error.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_online_snapshot
 {
 TEST(OnlineSnapshot, IsReadBackWithoutLoss)
 {
@@ -31,4 +31,4 @@ TEST(OnlineSnapshot, OtherTextIsAnError)
   EXPECT_THROW((void)snapshotFrom("mrpt_ext-snapshot 2 0 0"), InputError);
   EXPECT_THROW((void)snapshotFrom("mrpt_ext-snapshot 1 0 2000000000"), InputError);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_online_snapshot

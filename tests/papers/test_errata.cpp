@@ -4,7 +4,7 @@
 
 #include "errata.h"
 
-namespace mrpt_ext::papers
+namespace mrpt_ext::papers::test_errata
 {
 class PrintedFormula : public ::testing::TestWithParam<Erratum>
 {
@@ -26,4 +26,4 @@ TEST(Errata, EachHasATestOfItsOwn)
   for (const Erratum& erratum : allErrata()) names.insert(testName(erratum));
   EXPECT_EQ(names.size(), allErrata().size());
 }
-}  // namespace mrpt_ext::papers
+}  // namespace mrpt_ext::papers::test_errata

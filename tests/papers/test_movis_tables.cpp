@@ -5,7 +5,7 @@
 
 // Paper 001 by tests/papers/paper-001-lattice.ini, paper-001-drive.ini and paper-001-drive-turned.ini; the drive is
 // that of ini/landmark-simulator/movis-lattice.ini, localized as in ini/landmark-localization/movis-lattice.ini.
-namespace mrpt_ext::papers
+namespace mrpt_ext::papers::test_movis_tables
 {
 namespace
 {
@@ -83,4 +83,4 @@ TEST(PaperMovisTables, TheFilterFindsTheAnglesOnADrive)
   ASSERT_EQ(drive.bound.count(), 1u);
   EXPECT_GT(drive.bound.mean(), 0);
 }
-}  // namespace mrpt_ext::papers
+}  // namespace mrpt_ext::papers::test_movis_tables

@@ -5,7 +5,7 @@
 #include "printed_rows.h"
 #include "rebuilt_poles.h"
 
-namespace mrpt_ext::papers
+namespace mrpt_ext::papers::test_rebuilt_poles
 {
 namespace
 {
@@ -63,4 +63,4 @@ TEST(PaperRebuiltPoles, KnowingThatTheRobotStandsStraightHelpsMost)
   EXPECT_NEAR(meanError(r, false), 0.44, 0.04);
   EXPECT_LT(meanError(r, true), 0.18);
 }
-}  // namespace mrpt_ext::papers
+}  // namespace mrpt_ext::papers::test_rebuilt_poles

@@ -5,7 +5,7 @@
 #include "results_table.h"
 #include "sample.h"
 
-namespace mrpt_ext::papers
+namespace mrpt_ext::papers::test_results_table
 {
 TEST(ResultsTable, SaysWhatCameOut)
 {
@@ -62,4 +62,4 @@ TEST(Sample, MeansSpreadsAndTexts)
   EXPECT_EQ(sample.text(0, 0.01), "300 ± 187");
   EXPECT_DOUBLE_EQ(sample.share([](double v) { return v > 1.5; }), 0.75);
 }
-}  // namespace mrpt_ext::papers
+}  // namespace mrpt_ext::papers::test_results_table

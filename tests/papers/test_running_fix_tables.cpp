@@ -6,7 +6,7 @@
 // Paper 004 by tests/papers/paper-004-ranges.ini, paper-004-located.ini, paper-004-open-study.ini and
 // paper-004-drive.ini; the drive is that of ini/landmark-simulator/goal-corners-stereo.ini, localized as in
 // ini/landmark-localization/.
-namespace mrpt_ext::papers
+namespace mrpt_ext::papers::test_running_fix_tables
 {
 TEST(PaperRangeTables, AreWholePixelsAndFivePerCent)
 {
@@ -72,4 +72,4 @@ TEST(PaperLocatedTables, TheFilterDoesWithoutHeadingAndCalibration)
   ASSERT_EQ(drive.bound.count(), 3u);
   EXPECT_LT(drive.bound.mean(), 1.2 * drive.rmse.mean());
 }
-}  // namespace mrpt_ext::papers
+}  // namespace mrpt_ext::papers::test_running_fix_tables

@@ -3,7 +3,7 @@
 #include "paper_settings.h"
 #include "sections.h"
 
-namespace mrpt_ext::papers
+namespace mrpt_ext::papers::test_tree_table
 {
 namespace
 {
@@ -44,4 +44,4 @@ TEST(PaperTreeTable, SameSeedSameText)
   const auto text = [&] { return markdown(sectionTree(runTreeExperiment(paperSettings("paper-000-table-1", few)))); };
   EXPECT_EQ(text(), text());
 }
-}  // namespace mrpt_ext::papers
+}  // namespace mrpt_ext::papers::test_tree_table

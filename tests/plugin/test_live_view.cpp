@@ -4,7 +4,7 @@
 #include "stock_tools.h"
 #include "test_length.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_live_view
 {
 namespace
 {
@@ -59,4 +59,4 @@ TEST_F(LiveView, WithoutADisplayTheRunGoesOn)
   EXPECT_TRUE(contains(output, "exit code 0")) << output;
   EXPECT_TRUE(contains(output, "report   ")) << output;
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_live_view

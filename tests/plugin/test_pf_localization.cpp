@@ -10,7 +10,7 @@
 #include "stock_tools.h"
 #include "test_length.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_pf_localization
 {
 namespace
 {
@@ -121,4 +121,4 @@ TEST_F(StockPfLocalization, RoomIniNamesFilesThatExistBelowTheRoot)
   }
   EXPECT_EQ(found, 2U);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_pf_localization

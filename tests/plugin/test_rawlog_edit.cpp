@@ -4,7 +4,7 @@
 #include "room_walk.h"
 #include "stock_tools.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_rawlog_edit
 {
 namespace
 {
@@ -63,4 +63,4 @@ TEST_F(StockRawlogEdit, WithoutThePluginTheClassIsUnknown)
 {
   EXPECT_TRUE(contains(run("rawlog-edit --info -i room.rawlog"), "not registered"));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_rawlog_edit

@@ -4,7 +4,7 @@
 #include "room_walk.h"
 #include "stock_tools.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_rawlog_viewer
 {
 namespace
 {
@@ -45,4 +45,4 @@ TEST_F(StockRawlogViewer, StartsWithThePluginAndALog)
   EXPECT_FALSE(contains(output, "not registered")) << output;
   EXPECT_FALSE(contains(output, "xception")) << output;
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_rawlog_viewer

@@ -17,8 +17,8 @@ namespace mrpt_ext
 void RawlogTest::SetUp()
 {
   registerAllClasses();
-  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  folder_ = std::filesystem::path(testing::TempDir()) /
+  const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
+  folder_ = std::filesystem::path(::testing::TempDir()) /
             (std::string(info->test_suite_name()) + "_" + info->name() + "_" + std::to_string(getpid()));
   std::filesystem::create_directories(folder_);
 }

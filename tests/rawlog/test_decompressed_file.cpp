@@ -6,7 +6,7 @@
 #include "mrpt_ext/rawlog/rawlog_sink.h"
 #include "rawlog_samples.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_decompressed_file
 {
 namespace
 {
@@ -116,4 +116,4 @@ TEST_F(ZstdRawlog, LongContentIsTheSameInAnyCompression)
     EXPECT_EQ(file.damage(), "");
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_decompressed_file

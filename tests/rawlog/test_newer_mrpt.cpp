@@ -12,7 +12,7 @@
 #include "mrpt_ext/rawlog/unreadable_class.h"
 #include "rawlog_samples.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_newer_mrpt
 {
 namespace
 {
@@ -133,4 +133,4 @@ TEST_F(LogOfNewerMrpt, CommentsAreWrittenInVersionZero)
   EXPECT_EQ(comment->text, "entries=7");
   EXPECT_EQ(comment->timestamp, timestampOf(1));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_newer_mrpt

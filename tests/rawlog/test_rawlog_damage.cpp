@@ -8,7 +8,7 @@
 #include "mrpt_ext/rawlog/rawlog_sink.h"
 #include "rawlog_samples.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_rawlog_damage
 {
 namespace
 {
@@ -175,4 +175,4 @@ TEST_F(RawlogDamage, AStatedNumberOfEntriesMustBeThere)
   const ReadResult result = readDamaged(content);
   EXPECT_TRUE(names(result, "states 99 entries")) << result.error;
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_rawlog_damage

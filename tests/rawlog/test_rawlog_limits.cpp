@@ -6,7 +6,7 @@
 #include "rawlog_samples.h"
 
 // Logs that once made the program crash, hang or take gigabytes, and what the reader refuses since.
-namespace mrpt_ext
+namespace mrpt_ext::test_rawlog_limits
 {
 namespace
 {
@@ -97,9 +97,9 @@ TEST_F(RawlogLimits, AnAllocationBeyondTheLimitFails)
 
 TEST_F(RawlogLimits, MrptWritesNoLinesOfItsOwn)
 {
-  testing::internal::CaptureStderr();
+  ::testing::internal::CaptureStderr();
   const ReadResult result = readLog(faulty("multiline_abstract_class.rawlog"));
-  const std::string written = testing::internal::GetCapturedStderr();
+  const std::string written = ::testing::internal::GetCapturedStderr();
   EXPECT_NE(result.error, "");
   EXPECT_EQ(result.error.find('\n'), std::string::npos);
   EXPECT_EQ(written, "");
@@ -110,4 +110,4 @@ TEST_F(RawlogLimits, AByteThatIsNoBoolIsDamage)
 {
   expectError(readLog(faulty("ubsan_bool.rawlog")), "record 22: not readable (a flag of 64, expected 0 or 1)");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_rawlog_limits

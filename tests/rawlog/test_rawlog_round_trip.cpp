@@ -4,7 +4,7 @@
 #include "mrpt_ext/rawlog/rawlog_sink.h"
 #include "rawlog_samples.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_rawlog_round_trip
 {
 namespace
 {
@@ -203,4 +203,4 @@ TEST_F(RawlogRoundTrip, LeavesNothingBehindWhereItCannotWrite)
     left += entry.path().filename() != "file" && entry.path().filename() != "taken.rawlog" ? 1 : 0;
   EXPECT_EQ(left, 0U);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_rawlog_round_trip

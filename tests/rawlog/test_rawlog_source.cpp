@@ -12,7 +12,7 @@
 #include "mrpt_ext/rawlog/rawlog_file_check.h"
 #include "rawlog_samples.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_rawlog_source
 {
 namespace
 {
@@ -202,4 +202,4 @@ TEST_F(RawlogSourceTest, Sha256IsThatOfTheFile)
   EXPECT_EQ(checkRawlogFile(inFolder("abc")).sha256,
             "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_rawlog_source

@@ -5,7 +5,7 @@
 #include "mrpt_ext/files/text_table.h"
 #include "rawlog_samples.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_rawlog_uwb_demo
 {
 namespace
 {
@@ -99,4 +99,4 @@ TEST_F(RawlogUwbDemo, OdometryIncrementsMatchTheTextView)
   }
   EXPECT_EQ(compared, table.size());
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_rawlog_uwb_demo

@@ -4,7 +4,7 @@
 
 #include "scratch_folder.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_sha256
 {
 // FIPS 180-2, appendix B.
 TEST(Sha256, OfTheTestVectors)
@@ -27,4 +27,4 @@ TEST(Sha256, OfAFileThatDoesNotExistIsEmpty)
   const std::string path = folder.write("abc", "abc").string();
   EXPECT_EQ(sha256OfFile(path), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_sha256

@@ -8,7 +8,7 @@
 #include "mrpt_ext/geometry/input_error.h"
 #include "rawlog_samples.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_slam_demo_import
 {
 namespace
 {
@@ -74,4 +74,4 @@ TEST_F(SlamDemoImport, APathOfAnotherLogIsNamed)
                                              inFolder("path.txt")}),
                      "path.txt: 1 poses, but the log has 250 sensory frames");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_slam_demo_import

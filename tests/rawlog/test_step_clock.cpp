@@ -10,7 +10,7 @@
 #include "mrpt_ext/observations/timestamps.h"
 #include "rawlog_samples.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_step_clock
 {
 namespace
 {
@@ -107,4 +107,4 @@ TEST_F(StepLog, ARobotThatLeavesThePlaneIsRefused)
   writeObjects(inFolder("flat.rawlog"), {frameAt(1), climb(0.01), frameAt(2), climb(-0.01), frameAt(3)});
   EXPECT_EQ(readLog(inFolder("flat.rawlog")).error, "");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_step_clock

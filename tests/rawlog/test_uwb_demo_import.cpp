@@ -11,7 +11,7 @@
 #include "mrpt_ext/maps/register_all_classes.h"
 #include "mrpt_ext/rawlog/rawlog_sink.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_uwb_demo_import
 {
 namespace
 {
@@ -102,4 +102,4 @@ TEST_F(UwbDemoImport, WrongInputIsNamed)
   const auto truth = folder.write("gt.txt", "0 0 0 0\n343 1 1 0\n");
   EXPECT_INPUT_ERROR((void)importUwbDemo(kDemo, truth, kUwbDemoStart, uwbDemoMap()), "gt.txt: truth up to step 343");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_uwb_demo_import

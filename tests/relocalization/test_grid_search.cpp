@@ -7,7 +7,7 @@
 #include "mrpt_ext/geometry/measurement_jacobian.h"
 #include "mrpt_ext/geometry/random.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_grid_search
 {
 namespace
 {
@@ -108,4 +108,4 @@ TEST(GridMaxima, NothingWithoutBearingsOrInATooLargeRegion)
   const auto seen = seenFrom({3, 3, 1}, landmarks, random);
   EXPECT_TRUE(gridMaxima(seen, index, {{0, 0}, {1000, 1000}}, unlimited).empty());
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_grid_search

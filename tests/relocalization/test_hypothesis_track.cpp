@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/geometry/measurement_jacobian.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_hypothesis_track
 {
 namespace
 {
@@ -82,4 +82,4 @@ TEST(HypothesisTrack, ExpectedEvidenceIsThatOfTheTruthOnAverage)
   (void)update(exact, kMap, {&scan, 1}, kGate);
   EXPECT_NEAR(exact.log_evidence, expectedEvidence(kMap, {&scan, 1}), 0.01);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_hypothesis_track

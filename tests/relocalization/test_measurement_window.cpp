@@ -8,7 +8,7 @@
 #include "mrpt_ext/hypotheses/window_readings.h"
 #include "mrpt_ext/likelihood/landmark_prediction.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_measurement_window
 {
 namespace
 {
@@ -267,4 +267,4 @@ TEST(MeasurementWindow, ThePoseOfAWindowIsConsistent)
   }
   EXPECT_NEAR(squared, 3, 3.3 * std::sqrt(6.0 / trials));  // 99.9 % band
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_measurement_window

@@ -5,7 +5,7 @@
 #include "../hypotheses/exact_scene.h"
 #include "mrpt_ext/geometry/random.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_trajectory_relocalizer
 {
 namespace
 {
@@ -114,4 +114,4 @@ TEST(TrajectoryRelocalizer, IsNotApplicableToIdentifiedDetections)
   relocalizer.add(identified.next());
   EXPECT_FALSE(relocalizer.isApplicable());
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_trajectory_relocalizer

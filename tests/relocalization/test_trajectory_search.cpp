@@ -8,7 +8,7 @@
 #include "mrpt_ext/geometry/random.h"
 #include "test_length.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_trajectory_search
 {
 namespace
 {
@@ -166,4 +166,4 @@ TEST(LocalizeOverTrajectory, WithoutDetectionsTooFew)
   EXPECT_EQ(localizeOverTrajectory(empty, kSearch, kRegion).status, SolveStatus::too_few);
   EXPECT_EQ(localizeOverTrajectory(empty, kSearch, kRegion).probability_elsewhere, 1);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_trajectory_search

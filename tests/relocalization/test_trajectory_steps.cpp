@@ -4,7 +4,7 @@
 
 #include "../hypotheses/exact_scene.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_trajectory_steps
 {
 namespace
 {
@@ -60,4 +60,4 @@ TEST(TrajectorySteps, IdentifiedDetectionsAndNoFramesGiveNoScans)
   EXPECT_EQ(detectionsOf(trajectorySteps(drive(4, {1, 3}, true), kModel, kMap, kIndex, 1).front()), 0U);
   EXPECT_TRUE(trajectorySteps({}, kModel, kMap, kIndex, 1).empty());
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_trajectory_steps

@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/geometry/measurement_jacobian.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_window_bearings
 {
 namespace
 {
@@ -64,4 +64,4 @@ TEST(WindowBearings, EmptyStepsAndUnknownCategoriesGiveNothing)
   for (TrajectoryStep& step : unknown) step.scans.front().detections.front().category = kUnknownCategory;
   EXPECT_TRUE(windowBearings(unknown, 1).empty());
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_window_bearings

@@ -154,6 +154,8 @@ RunRecord syntheticRecord(const RunContext& context, int trial)
   record.filter.particle_counts = {4000, 900, 500};
   record.filter.effective_sample_ratio_min = 0.08;
   record.filter.lost_steps = 7;
+  record.filter.late_estimates = 5;
+  record.filter.most_steps_late = 3;
   record.filter.reseedings = {{kStart + 71, "inlier ratio only 30 %"}, {kStart + 73, "inlier ratio only 20 %"}};
   GaussianPose here, there;
   here.mean = onTheOval(duration);

@@ -7,7 +7,7 @@
 #include "mrpt_ext/evaluation/run_scoring.h"
 #include "synthetic_run.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_chart_data
 {
 using namespace testing;
 using Json = nlohmann::ordered_json;
@@ -102,4 +102,4 @@ TEST(ResidualData, ListsLandmarksWithResidualsByNumber)
   EXPECT_EQ(data["warning"], (Json{"biased", ""}));
   EXPECT_TRUE(residualData(RunScore{}).is_null());
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_chart_data

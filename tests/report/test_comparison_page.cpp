@@ -13,7 +13,7 @@
 #include "scratch_folder.h"
 #include "synthetic_run.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_comparison_page
 {
 using namespace testing;
 namespace fs = std::filesystem;
@@ -103,4 +103,4 @@ TEST(SuccessInterval, OfKnownCounts)
   EXPECT_NEAR(successInterval(0, 20).second, 0.1611, 1e-4);
   EXPECT_EQ(successInterval(0, 0), std::make_pair(0.0, 1.0));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_comparison_page

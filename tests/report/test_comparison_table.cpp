@@ -9,7 +9,7 @@
 #include "mrpt_ext/report/number_text.h"
 #include "synthetic_run.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_comparison_table
 {
 using namespace testing;
 
@@ -53,6 +53,26 @@ TEST(ComparisonTable, MarksTheBestAndTheOracle)
   EXPECT_NE(text.find("verdict: ok (one mode"), std::string::npos);
 }
 
+TEST(ComparisonTable, TellsThatTheVerdictCameLaterThanTheRightPose)
+{
+  RunScore score = syntheticScore();
+  score.trials.front().converged_at_s = 0.0;
+  score.verdict_spells = {{0, 2.2, Verdict::ambiguous, "3 modes"}, {2.4, 90, Verdict::ok, "one mode"}};
+  const std::string later = "of the truth); success. Its verdict, which knows no truth, is ok from 2.4 s on.";
+  EXPECT_NE(outcomeText(score).find(later), std::string::npos) << outcomeText(score);
+  score.trials.front().converged_at_s = 2.0;
+  EXPECT_EQ(outcomeText(score).find("Its verdict"), std::string::npos) << "the same, but for the stamps of the scores";
+}
+
+TEST(ComparisonTable, WithoutAnEstimateThereIsNoNumber)
+{
+  RunScore score = syntheticScore();
+  score.trials.front().converged_at_s.reset();
+  score.trials.front().success = false;
+  for (MethodScore& method : score.methods) method.position_error_whole_run_m = {};
+  EXPECT_EQ(outcomeText(score), "particle_filter has no estimate at the times of the truth: no errors.");
+}
+
 TEST(ComparisonTable, IsAlignedAndFitsTheConsole)
 {
   RunScore score = syntheticScore();
@@ -85,6 +105,15 @@ TEST(ComparisonTable, StatesThatTheFilterNeverConverged)
   EXPECT_NE(text.find("never stayed within 0.50 m / 15 deg"), std::string::npos);
 }
 
+TEST(ComparisonTable, TellsHowLateEstimatesCame)
+{
+  RunScore score = syntheticScore();
+  EXPECT_NE(comparisonTable(score).find("5 estimates of the particle filter came late, by up to 3 steps"),
+            std::string::npos);
+  score.filter.late_estimates = 0;
+  EXPECT_EQ(comparisonTable(score).find("came late"), std::string::npos);
+}
+
 TEST(ComparisonTable, OfSeveralTrialsGivesRateLostRunsAndSpread)
 {
   RunScore lost = syntheticScore(1);
@@ -97,4 +126,4 @@ TEST(ComparisonTable, OfSeveralTrialsGivesRateLostRunsAndSpread)
   EXPECT_NE(text.find("to 1.500 m"), std::string::npos) << text;
   EXPECT_NE(text.find("verdict: lost (1 of 2 trials lost"), std::string::npos) << text;
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_comparison_table

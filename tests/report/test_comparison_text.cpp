@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_comparison_text
 {
 namespace
 {
@@ -54,4 +54,4 @@ TEST(ComparisonText, ComparesMethodsThatTrackWithTheBound)
   EXPECT_TRUE(contains(text, "0.050 m, heading 0.50 deg; particle_filter 1.04 times the bound")) << text;
   EXPECT_FALSE(contains(text, "two_landmark_pose"));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_comparison_text

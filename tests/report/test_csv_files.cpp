@@ -10,7 +10,7 @@
 #include "scratch_folder.h"
 #include "synthetic_run.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_csv_files
 {
 using namespace testing;
 
@@ -114,4 +114,4 @@ TEST(BiasesCsv, OneRowPerBiasAndFrame)
                 lengthField(0.002) + "\n" + timeField(12.5) + ",distance_scale," + lengthField(-0.01) + "," +
                 lengthField(0.01) + "\n");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_csv_files

@@ -7,7 +7,7 @@
 #include "mrpt_ext/evaluation/run_scoring.h"
 #include "synthetic_run.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_error_series
 {
 using namespace testing;
 
@@ -46,4 +46,4 @@ TEST(ErrorSeries, MergedStampsKeepTheLargestError)
 }
 
 TEST(ErrorSeries, WithoutTruthIsEmpty) { EXPECT_TRUE(errorSeries(RunContext{}, RunScore{}, 10).stamps.empty()); }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_error_series

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_html_advice
 {
 namespace
 {
@@ -42,4 +42,4 @@ TEST(AdviceList, SpeaksOfWhatTheRunHas)
   EXPECT_TRUE(contains(adviceList(score), "lost for a while"));
   EXPECT_TRUE(contains(adviceList(score), "injected hypotheses"));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_html_advice

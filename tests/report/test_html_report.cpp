@@ -11,7 +11,7 @@
 #include "mrpt_ext/report/html_text.h"
 #include "synthetic_run.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_html_report
 {
 using namespace testing;
 
@@ -233,4 +233,4 @@ TEST(TrialFolder, HasThreeDigitsOrMore)
   EXPECT_EQ(trialFolder(7), "trial_007");
   EXPECT_EQ(trialFolder(1234), "trial_1234");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_html_report

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_map_view
 {
 TEST(MapView, KeepsTheShapeAndPointsUpwards)
 {
@@ -20,4 +20,4 @@ TEST(MapView, OfNothingOrOnePointIsFinite)
   EXPECT_TRUE(viewOf(RunContext{}, nullptr).draw({0, 0}).allFinite());
   EXPECT_GT(MapView({3, 3}, {3, 3}).scale(), 0);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_map_view

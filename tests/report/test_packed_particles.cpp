@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/geometry/angle.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_packed_particles
 {
 namespace
 {
@@ -52,4 +52,4 @@ TEST(Base64, OfTheTestVectors)
   EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
   EXPECT_EQ(base64(std::string("\xff\xfe\x00", 3)), "//4A");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_packed_particles

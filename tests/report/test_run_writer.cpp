@@ -12,7 +12,7 @@
 #include "mrpt_ext/geometry/input_error.h"
 #include "synthetic_run.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_run_writer
 {
 using namespace testing;
 namespace fs = std::filesystem;
@@ -120,4 +120,4 @@ TEST_F(RunWriter, AnUnwritableFolderIsADataError)
   const RunRecord record = syntheticRecord(context);
   EXPECT_THROW(writeTrial(folder_, context, record, scoreRun(context, record, {})), InputError);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_run_writer

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_study_table
 {
 namespace
 {
@@ -63,4 +63,4 @@ TEST(StudyTable, AStudyWithoutASuccessHasItsRow)
   }
   EXPECT_NE(studyCsv(runs).find("\"a, b\",room 2,first,particle_filter,2,0,0,,,,,\n"), std::string::npos);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_study_table

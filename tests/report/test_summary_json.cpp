@@ -9,7 +9,7 @@
 #include "summary_schema.h"
 #include "synthetic_run.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_summary_json
 {
 using namespace testing;
 using Json = nlohmann::ordered_json;
@@ -49,6 +49,8 @@ TEST(SummaryJson, HoldsTheNumbers)
   EXPECT_EQ(json["filter"]["particles"]["median"], 900);
   EXPECT_TRUE(json["filter"]["particles"]["median"].is_number_integer());
   EXPECT_EQ(json["filter"]["reseeds"], 2);
+  EXPECT_EQ(json["filter"]["late_estimates"], 5);
+  EXPECT_EQ(json["filter"]["most_steps_late"], 3);
   EXPECT_EQ(json["verdict"], "ok");
   ASSERT_EQ(json["verdict_spells"].size(), 4u);
   EXPECT_EQ(json["verdict_spells"][2]["verdict"], "lost");
@@ -84,8 +86,8 @@ TEST(SummaryJson, WhatDoesNotExistIsNullNeverZero)
     for (const std::string& figure : kStatistics) EXPECT_TRUE(method[error][figure].is_null()) << error << figure;
   EXPECT_TRUE(method["time_per_step_ms"]["median"].is_null());
   EXPECT_TRUE(json["verdict_shares"]["ok"].is_null());
-  for (const char* key :
-       {"coverage_95", "effective_sample_ratio_min", "converged_at_s", "lost_steps", "reseeds", "modes_at_end"})
+  for (const char* key : {"coverage_95", "effective_sample_ratio_min", "converged_at_s", "lost_steps", "reseeds",
+                          "late_estimates", "most_steps_late", "modes_at_end"})
     EXPECT_TRUE(json["filter"][key].is_null()) << key;
   EXPECT_TRUE(json["filter"]["particles"]["min"].is_null());
   EXPECT_TRUE(json["filter"]["nees"]["mean"].is_null());
@@ -121,4 +123,4 @@ TEST(SummaryJson, BytesThatAreNotUtf8DoNotStopIt)
   context.rawlog_path = "caf\xe9.rawlog";
   EXPECT_EQ(summaryOf(context, syntheticRecord(context))["trials"], 1);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_summary_json

@@ -8,7 +8,7 @@
 #include "scratch_folder.h"
 #include "synthetic_run.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_summary_reader
 {
 namespace
 {
@@ -73,4 +73,4 @@ TEST(SummaryReader, RejectsSummariesOfOtherRuns)
   folder.write("summary.json", text.substr(0, text.size() / 2));
   EXPECT_FALSE(readTrialScore(folder.path(), context, 0)) << "damaged";
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_summary_reader

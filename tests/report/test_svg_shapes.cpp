@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_svg_shapes
 {
 TEST(NiceStep, IsOneTwoOrFive)
 {
@@ -24,4 +24,4 @@ TEST(ThinnedByDistance, KeepsBothEnds)
   EXPECT_LT(thin.size(), 12u);
   EXPECT_TRUE(thinnedByDistance({}, 1).empty());
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_svg_shapes

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_verdict_text
 {
 namespace
 {
@@ -45,4 +45,4 @@ TEST(VerdictText, WithoutAHistoryThereIsNothingToTell)
   score.verdict = Verdict::ok;
   EXPECT_EQ(verdictHistoryText(score), "");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_verdict_text

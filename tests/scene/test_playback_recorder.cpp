@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_playback_recorder
 {
 TEST(ParticlesByWeight, AreDrawnInProportionToTheirWeight)
 {
@@ -58,4 +58,4 @@ TEST(PlaybackRecorder, SlantRangesAreProjectedToThePlane)
   EXPECT_NEAR(*playback[0].detections[0].range, 4.0, 1e-12);
   EXPECT_NEAR(*playback[0].detections[1].range, 5.0, 1e-12);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_playback_recorder

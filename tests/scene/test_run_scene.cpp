@@ -5,7 +5,7 @@
 #include "mrpt_ext/geometry/input_error.h"
 #include "scratch_folder.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_run_scene
 {
 namespace
 {
@@ -84,4 +84,4 @@ TEST(RunScene, IsWrittenForMrptsViewer)
   EXPECT_EQ(countOf<CEllipsoid2D>(again), 2U);
   EXPECT_THROW(writeScene(folder.path() / "a.3Dscene" / "b.3Dscene", twoLandmarks(), aMoment()), InputError);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_run_scene

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_ini_edit
 {
 TEST(ConfigurationLines, ReplaceAValueAndKeepItsComment)
 {
@@ -25,4 +25,4 @@ TEST(ConfigurationLines, TwiceIsOnce)
   const std::string once = withValues("[S]\n", lines);
   EXPECT_EQ(withValues(once, lines), once);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_ini_edit

@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/geometry/input_error.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_ini_file
 {
 namespace
 {
@@ -96,4 +96,4 @@ TEST(IniFile, SetReplacesOrAdds)
   EXPECT_EQ(ini.find("A", "x")->origin, "--x 2");
   EXPECT_EQ(ini.find("B", "y")->value, "3");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_ini_file

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_name_suggestion
 {
 TEST(NameSuggestion, CountsSingleLetterChanges)
 {
@@ -21,4 +21,4 @@ TEST(NameSuggestion, NearestNamesFirst)
   EXPECT_EQ(closestName("mod", names), "mode");
   EXPECT_FALSE(closestName("zzz", names));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_name_suggestion

@@ -9,7 +9,7 @@
 #include "mrpt_ext/settings/key_section.h"
 #include "scratch_folder.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_settings
 {
 namespace
 {
@@ -315,4 +315,4 @@ TEST(Settings, ASectionInheritsFromTheOneItContinues)
   EXPECT_EQ(again.number("Sensor_eye.left", "field_of_view_deg"), 90);
   EXPECT_FALSE(again.isSet("Sensor_eye.left", "field_of_view_deg"));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_settings

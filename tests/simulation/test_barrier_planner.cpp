@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/geometry/input_error.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_barrier_planner
 {
 namespace
 {
@@ -40,4 +40,4 @@ TEST(PlanBarriers, NoRoomIsAnErrorOfTheConfiguration)
   RandomStream random(3, 0);
   EXPECT_THROW((void)planBarriers({.count = 1, .clearance = 20}, {0, -4}, {10, 4}, kAlongX, random), InputError);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_barrier_planner

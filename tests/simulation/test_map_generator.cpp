@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/geometry/input_error.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_map_generator
 {
 namespace
 {
@@ -72,4 +72,4 @@ TEST(MapGenerator, ReportsWhenThereIsNoRoom)
   plan.min_distance = 5;
   EXPECT_THROW((void)generate(plan), InputError);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_map_generator

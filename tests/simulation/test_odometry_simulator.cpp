@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_odometry_simulator
 {
 namespace
 {
@@ -153,4 +153,4 @@ TEST(SimulatedOdometry, NoRateNoOdometry)
   EXPECT_TRUE(odometry.records().empty());
   EXPECT_FALSE(odometry.displacement(0, 1));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_odometry_simulator

@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/geometry/input_error.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_path_planner
 {
 namespace
 {
@@ -141,4 +141,4 @@ TEST(PathPlanner, RejectsImpossiblePaths)
   outside.start = {1, 1, 0};
   EXPECT_THROW((void)plan(outside, 10), InputError);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_path_planner

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_random_errors
 {
 namespace
 {
@@ -62,4 +62,4 @@ TEST(RandomErrors, BelongToTheSeed)
   EXPECT_EQ(a.odometry.drift, b.odometry.drift);
   EXPECT_NE(a.odometry.drift, withRandomErrors(scenarioWithSpread(8)).odometry.drift);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_random_errors

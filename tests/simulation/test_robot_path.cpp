@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_robot_path
 {
 TEST(ArcMotion, StraightLineTurnInPlaceAndQuarterCircle)
 {
@@ -37,4 +37,4 @@ TEST(RobotPath, FollowsItsSegmentsAndThenStands)
   EXPECT_NEAR(path.turnedAt(5), kPi / 2, 1e-12);
   EXPECT_NEAR(path.lengthAt(100), 2, 1e-12);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_robot_path

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_running_fix_simulator
 {
 namespace
 {
@@ -82,4 +82,4 @@ TEST(RunningFixSimulator, SecondBearingOnlyOnRequest)
   EXPECT_TRUE(fix.second_bearing);
   EXPECT_EQ(fix.second_bearing_std, 0.01);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_running_fix_simulator

@@ -4,7 +4,7 @@
 
 #include <set>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_sensor_simulator
 {
 namespace
 {
@@ -242,4 +242,4 @@ TEST(SimulateCompass, NoiseAndBiasComeOutAsConfigured)
   EXPECT_NEAR(momentsOf(errors).mean, -0.02, 0.0015);
   EXPECT_NEAR(momentsOf(errors).std, 0.05, 0.001);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_sensor_simulator

@@ -5,7 +5,7 @@
 #include "mrpt_ext/geometry/measurement_jacobian.h"
 #include "simulated_recording.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_simulated_drive
 {
 namespace
 {
@@ -165,4 +165,4 @@ TEST(SimulatedDrive, ASpinningScannerSeesEachLandmarkFromWhereTheRobotWasThen)
     EXPECT_NEAR(wrap(*d.bearing - predictBearing(then, landmark)), 0, 2e-3);
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_simulated_drive

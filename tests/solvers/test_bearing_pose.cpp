@@ -9,7 +9,7 @@
 #include "mrpt_ext/solvers/pose_information.h"
 #include "random_scene.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_bearing_pose
 {
 namespace
 {
@@ -204,4 +204,4 @@ TEST(BearingPose, DegenerateInputIsNamed)
   bearings[1].std = 0;
   EXPECT_EQ(solveBearingPoseMl(bearings).status, SolveStatus::bad_input);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_bearing_pose

@@ -6,7 +6,7 @@
 #include "mrpt_ext/solvers/plane.h"
 #include "random_scene.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_bearing_pose_from_units
 {
 namespace
 {
@@ -118,4 +118,4 @@ TEST(BearingPoseFromUnits, TurnsAndShiftsWithTheLandmarks)
     EXPECT_LT(error(after, expected), 1e-6 * (10 + before.position.norm())) << trial;
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_bearing_pose_from_units

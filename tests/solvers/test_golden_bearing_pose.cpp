@@ -3,7 +3,7 @@
 #include "mrpt_ext/solvers/bearing_pose_linear.h"
 #include "mrpt_ext/solvers/bearing_pose_ml.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_golden_bearing_pose
 {
 namespace
 {
@@ -105,4 +105,4 @@ TEST(GoldenVectors, BearingPose)
     }
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_golden_bearing_pose

@@ -5,7 +5,7 @@
 #include "mrpt_ext/solvers/origin_correction.h"
 #include "mrpt_ext/solvers/two_pole_pose.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_golden_movis
 {
 namespace
 {
@@ -102,4 +102,4 @@ TEST(GoldenVectors, Movis)
       ADD_FAILURE() << "unknown op " << op;
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_golden_movis

@@ -5,7 +5,7 @@
 #include "mrpt_ext/solvers/pose_ring.h"
 #include "mrpt_ext/solvers/running_fix.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_golden_running_fix
 {
 namespace
 {
@@ -102,4 +102,4 @@ TEST(GoldenVectors, RunningFix)
       ADD_FAILURE() << "unknown op " << op;
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_golden_running_fix

@@ -1,7 +1,7 @@
 #include "circle_relation_text.h"
 #include "golden_vectors.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_golden_two_circles
 {
 TEST(GoldenVectors, TwoCircles)
 {
@@ -25,4 +25,4 @@ TEST(GoldenVectors, TwoCircles)
     EXPECT_TRUE(result.points[0].allFinite() && result.points[1].allFinite() && result.closest.allFinite());
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_golden_two_circles

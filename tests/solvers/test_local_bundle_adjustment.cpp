@@ -6,7 +6,7 @@
 
 #include "trajectory_scene.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_local_bundle_adjustment
 {
 namespace
 {
@@ -131,4 +131,4 @@ TEST(BundleAdjustment, ReportsWhyThereIsNoSolution)
   observed.observations[0].scan = 99;
   EXPECT_EQ(adjustBundle(observed.poses, observed.observations, observed.truth).status, SolveStatus::bad_input);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_local_bundle_adjustment

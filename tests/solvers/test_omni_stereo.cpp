@@ -12,7 +12,7 @@
 #include "mrpt_ext/solvers/two_landmark_pose.h"
 #include "mrpt_ext/solvers/two_pole_pose.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_omni_stereo
 {
 TEST(Triangulation, DiagonalsMeetInTheMiddle)
 {
@@ -198,4 +198,4 @@ TEST(ObjectPosition, AddsThePoseAndTheSighting)
   EXPECT_NEAR(ball.covariance(0, 0), 0.04 + 0.04, 1e-12);
   EXPECT_NEAR(ball.covariance(1, 1), 0.09 + 0.25, 1e-12);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_omni_stereo

@@ -7,7 +7,7 @@
 #include "mrpt_ext/solvers/pose_ml.h"
 #include "test_length.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_pose_from_landmarks
 {
 namespace
 {
@@ -274,4 +274,4 @@ TEST(PoseCurvature, SecondMomentIsTheScatterBeyondTheLinearError)
   EXPECT_NEAR(bent, 3, 0.1);
   EXPECT_NEAR(curvature.weakest.dot(P.inverse() * curvature.weakest), 1, 1e-9);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_pose_from_landmarks

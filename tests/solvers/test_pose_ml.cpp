@@ -5,7 +5,7 @@
 #include "mrpt_ext/geometry/random.h"
 #include "mrpt_ext/solvers/pose_information.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_pose_ml
 {
 namespace
 {
@@ -105,4 +105,4 @@ TEST(PoseInformation, RatioIsOneForIndependentEqualDirectionsAndZeroWhenBlind)
   EXPECT_NEAR((*covariance)(1, 1), 2.5e5, 1e-6);
   EXPECT_NEAR((*covariance)(2, 2), 1e-6, 1e-18);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_pose_ml

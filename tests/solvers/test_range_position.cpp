@@ -5,7 +5,7 @@
 #include "mrpt_ext/solvers/range_position_robust.h"
 #include "random_scene.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_range_position
 {
 namespace
 {
@@ -126,4 +126,4 @@ TEST(RangePositionRobust, WithoutWildRangesItIsThePlainSolution)
               1e-8);
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_range_position

@@ -9,7 +9,7 @@
 #include "mrpt_ext/solvers/pose_ring.h"
 #include "mrpt_ext/solvers/running_fix_pose.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_running_fix
 {
 namespace
 {
@@ -189,4 +189,4 @@ TEST(HeadingFromLandmark, AllQuadrants)
     }
   EXPECT_FALSE(headingFromBearing(kGoalPost, kGoalPost, 0.1));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_running_fix

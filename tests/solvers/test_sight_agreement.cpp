@@ -6,7 +6,7 @@
 
 #include "mrpt_ext/geometry/angle.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_sight_agreement
 {
 namespace
 {
@@ -50,4 +50,4 @@ TEST(SightAgreement, OneAloneIsBelieved)
   EXPECT_TRUE(confirmedSights({}, kTurned).empty());
   EXPECT_EQ(confirmedSights({sight(kPlaces[0], {1, 1})}, kTurned), std::vector<bool>(1, true));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_sight_agreement

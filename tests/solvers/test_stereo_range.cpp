@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/geometry/random.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_stereo_range
 {
 TEST(StereoRange, StraightAheadByHand)
 {
@@ -52,4 +52,4 @@ TEST(StereoRange, NoDisparityIsNoRange)
   EXPECT_EQ(stereoRange({500, 0.1}, -3, 0.5, 0, 1).status, SolveStatus::none);
   EXPECT_EQ(stereoRange({0, 0.1}, 3, 0.5, 0, 1).status, SolveStatus::bad_input);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_stereo_range

@@ -8,7 +8,7 @@
 #include "random_scene.h"
 #include "three_bearing_pose_batch.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_three_bearing_pose
 {
 namespace
 {
@@ -249,4 +249,4 @@ TEST(ThreeBearingPose, BatchIsTheScalarManyTimes)
   expectBatchLikeScalar<double>(1e-9, 0);
   expectBatchLikeScalar<float>(1e-3, 10);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_three_bearing_pose

@@ -9,7 +9,7 @@
 #include "mrpt_ext/solvers/three_bearing_pose.h"
 #include "random_scene.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_three_bearing_pose_noncentral
 {
 namespace
 {
@@ -184,4 +184,4 @@ TEST(NoncentralThreeBearingPose, ScattersAsTheInformationSays)
   }
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(scatter(i, i) / (*covariance)(i, i), 1, 0.12) << i;
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_three_bearing_pose_noncentral

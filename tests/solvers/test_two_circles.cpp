@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/geometry/random.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_two_circles
 {
 TEST(TwoCircles, ThreeFourFive)
 {
@@ -53,4 +53,4 @@ TEST(TwoCircles, OrderOfTheCirclesDoesNotMatter)
     EXPECT_LT((ab.closest - ba.closest).norm(), 1e-9);
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_two_circles

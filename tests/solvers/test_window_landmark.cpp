@@ -6,7 +6,7 @@
 
 #include "trajectory_scene.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_window_landmark
 {
 namespace
 {
@@ -189,4 +189,4 @@ TEST(WindowLandmark, NeverReturnsNaN)
     }
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_window_landmark

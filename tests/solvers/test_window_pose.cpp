@@ -6,7 +6,7 @@
 
 #include "trajectory_scene.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_window_pose
 {
 namespace
 {
@@ -176,4 +176,4 @@ TEST(WindowPose, ReportsWhyThereIsNoSolution)
       ring.push_back({drive.covariances[k], {measured(kind, {3, 2}, drive.true_poses[k], drive.poses[k], random)}});
   EXPECT_EQ(refineWindowPose(ring, drive.now()).status, SolveStatus::degenerate);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_window_pose

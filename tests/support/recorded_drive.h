@@ -20,6 +20,7 @@ struct DrivePlan
   double outliers = 0.03;  // share
   double std_distance_per_root_s = 0.01, std_turn_per_root_s = 0.01;
   double delay = 0, bearing_offset = 0, range_offset = 0, range_scale = 0;
+  double height = 0;  // [m] between sensor and landmarks; the readings do not state it
   double distance_scale = 0, rotation_scale = 0, veer = 0;
 };
 
@@ -85,8 +86,8 @@ inline CalibrationProblem recordedDrive(const DrivePlan& plan, RandomStream& ran
       if (!plan.ranges) continue;
       r.is_range = true;
       r.std = plan.std_range;
-      r.value = (1 + plan.range_scale) * predictRange(seen_from, r.landmark) + plan.range_offset +
-                r.std * random.gaussian() + (wrong ? random.uniform(0.5, 3) : 0);
+      r.value = (1 + plan.range_scale) * std::hypot(predictRange(seen_from, r.landmark), plan.height) +
+                plan.range_offset + r.std * random.gaussian() + (wrong ? random.uniform(0.5, 3) : 0);
       problem.readings.push_back(r);
     }
   }

@@ -64,8 +64,9 @@ inline void expectSchema1(const nlohmann::ordered_json& json)
       EXPECT_EQ(keysOf(method.at(error)), (Keys{"rmse", "mean", "median", "std", "min", "max", "p95"})) << name;
     EXPECT_EQ(keysOf(method.at("time_per_step_ms")), (Keys{"median", "p95", "p99", "max"})) << name;
   }
-  EXPECT_EQ(keysOf(json.at("filter")), (Keys{"particles", "nees", "coverage_95", "effective_sample_ratio_min",
-                                             "converged_at_s", "lost_steps", "reseeds", "modes_at_end"}));
+  EXPECT_EQ(keysOf(json.at("filter")),
+            (Keys{"particles", "nees", "coverage_95", "effective_sample_ratio_min", "converged_at_s", "lost_steps",
+                  "reseeds", "late_estimates", "most_steps_late", "modes_at_end"}));
   EXPECT_EQ(keysOf(json.at("filter").at("particles")), (Keys{"min", "median", "max"}));
   EXPECT_EQ(keysOf(json.at("filter").at("nees")), (Keys{"mean", "band_low", "band_high"}));
   for (const auto& mode : json.at("filter").at("modes_at_end"))

@@ -56,7 +56,7 @@ struct PaintedTag
 inline cv::Mat paintTags(const cv::Size& size, const TagDictionary& dictionary, const std::vector<PaintedTag>& tags)
 {
   constexpr int kSamples = 8;
-  constexpr double kWall = 0.4, kBlack = 0.04, kWhite = 0.8;
+  constexpr double kWall = 0.4, kBlack = 0.04, kMargin = 0.8;
   cv::Mat light(size, CV_64F, cv::Scalar(kWall));
   const int n = dictionary.cells;
   for (const PaintedTag& tag : tags)
@@ -72,10 +72,10 @@ inline cv::Mat paintTags(const cv::Size& size, const TagDictionary& dictionary, 
       const cv::Vec3d at = warp * cv::Vec3d(u, v, 1);
       const double column = at[0] / at[2], row = at[1] / at[2];
       if (column < -1 || column >= n + 3 || row < -1 || row >= n + 3) return behind;
-      if (column < 0 || column >= n + 2 || row < 0 || row >= n + 2) return kWhite;
+      if (column < 0 || column >= n + 2 || row < 0 || row >= n + 2) return kMargin;
       const int cell = (static_cast<int>(row) - 1) * n + static_cast<int>(column) - 1;
       if (column < 1 || column >= n + 1 || row < 1 || row >= n + 1) return kBlack;
-      return dictionary.codes[tag.id] >> (n * n - 1 - cell) & 1 ? kWhite : kBlack;
+      return dictionary.codes[tag.id] >> (n * n - 1 - cell) & 1 ? kMargin : kBlack;
     };
     cv::Rect box = cv::boundingRect(std::vector<cv::Point2f>(pixels, pixels + 4));
     box = cv::Rect(box.x - box.width / 2, box.y - box.height / 2, 2 * box.width, 2 * box.height) & cv::Rect({}, size);

@@ -5,7 +5,7 @@
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/vision/axis_ellipse.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_axis_ellipse
 {
 namespace
 {
@@ -70,4 +70,4 @@ TEST(AxisEllipse, RefinementHasACovariance)
   EXPECT_LT(std::abs(fit->ellipse.centre.x - kEllipse.centre.x), 4 * std_centre);
   EXPECT_FALSE(refineEllipse(kEllipse, {{1, 1}, {2, 2}, {3, 3}}));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_axis_ellipse

@@ -6,7 +6,7 @@
 #include "mrpt_ext/vision/conic_mirror.h"
 #include "synthetic_cone.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_conic_mirror
 {
 namespace
 {
@@ -286,4 +286,4 @@ TEST(ConicMirror, DrawsFeatures)
   cv::split(drawing, channels);
   EXPECT_GT(cv::countNonZero(channels[0] != channels[1]), 1000);  // coloured marks on a grey picture
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_conic_mirror

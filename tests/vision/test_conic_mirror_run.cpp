@@ -14,7 +14,7 @@
 
 // From rendered images of the conic mirror to edges (ini/images2rawlog/conic-mirror.ini) and poses
 // (ini/landmark-localization/conic-mirror.ini); the truth comes with the images (observations.csv).
-namespace mrpt_ext
+namespace mrpt_ext::test_conic_mirror_run
 {
 namespace
 {
@@ -166,4 +166,4 @@ TEST(ConicMirrorRun, APhotographGivesEdges)
   EXPECT_NEAR(view.outline->rim.semi_v, 265.6, 4);
   EXPECT_GT(view.edges.size(), 5u);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_conic_mirror_run

@@ -3,7 +3,7 @@
 #include "../support/synthetic_field.h"
 #include "mrpt_ext/vision/stereo/stereo_goal.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_floor_junctions
 {
 namespace
 {
@@ -96,4 +96,4 @@ TEST(FloorJunctions, AreNotMadeOfWideStripes)
   picture.line_width = 0.02;
   EXPECT_TRUE(landmarksOf(picture).empty());
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_floor_junctions

@@ -5,7 +5,7 @@
 #include "../support/synthetic_field.h"
 #include "mrpt_ext/vision/stereo/stereo_goal.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_goal_corners
 {
 namespace
 {
@@ -304,4 +304,4 @@ TEST(StereoGoal, DrawsFeatures)
   cv::cvtColor(drawing != pair.left, changed, cv::COLOR_BGR2GRAY);
   EXPECT_GT(cv::countNonZero(changed), 20);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_goal_corners

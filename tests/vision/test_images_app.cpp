@@ -16,7 +16,7 @@
 #include "synthetic_mirror.h"
 
 // images2rawlog over folders and rawlogs made here.
-namespace mrpt_ext
+namespace mrpt_ext::test_images_app
 {
 namespace
 {
@@ -198,4 +198,4 @@ TEST(ImagesApp, ReportsMistakesInOneLine)
   expect(runOn(folder.path(), folder.path() / "log.txt"), 2, "expected -o STEM.rawlog");
   expect(runOn(folder.path(), log, {"--set", "ConicMirror.ring_outer=0.1"}), 1, "camera.json: damaged");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_images_app

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_light_coding
 {
 TEST(LightCoding, AgreesWithPixelsSummedOneByOne)
 {
@@ -28,4 +28,4 @@ TEST(LightCoding, EqualOrMissingLevelsShiftNothing)
   EXPECT_EQ(shiftByCoding(0, 0), 0);
   EXPECT_NEAR(shiftByCoding(0, 255), 1 / (1 + 1 / 2.2) - 0.5, 1e-9);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_light_coding

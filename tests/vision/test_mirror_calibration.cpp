@@ -4,7 +4,7 @@
 #include "synthetic_cone.h"
 #include "test_length.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_mirror_calibration
 {
 namespace
 {
@@ -112,4 +112,4 @@ TEST(MirrorCalibration, NeedsEdges)
   picture.sectors = {{-90, 100}, {90, 160}};
   EXPECT_FALSE(calibrateMirror({testing::paint(picture, 2, 1)}, stated(picture)));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_mirror_calibration

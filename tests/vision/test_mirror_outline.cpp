@@ -3,7 +3,7 @@
 #include "mrpt_ext/vision/mirror_outline.h"
 #include "synthetic_mirror.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_mirror_outline
 {
 namespace
 {
@@ -108,4 +108,4 @@ TEST(MirrorOutline, IsNotInventedInABoardOfSquares)
     for (int u = 0; u < board.cols; ++u) board.at<uchar>(v, u) = (u / 40 + v / 40) % 2 == 0 ? 40 : 220;
   EXPECT_FALSE(findMirrorOutline(board, {}));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_mirror_outline

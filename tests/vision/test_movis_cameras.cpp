@@ -10,7 +10,7 @@
 #include "mrpt_ext/vision/pole_distance.h"
 
 // One omnidirectional camera of paper 001: its mirror, its colours, what it sees and what it refuses.
-namespace mrpt_ext
+namespace mrpt_ext::test_movis_cameras
 {
 namespace
 {
@@ -229,4 +229,4 @@ TEST(OmniCamera, StatesWhyThereIsNoMeasurement)
   cv::circle(empty, {160, 159}, 150, {120, 140, 130}, cv::FILLED);
   EXPECT_EQ(problem(empty), "");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_movis_cameras

@@ -17,7 +17,7 @@
 
 // What images2rawlog makes of images of the three omnidirectional cameras in other light, of unusable ones and of
 // mistakes in the configuration.
-namespace mrpt_ext
+namespace mrpt_ext::test_movis_images
 {
 namespace
 {
@@ -167,4 +167,4 @@ TEST(MovisImages, ReportsMistakesInOneLine)
   EXPECT_NE(outcome.err.find("mount_radius_m is missing, expected it here or as L in camera.json"), std::string::npos)
       << outcome.err;
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_movis_images

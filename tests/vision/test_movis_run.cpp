@@ -16,7 +16,7 @@
 
 // From rendered images of the three omnidirectional cameras to azimuths (ini/images2rawlog/movis.ini) and poses
 // (ini/landmark-localization/movis.ini, movis-frames.ini); the truth comes with the images.
-namespace mrpt_ext
+namespace mrpt_ext::test_movis_run
 {
 namespace
 {
@@ -297,4 +297,4 @@ TEST(MovisRun, TurnedCamerasRawCorrectedAtTheOriginAndCalibrated)
   EXPECT_LT(errors[1].pose, errors[0].pose);
   EXPECT_LT(errors[2].pose, errors[1].pose);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_movis_run

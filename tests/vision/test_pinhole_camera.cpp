@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/geometry/angle.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_pinhole_camera
 {
 namespace
 {
@@ -81,4 +81,4 @@ TEST(PinholeCamera, LevelAxes)
   EXPECT_NEAR((camera.levelAxes() * right).z(), -std::cos(camera.pitch), 1e-12);
   EXPECT_NEAR(camera.levelAxes().determinant(), 1, 1e-12);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_pinhole_camera

@@ -2,7 +2,7 @@
 
 #include "../support/synthetic_field.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_stereo_camera
 {
 TEST(StereoCamera, ProjectsAndBackProjects)
 {
@@ -67,4 +67,4 @@ TEST(StereoCamera, HasNoFloorPointAboveTheHorizonAndNoPixelBehind)
   EXPECT_FALSE(camera.floorAt({160, 20}));
   EXPECT_FALSE(camera.pixelOf({-0.5, 0}));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_stereo_camera

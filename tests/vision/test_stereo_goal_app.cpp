@@ -14,7 +14,7 @@
 #include "scratch_folder.h"
 
 // images2rawlog with a stereo pair, over folders and rawlogs made here.
-namespace mrpt_ext
+namespace mrpt_ext::test_stereo_goal_app
 {
 namespace
 {
@@ -173,4 +173,4 @@ TEST(StereoGoalApp, ReportsMissingValuesInOneLine)
  "baseline": 0.03, "forward": 0, "height_m": 0.06, "pitch_deg": 6}})");
   expect("expected fx, fy, baseline and height_m above 0");
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_stereo_goal_app

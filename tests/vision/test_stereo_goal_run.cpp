@@ -14,7 +14,7 @@
 
 // From rendered stereo pairs to goal corners and line landmarks (ini/images2rawlog/stereo.ini) and poses
 // (ini/landmark-localization/stereo-goal*.ini); the truth comes with the images.
-namespace mrpt_ext
+namespace mrpt_ext::test_stereo_goal_run
 {
 namespace
 {
@@ -163,4 +163,4 @@ TEST(StereoGoalRun, SharedImagesKeepTheirLandmarksInOtherLight)
     expectDetectionsStay(*scene);
   }
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_stereo_goal_run

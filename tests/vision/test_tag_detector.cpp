@@ -5,7 +5,7 @@
 #include "mrpt_ext/geometry/random.h"
 #include "tag_picture.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_tag_detector
 {
 namespace
 {
@@ -126,4 +126,4 @@ TEST(TagDetector, AprilTagFamiliesAreKnownByName)
   }
   EXPECT_EQ(tagFamilies().front(), TagDetectorSettings{}.family);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_tag_detector

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace mrpt_ext
+namespace mrpt_ext::test_tag_dictionary
 {
 TEST(TagDictionary, OriginalArucoMarkers)
 {
@@ -15,4 +15,4 @@ TEST(TagDictionary, OriginalArucoMarkers)
   EXPECT_EQ(dictionary.codes[77], 0x10bc1d7U);
   EXPECT_EQ(dictionary.codes[1023], 0x0e739ceU);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_tag_dictionary

@@ -6,7 +6,7 @@
 #include "tag_picture.h"
 #include "test_length.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_tag_measurement
 {
 namespace
 {
@@ -127,4 +127,4 @@ TEST(TagMeasurement, NoBearingToATagAboveTheCamera)
   for (Eigen::Vector2d& corner : beside) corner.y() += far - camera.cy;
   EXPECT_TRUE(measureTag(beside, 0.2, camera, anyhow(0.5)));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_tag_measurement

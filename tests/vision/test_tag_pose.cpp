@@ -6,7 +6,7 @@
 
 #include "tag_picture.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_tag_pose
 {
 using testing::PlacedTag;
 using testing::wallCamera;
@@ -80,4 +80,4 @@ TEST(TagPose, CornersOfNoSquareGiveNone)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(none({Eigen::Vector2d(nan, 100), {200, 100}, {200, 200}, {100, 200}}));
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_tag_pose

@@ -4,7 +4,7 @@
 
 #include "tag_picture.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_tag_view
 {
 namespace
 {
@@ -81,4 +81,4 @@ TEST(TagView, SaysWhatIsWrongWithAnImage)
   EXPECT_EQ(problem(wall), "");
   EXPECT_TRUE(viewOf(wall).tags.empty());
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_tag_view

@@ -18,7 +18,7 @@
 
 // From images with fiducial tags to bearings and ranges (ini/images2rawlog/tags.ini) and poses
 // (ini/landmark-localization/tags.ini). The drive through a hall has corners that are moved by 0.5 px each way.
-namespace mrpt_ext
+namespace mrpt_ext::test_tags_run
 {
 namespace
 {
@@ -248,4 +248,4 @@ TEST(TagsRun, MissingValuesAreOneLine)
   expect("no such file", {"--set", "Tags.tag_edge_m=0.2", "--set", "Tags.dictionary_file=absent.yml"});
   expect("family", {"--set", "Tags.family=tag99h99"});
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_tags_run

@@ -7,7 +7,7 @@
 
 #include "../support/synthetic_field.h"
 
-namespace mrpt_ext
+namespace mrpt_ext::test_upright_edges
 {
 namespace
 {
@@ -72,4 +72,4 @@ TEST(UprightEdges, TrustBrightnessWhereColourDiffers)
   EXPECT_NEAR(apart[0].disparity, same[0].disparity, 0.1);
   EXPECT_NEAR(apart[0].middle.x, same[0].middle.x, 0.1);
 }
-}  // namespace mrpt_ext
+}  // namespace mrpt_ext::test_upright_edges

@@ -13,6 +13,10 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
+const std::string kDeg = "_deg", kRad = "_rad";            // ends of the names of angles
+constexpr auto kReplace = Json::error_handler_t::replace;  // of text that is no UTF-8
+const std::string kNoStd = "expected a standard deviation > 0";
+
 /// The members of one JSON object; each is asked for by its name, and none may be left over.
 class JsonObject
 {
@@ -23,6 +27,8 @@ class JsonObject
   }
 
   [[nodiscard]] bool has(const std::string& key) const { return value_.contains(key) && !value_.at(key).is_null(); }
+  /// In degrees or in radians.
+  [[nodiscard]] bool hasAngled(const std::string& key) const { return has(key) || has(key + kRad); }
   const Json& member(const std::string& key)
   {
     known_.insert(key);
@@ -44,6 +50,21 @@ class JsonObject
   {
     known_.insert(key);
     return has(key) ? std::optional(number(key)) : std::nullopt;
+  }
+  /// [rad] of `key`_rad, or of `key`_deg.
+  std::optional<double> angle(const std::string& key)
+  {
+    expectOneOf(key + kDeg, key + kRad);
+    if (const auto radians = optionalNumber(key + kRad)) return radians;
+    const auto degrees = optionalNumber(key + kDeg);
+    return degrees ? std::optional(degToRad(*degrees)) : std::nullopt;
+  }
+  bool flag(const std::string& key)
+  {
+    known_.insert(key);
+    if (!has(key)) return false;
+    if (!value_.at(key).is_boolean()) throw dataError(name_ + ": '" + key + "': expected true or false");
+    return value_.at(key).get<bool>();
   }
   std::string text(const std::string& key, const std::string& otherwise)
   {
@@ -70,6 +91,20 @@ class JsonObject
     if (!fits) throw dataError(name_ + ": '" + key + "': expected [" + std::to_string(size) + " numbers]");
     return value.get<std::vector<double>>();
   }
+  /// `size` numbers of which the last one is an angle [rad]: those of `key`_rad, or of `key`, where it is in degrees.
+  std::vector<double> angled(const std::string& key, std::size_t size)
+  {
+    expectOneOf(key, key + kRad);
+    if (has(key + kRad)) return numbers(key + kRad, size);
+    std::vector<double> values = numbers(key, size);
+    values.back() = degToRad(values.back());
+    return values;
+  }
+  Pose2 pose(const std::string& key)
+  {
+    const std::vector<double> values = angled(key, 3);
+    return {values[0], values[1], wrap(values[2])};
+  }
   const Json& list(const std::string& key)
   {
     const Json& value = member(key);
@@ -83,60 +118,75 @@ class JsonObject
   }
 
  private:
+  void expectOneOf(const std::string& degrees, const std::string& radians) const
+  {
+    if (has(degrees) && has(radians))
+      throw dataError(name_ + ": '" + degrees + "' and '" + radians + "': expected one of them");
+  }
+
   const Json& value_;
   std::string name_;
   std::set<std::string> known_;
 };
 
-Pose2 poseFrom(const std::vector<double>& values) { return {values[0], values[1], wrap(degToRad(values[2]))}; }
-
 Detection detectionFrom(const Json& value)
 {
   JsonObject object(value, "detection");
   Detection detection{.id = object.id(), .category = object.text("category", "")};
-  const auto positive = [&](const std::string& key)
+  if (const auto bearing = object.angle("bearing"))
   {
-    const double std = object.number(key);
-    if (!(std > 0)) throw dataError("detection: '" + key + "': expected a standard deviation > 0");
-    return std;
-  };
-  if (const auto bearing = object.optionalNumber("bearing_deg"))
-  {
-    detection.bearing = wrap(degToRad(*bearing));
-    detection.std_bearing = degToRad(positive("std_bearing_deg"));
+    const auto std = object.angle("std_bearing");
+    if (!std) throw dataError("detection: 'std_bearing_deg' is missing");
+    if (!(*std > 0)) throw dataError("detection: 'std_bearing_deg': " + kNoStd);
+    detection.bearing = wrap(*bearing);
+    detection.std_bearing = *std;
   }
   if (const auto range = object.optionalNumber("range_m"))
   {
     if (!(*range > 0)) throw dataError("detection: 'range_m': expected a distance > 0");
     detection.range = *range;
-    detection.std_range = positive("std_range_m");
+    detection.std_range = object.number("std_range_m");
+    if (!(detection.std_range > 0)) throw dataError("detection: 'std_range_m': " + kNoStd);
   }
   if (!detection.bearing && !detection.range) throw dataError("detection: expected 'bearing_deg' or 'range_m'");
   object.expectNothingElse();
   return detection;
 }
 
+SensorModel modelFrom(JsonObject& line)
+{
+  SensorModel model;
+  const auto field_of_view = line.angle("field_of_view");
+  model.max_range = line.optionalNumber("max_range_m");
+  if (field_of_view && !(*field_of_view > 0)) throw dataError("line: 'field_of_view_deg': expected an angle > 0");
+  if (model.max_range && !(*model.max_range > 0)) throw dataError("line: 'max_range_m': expected a distance > 0");
+  model.has_field_of_view = field_of_view.has_value();
+  if (field_of_view) model.field_of_view = std::min(*field_of_view, kTwoPi);
+  return model;
+}
+
 void applyDetections(JsonObject& line, OnlineLocalizer& robot)
 {
-  const std::string sensor = line.text("sensor", "");
-  if (sensor.empty()) throw dataError("line: 'sensor': expected the name of the sensor");
-  std::vector<Detection> detections;
-  for (const Json& detection : line.list("detections")) detections.push_back(detectionFrom(detection));
-  const Pose2 mount = line.has("mount") ? poseFrom(line.numbers("mount", 3)) : Pose2{};
-  const double time = line.number("t"), height = line.number("height_m", 0);
+  Reading reading{.time = line.number("t"), .sensor = line.text("sensor", "")};
+  if (reading.sensor.empty()) throw dataError("line: 'sensor': expected the name of the sensor");
+  for (const Json& detection : line.list("detections")) reading.detections.push_back(detectionFrom(detection));
+  if (line.hasAngled("mount")) reading.T_robot_sensor = line.pose("mount");
+  reading.sensor_height = line.number("height_m", 0);
+  reading.horizontal_range = line.flag("horizontal");
+  reading.model = modelFrom(line);
   line.expectNothingElse();
-  robot.addDetections(time, sensor, std::move(detections), mount, height);
+  robot.add(std::move(reading));
 }
 
 void applyReset(JsonObject& line, OnlineLocalizer& robot)
 {
   const double time = line.number("t");
   std::optional<GaussianPose> pose;
-  if (!(line.member("reset").is_string() && line.text("reset", "") == "unknown"))
+  if (!(line.has("reset") && line.member("reset").is_string() && line.text("reset", "") == "unknown"))
   {
-    pose = GaussianPose{poseFrom(line.numbers("reset", 3)), Matrix3d::Zero()};
+    pose = GaussianPose{line.pose("reset"), Matrix3d::Zero()};
     const double std_xy = line.number("std_m", kStartStdXy);
-    const double std_phi = degToRad(line.number("std_deg", radToDeg(kStartStdPhi)));
+    const double std_phi = line.angle("std").value_or(kStartStdPhi);
     if (!(std_xy > 0) || !(std_phi > 0)) throw dataError("line: expected standard deviations > 0");
     pose->covariance.diagonal() << square(std_xy), square(std_xy), square(std_phi);
   }
@@ -158,6 +208,30 @@ void applyMap(JsonObject& line, OnlineLocalizer& robot)
   line.expectNothingElse();
   robot.setMap(LandmarkTable(std::move(landmarks)));
 }
+Json arrayOf(const Pose2& pose) { return {pose.x, pose.y, pose.phi}; }
+
+Json objectOf(const Detection& detection)
+{
+  Json object = Json::object();
+  if (detection.id != kNoId) object["id"] = detection.id;
+  if (!detection.category.empty()) object["category"] = detection.category;
+  if (detection.bearing)
+    object.update({{"bearing_rad", *detection.bearing}, {"std_bearing_rad", detection.std_bearing}});
+  if (detection.range) object.update({{"range_m", *detection.range}, {"std_range_m", detection.std_range}});
+  return object;
+}
+
+Json objectOf(const Reading& reading)
+{
+  Json line{{"t", reading.time}, {"sensor", reading.sensor}, {"mount_rad", arrayOf(reading.T_robot_sensor)}};
+  if (reading.sensor_height != 0) line["height_m"] = reading.sensor_height;
+  if (reading.horizontal_range) line["horizontal"] = true;
+  if (reading.model.has_field_of_view) line["field_of_view_rad"] = reading.model.field_of_view;
+  if (reading.model.max_range) line["max_range_m"] = *reading.model.max_range;
+  line["detections"] = Json::array();
+  for (const Detection& detection : reading.detections) line["detections"].push_back(objectOf(detection));
+  return line;
+}
 }  // namespace
 
 void applyLiveLine(const std::string& line, OnlineLocalizer& robot)
@@ -166,21 +240,20 @@ void applyLiveLine(const std::string& line, OnlineLocalizer& robot)
   if (value.is_discarded()) throw dataError("no JSON, expected one object per line");
   JsonObject object(value, "line");
   if (object.has("detections")) return applyDetections(object, robot);
-  if (object.has("reset")) return applyReset(object, robot);
+  if (object.hasAngled("reset")) return applyReset(object, robot);
   if (object.has("map")) return applyMap(object, robot);
-  if (object.has("odometry"))
+  if (object.hasAngled("odometry"))
   {
-    const Pose2 pose = poseFrom(object.numbers("odometry", 3));
-    const double time = object.number("t");
+    const OdometryRecord odometry{object.number("t"), object.pose("odometry")};
     object.expectNothingElse();
-    return robot.addOdometry(time, pose);
+    return robot.add(odometry);
   }
-  if (object.has("velocity"))
+  if (object.hasAngled("velocity"))
   {
-    const std::vector<double> velocity = object.numbers("velocity", 2);
+    const std::vector<double> velocity = object.angled("velocity", 2);
     const double time = object.number("t");
     object.expectNothingElse();
-    return robot.addVelocity(time, velocity[0], degToRad(velocity[1]));
+    return robot.addVelocity(time, velocity[0], velocity[1]);
   }
   throw dataError("line: expected 'odometry', 'velocity', 'detections', 'reset' or 'map'");
 }
@@ -206,12 +279,21 @@ std::string liveLineOf(const OnlineEstimate& estimate, const BiasModel& biases, 
   for (std::size_t k = 0; k < estimate.biases.size(); ++k)
     line["biases"][biasName(biases[k])] = {fileUnit(biases[k]) * estimate.biases[k].mean,
                                            fileUnit(biases[k]) * estimate.biases[k].std};
+  line["steps_late"] = estimate.steps_late;
   line["latency_ms"] = latency_ms;
-  return line.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return line.dump(-1, ' ', false, kReplace);
+}
+
+std::optional<std::string> liveLineOf(const Record& record)
+{
+  if (const auto* odometry = std::get_if<OdometryRecord>(&record))
+    return Json{{"t", odometry->time}, {"odometry_rad", arrayOf(odometry->pose)}}.dump();
+  if (const auto* reading = std::get_if<Reading>(&record)) return objectOf(*reading).dump(-1, ' ', false, kReplace);
+  return std::nullopt;
 }
 
 std::string liveErrorLine(std::size_t number, const std::string& message)
 {
-  return Json{{"error", message}, {"line", number}}.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return Json{{"error", message}, {"line", number}}.dump(-1, ' ', false, kReplace);
 }
 }  // namespace mrpt_ext

@@ -9,6 +9,7 @@
 #include "mrpt_ext/app/exit_codes.h"
 #include "mrpt_ext/app/live_messages.h"
 #include "mrpt_ext/configuration/configured_files.h"
+#include "mrpt_ext/experiment/elapsed_time.h"
 #include "mrpt_ext/geometry/input_error.h"
 
 namespace mrpt_ext
@@ -18,11 +19,6 @@ namespace
 using Json = nlohmann::ordered_json;
 using SteadyClock = std::chrono::steady_clock;
 constexpr std::size_t kLongestLine = 1 << 22;  // [bytes]
-
-double millisecondsSince(SteadyClock::time_point start)
-{
-  return std::chrono::duration<double, std::milli>(SteadyClock::now() - start).count();
-}
 
 /// Latencies, in equal ratios from a microsecond to a minute: as exact as needed, in bounded memory.
 class LatencyHistogram
@@ -88,6 +84,7 @@ class LiveRun
     Json end{{"lines", lines_}, {"errors", errors_}, {"estimates", estimates_}, {"verdict", toString(verdict_)}};
     end["latency_ms"] = {
         {"median", latencies_.quantile(0.5)}, {"p99", latencies_.quantile(0.99)}, {"max", latencies_.largest()}};
+    end["late"] = {{"estimates", late_estimates_}, {"most_steps", most_steps_late_}};
     end["unusable"] = Json::object();
     for (const auto& [reason, count] : robot_.unusable()) end["unusable"][reason] = count;
     out_ << Json{{"end", end}}.dump(-1, ' ', false, Json::error_handler_t::replace) << std::endl;
@@ -105,6 +102,8 @@ class LiveRun
       latencies_.add(latency);
       verdict_ = estimate.verdict;
       ++estimates_;
+      if (estimate.steps_late > 0) ++late_estimates_;
+      most_steps_late_ = std::max(most_steps_late_, estimate.steps_late);
     }
   }
 
@@ -112,6 +111,7 @@ class LiveRun
   OnlineLocalizer robot_;
   std::ostream& out_;
   std::size_t lines_ = 0, errors_ = 0, estimates_ = 0;
+  std::size_t late_estimates_ = 0, most_steps_late_ = 0;
   Verdict verdict_ = Verdict::ambiguous;
   LatencyHistogram latencies_;
 };

@@ -7,6 +7,7 @@
 #include "mrpt_ext/app/calibration_run.h"
 #include "mrpt_ext/app/live_run.h"
 #include "mrpt_ext/app/localization_run.h"
+#include "mrpt_ext/app/log_lines.h"
 #include "mrpt_ext/app/shell_quote.h"
 #include "mrpt_ext/configuration/configured_files.h"
 #include "mrpt_ext/configuration/default_configuration.h"
@@ -42,7 +43,7 @@ struct LocalizationOptions
 {
   std::string config, rawlog, map, truth, trials;
   int repeat = 0;
-  bool diagnose = false, live = false;
+  bool diagnose = false, live = false, lines = false;
   LocalizationRequest request;
   std::filesystem::path calibrated;
 };
@@ -102,6 +103,10 @@ void addOptions(CommandLine& line, LocalizationOptions& options)
             .target = &options.live,
             .help = "Read measurements as JSON lines from standard input and write estimates as they become final",
             .excludes = "--repeat"})
+      .add({.names = "--lines",
+            .target = &options.lines,
+            .help = "Write the log to standard output as the lines that --live reads",
+            .excludes = "--live"})
       .add({.names = "--dry-run", .target = &request.dry_run, .help = "Load and check everything, run nothing"});
 }
 
@@ -155,6 +160,7 @@ int runRequest(LocalizationOptions options, AppShell& shell)
   sortArguments(options);
   const Settings settings = settingsOf(options, shell);
   LocalizationRequest request = options.request;
+  if (options.lines) return writeLogLines(settings, request.window, shell.out(), shell.err());
   if (options.live) return runLive(settings, std::cin, shell.out());
   if (options.diagnose || !options.calibrated.empty())
     return runCalibration(settings, {request.window, options.calibrated, shell.options().quiet}, shell.out());

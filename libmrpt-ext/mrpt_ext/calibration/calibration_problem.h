@@ -14,6 +14,7 @@ enum class CalibrationParameter
   bearing_offset,  ///< [rad] measured = true + offset
   range_offset,    ///< [m] measured = (1 + scale) true + offset
   range_scale,
+  range_height,    ///< [m^2] measured^2 = true^2 + this: the squared height that map and sensor do not state
   distance_scale,  ///< true distance = (1 + scale) distance by odometry
   rotation_scale,  ///< true rotation = (1 + scale) rotation by odometry + veer * distance
   veer             ///< [rad/m] to the left

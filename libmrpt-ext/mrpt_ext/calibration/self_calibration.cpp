@@ -55,6 +55,8 @@ double largestUsefulStd(const CalibrationUnknown& unknown, const CalibrationProb
     case CalibrationParameter::distance_scale:
     case CalibrationParameter::rotation_scale:
       return 0.1;
+    case CalibrationParameter::range_height:
+      break;  // a mistake in the map, which is no value of the configuration
   }
   return 0;
 }

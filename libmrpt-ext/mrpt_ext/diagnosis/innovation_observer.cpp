@@ -16,6 +16,7 @@ constexpr double kGate = 4, kLeaves = 6;        // standard deviations
 constexpr double kHeadingKnown = 0.5;           // [rad] standard deviation
 constexpr double kSmoothing = 1;                // [s] over which odometry is averaged for the sensitivities
 constexpr double kWarmUp = 5;                   // [s] until the sensitivities have forgotten the start
+constexpr double kLeastRange = 0.5;             // [m] below which ranges are no longer linear in squared heights
 constexpr double kFromMode = 4;                 // variance at the start over that of the mode
 
 bool hasUsableOdometry(const LocalizationInput& input)
@@ -47,7 +48,7 @@ PossibleErrors possibleErrors(const LocalizationInput& input)
   if (hasUsableOdometry(input)) all = {{distance_scale}, {rotation_scale}, {veer}};
   for (std::size_t s = 0; s < std::min(input.logged_sensors.size(), kMostSensors); ++s)
   {
-    for (const CalibrationParameter parameter : {bearing_offset, range_offset, range_scale})
+    for (const CalibrationParameter parameter : {bearing_offset, range_offset, range_scale, range_height})
       all.push_back({parameter, s});
   }
   const auto middle = std::stable_partition(
@@ -171,6 +172,8 @@ Eigen::RowVectorXd InnovationObserver::sensitivity(const std::string& sensor, bo
     if (unknowns_[k].parameter == CalibrationParameter::bearing_offset && !is_range) value = 1;
     if (unknowns_[k].parameter == CalibrationParameter::range_offset && is_range) value = 1;
     if (unknowns_[k].parameter == CalibrationParameter::range_scale && is_range) value = predicted;
+    if (unknowns_[k].parameter == CalibrationParameter::range_height && is_range)
+      value = 0.5 / std::max(predicted, kLeastRange);
   }
   return row;
 }

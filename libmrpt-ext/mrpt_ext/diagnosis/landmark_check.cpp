@@ -14,6 +14,7 @@ constexpr std::size_t kMostFrames = 200, kMostMeasurements = 16, kLeastFrames = 
 constexpr double kTolerance = 3;      // on the declared standard deviations
 constexpr double kConsistent = 0.01;  // least probability of the residuals of an explained frame
 constexpr double kMost = 0.5;         // share of the frames that counts as "the frames"
+constexpr double kUsualBearingStd = degToRad(1.0);
 
 std::vector<PoseMeasurement> measurementsOf(const Frame& frame, const LandmarkTable& map)
 {
@@ -29,17 +30,26 @@ void mirror(PoseMeasurement& m)
   if (m.kind == PoseMeasurement::Kind::bearing) m.value = -m.value;
 }
 
+/// A bearing in radians that was read as degrees.
+void fromRadians(PoseMeasurement& m)
+{
+  if (m.kind != PoseMeasurement::Kind::bearing) return;
+  m.value = wrap(radToDeg(m.value));
+  m.std = std::max(m.std, kTolerance * kUsualBearingStd);  // which may be in radians, too
+}
+
 std::string causeText(const LandmarkFaultFinding& finding)
 {
   switch (finding.fault)
   {
     case LandmarkFault::motion:
       return "every frame fits the map by itself, but not the motion between them: check signs, clock and units of "
-             "odometry, and the angle at which the sensor is mounted";
+             "odometry, the angle at which the sensor is mounted, and, with bearings alone, the unit of the map";
     case LandmarkFault::mirrored:
-      return "the frames fit when bearings are counted clockwise: check the sign of the bearings, and the order of x "
-             "and "
-             "y in the map";
+      return "the frames fit when bearings are counted clockwise: check the sign of the bearings, the order of x "
+             "and y in the map, and whether the map is mirrored";
+    case LandmarkFault::radians:
+      return "the frames fit when bearings are taken for radians: degrees are expected";
     case LandmarkFault::unit:
       return "the frames fit a map that is " + fixedText(finding.factor, 4) +
              " times as large: check the units of map and ranges";
@@ -78,11 +88,20 @@ double LandmarkCheck::explained(const Change& change) const
 LandmarkFaultFinding LandmarkCheck::findFault() const
 {
   if (frames_.size() < kLeastFrames) return {};
+  // First what is least likely by chance: bearings that are 57 times too small also fit from far away.
+  if (explained(fromRadians) > kMost) return {LandmarkFault::radians};
   if (explained([](PoseMeasurement&) {}) > kMost) return {LandmarkFault::motion};
   if (explained(mirror) > kMost) return {LandmarkFault::mirrored};
   for (const double factor : {1000.0, 0.001, 100.0, 0.01, 0.3048, 1 / 0.3048})
     if (explained([=](PoseMeasurement& m) { m.landmark *= factor; }) > kMost) return {LandmarkFault::unit, factor};
   return {};
+}
+
+std::string LandmarkCheck::cause() const
+{
+  if (frames_.size() >= kLeastFrames) return causeText(findFault());
+  return "check that the map is of this place, its unit, the order of x and y and its ids, and units, signs and clocks "
+         "of detections and odometry";
 }
 
 std::string LandmarkCheck::hint(const std::map<std::string, LandmarkRecord>& landmarks) const
@@ -98,6 +117,6 @@ std::string LandmarkCheck::hint(const std::map<std::string, LandmarkRecord>& lan
   }
   if (frames_.size() < kLeastFrames || wrong < 3 || 2 * wrong <= seen) return {};
   return std::to_string(wrong) + " of " + std::to_string(seen) +
-         " landmarks are often wrong, so it is hardly the landmarks: " + causeText(findFault());
+         " landmarks are often wrong, so it is hardly the landmarks: " + cause();
 }
 }  // namespace mrpt_ext

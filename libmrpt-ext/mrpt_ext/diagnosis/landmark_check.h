@@ -15,6 +15,7 @@ enum class LandmarkFault
 {
   motion,    ///< single frames fit the map, their sequence does not fit the motion
   mirrored,  ///< frames fit with bearings counted the other way round
+  radians,   ///< frames fit with bearings that were given in radians
   unit,      ///< frames fit a map in another unit
   unknown    ///< frames do not fit the map in any of these ways
 };
@@ -35,6 +36,8 @@ class LandmarkCheck
 
   void add(const Frame& frame);
   [[nodiscard]] LandmarkFaultFinding findFault() const;
+  /// What to check when most detections disagree with the map, in words; also where no frame tells it.
+  [[nodiscard]] std::string cause() const;
   /// One line when most of the landmarks that were seen are often wrong; else empty.
   [[nodiscard]] std::string hint(const std::map<std::string, LandmarkRecord>& landmarks) const;
 

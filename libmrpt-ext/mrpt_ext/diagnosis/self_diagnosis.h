@@ -5,7 +5,7 @@
 
 #include "mrpt_ext/diagnosis/frame_window_check.h"
 #include "mrpt_ext/diagnosis/innovation_observer.h"
-#include "mrpt_ext/diagnosis/landmark_check.h"
+#include "mrpt_ext/diagnosis/map_agreement.h"
 
 namespace mrpt_ext
 {
@@ -30,5 +30,6 @@ class SelfDiagnosis
   InnovationObserver innovations_;
   FrameWindowCheck joined_;
   LandmarkCheck landmarks_;
+  MapAgreement agreement_;
 };
 }  // namespace mrpt_ext

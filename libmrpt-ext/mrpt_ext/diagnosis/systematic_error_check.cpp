@@ -1,5 +1,7 @@
 #include "mrpt_ext/diagnosis/systematic_error_check.h"
 
+#include <algorithm>
+
 #include "mrpt_ext/files/number_format.h"
 
 namespace mrpt_ext
@@ -14,7 +16,32 @@ std::string withStd(double value, double std, int decimals)
   return fixedText(value, decimals) + " +- " + fixedText(std, decimals);
 }
 
-/// What `error` means for the reader; its size without sign where the words tell the sign.
+/// True for an offset or scale of ranges beside a height: they undo what was set or calibrated for want of the height.
+bool followsFromHeight(const RegressedError& error, const std::vector<RegressedError>& errors)
+{
+  using enum CalibrationParameter;
+  if (error.unknown.parameter != range_offset && error.unknown.parameter != range_scale) return false;
+  return std::any_of(errors.begin(), errors.end(),
+                     [&](const RegressedError& other)
+                     {
+                       return other.unknown.parameter == range_height && other.unknown.sensor == error.unknown.sensor &&
+                              other.effect > kMatters;
+                     });
+}
+
+/// `--diagnose` would take it for an offset and a scale, so it is not named.
+std::string heightFinding(const RegressedError& error, const std::string& sensor)
+{
+  const std::string height = fixedText(std::sqrt(std::abs(error.value)), 1) + " m";
+  if (error.value > 0)
+    return sensor + ": ranges are too long, the more the nearer the landmark, as by a height of about " + height +
+           " between sensor and landmarks that is not stated: check z in the map and of the sensor (sensors.csv)";
+  return sensor + ": ranges are too short, the more the nearer the landmark, as if about " + height +
+         " of the stated height between sensor and landmarks were none: check z in the map and of the sensor "
+         "(sensors.csv); a sensor that measures in the plane has the z of the landmarks";
+}
+
+/// What `error` means for the reader, and what to do; its size without sign where the words tell the sign.
 std::string finding(const RegressedError& error, const std::string& sensor)
 {
   const double size = std::abs(error.value);
@@ -24,20 +51,22 @@ std::string finding(const RegressedError& error, const std::string& sensor)
   {
     case CalibrationParameter::bearing_offset:
       return sensor + ": bearings are " + withStd(radToDeg(size), radToDeg(error.std), 2) + " deg too " +
-             (positive ? "large" : "small") + " (offset)";
+             (positive ? "large" : "small") + " (offset)" + kCommand;
     case CalibrationParameter::range_offset:
       return sensor + ": ranges are " + withStd(size, error.std, 3) + " m too " + (positive ? "long" : "short") +
-             " (offset)";
+             " (offset)" + kCommand;
     case CalibrationParameter::range_scale:
       return sensor + ": ranges are " + percent() + " too " + (positive ? "long" : "short") +
-             " (scale: innovations grow with distance)";
+             " (scale: innovations grow with distance)" + kCommand;
+    case CalibrationParameter::range_height:
+      return heightFinding(error, sensor);
     case CalibrationParameter::distance_scale:
-      return "odometry: distances are " + percent() + " too " + (positive ? "short" : "long");
+      return "odometry: distances are " + percent() + " too " + (positive ? "short" : "long") + kCommand;
     case CalibrationParameter::rotation_scale:
-      return "odometry: turns are " + percent() + " too " + (positive ? "small" : "large");
+      return "odometry: turns are " + percent() + " too " + (positive ? "small" : "large") + kCommand;
     case CalibrationParameter::veer:
       return "odometry: it does not see a turn of " + withStd(radToDeg(size), radToDeg(error.std), 2) +
-             " deg per metre to the " + (positive ? "left" : "right");
+             " deg per metre to the " + (positive ? "left" : "right") + kCommand;
     case CalibrationParameter::delay:
       break;  // see delayHint()
   }
@@ -59,9 +88,8 @@ std::vector<std::string> systematicErrorHints(const std::vector<RegressedError>&
 {
   std::vector<std::string> hints;
   for (const RegressedError& error : errors)
-    if (error.effect > kMatters)
-      hints.push_back(finding(error, isOfOdometry(error.unknown.parameter) ? "" : sensors[error.unknown.sensor]) +
-                      kCommand);
+    if (error.effect > kMatters && !followsFromHeight(error, errors))
+      hints.push_back(finding(error, isOfOdometry(error.unknown.parameter) ? "" : sensors[error.unknown.sensor]));
   return hints;
 }
 }  // namespace mrpt_ext

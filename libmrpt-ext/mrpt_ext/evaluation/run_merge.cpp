@@ -112,7 +112,8 @@ FilterScore mergeFilter(const std::vector<const FilterScore*>& parts)
   for (const auto number :
        {&FilterScore::particles_min, &FilterScore::particles_median, &FilterScore::particles_max,
         &FilterScore::nees_mean, &FilterScore::nees_band_low, &FilterScore::nees_band_high, &FilterScore::coverage_95,
-        &FilterScore::effective_sample_ratio_min, &FilterScore::lost_steps, &FilterScore::reseeds})
+        &FilterScore::effective_sample_ratio_min, &FilterScore::lost_steps, &FilterScore::reseeds,
+        &FilterScore::late_estimates, &FilterScore::most_steps_late})
     merged.*number = medianOf(parts, number);
   merged.biases = mergeBiases(parts);
   return merged;

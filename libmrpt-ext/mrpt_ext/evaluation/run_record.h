@@ -70,6 +70,8 @@ struct FilterRecord
   std::vector<Reseeding> reseedings;
   std::size_t stopped_searches = 0;  ///< steps whose search for the pose was ended by its work budget
   std::size_t detections_left_out = 0;
+  std::size_t late_estimates = 0;   ///< finished in a later step than that of their frame (step_budget_ms)
+  std::size_t most_steps_late = 0;  ///< of an estimate
   std::vector<ModeSummary> modes_at_end;
 };
 

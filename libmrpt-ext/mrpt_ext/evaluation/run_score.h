@@ -50,6 +50,7 @@ struct FilterScore
   std::vector<NeesSample> nees;  ///< whole run; of one trial only, empty in a merged score
   OptionalNumber effective_sample_ratio_min;
   OptionalNumber lost_steps, reseeds;
+  OptionalNumber late_estimates, most_steps_late;  ///< where steps have a budget of work
   std::map<std::string, BiasScore> biases;
   std::optional<std::vector<ModeSummary>> modes_at_end;  ///< absent in a merged score: a list has no median
 };

@@ -6,6 +6,7 @@
 #include "mrpt_ext/evaluation/method_comparison.h"
 #include "mrpt_ext/evaluation/odometry_alignment.h"
 #include "mrpt_ext/evaluation/rmse_interval.h"
+#include "mrpt_ext/evaluation/truth_frame.h"
 #include "mrpt_ext/geometry/quantile.h"
 
 namespace mrpt_ext
@@ -68,6 +69,8 @@ FilterScore describe(const FilterRecord& filter)
   score.effective_sample_ratio_min = filter.effective_sample_ratio_min;
   score.lost_steps = static_cast<double>(filter.lost_steps);
   score.reseeds = static_cast<double>(filter.reseedings.size());
+  score.late_estimates = static_cast<double>(filter.late_estimates);
+  score.most_steps_late = static_cast<double>(filter.most_steps_late);
   score.modes_at_end = filter.modes_at_end;
   return score;
 }
@@ -157,6 +160,9 @@ void judgeMethods(RunScore& score, const RunContext& context, const RunRecord& r
     }
     score.methods.push_back(std::move(method));
   }
+  if (judged && !count_from)
+    if (const std::string hint = truthOffsetHint(findTruthOffset(judge(*judged, context))); !hint.empty())
+      score.hints.push_back(hint);
   for (MethodScore& method : score.methods)
   {
     method.position_error_whole_run_m = positionStatistics(method.errors, context.start_time);

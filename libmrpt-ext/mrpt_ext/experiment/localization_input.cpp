@@ -208,6 +208,14 @@ LocalizationInput loadLocalization(const Settings& settings, const LogWindow& wi
   return input;
 }
 
+RecordStream loggedRecords(const Settings& settings, const LogWindow& window)
+{
+  const auto source =
+      std::make_shared<RawlogSource>(requiredPath(settings, kExperimentSection, "rawlog_file", "RAWLOG"),
+                                     settings.number(kExperimentSection, "step_s"));
+  return [source, next = recordsOf(*source, window)] { return next(); };
+}
+
 namespace
 {
 FrameSynchronizer framesOf(const LocalizationInput& input, const FrameOptions& options)

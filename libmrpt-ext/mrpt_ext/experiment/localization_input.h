@@ -50,6 +50,10 @@ struct LocalizationInput
 /// damaged, a key is wrong, or nothing in the log can be scored against the map.
 [[nodiscard]] LocalizationInput loadLocalization(const Settings& settings, const LogWindow& window);
 
+/// The records of the configured log within the window, as they were logged, laser scans left out. Throws InputError
+/// when the file is missing or damaged.
+[[nodiscard]] RecordStream loggedRecords(const Settings& settings, const LogWindow& window);
+
 /// Reads the frames of the log from the first one on; `input` must outlive the result. Each pass and thread takes its
 /// own.
 [[nodiscard]] FrameSynchronizer framesOf(const LocalizationInput& input);

@@ -71,7 +71,7 @@ std::vector<MethodFactory::Entry> MethodFactory::closedForms() const
 {
   const PoseRegion region = config_.filter.region;
   const LandmarkTable& map = map_;
-  const ErrorLimits limits{config_.limits.within_m, degToRad(config_.limits.within_deg)};
+  const ErrorLimits limits = config_.running_fix.limits;  // a closed form like the others
   const auto entry = [&](const std::string& name, bool applies, ClosedFormLocalizer::Method method)
   {
     return Entry{name, applies,

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "mrpt_ext/evaluation/run_scoring.h"
+#include "mrpt_ext/experiment/elapsed_time.h"
 #include "mrpt_ext/experiment/method_factory.h"
 #include "mrpt_ext/experiment/object_tracker.h"
 #include "mrpt_ext/experiment/oracle_trajectories.h"
@@ -18,11 +19,6 @@ namespace mrpt_ext
 namespace
 {
 using Clock = std::chrono::steady_clock;
-
-double millisecondsSince(Clock::time_point start)
-{
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 double threadCpuSeconds()
 {
@@ -56,10 +52,13 @@ Verdict verdictOf(const Estimate& estimate)
 }
 
 /// `reason_before`: of the verdict one frame before.
-void recordStep(const FilterStep& step, const BiasModel& biases, const Estimate& estimate, double time,
+void recordStep(const FilterStep& step, const BiasModel& biases, const SlicedLocalizer::Finished& finished,
                 const std::string& reason_before, RunRecord& run)
 {
-  run.verdicts.add(time, step.verdict, step.reason);
+  const double time = finished.frame.time;
+  run.verdicts.add(time, step.verdict, reasonWithLateness(step.reason, finished.steps_late));
+  if (finished.steps_late > 0) ++run.filter.late_estimates;
+  run.filter.most_steps_late = std::max(run.filter.most_steps_late, finished.steps_late);
   run.filter.particle_counts.push_back(step.particles);
   run.filter.effective_sample_ratio_min =
       std::min(run.filter.effective_sample_ratio_min.value_or(1.0), step.effective_ratio);
@@ -73,7 +72,7 @@ void recordStep(const FilterStep& step, const BiasModel& biases, const Estimate&
     run.biases.push_back({time, biasName(biases[k]), unit * step.biases[k].mean, unit * step.biases[k].std});
   }
   int rank = 0;
-  for (const PoseHypothesis& h : estimate.candidates)
+  for (const PoseHypothesis& h : finished.estimate.candidates)
     run.hypotheses.push_back({time, rank++, h.pose.mean, h.weight, h.source});
 }
 
@@ -129,7 +128,7 @@ class Trial
   void step();
   void recordFilter(const Finished& finished);
   /// The other methods, and what is shown.
-  void complete(const Finished& finished);
+  void complete(Frame frame);
   void finish();
 
   const TrialInput& input_;
@@ -191,7 +190,7 @@ TrialOutcome Trial::run()
 
 void Trial::process(Frame frame)
 {
-  if (!filter_) return complete({std::move(frame), {}});
+  if (!filter_) return complete(std::move(frame));
   filter_->add(std::move(frame));
   step();
 }
@@ -202,28 +201,26 @@ void Trial::step()
   while (true)
   {
     const auto before = Clock::now();
-    const std::optional<Finished> finished = filter_->next();
+    std::optional<Finished> finished = filter_->next();
     milliseconds += millisecondsSince(before);
     if (!finished) break;
     recordFilter(*finished);
-    complete(*finished);
+    complete(std::move(finished->frame));
   }
   run_.methods.front().step_milliseconds.push_back(milliseconds);
 }
 
 void Trial::recordFilter(const Finished& finished)
 {
-  const auto& [frame, estimate] = finished;
-  record(estimate, frame, run_.methods.front());
-  recordStep(methods_.filter->lastStep(), methods_.filter->particles().bias_states, estimate, frame.time, reason_,
-             run_);
+  const Estimate& estimate = finished.estimate;
+  record(estimate, finished.frame, run_.methods.front());
+  recordStep(methods_.filter->lastStep(), methods_.filter->particles().bias_states, finished, reason_, run_);
   if (estimate.point) objects_.locate(*estimate.point, run_.objects);
   reason_ = methods_.filter->lastStep().reason;
 }
 
-void Trial::complete(const Finished& finished)
+void Trial::complete(Frame frame)
 {
-  const Frame& frame = finished.frame;
   for (std::size_t m = filter_ ? 1 : 0; m < methods_.localizers.size(); ++m)
   {
     const auto before = Clock::now();
@@ -240,7 +237,7 @@ void Trial::complete(const Finished& finished)
   ++completed_;
   if (input_.on_progress)
     input_.on_progress(static_cast<double>(completed_) / static_cast<double>(input_.run.log.frames));
-  last_ = frame;
+  last_ = std::move(frame);
 }
 
 void Trial::finish()

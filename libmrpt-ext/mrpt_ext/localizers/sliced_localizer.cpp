@@ -25,12 +25,13 @@ SlicedLocalizer::SlicedLocalizer(Process process, double step_budget_ms)
 
 void SlicedLocalizer::add(Frame frame)
 {
-  waiting_.push_back(std::move(frame));
   goOn();
+  waiting_.push_back({std::move(frame), steps_});
 }
 
 void SlicedLocalizer::goOn()
 {
+  ++steps_;
   left_ = step_ < SlicedWork::kUnlimited - left_ ? left_ + step_ : SlicedWork::kUnlimited;
 }
 
@@ -41,13 +42,21 @@ std::optional<SlicedLocalizer::Finished> SlicedLocalizer::next()
   if (left_ == 0 && !hurries) return std::nullopt;
   if (work_.isDone())
   {
-    current_.frame = std::move(waiting_.front());
+    current_.frame = std::move(waiting_.front().frame);
+    current_step_ = waiting_.front().step;
     waiting_.pop_front();
     work_.begin([this] { current_.estimate = process_(current_.frame); });
   }
   const std::uint64_t left = work_.resume(hurries ? SlicedWork::kUnlimited : left_);
   if (!hurries) left_ = left;
   if (!work_.isDone()) return std::nullopt;
+  current_.steps_late = steps_ - current_step_;
   return std::move(current_);
+}
+
+std::string reasonWithLateness(const std::string& reason, std::size_t steps_late)
+{
+  if (steps_late == 0) return reason;
+  return reason + "; " + std::to_string(steps_late) + (steps_late == 1 ? " step late" : " steps late");
 }
 }  // namespace mrpt_ext

@@ -5,6 +5,7 @@
 #include <deque>
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "mrpt_ext/geometry/sliced_work.h"
 #include "mrpt_ext/localizers/localizer.h"
@@ -23,6 +24,7 @@ class SlicedLocalizer
   {
     Frame frame;
     Estimate estimate;
+    std::size_t steps_late = 0;  ///< that followed the step of the frame; 0: finished in that step
   };
   /// Frames that wait at most. Of a localizer that is too slow for its budget in the long run, steps take longer.
   static constexpr std::size_t kMostWaiting = 250;
@@ -44,11 +46,22 @@ class SlicedLocalizer
   [[nodiscard]] double cpuSeconds() { return work_.cpuSeconds(); }
 
  private:
+  struct Waiting
+  {
+    Frame frame;
+    std::size_t step = 0;  // that brought it
+  };
+
   Process process_;
   std::uint64_t step_;      // operations
   std::uint64_t left_ = 0;  // of this step
-  std::deque<Frame> waiting_;
+  std::size_t steps_ = 0;   // so far
+  std::deque<Waiting> waiting_;
   Finished current_;
+  std::size_t current_step_ = 0;
   SlicedWork work_;  // last: its destructor ends the work
 };
+
+/// What an estimate rests on, and by how many steps it is late, if it is.
+[[nodiscard]] std::string reasonWithLateness(const std::string& reason, std::size_t steps_late);
 }  // namespace mrpt_ext

@@ -222,8 +222,9 @@ OnlineEstimate OnlineLocalizer::stated(const SlicedLocalizer::Finished& finished
           .best = finished.estimate.point,
           .modes = step.modes.modes,
           .verdict = step.verdict,
-          .reason = step.reason,
-          .biases = step.biases};
+          .reason = reasonWithLateness(step.reason, finished.steps_late),
+          .biases = step.biases,
+          .steps_late = finished.steps_late};
 }
 
 void OnlineLocalizer::restart(const Restart& restart, double time)

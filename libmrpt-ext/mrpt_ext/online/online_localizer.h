@@ -41,6 +41,7 @@ struct OnlineEstimate
   Verdict verdict = Verdict::ambiguous;
   std::string reason;
   std::vector<BiasEstimate> biases;  ///< in the order of OnlineOptions::filter.biases
+  std::size_t steps_late = 0;        ///< calls of estimates(), or frames, that followed its own; 0: in time
 };
 
 /// The particle filter on a robot: records go in while they are measured, estimates come out. A log that is fed to it

@@ -27,6 +27,7 @@ std::string readLongText(mrpt::serialization::CArchive& in)
   }
   return text;
 }
+
 const std::string kEntries = "entries=", kWarning = "warning=";
 
 /// What the first line that begins so ends with; empty without.

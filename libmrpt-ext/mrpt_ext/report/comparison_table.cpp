@@ -77,12 +77,21 @@ std::string legend(const RunScore& score, const MethodScore* best)
   return text.empty() ? text : text + '\n';
 }
 
+/// What the budget of a step delayed; empty where it delayed nothing.
+std::string latenessText(const FilterScore& filter)
+{
+  if (filter.late_estimates.value_or(0) == 0) return {};
+  return countText(filter.late_estimates) + " estimates of the particle filter came late, by up to " +
+         countText(filter.most_steps_late) + " steps: their work exceeded step_budget_ms";
+}
+
 /// Limit and comparisons in words.
 std::string conclusions(const RunScore& score)
 {
   std::string text;
   if (const std::string limit = limitText(score); !limit.empty()) text += wrapped("limit: " + limit);
   for (const std::string& sentence : comparisonSentences(score)) text += wrapped(sentence);
+  if (const std::string late = latenessText(score.filter); !late.empty()) text += wrapped(late);
   return text.empty() ? text : '\n' + text;
 }
 }  // namespace

@@ -123,6 +123,9 @@ std::string filterTable(const RunScore& score)
   addFact(rows, "lowest effective sample ratio", numberText(f.effective_sample_ratio_min, 4));
   addFact(rows, "steps with verdict lost", countText(f.lost_steps));
   addFact(rows, "reseeds", countText(f.reseeds));
+  if (f.late_estimates)
+    addFact(rows, "estimates finished in a later step (most steps)",
+            countText(f.late_estimates) + " (" + countText(f.most_steps_late) + ")");
   for (const auto& [name, bias] : f.biases)
     addFact(rows, "final " + name, numberText(bias.mean, 4) + " ± " + numberText(bias.std, 4));
   if (score.limit.position_rmse_m)

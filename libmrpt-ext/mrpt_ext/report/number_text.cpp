@@ -24,6 +24,20 @@ std::string successText(const RunScore& score, const TrialScore& trial)
          judged_at;
 }
 
+constexpr double kStampInterval = 1;  // [s] between the stamps at which errors are known
+
+/// The filter judges itself without the truth, so that it may be right for some time before it says so.
+std::string laterOkText(const RunScore& score, double converged_at)
+{
+  if (!score.verdict_spells) return {};
+  for (const VerdictSpell& spell : *score.verdict_spells)
+    if (spell.verdict == Verdict::ok)
+      return spell.from > converged_at + kStampInterval
+                 ? " Its verdict, which knows no truth, is ok from " + numberText(spell.from, 1) + " s on."
+                 : "";
+  return {};
+}
+
 std::string trialText(const RunScore& score)
 {
   const TrialScore& trial = score.trials.front();
@@ -40,11 +54,12 @@ std::string trialText(const RunScore& score)
     OptionalNumber whole;
     for (const MethodScore& method : score.methods)
       if (method.name == *score.judged_method) whole = method.position_error_whole_run_m.rmse;
+    if (!exists(whole)) return *score.judged_method + " has no estimate at the times of the truth: no errors.";
     return *score.judged_method + " never stayed within " + limits +
            " for 5 s: no errors after convergence (whole run: RMSE " + magnitudeText(whole) + " m).";
   }
-  return *score.judged_method + " converged after " + numberText(trial.converged_at_s, 1) + " s (within " + limits +
-         "); " + successText(score, trial);
+  return *score.judged_method + " converged after " + numberText(trial.converged_at_s, 1) + " s (from then on within " +
+         limits + " of the truth); " + successText(score, trial) + laterOkText(score, *trial.converged_at_s);
 }
 
 std::string trialsText(const RunScore& score)

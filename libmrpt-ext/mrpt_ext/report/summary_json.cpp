@@ -113,6 +113,8 @@ Json filter(const RunScore& score)
       {"converged_at_s", number(score.converged_at_s)},
       {"lost_steps", count(f.lost_steps)},
       {"reseeds", count(f.reseeds)},
+      {"late_estimates", count(f.late_estimates)},
+      {"most_steps_late", count(f.most_steps_late)},
       {"modes_at_end", modes(f.modes_at_end)}};
   if (!f.biases.empty()) json["biases"] = biases(f.biases);  // only where the configuration asks for some
   return json;

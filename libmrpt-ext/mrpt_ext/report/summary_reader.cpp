@@ -16,6 +16,12 @@ OptionalNumber numberOf(const Json& value)
   return value.is_number() ? OptionalNumber(value.get<double>()) : std::nullopt;
 }
 
+/// Of a member that older versions did not write.
+OptionalNumber laterNumberOf(const Json& value, const char* key)
+{
+  return value.contains(key) ? numberOf(value.at(key)) : std::nullopt;
+}
+
 ErrorStatistics statisticsOf(const Json& value)
 {
   ErrorStatistics s;
@@ -62,6 +68,8 @@ FilterScore filterOf(const Json& value)
   filter.effective_sample_ratio_min = numberOf(value.at("effective_sample_ratio_min"));
   filter.lost_steps = numberOf(value.at("lost_steps"));
   filter.reseeds = numberOf(value.at("reseeds"));
+  filter.late_estimates = laterNumberOf(value, "late_estimates");
+  filter.most_steps_late = laterNumberOf(value, "most_steps_late");
   return filter;
 }
 

@@ -122,15 +122,17 @@ MeanOfParts meanOf(const std::vector<FreedPart>& parts, double centre_std, doubl
 
 std::vector<FreedPart> freed(const std::vector<RadialEdge>& edges, const RadialEdge& edge, const EdgeBlur& blur)
 {
+  const EdgeBlur more = blur.smoothed(kMoreSmoothing);
   std::vector<FreedPart> parts;
   for (const EdgePart& part : edge.parts)
   {
+    const double width = blur.widthAt(part.radius), wider = more.widthAt(part.radius);
     double move = 0, softer = 0;
     for (const RadialEdge& other : edges)
       if (&other != &edge && (edge.pair == 0 || other.pair != edge.pair))
       {
-        move += pull(edge, part, other, blur.widthAt(part.radius));
-        softer += pull(edge, part, other, blur.smoothed(kMoreSmoothing).widthAt(part.radius));
+        move += pull(edge, part, other, width);
+        softer += pull(edge, part, other, wider);
       }
     const double pixel = 1 / (part.radius * blur.radius);
     const double coding = edge.polarity * edge.coding_shift * pixel;

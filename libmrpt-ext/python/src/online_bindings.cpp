@@ -66,6 +66,7 @@ py::dict dictOf(const OnlineEstimate& estimate)
   result["t"] = estimate.time;
   result["verdict"] = std::string(toString(estimate.verdict));
   result["reason"] = estimate.reason;
+  result["steps_late"] = estimate.steps_late;
   py::list modes;
   for (const Mode& mode : estimate.modes)
   {
@@ -97,7 +98,8 @@ std::vector<py::dict> released(OnlineLocalizer& robot)
 }
 
 std::unique_ptr<OnlineLocalizer> fromMap(const LandmarkTable& map, double margin, std::size_t particles,
-                                         std::size_t initial_particles, std::uint64_t seed, double lateness)
+                                         std::size_t initial_particles, std::uint64_t seed, double lateness,
+                                         double step_budget_ms)
 {
   OnlineOptions options;
   const auto [low, high] = map.boundingBox();
@@ -106,6 +108,7 @@ std::unique_ptr<OnlineLocalizer> fromMap(const LandmarkTable& map, double margin
   options.filter.initial_particles = initial_particles;
   options.seed = seed;
   options.lateness = lateness;
+  options.step_budget_ms = step_budget_ms;
   return std::make_unique<OnlineLocalizer>(options, map);
 }
 }  // namespace
@@ -117,10 +120,14 @@ void bindOnline(py::module_& module)
       module, "OnlineLocalizer",
       "The particle filter on a robot: measurements in, estimates with a verdict out.\n\n"
       "Lengths in metres, angles in radians (counter-clockwise), times in seconds of one clock.")
-      .def(py::init(&fromMap), py::arg("map"), py::arg("margin") = kRegionMargin,
-           py::arg("particles") = defaults.particles, py::arg("initial_particles") = defaults.initial_particles,
-           py::arg("seed") = 1, py::arg("lateness") = 0.0,
-           "The robot is within `margin` of the box around the landmarks.")
+      .def(
+          py::init(&fromMap), py::arg("map"), py::arg("margin") = kRegionMargin,
+          py::arg("particles") = defaults.particles, py::arg("initial_particles") = defaults.initial_particles,
+          py::arg("seed") = 1, py::arg("lateness") = 0.0, py::arg("step_budget_ms") = kStepBudgetMs,
+          "The robot is within `margin` [m] of the box around the landmarks. A measurement may be `lateness` [s] "
+          "older\n"
+          "than the newest. A step does no more work than `step_budget_ms`, in counted operations (0: no limit): what\n"
+          "takes longer, as a start or a search, goes on in the next steps, with the same estimates.")
       .def_static(
           "from_ini",
           [](const std::string& ini, const std::string& map)
@@ -138,10 +145,14 @@ void bindOnline(py::module_& module)
            "What one sensor detects: dicts with bearing and std_bearing [rad], range and std_range [m], and, where "
            "known, "
            "id and category. mount: (x, y, yaw) on the robot.")
-      .def("estimates", &released<&OnlineLocalizer::estimates>,
-           "What became final since the last call: dicts with t, verdict, reason, modes, and after the start pose (3,) "
-           "and "
-           "covariance (3, 3).")
+      .def(
+          "estimates", &released<&OnlineLocalizer::estimates>,
+          "What became final since the last call: dicts with t [s], verdict, reason, modes, steps_late, and after the\n"
+          "start pose (3,) and covariance (3, 3). A call does the work of one step for every frame of measurements\n"
+          "that it gets, or of one step without any; steps_late counts those that followed the one of the estimate's\n"
+          "own frame, 0 where it is in time.")
+      .def("working", &OnlineLocalizer::working, py::call_guard<py::gil_scoped_release>(),
+           "True while frames wait for more work: call estimates() again when there is nothing else to do.")
       .def("finish", &released<&OnlineLocalizer::finish>, "No measurement will follow: what is left.")
       .def(
           "pose_at",

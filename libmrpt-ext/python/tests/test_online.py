@@ -10,8 +10,8 @@ def detections_at(t):
     return [{"id": i, "bearing": b, "std_bearing": 0.02} for i, b in enumerate(bearings_at(truth_at(t)))]
 
 
-def robot():
-    return mrpt_ext.OnlineLocalizer(mrpt_ext.LandmarkMap(CORNERS), particles=500, initial_particles=4000)
+def robot(**options):
+    return mrpt_ext.OnlineLocalizer(mrpt_ext.LandmarkMap(CORNERS), particles=500, initial_particles=4000, **options)
 
 
 def drive(localizer, until=6.0):
@@ -34,6 +34,22 @@ def test_it_localizes():
     now = localizer.pose_at(6)
     assert np.allclose(now["pose"], last["pose"])
     assert localizer.unusable == {}
+
+
+def test_what_a_step_is_too_short_for_comes_later():
+    localizer, patient = robot(step_budget_ms=0.5), robot(step_budget_ms=0)
+    drive(localizer, until=2)
+    estimates = localizer.estimates()
+    while localizer.working():
+        estimates += localizer.estimates()
+    assert not localizer.working()
+    estimates += localizer.finish()
+    drive(patient, until=2)
+    expected = patient.estimates() + patient.finish()
+    assert [e["t"] for e in estimates] == [e["t"] for e in expected]
+    assert any(e["steps_late"] > 0 and "late" in e["reason"] for e in estimates)
+    assert all(e["steps_late"] == 0 for e in expected)
+    assert np.array_equal(estimates[-1]["pose"], expected[-1]["pose"])
 
 
 def test_mistakes_are_errors():

@@ -40,7 +40,7 @@ float angleAgainst(const Vector2d& unit, float x, float y)
 {
   const auto u = static_cast<float>(unit.x()), v = static_cast<float>(unit.y());
   const float cross = u * y - v * x, dot = u * x + v * y;
-  if (std::abs(cross) > 0.5F * dot) return std::atan2(cross, dot);
+  if (std::abs(cross) > 0.5F * dot || dot == 0) return std::atan2(cross, dot);  // 0 at the landmark itself
   const float t = cross / dot, t2 = t * t;
   return t * (1 - t2 * (1.0F / 3 - t2 * (1.0F / 5 - t2 * (1.0F / 7 - t2 / 9))));
 }

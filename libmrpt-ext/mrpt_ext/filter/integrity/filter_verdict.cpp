@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include "mrpt_ext/geometry/formatted.h"
+#include "mrpt_ext/geometry/min_inlier_ratio.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr double kMinInlierRatio = 0.8;
 constexpr double kMinEffectiveForOk = 15;  // particles; fewer cannot estimate the covariance
 
 /// Standard deviations of a mode: position [m], both axes together, and heading [rad].
