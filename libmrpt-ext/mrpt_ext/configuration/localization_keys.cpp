@@ -182,6 +182,9 @@ KeyTable sensorKeys()
       .number("detection_probability", "", sensor.detection_probability, ranges::kShare,
               "Probability of detecting a landmark in view. If set together with field of view and range limit, missed "
               "detections lower a pose's likelihood.")
+      .number("lever_arm_std_m", "m", sensor.lever_arm_std, {0, 1},
+              "Standard deviation of its stated position on the robot, along each axis. What readings and turns have "
+              "not told of it is part of the stated covariance; the estimate is not corrected. 0: exactly there.")
       .choice("association", sensor.association, identityLevels(),
               "Which logged identities are used for data association.")
       .forBeginners()

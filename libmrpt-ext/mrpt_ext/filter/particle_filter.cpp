@@ -39,7 +39,7 @@ ParticleFilter::ParticleFilter(const ParticleFilterOptions& options, const Landm
       injector_(options.recovery, options.region, options.particles),
       mode_mixture_(options.motion, options.biases),
       resampler_(options),
-      consider_(options.motion, options.biases, map),
+      consider_(options.motion, options.biases, map, options.initial_mode == InitialMode::gaussian),
       bias_filter_(options.motion, options.biases)
 {
 }

@@ -24,6 +24,7 @@ SensorModel configured(SensorModel model, const SensorConfig& config)
   if (config.max_range) model.max_range = config.max_range;
   model.clutter_probability = config.clutter_probability;
   model.detection_probability = config.detection_probability;
+  model.lever_arm_std = config.lever_arm_std;
   return model;
 }
 

@@ -29,6 +29,7 @@ struct SensorModel
   double clutter_probability = 0.05;            ///< share of detections that come from no mapped landmark
   std::optional<double> detection_probability;  ///< of a landmark in view; absent: missed detections are not scored
   bool has_field_of_view = false;               ///< true when declared by the log or the configuration
+  double lever_arm_std = 0.05;                  ///< [m] of the stated position on the robot, along each axis
 };
 
 /// The detections of one sensor at one time.

@@ -47,13 +47,13 @@ Matrix3d positivePart(const Matrix3d& matrix)
 }
 }  // namespace
 
-ConsiderCovariance::ConsiderCovariance(MotionModel motion, BiasModel biases, const LandmarkTable& map)
+ConsiderCovariance::ConsiderCovariance(MotionModel motion, BiasModel biases, const LandmarkTable& map, bool known_start)
     : motion_(motion),
       biases_(std::move(biases)),
       map_(map),
       default_max_range_(map.empty() ? 1 : defaultMaxRange(map)),
       persistent_(3 + static_cast<Eigen::Index>(biases_.size())),
-      systematic_(3 + static_cast<Eigen::Index>(biases_.size())),
+      systematic_(3 + static_cast<Eigen::Index>(biases_.size()), known_start),
       noise_(motion, 3 + static_cast<Eigen::Index>(biases_.size()))
 {
 }
@@ -112,6 +112,7 @@ LinearStep ConsiderCovariance::linearise(const KalmanState& before, const Frame&
   step.increment_noise = composeJacobianSecond(before.pose()) * incrementCovariance(motion_, frame.motion);
   const std::optional<Frame> affordable = affordableToUpdate(frame, map_, 1);
   for (const Reading& reading : scoredReadings(affordable ? *affordable : frame)) addRows(reading, step);
+  step.lever_arm_std = lever_arm_std_;
   solveGains(step, sensors_.size());
   return step;
 }
@@ -119,6 +120,8 @@ LinearStep ConsiderCovariance::linearise(const KalmanState& before, const Frame&
 void ConsiderCovariance::addRows(const Reading& reading, LinearStep& step)
 {
   const std::size_t sensor = indexOf(reading.sensor);
+  lever_arm_std_.resize(sensors_.size());
+  lever_arm_std_[sensor] = reading.model.lever_arm_std;
   for (const Detection& detection : reading.detections)
   {
     const Association found = associate(detection, reading, map_, step.predicted, biases_, default_max_range_);

@@ -20,7 +20,8 @@ namespace mrpt_ext
 class ConsiderCovariance
 {
  public:
-  ConsiderCovariance(MotionModel motion, BiasModel biases, const LandmarkTable& map);
+  /// `known_start`: the first estimate is given, not found from readings.
+  ConsiderCovariance(MotionModel motion, BiasModel biases, const LandmarkTable& map, bool known_start = false);
 
   /// The filter has taken this frame and states `now`: nothing while it has more than one mode.
   void follow(std::optional<KalmanState> now, const Frame& frame);
@@ -46,6 +47,7 @@ class ConsiderCovariance
   LandmarkTable map_;
   double default_max_range_;
   std::vector<std::string> sensors_;
+  std::vector<double> lever_arm_std_;  // [m] of each
   PersistentErrors persistent_;
   SystematicErrors systematic_;
   ExcessNoise noise_;

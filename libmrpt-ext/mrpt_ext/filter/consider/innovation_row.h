@@ -51,5 +51,6 @@ struct LinearStep
   std::vector<InnovationRow> rows;  ///< outliers left out
   std::vector<KalmanVector> gains;  ///< columns of K
   std::vector<KalmanMatrix> sensor_information;  ///< the part of every sensor so far, zero without rows
+  std::vector<double> lever_arm_std;             ///< [m] of every sensor so far
 };
 }  // namespace mrpt_ext

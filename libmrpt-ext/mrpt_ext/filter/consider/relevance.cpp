@@ -20,10 +20,10 @@ std::vector<Eigen::Index> Relevance::relevant() const
   return indices;
 }
 
-void Relevance::update(const LinearEvidence& evidence, const Eigen::VectorXd& plausible)
+void Relevance::update(const LinearEvidence& evidence, const PriorStds& prior)
 {
   const Eigen::Index count = evidence.weighted.size();
-  variances_.conservativeResizeLike(Eigen::VectorXd::Zero(count));
+  variances_.conservativeResizeLike(prior.least.cwiseAbs2());
   for (Eigen::Index n = 0; n < std::min(kAtATime, count); ++n)
   {
     const Eigen::Index k = next_++ % count;
@@ -33,7 +33,8 @@ void Relevance::update(const LinearEvidence& evidence, const Eigen::VectorXd& pl
     const auto shared = evidence.information.col(k);
     const double information = evidence.information(k, k) - shared.dot(others.covariance * shared);
     const double weighted = evidence.weighted[k] - shared.dot(others.mean);
-    if (information > 0) variances_[k] = std::min(square(weighted / information), square(plausible[k]));
+    const double seems = information > 0 ? square(weighted / information) : 0;
+    variances_[k] = std::clamp(seems, square(prior.least[k]), square(prior.most[k]));
   }
 }
 

@@ -12,6 +12,12 @@ struct LinearEvidence
   Eigen::VectorXd weighted;
 };
 
+/// What is known of parameters before any data: standard deviations that a prior has at least and at most.
+struct PriorStds
+{
+  Eigen::VectorXd least, most;
+};
+
 struct RelevantParameters
 {
   Eigen::VectorXd mean;
@@ -24,13 +30,12 @@ struct RelevantParameters
 /// explained by the one parameter that fits it, not by a little of each.
 ///
 /// The prior that makes the data most likely is narrower by the variance of that estimate. Without it parameters that
-/// are hardly known keep their uncertainty.
+/// are hardly known keep their uncertainty. Parameters that are never exactly zero have a least standard deviation.
 class Relevance
 {
  public:
   /// Determines the priors of some parameters, in turn, given those of the others as they were found before.
-  /// `plausible`: the largest standard deviation of each prior.
-  void update(const LinearEvidence& evidence, const Eigen::VectorXd& plausible);
+  void update(const LinearEvidence& evidence, const PriorStds& prior);
   [[nodiscard]] RelevantParameters posterior(const LinearEvidence& evidence) const;
 
  private:

@@ -26,7 +26,7 @@ enum OfSensor : Eigen::Index
 };
 constexpr double kParameterMemory = 600;  // [s] after which parameters may have changed
 
-// What is plausible before anything was measured, in the order above.
+// What is plausible before anything was measured, in the order above; of lever arms unless their deviation is given.
 constexpr std::array<double, odometry_errors> kOdometryPrior = {degToRad(5.0), degToRad(1.0)};
 constexpr std::array<double, sensor_errors> kSensorPrior = {0.2, 0.3, 0.1, 0.1, 0.1};
 
@@ -56,7 +56,11 @@ std::size_t sensorOf(Eigen::Index parameter)
 }
 }  // namespace
 
-SystematicErrors::SystematicErrors(Eigen::Index size) : response_(size, 0), velocity_(size) { resize(odometry_errors); }
+SystematicErrors::SystematicErrors(Eigen::Index size, bool known_start)
+    : started_(known_start), response_(size, 0), velocity_(size)
+{
+  resize(odometry_errors);
+}
 
 void SystematicErrors::resize(Eigen::Index parameters)
 {
@@ -74,6 +78,8 @@ void SystematicErrors::resize(Eigen::Index parameters)
 void SystematicErrors::update(const LinearStep& step)
 {
   for (const InnovationRow& row : step.rows) resize(firstOf(row.source.sensor + 1));
+  lever_arm_std_ = step.lever_arm_std;
+  if (!started_ && !step.rows.empty()) start(step);
   predict(step);
   velocity_.predict(step);
   const Eigen::MatrixXd by_parameters = measurementDerivatives(step);
@@ -87,8 +93,36 @@ void SystematicErrors::update(const LinearStep& step)
 
 void SystematicErrors::restart()
 {
+  started_ = false;
   response_.setZero();
   velocity_.restart();
+}
+
+// The readings that the estimate started from were taken where the sensors are, not where they are said to be: by their
+// share the whole estimate is beside the robot by as much.
+void SystematicErrors::start(const LinearStep& step)
+{
+  started_ = true;
+  const double all = step.information.topLeftCorner<2, 2>().trace();
+  for (std::size_t sensor = 0; sensor < step.sensor_information.size(); ++sensor)
+  {
+    const double share = step.sensor_information[sensor].topLeftCorner<2, 2>().trace() / all;
+    if (share > 0 && step.lever_arm_std[sensor] > 0)
+      response_.block<2, 2>(0, firstOf(sensor) + lever_x_error) = share * rotation(step.before.mean[2]);
+  }
+}
+
+PriorStds SystematicErrors::prior() const
+{
+  const Eigen::Index parameters = response_.cols();
+  PriorStds prior{Eigen::VectorXd::Zero(parameters), Eigen::VectorXd(parameters)};
+  for (Eigen::Index k = 0; k < parameters; ++k) prior.most[k] = priorStd(k);
+  for (std::size_t sensor = 0; sensor < lever_arm_std_.size() && firstOf(sensor + 1) <= parameters; ++sensor)
+  {
+    const auto given = Eigen::seqN(firstOf(sensor) + lever_x_error, 2);
+    if (lever_arm_std_[sensor] > 0) prior.least(given) = prior.most(given) = Vector2d::Constant(lever_arm_std_[sensor]);
+  }
+  return prior;
 }
 
 void SystematicErrors::predict(const LinearStep& step)
@@ -166,22 +200,26 @@ void SystematicErrors::estimate()
     const double by_noise = before.covariance(k, k) * by_noise_[k];
     if (by_noise != 0) evidence.weighted[k] -= std::clamp(before.mean[k] / by_noise, 0.0, 1.0) * by_noise_[k];
   }
-  Eigen::VectorXd plausible(weighted_.size());
-  for (Eigen::Index k = 0; k < plausible.size(); ++k) plausible[k] = priorStd(k);
-  significant_ = significantShare(evidence, plausible);
+  const PriorStds prior = this->prior();
+  // What has a prior of its own needs no evidence.
+  significant_ = (prior.least.array() > 0)
+                     .select(Eigen::ArrayXd::Ones(prior.least.size()), significantShare(evidence, prior.most))
+                     .matrix();
 
   // How well they are known: by errors of readings that last.
   const Eigen::VectorXd worth = score_variance_.worth();
   const Eigen::VectorXd scale = worth.cwiseSqrt();
   evidence.information = scale.asDiagonal() * evidence.information * scale.asDiagonal();
   evidence.weighted = evidence.weighted.cwiseProduct(worth);
-  relevance_.update(evidence, plausible);
+  relevance_.update(evidence, prior);
   known_ = relevance_.posterior(evidence);
 }
 
 KalmanMatrix SystematicErrors::added() const
 {
-  const KalmanVector shift = response_ * known_.mean;
-  return significant_ * (shift * shift.transpose() + response_ * known_.covariance * response_.transpose());
+  if (significant_.size() != response_.cols()) return KalmanMatrix::Zero(response_.rows(), response_.rows());
+  const Eigen::MatrixXd response = response_ * significant_.cwiseSqrt().asDiagonal();
+  const KalmanVector shift = response * known_.mean;
+  return shift * shift.transpose() + response * known_.covariance * response.transpose();
 }
 }  // namespace mrpt_ext

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "mrpt_ext/filter/consider/relevance.h"
 #include "mrpt_ext/filter/consider/score_variance.h"
@@ -17,14 +18,16 @@ namespace mrpt_ext
 /// The derivatives U of the error of the estimate by these parameters follow the filter through its steps; the
 /// innovations are then linear in the parameters, which are estimated by recursive least squares (the separate-bias
 /// filter of Friedland, IEEE Trans. Autom. Control 14(4), 1969). Those that the innovations do not ask for are zero
-/// (relevance.h). The estimate itself is left as it is: what the parameters, and what is not known of them, do to it is
-/// added to its covariance. Correcting the readings by them would help where a sensor is mounted elsewhere than stated,
-/// but errors of other kinds pass for these ones, too.
+/// (relevance.h), but for lever arms: how well the place of a sensor on the robot is known is given
+/// (SensorModel::lever_arm_std), and what the innovations have not told of it, because the robot has hardly turned, is
+/// stated. The estimate itself is left as it is: what the parameters, and what is not known of them, do to it is added
+/// to its covariance. Correcting the readings by them would help where a sensor is mounted elsewhere than stated, but
+/// errors of other kinds pass for these ones, too.
 class SystematicErrors
 {
  public:
-  /// `size`: of the filter's state.
-  explicit SystematicErrors(Eigen::Index size);
+  /// `size`: of the filter's state. `known_start`: the first estimate was given, it shares no error of the readings.
+  SystematicErrors(Eigen::Index size, bool known_start);
 
   /// Propagates through one step of the filter, and learns from its innovations.
   void update(const LinearStep& step);
@@ -36,17 +39,21 @@ class SystematicErrors
 
  private:
   void resize(Eigen::Index parameters);
+  void start(const LinearStep& step);
+  [[nodiscard]] PriorStds prior() const;
   void predict(const LinearStep& step);
   [[nodiscard]] Eigen::MatrixXd measurementDerivatives(const LinearStep& step) const;
   void learn(const LinearStep& step, const Eigen::MatrixXd& by_parameters);
   void estimate();
 
-  Eigen::MatrixXd response_;     // U
-  Eigen::MatrixXd information_;  // of the parameters
-  Eigen::VectorXd weighted_;     // information times parameters
-  Eigen::VectorXd by_noise_;     // ... that the noise of the velocity would have caused alone
+  bool started_;                       // the response holds what the start owes to the readings
+  Eigen::MatrixXd response_;           // U
+  Eigen::MatrixXd information_;        // of the parameters
+  Eigen::VectorXd weighted_;           // information times parameters
+  Eigen::VectorXd by_noise_;           // ... that the noise of the velocity would have caused alone
+  std::vector<double> lever_arm_std_;  // [m] of every sensor
   RelevantParameters known_;
-  double significant_ = 0;  // share of what they add
+  Eigen::VectorXd significant_;  // share of what each adds
   Relevance relevance_;
   ScoreVariance score_variance_;
   VelocityNoise velocity_;
