@@ -110,17 +110,18 @@ Frame frameOf(const LandmarkTable& map, int k, const LastingErrors& errors,
 
 /// A robot that drives straight on among landmarks, whose sensor is where it is said to be; what is added after a
 /// while.
-Matrix3d addedOnAStraightWay(bool known_start)
+Matrix3d addedOnAStraightWay(double start_std, bool given)
 {
   RandomStream random(3, 1);
   const LandmarkTable map = randomMap(10, 10, random);
-  ConsiderCovariance consider(kGoodWheels, {}, map, known_start);
-  KalmanState state = startingState({{2, 5, 0}, Vector3d(0.01, 0.01, 0.01).cwiseAbs2().asDiagonal()}, {});
-  consider.follow(state, {});
-  for (int k = 1; k < 40; ++k)
+  const GaussianPose start{{2, 5, 0}, square(start_std) * Matrix3d::Identity()};
+  ConsiderCovariance consider(kGoodWheels, {}, map, given ? std::optional(start) : std::nullopt);
+  KalmanState state = startingState(start, {});
+  for (int k = 0; k < 40; ++k)
   {
+    const double step = k == 0 ? 0 : 0.1;
     Frame frame{.time = kPeriod * k,
-                .motion = {.increment = {0.1, 0, 0}, .path_length = 0.1, .duration = kPeriod},
+                .motion = {.increment = {step, 0, 0}, .path_length = step, .duration = k == 0 ? 0 : kPeriod},
                 .readings = {Reading{.time = kPeriod * k, .sensor = "laser"}}};
     for (const Landmark& landmark : map.all())
     {
@@ -141,7 +142,7 @@ void run(const LastingErrors& errors, std::uint64_t seed, Statistics& statistics
   RandomStream random(seed, 1);
   const LandmarkTable map = randomMap(10, 10, random);
   KalmanState state = startingState({poseAt(0), Vector3d(0.01, 0.01, 0.01).cwiseAbs2().asDiagonal()}, {});
-  ConsiderCovariance consider(kGoodWheels, {}, map);
+  ConsiderCovariance consider(kGoodWheels, {}, map, {});
   consider.follow(state, {});
   std::map<std::pair<int, bool>, double> constant;
   for (int k = 1; k < 1500; ++k)
@@ -216,15 +217,24 @@ TEST(ConsiderCovariance, CoversALeverArm)
 // Before it turns nothing tells whether the sensor is where it is said to be: 5 cm in each axis.
 TEST(ConsiderCovariance, StatesALeverArmThatNothingTells)
 {
-  const Matrix3d added = addedOnAStraightWay(false);
+  const Matrix3d added = addedOnAStraightWay(0.01, false);
   EXPECT_NEAR(std::sqrt(added(0, 0)), 0.05, 0.01);
   EXPECT_NEAR(std::sqrt(added(1, 1)), 0.05, 0.01);
 }
 
-TEST(ConsiderCovariance, AKnownStartOwesNothingToTheReadings)
+TEST(ConsiderCovariance, AnExactStartOwesNothingToTheReadings)
 {
-  const Matrix3d found = addedOnAStraightWay(false), known = addedOnAStraightWay(true);
-  EXPECT_LT(known(0, 0) + known(1, 1), 0.5 * (found(0, 0) + found(1, 1)));
+  const Matrix3d added = addedOnAStraightWay(0.001, true);
+  EXPECT_LT(std::sqrt(added(0, 0)), 0.025);
+  EXPECT_LT(std::sqrt(added(1, 1)), 0.025);
+}
+
+// What the readings correct of it they correct to where the sensor is said to be.
+TEST(ConsiderCovariance, ARoughStartIsSoonThatOfTheReadings)
+{
+  const Matrix3d added = addedOnAStraightWay(0.3, true);
+  EXPECT_NEAR(std::sqrt(added(0, 0)), 0.05, 0.01);
+  EXPECT_NEAR(std::sqrt(added(1, 1)), 0.05, 0.01);
 }
 
 TEST(ConsiderCovariance, CoversOdometryThatTurnsLessAndDrifts)
@@ -238,13 +248,14 @@ TEST(ConsiderCovariance, SensorsTakeTurns)
 {
   RandomStream random(7, 1);
   const LandmarkTable map = randomMap(10, 10, random);
-  ConsiderCovariance consider({}, {}, map);
+  ConsiderCovariance consider({}, {}, map, {});
   std::map<std::pair<int, bool>, double> constant;
   for (int k = 1; k < 100; ++k)
   {
-    Frame frame = frameOf(map, k, {.of_landmark = 2}, constant, random);
+    Frame frame = frameOf(map, k, {.of_landmark = 2, .lever_std = 0.05}, constant, random);
     frame.readings.front().sensor = "laser " + std::to_string(k % 3);
     if (k % 4 == 0) frame.readings.clear();
+    if (k % 30 == 0) consider.restart();
     consider.follow(startingState({poseAt(k), 1e-4 * Matrix3d::Identity()}, {}), frame);
     EXPECT_TRUE(consider.added().allFinite());
   }
@@ -255,7 +266,7 @@ TEST(ConsiderCovariance, ANewEstimateHasNoLastingErrorYet)
 {
   RandomStream random(7, 1);
   const LandmarkTable map = randomMap(10, 10, random);
-  ConsiderCovariance consider({}, {}, map);
+  ConsiderCovariance consider({}, {}, map, {});
   EXPECT_EQ(consider.added(), Matrix3d::Zero());
   std::map<std::pair<int, bool>, double> constant;
   for (int k = 1; k < 500; ++k)
@@ -266,5 +277,22 @@ TEST(ConsiderCovariance, ANewEstimateHasNoLastingErrorYet)
   EXPECT_GT(consider.added().trace(), 0);
   consider.restart();
   EXPECT_EQ(consider.added(), Matrix3d::Zero());
+}
+
+// ... but that of the lever arm, which nothing has told yet.
+TEST(ConsiderCovariance, EveryEstimateThatIsFoundHasTheLeverArmAtOnce)
+{
+  RandomStream random(7, 1);
+  const LandmarkTable map = randomMap(10, 10, random);
+  ConsiderCovariance consider({}, {}, map, {});
+  std::map<std::pair<int, bool>, double> constant;
+  for (int k = 1; k < 3; ++k)
+  {
+    const Frame frame = frameOf(map, k, {.lever_std = 0.05}, constant, random);
+    consider.follow(startingState({poseAt(k), 1e-4 * Matrix3d::Identity()}, {}), frame);
+    EXPECT_NEAR(std::sqrt(consider.added()(0, 0)), 0.05, 1e-6);
+    EXPECT_NEAR(std::sqrt(consider.added()(1, 1)), 0.05, 1e-6);
+    consider.restart();
+  }
 }
 }  // namespace mrpt_ext::test_consider_covariance

@@ -52,7 +52,7 @@ TEST(GaussianProposal, FewParticlesGiveThePosteriorThatManyGive)
   const auto posterior = [&](std::size_t count, bool proposed)
   {
     const KalmanState aim = proposed ? updateIterated(prior, frame, kMap, {}).state : prior;
-    ParticleSet particles = drawFromKalmanProposal(ParticleSet(Vector2d(0, 0)), prior, aim, count, random);
+    ParticleSet particles = drawFromKalmanProposal(ParticleSet(Vector2d(0, 0)), prior, aim, count, 1.2, random);
     for (const Reading& reading : frame.readings)
       for (std::size_t i = 0; i < particles.size(); ++i)
         particles.log_weight[i] += static_cast<float>(logLikelihood(reading, kMap, particles.pose(i)));
@@ -80,7 +80,7 @@ TEST(GaussianProposal, MomentsIncludeSystematicErrorsAndWrapHeadings)
   state.mean << 1, 2, kPi - 0.01, 0.3;
   state.covariance.diagonal() << 0.01, 0.04, 0.01, 0.0025;
   state.covariance(0, 3) = state.covariance(3, 0) = 0.003;
-  particles = drawFromKalmanProposal(particles, state, state, 3000, random);
+  particles = drawFromKalmanProposal(particles, state, state, 3000, 1.2, random);
   for (float& log_w : particles.log_weight) log_w = -1;
   const auto moments = momentsOf(particles, [](std::size_t) { return true; });
   ASSERT_TRUE(moments);
@@ -104,7 +104,7 @@ TEST(GaussianProposal, ReplacesTheParticlesOnlyWhereTooFewAreEffective)
   const auto effective_after = [&](const KalmanProposalLimits& limits)
   {
     RandomStream random(6);
-    ParticleSet particles = drawFromKalmanProposal(ParticleSet(Vector2d(0, 0)), prior, prior, 500, random);
+    ParticleSet particles = drawFromKalmanProposal(ParticleSet(Vector2d(0, 0)), prior, prior, 500, 1.2, random);
     weight(frame, particles);
     proposeFromKalman(particles, prior, frame, kMap, limits, weight, random);
     EXPECT_EQ(particles.size(), 500U);

@@ -22,14 +22,14 @@ double worthOf(int lasting, double share, std::uint64_t seed)
     const double error = std::sqrt(share) * constant + std::sqrt(1 - share) * random.gaussian();
     variance.add(kPeriod, Eigen::VectorXd::Constant(1, error), Eigen::VectorXd::Ones(1), 1);
   }
-  return variance.worth()[0];
+  return variance.worth(1)[0];
 }
 
 TEST(ScoreVariance, IsOneBeforeAnythingIsKnown)
 {
   ScoreVariance variance;
   variance.add(kPeriod, Eigen::Vector2d(3, -4), Eigen::Vector2d(1, 1), 1);
-  EXPECT_EQ(variance.worth(), Eigen::Vector2d::Ones());
+  EXPECT_EQ(variance.worth(3), Eigen::Vector3d::Ones());
 }
 
 TEST(ScoreVariance, WhiteErrorsAreWorthTheirInformation) { EXPECT_GT(worthOf(1, 0, 2), 0.85); }

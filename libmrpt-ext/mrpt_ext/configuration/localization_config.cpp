@@ -80,6 +80,8 @@ ParticleFilterOptions filterOptions(const Settings& settings, const LandmarkTabl
   const bool counted = settings.hasValue(kExperimentSection, "particles_count");
   options.particles = static_cast<std::size_t>(counted ? settings.integer(kExperimentSection, "particles_count")
                                                        : settings.integer("PF_options", "sampleSize"));
+  options.verified_particles =
+      static_cast<std::size_t>(settings.integer(kExperimentSection, "verified_particles_count"));
   options.initial_particles = static_cast<std::size_t>(settings.integer(kExperimentSection, "initial_particles_count"));
   options.region = poseRegion(settings, map);
   options.initial_mode = settings.choice(kExperimentSection, "init_PDF_mode", initialModes());

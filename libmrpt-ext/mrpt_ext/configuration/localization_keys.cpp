@@ -36,6 +36,9 @@ KeyTable startKeys()
       .integer("particles_count", "", kUnset, ranges::kCount,
                "Number of particles. It wins over [PF_options] sampleSize; without either: 2000.")
       .forBeginners()
+      .integer("verified_particles_count", "", filter.verified_particles, {50, 1e7},
+               "Number of particles while the posterior is a Gaussian. That is: one verified pose whose Kalman update "
+               "importance sampling confirms. At most particles_count.")
       .integer("initial_particles_count", "", filter.initial_particles, ranges::kCount,
                "Number of particles for global initialization. Reduced to particles_count afterwards.")
       .choice("init_PDF_mode", filter.initial_mode, initialModes(), "Distribution of the first particles.")
@@ -182,9 +185,11 @@ KeyTable sensorKeys()
       .number("detection_probability", "", sensor.detection_probability, ranges::kShare,
               "Probability of detecting a landmark in view. If set together with field of view and range limit, missed "
               "detections lower a pose's likelihood.")
-      .number("lever_arm_std_m", "m", sensor.lever_arm_std, {0, 1},
-              "Standard deviation of its stated position on the robot, along each axis. What readings and turns have "
-              "not told of it is part of the stated covariance; the estimate is not corrected. 0: exactly there.")
+      .number(
+          "lever_arm_std_m", "m", sensor.lever_arm_std, {0, 1},
+          "Standard deviation of its stated position on the robot, along each axis. What readings and turns have "
+          "not told of it is part of the stated covariance; the estimate is not corrected. 0: nothing is assumed, only "
+          "what the readings show is stated.")
       .choice("association", sensor.association, identityLevels(),
               "Which logged identities are used for data association.")
       .forBeginners()

@@ -46,7 +46,7 @@ class MrptFilterLocalizer : public FilterLocalizer
         reliability_(map.size(), options_.reliability_prior_strength),
         fast_ratio_(InlierRatioMonitor::fast(options_.recovery)),
         slow_ratio_(InlierRatioMonitor::slow(options_.recovery)),
-        consider_(options_.motion, {}, map_)
+        consider_(options_.motion, {}, map_, options_.givenStart())
   {
     mrpt::random::getRandomGenerator().randomize(static_cast<std::uint32_t>(seed));
     auto& pf = engine_.m_options;

@@ -14,10 +14,10 @@ constexpr double kInflation = 1.2;  // of the standard deviations
 }  // namespace
 
 ParticleSet drawFromKalmanProposal(const ParticleSet& like, const KalmanState& prior, const KalmanState& posterior,
-                                   std::size_t count, RandomStream& random)
+                                   std::size_t count, double inflation, RandomStream& random)
 {
   KalmanState wide = posterior;
-  wide.covariance *= square(kInflation);
+  wide.covariance *= square(inflation);
   const GaussianDensity of_prior(prior), of_posterior(wide);
   ParticleSet particles = like.emptyLikeThis();
   particles.reserve(count);
@@ -54,7 +54,7 @@ void proposeFromKalman(ParticleSet& particles, const KalmanState& prior, const F
   const KalmanUpdate update = updateIterated(prior, affordable ? *affordable : frame, map, particles.bias_states);
   if (update.degrees_of_freedom == 0) return;
   ParticleSet moved = std::move(particles);
-  particles = drawFromKalmanProposal(moved, prior, update.state, moved.size(), random);
+  particles = drawFromKalmanProposal(moved, prior, update.state, moved.size(), kInflation, random);
   weight(frame, particles);
   if (effective() < before) particles = std::move(moved);
 }

@@ -13,12 +13,13 @@ using WeightParticles = std::function<void(const Frame&, ParticleSet&)>;
 /// alone would survive a precise measurement.
 ///
 /// `prior` is the Gaussian of one mode's particles after the motion; `posterior` is its iterated Kalman update. 90 % of
-/// the particles come from the posterior with standard deviations 20 % larger, the rest from the prior, which bounds
-/// the weights. Every weight is prior density over proposal density. Weighted with the likelihood of the frame, the
-/// particles represent the exact posterior of a Gaussian prior, clutter included (Gaussian particle filter: Kotecha and
-/// Djuric, IEEE Trans. Signal Process. 51(10), 2003; defensive mixture: Hesterberg, Technometrics 37(2), 1995).
+/// the particles come from the posterior with standard deviations larger by a factor, the rest from the prior, which
+/// bounds the weights. Every weight is prior density over proposal density. Weighted with the likelihood of the frame,
+/// the particles represent the exact posterior of a Gaussian prior, clutter included (Gaussian particle filter: Kotecha
+/// and Djuric, IEEE Trans. Signal Process. 51(10), 2003; defensive mixture: Hesterberg, Technometrics 37(2), 1995).
 [[nodiscard]] ParticleSet drawFromKalmanProposal(const ParticleSet& like, const KalmanState& prior,
-                                                 const KalmanState& posterior, std::size_t count, RandomStream& random);
+                                                 const KalmanState& posterior, std::size_t count, double inflation,
+                                                 RandomStream& random);
 
 /// A Kalman proposal is tried when the effective sample size is below both limits.
 struct KalmanProposalLimits

@@ -47,7 +47,7 @@ KalmanBank::KalmanBank(KalmanBankOptions options, const LandmarkTable& map)
     : options_(std::move(options)),
       map_(map),
       recovery_(options_.recovery, kMaxReseedInterval),
-      consider_(options_.motion, options_.biases, map, options_.start.has_value())
+      consider_(options_.motion, options_.biases, map, options_.start)
 {
 }
 

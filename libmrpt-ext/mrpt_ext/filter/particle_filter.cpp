@@ -3,7 +3,6 @@
 #include <limits>
 #include <utility>
 
-#include "mrpt_ext/filter/gaussian_proposal.h"
 #include "mrpt_ext/filter/initializer.h"
 #include "mrpt_ext/filter/particles/particle_bias.h"
 #include "mrpt_ext/filter/proposal_sampling.h"
@@ -16,6 +15,7 @@ namespace
 {
 constexpr double kTrajectoryMajority = 0.5;            // of the weight along a trajectory
 constexpr std::size_t kMaxForKalmanProposal = 20'000;  // the moments of more cost too much
+constexpr double kExact = 1e9;                         // effective particles of a set with the moments of a Gaussian
 constexpr double kProposalGate = 6;                    // standard deviations that the particles of a mode are within
 
 /// In the middle of the map, where single precision is best.
@@ -39,7 +39,7 @@ ParticleFilter::ParticleFilter(const ParticleFilterOptions& options, const Landm
       injector_(options.recovery, options.region, options.particles),
       mode_mixture_(options.motion, options.biases),
       resampler_(options),
-      consider_(options.motion, options.biases, map, options.initial_mode == InitialMode::gaussian),
+      consider_(options.motion, options.biases, map, options.givenStart()),
       bias_filter_(options.motion, options.biases)
 {
 }
@@ -55,17 +55,24 @@ FilterStep ParticleFilter::process(const Frame& whole, const HypothesisSources& 
   const Recovery recovery = recovery_.decide(before, frame.motion.duration);
   if (recovery.due() && options_.mode_kalman_filters) mode_mixture_.retain(modes_.modes.front(), particles_);
 
+  // While the posterior is a Gaussian, few particles stand for it
+  const std::optional<KalmanState> steady = recovery.due() ? std::nullopt : steadyState();
+  if (gaussian_ && !steady) growFrom(momentsOf(particles_, [](std::size_t) { return true; }));
+
   // Predict: x_t ~ p(x_t | x_{t-1}, u_t)
   predict(frame.motion);
+  const Frame used = observation_model_.select(frame, before.unimodal && before.verified);
+  std::optional<GaussianUpdate> gaussian;
+  if (steady) gaussian = updated(*steady, used);
 
   // Test the mode, before the same measurements change it
-  integrity_.test(frame, particles_, before.unimodal && !recovery.due());
+  integrity_.test(frame, gaussian ? gaussian->samples : particles_, before.unimodal && !recovery.due());
 
   // Recover: let hypotheses from elsewhere compete
   if (recovery.due()) inject(recovery, frame, sources);
 
   // Weight: w_t = p(z_t | x_t)
-  const bool respawned = weight(observation_model_.select(frame, before.unimodal && before.verified));
+  const bool respawned = !(gaussian && track(*gaussian, used)) && weight(used);
 
   // Estimate: the modes, never their mean
   FilterStep step = estimate(frame, recovery.kind);
@@ -147,17 +154,53 @@ void ParticleFilter::injectTrajectory(const HypothesisSet& trajectory, const Odo
   mode_mixture_.clear();
 }
 
+std::optional<KalmanState> ParticleFilter::steadyState() const
+{
+  if (!isTracking() || !integrity_.verified() || !isCompact(modes_.modes.front()) || !mode_mixture_.empty() ||
+      options_.adaptive_size)
+    return std::nullopt;
+  const PoseGate gate(startingState(modes_.modes.front().pose, options_.biases), kProposalGate);
+  return momentsOf(particles_, [&](std::size_t i) { return gate.contains(particles_, i); });
+}
+
+GaussianUpdate ParticleFilter::updated(const KalmanState& steady, const Frame& frame)
+{
+  const KalmanState prior = mrpt_ext::predict(steady, options_.biases, options_.motion, frame.motion);
+  return updateGaussian(prior, frame, observation_model_.map(), particles_, fewParticles(), random_);
+}
+
+bool ParticleFilter::track(const GaussianUpdate& update, const Frame& frame)
+{
+  const bool was_gaussian = gaussian_;
+  gaussian_ = isConfirmed(update, frame, weigher());
+  if (gaussian_)
+    particles_ = drawGaussian(particles_, update.posterior, fewParticles(), random_);
+  else if (was_gaussian)
+    growFrom(update.prior);
+  return gaussian_;
+}
+
+void ParticleFilter::growFrom(const std::optional<KalmanState>& state)
+{
+  if (state) particles_ = drawGaussian(particles_, *state, options_.particles, random_);
+  gaussian_ = false;
+}
+
+WeightParticles ParticleFilter::weigher() const
+{
+  return [this](const Frame& frame, ParticleSet& particles) { observation_model_.weight(frame, particles); };
+}
+
 bool ParticleFilter::weight(const Frame& frame)
 {
-  const auto weight_all = [this](const Frame& z, ParticleSet& particles) { observation_model_.weight(z, particles); };
   mode_mixture_.predictAndUpdate(particles_, frame, observation_model_.map());
   const std::optional<KalmanState> prior = kalmanPrior(frame.motion);
-  weight_all(frame, particles_);
+  observation_model_.weight(frame, particles_);
   mode_mixture_.reweight(particles_);
   // Propose: where few particles would survive, draw them from a Kalman posterior instead
   if (prior)
     proposeFromKalman(particles_, *prior, frame, observation_model_.map(),
-                      {options_.kalman_proposal_below_ess, options_.resample_below}, weight_all, random_);
+                      {options_.kalman_proposal_below_ess, options_.resample_below}, weigher(), random_);
   if (mode_mixture_.empty()) return false;
   normalizeWeights(particles_);
   return mode_mixture_.respawn(particles_, injector_.count(), random_);
@@ -226,7 +269,7 @@ ModeSet ParticleFilter::updateModes(const Frame& frame, double effective)
   bias_filter_.follow(compact ? only : std::nullopt, frame, observation_model_.map());
   consider_.follow(std::move(only), frame);
   ModeSet stated{modes_.modes, {}};
-  sampling_error_.correct(stated, effective, remainder);
+  sampling_error_.correct(stated, gaussian_ ? kExact : effective, remainder);
   if (!stated.modes.empty()) stated.modes.front().pose.covariance += consider_.added();
   return stated;
 }
@@ -249,9 +292,7 @@ void ParticleFilter::resample(FilterStep& step, const HypothesisSources& sources
   resampler_.resample(particles_, modes_, wanted, random_);
   bias_filter_.draw(particles_, random_);
   if (!sources.since_start.empty() && !isUnimodal())
-    rejuvenate(
-        particles_, options_, sources.since_start,
-        [this](const Frame& z, ParticleSet& particles) { observation_model_.weight(z, particles); }, random_);
+    rejuvenate(particles_, options_, sources.since_start, weigher(), random_);
   step.particles = particles_.size();
 }
 }  // namespace mrpt_ext

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
 
 #include "mrpt_ext/filter/bias_filter.h"
 #include "mrpt_ext/filter/consider/consider_covariance.h"
+#include "mrpt_ext/filter/gaussian_tracking.h"
 #include "mrpt_ext/filter/hypothesis_injector.h"
 #include "mrpt_ext/filter/hypothesis_sources.h"
 #include "mrpt_ext/filter/integrity/filter_diagnostics.h"
@@ -60,6 +62,15 @@ class ParticleFilter
   void predict(const OdometryMotion& motion);
   void inject(const Recovery& recovery, const Frame& frame, const HypothesisSources& sources);
   void injectTrajectory(const HypothesisSet& trajectory, const OdometryMotion& motion);
+  /// The only mode as a Gaussian with its systematic errors, if it is verified and compact.
+  [[nodiscard]] std::optional<KalmanState> steadyState() const;
+  [[nodiscard]] GaussianUpdate updated(const KalmanState& steady, const Frame& frame);
+  /// Replaces the particles by few of the Kalman posterior, if that is confirmed (gaussian_tracking.h). If it is not,
+  /// they are as many as before, of the prior if they were few.
+  bool track(const GaussianUpdate& update, const Frame& frame);
+  void growFrom(const std::optional<KalmanState>& state);
+  [[nodiscard]] std::size_t fewParticles() const { return std::min(options_.verified_particles, options_.particles); }
+  [[nodiscard]] WeightParticles weigher() const;
   /// True when a mode got its particles back.
   bool weight(const Frame& frame);
   [[nodiscard]] FilterStep estimate(const Frame& frame, Recovery::Kind injected);
@@ -80,7 +91,8 @@ class ParticleFilter
   ParticleFilterOptions options_;
   RandomStream random_;
   ParticleSet particles_;
-  ModeSet modes_;  // of the last step, as weighted (not as stated); mode_of is only a buffer
+  bool gaussian_ = false;  // the particles have the moments of a Gaussian exactly, and are few
+  ModeSet modes_;          // of the last step, as weighted (not as stated); mode_of is only a buffer
   ObservationModel observation_model_;
   IntegrityMonitor integrity_;
   RecoveryPolicy recovery_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "mrpt_ext/filter/integrity/filter_verdict.h"
 #include "mrpt_ext/filter/integrity/recovery_options.h"
 #include "mrpt_ext/filter/modes/modes.h"
@@ -21,10 +23,12 @@ enum class InitialMode
 struct ParticleFilterOptions
 {
   std::size_t particles = 2000;           ///< of a filter with one mode (adaptive_size: only at the start, see kld)
+  std::size_t verified_particles = 100;   ///< of one that is verified and narrow enough to be taken for a Gaussian
   std::size_t initial_particles = 20000;  ///< of global localization
   PoseRegion region;                      ///< where the robot can start, and be found again
   InitialMode initial_mode = InitialMode::analytic;
-  GaussianPose initial_pose;  ///< for InitialMode::gaussian
+  GaussianPose initial_pose;           ///< for InitialMode::gaussian
+  bool initial_pose_measured = false;  ///< ... by the same sensors, of which it shares the errors that last
   MotionModel motion;
   BiasModel biases;                ///< systematic errors estimated with the pose
   bool heading_observable = true;  ///< false: neither sensors nor motion tell the heading; position alone is estimated
@@ -40,5 +44,12 @@ struct ParticleFilterOptions
   bool learn_reliability = true;                ///< estimate the clutter probability of every landmark
   double reliability_prior_strength = 30;       ///< [detections]
   unsigned threads = 1;                         ///< the result does not depend on it
+
+  /// The first pose where it is known, and not from the sensors.
+  [[nodiscard]] std::optional<GaussianPose> givenStart() const
+  {
+    if (initial_mode != InitialMode::gaussian || initial_pose_measured) return std::nullopt;
+    return initial_pose;
+  }
 };
 }  // namespace mrpt_ext

@@ -237,6 +237,7 @@ void OnlineLocalizer::restart(const Restart& restart, double time)
     const Trajectory& odometry = overview_.odometry.trajectory();
     const double first = odometry.empty() ? time : std::min(time, odometry.front().time);
     filter.initial_mode = InitialMode::gaussian;
+    filter.initial_pose_measured = restart.measured;
     filter.initial_pose = moved(*restart.pose, overview_.odometry, std::max(first, restart.time), time, filter.motion);
   }
   for (std::size_t k = 0; k < restart.biases.size(); ++k)
@@ -258,14 +259,14 @@ std::optional<PoseEstimate> OnlineLocalizer::poseAt(double t) const
   return estimate;
 }
 
-void OnlineLocalizer::reset(double t, const std::optional<GaussianPose>& pose) { post(Restart{t, pose, {}}); }
+void OnlineLocalizer::reset(double t, const std::optional<GaussianPose>& pose) { post(Restart{t, pose, {}, false}); }
 
 void OnlineLocalizer::setMap(const LandmarkTable& map) { post(map); }
 
 OnlineLocalizer::Restart OnlineLocalizer::handover() const
 {
   const std::lock_guard lock(exchange_);
-  Restart restart{-std::numeric_limits<double>::infinity(), {}, filter_->lastStep().biases};
+  Restart restart{-std::numeric_limits<double>::infinity(), {}, filter_->lastStep().biases, true};
   if (!newest_estimate_) return restart;
   restart.time = newest_estimate_->time;
   if (newest_estimate_->verdict == Verdict::ok && newest_estimate_->heading_known)
@@ -286,7 +287,7 @@ void OnlineLocalizer::restore(const std::string& snapshot)
   if (!saved.biases.empty() && saved.biases.size() != options_.filter.biases.size())
     throw dataError("snapshot: it has " + std::to_string(saved.biases.size()) + " systematic errors, expected the " +
                     std::to_string(options_.filter.biases.size()) + " of this configuration");
-  post(Restart{-std::numeric_limits<double>::infinity(), saved.pose, std::move(saved.biases)});
+  post(Restart{-std::numeric_limits<double>::infinity(), saved.pose, std::move(saved.biases), true});
 }
 
 UnusableDetections OnlineLocalizer::unusable() const

@@ -115,6 +115,7 @@ class OnlineLocalizer
     double time = 0;  ///< [s] of `pose`
     std::optional<GaussianPose> pose;
     std::vector<BiasEstimate> biases;  ///< empty: as configured
+    bool measured = false;             ///< the pose is an estimate of a localizer with the same sensors
   };
   using Event = std::variant<Record, Restart, LandmarkTable>;
 

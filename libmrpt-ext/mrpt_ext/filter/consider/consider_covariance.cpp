@@ -47,20 +47,30 @@ Matrix3d positivePart(const Matrix3d& matrix)
 }
 }  // namespace
 
-ConsiderCovariance::ConsiderCovariance(MotionModel motion, BiasModel biases, const LandmarkTable& map, bool known_start)
+ConsiderCovariance::ConsiderCovariance(MotionModel motion, BiasModel biases, const LandmarkTable& map,
+                                       const std::optional<GaussianPose>& start)
     : motion_(motion),
       biases_(std::move(biases)),
       map_(map),
       default_max_range_(map.empty() ? 1 : defaultMaxRange(map)),
       persistent_(3 + static_cast<Eigen::Index>(biases_.size())),
-      systematic_(3 + static_cast<Eigen::Index>(biases_.size()), known_start),
+      systematic_(3 + static_cast<Eigen::Index>(biases_.size()), start.has_value()),
       noise_(motion, 3 + static_cast<Eigen::Index>(biases_.size()))
 {
+  if (start) stated_ = startingState(*start, biases_);
 }
 
 void ConsiderCovariance::follow(std::optional<KalmanState> now, const Frame& frame)
 {
-  if (stated_) update(linearise(*stated_, frame));
+  if (stated_)
+    update(linearise(*stated_, frame));
+  else if (now)
+  {
+    Frame at_rest = frame;
+    at_rest.motion = {};
+    systematic_.start(linearise(*now, at_rest));
+    state();
+  }
   if (!now) restart();
   stated_ = std::move(now);
 }
@@ -78,6 +88,7 @@ void ConsiderCovariance::restart()
   systematic_.restart();
   noise_.restart();
   added_.setZero();
+  assumed_.setZero();
 }
 
 void ConsiderCovariance::update(const LinearStep& step)
@@ -85,19 +96,27 @@ void ConsiderCovariance::update(const LinearStep& step)
   persistent_.update(step);
   systematic_.update(step);
   noise_.update(step, persistent_.lastingVariances(step));
+  state();
+}
+
+void ConsiderCovariance::state()
+{
   const Matrix3d systematic = systematic_.added().topLeftCorner<3, 3>();
   const Matrix3d lasting = persistent_.added().topLeftCorner<3, 3>();
   if (!systematic.allFinite() || !lasting.allFinite()) return restart();
   added_ = positivePart(lasting) + systematic;
+  assumed_ = systematic_.assumed().topLeftCorner<3, 3>();
 }
 
 std::string ConsiderCovariance::finding(const Matrix3d& stated) const
 {
   const double before = stated.topLeftCorner<2, 2>().trace(), more = added_.topLeftCorner<2, 2>().trace();
+  const bool mostly_assumed = assumed_.topLeftCorner<2, 2>().trace() > 0.5 * more;
   std::string text;
   if (std::sqrt(before + more) > kRemarkable * std::sqrt(before))
-    text = formatted("errors that last: standard deviation %.3f m instead of %.3f m", std::sqrt(before + more),
-                     std::sqrt(before));
+    text =
+        formatted("%s: standard deviation %.3f m instead of %.3f m",
+                  mostly_assumed ? "lever_arm_std_m" : "errors that last", std::sqrt(before + more), std::sqrt(before));
   const double noise = std::sqrt(*std::max_element(noise_.factors().begin(), noise_.factors().end()));
   if (noise > kRemarkable)
     text += (text.empty() ? "" : "; ") + formatted("odometry errs %.1f times as much as stated", noise);

@@ -13,15 +13,17 @@ namespace mrpt_ext
 {
 /// What errors that last add to the covariance that a filter states, which takes all errors for white: those of single
 /// landmarks (PersistentErrors), and those of sensors and odometry (SystematicErrors); and how much more than stated
-/// odometry errs from motion to motion (ExcessNoise). All comes from the innovations; white ones that are as large as
-/// stated add nothing.
+/// odometry errs from motion to motion (ExcessNoise). All comes from the innovations, of which white ones that are as
+/// large as stated add nothing, but for the lever arms that are assumed until turns tell them.
 ///
 /// It follows a filter of any kind from outside, as the Kalman filter that would have stated the same.
 class ConsiderCovariance
 {
  public:
-  /// `known_start`: the first estimate is given, not found from readings.
-  ConsiderCovariance(MotionModel motion, BiasModel biases, const LandmarkTable& map, bool known_start = false);
+  /// `start`: the pose before the first frame, where it is given; otherwise the first estimate is found from readings,
+  /// and shares their errors.
+  ConsiderCovariance(MotionModel motion, BiasModel biases, const LandmarkTable& map,
+                     const std::optional<GaussianPose>& start);
 
   /// The filter has taken this frame and states `now`: nothing while it has more than one mode.
   void follow(std::optional<KalmanState> now, const Frame& frame);
@@ -32,12 +34,13 @@ class ConsiderCovariance
 
   /// To be added to the stated covariance of the pose; positive semidefinite.
   [[nodiscard]] Matrix3d added() const { return added_; }
-  /// "errors that last: standard deviation 0.024 m instead of 0.012 m", "odometry errs 2.1 times as much as stated";
-  /// empty where either adds less than a half.
+  /// "errors that last: standard deviation 0.024 m instead of 0.012 m", "lever_arm_std_m: standard deviation ..." where
+  /// that is mostly assumed, "odometry errs 2.1 times as much as stated"; empty where either adds less than a half.
   [[nodiscard]] std::string finding(const Matrix3d& stated) const;
 
  private:
   void update(const LinearStep& step);
+  void state();
   [[nodiscard]] LinearStep linearise(const KalmanState& before, const Frame& frame);
   void addRows(const Reading& reading, LinearStep& step);
   [[nodiscard]] std::size_t indexOf(const std::string& sensor);
@@ -53,5 +56,6 @@ class ConsiderCovariance
   ExcessNoise noise_;
   std::optional<KalmanState> stated_;  // after the last frame
   Matrix3d added_ = Matrix3d::Zero();
+  Matrix3d assumed_ = Matrix3d::Zero();  // of that, by lever arms
 };
 }  // namespace mrpt_ext

@@ -26,10 +26,10 @@ void ScoreVariance::add(double duration, const Eigen::VectorXd& score, const Eig
   duration_ = 0;
 }
 
-Eigen::VectorXd ScoreVariance::worth() const
+Eigen::VectorXd ScoreVariance::worth(Eigen::Index size) const
 {
-  Eigen::VectorXd worth = Eigen::VectorXd::Ones(squared_.size());
-  for (Eigen::Index k = 0; k < worth.size(); ++k)
+  Eigen::VectorXd worth = Eigen::VectorXd::Ones(size);
+  for (Eigen::Index k = 0; k < std::min(size, squared_.size()); ++k)
     if (squared_[k] > expected_[k]) worth[k] = expected_[k] / squared_[k];
   return worth;
 }

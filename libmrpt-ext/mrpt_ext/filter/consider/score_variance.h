@@ -16,8 +16,9 @@ class ScoreVariance
   /// `kept`: what the earlier blocks count now.
   void add(double duration, const Eigen::VectorXd& score, const Eigen::VectorXd& information, double kept);
 
-  /// Information of each parameter as a share of what white errors would tell; at most 1, and 1 before the first block.
-  [[nodiscard]] Eigen::VectorXd worth() const;
+  /// Information of each parameter as a share of what white errors would tell; at most 1, and 1 before the first block,
+  /// also of those of `size` parameters that no score has told of yet.
+  [[nodiscard]] Eigen::VectorXd worth(Eigen::Index size) const;
 
  private:
   double duration_ = 0;                  // [s] of the block that lasts

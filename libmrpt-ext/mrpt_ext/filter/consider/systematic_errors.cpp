@@ -26,7 +26,7 @@ enum OfSensor : Eigen::Index
 };
 constexpr double kParameterMemory = 600;  // [s] after which parameters may have changed
 
-// What is plausible before anything was measured, in the order above; of lever arms unless their deviation is given.
+// What is plausible before anything was measured, in the order above; of lever arms where no deviation is assumed.
 constexpr std::array<double, odometry_errors> kOdometryPrior = {degToRad(5.0), degToRad(1.0)};
 constexpr std::array<double, sensor_errors> kSensorPrior = {0.2, 0.3, 0.1, 0.1, 0.1};
 
@@ -56,8 +56,7 @@ std::size_t sensorOf(Eigen::Index parameter)
 }
 }  // namespace
 
-SystematicErrors::SystematicErrors(Eigen::Index size, bool known_start)
-    : started_(known_start), response_(size, 0), velocity_(size)
+SystematicErrors::SystematicErrors(Eigen::Index size, bool given) : started_(given), response_(size, 0), velocity_(size)
 {
   resize(odometry_errors);
 }
@@ -75,11 +74,16 @@ void SystematicErrors::resize(Eigen::Index parameters)
   known_.covariance.conservativeResizeLike(Eigen::MatrixXd::Zero(parameters, parameters));
 }
 
-void SystematicErrors::update(const LinearStep& step)
+void SystematicErrors::resize(const LinearStep& step)
 {
   for (const InnovationRow& row : step.rows) resize(firstOf(row.source.sensor + 1));
   lever_arm_std_ = step.lever_arm_std;
-  if (!started_ && !step.rows.empty()) start(step);
+}
+
+void SystematicErrors::update(const LinearStep& step)
+{
+  resize(step);
+  if (!started_) start(step);
   predict(step);
   velocity_.predict(step);
   const Eigen::MatrixXd by_parameters = measurementDerivatives(step);
@@ -102,7 +106,9 @@ void SystematicErrors::restart()
 // share the whole estimate is beside the robot by as much.
 void SystematicErrors::start(const LinearStep& step)
 {
+  if (step.rows.empty()) return;
   started_ = true;
+  resize(step);
   const double all = step.information.topLeftCorner<2, 2>().trace();
   for (std::size_t sensor = 0; sensor < step.sensor_information.size(); ++sensor)
   {
@@ -110,6 +116,7 @@ void SystematicErrors::start(const LinearStep& step)
     if (share > 0 && step.lever_arm_std[sensor] > 0)
       response_.block<2, 2>(0, firstOf(sensor) + lever_x_error) = share * rotation(step.before.mean[2]);
   }
+  estimate();
 }
 
 PriorStds SystematicErrors::prior() const
@@ -207,7 +214,7 @@ void SystematicErrors::estimate()
                      .matrix();
 
   // How well they are known: by errors of readings that last.
-  const Eigen::VectorXd worth = score_variance_.worth();
+  const Eigen::VectorXd worth = score_variance_.worth(weighted_.size());
   const Eigen::VectorXd scale = worth.cwiseSqrt();
   evidence.information = scale.asDiagonal() * evidence.information * scale.asDiagonal();
   evidence.weighted = evidence.weighted.cwiseProduct(worth);
@@ -221,5 +228,13 @@ KalmanMatrix SystematicErrors::added() const
   const Eigen::MatrixXd response = response_ * significant_.cwiseSqrt().asDiagonal();
   const KalmanVector shift = response * known_.mean;
   return shift * shift.transpose() + response * known_.covariance * response.transpose();
+}
+
+KalmanMatrix SystematicErrors::assumed() const
+{
+  const Eigen::VectorXd least = prior().least;
+  if (least.size() != known_.covariance.rows()) return KalmanMatrix::Zero(response_.rows(), response_.rows());
+  const Eigen::MatrixXd response = response_ * (least.array() > 0).cast<double>().matrix().asDiagonal();
+  return response * known_.covariance * response.transpose();
 }
 }  // namespace mrpt_ext

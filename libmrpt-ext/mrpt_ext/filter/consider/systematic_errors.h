@@ -26,9 +26,11 @@ namespace mrpt_ext
 class SystematicErrors
 {
  public:
-  /// `size`: of the filter's state. `known_start`: the first estimate was given, it shares no error of the readings.
-  SystematicErrors(Eigen::Index size, bool known_start);
+  /// `size`: of the filter's state. `given`: the first estimate shares no error of the readings.
+  SystematicErrors(Eigen::Index size, bool given);
 
+  /// The estimate was found from readings like those of this step.
+  void start(const LinearStep& step);
   /// Propagates through one step of the filter, and learns from its innovations.
   void update(const LinearStep& step);
   /// The estimate starts anew, without errors that came from the parameters. What is known of them is kept.
@@ -36,10 +38,12 @@ class SystematicErrors
 
   /// What the errors add to the covariance of the estimate.
   [[nodiscard]] KalmanMatrix added() const;
+  /// ... of that what is assumed of lever arms, and no reading has shown.
+  [[nodiscard]] KalmanMatrix assumed() const;
 
  private:
+  void resize(const LinearStep& step);
   void resize(Eigen::Index parameters);
-  void start(const LinearStep& step);
   [[nodiscard]] PriorStds prior() const;
   void predict(const LinearStep& step);
   [[nodiscard]] Eigen::MatrixXd measurementDerivatives(const LinearStep& step) const;

@@ -34,9 +34,7 @@ void VelocityNoise::predict(const LinearStep& step)
   const KalmanMatrix& F = step.motion_jacobian;
   with_error_ = (F * with_error_).eval();
   for (KalmanMatrix& covariance : with_response_) covariance = (F * covariance * F.transpose()).eval();
-  for (const InnovationRow& row : step.rows)
-    if (row.source.sensor >= with_response_.size())
-      with_response_.resize(row.source.sensor + 1, KalmanMatrix::Zero(size_, size_));
+  with_response_.resize(step.sensor_information.size(), KalmanMatrix::Zero(size_, size_));
 }
 
 double VelocityNoise::expectedProduct(const LinearStep& step, std::size_t sensor) const
