@@ -2,7 +2,7 @@
 # Builds the tests in which threads meet with clang's thread sanitizer (build-tsan) and runs them, then all tests with those
 # of addresses and undefined behaviour (build-asan). Exit code 0: all passed, and no sanitizer had anything to say.
 # Addresses of locals are not followed beyond their function (-Wreturn-local-addr sees the common case): a third of the time.
-# Arguments go to the second ctest, e.g.  bash tests/sanitizers.sh -R RawlogDamage
+# Arguments go to the second ctest, which knows the programs by their rooms, e.g.  bash tests/sanitizers.sh -R rawlog
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

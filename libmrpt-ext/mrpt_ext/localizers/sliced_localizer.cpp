@@ -8,7 +8,7 @@ namespace mrpt_ext
 namespace
 {
 // An operation takes about a nanosecond (work_budget.h); in steps of the recordings up to two, on a busy machine.
-constexpr double kOperationsPerMs = 5e5;
+constexpr double kOperationsPerMs = 4.5e5;
 
 std::uint64_t operationsOf(double step_budget_ms)
 {

@@ -304,7 +304,6 @@ class Search
   void record()
   {
     const RayCrossing& base = nodes_[matched_.size()].base;
-    WorkCounter::add(kCostOfRecord);
     if (options_.budget != nullptr) options_.budget->spend(kCostOfRecord);
     if (auto found = refineInterpretation(problem_, assignment_, bearings_, base))
       result_.found.push_back(std::move(*found));
