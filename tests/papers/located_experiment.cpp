@@ -10,8 +10,6 @@ namespace mrpt_ext::papers
 {
 namespace
 {
-const double kRounding = 1 / std::sqrt(12.0);
-
 struct Way
 {
   double length = 0;

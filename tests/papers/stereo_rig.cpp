@@ -8,8 +8,6 @@ namespace mrpt_ext::papers
 {
 namespace
 {
-const double kRounding = 1 / std::sqrt(12.0);  // standard deviation of rounding to whole pixels
-
 std::optional<StereoRange> scaled(const StereoField& field, StereoRange range)
 {
   if (range.status != SolveStatus::ok) return std::nullopt;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -9,6 +10,8 @@
 
 namespace mrpt_ext::papers
 {
+inline const double kRounding = 1 / std::sqrt(12.0);  ///< [px] standard deviation of rounding to whole pixels
+
 /// The MiroSot field of paper 004 and a robot with a narrow stereo pair looking ahead.
 struct StereoField
 {

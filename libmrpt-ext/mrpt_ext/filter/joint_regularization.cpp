@@ -6,7 +6,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kModeGate = 4;  // standard deviations that the particles of a mode are within
+constexpr double kRegularizedGate = 4;  // standard deviations that the particles of a mode are within
 constexpr int kNoMode = -1;
 
 /// The nearest mode of each particle, if it is within the gate.
@@ -14,11 +14,11 @@ std::vector<int> nearestModes(const ParticleSet& particles, const std::vector<Mo
 {
   std::vector<PoseGate> gates;
   for (const Mode& mode : modes)
-    gates.emplace_back(KalmanState{mode.pose.mean.vector(), mode.pose.covariance}, kModeGate);
+    gates.emplace_back(KalmanState{mode.pose.mean.vector(), mode.pose.covariance}, kRegularizedGate);
   std::vector<int> nearest(particles.size(), kNoMode);
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    double least = kModeGate * kModeGate;
+    double least = kRegularizedGate * kRegularizedGate;
     for (std::size_t m = 0; m < gates.size(); ++m)
       if (const double distance2 = gates[m].distance2(particles, i); distance2 < least)
       {

@@ -254,7 +254,10 @@ FilterStep ParticleFilter::estimate(const Frame& frame, Recovery::Kind injected)
 ModeSet ParticleFilter::updateModes(const Frame& frame, double effective)
 {
   const bool was_unimodal = isUnimodal();
-  ModeSet found = findModes(particles_, options_.modes, options_.threads, std::move(modes_.mode_of));
+  std::optional<KalmanState> only;
+  if (gaussian_) only = momentsOf(particles_, [](std::size_t) { return true; });
+  ModeSet found = only ? ModeSet{{{only->gaussianPose(), 1}}, std::vector<int>(particles_.size())}
+                       : findModes(particles_, options_.modes, options_.threads, std::move(modes_.mode_of));
   const double remainder = was_unimodal && mrpt_ext::isUnimodal(found, options_.verdict)
                                ? SamplingError::remainder(modes_.modes.front().pose.covariance,
                                                           bestModeAfter(frame.motion).gaussianPose().covariance,
@@ -263,8 +266,8 @@ ModeSet ParticleFilter::updateModes(const Frame& frame, double effective)
   modes_ = std::move(found);
   // While nothing is seen a mode is followed however imprecise it becomes: what is seen then tells odometry's noise.
   const bool unimodal = isUnimodal(), blind = detectionCount(frame) == 0 && isDominant(modes_, options_.verdict);
-  std::optional<KalmanState> only;
-  if (unimodal || blind) only = momentsOf(particles_, [this](std::size_t i) { return modes_.mode_of[i] == 0; });
+  if (!only && (unimodal || blind))
+    only = momentsOf(particles_, [this](std::size_t i) { return modes_.mode_of[i] == 0; });
   const bool compact = unimodal && isCompact(modes_.modes.front());
   bias_filter_.follow(compact ? only : std::nullopt, frame, observation_model_.map());
   consider_.follow(std::move(only), frame);

@@ -6,7 +6,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kParallel = 1e-12;  // sine of the angle between the rays
+constexpr double kParallelRays = 1e-12;  // sine of the angle between the rays
 
 bool isUsableRay(const SightRay& ray)
 {
@@ -31,7 +31,7 @@ Triangulation triangulate(const SightRay& first, const SightRay& second)
   const Vector2d baseline = second.origin - first.origin;
   const double sine = cross(d1, d2);
   result.status = SolveStatus::degenerate;
-  if (std::abs(sine) < kParallel || !(baseline.squaredNorm() > 0)) return result;
+  if (std::abs(sine) < kParallelRays || !(baseline.squaredNorm() > 0)) return result;
 
   result.first_distance = cross(baseline, d2) / sine;
   result.second_distance = cross(baseline, d1) / sine;

@@ -29,10 +29,10 @@ LevelTable scaled(const LevelTable& levels, double factor)
 }
 
 /// Hue on a scale of six sectors.
-struct Sector
+struct HueRange
 {
   float low, high;
-  explicit Sector(const HueSector& s)
+  explicit HueRange(const HueSector& s)
       : low(static_cast<float>(6 * s.low / kTwoPi)), high(static_cast<float>(6 * s.high / kTwoPi))
   {
   }
@@ -101,7 +101,7 @@ cv::Mat1b classifyColours(const cv::Mat& image, const ColourModel& model, const 
 {
   std::array<LevelTable, 3> levels;
   for (int c = 0; c < 3; ++c) levels[static_cast<std::size_t>(c)] = scaled(linearLight(), 1 / std::max(white[c], 1e-6));
-  const Sector orange(model.orange), yellow(model.yellow), blue(model.blue);
+  const HueRange orange(model.orange), yellow(model.yellow), blue(model.blue);
   const auto min_brightness = static_cast<float>(model.min_brightness);
   const auto max_grey = static_cast<float>(1 - model.min_saturation);
   cv::Mat1b colours(image.size(), static_cast<unsigned char>(ObjectColour::other));

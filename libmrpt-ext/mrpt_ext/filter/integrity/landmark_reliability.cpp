@@ -17,10 +17,10 @@ namespace
 {
 constexpr std::size_t kMostDraws = 64;  // from the posterior: a probability to a few per cent
 constexpr std::size_t kLeastDraws = 4;
-constexpr std::size_t kParticlesPerDraw = 8;   // at least: where few particles do, the mode is narrow
-constexpr std::size_t kMostPairs = 8'000'000;  // of a detection and a landmark, over all draws
-constexpr std::uint64_t kCostOfPair = 12;      // operations
-constexpr double kMaxClutter = 0.7;            // a landmark is never trusted less
+constexpr std::size_t kParticlesPerDraw = 8;          // at least: where few particles do, the mode is narrow
+constexpr std::size_t kMostPairsOfDraws = 8'000'000;  // of a detection and a landmark, over all draws
+constexpr std::uint64_t kCostOfPair = 12;             // operations
+constexpr double kMaxClutter = 0.7;                   // a landmark is never trusted less
 
 /// Weights of the particles of one block, and their sum.
 struct BlockWeights
@@ -103,7 +103,7 @@ double LandmarkReliability::observe(const Reading& reading, const LandmarkTable&
 {
   const std::size_t pairs = std::max<std::size_t>(1, reading.detections.size() * map.size());
   const std::size_t most = std::clamp(particles.size() / kParticlesPerDraw, kLeastDraws, kMostDraws);
-  const std::size_t wanted = std::clamp(kMostPairs / pairs, kLeastDraws, most);
+  const std::size_t wanted = std::clamp(kMostPairsOfDraws / pairs, kLeastDraws, most);
   const std::vector<std::size_t> draws = spacedDraws(particles, wanted, threads);
   if (draws.empty() || reading.detections.empty()) return 0;
   WorkCounter::add(kCostOfPair * pairs * draws.size());

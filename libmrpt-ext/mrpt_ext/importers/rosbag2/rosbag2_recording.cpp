@@ -170,7 +170,7 @@ class RecordingBuilder
       const RosCamera* camera = cameraOf(message.header.frame);
       if (!camera) return note("warning: " + name + ": ignored, no CameraInfo of frame '" + message.header.frame + "'");
       const Pose3 pose = poseOnRobot(message.header.frame, forward);
-      recording_.records.push_back(readingOf(message, *camera, pose, bag_.transforms, kNoise));
+      recording_.records.emplace_back(readingOf(message, *camera, pose, bag_.transforms, kNoise));
     }
   }
 
@@ -180,8 +180,8 @@ class RecordingBuilder
     for (const RosObjects& message : series)
     {
       const Pose3 pose = poseOnRobot(message.header.frame);
-      recording_.records.push_back(reflectors ? reflectorReadingOf(message, pose, kNoise)
-                                              : readingOf(message, pose, kNoise));
+      recording_.records.emplace_back(reflectors ? reflectorReadingOf(message, pose, kNoise)
+                                                 : readingOf(message, pose, kNoise));
     }
   }
 
