@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "mrpt_ext/geometry/work_counter.h"
 #include "mrpt_ext/solvers/pose_information.h"
 #include "mrpt_ext/solvers/pose_residuals.h"
 
@@ -11,14 +10,13 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kCauchyScale2 = 4;                          // squared standard deviations
-constexpr double kRunaway = 1e4;                             // times the extent of the scene
-constexpr std::uint64_t kCostOfRound = 80, kCostOfRow = 35;  // operations
+constexpr double kCauchyScale2 = 4;  // squared standard deviations
+constexpr double kRunaway = 1e4;     // times the extent of the scene
 
 /// Cost and model of all measurements under the loss.
 NormalEquations<3> modelAt(const PoseResiduals& rows, Loss loss, const Pose2& pose)
 {
-  WorkCounter::add(kCostOfRound + kCostOfRow * rows.size());
+  PoseResiduals::countRound(rows.size());
   if (loss == Loss::squared) return rows.model(pose);
   NormalEquations<3> sum;
   rows.forEach(pose,

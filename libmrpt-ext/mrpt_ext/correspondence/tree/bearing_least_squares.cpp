@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "mrpt_ext/geometry/measurement_jacobian.h"
-#include "mrpt_ext/geometry/work_counter.h"
 #include "mrpt_ext/solvers/pose_residuals.h"
 
 namespace mrpt_ext
@@ -13,8 +12,7 @@ namespace
 {
 constexpr int kIterations = 30;
 constexpr double kRelativeStep = 1e-4;
-constexpr double kNear = 0.1;                                    // [rad] near it other bearings change by so much
-constexpr std::uint64_t kCostOfRound = 80, kCostOfBearing = 35;  // operations
+constexpr double kNear = 0.1;  // [rad] near it other bearings change by so much
 
 /// Predicted minus measured [rad]; `heading` is the unit vector of the pose's.
 double bearingResidual(const MatchedBearing& m, const Vector2d& heading, const Vector2d& to_landmark)
@@ -26,7 +24,7 @@ double bearingResidual(const MatchedBearing& m, const Vector2d& heading, const V
 /// measurement_jacobian.h without a sensor offset.
 NormalEquations<3> normalEquations(std::span<const MatchedBearing> matched, const Pose2& pose)
 {
-  WorkCounter::add(kCostOfRound + kCostOfBearing * matched.size());
+  PoseResiduals::countRound(matched.size());
   NormalEquations<3> result;
   const Vector2d position = pose.position(), heading = direction(pose.phi);
   for (const MatchedBearing& m : matched)
