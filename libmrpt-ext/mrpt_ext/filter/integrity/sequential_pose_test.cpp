@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "mrpt_ext/filter/integrity/sensor_monitors.h"
 #include "mrpt_ext/likelihood/detection_density.h"
@@ -24,6 +25,20 @@ ParticleSet thinned(const ParticleSet& particles)
   return few;
 }
 
+/// The anonymous detections of a reading together, each identified one by itself.
+std::vector<Reading> parts(const Reading& reading)
+{
+  Reading empty = reading;
+  empty.detections.clear();
+  std::vector<Reading> result{empty};
+  for (const Detection& d : reading.detections)
+  {
+    if (d.id != kNoId) result.push_back(empty);
+    (d.id != kNoId ? result.back() : result.front()).detections.push_back(d);
+  }
+  std::erase_if(result, [](const Reading& part) { return part.detections.empty(); });
+  return result;
+}
 }  // namespace
 
 SequentialPoseTest::SequentialPoseTest(const MotionModel& motion, const LandmarkTable& map)
@@ -88,6 +103,7 @@ void SequentialPoseTest::start(const std::vector<Reading>& readings, const Landm
                                const ParticleSet& samples)
 {
   decorrelator_.clear();
+  by_landmark_.clear();
   null_model_.clear();
   point_null_model_.clear();
   ParticleSet particles = samples;
@@ -111,11 +127,24 @@ void SequentialPoseTest::test(const std::vector<Reading>& readings, const Landma
   {
     const Reading independent = decorrelator_.independent(reading);
     if (independent.detections.empty()) continue;
-    const ReadingScorer scorer(independent, map, clutter, particles.origin);
-    scorer.addTo(particles.poses(), particles.log_weight);
-    const double log_ratio = normalizeWeights(particles).log_sum - nullLogLikelihood(independent, defaultMaxRange(map));
     const bool first = !hasAnonymous(reading) || spot_.isFirstOf(sensorKey(reading));
-    log_odds_ += spot_.counted(std::min(log_ratio, kMaxLogOdds - log_odds_), first);
+    for (const Reading& part : parts(independent))
+    {
+      const ReadingScorer scorer(part, map, clutter, particles.origin);
+      scorer.addTo(particles.poses(), particles.log_weight);
+      const double log_ratio = normalizeWeights(particles).log_sum - nullLogLikelihood(part, defaultMaxRange(map));
+      log_odds_ = std::min(log_odds_ + counted(part, log_ratio, first), kMaxLogOdds);
+    }
   }
+}
+
+double SequentialPoseTest::counted(const Reading& part, double log_ratio, bool first)
+{
+  static const bool loo = std::getenv("PT_LOO") == nullptr || std::atoi(std::getenv("PT_LOO")) != 0;
+  if (hasAnonymous(part) || !loo) return spot_.counted(std::min(log_ratio, kMaxLogOdds - log_odds_), first);
+  const double added = by_landmark_.add(part.detections.front().id, log_ratio);
+  if (log_odds_ <= 0) rivals_refuted_ = false;
+  if (verified()) rivals_refuted_ = true;
+  return rivals_refuted_ ? log_ratio : added;
 }
 }  // namespace mrpt_ext

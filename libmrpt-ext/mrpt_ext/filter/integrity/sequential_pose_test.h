@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "mrpt_ext/filter/integrity/independent_detections.h"
+#include "mrpt_ext/filter/integrity/landmark_evidence.h"
 #include "mrpt_ext/filter/integrity/null_model.h"
 #include "mrpt_ext/filter/integrity/point_null_model.h"
 #include "mrpt_ext/filter/integrity/spot_evidence.h"
@@ -44,7 +45,12 @@ class SequentialPoseTest
   /// Remembers the frame's detections without counting them: the mode is selected by them.
   void skip(const Frame& frame);
   /// Another mode is under test.
-  void reset() { log_odds_ = 0; }
+  void reset()
+  {
+    log_odds_ = 0;
+    by_landmark_.clear();
+    rivals_refuted_ = false;
+  }
   /// The pose is known.
   void accept() { log_odds_ = kMaxLogOdds; }
 
@@ -60,11 +66,15 @@ class SequentialPoseTest
   double nullLogLikelihood(const Reading& independent, double default_max_range);
   /// Adds the log-likelihood ratio of the readings' independent detections; `particles` are weighted with them.
   void test(const std::vector<Reading>& readings, const LandmarkTable& map, ParticleSet particles);
+  /// What counts of the log-likelihood ratio of detections that are all anonymous or one that is identified.
+  [[nodiscard]] double counted(const Reading& part, double log_ratio, bool first);
 
   DetectionDecorrelator decorrelator_;
   NullModel null_model_;             // of anonymous bearings
   PointNullModel point_null_model_;  // of those with ranges
   SpotEvidence spot_;
+  LandmarkEvidence by_landmark_{kMaxLogOdds};  // of identified detections
+  bool rivals_refuted_ = false;  // those that fit one landmark
   double log_odds_ = 0;
   double gap_ = 0;  // [s] since the last detection
 };
