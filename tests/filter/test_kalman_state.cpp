@@ -5,6 +5,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "mrpt_ext/geometry/odometry_path.h"
+
 namespace mrpt_ext::test_kalman_state
 {
 namespace
@@ -49,6 +51,26 @@ TEST(KalmanState, SystematicErrorsAreRandomWalks)
   const KalmanState end = predict(start, kScales, {}, {{}, 0, 0, 4});
   EXPECT_NEAR(end.covariance(4, 4) - start.covariance(4, 4), 4 * 1e-4, 1e-12);
   EXPECT_EQ(end.covariance(3, 3), start.covariance(3, 3));
+}
+
+TEST(KalmanState, ADriftOverAPathTurnsWhatIsLeftOfIt)
+{
+  const BiasModel drift{{.kind = BiasKind::drift, .mean = 0.001, .std = 0.01}};
+  // Stands for a second, then drives 2 m ahead in a second.
+  const OdometryPath path({{0, {}}, {1, {}}, {2, {2, 0, 0}}}, {});
+  const KalmanState end = predict(startingState({}, drift), drift, {}, path.between(0, 2));
+  EXPECT_NEAR(end.mean[2], 0.002, 1e-12);
+  EXPECT_NEAR(end.mean[1], 2 * 0.001 + 2 * 0.001 / 2, 1e-8);
+}
+
+TEST(KalmanState, ArcsAreNotTurnsInPlace)
+{
+  const BiasModel arcs{{.kind = BiasKind::arc_scale, .mean = -0.4, .std = 0.1}};
+  const OdometryPath path({{0, {}}, {1, {0, 0, 1}}, {2, {std::cos(1.25), std::sin(1.25), 1.5}}}, {});
+  const KalmanState start = startingState({}, arcs);
+  EXPECT_NEAR(predict(start, arcs, {}, path.between(0, 1)).mean[2], 1, 1e-12) << "in place";
+  EXPECT_NEAR(predict(start, arcs, {}, path.between(1, 2)).mean[2], 0.3, 1e-12) << "an arc of half a radian";
+  EXPECT_NEAR(predict(start, arcs, {}, path.between(0, 2)).mean[2], 1.3, 1e-12) << "both";
 }
 
 RC_GTEST_PROP(KalmanState, PredictsTheCovarianceWithTheJacobianOfTheMotion, ())

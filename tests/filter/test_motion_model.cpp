@@ -4,6 +4,9 @@
 
 #include <Eigen/Cholesky>
 
+#include "mrpt_ext/filter/kalman/kalman_state.h"
+#include "mrpt_ext/geometry/odometry_path.h"
+
 namespace mrpt_ext::test_motion_model
 {
 namespace
@@ -18,13 +21,8 @@ struct Spread
   Matrix3d covariance = Matrix3d::Zero();
 };
 
-/// Mean and covariance of many robots that start at `start` and make `steps` equal motions.
-Spread spreadAfter(const MotionModel& model, const OdometryMotion& motion, int steps, const Pose2& start = {})
+Spread spreadOf(const ParticleSet& particles)
 {
-  ParticleSet particles;
-  for (std::size_t i = 0; i < kParticles; ++i) particles.add(start, 0);
-  RandomStream random(11);
-  for (int k = 0; k < steps; ++k) sampleMotion(particles, model, motion, random);
   Spread spread;
   for (std::size_t i = 0; i < kParticles; ++i) spread.mean += particles.pose(i).vector() / kParticles;
   for (std::size_t i = 0; i < kParticles; ++i)
@@ -34,6 +32,16 @@ Spread spreadAfter(const MotionModel& model, const OdometryMotion& motion, int s
     spread.covariance += d * d.transpose() / kParticles;
   }
   return spread;
+}
+
+/// Mean and covariance of many robots that start at `start` and make `steps` equal motions.
+Spread spreadAfter(const MotionModel& model, const OdometryMotion& motion, int steps, const Pose2& start = {})
+{
+  ParticleSet particles;
+  for (std::size_t i = 0; i < kParticles; ++i) particles.add(start, 0);
+  RandomStream random(11);
+  for (int k = 0; k < steps; ++k) sampleMotion(particles, model, motion, random);
+  return spreadOf(particles);
 }
 
 OdometryMotion straight(double length, double duration) { return {{length, 0, 0}, length, 0, duration}; }
@@ -110,6 +118,46 @@ TEST(MotionModel, ManySmallIncrementsHaveTheCovarianceOfOneLargeIncrement)
   const double scale = std::sqrt(once.covariance(1, 1) * once.covariance(2, 2));
   EXPECT_NEAR(often.covariance(1, 2), once.covariance(1, 2), 0.03 * scale);
   EXPECT_NEAR(often.mean.x(), once.mean.x(), 0.01 * 4);
+}
+
+TEST(MotionModel, OneIncrementOfAPathThatTurnsFirstHasTheCovarianceOfItsParts)
+{
+  std::vector<OdometryRecord> records;
+  for (int k = 0; k <= 40; ++k)
+    records.push_back({0.1 * k, k <= 20 ? Pose2{0, 0, 0.05 * k} : Pose2{0.1 * (k - 20) * std::cos(1.0), 0.1 * (k - 20) * std::sin(1.0), 1}});
+  const OdometryPath path(records, {});
+  const Matrix3d whole = incrementCovariance(kModel, path.between(0, 4));
+  ParticleSet particles;
+  for (std::size_t i = 0; i < kParticles; ++i) particles.add({0, 0, 0}, 0);
+  RandomStream random(3);
+  for (int k = 0; k < 40; ++k) sampleMotion(particles, kModel, path.between(0.1 * k, 0.1 * (k + 1)), random);
+  const Matrix3d parts = spreadOf(particles).covariance;
+  expectSameStd(parts, whole, 0.03);
+  // A turn missed at the beginning swings all of the chord: evenly along it this would be half of it.
+  const Vector2d across(-std::sin(1.0), std::cos(1.0));
+  EXPECT_NEAR(across.dot(parts.topRightCorner<2, 1>()), across.dot(whole.topRightCorner<2, 1>()),
+              0.03 * std::abs(across.dot(whole.topRightCorner<2, 1>())));
+}
+
+TEST(MotionModel, ParticlesAndKalmanFilterAgreeOnEverySystematicError)
+{
+  const MotionModel exact{
+      .std_xy_per_m = 0, .std_phi_per_deg = 0, .std_phi_per_m = 0, .std_xy_per_s = 0, .std_phi_per_s = 0};
+  const OdometryPath path({{0, {0, 0, 0}}, {1, {0, 0, 0.8}}, {2, {1.2, 0.4, 1.1}}, {3, {1.5, 1.9, 0.7}}}, {});
+  const OdometryMotion motion = path.between(0.3, 3);
+  for (const BiasKind kind : {BiasKind::distance_scale, BiasKind::rotation_scale, BiasKind::arc_scale, BiasKind::veer,
+                              BiasKind::drift})
+  {
+    const BiasModel model{{.kind = kind, .mean = 0.1, .std = 0.1}};
+    ParticleSet particles({0, 0}, model);
+    particles.add({1, 2, 0.5}, 0);
+    particles.bias = {{0.1F}};
+    RandomStream random(1);
+    sampleMotion(particles, exact, motion, random);
+    const Pose2 expected = predict(startingState({{1, 2, 0.5}, Matrix3d::Zero()}, model), model, exact, motion).pose();
+    EXPECT_TRUE(particles.pose(0).vector().isApprox(expected.vector(), 1e-5)) << static_cast<int>(kind);
+    EXPECT_GT((expected.vector() - compose({1, 2, 0.5}, motion.increment).vector()).norm(), 0.01);
+  }
 }
 
 TEST(MotionModel, TheSourcesOfNoiseAddUpToTheStatedOne)

@@ -76,7 +76,7 @@ TEST(SequentialPoseTest, TheSameDetectionFromTheSameSpotCountsOnce)
   RandomStream random(1);
   const LandmarkTable map = randomMap(15, 10, random);
   const Pose2 truth{5, 2, 0};
-  Frame frame = simulatedFrame({.detections = 1}, map, truth, {}, random);
+  Frame frame = simulatedFrame({.detections = 2}, map, truth, {}, random);
   frame.motion = {};
   SequentialPoseTest test(motionModelOf({}), map);
   test.update(frame, map, particlesAt(truth, random));
@@ -84,6 +84,53 @@ TEST(SequentialPoseTest, TheSameDetectionFromTheSameSpotCountsOnce)
   EXPECT_NE(once, 0);
   for (int k = 0; k < 20; ++k) test.update(frame, map, particlesAt(truth, random));
   EXPECT_EQ(test.logOdds(), once);
+}
+
+TEST(SequentialPoseTest, OneLandmarkAloneVerifiesNoPose)
+{
+  const LandmarkTable map({{.id = 1, .position = {2, 2, 0}}, {.id = 2, .position = {7, 3, 0}}});
+  const auto drive = [&](std::size_t detections, bool compass)
+  {
+    RandomStream random(4);
+    SequentialPoseTest test(motionModelOf({}), map);
+    Pose2 truth{5, 2, 0};
+    for (int k = 0; k < 60; ++k)
+    {
+      truth = compose(truth, roundTripStep(k));
+      Frame frame = simulatedFrame({.measures_range = true}, map, truth, roundTripStep(k), random);
+      for (Reading& reading : frame.readings)
+        std::erase_if(reading.detections, [&](const Detection& d) { return d.id > static_cast<int>(detections); });
+      if (compass) frame.compass = CompassRecord{.heading = truth.phi, .std_heading = 0.1};
+      test.update(frame, map, particlesAt(truth, random));
+    }
+    return test.logOdds();
+  };
+  EXPECT_LT(drive(1, false), 1);
+  EXPECT_GE(drive(2, false), SequentialPoseTest::kAcceptLogOdds);
+  EXPECT_GE(drive(1, true), SequentialPoseTest::kAcceptLogOdds) << "the heading is known";
+}
+
+TEST(SequentialPoseTest, AVerifiedPoseIsConfirmedByOneLandmark)
+{
+  const LandmarkTable map({{.id = 1, .position = {2, 2, 0}}, {.id = 2, .position = {7, 3, 0}}});
+  RandomStream random(5);
+  SequentialPoseTest test(motionModelOf({}), map);
+  test.accept();
+  Pose2 truth{5, 2, 0};
+  const auto update = [&](int k, int id, const Pose2& off)
+  {
+    truth = compose(truth, roundTripStep(k));
+    Frame frame = simulatedFrame({.measures_range = true}, map, truth, roundTripStep(k), random);
+    for (Reading& reading : frame.readings)
+      std::erase_if(reading.detections, [&](const Detection& d) { return d.id != id; });
+    test.update(frame, map, particlesAt(compose(truth, off), random));
+    return test.logOdds();
+  };
+  double after = 0;
+  for (int k = 0; k < 4; ++k) after = update(k, 2, {1, 1, 1});  // a false detection, say
+  ASSERT_LT(after, SequentialPoseTest::kMaxLogOdds - 1);
+  for (int k = 4; k < 30; ++k) after = update(k, 1, {});
+  EXPECT_GT(after, SequentialPoseTest::kMaxLogOdds - 1);
 }
 
 TEST(SequentialPoseTest, DetectionsThatSelectedTheModeDoNotCount)

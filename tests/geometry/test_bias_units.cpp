@@ -14,12 +14,13 @@ TEST(BiasUnits, EveryKindHasItsRow)
 
 TEST(BiasUnits, AnglesAreDegreesInFiles)
 {
+  EXPECT_STREQ(unitOf(BiasKind::bearing_offset).unit, "deg");
+  EXPECT_STREQ(unitOf(BiasKind::drift).suffix, "_deg_per_s");
   for (const BiasUnit& row : kBiasUnits)
   {
-    const bool angle = row.kind == BiasKind::bearing_offset;
-    EXPECT_NEAR(row.factor, angle ? 57.29578 : 1, 1e-5) << row.name;
-    EXPECT_EQ(row.unit == std::string("deg"), angle) << row.name;
-    EXPECT_EQ(std::string(row.suffix), *row.unit == '\0' ? "" : std::string("_") + row.unit);
+    const std::string unit = row.unit, suffix = row.suffix;
+    EXPECT_NEAR(row.factor, unit.starts_with("deg") ? 57.29578 : 1, 1e-5) << row.name;
+    EXPECT_EQ(suffix.substr(0, suffix.find("_per_")), unit.empty() ? "" : "_" + unit.substr(0, unit.find('/')));
   }
 }
 }  // namespace mrpt_ext::test_bias_units

@@ -38,6 +38,12 @@ std::string definitionOf(BiasKind kind)
       return "relative error of the odometry distance: true = (1 + scale) * measured";
     case BiasKind::rotation_scale:
       return "relative error of the odometry's turns: true = (1 + scale) * measured";
+    case BiasKind::arc_scale:
+      return "relative error of the odometry's turns while the robot drives, on top of odometry_rotation_scale";
+    case BiasKind::veer:
+      return "turn per metre that the odometry does not measure";
+    case BiasKind::drift:
+      return "turn per second that the odometry does not measure";
   }
   return {};
 }

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <optional>
+#include <string_view>
+
 #include "mrpt_ext/calibration/calibration_problem.h"
 #include "mrpt_ext/geometry/bias_model.h"
 
 namespace mrpt_ext
 {
-/// The calibration parameter that an error estimated beside the pose is.
-[[nodiscard]] constexpr CalibrationParameter parameterOf(BiasKind kind)
+/// The calibration parameter that an error estimated beside the pose is; nothing where there is none.
+[[nodiscard]] constexpr std::optional<CalibrationParameter> parameterOf(BiasKind kind)
 {
   switch (kind)
   {
@@ -19,9 +22,14 @@ namespace mrpt_ext
     case BiasKind::distance_scale:
       return CalibrationParameter::distance_scale;
     case BiasKind::rotation_scale:
+      return CalibrationParameter::rotation_scale;
+    case BiasKind::veer:
+      return CalibrationParameter::veer;
+    case BiasKind::arc_scale:
+    case BiasKind::drift:
       break;
   }
-  return CalibrationParameter::rotation_scale;
+  return std::nullopt;
 }
 
 /// True when the configured error `bias` is `unknown`; `label`: of the unknown's sensor.

@@ -188,6 +188,7 @@ OdometryMotion InnovationObserver::smoothMotion(const Frame& frame) const
   const Vector2d step = rotation(-turned) * smooth.increment.position() * share;
   smooth.increment = {step.x(), step.y(), smooth.increment.phi * share};
   smooth.path_length *= share;
+  smooth.moments.reset();
   return smooth;
 }
 

@@ -13,7 +13,10 @@ enum class BiasKind
   range_scale,     ///< relative, 0 = as measured
   bearing_offset,  ///< [rad] measured bearing = true bearing + offset
   distance_scale,  ///< relative error of odometry: true = (1 + scale) * measured distance
-  rotation_scale   ///< relative error of odometry: true = (1 + scale) * measured rotation
+  rotation_scale,  ///< relative error of odometry: true = (1 + scale) * measured rotation
+  arc_scale,       ///< ... of rotations while the robot drives, on top of rotation_scale
+  veer,            ///< [rad/m] true heading minus measured one, gained per metre
+  drift            ///< [rad/s] true heading minus measured one, gained per second
 };
 
 /// One such error: Gaussian prior, then a random walk.
@@ -30,10 +33,7 @@ struct BiasState
 using BiasModel = std::vector<BiasState>;
 
 /// True for the errors of odometry.
-[[nodiscard]] inline bool belongsToOdometry(BiasKind kind)
-{
-  return kind == BiasKind::distance_scale || kind == BiasKind::rotation_scale;
-}
+[[nodiscard]] inline bool belongsToOdometry(BiasKind kind) { return kind >= BiasKind::distance_scale; }
 
 /// True when the error acts on readings of the sensor with this label: its own label, or one that continues it after
 /// a dot ("camera" acts on "camera.4").

@@ -17,12 +17,15 @@ struct BiasUnit
   double factor;       ///< value in a file = factor * BiasState::mean
 };
 
-inline constexpr std::array<BiasUnit, 5> kBiasUnits{{
+inline constexpr std::array<BiasUnit, 8> kBiasUnits{{
     {BiasKind::range_offset, "range_offset", "m", "_m", 1},
     {BiasKind::range_scale, "range_scale", "", "", 1},
     {BiasKind::bearing_offset, "bearing_offset", "deg", "_deg", radToDeg(1.0)},
     {BiasKind::distance_scale, "odometry_distance_scale", "", "", 1},
     {BiasKind::rotation_scale, "odometry_rotation_scale", "", "", 1},
+    {BiasKind::arc_scale, "odometry_arc_scale", "", "", 1},
+    {BiasKind::veer, "odometry_veer", "deg/m", "_deg_per_m", radToDeg(1.0)},
+    {BiasKind::drift, "odometry_drift", "deg/s", "_deg_per_s", radToDeg(1.0)},
 }};
 
 [[nodiscard]] constexpr const BiasUnit& unitOf(BiasKind kind) { return kBiasUnits[static_cast<std::size_t>(kind)]; }

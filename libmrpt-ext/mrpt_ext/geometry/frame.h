@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mrpt_ext/geometry/measurement.h"
+#include "mrpt_ext/geometry/path_moments.h"
 #include "mrpt_ext/geometry/recording.h"
 
 namespace mrpt_ext
@@ -16,7 +17,14 @@ struct OdometryMotion
   double turned = 0;                   ///< [rad] sum of absolute heading changes
   double duration = 0;                 ///< [s]
   Matrix3d excess = Matrix3d::Zero();  ///< covariance of the increment [m^2, m rad, rad^2] beyond the stated noise
+  std::optional<PathMoments> moments;  ///< absent: turn, length and time pass evenly along the increment
 };
+
+[[nodiscard]] inline PathMoments momentsOf(const OdometryMotion& motion)
+{
+  if (motion.moments) return *motion.moments;
+  return momentsOf(PathPiece{motion.increment, motion.path_length, motion.turned, motion.duration});
+}
 
 /// The detections of all sensors at (nearly) one time: the input of every localizer.
 /// The sensor poses of earlier readings are moved to `time` by odometry.

@@ -73,7 +73,39 @@ Pose2 OdometryPath::at(double time) const { return pointAt(time).pose; }
 OdometryMotion OdometryPath::between(double from, double to) const
 {
   const PathPoint a = pointAt(from), b = pointAt(to);
-  return {mrpt_ext::between(a.pose, b.pose), b.length - a.length, b.turned - a.turned, to - from};
+  OdometryMotion motion{mrpt_ext::between(a.pose, b.pose), b.length - a.length, b.turned - a.turned, to - from};
+  motion.moments = momentsBetween(from, to);
+  return motion;
+}
+
+std::optional<PathMoments> OdometryPath::momentsBetween(double from, double to) const
+{
+  const auto after = [&](double time)
+  {
+    return std::upper_bound(path_.begin(), path_.end(), time,
+                            [](double wanted, const TimedPose& entry) { return wanted < entry.time; });
+  };
+  const auto first = after(from), last = after(to);
+  if (!(first < last)) return std::nullopt;
+  PathMoments moments;
+  const PathPoint begin = pointAt(from);
+  PathPoint before = begin;
+  double time = from;
+  const auto appendUntil = [&](double next, const PathPoint& point)
+  {
+    append(moments, mrpt_ext::between(begin.pose, before.pose),
+           {mrpt_ext::between(before.pose, point.pose), point.length - before.length, point.turned - before.turned,
+            next - time});
+    before = point;
+    time = next;
+  };
+  for (auto record = first; record != last; ++record)
+  {
+    const auto i = static_cast<std::size_t>(record - path_.begin());
+    appendUntil(record->time, {record->pose, length_[i], turned_[i]});
+  }
+  appendUntil(to, pointAt(to));
+  return moments;
 }
 
 Pose2 motionBetween(const Trajectory& odometry, double from, double to)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "mrpt_ext/geometry/frame.h"
@@ -45,6 +46,8 @@ class OdometryPath
     double length = 0, turned = 0;
   };
   [[nodiscard]] PathPoint pointAt(double time) const;
+  /// Of the path between two times, nothing when no record is between them.
+  [[nodiscard]] std::optional<PathMoments> momentsBetween(double from, double to) const;
 
   OdometryCorrection correction_;
   Pose2 logged_;  // of the record added last, not corrected

@@ -125,7 +125,7 @@ std::string ConsiderCovariance::finding(const Matrix3d& stated) const
 
 LinearStep ConsiderCovariance::linearise(const KalmanState& before, const Frame& frame)
 {
-  LinearStep step{.time = frame.time, .motion = frame.motion, .before = before};
+  LinearStep step{.time = frame.time, .motion = nominalMotion(motion_, frame.motion), .before = before};
   step.predicted = predict(before, biases_, motion_, frame.motion);
   step.motion_jacobian = motionJacobian(before, biases_, motion_, frame.motion);
   step.increment_noise = composeJacobianSecond(before.pose()) * incrementCovariance(motion_, frame.motion);

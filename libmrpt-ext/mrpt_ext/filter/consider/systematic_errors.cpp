@@ -134,12 +134,12 @@ PriorStds SystematicErrors::prior() const
 
 void SystematicErrors::predict(const LinearStep& step)
 {
-  // The estimate has missed what odometry did not tell: a turn missed evenly swings half of the chord.
+  // The estimate has missed what odometry did not tell.
   response_ = (step.motion_jacobian * response_).eval();
-  const Vector2d chord = step.predicted.pose().position() - step.before.pose().position();
-  const Vector3d by_turn(-0.5 * chord.y(), 0.5 * chord.x(), 1);
-  response_.col(veer_error).head<3>() -= step.motion.path_length * by_turn;
-  response_.col(drift_error).head<3>() -= step.motion.duration * by_turn;
+  const PathMoments moments = momentsOf(step.motion);
+  const Matrix3d to_world = composeJacobianSecond(step.before.pose());
+  response_.col(veer_error).head<3>() -= to_world * moments.by_length;
+  response_.col(drift_error).head<3>() -= to_world * moments.by_time;
 }
 
 Eigen::MatrixXd SystematicErrors::measurementDerivatives(const LinearStep& step) const

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "mrpt_ext/filter/integrity/sensor_monitors.h"
 #include "mrpt_ext/likelihood/detection_density.h"
@@ -102,8 +101,8 @@ double SequentialPoseTest::nullLogLikelihood(const Reading& independent, double 
 void SequentialPoseTest::start(const std::vector<Reading>& readings, const LandmarkTable& map,
                                const ParticleSet& samples)
 {
+  reset();
   decorrelator_.clear();
-  by_landmark_.clear();
   null_model_.clear();
   point_null_model_.clear();
   ParticleSet particles = samples;
@@ -117,6 +116,7 @@ void SequentialPoseTest::update(const Frame& frame, const LandmarkTable& map, co
 {
   move(frame.motion);
   decayAfterGap(frame);
+  heading_measured_ = heading_measured_ || frame.compass;
   test(scoredReadings(frame), map, thinned(predicted));
 }
 
@@ -140,11 +140,10 @@ void SequentialPoseTest::test(const std::vector<Reading>& readings, const Landma
 
 double SequentialPoseTest::counted(const Reading& part, double log_ratio, bool first)
 {
-  static const bool loo = std::getenv("PT_LOO") == nullptr || std::atoi(std::getenv("PT_LOO")) != 0;
-  if (hasAnonymous(part) || !loo) return spot_.counted(std::min(log_ratio, kMaxLogOdds - log_odds_), first);
-  const double added = by_landmark_.add(part.detections.front().id, log_ratio);
+  if (hasAnonymous(part)) return spot_.counted(std::min(log_ratio, kMaxLogOdds - log_odds_), first);
+  const double against_rivals = by_landmark_.add(part.detections.front().id, log_ratio);
   if (log_odds_ <= 0) rivals_refuted_ = false;
-  if (verified()) rivals_refuted_ = true;
-  return rivals_refuted_ ? log_ratio : added;
+  if (verified() || heading_measured_) rivals_refuted_ = true;
+  return rivals_refuted_ ? log_ratio : against_rivals;
 }
 }  // namespace mrpt_ext

@@ -25,6 +25,10 @@ namespace mrpt_ext
 /// hypothesis the odds exceed 1/a with probability a at most, at any time (Ville's inequality); at the right pose they
 /// grow with every independent detection. Detections that repeat themselves at one spot neither prove nor refute
 /// (spot_evidence.h).
+///
+/// Beside chance there are the rivals of landmark_evidence.h, which fit one landmark as well. Against those one landmark
+/// alone proves nothing, however often it is seen; once the pose is verified they are refuted, and each landmark counts,
+/// until nothing is left of the odds. Where a compass measures the heading there are none.
 class SequentialPoseTest
 {
  public:
@@ -66,7 +70,7 @@ class SequentialPoseTest
   double nullLogLikelihood(const Reading& independent, double default_max_range);
   /// Adds the log-likelihood ratio of the readings' independent detections; `particles` are weighted with them.
   void test(const std::vector<Reading>& readings, const LandmarkTable& map, ParticleSet particles);
-  /// What counts of the log-likelihood ratio of detections that are all anonymous or one that is identified.
+  /// What counts of the log-likelihood ratio of anonymous detections, or of one that is identified.
   [[nodiscard]] double counted(const Reading& part, double log_ratio, bool first);
 
   DetectionDecorrelator decorrelator_;
@@ -74,7 +78,7 @@ class SequentialPoseTest
   PointNullModel point_null_model_;  // of those with ranges
   SpotEvidence spot_;
   LandmarkEvidence by_landmark_{kMaxLogOdds};  // of identified detections
-  bool rivals_refuted_ = false;  // those that fit one landmark
+  bool rivals_refuted_ = false, heading_measured_ = false;
   double log_odds_ = 0;
   double gap_ = 0;  // [s] since the last detection
 };

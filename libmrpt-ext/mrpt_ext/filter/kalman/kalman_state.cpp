@@ -60,12 +60,19 @@ struct LinearisedMotion
 LinearisedMotion linearise(const KalmanState& state, const BiasModel& biases, const MotionModel& model,
                            const OdometryMotion& motion)
 {
-  const Pose2 measured = nominalMotion(model, motion).increment;
+  const OdometryMotion nominal = nominalMotion(model, motion);
+  const Pose2 measured = nominal.increment;
+  const PathMoments moments = momentsOf(nominal);
+  Vector3d missed = Vector3d::Zero();
+  for (std::size_t k = 0; k < biases.size(); ++k)
+    missed += state.mean[kPose + static_cast<int>(k)] * headingLever(biases[k].kind, moments);
+  // The chord turns by half of what the heading missed, and by what the path was not even.
+  const Matrix2d turned = rotation(0.5 * missed.z());
+  const Vector2d left(-measured.y, measured.x);
+  const Vector2d direction = turned * measured.position() + missed.head<2>() - 0.5 * missed.z() * left;
   const double distance_scale = total(state.mean, biases, BiasKind::distance_scale);
-  const double rotation_scale = total(state.mean, biases, BiasKind::rotation_scale);
-  const Vector2d direction = rotation(0.5 * rotation_scale * measured.phi) * measured.position();
   const Vector2d chord = (1 + distance_scale) * direction;
-  const Pose2 increment{chord.x(), chord.y(), (1 + rotation_scale) * measured.phi};
+  const Pose2 increment{chord.x(), chord.y(), measured.phi + missed.z()};
 
   const auto size = state.mean.size();
   const Pose2 before = state.pose();
@@ -74,10 +81,14 @@ LinearisedMotion linearise(const KalmanState& state, const BiasModel& biases, co
   F.topLeftCorner<3, 3>() = composeJacobianFirst(before, increment);
   for (std::size_t k = 0; k < biases.size(); ++k)
   {
-    const Vector3d by_distance(direction.x(), direction.y(), 0);
-    const Vector3d by_rotation(-0.5 * measured.phi * chord.y(), 0.5 * measured.phi * chord.x(), measured.phi);
-    if (biases[k].kind == BiasKind::distance_scale) F.block<3, 1>(0, kPose + static_cast<int>(k)) = G * by_distance;
-    if (biases[k].kind == BiasKind::rotation_scale) F.block<3, 1>(0, kPose + static_cast<int>(k)) = G * by_rotation;
+    const Vector3d lever = headingLever(biases[k].kind, moments);
+    Vector3d by_error(direction.x(), direction.y(), 0);
+    if (biases[k].kind != BiasKind::distance_scale)
+    {
+      const Vector2d end = lever.head<2>() + 0.5 * lever.z() * (turned * left - left);
+      by_error << (1 + distance_scale) * end, lever.z();
+    }
+    if (belongsToOdometry(biases[k].kind)) F.block<3, 1>(0, kPose + static_cast<int>(k)) = G * by_error;
   }
   return {increment, F};
 }

@@ -64,56 +64,74 @@ void moveEach(const Poses& at, const MotionStep& motion, const Increments& incre
     moveOne(poses, i, step, increments.x[i], increments.y[i], increments.turn[i], noise);
 }
 
-/// `distance` and `turn` hold one plus the scale errors.
+/// What the errors of the particles change of the motion.
+struct Changes
+{
+  alignas(64) Chunk distance;   // factor
+  alignas(64) Chunk turn, x, y;  // sums over the errors, see BiasLever
+};
+
 MRPT_EXT_VECTOR_CLONES
-void scaleIncrements(const MotionStep& motion, const Chunk& distance, const Chunk& turn, Increments& increments)
+void changeIncrements(const MotionStep& motion, const Changes& changes, Increments& increments)
 {
   const MotionStep step = motion;
   MRPT_EXT_INDEPENDENT_ITERATIONS
   for (std::size_t i = 0; i < kChunk; ++i)
   {
-    const auto [s, c] = vector_math::sineCosineOf(0.5F * (turn[i] - 1.0F) * step.turn);
-    increments.x[i] = distance[i] * (c * step.x - s * step.y);
-    increments.y[i] = distance[i] * (s * step.x + c * step.y);
-    increments.turn[i] = turn[i] * step.turn;
+    const auto [s, c] = vector_math::sineCosineOf(0.5F * changes.turn[i]);
+    increments.x[i] = changes.distance[i] * (c * step.x - s * step.y + changes.x[i]);
+    increments.y[i] = changes.distance[i] * (s * step.x + c * step.y + changes.y[i]);
+    increments.turn[i] = step.turn + changes.turn[i];
   }
 }
 
-bool hasScales(const ParticleSet& particles)
+bool hasErrors(const ParticleSet& particles)
 {
   return std::any_of(particles.bias_states.begin(), particles.bias_states.end(),
                      [](const BiasState& state) { return belongsToOdometry(state.kind); });
 }
 
-void moveByScales(const ParticleSet& particles, const Poses& poses, const MotionStep& step, std::size_t first,
-                  const Noise& noise)
+void addError(BiasKind kind, const BiasLever& lever, const float* error, std::size_t count, Changes& changes)
 {
-  alignas(64) Chunk distance, turn;
-  std::fill_n(distance, kChunk, 1.0F);
-  std::fill_n(turn, kChunk, 1.0F);
-  for (std::size_t k = 0; k < particles.bias_states.size(); ++k)
+  if (kind == BiasKind::distance_scale)
   {
-    const BiasKind kind = particles.bias_states[k].kind;
-    if (!belongsToOdometry(kind)) continue;
-    Chunk& scale = kind == BiasKind::distance_scale ? distance : turn;
-    for (std::size_t i = 0; i < poses.count; ++i) scale[i] += particles.bias[k][first + i];
+    for (std::size_t i = 0; i < count; ++i) changes.distance[i] += error[i];
+    return;
   }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    changes.turn[i] += lever.turn * error[i];
+    changes.x[i] += lever.x * error[i];
+    changes.y[i] += lever.y * error[i];
+  }
+}
+
+void moveWithErrors(const ParticleSet& particles, const Poses& poses, const MotionStep& step,
+                    const std::vector<BiasLever>& levers, std::size_t first, const Noise& noise)
+{
+  Changes changes;
+  std::fill_n(changes.distance, kChunk, 1.0F);
+  for (Chunk* sum : {&changes.turn, &changes.x, &changes.y}) std::fill_n(*sum, kChunk, 0.0F);
+  for (std::size_t k = 0; k < particles.bias_states.size(); ++k)
+    if (belongsToOdometry(particles.bias_states[k].kind))
+      addError(particles.bias_states[k].kind, levers[k], &particles.bias[k][first], poses.count, changes);
   Increments increments;
-  scaleIncrements(step, distance, turn, increments);
+  changeIncrements(step, changes, increments);
   moveEach(poses, step, increments, noise);
 }
 }  // namespace
 
-void moveBlock(ParticleSet& particles, const MotionStep& step, std::size_t first, std::size_t count, SimdRandom& random)
+void moveBlock(ParticleSet& particles, const MotionStep& step, const std::vector<BiasLever>& levers, std::size_t first,
+               std::size_t count, SimdRandom& random)
 {
-  const bool scaled = hasScales(particles);
+  const bool errs = hasErrors(particles);
   Noise noise;
   for (const std::size_t end = first + count; first < end; first += kChunk)
   {
     for (Chunk* column : {&noise.a, &noise.b, &noise.c}) random.fillGaussians(*column);
     const Poses poses{&particles.x[first], &particles.y[first], &particles.phi[first], std::min(kChunk, end - first)};
-    if (scaled)
-      moveByScales(particles, poses, step, first, noise);
+    if (errs)
+      moveWithErrors(particles, poses, step, levers, first, noise);
     else
       moveTogether(poses, step, noise);
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "mrpt_ext/filter/particles/particle_set.h"
 #include "mrpt_ext/filter/particles/simd_random.h"
 
@@ -15,7 +17,15 @@ struct MotionStep
   float std_turn = 0;              ///< [rad]
 };
 
-/// Moves `count` particles from `first` on.
-void moveBlock(ParticleSet& particles, const MotionStep& step, std::size_t first, std::size_t count,
-               SimdRandom& random);
+/// What an error of a particle of one unit adds to its motion: a turn, and what the end moves by beside half of that
+/// turn of the chord. All zero for the error of the distance, which is a factor, and those of sensors.
+struct BiasLever
+{
+  float turn = 0;      ///< [rad]
+  float x = 0, y = 0;  ///< [m]
+};
+
+/// Moves `count` particles from `first` on; `levers` in the order of their errors.
+void moveBlock(ParticleSet& particles, const MotionStep& step, const std::vector<BiasLever>& levers, std::size_t first,
+               std::size_t count, SimdRandom& random);
 }  // namespace mrpt_ext

@@ -12,11 +12,20 @@ namespace
 {
 constexpr std::size_t kCostOfMove = 15;  // of a particle, in operations (work_counter.h)
 
-/// Derivative of the end point by a heading error: the chord, rotated by 90 degrees.
-Vector2d swingDirection(const MotionModel& model, const OdometryMotion& motion)
+/// What the errors of the particles add to the motion, in the order of the model.
+std::vector<BiasLever> biasLevers(const BiasModel& biases, const OdometryMotion& nominal)
 {
-  if (model.type == MotionType::random_walk) return Vector2d::Zero();
-  return {-motion.increment.y, motion.increment.x};
+  const PathMoments moments = momentsOf(nominal);
+  const Vector2d chord = nominal.increment.position();
+  std::vector<BiasLever> levers;
+  for (const BiasState& bias : biases)
+  {
+    const Vector3d lever = headingLever(bias.kind, moments);
+    levers.push_back({.turn = static_cast<float>(lever.z()),
+                      .x = static_cast<float>(lever.x() + 0.5 * lever.z() * chord.y()),
+                      .y = static_cast<float>(lever.y() - 0.5 * lever.z() * chord.x())});
+  }
+  return levers;
 }
 
 /// Lower factor L of a positive semidefinite matrix L L^T.
@@ -33,8 +42,29 @@ Matrix2d lowerFactor(const Matrix2d& matrix)
 OdometryMotion nominalMotion(const MotionModel& model, const OdometryMotion& motion)
 {
   OdometryMotion nominal = motion;
-  if (model.type == MotionType::random_walk) nominal.increment = {};
+  if (model.type == MotionType::random_walk)
+  {
+    nominal.increment = {};
+    nominal.moments.reset();
+  }
   return nominal;
+}
+
+Vector3d headingLever(BiasKind kind, const PathMoments& moments)
+{
+  switch (kind)
+  {
+    case BiasKind::rotation_scale:
+      return moments.by_turn;
+    case BiasKind::arc_scale:
+      return moments.by_arc;
+    case BiasKind::veer:
+      return moments.by_length;
+    case BiasKind::drift:
+      return moments.by_time;
+    default:
+      return Vector3d::Zero();
+  }
 }
 
 Vector3d incrementStd(const MotionModel& model, const OdometryMotion& motion)
@@ -50,11 +80,10 @@ Vector3d incrementStd(const MotionModel& model, const OdometryMotion& motion)
 Matrix3d incrementCovariance(const MotionModel& model, const OdometryMotion& motion)
 {
   const Vector3d std = incrementStd(model, motion);
-  const Vector2d swing = swingDirection(model, motion);
-  Matrix3d covariance = std.cwiseAbs2().asDiagonal();
-  covariance.topLeftCorner<2, 2>() += square(std.z()) / 3 * swing * swing.transpose();
-  covariance.topRightCorner<2, 1>() = square(std.z()) / 2 * swing;
-  covariance.bottomLeftCorner<1, 2>() = covariance.topRightCorner<2, 1>().transpose();
+  const PathMoments moments = momentsOf(nominalMotion(model, motion));
+  Matrix3d covariance = Vector3d(square(std.x()), square(std.y()), 0).asDiagonal();
+  covariance += square(model.std_phi_per_deg) * degToRad(1.0) * moments.turned;
+  covariance += square(model.std_phi_per_m) * moments.length + square(model.std_phi_per_s) * moments.time;
   return covariance + motion.excess;
 }
 
@@ -91,13 +120,14 @@ void sampleMotion(ParticleSet& particles, const MotionModel& model, const Odomet
                         .swing_x = static_cast<float>(swing.x()),
                         .swing_y = static_cast<float>(swing.y()),
                         .std_turn = static_cast<float>(std_turn)};
+  const std::vector<BiasLever> levers = biasLevers(particles.bias_states, nominalMotion(model, motion));
   const std::uint64_t seed = random.nextBits();
   WorkCounter::add(kCostOfMove * particles.size());
   forEachBlock(particles.size(), threads,
                [&](std::size_t first, std::size_t count)
                {
                  SimdRandom lanes(seed, first / kParticleBlock);
-                 moveBlock(particles, step, first, count, lanes);
+                 moveBlock(particles, step, levers, first, count, lanes);
                });
 }
 }  // namespace mrpt_ext

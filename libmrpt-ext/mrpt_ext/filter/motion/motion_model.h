@@ -36,12 +36,15 @@ struct MotionModel
 /// The motion without noise: the measured one, or none for a random walk (its noise covers the motion).
 [[nodiscard]] OdometryMotion nominalMotion(const MotionModel& model, const OdometryMotion& motion);
 
+/// Derivative of the increment (x, y, phi) by a systematic error of the heading; zero for errors of other kinds.
+[[nodiscard]] Vector3d headingLever(BiasKind kind, const PathMoments& moments);
+
 /// Standard deviations (x, y, phi) that `motion` adds by itself, in the robot frame at its start.
 [[nodiscard]] Vector3d incrementStd(const MotionModel& model, const OdometryMotion& motion);
 
-/// Covariance of the increment: the square of incrementStd, and the effect of the heading error, which accumulates
-/// evenly along the motion, on the position: std_phi^2 / 3 across the chord, std_phi^2 / 2 between that and the
-/// heading, per metre of chord. So one long motion spreads like many short ones. The motion's excess is added.
+/// Covariance of the increment: the square of incrementStd, and the effect of the heading errors, which arise along the
+/// path, on the position (path_moments.h). So one long motion spreads like many short ones. The motion's excess is
+/// added.
 [[nodiscard]] Matrix3d incrementCovariance(const MotionModel& model, const OdometryMotion& motion);
 
 /// Where the stated noise comes from: the position; the heading by turning, per metre, and with time.
@@ -53,8 +56,7 @@ using PerNoiseSource = std::array<Value, kNoiseSources>;
 [[nodiscard]] PerNoiseSource<Matrix3d> covarianceBySource(const MotionModel& model, const OdometryMotion& motion);
 
 /// Moves every particle by the increment plus noise of its own (drawn from incrementCovariance, added to the increment,
-/// then composed). Scale errors of odometry that a particle carries multiply distance and rotation by (1 + scale); the
-/// chord of an arc turns by half of what the rotation grows.
+/// then composed). Systematic errors of odometry that a particle carries act on the increment before its noise.
 /// One number is drawn from `random`, which seeds all blocks of particles; `threads` change nothing but the time.
 void sampleMotion(ParticleSet& particles, const MotionModel& model, const OdometryMotion& motion, RandomStream& random,
                   unsigned threads = 1);
