@@ -124,7 +124,8 @@ TEST(MotionModel, OneIncrementOfAPathThatTurnsFirstHasTheCovarianceOfItsParts)
 {
   std::vector<OdometryRecord> records;
   for (int k = 0; k <= 40; ++k)
-    records.push_back({0.1 * k, k <= 20 ? Pose2{0, 0, 0.05 * k} : Pose2{0.1 * (k - 20) * std::cos(1.0), 0.1 * (k - 20) * std::sin(1.0), 1}});
+    records.push_back({0.1 * k, k <= 20 ? Pose2{0, 0, 0.05 * k}
+                                        : Pose2{0.1 * (k - 20) * std::cos(1.0), 0.1 * (k - 20) * std::sin(1.0), 1}});
   const OdometryPath path(records, {});
   const Matrix3d whole = incrementCovariance(kModel, path.between(0, 4));
   ParticleSet particles;
@@ -145,8 +146,8 @@ TEST(MotionModel, ParticlesAndKalmanFilterAgreeOnEverySystematicError)
       .std_xy_per_m = 0, .std_phi_per_deg = 0, .std_phi_per_m = 0, .std_xy_per_s = 0, .std_phi_per_s = 0};
   const OdometryPath path({{0, {0, 0, 0}}, {1, {0, 0, 0.8}}, {2, {1.2, 0.4, 1.1}}, {3, {1.5, 1.9, 0.7}}}, {});
   const OdometryMotion motion = path.between(0.3, 3);
-  for (const BiasKind kind : {BiasKind::distance_scale, BiasKind::rotation_scale, BiasKind::arc_scale, BiasKind::veer,
-                              BiasKind::drift})
+  for (const BiasKind kind :
+       {BiasKind::distance_scale, BiasKind::rotation_scale, BiasKind::arc_scale, BiasKind::veer, BiasKind::drift})
   {
     const BiasModel model{{.kind = kind, .mean = 0.1, .std = 0.1}};
     ParticleSet particles({0, 0}, model);

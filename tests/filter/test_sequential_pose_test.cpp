@@ -89,7 +89,7 @@ TEST(SequentialPoseTest, TheSameDetectionFromTheSameSpotCountsOnce)
 TEST(SequentialPoseTest, OneLandmarkAloneVerifiesNoPose)
 {
   const LandmarkTable map({{.id = 1, .position = {2, 2, 0}}, {.id = 2, .position = {7, 3, 0}}});
-  const auto drive = [&](std::size_t detections, bool compass)
+  const auto drive = [&](std::size_t detections, bool compass, bool identified = true)
   {
     RandomStream random(4);
     SequentialPoseTest test(motionModelOf({}), map);
@@ -99,7 +99,10 @@ TEST(SequentialPoseTest, OneLandmarkAloneVerifiesNoPose)
       truth = compose(truth, roundTripStep(k));
       Frame frame = simulatedFrame({.measures_range = true}, map, truth, roundTripStep(k), random);
       for (Reading& reading : frame.readings)
+      {
         std::erase_if(reading.detections, [&](const Detection& d) { return d.id > static_cast<int>(detections); });
+        for (Detection& d : reading.detections) d.id = identified ? d.id : kNoId;
+      }
       if (compass) frame.compass = CompassRecord{.heading = truth.phi, .std_heading = 0.1};
       test.update(frame, map, particlesAt(truth, random));
     }
@@ -108,6 +111,8 @@ TEST(SequentialPoseTest, OneLandmarkAloneVerifiesNoPose)
   EXPECT_LT(drive(1, false), 1);
   EXPECT_GE(drive(2, false), SequentialPoseTest::kAcceptLogOdds);
   EXPECT_GE(drive(1, true), SequentialPoseTest::kAcceptLogOdds) << "the heading is known";
+  EXPECT_LT(drive(1, false, false), SequentialPoseTest::kAcceptLogOdds) << "anonymous";
+  EXPECT_GE(drive(2, false, false), SequentialPoseTest::kAcceptLogOdds);
 }
 
 TEST(SequentialPoseTest, AVerifiedPoseIsConfirmedByOneLandmark)
@@ -131,6 +136,17 @@ TEST(SequentialPoseTest, AVerifiedPoseIsConfirmedByOneLandmark)
   ASSERT_LT(after, SequentialPoseTest::kMaxLogOdds - 1);
   for (int k = 4; k < 30; ++k) after = update(k, 1, {});
   EXPECT_GT(after, SequentialPoseTest::kMaxLogOdds - 1);
+}
+
+TEST(SequentialPoseTest, ADoubtedPoseHasToBeVerifiedAgain)
+{
+  RandomStream random(1);
+  SequentialPoseTest test({}, randomMap(5, 10, random));
+  test.doubt();
+  EXPECT_EQ(test.logOdds(), 0) << "there is nothing to take back";
+  test.accept();
+  test.doubt();
+  EXPECT_EQ(test.logOdds(), SequentialPoseTest::kAcceptLogOdds / 2);
 }
 
 TEST(SequentialPoseTest, DetectionsThatSelectedTheModeDoNotCount)

@@ -3,7 +3,6 @@
 
 #include "filter_scenario.h"
 #include "mrpt_ext/evaluation/consistency.h"
-#include "mrpt_ext/geometry/formatted.h"
 #include "study.h"
 
 namespace mrpt_ext
@@ -61,30 +60,8 @@ void printRow(std::ostream& out, const std::string& name, const OdometryTally& t
       << std::flush;
 }
 
-void dumpRun(std::ostream& out, std::uint64_t seed, const std::string& identity)
-{
-  const FilterScenario scenario = playScenario("bad-odometry", seed, {"Sensor_camera.identity=" + identity});
-  double gap = 0;
-  for (const FilterSample& s : runFilter(scenario, seed))
-  {
-    std::string ids;
-    for (const Reading& r : s.frame->readings)
-      for (const Detection& d : r.detections) ids += ' ' + std::to_string(d.id);
-    gap = ids.empty() ? gap + s.frame->motion.duration : 0;
-    const auto& C = s.best().pose.covariance;
-    out << formatted("%7.2f d %.2f dphi %6.1f std %.3f phi %5.1f nees %7.1f %s%s%s", s.time, s.distance(), radToDeg(s.error.z()),
-                     std::sqrt(C(0, 0) + C(1, 1)), radToDeg(std::sqrt(C(2, 2))), s.positionNees(), s.step.verdict == Verdict::ok ? "ok" : "--", isWrong(s) && s.step.verdict == Verdict::ok ? " WRONG" : "", s.step.reseeded ? " reseed" : "")
-        << " [" << ids << " ] " << s.step.reason.substr(0, 110) << "\n";
-  }
-}
-
 void runBadOdometry(std::ostream& out)
 {
-  if (const char* dump = std::getenv("DUMP"))
-  {
-    dumpRun(out, static_cast<std::uint64_t>(std::atoi(dump)), std::getenv("IDENTITY"));
-    return;
-  }
   const int runs = studyRuns(200);
   out << "Lost for good: never within " << kFoundAgainWithin << " m in the last " << kEnd << " s. Wrong: ok, more than "
       << kFarOff << " m and " << kFarOffDeviations << " stated deviations off.\n\n"

@@ -45,6 +45,8 @@ void IntegrityMonitor::test(const Frame& frame, const ParticleSet& predicted, bo
     pose_test_.skip(frame);
 }
 
+void IntegrityMonitor::doubt() { pose_test_.doubt(); }
+
 bool IntegrityMonitor::hasLeft(const Mode& best) const
 {
   const bool precise = isUnimodal({{{tested_mode_->gaussianPose(), 1}}, {}}, options_);

@@ -27,6 +27,8 @@ class IntegrityMonitor
   /// Tests the mode with a frame. `predicted`: normalised particles after the motion, not yet weighted with the frame.
   /// `counts` is false when the frame selects between modes or injected hypotheses: it is no evidence for the winner.
   void test(const Frame& frame, const ParticleSet& predicted, bool counts);
+  /// Hypotheses from elsewhere compete because the detections do not agree: whatever wins has to be verified.
+  void doubt();
   /// `contradicted`: the result of the trajectory search fits another pose better than the best mode.
   void setContradicted(bool contradicted) { contradicted_ = contradicted; }
   /// Predicts the mode under test by odometry. When another mode has most of the weight, or the mode under test is not

@@ -70,6 +70,7 @@ FilterStep ParticleFilter::process(const Frame& whole, const HypothesisSources& 
 
   // Recover: let hypotheses from elsewhere compete
   if (recovery.due()) inject(recovery, frame, sources);
+  if (recovery.kind == Recovery::Kind::reseed) integrity_.doubt();
 
   // Weight: w_t = p(z_t | x_t)
   const bool respawned = !(gaussian && track(*gaussian, used)) && weight(used);

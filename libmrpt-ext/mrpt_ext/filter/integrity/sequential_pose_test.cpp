@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "mrpt_ext/filter/integrity/sensor_monitors.h"
+#include "mrpt_ext/filter/kalman/kalman_association.h"
+#include "mrpt_ext/filter/particle_moments.h"
 #include "mrpt_ext/likelihood/detection_density.h"
 #include "mrpt_ext/likelihood/reading_scorer.h"
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
@@ -13,6 +15,7 @@ namespace mrpt_ext
 namespace
 {
 constexpr std::size_t kMaxScored = 4000;  // particles: enough to estimate a density
+constexpr double kClearlySeen = 0.5;      // probability of the association
 
 /// Every k-th particle, at most kMaxScored of them, normalised.
 ParticleSet thinned(const ParticleSet& particles)
@@ -24,19 +27,26 @@ ParticleSet thinned(const ParticleSet& particles)
   return few;
 }
 
-/// The anonymous detections of a reading together, each identified one by itself.
+/// The detections of a reading one by one.
 std::vector<Reading> parts(const Reading& reading)
 {
-  Reading empty = reading;
-  empty.detections.clear();
-  std::vector<Reading> result{empty};
-  for (const Detection& d : reading.detections)
-  {
-    if (d.id != kNoId) result.push_back(empty);
-    (d.id != kNoId ? result.back() : result.front()).detections.push_back(d);
-  }
-  std::erase_if(result, [](const Reading& part) { return part.detections.empty(); });
+  std::vector<Reading> result(reading.detections.size(), reading);
+  for (std::size_t k = 0; k < result.size(); ++k) result[k].detections = {reading.detections[k]};
   return result;
+}
+
+/// Index of the landmark that the particles see in the only detection. Nothing where that is not clear, and for
+/// anonymous bearings: they fit so many poses that those right about one landmark are not the strongest rivals.
+std::optional<std::size_t> landmarkIn(const Reading& part, const LandmarkTable& map, const ParticleSet& particles)
+{
+  const Detection& detection = part.detections.front();
+  if (detection.id != kNoId) return map.indexOf(detection.id);
+  if (!detection.range) return std::nullopt;
+  const auto state = momentsOf(particles, [](std::size_t) { return true; });
+  if (!state) return std::nullopt;
+  const Association found =
+      associate(detection, part, map, startingState(state->gaussianPose(), {}), {}, defaultMaxRange(map));
+  return found.best > kClearlySeen ? std::optional(found.landmark) : std::nullopt;
 }
 }  // namespace
 
@@ -133,15 +143,17 @@ void SequentialPoseTest::test(const std::vector<Reading>& readings, const Landma
       const ReadingScorer scorer(part, map, clutter, particles.origin);
       scorer.addTo(particles.poses(), particles.log_weight);
       const double log_ratio = normalizeWeights(particles).log_sum - nullLogLikelihood(part, defaultMaxRange(map));
-      log_odds_ = std::min(log_odds_ + counted(part, log_ratio, first), kMaxLogOdds);
+      log_odds_ = std::min(log_odds_ + counted(part, landmarkIn(part, map, particles), log_ratio, first), kMaxLogOdds);
     }
   }
 }
 
-double SequentialPoseTest::counted(const Reading& part, double log_ratio, bool first)
+double SequentialPoseTest::counted(const Reading& part, std::optional<std::size_t> landmark, double log_ratio,
+                                   bool first)
 {
-  if (hasAnonymous(part)) return spot_.counted(std::min(log_ratio, kMaxLogOdds - log_odds_), first);
-  const double against_rivals = by_landmark_.add(part.detections.front().id, log_ratio);
+  if (hasAnonymous(part)) log_ratio = spot_.counted(std::min(log_ratio, kMaxLogOdds - log_odds_), first);
+  if (!landmark) return log_ratio;
+  const double against_rivals = by_landmark_.add(*landmark, log_ratio);
   if (log_odds_ <= 0) rivals_refuted_ = false;
   if (verified() || heading_measured_) rivals_refuted_ = true;
   return rivals_refuted_ ? log_ratio : against_rivals;

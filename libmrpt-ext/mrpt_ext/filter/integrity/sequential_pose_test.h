@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "mrpt_ext/filter/integrity/independent_detections.h"
@@ -26,9 +28,9 @@ namespace mrpt_ext
 /// grow with every independent detection. Detections that repeat themselves at one spot neither prove nor refute
 /// (spot_evidence.h).
 ///
-/// Beside chance there are the rivals of landmark_evidence.h, which fit one landmark as well. Against those one landmark
-/// alone proves nothing, however often it is seen; once the pose is verified they are refuted, and each landmark counts,
-/// until nothing is left of the odds. Where a compass measures the heading there are none.
+/// Beside chance there are the rivals of landmark_evidence.h, which fit one landmark as well. Against those one
+/// landmark alone proves nothing, however often it is seen; once the pose is verified they are refuted, and each
+/// landmark counts, until nothing is left of the odds. Where a compass measures the heading there are none.
 class SequentialPoseTest
 {
  public:
@@ -55,6 +57,13 @@ class SequentialPoseTest
     by_landmark_.clear();
     rivals_refuted_ = false;
   }
+  /// The detections do not agree with the mode: what was known of it counts as much as a start at most.
+  void doubt()
+  {
+    log_odds_ = std::min(log_odds_, kAcceptLogOdds / 2);
+    by_landmark_.clear();
+    rivals_refuted_ = false;
+  }
   /// The pose is known.
   void accept() { log_odds_ = kMaxLogOdds; }
 
@@ -70,14 +79,14 @@ class SequentialPoseTest
   double nullLogLikelihood(const Reading& independent, double default_max_range);
   /// Adds the log-likelihood ratio of the readings' independent detections; `particles` are weighted with them.
   void test(const std::vector<Reading>& readings, const LandmarkTable& map, ParticleSet particles);
-  /// What counts of the log-likelihood ratio of anonymous detections, or of one that is identified.
-  [[nodiscard]] double counted(const Reading& part, double log_ratio, bool first);
+  /// What counts of the log-likelihood ratio of a single detection of `landmark`; `first`: see SpotEvidence.
+  [[nodiscard]] double counted(const Reading& part, std::optional<std::size_t> landmark, double log_ratio, bool first);
 
   DetectionDecorrelator decorrelator_;
   NullModel null_model_;             // of anonymous bearings
   PointNullModel point_null_model_;  // of those with ranges
   SpotEvidence spot_;
-  LandmarkEvidence by_landmark_{kMaxLogOdds};  // of identified detections
+  LandmarkEvidence by_landmark_{kMaxLogOdds};
   bool rivals_refuted_ = false, heading_measured_ = false;
   double log_odds_ = 0;
   double gap_ = 0;  // [s] since the last detection

@@ -67,7 +67,7 @@ void moveEach(const Poses& at, const MotionStep& motion, const Increments& incre
 /// What the errors of the particles change of the motion.
 struct Changes
 {
-  alignas(64) Chunk distance;   // factor
+  alignas(64) Chunk distance;    // factor
   alignas(64) Chunk turn, x, y;  // sums over the errors, see BiasLever
 };
 
