@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "mrpt_ext/calibration/parameter_limits.h"
 #include "mrpt_ext/calibration/robust_loss.h"
 #include "mrpt_ext/geometry/quantile.h"
 
@@ -19,21 +20,6 @@ constexpr double kLeastScatter = 0.1, kMostScatter = 30;
 constexpr double kSlip2 = 400;  // squared standard deviations
 constexpr int kMostBlocks = 30, kLeastBlocks = 8;
 
-/// Wide priors, so that an unobservable parameter stays finite.
-double priorStd(CalibrationParameter parameter)
-{
-  switch (parameter)
-  {
-    case CalibrationParameter::delay:
-      return 3;
-    case CalibrationParameter::bearing_offset:
-      return 1;
-    case CalibrationParameter::range_offset:
-      return 30;
-    default:
-      return 1;
-  }
-}
 }  // namespace
 
 TrajectoryAdjustment::TrajectoryAdjustment(const CalibrationProblem& problem, std::vector<CalibrationUnknown> unknowns)
@@ -84,7 +70,7 @@ PoseChainSystem TrajectoryAdjustment::linearized() const
   {
     const auto i = static_cast<Eigen::Index>(k);
     chain.addPrior(-model_.errors()[i], Eigen::RowVectorXd::Unit(model_.errors().size(), i),
-                   1 / square(priorStd(model_.unknowns()[k].parameter)));
+                   1 / square(priorStd(problem_, model_.unknowns()[k])));
   }
   return chain;
 }
@@ -98,7 +84,7 @@ double TrajectoryAdjustment::cost() const
     if (problem_.poses[k].since_previous)
       cost += robust::loss((linkScale() * model_.linkResidual(k, poses_[k - 1], poses_[k])).squaredNorm(), kSlip2);
   for (std::size_t k = 0; k < model_.unknowns().size(); ++k)
-    cost += square(model_.errors()[static_cast<Eigen::Index>(k)] / priorStd(model_.unknowns()[k].parameter));
+    cost += square(model_.errors()[static_cast<Eigen::Index>(k)] / priorStd(problem_, model_.unknowns()[k]));
   return cost;
 }
 

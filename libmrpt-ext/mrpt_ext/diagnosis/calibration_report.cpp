@@ -24,6 +24,9 @@ std::string whyNotObservable(CalibrationParameter kind)
   {
     case CalibrationParameter::delay:
       return "the robot moves too little or too evenly";
+    case CalibrationParameter::lever_arm_x:
+    case CalibrationParameter::lever_arm_y:
+      return "not separable from delay and heading, or too small";
     case CalibrationParameter::bearing_offset:
       return "not separable from the heading";
     case CalibrationParameter::range_offset:
@@ -115,6 +118,16 @@ class Translator
       set(found, error, radToDeg(base), radToDeg(1.0));
       found.configured = radToDeg(now.turn_per_m);
     }
+    if (error.unknown.parameter == CalibrationParameter::drift)
+    {
+      found = {.what = "odometry: unmeasured left turn per second",
+               .unit = "deg/s",
+               .decimals = 3,
+               .line = {kMotion, "odometry_turn_per_s_deg", ""}};
+      const double base = now.turn_per_s * (1 + valueOf(CalibrationParameter::rotation_scale));
+      set(found, error, radToDeg(base), radToDeg(1.0));
+      found.configured = radToDeg(now.turn_per_s);
+    }
     return found;
   }
 
@@ -127,6 +140,14 @@ class Translator
     {
       case CalibrationParameter::delay:
         return delay(error, label, now);
+      case CalibrationParameter::lever_arm_x:
+        found = {.what = label + ": further forward than stated", .unit = "m", .line = {section, "lever_arm_x_m", ""}};
+        set(found, error, now.lever_arm.x(), 1);
+        return found;
+      case CalibrationParameter::lever_arm_y:
+        found = {.what = label + ": further left than stated", .unit = "m", .line = {section, "lever_arm_y_m", ""}};
+        set(found, error, now.lever_arm.y(), 1);
+        return found;
       case CalibrationParameter::bearing_offset:
         found = {.what = label + ": bearing offset",
                  .unit = "deg",
