@@ -65,6 +65,7 @@ struct CalibrationProblem
   std::vector<CalibrationReading> readings;  ///< ordered by pose
   std::vector<OdometryRecord> odometry;      ///< empty: the poses drift by `since_previous` alone
   std::size_t sensors = 0;
+  std::vector<double> known_delays;   ///< [s] of each sensor: its poses are that much before its stamps; absent: 0
   std::vector<double> lever_arm_std;  ///< [m] of each sensor's stated position, along each axis; absent: 0.05
 };
 
@@ -73,5 +74,7 @@ struct SensorScatter
 {
   double bearing = 1, range = 1;  ///< over the declared standard deviation
   std::size_t bearings = 0, ranges = 0;
+  /// Number of residuals less what the adjustment took up: the information about the scatter.
+  double bearing_redundancy = 0, range_redundancy = 0;
 };
 }  // namespace mrpt_ext

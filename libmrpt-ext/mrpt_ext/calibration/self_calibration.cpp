@@ -1,7 +1,9 @@
 #include "mrpt_ext/calibration/self_calibration.h"
 
 #include <algorithm>
+#include <memory>
 
+#include "mrpt_ext/calibration/measurement_times.h"
 #include "mrpt_ext/calibration/parameter_limits.h"
 #include "mrpt_ext/calibration/trajectory_adjustment.h"
 
@@ -11,6 +13,8 @@ namespace
 {
 constexpr std::size_t kLeastReadings = 20;
 constexpr int kRounds = 6, kStepsPerRound = 3, kLastSteps = 15;
+constexpr int kMostMoves = 3;
+constexpr double kSmallDelay = 0.003;  // [s]
 
 bool isUsable(const CalibrationProblem& problem, const std::vector<CalibrationUnknown>& unknowns)
 {
@@ -87,6 +91,56 @@ bool tryDelays(TrajectoryAdjustment& adjuster)
   adjuster.restart(best, best.model().errors());
   return true;
 }
+/// The recording with its poses at the measurements, and its adjustment.
+struct MovedRecording
+{
+  std::unique_ptr<MeasuredRecording> recording;
+  std::unique_ptr<TrajectoryAdjustment> adjuster;
+};
+
+std::vector<double> delaysOf(const TrajectoryModel& model, std::size_t sensors)
+{
+  std::vector<double> delays(sensors, 0);
+  for (std::size_t k = 0; k < model.unknowns().size(); ++k)
+    if (model.unknowns()[k].parameter == CalibrationParameter::delay)
+      delays[model.unknowns()[k].sensor] = model.errors()[static_cast<Eigen::Index>(k)];
+  return delays;
+}
+
+bool areClose(const std::vector<double>& delays, const std::vector<double>& others)
+{
+  return std::equal(delays.begin(), delays.end(), others.begin(),
+                    [](double a, double b) { return std::abs(a - b) < kSmallDelay; });
+}
+
+/// Moves the poses to the measurements and adjusts again until the delays do not change. `moved` stays empty when there
+/// is no delay. False when something is undetermined.
+bool moveToMeasurements(const CalibrationProblem& problem, const std::vector<CalibrationUnknown>& unknowns,
+                        const TrajectoryAdjustment& start, MovedRecording& moved)
+{
+  std::vector<double> known(problem.sensors, 0);
+  for (int k = 0; k < kMostMoves; ++k)
+  {
+    const TrajectoryAdjustment& last = moved.adjuster ? *moved.adjuster : start;
+    const std::vector<double> delays = delaysOf(last.model(), problem.sensors);
+    if (areClose(delays, known)) return true;
+    known = delays;
+    auto recording = std::make_unique<MeasuredRecording>(atMeasurementTimes(problem, delays));
+    auto adjuster = std::make_unique<TrajectoryAdjustment>(recording->problem, unknowns);
+    adjuster->continueFrom(last);
+    if (!settle(*adjuster, kRounds)) return false;
+    moved.adjuster = std::move(adjuster);
+    moved.recording = std::move(recording);
+  }
+  return true;
+}
+
+std::vector<double> inLoggedOrder(const std::vector<double>& values, const std::vector<std::size_t>& numbers)
+{
+  std::vector<double> ordered(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) ordered[numbers[i]] = values[i];
+  return ordered;
+}
 }  // namespace
 
 CalibrationResult calibrate(const CalibrationProblem& problem, const std::vector<CalibrationUnknown>& unknowns)
@@ -114,6 +168,9 @@ CalibrationResult calibrate(const CalibrationProblem& problem, const std::vector
     adjuster.emplace(problem, left);
   }
   if (!tryDelays(*adjuster) || !settle(*adjuster, kRounds)) return result;
+  MovedRecording moved;
+  if (!moveToMeasurements(problem, left, *adjuster, moved)) return result;
+  if (moved.adjuster) adjuster.emplace(std::move(*moved.adjuster));
   const std::optional<Eigen::VectorXd> stds = adjuster->standardDeviations();
   if (!stds || !stds->allFinite()) return result;
   for (std::size_t k = 0; k < left.size(); ++k)
@@ -122,10 +179,11 @@ CalibrationResult calibrate(const CalibrationProblem& problem, const std::vector
     const bool observable = (*stds)[i] <= largestUsefulStd(problem, left[k]);
     result.errors[numbers[k]] = {left[k], observable, observable ? adjuster->model().errors()[i] : 0, (*stds)[i]};
   }
-  result.poses = adjuster->poses();
   result.scatter = adjuster->scatters();
-  result.misfits = adjuster->misfits();
+  result.misfits =
+      moved.recording ? inLoggedOrder(adjuster->misfits(), moved.recording->readings) : adjuster->misfits();
   result.odometry_scatter = adjuster->odometryScatter();
+  result.odometry_redundancy = adjuster->odometryRedundancy();
   result.iterations = adjuster->steps();
   result.status = SolveStatus::ok;
   return result;

@@ -20,10 +20,10 @@ struct CalibrationResult
 {
   SolveStatus status = SolveStatus::too_few;
   std::vector<ParameterEstimate> errors;  ///< in the order of the unknowns
-  std::vector<Pose2> poses;
-  std::vector<SensorScatter> scatter;  ///< by sensor
-  std::vector<double> misfits;  ///< by reading: signed residual over its standard deviation, with the scatter found
-  double odometry_scatter = 1;  ///< of odometry, over what was declared
+  std::vector<SensorScatter> scatter;     ///< by sensor
+  std::vector<double> misfits;     ///< by reading: signed residual over its standard deviation, with the scatter found
+  double odometry_scatter = 1;     ///< of odometry, over what was declared
+  double odometry_redundancy = 0;  ///< number of its residuals less what the adjustment took up
   int iterations = 0;
 };
 

@@ -62,8 +62,9 @@ Pose2 TrajectoryModel::backBy(double time, double late) const { return between(p
 ReadingResidual TrajectoryModel::reading(const CalibrationReading& r, const Pose2& pose) const
 {
   const SensorTerms& terms = of_sensor_[r.sensor];
-  const double time = problem_.poses[r.pose].time, late = valueOf(terms.delay);
-  const Pose2 back = terms.delay < 0 ? Pose2{} : backBy(time, late);
+  const double known = r.sensor < problem_.known_delays.size() ? problem_.known_delays[r.sensor] : 0;
+  const double time = problem_.poses[r.pose].time, late = valueOf(terms.delay) - known;
+  const Pose2 back = late == 0 ? Pose2{} : backBy(time, late);
   const Pose2 then = compose(pose, back);
   const Pose2 T_robot_sensor{r.T_robot_sensor.x + valueOf(terms.lever_arm_x),
                              r.T_robot_sensor.y + valueOf(terms.lever_arm_y), r.T_robot_sensor.phi};

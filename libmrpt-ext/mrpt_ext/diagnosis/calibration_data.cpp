@@ -12,7 +12,7 @@ namespace
 {
 constexpr double kStep = 1;          // [s] longest time between two poses
 constexpr double kLongestGap = 180;  // [s] that odometry bridges
-constexpr double kAside = 0.5;       // [s] before and after a motion that tell its noise
+constexpr double kAside = 1.0;       // [s] before and after a motion that tell its noise
 constexpr std::size_t kMostReadings = 100'000;
 
 class CalibrationDataBuilder

@@ -13,6 +13,7 @@ namespace
 {
 constexpr double kSignificant = 2;          // standard deviations
 constexpr double kOutlier = 4;              // standard deviations
+constexpr double kStdOfMedian = 1.17;       // of a median absolute deviation, times the root of their number
 constexpr double kSignificantRatio = 1.5;   // estimated over configured
 constexpr std::size_t kLeastReadings = 50;  // of a sensor
 
@@ -260,12 +261,13 @@ std::vector<CalibrationFinding> measurementNoiseFindings(const CalibrationResult
     const SensorConfig& now = configOf(config.frames.sensors, label);
     const double unit = is_range ? 1 : radToDeg(1.0), declared = unit * upperMedian(of.stds);
     const double scatter = is_range ? errors.scatter[sensor].range : errors.scatter[sensor].bearing;
-    const auto count = static_cast<double>(of.stds.size());
+    const double redundancy =
+        is_range ? errors.scatter[sensor].range_redundancy : errors.scatter[sensor].bearing_redundancy;
     CalibrationFinding spread{.what = label + (is_range ? ": std of ranges" : ": std of bearings"),
                               .unit = is_range ? "m" : "deg",
                               .configured = declared,
                               .estimate = scatter * declared,
-                              .std = scatter * declared / std::sqrt(count),
+                              .std = scatter * declared * kStdOfMedian / std::sqrt(std::max(redundancy, 1.0)),
                               .decimals = is_range ? 3 : 2,
                               .line = {section, is_range ? "std_range_m" : "std_bearing_deg", ""}};
     const bool enough = of.stds.size() >= kLeastReadings;
@@ -283,7 +285,8 @@ std::vector<CalibrationFinding> odometryNoiseFindings(const CalibrationResult& e
   for (const TrajectoryPose& pose : data.problem.poses) links += pose.since_previous ? 1 : 0;
   if (data.problem.odometry.empty() || links == 0) return {};
   const MotionModel& now = config.filter.motion;
-  const double factor = errors.odometry_scatter, relative_std = 1 / std::sqrt(6.0 * static_cast<double>(links));
+  const double factor = errors.odometry_scatter,
+               relative_std = 1 / std::sqrt(2 * std::max(errors.odometry_redundancy, 1.0));
   const bool larger = factor > kSignificantRatio;
   std::vector<CalibrationFinding> findings;
   const auto add = [&](const char* key, double configured, const char* unit)
