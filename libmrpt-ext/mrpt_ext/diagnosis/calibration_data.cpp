@@ -53,10 +53,19 @@ class CalibrationDataBuilder
   {
     OdometryMotion motion = moved(from, to);
     const double aside = std::max(to - from, kAside), share = (to - from) / (2 * aside);
-    const Pose2 before = moved(from - aside, from).increment, after = moved(to, to + aside).increment;
-    motion.path_length = share * (before.position().norm() + after.position().norm());
-    motion.turned = share * (std::abs(before.phi) + std::abs(after.phi));
+    const OdometryMotion before = moved(from - aside, from), after = moved(to, to + aside);
+    motion.path_length = share * (before.increment.position().norm() + after.increment.position().norm());
+    motion.turned = share * (turnBeyondNoise(before) + turnBeyondNoise(after));
     return motion;
+  }
+
+  /// [rad] What noise turns is no turn.
+  [[nodiscard]] double turnBeyondNoise(OdometryMotion motion) const
+  {
+    motion.path_length = motion.increment.position().norm();
+    motion.turned = std::abs(motion.increment.phi);
+    const double noise = incrementStd(input_.config.filter.motion, motion).z();
+    return std::sqrt(std::max(square(motion.turned) - square(noise), 0.0));
   }
 
   void bridgeTo(double time)
