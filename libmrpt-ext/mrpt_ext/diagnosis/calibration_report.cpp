@@ -11,7 +11,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kSignificant = 2;          // standard deviations
+constexpr double kSignificant = 3;          // standard deviations
 constexpr double kOutlier = 4;              // standard deviations
 constexpr double kStdOfMedian = 1.17;       // of a median absolute deviation, times the root of their number
 constexpr double kSignificantRatio = 1.5;   // estimated over configured
@@ -27,7 +27,7 @@ std::string whyNotObservable(CalibrationParameter kind)
       return "the robot moves too little or too evenly";
     case CalibrationParameter::lever_arm_x:
     case CalibrationParameter::lever_arm_y:
-      return "not separable from delay and heading, or too small";
+      return "not separable from delay and heading";
     case CalibrationParameter::bearing_offset:
       return "not separable from the heading";
     case CalibrationParameter::range_offset:
@@ -35,6 +35,9 @@ std::string whyNotObservable(CalibrationParameter kind)
       return "too few different ranges";
     case CalibrationParameter::rotation_scale:
       return "too few turns";
+    case CalibrationParameter::veer:
+    case CalibrationParameter::drift:
+      return "veer and drift are not separable: no rests";
     default:
       return "too short a trajectory";
   }

@@ -28,7 +28,7 @@ struct CalibrationFinding
 /// The errors that were found on top of the configured corrections, as values of the configuration. Where [Bias] or
 /// [Sensor_<label>] states the mean of an estimated error, that mean is reported. Only the difference of two clocks is
 /// observable: it is attributed to odometry where the configuration does so and there is one sensor, else to the
-/// sensor. A value differs when it is more than two standard deviations from the configured one; offset and scale of a
+/// sensor. A value differs when it is more than three standard deviations from the configured one; offset and scale of a
 /// range are set together.
 [[nodiscard]] std::vector<CalibrationFinding> calibrationFindings(const CalibrationResult& errors,
                                                                   const std::vector<std::string>& sensors,
