@@ -11,10 +11,18 @@ Scenario scenarioWithSpread(std::uint64_t seed)
   Scenario scenario;
   scenario.random_seed = seed;
   scenario.sensors = {{.label = "a"}, {.label = "b", .delay_s = 0.5}};
-  scenario.spread = {
-      .drift = 0.01, .arc_turn_loss = 0.4, .noise_factor = 3, .slips_per_minute = 2, .delay = 0.1, .lever_arm = 0.2,
-      .distance_scale = 0.05, .rotation_scale = 0.06, .veer = 0.03, .bearing_offset = 0.04, .range_offset = 0.3,
-      .range_scale = 0.02};
+  scenario.spread = {.drift = 0.01,
+                     .arc_turn_loss = 0.4,
+                     .noise_factor = 3,
+                     .slips_per_minute = 2,
+                     .delay = 0.1,
+                     .lever_arm = 0.2,
+                     .distance_scale = 0.05,
+                     .rotation_scale = 0.06,
+                     .veer = 0.03,
+                     .bearing_offset = 0.04,
+                     .range_offset = 0.3,
+                     .range_scale = 0.02};
   return scenario;
 }
 }  // namespace

@@ -78,8 +78,8 @@ std::vector<MeasuredPose> measuredPoses(const CalibrationProblem& problem, const
 
 MeasuredRecording atMeasurementTimes(const CalibrationProblem& problem, const std::vector<double>& delays)
 {
-  MeasuredRecording recording{problem, {}};
-  CalibrationProblem& moved = recording.problem;
+  MeasuredRecording result{problem, {}};
+  CalibrationProblem& moved = result.problem;
   moved.poses.clear();
   moved.known_delays = delays;
   const OdometryPath path(problem.odometry, {});
@@ -98,12 +98,12 @@ MeasuredRecording atMeasurementTimes(const CalibrationProblem& problem, const st
     if (measured.sensor) numbers[{measured.stamp, *measured.sensor}] = moved.poses.size() - 1;
   }
   for (CalibrationReading& r : moved.readings) r.pose = numbers.at({r.pose, r.sensor});
-  for (std::size_t i = 0; i < moved.readings.size(); ++i) recording.readings.push_back(i);
+  for (std::size_t i = 0; i < moved.readings.size(); ++i) result.readings.push_back(i);
   const auto earlier = [&](std::size_t a, std::size_t b) { return moved.readings[a].pose < moved.readings[b].pose; };
-  std::stable_sort(recording.readings.begin(), recording.readings.end(), earlier);
+  std::stable_sort(result.readings.begin(), result.readings.end(), earlier);
   std::vector<CalibrationReading> ordered;
-  for (const std::size_t i : recording.readings) ordered.push_back(moved.readings[i]);
+  for (const std::size_t i : result.readings) ordered.push_back(moved.readings[i]);
   moved.readings = std::move(ordered);
-  return recording;
+  return result;
 }
 }  // namespace mrpt_ext

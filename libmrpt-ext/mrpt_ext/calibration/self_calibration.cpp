@@ -94,7 +94,7 @@ bool tryDelays(TrajectoryAdjustment& adjuster)
 /// The recording with its poses at the measurements, and its adjustment.
 struct MovedRecording
 {
-  std::unique_ptr<MeasuredRecording> recording;
+  std::unique_ptr<MeasuredRecording> measured;
   std::unique_ptr<TrajectoryAdjustment> adjuster;
 };
 
@@ -125,12 +125,12 @@ bool moveToMeasurements(const CalibrationProblem& problem, const std::vector<Cal
     const std::vector<double> delays = delaysOf(last.model(), problem.sensors);
     if (areClose(delays, known)) return true;
     known = delays;
-    auto recording = std::make_unique<MeasuredRecording>(atMeasurementTimes(problem, delays));
-    auto adjuster = std::make_unique<TrajectoryAdjustment>(recording->problem, unknowns);
+    auto measured = std::make_unique<MeasuredRecording>(atMeasurementTimes(problem, delays));
+    auto adjuster = std::make_unique<TrajectoryAdjustment>(measured->problem, unknowns);
     adjuster->continueFrom(last);
     if (!settle(*adjuster, kRounds)) return false;
     moved.adjuster = std::move(adjuster);
-    moved.recording = std::move(recording);
+    moved.measured = std::move(measured);
   }
   return true;
 }
@@ -181,7 +181,7 @@ CalibrationResult calibrate(const CalibrationProblem& problem, const std::vector
   }
   result.scatter = adjuster->scatters();
   result.misfits =
-      moved.recording ? inLoggedOrder(adjuster->misfits(), moved.recording->readings) : adjuster->misfits();
+      moved.measured ? inLoggedOrder(adjuster->misfits(), moved.measured->readings) : adjuster->misfits();
   result.odometry_scatter = adjuster->odometryScatter();
   result.odometry_redundancy = adjuster->odometryRedundancy();
   result.iterations = adjuster->steps();

@@ -1,5 +1,7 @@
 #include "mrpt_ext/diagnosis/log_diagnosis.h"
 
+#include "mrpt_ext/diagnosis/noise_findings.h"
+
 namespace mrpt_ext
 {
 LogDiagnosis diagnoseLog(const LocalizationInput& input)
