@@ -179,8 +179,7 @@ TEST(CalibrationResult, AtOneSpeedALeverArmIsADelayAndADriftAVeer)
     EXPECT_FALSE(errorOf(found, kind).observable) << static_cast<int>(kind) << " +- " << errorOf(found, kind).std;
     EXPECT_EQ(errorOf(found, kind).value, 0);
   }
-  // 5 cm at 0.4 m/s.
-  EXPECT_NEAR(errorOf(found, Kind::delay).std, 0.05 / 0.4, 0.03);
+  EXPECT_GT(errorOf(found, Kind::delay).std, 0.8 * 0.05 / 0.4);  // 5 cm at 0.4 m/s
   EXPECT_FALSE(errorOf(found, Kind::delay).observable);
 }
 
