@@ -180,8 +180,7 @@ CalibrationResult calibrate(const CalibrationProblem& problem, const std::vector
     result.errors[numbers[k]] = {left[k], observable, observable ? adjuster->model().errors()[i] : 0, (*stds)[i]};
   }
   result.scatter = adjuster->scatters();
-  result.misfits =
-      moved.measured ? inLoggedOrder(adjuster->misfits(), moved.measured->readings) : adjuster->misfits();
+  result.misfits = moved.measured ? inLoggedOrder(adjuster->misfits(), moved.measured->readings) : adjuster->misfits();
   result.odometry_scatter = adjuster->odometryScatter();
   result.odometry_redundancy = adjuster->odometryRedundancy();
   result.iterations = adjuster->steps();
