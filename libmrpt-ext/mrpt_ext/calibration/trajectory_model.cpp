@@ -10,7 +10,7 @@ namespace
 {
 // [s] Long, so that the noise of odometry at a reading, which its link has too, is a small part of the speed: it would
 // look like a change of speed, and bias the delay.
-constexpr double kDelayChange = 0.4;
+constexpr double kDelayChange = 0.15;
 constexpr double kLeastLink = 1e-4;  // [m], [rad] smallest standard deviation of odometry per link
 
 Pose2 differenceOf(const Pose2& plus, const Pose2& minus, double by)
