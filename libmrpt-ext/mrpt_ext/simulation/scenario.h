@@ -41,8 +41,8 @@ struct ErrorSpread
   double arc_turn_loss = 0;  ///< on arcs the robot turns less than measured by up to this share
   double noise_factor = 1;   ///< odometry noise is up to this many times the stated one
   double slips_per_minute = 0;
-  double delay = 0;      ///< [s] of every sensor
-  double lever_arm = 0;  ///< [m] that a sensor is off its stated place, along each axis
+  double delay = 0;                               ///< [s] of every sensor
+  double lever_arm = 0;                           ///< [m] that a sensor is off its stated place, along each axis
   double distance_scale = 0, rotation_scale = 0;  ///< measured / true - 1, either sign
   double veer = 0;                                ///< [rad/m] either sign
   double bearing_offset = 0;                      ///< [rad] of every sensor, either sign
