@@ -23,9 +23,9 @@ namespace fs = std::filesystem;
 
 // Every scenario shipped for landmark-simulator; the ten hours of long.ini are shortened.
 const std::vector<std::string> kScenarios{
-    "quickstart.ini", "room.ini",   "half-field.ini", "goal-corners.ini", "goal-corners-stereo.ini",
-    "tracking.ini",   "kidnap.ini", "symmetric.ini",  "long.ini",         "bad-odometry.ini",
-    "barriers.ini"};
+    "quickstart.ini", "room.ini",        "half-field.ini", "goal-corners.ini", "goal-corners-stereo.ini",
+    "tracking.ini",   "kidnap.ini",      "symmetric.ini",  "long.ini",         "bad-odometry.ini",
+    "barriers.ini",   "uncalibrated.ini"};
 
 fs::path scenario(const std::string& name)
 {

@@ -81,6 +81,7 @@ TEST(KeyDefaults, OfTheMotionModelAreThoseOfItsStruct)
   EXPECT_EQ(odometry.scale, none.scale);
   EXPECT_EQ(odometry.rotation_scale, none.rotation_scale);
   EXPECT_EQ(odometry.turn_per_m, none.turn_per_m);
+  EXPECT_EQ(odometry.turn_per_s, none.turn_per_s);
   EXPECT_EQ(odometry.delay, none.delay);
 }
 
@@ -128,6 +129,7 @@ TEST(KeyDefaults, OfASensorAreThoseOfItsConfig)
   EXPECT_EQ(read.max_range, plain.max_range);
   EXPECT_EQ(read.clutter_probability, plain.clutter_probability);
   EXPECT_EQ(read.detection_probability, plain.detection_probability);
+  EXPECT_EQ(read.lever_arm, plain.lever_arm);
   EXPECT_EQ(read.lever_arm_std, plain.lever_arm_std);
   EXPECT_EQ(read.association, plain.association);
   EXPECT_EQ(read.reflectors.has_value(), plain.reflectors.has_value());

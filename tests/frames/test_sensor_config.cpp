@@ -201,6 +201,28 @@ TEST(SensorConfig, TheSensorModelIsReplacedWhereConfigured)
   EXPECT_FALSE(configured(readingOf({}), {}, kMap, unusable).model.has_field_of_view);
 }
 
+TEST(SensorConfig, TheLeverArmIsAddedToTheLoggedPlace)
+{
+  UnusableDetections unusable;
+  const SensorConfigs configs = configsOf("lever_arm_x_m = 0.1\nlever_arm_y_m = -0.2\n");
+  Reading reading = readingOf({});
+  reading.T_robot_sensor = {1, 2, 0.5};
+  const Pose2 place = configured(reading, configs, kMap, unusable).T_robot_sensor;
+  EXPECT_NEAR(place.x, 1.1, 1e-12);
+  EXPECT_NEAR(place.y, 1.8, 1e-12);
+  EXPECT_EQ(place.phi, 0.5);
+  const RunningFixReading fix{.sensor = "eye",
+                              .T_robot_sensor = {1, 2, 0.5},
+                              .id = 1,
+                              .first_range = 3,
+                              .first_std = 0.1,
+                              .second_range = 3,
+                              .second_std = 0.1};
+  const auto moved = configured(fix, configs, kMap, unusable);
+  ASSERT_TRUE(moved);
+  EXPECT_NEAR(moved->T_robot_sensor.x, 1.1, 1e-12);
+}
+
 TEST(SensorConfig, AssociationLimitsTheIdentityThatIsUsed)
 {
   EXPECT_EQ(configuredDetection(kBoth, "association = known\n").id, 1);

@@ -107,6 +107,14 @@ TEST(OdometryPath, TurnPerMetreGrowsWithTheDistance)
   EXPECT_NEAR(path.between(0, 3).turned, 0.3, 1e-12);
 }
 
+TEST(OdometryPath, TurnPerSecondGrowsWithTimeAlsoAtRest)
+{
+  const std::vector<OdometryRecord> resting{{5, {0, 0, 0}}, {6, {2, 0, 0}}, {8, {2, 0, 0}}};
+  const OdometryPath path(resting, {.turn_per_s = -0.1, .delay = 1});
+  EXPECT_NEAR(path.at(7).phi, -0.1, 1e-12);
+  EXPECT_NEAR(path.at(9).phi, -0.3, 1e-12);
+}
+
 TEST(OdometryPath, TheDelayIsAddedToTheStamps)
 {
   const OdometryPath path(kRecords, {.delay = 0.5});

@@ -55,6 +55,32 @@ TEST(CalibrationRun, FindsTheErrorsOfASimulatedLogAndWritesThem)
   EXPECT_NE(found.outcome.out.find("the truth was not used"), std::string::npos);
 }
 
+TEST(CalibrationRun, FindsALeverArmAndADrift)
+{
+  const testing::ScratchFolder folder;
+  const auto log = testing::simulated(folder.path(), "uncalibrated",
+                                      {"--set", "RandomErrors.lever_arm_m=0.2", "--set", "RandomErrors.noise_factor=1",
+                                       "--set", "Odometry.drift_deg_s=1.5", "--set", "Simulation.random_seed=3"});
+  const testing::AppOutcome diagnosed = testing::localize(
+      joined({testing::shipped("landmark-localization", "uncalibrated"), "--diagnose"}, log.arguments()));
+  ASSERT_EQ(diagnosed.exit_code, 0) << diagnosed.err;
+  for (const char* key : {"[Sensor_camera] lever_arm_", "[MotionModel] odometry_turn_per_s_deg = -"})
+    EXPECT_NE(diagnosed.out.find(std::string("set ") + key), std::string::npos) << diagnosed.out;
+}
+
+TEST(CalibrationRun, NoiseOfOdometryIsNoScale)
+{
+  const testing::ScratchFolder folder;
+  const Calibrated found = calibrate(
+      folder, testing::simulated(folder.path(), "half-field",
+                                 {"--set", "Simulation.duration_s=240", "--set", "Odometry.std_phi_deg_per_deg=0.8",
+                                  "--set", "Odometry.std_xy_per_m=0.08", "--set", "Sensor_stereo.delay_s=0.2"})
+                  .arguments());
+  ASSERT_EQ(found.outcome.exit_code, 0) << found.outcome.err;
+  EXPECT_EQ(found.settings.number("MotionModel", "odometry_scale"), 1) << found.outcome.out;
+  EXPECT_EQ(found.settings.number("MotionModel", "odometry_rotation_scale"), 1) << found.outcome.out;
+}
+
 TEST(CalibrationRun, LeavesTheConfigurationOfAGoodLogAlone)
 {
   const testing::ScratchFolder folder;

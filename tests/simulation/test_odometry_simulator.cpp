@@ -87,6 +87,17 @@ TEST(SimulatedOdometry, DriftTurnsAtStandstillToo)
   EXPECT_NEAR(odometry.displacement(0, 10)->mean.phi, 0.1, 1e-5);
 }
 
+TEST(SimulatedOdometry, AVeerIsNotMeasured)
+{
+  OdometryNoise noise = kPerfect;
+  noise.veer = 0.02;
+  noise.rotation_scale_error = 0.5;
+  RandomStream random(1);
+  const SimulatedOdometry odometry(bend(), noise, 8, random);
+  EXPECT_NEAR(odometry.displacement(0, 4)->mean.phi, -1.5 * 0.02 * bend().lengthAt(4), 1e-5);
+  EXPECT_NEAR(odometry.displacement(6, 8)->mean.phi, -1.5 * 2, 1e-5);
+}
+
 TEST(SimulatedOdometry, SlipsAreRareAndLarge)
 {
   OdometryNoise noise = kPerfect;

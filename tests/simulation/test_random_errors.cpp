@@ -11,8 +11,18 @@ Scenario scenarioWithSpread(std::uint64_t seed)
   Scenario scenario;
   scenario.random_seed = seed;
   scenario.sensors = {{.label = "a"}, {.label = "b", .delay_s = 0.5}};
-  scenario.spread = {
-      .drift = 0.01, .arc_turn_loss = 0.4, .noise_factor = 3, .slips_per_minute = 2, .delay = 0.1, .lever_arm = 0.2};
+  scenario.spread = {.drift = 0.01,
+                     .arc_turn_loss = 0.4,
+                     .noise_factor = 3,
+                     .slips_per_minute = 2,
+                     .delay = 0.1,
+                     .lever_arm = 0.2,
+                     .distance_scale = 0.05,
+                     .rotation_scale = 0.06,
+                     .veer = 0.03,
+                     .bearing_offset = 0.04,
+                     .range_offset = 0.3,
+                     .range_scale = 0.02};
   return scenario;
 }
 }  // namespace
@@ -28,6 +38,9 @@ TEST(RandomErrors, WithoutSpreadNothingChanges)
   EXPECT_EQ(drawn.odometry.slips_per_minute, 0);
   EXPECT_EQ(drawn.sensors[1].delay_s, 0.5);
   EXPECT_EQ(drawn.sensors[0].lever_arm, Vector2d::Zero());
+  EXPECT_EQ(drawn.odometry.scale_error, 0);
+  EXPECT_EQ(drawn.odometry.veer, 0);
+  EXPECT_EQ(drawn.sensors[0].scale_range, 1);
 }
 
 TEST(RandomErrors, AreDrawnWithinTheirSpread)
@@ -47,6 +60,16 @@ TEST(RandomErrors, AreDrawnWithinTheirSpread)
     EXPECT_TRUE(drawn.sensors[1].delay_s >= 0.5 && drawn.sensors[1].delay_s <= 0.6);
     EXPECT_LE(drawn.sensors[0].lever_arm.cwiseAbs().maxCoeff(), 0.2);
     EXPECT_NE(drawn.sensors[0].lever_arm, drawn.sensors[1].lever_arm);
+    EXPECT_LE(std::abs(drawn.odometry.scale_error), 0.05);
+    EXPECT_LE(std::abs(drawn.odometry.rotation_scale_error), 0.06);
+    EXPECT_LE(std::abs(drawn.odometry.veer), 0.03);
+    for (const SimulatedSensor& sensor : drawn.sensors)
+    {
+      EXPECT_LE(std::abs(sensor.bias_bearing), 0.04);
+      EXPECT_LE(std::abs(sensor.bias_range), 0.3);
+      EXPECT_LE(std::abs(sensor.scale_range - 1), 0.02);
+    }
+    EXPECT_NE(drawn.sensors[0].bias_range, drawn.sensors[1].bias_range);
     least_drift = std::min(least_drift, drawn.odometry.drift);
     most_loss = std::max(most_loss, loss);
     most_noise = std::max(most_noise, noise);

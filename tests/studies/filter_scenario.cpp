@@ -65,4 +65,10 @@ int studyRuns(int full)
   const char* wanted = std::getenv("STUDY_RUNS");
   return wanted ? std::max(1, std::atoi(wanted)) : full;
 }
+
+std::uint64_t studyFirstSeed()
+{
+  const char* wanted = std::getenv("STUDY_FIRST_SEED");
+  return wanted ? std::strtoull(wanted, nullptr, 10) : 1;
+}
 }  // namespace mrpt_ext

@@ -45,4 +45,6 @@ struct FilterSample
 
 /// Number of runs of a study: `full`, or the value of the environment variable STUDY_RUNS.
 [[nodiscard]] int studyRuns(int full);
+/// Random seed of its first run: 1, or the value of the environment variable STUDY_FIRST_SEED.
+[[nodiscard]] std::uint64_t studyFirstSeed();
 }  // namespace mrpt_ext

@@ -20,13 +20,27 @@ struct DrivePlan
   double outliers = 0.03;  // share
   double std_distance_per_root_s = 0.01, std_turn_per_root_s = 0.01;
   double delay = 0, bearing_offset = 0, range_offset = 0, range_scale = 0;
-  double height = 0;  // [m] between sensor and landmarks; the readings do not state it
-  double distance_scale = 0, rotation_scale = 0, veer = 0;
+  double height = 0;         // [m] between sensor and landmarks; the readings do not state it
+  Vector2d lever_arm{0, 0};  // [m] true minus stated
+  double distance_scale = 0, rotation_scale = 0, veer = 0, drift = 0;
+  bool evenly = false;  // on a circle, at one speed
+  bool rests = false;   // for ten seconds of every thirty
 };
 
 /// True pose at `time`.
 inline Pose2 driveAt(const DrivePlan& plan, double time)
 {
+  constexpr double kCycle = 30, kDrives = 20;  // [s]
+  if (plan.rests)
+  {
+    const double cycles = std::floor(time / kCycle);
+    time = cycles * kDrives + std::min(time - cycles * kCycle, kDrives);
+  }
+  if (plan.evenly)
+  {
+    const double radius = 2.5, angle = plan.speed / radius * time;
+    return {radius * std::cos(angle), radius * std::sin(angle), wrap(angle + kPi / 2)};
+  }
   // A figure of eight, driven at changing speed; the heading is that of the motion.
   const double size = 2.5, omega = plan.speed / size;
   const double s = omega * time + 0.35 * std::sin(plan.weave * time);
@@ -51,7 +65,8 @@ inline CalibrationProblem recordedDrive(const DrivePlan& plan, RandomStream& ran
     reckoned = compose(reckoned,
                        {(step.x + distance_noise * random.gaussian()) / (1 + plan.distance_scale),
                         (step.y + distance_noise * random.gaussian()) / (1 + plan.distance_scale),
-                        (step.phi - plan.veer * length + turn_noise * random.gaussian()) / (1 + plan.rotation_scale)});
+                        (step.phi - plan.veer * length - plan.drift / kOdometryRate + turn_noise * random.gaussian()) /
+                            (1 + plan.rotation_scale)});
     problem.odometry.push_back({time, reckoned});
     before = now;
   }
@@ -60,6 +75,7 @@ inline CalibrationProblem recordedDrive(const DrivePlan& plan, RandomStream& ran
   {
     const double time = k / plan.rate;
     const Pose2 guess = driveAt(plan, time), seen_from = driveAt(plan, time - plan.delay);
+    const Pose2 T_robot_sensor{plan.lever_arm.x(), plan.lever_arm.y(), 0};
     TrajectoryPose pose{time,
                         {guess.x + 0.1 * random.gaussian(), guess.y + 0.1 * random.gaussian(),
                          wrap(guess.phi + 0.05 * random.gaussian())},
@@ -79,14 +95,14 @@ inline CalibrationProblem recordedDrive(const DrivePlan& plan, RandomStream& ran
       if (plan.bearings)
       {
         r.std = plan.std_bearing;
-        r.value = wrap(predictBearing(seen_from, r.landmark) + plan.bearing_offset + r.std * random.gaussian() +
-                       (wrong ? random.uniform(0.2, 2) : 0));
+        r.value = wrap(predictBearing(seen_from, r.landmark, T_robot_sensor) + plan.bearing_offset +
+                       r.std * random.gaussian() + (wrong ? random.uniform(0.2, 2) : 0));
         problem.readings.push_back(r);
       }
       if (!plan.ranges) continue;
       r.is_range = true;
       r.std = plan.std_range;
-      r.value = (1 + plan.range_scale) * std::hypot(predictRange(seen_from, r.landmark), plan.height) +
+      r.value = (1 + plan.range_scale) * std::hypot(predictRange(seen_from, r.landmark, T_robot_sensor), plan.height) +
                 plan.range_offset + r.std * random.gaussian() + (wrong ? random.uniform(0.5, 3) : 0);
       problem.readings.push_back(r);
     }

@@ -4,7 +4,7 @@
 
 #include "mrpt_ext/app/calibrated_file.h"
 #include "mrpt_ext/app/exit_codes.h"
-#include "mrpt_ext/diagnosis/calibration_report.h"
+#include "mrpt_ext/diagnosis/log_diagnosis.h"
 #include "mrpt_ext/experiment/clock_check.h"
 #include "mrpt_ext/files/atomic_file.h"
 #include "mrpt_ext/files/number_format.h"
@@ -53,18 +53,14 @@ int runCalibration(Settings settings, const CalibrationRequest& request, std::os
     settings.set(kExperimentSection, "ground_truth_path_file", "", "--diagnose");
   LocalizationInput input = loadLocalization(settings, request.window);
   checkClocks(input);
-  const std::vector<PoseEstimate> trajectory = confidentTrajectory(input, input.config.seed);
-  const CalibrationData data = collectCalibrationData(input, trajectory);
-  const CalibrationResult errors = calibrate(data.problem, calibrationUnknowns(input, data));
-  if (!request.quiet) out << headline(input, data, trajectory) << '\n';
-  if (errors.status != SolveStatus::ok)
+  const LogDiagnosis found = diagnoseLog(input);
+  if (!request.quiet) out << headline(input, found.data, found.trajectory) << '\n';
+  if (found.errors.status != SolveStatus::ok)
   {
-    out << "calibration not possible: " << whyImpossible(errors.status, trajectory) << '\n';
+    out << "calibration not possible: " << whyImpossible(found.errors.status, found.trajectory) << '\n';
     return kExitDone;
   }
-  std::vector<CalibrationFinding> findings = calibrationFindings(errors, data.sensors, input.config);
-  for (CalibrationFinding& finding : noiseFindings(errors, data, input.config)) findings.push_back(std::move(finding));
-  const std::vector<IniAssignment> lines = linesToSet(findings);
+  const std::vector<IniAssignment> lines = linesToSet(found.findings);
   if (request.quiet)
   {
     for (const IniAssignment& line : lines)
@@ -72,8 +68,8 @@ int runCalibration(Settings settings, const CalibrationRequest& request, std::os
   }
   else
   {
-    for (const std::string& line : findingsTable(findings)) out << line << '\n';
-    for (const std::string& line : landmarkLines(errors, data, input.context.map)) out << line << '\n';
+    for (const std::string& line : findingsTable(found.findings)) out << line << '\n';
+    for (const std::string& line : landmarkLines(found.errors, found.data, input.context.map)) out << line << '\n';
   }
   if (request.calibrated.empty() || lines.empty()) return kExitDone;
   writeFileAtomically(request.calibrated, withValues(ini, lines));

@@ -11,13 +11,16 @@ namespace mrpt_ext
 enum class CalibrationParameter
 {
   delay,           ///< [s] how old a reading of the sensor is at its stamp, by the clock of odometry
+  lever_arm_x,     ///< [m] true minus stated position of the sensor on the robot, forward
+  lever_arm_y,     ///< [m] the same to the left
   bearing_offset,  ///< [rad] measured = true + offset
   range_offset,    ///< [m] measured = (1 + scale) true + offset
   range_scale,
   range_height,    ///< [m^2] measured^2 = true^2 + this: the squared height that map and sensor do not state
   distance_scale,  ///< true distance = (1 + scale) distance by odometry
-  rotation_scale,  ///< true rotation = (1 + scale) rotation by odometry + veer * distance
-  veer             ///< [rad/m] to the left
+  rotation_scale,  ///< true rotation = (1 + scale) rotation by odometry + veer * distance + drift * time
+  veer,            ///< [rad/m] to the left
+  drift            ///< [rad/s] to the left
 };
 
 /// True for the errors of odometry; the others belong to a sensor.
@@ -62,6 +65,8 @@ struct CalibrationProblem
   std::vector<CalibrationReading> readings;  ///< ordered by pose
   std::vector<OdometryRecord> odometry;      ///< empty: the poses drift by `since_previous` alone
   std::size_t sensors = 0;
+  std::vector<double> known_delays;   ///< [s] of each sensor: its poses are that much before its stamps; absent: 0
+  std::vector<double> lever_arm_std;  ///< [m] of each sensor's stated position, along each axis; absent: 0.05
 };
 
 /// Scatter of the residuals of one sensor.
@@ -69,5 +74,7 @@ struct SensorScatter
 {
   double bearing = 1, range = 1;  ///< over the declared standard deviation
   std::size_t bearings = 0, ranges = 0;
+  /// Number of residuals less what the adjustment took up: the information about the scatter.
+  double bearing_redundancy = 0, range_redundancy = 0;
 };
 }  // namespace mrpt_ext

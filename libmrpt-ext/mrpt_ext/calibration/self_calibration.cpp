@@ -1,9 +1,11 @@
 #include "mrpt_ext/calibration/self_calibration.h"
 
 #include <algorithm>
+#include <memory>
 
+#include "mrpt_ext/calibration/measurement_times.h"
+#include "mrpt_ext/calibration/parameter_limits.h"
 #include "mrpt_ext/calibration/trajectory_adjustment.h"
-#include "mrpt_ext/geometry/quantile.h"
 
 namespace mrpt_ext
 {
@@ -11,6 +13,8 @@ namespace
 {
 constexpr std::size_t kLeastReadings = 20;
 constexpr int kRounds = 6, kStepsPerRound = 3, kLastSteps = 15;
+constexpr int kMostMoves = 3;
+constexpr double kSmallDelay = 0.003;  // [s]
 
 bool isUsable(const CalibrationProblem& problem, const std::vector<CalibrationUnknown>& unknowns)
 {
@@ -28,37 +32,6 @@ bool isUsable(const CalibrationProblem& problem, const std::vector<CalibrationUn
          std::all_of(unknowns.begin(), unknowns.end(), unknown_ok) &&
          std::is_sorted(problem.poses.begin(), problem.poses.end(),
                         [](const TrajectoryPose& a, const TrajectoryPose& b) { return a.time < b.time; });
-}
-
-double typicalRange(const CalibrationProblem& problem, std::size_t sensor)
-{
-  std::vector<double> ranges;
-  for (const CalibrationReading& r : problem.readings)
-    if (r.is_range && r.sensor == sensor) ranges.push_back(r.value);
-  return ranges.empty() ? 1 : upperMedian(std::move(ranges));
-}
-
-/// Largest standard deviation with which a parameter is of use.
-double largestUsefulStd(const CalibrationUnknown& unknown, const CalibrationProblem& problem)
-{
-  switch (unknown.parameter)
-  {
-    case CalibrationParameter::delay:
-      return 0.1;
-    case CalibrationParameter::bearing_offset:
-      return degToRad(3.0);
-    case CalibrationParameter::range_offset:
-      return 0.05 * typicalRange(problem, unknown.sensor);
-    case CalibrationParameter::range_scale:
-    case CalibrationParameter::veer:
-      return 0.05;
-    case CalibrationParameter::distance_scale:
-    case CalibrationParameter::rotation_scale:
-      return 0.1;
-    case CalibrationParameter::range_height:
-      break;  // a mistake in the map, which is no value of the configuration
-  }
-  return 0;
 }
 
 /// True when the robot moves by more than the error of odometry: else scales and delays would be fitted to its noise.
@@ -118,30 +91,55 @@ bool tryDelays(TrajectoryAdjustment& adjuster)
   adjuster.restart(best, best.model().errors());
   return true;
 }
-
-/// The unknown whose standard deviation exceeds the useful one most; nothing when all are observable.
-std::optional<std::size_t> leastObservable(const TrajectoryAdjustment& adjuster, const Eigen::VectorXd& stds,
-                                           const CalibrationProblem& problem)
+/// The recording with its poses at the measurements, and its adjustment.
+struct MovedRecording
 {
-  std::optional<std::size_t> worst;
-  double most = 1;
-  for (std::size_t k = 0; k < adjuster.model().unknowns().size(); ++k)
-  {
-    const double excess =
-        stds[static_cast<Eigen::Index>(k)] / largestUsefulStd(adjuster.model().unknowns()[k], problem);
-    if (excess < most) continue;
-    most = excess;
-    worst = k;
-  }
-  return worst;
+  std::unique_ptr<MeasuredRecording> measured;
+  std::unique_ptr<TrajectoryAdjustment> adjuster;
+};
+
+std::vector<double> delaysOf(const TrajectoryModel& model, std::size_t sensors)
+{
+  std::vector<double> delays(sensors, 0);
+  for (std::size_t k = 0; k < model.unknowns().size(); ++k)
+    if (model.unknowns()[k].parameter == CalibrationParameter::delay)
+      delays[model.unknowns()[k].sensor] = model.errors()[static_cast<Eigen::Index>(k)];
+  return delays;
 }
 
-Eigen::VectorXd without(const Eigen::VectorXd& values, std::size_t number)
+bool areClose(const std::vector<double>& delays, const std::vector<double>& others)
 {
-  const auto k = static_cast<Eigen::Index>(number);
-  Eigen::VectorXd rest(values.size() - 1);
-  rest << values.head(k), values.tail(values.size() - 1 - k);
-  return rest;
+  return std::equal(delays.begin(), delays.end(), others.begin(),
+                    [](double a, double b) { return std::abs(a - b) < kSmallDelay; });
+}
+
+/// Moves the poses to the measurements and adjusts again until the delays do not change. `moved` stays empty when there
+/// is no delay. False when something is undetermined.
+bool moveToMeasurements(const CalibrationProblem& problem, const std::vector<CalibrationUnknown>& unknowns,
+                        const TrajectoryAdjustment& start, MovedRecording& moved)
+{
+  std::vector<double> known(problem.sensors, 0);
+  for (int k = 0; k < kMostMoves; ++k)
+  {
+    const TrajectoryAdjustment& last = moved.adjuster ? *moved.adjuster : start;
+    const std::vector<double> delays = delaysOf(last.model(), problem.sensors);
+    if (areClose(delays, known)) return true;
+    known = delays;
+    auto measured = std::make_unique<MeasuredRecording>(atMeasurementTimes(problem, delays));
+    auto adjuster = std::make_unique<TrajectoryAdjustment>(measured->problem, unknowns);
+    adjuster->continueFrom(last);
+    if (!settle(*adjuster, kRounds)) return false;
+    moved.adjuster = std::move(adjuster);
+    moved.measured = std::move(measured);
+  }
+  return true;
+}
+
+std::vector<double> inLoggedOrder(const std::vector<double>& values, const std::vector<std::size_t>& numbers)
+{
+  std::vector<double> ordered(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) ordered[numbers[i]] = values[i];
+  return ordered;
 }
 }  // namespace
 
@@ -170,33 +168,21 @@ CalibrationResult calibrate(const CalibrationProblem& problem, const std::vector
     adjuster.emplace(problem, left);
   }
   if (!tryDelays(*adjuster) || !settle(*adjuster, kRounds)) return result;
-  for (;;)
+  MovedRecording moved;
+  if (!moveToMeasurements(problem, left, *adjuster, moved)) return result;
+  if (moved.adjuster) adjuster.emplace(std::move(*moved.adjuster));
+  const std::optional<Eigen::VectorXd> stds = adjuster->standardDeviations();
+  if (!stds || !stds->allFinite()) return result;
+  for (std::size_t k = 0; k < left.size(); ++k)
   {
-    const std::optional<Eigen::VectorXd> stds = adjuster->standardDeviations();
-    if (!stds || !stds->allFinite()) return result;
-    for (std::size_t k = 0; k < left.size(); ++k)
-    {
-      const auto i = static_cast<Eigen::Index>(k);
-      result.errors[numbers[k]] = {left[k], true, adjuster->model().errors()[i], (*stds)[i]};
-    }
-    const std::optional<std::size_t> worst = leastObservable(*adjuster, *stds, problem);
-    if (!worst) break;
-    const auto at = static_cast<std::ptrdiff_t>(*worst);
-    ParameterEstimate& held = result.errors[numbers[*worst]];
-    held.observable = false;
-    held.value = 0;
-    const Eigen::VectorXd errors = without(adjuster->model().errors(), *worst);
-    left.erase(left.begin() + at);
-    numbers.erase(numbers.begin() + at);
-    TrajectoryAdjustment fewer(problem, left);
-    fewer.restart(*adjuster, errors);
-    if (!settle(fewer, 2)) return result;
-    adjuster.emplace(std::move(fewer));
+    const auto i = static_cast<Eigen::Index>(k);
+    const bool observable = (*stds)[i] <= largestUsefulStd(problem, left[k]);
+    result.errors[numbers[k]] = {left[k], observable, observable ? adjuster->model().errors()[i] : 0, (*stds)[i]};
   }
-  result.poses = adjuster->poses();
   result.scatter = adjuster->scatters();
-  result.misfits = adjuster->misfits();
+  result.misfits = moved.measured ? inLoggedOrder(adjuster->misfits(), moved.measured->readings) : adjuster->misfits();
   result.odometry_scatter = adjuster->odometryScatter();
+  result.odometry_redundancy = adjuster->odometryRedundancy();
   result.iterations = adjuster->steps();
   result.status = SolveStatus::ok;
   return result;

@@ -11,26 +11,28 @@ namespace mrpt_ext
 struct ParameterEstimate
 {
   CalibrationUnknown unknown;
-  bool observable = false;  ///< false: the recording does not determine it; it was held at 0 for all others
-  double value = 0;         ///< in the unit of the parameter; 0 when not observable
-  double std = 0;           ///< likewise; when not observable, what a free one would have had, or 0
+  bool observable =
+      false;         ///< false: the recording does not determine it; to the others it is as uncertain as `std` says
+  double value = 0;  ///< in the unit of the parameter; 0 when not observable
+  double std = 0;    ///< likewise; 0 where the robot does not move by more than odometry errs
 };
 
 struct CalibrationResult
 {
   SolveStatus status = SolveStatus::too_few;
   std::vector<ParameterEstimate> errors;  ///< in the order of the unknowns
-  std::vector<Pose2> poses;
-  std::vector<SensorScatter> scatter;  ///< by sensor
-  std::vector<double> misfits;  ///< by reading: signed residual over its standard deviation, with the scatter found
-  double odometry_scatter = 1;  ///< of odometry, over what was declared
+  std::vector<SensorScatter> scatter;     ///< by sensor
+  std::vector<double> misfits;     ///< by reading: signed residual over its standard deviation, with the scatter found
+  double odometry_scatter = 1;     ///< of odometry, over what was declared
+  double odometry_redundancy = 0;  ///< number of its residuals less what the adjustment took up
   int iterations = 0;
 };
 
 /// Self-calibration: systematic errors of a recording from the recording and the map alone. All poses and all unknowns
 /// are adjusted together: readings against their predictions, the motion between poses against odometry (Gauss-Newton,
-/// PoseChainSystem). Outliers do not count (Geman-McClure loss with a scale of four standard deviations for readings;
-/// twenty for odometry). The scatter of readings (median) and of odometry (its redundancy) is estimated too, so that
+/// PoseChainSystem). Outliers hardly count (robust_loss.h, quadratic up to 2.5 standard deviations of a
+/// reading, 12.5 of odometry). The poses lie where the readings were measured, not at their stamps
+/// (measurement_times.h). The scatter of readings (median) and of odometry (its redundancy) is estimated too, so that
 /// the declared standard deviations of odometry need only be right to a factor of ten; those of readings are a lower
 /// bound. Delays are also started from up to 1 s early and late.
 ///
@@ -38,10 +40,10 @@ struct CalibrationResult
 /// and that by which separate parts of the recording disagree (sandwich estimator over up to thirty blocks of time,
 /// which counts correlated errors for what they are). A parameter is observable when its standard deviation is small
 /// enough to be of use (delay 0.1 s, bearing offset 3 deg, range offset a twentieth of the typical range, range scale
-/// 0.05, odometry scales 0.1, veer 0.05 rad/m); the worst one that is not is held at 0, and the others are estimated
-/// again. A robot that does not move by more than the error of its odometry makes no delay and no parameter of odometry
-/// observable.
-/// Status: `too_few` below 20 readings or 3 per unknown, `degenerate` when poses stay undetermined, `bad_input`.
+/// 0.05, odometry scales 0.1, veer 0.05 rad/m, drift 1 deg/s, lever arms half of what was not known;
+/// parameter_limits.h). One that is not stays in the adjustment with its prior. A robot that does not move by more than
+/// the error of its odometry makes no delay and no parameter of odometry observable. Status: `too_few` below 20
+/// readings or 3 per unknown, `degenerate` when poses stay undetermined, `bad_input`.
 [[nodiscard]] CalibrationResult calibrate(const CalibrationProblem& problem,
                                           const std::vector<CalibrationUnknown>& unknowns);
 }  // namespace mrpt_ext

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "mrpt_ext/calibration/parameter_limits.h"
 #include "mrpt_ext/calibration/robust_loss.h"
 #include "mrpt_ext/geometry/quantile.h"
 
@@ -18,22 +19,24 @@ constexpr double kLeastScatter = 0.1, kMostScatter = 30;
 // was picked up does not count.
 constexpr double kSlip2 = 400;  // squared standard deviations
 constexpr int kMostBlocks = 30, kLeastBlocks = 8;
+constexpr double kFarMisfit = 4;  // standard deviations
 
-/// Wide priors, so that an unobservable parameter stays finite.
-double priorStd(CalibrationParameter parameter)
+/// Of one kind, by one sensor.
+struct Residuals
 {
-  switch (parameter)
-  {
-    case CalibrationParameter::delay:
-      return 3;
-    case CalibrationParameter::bearing_offset:
-      return 1;
-    case CalibrationParameter::range_offset:
-      return 30;
-    default:
-      return 1;
-  }
+  std::vector<double> sizes;  // over the declared standard deviation, and over what the poses leave of it
+  double redundancy = 0;
+};
+
+/// Median absolute deviation. The outliers are left out of it: they shift the median of the others.
+double scatterFrom(std::vector<double> sizes)
+{
+  if (sizes.empty()) return 1;
+  const double all = 1.4826 * upperMedian(sizes);
+  std::erase_if(sizes, [&](double size) { return size > kFarMisfit * all; });
+  return std::clamp(1.4826 * upperMedian(std::move(sizes)), kLeastScatter, kMostScatter);
 }
+
 }  // namespace
 
 TrajectoryAdjustment::TrajectoryAdjustment(const CalibrationProblem& problem, std::vector<CalibrationUnknown> unknowns)
@@ -61,6 +64,14 @@ void TrajectoryAdjustment::restart(const TrajectoryAdjustment& start, const Eige
   model_.setErrors(errors);
 }
 
+void TrajectoryAdjustment::continueFrom(const TrajectoryAdjustment& start)
+{
+  scatters_ = start.scatters_;
+  odometry_scatter_ = start.odometry_scatter_;
+  steps_ = start.steps_;
+  model_.setErrors(start.model_.errors());
+}
+
 PoseChainSystem TrajectoryAdjustment::linearized() const
 {
   PoseChainSystem chain(poses_.size(), model_.errors().size());
@@ -84,7 +95,7 @@ PoseChainSystem TrajectoryAdjustment::linearized() const
   {
     const auto i = static_cast<Eigen::Index>(k);
     chain.addPrior(-model_.errors()[i], Eigen::RowVectorXd::Unit(model_.errors().size(), i),
-                   1 / square(priorStd(model_.unknowns()[k].parameter)));
+                   1 / square(priorStd(problem_, model_.unknowns()[k])));
   }
   return chain;
 }
@@ -98,7 +109,7 @@ double TrajectoryAdjustment::cost() const
     if (problem_.poses[k].since_previous)
       cost += robust::loss((linkScale() * model_.linkResidual(k, poses_[k - 1], poses_[k])).squaredNorm(), kSlip2);
   for (std::size_t k = 0; k < model_.unknowns().size(); ++k)
-    cost += square(model_.errors()[static_cast<Eigen::Index>(k)] / priorStd(model_.unknowns()[k].parameter));
+    cost += square(model_.errors()[static_cast<Eigen::Index>(k)] / priorStd(problem_, model_.unknowns()[k]));
   return cost;
 }
 
@@ -137,17 +148,17 @@ bool TrajectoryAdjustment::estimateScatters()
 {
   const std::optional<ChainSolution> solution = linearized().solve();
   if (!solution) return false;
-  std::vector<std::vector<double>> bearings(problem_.sensors), ranges(problem_.sensors);
+  std::vector<Residuals> bearings(problem_.sensors), ranges(problem_.sensors);
   for (const CalibrationReading& r : problem_.readings)
   {
     const ReadingResidual row = model_.reading(r, poses_[r.pose]);
     const double weight = robust::weight(square(row.residual / assumedScatterOf(r)));
     const double explained = row.own.dot(row.own * solution->covariance[r.pose]) / square(assumedScatterOf(r));
     const double redundancy = std::max(1 - weight * explained, kLeastRedundancy);
-    (r.is_range ? ranges : bearings)[r.sensor].push_back(std::abs(row.residual) / std::sqrt(redundancy));
+    Residuals& residuals = (r.is_range ? ranges : bearings)[r.sensor];
+    residuals.sizes.push_back(std::abs(row.residual) / std::sqrt(redundancy));
+    residuals.redundancy += weight * redundancy;
   }
-  const auto scatter_from = [](const std::vector<double>& sizes)
-  { return sizes.empty() ? 1 : std::clamp(1.4826 * upperMedian(sizes), kLeastScatter, kMostScatter); };
   double misfit = 0, redundancy = 0;
   for (std::size_t k = 1; k < poses_.size(); ++k)
   {
@@ -162,9 +173,12 @@ bool TrajectoryAdjustment::estimateScatters()
   }
   for (std::size_t s = 0; s < problem_.sensors; ++s)
   {
-    scatters_[s].bearing = scatter_from(bearings[s]);
-    scatters_[s].range = scatter_from(ranges[s]);
+    scatters_[s].bearing = scatterFrom(bearings[s].sizes);
+    scatters_[s].range = scatterFrom(ranges[s].sizes);
+    scatters_[s].bearing_redundancy = bearings[s].redundancy;
+    scatters_[s].range_redundancy = ranges[s].redundancy;
   }
+  odometry_redundancy_ = redundancy;
   if (redundancy > 10) odometry_scatter_ = std::clamp(std::sqrt(misfit / redundancy), kLeastScatter, kMostScatter);
   return true;
 }

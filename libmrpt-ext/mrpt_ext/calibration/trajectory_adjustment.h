@@ -22,15 +22,17 @@ class TrajectoryAdjustment
   [[nodiscard]] std::optional<Eigen::VectorXd> standardDeviations() const;
 
   [[nodiscard]] const TrajectoryModel& model() const { return model_; }
-  [[nodiscard]] const std::vector<Pose2>& poses() const { return poses_; }
   [[nodiscard]] const std::vector<SensorScatter>& scatters() const { return scatters_; }
   [[nodiscard]] double odometryScatter() const { return odometry_scatter_; }
+  [[nodiscard]] double odometryRedundancy() const { return odometry_redundancy_; }
   [[nodiscard]] int steps() const { return steps_; }
   /// Residual of each reading over its standard deviation, with the scatter found.
   [[nodiscard]] std::vector<double> misfits() const;
 
   /// Continues from the poses and scatters of `start`, with other values of the unknowns.
   void restart(const TrajectoryAdjustment& start, const Eigen::VectorXd& errors);
+  /// Continues from the unknowns and scatters of `start`, which has other poses.
+  void continueFrom(const TrajectoryAdjustment& start);
 
  private:
   [[nodiscard]] double scatterOf(const CalibrationReading& reading) const;
@@ -44,7 +46,7 @@ class TrajectoryAdjustment
   TrajectoryModel model_;
   std::vector<Pose2> poses_;
   std::vector<SensorScatter> scatters_;
-  double odometry_scatter_ = 1;
+  double odometry_scatter_ = 1, odometry_redundancy_ = 0;
   int steps_ = 0;
 };
 }  // namespace mrpt_ext

@@ -8,8 +8,10 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kDelayChange = 0.05;  // [s] longer than the time between two records of most odometries
-constexpr double kLeastLink = 1e-4;    // [m], [rad] smallest standard deviation of odometry per link
+// [s] Long, so that the noise of odometry at a reading, which its link has too, is a small part of the speed: it would
+// look like a change of speed, and bias the delay.
+constexpr double kDelayChange = 0.15;
+constexpr double kLeastLink = 1e-4;  // [m], [rad] smallest standard deviation of odometry per link
 
 Pose2 differenceOf(const Pose2& plus, const Pose2& minus, double by)
 {
@@ -29,12 +31,15 @@ TrajectoryModel::TrajectoryModel(const CalibrationProblem& problem, std::vector<
     const CalibrationParameter kind = unknowns_[k].parameter;
     SensorTerms unused, &sensor = isOfOdometry(kind) ? unused : of_sensor_[unknowns_[k].sensor];
     int& number = kind == CalibrationParameter::delay            ? sensor.delay
+                  : kind == CalibrationParameter::lever_arm_x    ? sensor.lever_arm_x
+                  : kind == CalibrationParameter::lever_arm_y    ? sensor.lever_arm_y
                   : kind == CalibrationParameter::bearing_offset ? sensor.bearing_offset
                   : kind == CalibrationParameter::range_offset   ? sensor.range_offset
                   : kind == CalibrationParameter::range_scale    ? sensor.range_scale
                   : kind == CalibrationParameter::distance_scale ? distance_scale_
                   : kind == CalibrationParameter::rotation_scale ? rotation_scale_
-                                                                 : veer_;
+                  : kind == CalibrationParameter::veer           ? veer_
+                                                                 : drift_;
     number = static_cast<int>(k);
   }
   for (const TrajectoryPose& pose : problem.poses)
@@ -46,9 +51,10 @@ TrajectoryModel::TrajectoryModel(const CalibrationProblem& problem, std::vector<
 }
 
 /// The chord of an arc turns by half of what its end turns.
-Pose2 TrajectoryModel::predictOdometry(const Pose2& moved) const
+Pose2 TrajectoryModel::predictOdometry(std::size_t k, const Pose2& moved) const
 {
-  const double turn = (moved.phi - valueOf(veer_) * moved.position().norm()) / (1 + valueOf(rotation_scale_));
+  const double unseen = valueOf(veer_) * moved.position().norm() + valueOf(drift_) * durationOf(k);
+  const double turn = (moved.phi - unseen) / (1 + valueOf(rotation_scale_));
   const Vector2d chord = rotation(0.5 * (turn - moved.phi)) * moved.position() / (1 + valueOf(distance_scale_));
   return {chord.x(), chord.y(), turn};
 }
@@ -58,16 +64,19 @@ Pose2 TrajectoryModel::backBy(double time, double late) const { return between(p
 ReadingResidual TrajectoryModel::reading(const CalibrationReading& r, const Pose2& pose) const
 {
   const SensorTerms& terms = of_sensor_[r.sensor];
-  const double time = problem_.poses[r.pose].time, late = valueOf(terms.delay);
-  const Pose2 back = terms.delay < 0 ? Pose2{} : backBy(time, late);
+  const double known = r.sensor < problem_.known_delays.size() ? problem_.known_delays[r.sensor] : 0;
+  const double time = problem_.poses[r.pose].time, late = valueOf(terms.delay) - known;
+  const Pose2 back = late == 0 ? Pose2{} : backBy(time, late);
   const Pose2 then = compose(pose, back);
-  const Vector2d offset = r.T_robot_sensor.position();
+  const Pose2 T_robot_sensor{r.T_robot_sensor.x + valueOf(terms.lever_arm_x),
+                             r.T_robot_sensor.y + valueOf(terms.lever_arm_y), r.T_robot_sensor.phi};
+  const Vector2d offset = T_robot_sensor.position();
   ReadingResidual row{.own = {}, .shared = Eigen::RowVectorXd::Zero(values_.size())};
   JacobianRow by_then;
   double predicted = 0;
   if (r.is_range)
   {
-    const double flat = predictRange(then, r.landmark, r.T_robot_sensor), slant = std::hypot(flat, r.height);
+    const double flat = predictRange(then, r.landmark, T_robot_sensor), slant = std::hypot(flat, r.height);
     const double scale = 1 + valueOf(terms.range_scale);
     predicted = scale * slant + valueOf(terms.range_offset);
     by_then = (slant > 0 ? scale * flat / slant : 0) * rangeJacobian(then, r.landmark, offset);
@@ -76,12 +85,16 @@ ReadingResidual TrajectoryModel::reading(const CalibrationReading& r, const Pose
   }
   else
   {
-    predicted = predictBearing(then, r.landmark, r.T_robot_sensor) + valueOf(terms.bearing_offset);
+    predicted = predictBearing(then, r.landmark, T_robot_sensor) + valueOf(terms.bearing_offset);
     by_then = bearingJacobian(then, r.landmark, offset);
     if (terms.bearing_offset >= 0) row.shared[terms.bearing_offset] = 1;
   }
   row.residual = (r.is_range ? r.value - predicted : wrap(r.value - predicted)) / r.std;
   row.own = by_then * composeJacobianFirst(pose, back) / r.std;
+  // A sensor that sits elsewhere sees what a robot sees that stands elsewhere.
+  const Eigen::RowVector2d by_lever_arm = by_then.head<2>() * rotation(then.phi);
+  if (terms.lever_arm_x >= 0) row.shared[terms.lever_arm_x] = by_lever_arm.x();
+  if (terms.lever_arm_y >= 0) row.shared[terms.lever_arm_y] = by_lever_arm.y();
   if (terms.delay >= 0)
   {
     const Pose2 by_delay =
@@ -96,7 +109,8 @@ MotionPrediction TrajectoryModel::motion(std::size_t k) const
 {
   const Pose2 logged = path_.between(problem_.poses[k - 1].time, problem_.poses[k].time).increment;
   const double distance = 1 + valueOf(distance_scale_), length = distance * logged.position().norm();
-  const double turn = (1 + valueOf(rotation_scale_)) * logged.phi + valueOf(veer_) * length;
+  const double turn =
+      (1 + valueOf(rotation_scale_)) * logged.phi + valueOf(veer_) * length + valueOf(drift_) * durationOf(k);
   const Vector2d chord = distance * (rotation(0.5 * (turn - logged.phi)) * logged.position());
   MotionPrediction motion{{chord.x(), chord.y(), turn}, {}};
   motion.shared.setZero(3, values_.size());
@@ -107,19 +121,20 @@ MotionPrediction TrajectoryModel::motion(std::size_t k) const
         Vector3d(chord.x(), chord.y(), 0) / distance + turned(valueOf(veer_) * length / distance);
   if (rotation_scale_ >= 0) motion.shared.col(rotation_scale_) = turned(logged.phi);
   if (veer_ >= 0) motion.shared.col(veer_) = turned(length);
+  if (drift_ >= 0) motion.shared.col(drift_) = turned(durationOf(k));
   return motion;
 }
 
 Vector3d TrajectoryModel::linkResidual(std::size_t k, const Pose2& before, const Pose2& pose) const
 {
   const Pose2 logged = path_.between(problem_.poses[k - 1].time, problem_.poses[k].time).increment;
-  const Pose2 predicted = predictOdometry(between(before, pose));
+  const Pose2 predicted = predictOdometry(k, between(before, pose));
   return whitening_[k] * Vector3d(logged.x - predicted.x, logged.y - predicted.y, wrap(logged.phi - predicted.phi));
 }
 
 OdometryResidual TrajectoryModel::link(std::size_t k, const Pose2& before, const Pose2& pose) const
 {
-  const Pose2 moved = between(before, pose), predicted = predictOdometry(moved);
+  const Pose2 moved = between(before, pose), predicted = predictOdometry(k, moved);
   const Vector2d chord = predicted.position(), swing = perpendicular(chord);
   const double length = moved.position().norm(), distance = 1 + valueOf(distance_scale_),
                turn = 1 + valueOf(rotation_scale_);
@@ -148,6 +163,7 @@ OdometryResidual TrajectoryModel::link(std::size_t k, const Pose2& before, const
     row.shared.col(distance_scale_) = whitening_[k] * Vector3d(-chord.x() / distance, -chord.y() / distance, 0);
   if (rotation_scale_ >= 0) row.shared.col(rotation_scale_) = whitening_[k] * turned(-predicted.phi / turn);
   if (veer_ >= 0) row.shared.col(veer_) = whitening_[k] * turned(-length / turn);
+  if (drift_ >= 0) row.shared.col(drift_) = whitening_[k] * turned(-durationOf(k) / turn);
   return row;
 }
 }  // namespace mrpt_ext

@@ -56,18 +56,19 @@ class TrajectoryModel
   /// Numbers of the unknowns of a sensor, -1: none.
   struct SensorTerms
   {
-    int delay = -1, bearing_offset = -1, range_offset = -1, range_scale = -1;
+    int delay = -1, lever_arm_x = -1, lever_arm_y = -1, bearing_offset = -1, range_offset = -1, range_scale = -1;
   };
   [[nodiscard]] double valueOf(int term) const { return term < 0 ? 0 : values_[term]; }
-  /// Odometry that a motion should give.
-  [[nodiscard]] Pose2 predictOdometry(const Pose2& moved) const;
+  /// Odometry that a motion between pose `k - 1` and pose `k` should give.
+  [[nodiscard]] Pose2 predictOdometry(std::size_t k, const Pose2& moved) const;
+  [[nodiscard]] double durationOf(std::size_t k) const { return problem_.poses[k].time - problem_.poses[k - 1].time; }
   /// Motion by odometry from the stamp to `late` [s] before it.
   [[nodiscard]] Pose2 backBy(double time, double late) const;
 
   const CalibrationProblem& problem_;
   std::vector<CalibrationUnknown> unknowns_;
   std::vector<SensorTerms> of_sensor_;
-  int distance_scale_ = -1, rotation_scale_ = -1, veer_ = -1;  // numbers of their unknowns
+  int distance_scale_ = -1, rotation_scale_ = -1, veer_ = -1, drift_ = -1;  // numbers of their unknowns
   OdometryPath path_;
   std::vector<Matrix3d> whitening_;  // of each link
   Eigen::VectorXd values_;

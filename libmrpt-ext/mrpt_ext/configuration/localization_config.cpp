@@ -144,6 +144,7 @@ LocalizationConfig localizationConfig(const Settings& settings, const LandmarkTa
                    .odometry = {.scale = settings.number(kMotion, "odometry_scale"),
                                 .rotation_scale = settings.number(kMotion, "odometry_rotation_scale"),
                                 .turn_per_m = settings.radians(kMotion, "odometry_turn_per_m_deg"),
+                                .turn_per_s = settings.radians(kMotion, "odometry_turn_per_s_deg"),
                                 .delay = settings.number(kMotion, "odometry_delay_s")},
                    .sensors = sensorConfigs(settings)};
   for (const std::string& category : settings.words(kExperimentSection, "objects"))

@@ -141,7 +141,9 @@ KeyTable motionKeys()
               "Factor on the measured distance (not on turns).")
       .number("odometry_rotation_scale", "", odometry.rotation_scale, ranges::kPositive, "Factor on measured turns.")
       .degrees("odometry_turn_per_m_deg", "deg", odometry.turn_per_m, ranges::kAny,
-               "Turn to the left per metre that odometry misses (veer).");
+               "Turn to the left per metre that odometry misses (veer).")
+      .degrees("odometry_turn_per_s_deg", "deg/s", odometry.turn_per_s, ranges::kAny,
+               "Turn to the left per second that odometry misses, also at standstill (drift of a gyroscope).");
 }
 
 KeyTable sensorKeys()
@@ -190,6 +192,10 @@ KeyTable sensorKeys()
           "Standard deviation of its stated position on the robot, along each axis. What readings and turns have "
           "not told of it is part of the stated covariance; the estimate is not corrected. 0: nothing is assumed, only "
           "what the readings show is stated.")
+      .number("lever_arm_x_m", "m", sensor.lever_arm.x(), ranges::kAny,
+              "How much further forward on the robot it is than the log says.")
+      .number("lever_arm_y_m", "m", sensor.lever_arm.y(), ranges::kAny,
+              "How much further left it is than the log says.")
       .choice("association", sensor.association, identityLevels(),
               "Which logged identities are used for data association.")
       .forBeginners()

@@ -65,6 +65,7 @@ SensorConfigs sensorConfigs(const Settings& settings)
     c.max_range = settings.optionalNumber(section, "max_range_m");
     c.clutter_probability = settings.number(section, "clutter_probability");
     c.detection_probability = settings.optionalNumber(section, "detection_probability");
+    c.lever_arm = {settings.number(section, "lever_arm_x_m"), settings.number(section, "lever_arm_y_m")};
     c.lever_arm_std = settings.number(section, "lever_arm_std_m");
     c.association = settings.choice(section, "association", identityLevels());
     c.reflectors = reflectorOptions(settings, section);

@@ -122,6 +122,7 @@ OdometryNoise readOdometry(const Settings& settings)
   noise.scale_error = value("scale_error");
   noise.rotation_scale_error = value("rotation_scale_error");
   noise.arc_scale_error = value("arc_scale_error");
+  noise.veer = settings.radians("Odometry", "veer_deg_per_m");
   noise.drift = settings.radians("Odometry", "drift_deg_s");
   noise.slips_per_minute = value("slips_per_minute");
   noise.std_slip = value("std_slip_m");
@@ -137,7 +138,13 @@ ErrorSpread readRandomErrors(const Settings& settings)
           .noise_factor = value("noise_factor"),
           .slips_per_minute = value("slips_per_minute"),
           .delay = value("delay_s"),
-          .lever_arm = value("lever_arm_m")};
+          .lever_arm = value("lever_arm_m"),
+          .distance_scale = value("scale_error"),
+          .rotation_scale = value("rotation_scale_error"),
+          .veer = settings.radians("RandomErrors", "veer_deg_per_m"),
+          .bearing_offset = settings.radians("RandomErrors", "bias_bearing_deg"),
+          .range_offset = value("bias_range_m"),
+          .range_scale = value("range_scale_error")};
 }
 
 SimulatedObject readObject(const Settings& settings, const std::string& section)

@@ -98,6 +98,8 @@ KeyTable odometryKeys()
       .number("rotation_scale_error", "", noise.rotation_scale_error, {-0.5, 0.5}, "Measured / true turn - 1.")
       .number("arc_scale_error", "", noise.arc_scale_error, {-0.5, 2},
               "Measured / true turn - 1 while driving, in addition. Turns in place are not affected.")
+      .degrees("veer_deg_per_m", "deg", noise.veer, ranges::kAny,
+               "Turn to the left per metre that odometry does not measure.")
       .degrees("drift_deg_s", "deg/s", noise.drift, ranges::kAny,
                "How fast the heading of odometry drifts, also at standstill.")
       .number("slips_per_minute", "", noise.slips_per_minute, {0, 600}, "Expected number of slips.")
@@ -121,7 +123,19 @@ KeyTable randomErrorKeys()
       .number("delay_s", "s", spread.delay, ranges::kNotNegative, "Delay of every sensor, up to this.")
       .number("lever_arm_m", "m", spread.lever_arm, ranges::kNotNegative,
               "How far a sensor is from its logged place on the robot, along and across, up to this in either "
-              "direction.");
+              "direction.")
+      .number("scale_error", "", spread.distance_scale, {0, 0.5},
+              "Measured / true distance - 1, up to this in either direction.")
+      .number("rotation_scale_error", "", spread.rotation_scale, {0, 0.5},
+              "Measured / true turn - 1, up to this in either direction.")
+      .degrees("veer_deg_per_m", "deg", spread.veer, ranges::kNotNegative,
+               "Turn per metre that odometry does not measure, up to this in either direction.")
+      .degrees("bias_bearing_deg", "deg", spread.bearing_offset, ranges::kNotNegative,
+               "Offset of the bearings of every sensor, up to this in either direction.")
+      .number("bias_range_m", "m", spread.range_offset, ranges::kNotNegative,
+              "Offset of the ranges of every sensor, up to this in either direction.")
+      .number("range_scale_error", "", spread.range_scale, {0, 0.5},
+              "Measured / true range - 1 of every sensor, up to this in either direction.");
 }
 
 KeyTable objectKeys()

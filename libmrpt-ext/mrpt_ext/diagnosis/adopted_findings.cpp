@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mrpt_ext/diagnosis/noise_findings.h"
 #include "mrpt_ext/files/number_format.h"
 
 namespace mrpt_ext

@@ -25,8 +25,9 @@ namespace mrpt_ext
       return CalibrationParameter::rotation_scale;
     case BiasKind::veer:
       return CalibrationParameter::veer;
-    case BiasKind::arc_scale:
     case BiasKind::drift:
+      return CalibrationParameter::drift;
+    case BiasKind::arc_scale:
       break;
   }
   return std::nullopt;

@@ -12,6 +12,7 @@ namespace
 {
 constexpr double kStep = 1;          // [s] longest time between two poses
 constexpr double kLongestGap = 180;  // [s] that odometry bridges
+constexpr double kAside = 1.0;       // [s] before and after a motion that tell its noise
 constexpr std::size_t kMostReadings = 100'000;
 
 class CalibrationDataBuilder
@@ -23,6 +24,8 @@ class CalibrationDataBuilder
       result_.problem.odometry.push_back({entry.time, entry.pose});
     result_.sensors = input.logged_sensors;
     result_.problem.sensors = result_.sensors.size();
+    for (const std::string& label : result_.sensors)
+      result_.problem.lever_arm_std.push_back(configOf(input.config.frames.sensors, label).lever_arm_std);
   }
 
   void add(const Frame& frame, const PoseEstimate& estimate)
@@ -43,6 +46,28 @@ class CalibrationDataBuilder
     return nominalMotion(input_.config.filter.motion, input_.log.overview.odometry.between(from, to));
   }
 
+  /// The motion with the way and the turn of the motion before and after it, which the noise depends on. Its own would
+  /// not do: what odometry measures too long would count less than what it measures too short, and all of it would
+  /// appear to be measured too short.
+  [[nodiscard]] OdometryMotion motionWithNoiseAround(double from, double to) const
+  {
+    OdometryMotion motion = moved(from, to);
+    const double aside = std::max(to - from, kAside), share = (to - from) / (2 * aside);
+    const OdometryMotion before = moved(from - aside, from), after = moved(to, to + aside);
+    motion.path_length = share * (before.increment.position().norm() + after.increment.position().norm());
+    motion.turned = share * (turnBeyondNoise(before) + turnBeyondNoise(after));
+    return motion;
+  }
+
+  /// [rad] What noise turns is no turn.
+  [[nodiscard]] double turnBeyondNoise(OdometryMotion motion) const
+  {
+    motion.path_length = motion.increment.position().norm();
+    motion.turned = std::abs(motion.increment.phi);
+    const double noise = incrementStd(input_.config.filter.motion, motion).z();
+    return std::sqrt(std::max(square(motion.turned) - square(noise), 0.0));
+  }
+
   void bridgeTo(double time)
   {
     if (result_.problem.poses.empty() || input_.config.frames.independent) return;
@@ -61,7 +86,7 @@ class CalibrationDataBuilder
     {
       const double before = result_.problem.poses.back().time;
       if (time - before <= kLongestGap)
-        next.since_previous = incrementCovariance(input_.config.filter.motion, moved(before, time));
+        next.since_previous = incrementCovariance(input_.config.filter.motion, motionWithNoiseAround(before, time));
     }
     result_.problem.poses.push_back(next);
   }
@@ -151,10 +176,16 @@ std::vector<CalibrationUnknown> calibrationUnknowns(const LocalizationInput& inp
   std::set<std::size_t> bearings, ranges;
   for (const CalibrationReading& r : data.problem.readings) (r.is_range ? ranges : bearings).insert(r.sensor);
   std::vector<CalibrationUnknown> unknowns;
-  if (moving) unknowns = {{distance_scale}, {rotation_scale}, {veer}};
+  if (moving) unknowns = {{distance_scale}, {rotation_scale}, {veer}, {drift}};
   for (std::size_t s = 0; s < data.sensors.size(); ++s)
   {
-    if (moving && (bearings.count(s) > 0 || ranges.count(s) > 0)) unknowns.push_back({delay, s});
+    const bool measures = bearings.count(s) > 0 || ranges.count(s) > 0;
+    if (moving && measures) unknowns.push_back({delay, s});
+    if (moving && measures && data.problem.lever_arm_std[s] > 0)
+    {
+      unknowns.push_back({lever_arm_x, s});
+      unknowns.push_back({lever_arm_y, s});
+    }
     if (bearings.count(s) > 0) unknowns.push_back({bearing_offset, s});
     if (ranges.count(s) == 0) continue;
     unknowns.push_back({range_offset, s});

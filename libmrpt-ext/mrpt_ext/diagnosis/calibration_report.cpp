@@ -11,10 +11,8 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kSignificant = 2;          // standard deviations
-constexpr double kOutlier = 4;              // standard deviations
-constexpr double kSignificantRatio = 1.5;   // estimated over configured
-constexpr std::size_t kLeastReadings = 50;  // of a sensor
+constexpr double kSignificant = 3;  // standard deviations
+constexpr double kOutlier = 4;      // standard deviations
 
 const std::string kMotion = "MotionModel";
 
@@ -24,6 +22,9 @@ std::string whyNotObservable(CalibrationParameter kind)
   {
     case CalibrationParameter::delay:
       return "the robot moves too little or too evenly";
+    case CalibrationParameter::lever_arm_x:
+    case CalibrationParameter::lever_arm_y:
+      return "not separable from delay and heading";
     case CalibrationParameter::bearing_offset:
       return "not separable from the heading";
     case CalibrationParameter::range_offset:
@@ -31,6 +32,9 @@ std::string whyNotObservable(CalibrationParameter kind)
       return "too few different ranges";
     case CalibrationParameter::rotation_scale:
       return "too few turns";
+    case CalibrationParameter::veer:
+    case CalibrationParameter::drift:
+      return "veer and drift are not separable: no rests";
     default:
       return "too short a trajectory";
   }
@@ -115,6 +119,16 @@ class Translator
       set(found, error, radToDeg(base), radToDeg(1.0));
       found.configured = radToDeg(now.turn_per_m);
     }
+    if (error.unknown.parameter == CalibrationParameter::drift)
+    {
+      found = {.what = "odometry: unmeasured left turn per second",
+               .unit = "deg/s",
+               .decimals = 3,
+               .line = {kMotion, "odometry_turn_per_s_deg", ""}};
+      const double base = now.turn_per_s * (1 + valueOf(CalibrationParameter::rotation_scale));
+      set(found, error, radToDeg(base), radToDeg(1.0));
+      found.configured = radToDeg(now.turn_per_s);
+    }
     return found;
   }
 
@@ -127,6 +141,14 @@ class Translator
     {
       case CalibrationParameter::delay:
         return delay(error, label, now);
+      case CalibrationParameter::lever_arm_x:
+        found = {.what = label + ": further forward than stated", .unit = "m", .line = {section, "lever_arm_x_m", ""}};
+        set(found, error, now.lever_arm.x(), 1);
+        return found;
+      case CalibrationParameter::lever_arm_y:
+        found = {.what = label + ": further left than stated", .unit = "m", .line = {section, "lever_arm_y_m", ""}};
+        set(found, error, now.lever_arm.y(), 1);
+        return found;
       case CalibrationParameter::bearing_offset:
         found = {.what = label + ": bearing offset",
                  .unit = "deg",
@@ -165,53 +187,9 @@ class Translator
   const LocalizationConfig& config_;
 };
 
-void settleLine(CalibrationFinding& found, bool differs)
-{
-  found.differs = differs && found.why_not_observable.empty();
-  found.line.value = fixedText(found.estimate, found.decimals);
-}
-
 bool differs(const CalibrationFinding& found)
 {
   return found.why_not_observable.empty() && std::abs(found.estimate - found.configured) > kSignificant * found.std;
-}
-
-/// Bearings or ranges of one sensor.
-struct Residuals
-{
-  std::vector<double> stds;  // declared
-  double outliers = 0;
-};
-
-/// By number of the sensor and whether they are ranges.
-using ResidualsBySensor = std::map<std::pair<std::size_t, bool>, Residuals>;
-
-/// Of the detections of each sensor: those far from the landmark they were matched with, and those near none.
-std::vector<CalibrationFinding> outlierFindings(const ResidualsBySensor& by_sensor, const CalibrationData& data,
-                                                const LocalizationConfig& config)
-{
-  std::map<std::size_t, CalibrationFinding> findings;
-  for (const auto& [key, of] : by_sensor)
-  {
-    const std::size_t sensor = key.first;
-    const std::string& label = data.sensors[sensor];
-    const auto left_out = data.unmatched.find(label);
-    const double unmatched = left_out == data.unmatched.end() ? 0 : static_cast<double>(left_out->second);
-    const double count = static_cast<double>(of.stds.size()) + unmatched, share = (of.outliers + unmatched) / count;
-    CalibrationFinding found{.what = label + ": share of outliers",
-                             .configured = configOf(config.frames.sensors, label).clutter_probability,
-                             .estimate = share,
-                             .std = std::sqrt(share * (1 - share) / count),
-                             .decimals = 3,
-                             .line = {"Sensor_" + label, "clutter_probability", ""}};
-    settleLine(found, of.stds.size() >= kLeastReadings && share > kSignificantRatio * found.configured);
-    // Bearings and ranges of a sensor have one key: the worse of them counts.
-    const auto [entry, is_new] = findings.try_emplace(sensor, found);
-    if (!is_new && share > entry->second.estimate) entry->second = found;
-  }
-  std::vector<CalibrationFinding> list;
-  for (auto& [sensor, found] : findings) list.push_back(std::move(found));
-  return list;
 }
 
 bool isOfRanges(const ParameterEstimate& error)
@@ -220,69 +198,13 @@ bool isOfRanges(const ParameterEstimate& error)
          error.unknown.parameter == CalibrationParameter::range_scale;
 }
 
-std::vector<CalibrationFinding> measurementNoiseFindings(const CalibrationResult& errors, const CalibrationData& data,
-                                                         const LocalizationConfig& config)
-{
-  ResidualsBySensor by_sensor;
-  for (std::size_t i = 0; i < errors.misfits.size(); ++i)
-  {
-    const CalibrationReading& r = data.problem.readings[i];
-    Residuals& of = by_sensor[{r.sensor, r.is_range}];
-    of.stds.push_back(r.std);
-    of.outliers += std::abs(errors.misfits[i]) > kOutlier;
-  }
-  std::vector<CalibrationFinding> findings;
-  for (const auto& [key, of] : by_sensor)
-  {
-    const auto& [sensor, is_range] = key;
-    const std::string label = data.sensors[sensor], section = "Sensor_" + label;
-    const SensorConfig& now = configOf(config.frames.sensors, label);
-    const double unit = is_range ? 1 : radToDeg(1.0), declared = unit * upperMedian(of.stds);
-    const double scatter = is_range ? errors.scatter[sensor].range : errors.scatter[sensor].bearing;
-    const auto count = static_cast<double>(of.stds.size());
-    CalibrationFinding spread{.what = label + (is_range ? ": std of ranges" : ": std of bearings"),
-                              .unit = is_range ? "m" : "deg",
-                              .configured = declared,
-                              .estimate = scatter * declared,
-                              .std = scatter * declared / std::sqrt(count),
-                              .decimals = is_range ? 3 : 2,
-                              .line = {section, is_range ? "std_range_m" : "std_bearing_deg", ""}};
-    const bool enough = of.stds.size() >= kLeastReadings;
-    settleLine(spread, enough && scatter > kSignificantRatio && !(is_range && now.std_range_per_m > 0));
-    findings.push_back(spread);
-  }
-  for (CalibrationFinding& outliers : outlierFindings(by_sensor, data, config)) findings.push_back(std::move(outliers));
-  return findings;
-}
-
-std::vector<CalibrationFinding> odometryNoiseFindings(const CalibrationResult& errors, const CalibrationData& data,
-                                                      const LocalizationConfig& config)
-{
-  std::size_t links = 0;
-  for (const TrajectoryPose& pose : data.problem.poses) links += pose.since_previous ? 1 : 0;
-  if (data.problem.odometry.empty() || links == 0) return {};
-  const MotionModel& now = config.filter.motion;
-  const double factor = errors.odometry_scatter, relative_std = 1 / std::sqrt(6.0 * static_cast<double>(links));
-  const bool larger = factor > kSignificantRatio;
-  std::vector<CalibrationFinding> findings;
-  const auto add = [&](const char* key, double configured, const char* unit)
-  {
-    CalibrationFinding found{.what = std::string("odometry: ") + key,
-                             .unit = unit,
-                             .configured = configured,
-                             .estimate = factor * configured,
-                             .std = factor * configured * relative_std,
-                             .decimals = 4,
-                             .line = {kMotion, key, ""}};
-    settleLine(found, larger);
-    findings.push_back(found);
-  };
-  add("std_xy_per_m", now.std_xy_per_m, "m");
-  add("std_phi_deg_per_deg", now.std_phi_per_deg, "deg");
-  add("std_phi_deg_per_m", radToDeg(now.std_phi_per_m), "deg");
-  return findings;
-}
 }  // namespace
+
+void settleLine(CalibrationFinding& found, bool differs)
+{
+  found.differs = differs && found.why_not_observable.empty();
+  found.line.value = fixedText(found.estimate, found.decimals);
+}
 
 std::vector<CalibrationFinding> calibrationFindings(const CalibrationResult& errors,
                                                     const std::vector<std::string>& sensors,
@@ -300,15 +222,6 @@ std::vector<CalibrationFinding> calibrationFindings(const CalibrationResult& err
                     differs(findings[j]));
     settleLine(findings[k], set);
   }
-  return findings;
-}
-
-std::vector<CalibrationFinding> noiseFindings(const CalibrationResult& errors, const CalibrationData& data,
-                                              const LocalizationConfig& config)
-{
-  std::vector<CalibrationFinding> findings = measurementNoiseFindings(errors, data, config);
-  for (CalibrationFinding& finding : odometryNoiseFindings(errors, data, config))
-    findings.push_back(std::move(finding));
   return findings;
 }
 

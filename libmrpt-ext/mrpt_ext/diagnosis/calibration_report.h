@@ -28,17 +28,14 @@ struct CalibrationFinding
 /// The errors that were found on top of the configured corrections, as values of the configuration. Where [Bias] or
 /// [Sensor_<label>] states the mean of an estimated error, that mean is reported. Only the difference of two clocks is
 /// observable: it is attributed to odometry where the configuration does so and there is one sensor, else to the
-/// sensor. A value differs when it is more than two standard deviations from the configured one; offset and scale of a
-/// range are set together.
+/// sensor. A value differs when it is more than three standard deviations from the configured one; offset and scale of
+/// a range are set together.
 [[nodiscard]] std::vector<CalibrationFinding> calibrationFindings(const CalibrationResult& errors,
                                                                   const std::vector<std::string>& sensors,
                                                                   const LocalizationConfig& config);
 
-/// Noise where it differs when the configuration states less: of the measurements; the share of outliers by sensor,
-/// counting the detections that no landmark is near; of odometry, that of the configuration times the scatter found.
-[[nodiscard]] std::vector<CalibrationFinding> noiseFindings(const CalibrationResult& errors,
-                                                            const CalibrationData& data,
-                                                            const LocalizationConfig& config);
+/// Completes the line that sets the estimate; `differs`: it should be set, where the log determines it.
+void settleLine(CalibrationFinding& found, bool differs);
 
 /// Shares of outliers by landmark, one line each.
 [[nodiscard]] std::vector<std::string> landmarkLines(const CalibrationResult& errors, const CalibrationData& data,

@@ -28,6 +28,12 @@ SensorModel configured(SensorModel model, const SensorConfig& config)
   return model;
 }
 
+/// Where the sensor is on the robot.
+Pose2 configuredPlace(const Pose2& logged, const SensorConfig& config)
+{
+  return {logged.x + config.lever_arm.x(), logged.y + config.lever_arm.y(), logged.phi};
+}
+
 void reduceIdentity(Detection& detection, IdentityLevel association, const LandmarkTable& map)
 {
   if (association == IdentityLevel::known) return;
@@ -114,6 +120,7 @@ Reading configured(Reading reading, const SensorConfigs& configs, const Landmark
 {
   const SensorConfig& config = configOf(configs, reading.sensor);
   reading.time -= config.delay;
+  reading.T_robot_sensor = configuredPlace(reading.T_robot_sensor, config);
   reading.model = configured(reading.model, config);
   std::vector<Detection> usable;
   for (Detection& detection : reading.detections)
@@ -158,6 +165,7 @@ std::optional<RunningFixReading> configured(RunningFixReading fix, const SensorC
   const SensorConfig& config = configOf(configs, fix.sensor);
   fix.time -= config.delay;
   fix.first_time -= config.delay;
+  fix.T_robot_sensor = configuredPlace(fix.T_robot_sensor, config);
   fix.model = configured(fix.model, config);
   correctRange(fix.first_range, fix.first_std, config, fix.sensor, fix.id);
   correctRange(fix.second_range, fix.second_std, config, fix.sensor, fix.id);

@@ -25,7 +25,7 @@ OdometryPath::OdometryPath(std::vector<OdometryRecord> records, const OdometryCo
 
 void OdometryPath::add(const OdometryRecord& record)
 {
-  const Pose2 before = std::exchange(logged_, record.pose);
+  const OdometryRecord before = std::exchange(logged_, record);
   if (path_.empty())
   {
     path_.push_back({record.time + correction_.delay, record.pose, true});
@@ -33,10 +33,11 @@ void OdometryPath::add(const OdometryRecord& record)
     turned_.push_back(0);
     return;
   }
-  Pose2 step = mrpt_ext::between(before, record.pose);
+  Pose2 step = mrpt_ext::between(before.pose, record.pose);
   step.x *= correction_.scale;
   step.y *= correction_.scale;
-  step.phi = correction_.rotation_scale * step.phi + correction_.turn_per_m * step.position().norm();
+  step.phi = correction_.rotation_scale * step.phi + correction_.turn_per_m * step.position().norm() +
+             correction_.turn_per_s * (record.time - before.time);
   length_.push_back(length_.back() + step.position().norm());
   turned_.push_back(turned_.back() + std::abs(step.phi));
   path_.push_back({record.time + correction_.delay, compose(path_.back().pose, step), true});

@@ -15,6 +15,7 @@ struct OdometryCorrection
   double scale = 1;           ///< factor on distances
   double rotation_scale = 1;  ///< factor on rotations
   double turn_per_m = 0;      ///< [rad/m] added to the heading per metre driven
+  double turn_per_s = 0;      ///< [rad/s] added to the heading per second
   double delay = 0;           ///< [s] added to the stamps
 };
 
@@ -50,7 +51,7 @@ class OdometryPath
   [[nodiscard]] std::optional<PathMoments> momentsBetween(double from, double to) const;
 
   OdometryCorrection correction_;
-  Pose2 logged_;  // of the record added last, not corrected
+  OdometryRecord logged_;  // added last, not corrected
   Trajectory path_;
   std::vector<double> length_, turned_;  // accumulated, one per pose of path_
 };

@@ -27,7 +27,8 @@ SimulatedOdometry::SimulatedOdometry(const RobotPath& path, const OdometryNoise&
     const double scale = 1 + noise.scale_error;
     const double dx = scale * moved.x + std.x() * random.gaussian();
     const double dy = scale * moved.y + std.y() * random.gaussian();
-    const double dphi = rotationScale(begin, end) * moved.phi + std.z() * random.gaussian();
+    const double length = path.lengthAt(end) - path.lengthAt(begin);
+    const double dphi = rotationScale(begin, end) * (moved.phi - noise.veer * length) + std.z() * random.gaussian();
     const Vector3d unnoticed = slip(end - begin, random);
     reckoned =
         compose(reckoned, {dx + unnoticed.x(), dy + unnoticed.y(), dphi + noise.drift * (end - begin) + unnoticed.z()});

@@ -16,6 +16,20 @@ void scaleNoise(OdometryNoise& noise, double factor)
   noise.std_xy_per_sqrt_s *= factor;
   noise.std_phi_deg_per_sqrt_s *= factor;
 }
+
+void drawScales(const ErrorSpread& spread, OdometryNoise& odometry, RandomStream& random)
+{
+  odometry.scale_error += random.uniform(-spread.distance_scale, spread.distance_scale);
+  odometry.rotation_scale_error += random.uniform(-spread.rotation_scale, spread.rotation_scale);
+  odometry.veer += random.uniform(-spread.veer, spread.veer);
+}
+
+void drawOffsets(const ErrorSpread& spread, SimulatedSensor& sensor, RandomStream& random)
+{
+  sensor.bias_bearing += random.uniform(-spread.bearing_offset, spread.bearing_offset);
+  sensor.bias_range += random.uniform(-spread.range_offset, spread.range_offset);
+  sensor.scale_range *= 1 + random.uniform(-spread.range_scale, spread.range_scale);
+}
 }  // namespace
 
 Scenario withRandomErrors(Scenario scenario)
@@ -34,6 +48,8 @@ Scenario withRandomErrors(Scenario scenario)
     sensor.lever_arm.x() += random.uniform(-spread.lever_arm, spread.lever_arm);
     sensor.lever_arm.y() += random.uniform(-spread.lever_arm, spread.lever_arm);
   }
+  drawScales(spread, odometry, random);
+  for (SimulatedSensor& sensor : scenario.sensors) drawOffsets(spread, sensor, random);
   return scenario;
 }
 }  // namespace mrpt_ext

@@ -27,6 +27,7 @@ struct OdometryNoise
   double scale_error = 0;             ///< measured / true distance - 1
   double rotation_scale_error = 0;    ///< measured / true rotation - 1
   double arc_scale_error = 0;   ///< the same for turns while driving, in addition; turns in place are not affected
+  double veer = 0;              ///< [rad/m] to the left that odometry does not measure
   double drift = 0;             ///< [rad/s] that the heading turns in the log, also at standstill
   double slips_per_minute = 0;  ///< expected number
   double std_slip = 0;          ///< [m] of a displacement that odometry misses
@@ -40,8 +41,12 @@ struct ErrorSpread
   double arc_turn_loss = 0;  ///< on arcs the robot turns less than measured by up to this share
   double noise_factor = 1;   ///< odometry noise is up to this many times the stated one
   double slips_per_minute = 0;
-  double delay = 0;      ///< [s] of every sensor
-  double lever_arm = 0;  ///< [m] that a sensor is off its stated place, along each axis
+  double delay = 0;                               ///< [s] of every sensor
+  double lever_arm = 0;                           ///< [m] that a sensor is off its stated place, along each axis
+  double distance_scale = 0, rotation_scale = 0;  ///< measured / true - 1, either sign
+  double veer = 0;                                ///< [rad/m] either sign
+  double bearing_offset = 0;                      ///< [rad] of every sensor, either sign
+  double range_offset = 0, range_scale = 0;       ///< [m], measured / true - 1, of every sensor, either sign
 };
 
 enum class SensorKind

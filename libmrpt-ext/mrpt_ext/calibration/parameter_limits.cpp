@@ -1,0 +1,73 @@
+#include "mrpt_ext/calibration/parameter_limits.h"
+
+#include "mrpt_ext/geometry/measurement.h"
+#include "mrpt_ext/geometry/quantile.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kToldShare = 0.5;  // of the prior standard deviation of a lever arm
+
+double typicalRange(const CalibrationProblem& problem, std::size_t sensor)
+{
+  std::vector<double> ranges;
+  for (const CalibrationReading& r : problem.readings)
+    if (r.is_range && r.sensor == sensor) ranges.push_back(r.value);
+  return ranges.empty() ? 1 : upperMedian(std::move(ranges));
+}
+
+double leverArmStd(const CalibrationProblem& problem, std::size_t sensor)
+{
+  return sensor < problem.lever_arm_std.size() ? problem.lever_arm_std[sensor] : SensorModel{}.lever_arm_std;
+}
+}  // namespace
+
+double priorStd(const CalibrationProblem& problem, const CalibrationUnknown& unknown)
+{
+  switch (unknown.parameter)
+  {
+    case CalibrationParameter::lever_arm_x:
+    case CalibrationParameter::lever_arm_y:
+      return leverArmStd(problem, unknown.sensor);
+    case CalibrationParameter::range_offset:
+      return 30;
+    case CalibrationParameter::distance_scale:
+    case CalibrationParameter::rotation_scale:
+    case CalibrationParameter::range_scale:
+    case CalibrationParameter::veer:
+      return 0.3;
+    case CalibrationParameter::drift:
+      return 0.1;
+    default:
+      return 1;
+  }
+}
+
+double largestUsefulStd(const CalibrationProblem& problem, const CalibrationUnknown& unknown)
+{
+  switch (unknown.parameter)
+  {
+    case CalibrationParameter::delay:
+      return 0.1;
+    case CalibrationParameter::lever_arm_x:
+    case CalibrationParameter::lever_arm_y:
+      return kToldShare * leverArmStd(problem, unknown.sensor);
+    case CalibrationParameter::bearing_offset:
+      return degToRad(3.0);
+    case CalibrationParameter::range_offset:
+      return 0.05 * typicalRange(problem, unknown.sensor);
+    case CalibrationParameter::range_scale:
+    case CalibrationParameter::veer:
+      return 0.05;
+    case CalibrationParameter::drift:
+      return degToRad(1.0);
+    case CalibrationParameter::distance_scale:
+    case CalibrationParameter::rotation_scale:
+      return 0.1;
+    case CalibrationParameter::range_height:
+      break;  // a mistake in the map, which is no value of the configuration
+  }
+  return 0;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "mrpt_ext/calibration/calibration_problem.h"
+
+namespace mrpt_ext
+{
+/// Standard deviation of an error before the recording is seen, in the unit of the parameter: that of a lever arm as
+/// stated, those of others wider than such errors are, so that what the recording does not tell stays finite.
+[[nodiscard]] double priorStd(const CalibrationProblem& problem, const CalibrationUnknown& unknown);
+
+/// Largest standard deviation with which an estimate is of use; it says something that was not known before.
+[[nodiscard]] double largestUsefulStd(const CalibrationProblem& problem, const CalibrationUnknown& unknown);
+}  // namespace mrpt_ext

@@ -1,0 +1,129 @@
+#include "mrpt_ext/diagnosis/noise_findings.h"
+
+#include <algorithm>
+#include <map>
+
+#include "mrpt_ext/geometry/quantile.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kFarOff = 4;               // standard deviations
+constexpr double kStdOfMedian = 1.17;       // of a median absolute deviation, times the root of their number
+constexpr double kSignificantRatio = 1.5;   // estimated over configured
+constexpr std::size_t kLeastReadings = 50;  // of a sensor
+
+/// Bearings or ranges of one sensor.
+struct Residuals
+{
+  std::vector<double> stds;  // declared
+  double outliers = 0;
+};
+
+/// By number of the sensor and whether they are ranges.
+using ResidualsBySensor = std::map<std::pair<std::size_t, bool>, Residuals>;
+
+/// Of the detections of each sensor: those far from the landmark they were matched with, and those near none.
+std::vector<CalibrationFinding> outlierFindings(const ResidualsBySensor& by_sensor, const CalibrationData& data,
+                                                const LocalizationConfig& config)
+{
+  std::map<std::size_t, CalibrationFinding> findings;
+  for (const auto& [key, of] : by_sensor)
+  {
+    const std::size_t sensor = key.first;
+    const std::string& label = data.sensors[sensor];
+    const auto left_out = data.unmatched.find(label);
+    const double unmatched = left_out == data.unmatched.end() ? 0 : static_cast<double>(left_out->second);
+    const double count = static_cast<double>(of.stds.size()) + unmatched, share = (of.outliers + unmatched) / count;
+    CalibrationFinding found{.what = label + ": share of outliers",
+                             .configured = configOf(config.frames.sensors, label).clutter_probability,
+                             .estimate = share,
+                             .std = std::sqrt(share * (1 - share) / count),
+                             .decimals = 3,
+                             .line = {"Sensor_" + label, "clutter_probability", ""}};
+    settleLine(found, of.stds.size() >= kLeastReadings && share > kSignificantRatio * found.configured);
+    // Bearings and ranges of a sensor have one key: the worse of them counts.
+    const auto [entry, is_new] = findings.try_emplace(sensor, found);
+    if (!is_new && share > entry->second.estimate) entry->second = found;
+  }
+  std::vector<CalibrationFinding> list;
+  for (auto& [sensor, found] : findings) list.push_back(std::move(found));
+  return list;
+}
+
+std::vector<CalibrationFinding> measurementNoiseFindings(const CalibrationResult& errors, const CalibrationData& data,
+                                                         const LocalizationConfig& config)
+{
+  ResidualsBySensor by_sensor;
+  for (std::size_t i = 0; i < errors.misfits.size(); ++i)
+  {
+    const CalibrationReading& r = data.problem.readings[i];
+    Residuals& of = by_sensor[{r.sensor, r.is_range}];
+    of.stds.push_back(r.std);
+    of.outliers += std::abs(errors.misfits[i]) > kFarOff;
+  }
+  std::vector<CalibrationFinding> findings;
+  for (const auto& [key, of] : by_sensor)
+  {
+    const auto& [sensor, is_range] = key;
+    const std::string label = data.sensors[sensor], section = "Sensor_" + label;
+    const SensorConfig& now = configOf(config.frames.sensors, label);
+    const double unit = is_range ? 1 : radToDeg(1.0), declared = unit * upperMedian(of.stds);
+    const double scatter = is_range ? errors.scatter[sensor].range : errors.scatter[sensor].bearing;
+    const double redundancy =
+        is_range ? errors.scatter[sensor].range_redundancy : errors.scatter[sensor].bearing_redundancy;
+    CalibrationFinding spread{.what = label + (is_range ? ": std of ranges" : ": std of bearings"),
+                              .unit = is_range ? "m" : "deg",
+                              .configured = declared,
+                              .estimate = scatter * declared,
+                              .std = scatter * declared * kStdOfMedian / std::sqrt(std::max(redundancy, 1.0)),
+                              .decimals = is_range ? 3 : 2,
+                              .line = {section, is_range ? "std_range_m" : "std_bearing_deg", ""}};
+    const bool enough = of.stds.size() >= kLeastReadings;
+    settleLine(spread, enough && scatter > kSignificantRatio && !(is_range && now.std_range_per_m > 0));
+    findings.push_back(spread);
+  }
+  for (CalibrationFinding& outliers : outlierFindings(by_sensor, data, config)) findings.push_back(std::move(outliers));
+  return findings;
+}
+
+std::vector<CalibrationFinding> odometryNoiseFindings(const CalibrationResult& errors, const CalibrationData& data,
+                                                      const LocalizationConfig& config)
+{
+  std::size_t links = 0;
+  for (const TrajectoryPose& pose : data.problem.poses) links += pose.since_previous ? 1 : 0;
+  if (data.problem.odometry.empty() || links == 0) return {};
+  const MotionModel& now = config.filter.motion;
+  const double factor = errors.odometry_scatter,
+               relative_std = 1 / std::sqrt(2 * std::max(errors.odometry_redundancy, 1.0));
+  const bool larger = factor > kSignificantRatio;
+  std::vector<CalibrationFinding> findings;
+  const auto add = [&](const char* key, double configured, const char* unit)
+  {
+    CalibrationFinding found{.what = std::string("odometry: ") + key,
+                             .unit = unit,
+                             .configured = configured,
+                             .estimate = factor * configured,
+                             .std = factor * configured * relative_std,
+                             .decimals = 4,
+                             .line = {"MotionModel", key, ""}};
+    settleLine(found, larger);
+    findings.push_back(found);
+  };
+  add("std_xy_per_m", now.std_xy_per_m, "m");
+  add("std_phi_deg_per_deg", now.std_phi_per_deg, "deg");
+  add("std_phi_deg_per_m", radToDeg(now.std_phi_per_m), "deg");
+  return findings;
+}
+}  // namespace
+
+std::vector<CalibrationFinding> noiseFindings(const CalibrationResult& errors, const CalibrationData& data,
+                                              const LocalizationConfig& config)
+{
+  std::vector<CalibrationFinding> findings = measurementNoiseFindings(errors, data, config);
+  for (CalibrationFinding& finding : odometryNoiseFindings(errors, data, config))
+    findings.push_back(std::move(finding));
+  return findings;
+}
+}  // namespace mrpt_ext
