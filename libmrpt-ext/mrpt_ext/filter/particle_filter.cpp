@@ -73,7 +73,7 @@ FilterStep ParticleFilter::process(const Frame& whole, const HypothesisSources& 
   if (recovery.kind == Recovery::Kind::reseed) integrity_.doubt();
 
   // Weight: w_t = p(z_t | x_t)
-  const bool respawned = !(gaussian && track(*gaussian, used)) && weight(used);
+  const bool respawned = !(gaussian && track(*gaussian, used)) && weight(used, recovery.due());
 
   // Estimate: the modes, never their mean
   FilterStep step = estimate(frame, recovery.kind);
@@ -192,10 +192,11 @@ WeightParticles ParticleFilter::weigher() const
   return [this](const Frame& frame, ParticleSet& particles) { observation_model_.weight(frame, particles); };
 }
 
-bool ParticleFilter::weight(const Frame& frame)
+bool ParticleFilter::weight(const Frame& frame, bool injected)
 {
   mode_mixture_.predictAndUpdate(particles_, frame, observation_model_.map());
-  const std::optional<KalmanState> prior = kalmanPrior(frame.motion);
+  // The best mode says nothing about hypotheses that were injected.
+  const std::optional<KalmanState> prior = injected ? std::nullopt : kalmanPrior(frame.motion);
   observation_model_.weight(frame, particles_);
   mode_mixture_.reweight(particles_);
   // Propose: where few particles would survive, draw them from a Kalman posterior instead

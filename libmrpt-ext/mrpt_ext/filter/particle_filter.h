@@ -72,7 +72,7 @@ class ParticleFilter
   [[nodiscard]] std::size_t fewParticles() const { return std::min(options_.verified_particles, options_.particles); }
   [[nodiscard]] WeightParticles weigher() const;
   /// True when a mode got its particles back.
-  bool weight(const Frame& frame);
+  bool weight(const Frame& frame, bool injected);
   [[nodiscard]] FilterStep estimate(const Frame& frame, Recovery::Kind injected);
   /// Finds the modes. What is stated of them: corrected for sampling and for errors that last.
   [[nodiscard]] ModeSet updateModes(const Frame& frame, double effective);

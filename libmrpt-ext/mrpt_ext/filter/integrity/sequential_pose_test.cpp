@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mrpt_ext/filter/integrity/sensor_monitors.h"
-#include "mrpt_ext/filter/kalman/kalman_association.h"
-#include "mrpt_ext/filter/particle_moments.h"
 #include "mrpt_ext/likelihood/detection_density.h"
 #include "mrpt_ext/likelihood/reading_scorer.h"
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
@@ -15,7 +14,7 @@ namespace mrpt_ext
 namespace
 {
 constexpr std::size_t kMaxScored = 4000;  // particles: enough to estimate a density
-constexpr double kClearlySeen = 0.5;      // probability of the association
+constexpr double kClearlyNearer = 0.5;    // times the distance of the second landmark
 
 /// Every k-th particle, at most kMaxScored of them, normalised.
 ParticleSet thinned(const ParticleSet& particles)
@@ -35,18 +34,43 @@ std::vector<Reading> parts(const Reading& reading)
   return result;
 }
 
-/// Index of the landmark that the particles see in the only detection. Nothing where that is not clear, and for
-/// anonymous bearings: they fit so many poses that those right about one landmark are not the strongest rivals.
+/// Where the only detection, with range and bearing, is in the map: the mean over the particles.
+Vector2d placeOf(const Reading& part, const ParticleSet& particles)
+{
+  const Detection& detection = part.detections.front();
+  const Vector2d by_sensor = *detection.range * Vector2d(std::cos(*detection.bearing), std::sin(*detection.bearing));
+  const Vector2d by_robot = part.T_robot_sensor.position() + rotation(part.T_robot_sensor.phi) * by_sensor;
+  Vector2d sum = Vector2d::Zero();
+  double weights = 0;
+  for (std::size_t i = 0; i < particles.size(); ++i)
+  {
+    const Pose2 pose = particles.pose(i);
+    const double weight = std::exp(double{particles.log_weight[i]});
+    sum += weight * (pose.position() + rotation(pose.phi) * by_robot);
+    weights += weight;
+  }
+  return weights > 0 ? Vector2d(sum / weights) : sum;
+}
+
+/// Index of the landmark that the particles see in the only detection. Nothing where another is nearly as near, and for
+/// an anonymous range or bearing: these fit so many poses that those right about one landmark are not the strongest
+/// rivals.
 std::optional<std::size_t> landmarkIn(const Reading& part, const LandmarkTable& map, const ParticleSet& particles)
 {
   const Detection& detection = part.detections.front();
   if (detection.id != kNoId) return map.indexOf(detection.id);
-  if (!detection.range) return std::nullopt;
-  const auto state = momentsOf(particles, [](std::size_t) { return true; });
-  if (!state) return std::nullopt;
-  const Association found =
-      associate(detection, part, map, startingState(state->gaussianPose(), {}), {}, defaultMaxRange(map));
-  return found.best > kClearlySeen ? std::optional(found.landmark) : std::nullopt;
+  if (!detection.range || !detection.bearing) return std::nullopt;
+  const Vector2d place = placeOf(part, particles);
+  double nearest = std::numeric_limits<double>::infinity(), second = nearest;
+  std::size_t best = 0;
+  for (std::size_t k = 0; k < map.size(); ++k)
+  {
+    const double away = (map[k].position.head<2>() - place).norm();
+    if (away < nearest) best = k;
+    second = std::min(second, std::max(nearest, away));
+    nearest = std::min(nearest, away);
+  }
+  return nearest < kClearlyNearer * second ? std::optional(best) : std::nullopt;
 }
 }  // namespace
 
