@@ -92,7 +92,7 @@ std::optional<PathMoments> OdometryPath::momentsBetween(double from, double to) 
   const PathPoint begin = pointAt(from);
   PathPoint before = begin;
   double time = from;
-  const auto appendUntil = [&](double next, const PathPoint& point)
+  const auto append_until = [&](double next, const PathPoint& point)
   {
     append(moments, mrpt_ext::between(begin.pose, before.pose),
            {mrpt_ext::between(before.pose, point.pose), point.length - before.length, point.turned - before.turned,
@@ -103,9 +103,9 @@ std::optional<PathMoments> OdometryPath::momentsBetween(double from, double to) 
   for (auto record = first; record != last; ++record)
   {
     const auto i = static_cast<std::size_t>(record - path_.begin());
-    appendUntil(record->time, {record->pose, length_[i], turned_[i]});
+    append_until(record->time, {record->pose, length_[i], turned_[i]});
   }
-  appendUntil(to, pointAt(to));
+  append_until(to, pointAt(to));
   return moments;
 }
 
