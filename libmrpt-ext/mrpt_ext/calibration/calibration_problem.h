@@ -69,6 +69,8 @@ struct CalibrationProblem
   std::vector<double> lever_arm_std;  ///< [m] of each sensor's stated position, along each axis; absent: 0.05
 };
 
+inline constexpr double kOutlierMisfit = 4;  ///< standard deviations beyond which a residual is an outlier's
+
 /// Scatter of the residuals of one sensor.
 struct SensorScatter
 {

@@ -91,6 +91,7 @@ bool tryDelays(TrajectoryAdjustment& adjuster)
   adjuster.restart(best, best.model().errors());
   return true;
 }
+
 /// The recording with its poses at the measurements, and its adjustment.
 struct MovedRecording
 {

@@ -19,7 +19,6 @@ constexpr double kLeastScatter = 0.1, kMostScatter = 30;
 // was picked up does not count.
 constexpr double kSlip2 = 400;  // squared standard deviations
 constexpr int kMostBlocks = 30, kLeastBlocks = 8;
-constexpr double kFarMisfit = 4;  // standard deviations
 
 /// Of one kind, by one sensor.
 struct Residuals
@@ -33,7 +32,7 @@ double scatterFrom(std::vector<double> sizes)
 {
   if (sizes.empty()) return 1;
   const double all = 1.4826 * upperMedian(sizes);
-  std::erase_if(sizes, [&](double size) { return size > kFarMisfit * all; });
+  std::erase_if(sizes, [&](double size) { return size > kOutlierMisfit * all; });
   return std::clamp(1.4826 * upperMedian(std::move(sizes)), kLeastScatter, kMostScatter);
 }
 

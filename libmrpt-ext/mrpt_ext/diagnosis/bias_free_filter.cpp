@@ -4,20 +4,17 @@ namespace mrpt_ext
 {
 namespace
 {
-/// Of the error of the estimate, by an error of odometry that `motion` was measured with; `step` is the displacement in
-/// the map frame.
-Vector3d odometryEffect(CalibrationParameter parameter, const OdometryMotion& motion, const Vector2d& step)
+/// Of the error of the estimate, in axes of the motion's begin, by an error of odometry that it was measured with.
+Vector3d odometryEffect(CalibrationParameter parameter, const OdometryMotion& motion)
 {
-  const Vector2d left(-step.y(), step.x());
-  const auto turned_by = [&](double angle) { return Vector3d(-angle / 2 * left.x(), -angle / 2 * left.y(), -angle); };
   switch (parameter)
   {
     case CalibrationParameter::distance_scale:
-      return {-step.x(), -step.y(), 0};
+      return {-motion.increment.x, -motion.increment.y, 0};
     case CalibrationParameter::rotation_scale:
-      return turned_by(motion.increment.phi);
+      return -momentsOf(motion).by_turn;
     case CalibrationParameter::veer:
-      return turned_by(motion.path_length);
+      return -momentsOf(motion).by_length;
     default:
       return Vector3d::Zero();
   }
@@ -47,9 +44,8 @@ void BiasFreeFilter::predict(const OdometryMotion& measured, const OdometryMotio
   pose_.covariance = transition * pose_.covariance * transition.transpose() +
                      to_map * incrementCovariance(motion_, motion) * to_map.transpose();
   sensitivity_ = (transition * sensitivity_).eval();
-  const Vector2d smooth_step = rotation(pose_.mean.phi) * smooth.increment.position();
   for (std::size_t k = 0; k < unknowns_.size(); ++k)
-    sensitivity_.col(static_cast<Eigen::Index>(k)) += odometryEffect(unknowns_[k].parameter, smooth, smooth_step);
+    sensitivity_.col(static_cast<Eigen::Index>(k)) += to_map * odometryEffect(unknowns_[k].parameter, smooth);
   pose_.mean = compose(pose_.mean, motion.increment);
 }
 

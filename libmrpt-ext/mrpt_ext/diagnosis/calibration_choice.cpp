@@ -14,7 +14,6 @@ constexpr double kBeyondDoubt = 4;                // standard deviations, of an 
 constexpr double kNoiseDiffers = 1.2;             // of deviations, either way
 constexpr std::size_t kLeastNoiseReadings = 100;  // of a sensor, for its noise
 constexpr double kIndependent = 0.3;              // autocorrelation of successive misfits
-constexpr double kOutlierMisfit = 4;              // standard deviations
 constexpr double kMostOutlierShare = 0.5;         // share
 
 enum class PartKind

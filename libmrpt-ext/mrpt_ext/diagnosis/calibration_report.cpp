@@ -12,7 +12,6 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kSignificant = 3;  // standard deviations
-constexpr double kOutlier = 4;      // standard deviations
 
 const std::string kMotion = "MotionModel";
 
@@ -237,7 +236,7 @@ std::vector<std::string> landmarkLines(const CalibrationResult& errors, const Ca
   {
     Count& count = counts[data.landmarks[i]];
     ++count.readings;
-    count.outliers += std::abs(errors.misfits[i]) > kOutlier;
+    count.outliers += std::abs(errors.misfits[i]) > kOutlierMisfit;
   }
   std::vector<std::string> lines;
   for (const auto& [landmark, count] : counts)

@@ -9,7 +9,6 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kFarOff = 4;               // standard deviations
 constexpr double kStdOfMedian = 1.17;       // of a median absolute deviation, times the root of their number
 constexpr double kSignificantRatio = 1.5;   // estimated over configured
 constexpr std::size_t kLeastReadings = 50;  // of a sensor
@@ -61,7 +60,7 @@ std::vector<CalibrationFinding> measurementNoiseFindings(const CalibrationResult
     const CalibrationReading& r = data.problem.readings[i];
     Residuals& of = by_sensor[{r.sensor, r.is_range}];
     of.stds.push_back(r.std);
-    of.outliers += std::abs(errors.misfits[i]) > kFarOff;
+    of.outliers += std::abs(errors.misfits[i]) > kOutlierMisfit;
   }
   std::vector<CalibrationFinding> findings;
   for (const auto& [key, of] : by_sensor)

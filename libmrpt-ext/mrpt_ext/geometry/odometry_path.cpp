@@ -55,14 +55,20 @@ void OdometryPath::forgetBefore(double time)
   turned_.erase(turned_.begin(), turned_.begin() + old);
 }
 
+std::size_t OdometryPath::firstAfter(double time) const
+{
+  const auto after = std::upper_bound(path_.begin(), path_.end(), time,
+                                      [](double wanted, const TimedPose& entry) { return wanted < entry.time; });
+  return static_cast<std::size_t>(after - path_.begin());
+}
+
 OdometryPath::PathPoint OdometryPath::pointAt(double time) const
 {
   if (path_.empty()) return {};
-  const auto after = std::upper_bound(path_.begin(), path_.end(), time,
-                                      [](double wanted, const TimedPose& entry) { return wanted < entry.time; });
-  if (after == path_.begin()) return {path_.front().pose, length_.front(), turned_.front()};
-  const auto i = static_cast<std::size_t>(after - path_.begin()) - 1;
-  if (after == path_.end()) return {path_[i].pose, length_[i], turned_[i]};
+  const std::size_t after = firstAfter(time);
+  if (after == 0) return {path_.front().pose, length_.front(), turned_.front()};
+  const std::size_t i = after - 1;
+  if (after == path_.size()) return {path_[i].pose, length_[i], turned_[i]};
   const double share = (time - path_[i].time) / (path_[i + 1].time - path_[i].time);
   const Pose2 step = mrpt_ext::between(path_[i].pose, path_[i + 1].pose);
   return {compose(path_[i].pose, {share * step.x, share * step.y, share * step.phi}),
@@ -75,21 +81,16 @@ OdometryMotion OdometryPath::between(double from, double to) const
 {
   const PathPoint a = pointAt(from), b = pointAt(to);
   OdometryMotion motion{mrpt_ext::between(a.pose, b.pose), b.length - a.length, b.turned - a.turned, to - from};
-  motion.moments = momentsBetween(from, to);
+  motion.moments = momentsBetween(from, a, to, b);
   return motion;
 }
 
-std::optional<PathMoments> OdometryPath::momentsBetween(double from, double to) const
+std::optional<PathMoments> OdometryPath::momentsBetween(double from, const PathPoint& begin, double to,
+                                                        const PathPoint& end) const
 {
-  const auto after = [&](double time)
-  {
-    return std::upper_bound(path_.begin(), path_.end(), time,
-                            [](double wanted, const TimedPose& entry) { return wanted < entry.time; });
-  };
-  const auto first = after(from), last = after(to);
+  const std::size_t first = firstAfter(from), last = firstAfter(to);
   if (!(first < last)) return std::nullopt;
   PathMoments moments;
-  const PathPoint begin = pointAt(from);
   PathPoint before = begin;
   double time = from;
   const auto append_until = [&](double next, const PathPoint& point)
@@ -100,12 +101,8 @@ std::optional<PathMoments> OdometryPath::momentsBetween(double from, double to) 
     before = point;
     time = next;
   };
-  for (auto record = first; record != last; ++record)
-  {
-    const auto i = static_cast<std::size_t>(record - path_.begin());
-    append_until(record->time, {record->pose, length_[i], turned_[i]});
-  }
-  append_until(to, pointAt(to));
+  for (std::size_t i = first; i < last; ++i) append_until(path_[i].time, {path_[i].pose, length_[i], turned_[i]});
+  append_until(to, end);
   return moments;
 }
 

@@ -47,8 +47,11 @@ class OdometryPath
     double length = 0, turned = 0;
   };
   [[nodiscard]] PathPoint pointAt(double time) const;
-  /// Of the path between two times, nothing when no record is between them.
-  [[nodiscard]] std::optional<PathMoments> momentsBetween(double from, double to) const;
+  /// Number of the first record after `time`.
+  [[nodiscard]] std::size_t firstAfter(double time) const;
+  /// Of the path between two times, at which it is at `begin` and `end`; nothing when no record is between them.
+  [[nodiscard]] std::optional<PathMoments> momentsBetween(double from, const PathPoint& begin, double to,
+                                                          const PathPoint& end) const;
 
   OdometryCorrection correction_;
   OdometryRecord logged_;  // added last, not corrected

@@ -53,9 +53,8 @@ class SequentialPoseTest
   /// Another mode is under test.
   void reset()
   {
+    doubt();
     log_odds_ = 0;
-    by_landmark_.clear();
-    rivals_refuted_ = false;
   }
   /// The detections do not agree with the mode: what was known of it counts as much as a start at most.
   void doubt()
