@@ -35,17 +35,17 @@ const double kUniform = -std::log(kTwoPi);
 TEST(NullModel, TheFirstBearingHasAUniformDensity)
 {
   NullModel model(kExact, 20);
-  EXPECT_NEAR(model.logLikelihood(camera(), bearingOf(1)), kUniform, 1e-12);
+  EXPECT_NEAR(model.observe(camera(), bearingOf(1)).log_density, kUniform, 1e-12);
 }
 
 TEST(NullModel, AFeatureIsExpectedAgain)
 {
   NullModel model(kExact, 20);
   double last = kUniform;
-  for (int k = 0; k < 10; ++k) last = model.logLikelihood(camera(), bearingOf(1));
+  for (int k = 0; k < 10; ++k) last = model.observe(camera(), bearingOf(1)).log_density;
   EXPECT_EQ(model.size(), 1U);
   EXPECT_GT(last, kUniform + 3);
-  EXPECT_LT(model.logLikelihood(camera(), bearingOf(-1)), kUniform);  // new features have become rare
+  EXPECT_LT(model.observe(camera(), bearingOf(-1)).log_density, kUniform);  // new features have become rare
   EXPECT_EQ(model.size(), 2U);
 }
 
@@ -56,7 +56,7 @@ TEST(NullModel, ParallaxIsLearnedAndThenExpected)
   std::vector<double> densities;
   for (int k = 0; k < 12; ++k)
   {
-    densities.push_back(model.logLikelihood(camera(), bearingOf(predictBearing({0.3 * k, 0, 0}, post))));
+    densities.push_back(model.observe(camera(), bearingOf(predictBearing({0.3 * k, 0, 0}, post))).log_density);
     model.move(aheadBy(0.3));
   }
   EXPECT_EQ(model.size(), 1U);
@@ -70,7 +70,7 @@ TEST(NullModel, ItsDensityIntegratesToOne)
   for (int k = 0; k < 4; ++k)
     for (const Vector2d& post : {Vector2d(3, 2), Vector2d(4, -1)})
     {
-      (void)model.logLikelihood(camera(), bearingOf(predictBearing({0.3 * k, 0, 0}, post)));
+      (void)model.observe(camera(), bearingOf(predictBearing({0.3 * k, 0, 0}, post)));
       model.move(aheadBy(0.15));
     }
   double sum = 0;
@@ -78,7 +78,8 @@ TEST(NullModel, ItsDensityIntegratesToOne)
   for (int k = 0; k < kSteps; ++k)
   {
     NullModel copy = model;
-    sum += std::exp(copy.logLikelihood(camera(), bearingOf(-kPi + (k + 0.5) * kTwoPi / kSteps))) * kTwoPi / kSteps;
+    const auto outcome = copy.observe(camera(), bearingOf(-kPi + (k + 0.5) * kTwoPi / kSteps));
+    sum += std::exp(outcome.log_density) * kTwoPi / kSteps;
   }
   EXPECT_NEAR(sum, 1, 0.01);
 }
@@ -90,7 +91,7 @@ TEST(NullModel, RandomBearingsDoNotFitBetterThanAUniformDensity)
   double gained = 0;
   for (int k = 0; k < 200; ++k)
   {
-    gained += model.logLikelihood(camera(), bearingOf(random.uniform(-kPi, kPi))) - kUniform;
+    gained += model.observe(camera(), bearingOf(random.uniform(-kPi, kPi))).log_density - kUniform;
     model.move(aheadBy(0.3));
   }
   EXPECT_LT(gained, 5);
@@ -99,13 +100,13 @@ TEST(NullModel, RandomBearingsDoNotFitBetterThanAUniformDensity)
 TEST(NullModel, FeaturesOfAnotherCategoryOrSensorAreNotExpected)
 {
   NullModel model(kExact, 20);
-  for (int k = 0; k < 10; ++k) (void)model.logLikelihood(camera(), bearingOf(1));
+  for (int k = 0; k < 10; ++k) (void)model.observe(camera(), bearingOf(1));
   Detection post = bearingOf(1);
   post.category = "post";
-  EXPECT_NEAR(model.logLikelihood(camera(), post), kUniform, 1e-9);
+  EXPECT_NEAR(model.observe(camera(), post).log_density, kUniform, 1e-9);
   Reading other = camera();
   other.sensor = "other";
-  EXPECT_NEAR(model.logLikelihood(other, bearingOf(1)), kUniform, 1e-9);
+  EXPECT_NEAR(model.observe(other, bearingOf(1)).log_density, kUniform, 1e-9);
   model.clear();
   EXPECT_EQ(model.size(), 0U);
 }

@@ -45,7 +45,7 @@ OdometryMotion aheadBy(double distance) { return {{distance, 0, 0}, distance, 0,
 TEST(PointNullModel, TheFirstDetectionHasAUniformDensity)
 {
   PointNullModel model(kExact, 20);
-  EXPECT_NEAR(model.logLikelihood(laser(), at(2, 1)), kUniform, 1e-12);
+  EXPECT_NEAR(model.observe(laser(), at(2, 1)).log_density, kUniform, 1e-12);
 }
 
 TEST(PointNullModel, AFeatureIsExpectedAgainFromWhereverItIsSeen)
@@ -55,12 +55,12 @@ TEST(PointNullModel, AFeatureIsExpectedAgainFromWhereverItIsSeen)
   double last = 0;
   for (int k = 0; k < 8; ++k)
   {
-    last = model.logLikelihood(laser(), of(post, {0.3 * k, 0, 0}));
+    last = model.observe(laser(), of(post, {0.3 * k, 0, 0})).log_density;
     model.move(aheadBy(0.3));
   }
   EXPECT_EQ(model.size(), 1U);
   EXPECT_GT(last, kUniform + 5);
-  EXPECT_LT(model.logLikelihood(laser(), at(4, -2)), kUniform) << "new features have become rare";
+  EXPECT_LT(model.observe(laser(), at(4, -2)).log_density, kUniform) << "new features have become rare";
   EXPECT_EQ(model.size(), 2U);
 }
 
@@ -70,9 +70,9 @@ TEST(PointNullModel, OdometryForgetsWhereAFeatureIs)
   const auto density = [](const MotionModel& motion)
   {
     PointNullModel model(motion, 20);
-    for (int k = 0; k < 5; ++k) (void)model.logLikelihood(laser(), of({2, 1}, {0, 0, 0}));
+    for (int k = 0; k < 5; ++k) (void)model.observe(laser(), of({2, 1}, {0, 0, 0}));
     for (int k = 0; k < 10; ++k) model.move(aheadBy(0.1));
-    return model.logLikelihood(laser(), of({2, 1}, {1, 0, 0}));
+    return model.observe(laser(), of({2, 1}, {1, 0, 0})).log_density;
   };
   EXPECT_LT(density(loose), density(kExact) - 2);
 }
@@ -81,8 +81,7 @@ TEST(PointNullModel, ItsDensityIntegratesToOne)
 {
   PointNullModel model(kExact, 20);
   for (int k = 0; k < 4; ++k)
-    for (const Vector2d& post : {Vector2d(2, 1), Vector2d(1.5, -1)})
-      (void)model.logLikelihood(laser(), of(post, {0, 0, 0}));
+    for (const Vector2d& post : {Vector2d(2, 1), Vector2d(1.5, -1)}) (void)model.observe(laser(), of(post, {0, 0, 0}));
   constexpr int kRanges = 500, kBearings = 720;
   const double cell = kMaxRange / kRanges * kTwoPi / kBearings;
   double sum = 0;
@@ -91,7 +90,7 @@ TEST(PointNullModel, ItsDensityIntegratesToOne)
     {
       PointNullModel copy = model;
       const double range = (i + 0.5) * kMaxRange / kRanges, bearing = (k + 0.5) * kTwoPi / kBearings - kPi;
-      sum += cell * std::exp(copy.logLikelihood(laser(), at(range, bearing)));
+      sum += cell * std::exp(copy.observe(laser(), at(range, bearing)).log_density);
     }
   EXPECT_NEAR(sum, 1, 0.01);
 }

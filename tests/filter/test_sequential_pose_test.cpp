@@ -149,6 +149,43 @@ TEST(SequentialPoseTest, ADoubtedPoseHasToBeVerifiedAgain)
   EXPECT_EQ(test.logOdds(), SequentialPoseTest::kAcceptLogOdds / 2);
 }
 
+TEST(SequentialPoseTest, WhatWasRefutedStartsAnewOnceOthersCompete)
+{
+  RandomStream random(2);
+  const LandmarkTable map = randomMap(15, 10, random);
+  SequentialPoseTest test(motionModelOf({}), map);
+  Pose2 truth{5, 2, 0};
+  for (int k = 0; k < 30; ++k)
+  {
+    truth = compose(truth, roundTripStep(k));
+    test.update(simulatedFrame({}, map, truth, roundTripStep(k), random), map,
+                particlesAt(compose(truth, {2, 3, 1}), random));
+  }
+  ASSERT_TRUE(test.refuted());
+  test.doubt();
+  EXPECT_EQ(test.logOdds(), 0);
+}
+
+TEST(SequentialPoseTest, LandmarksThatAreNeverSeenDoNotSpeakAgainstThePose)
+{
+  RandomStream random(6);
+  const LandmarkTable map = randomMap(60, 10, random);
+  const LandmarkTable shown({map[0], map[1], map[2], map[3], map[4]});  // the others are hidden
+  SequentialPoseTest test(motionModelOf({}), map);
+  Pose2 truth{5, 2, 0};
+  std::vector<double> odds;
+  for (int k = 0; k < 200; ++k)
+  {
+    truth = compose(truth, roundTripStep(k));
+    const Frame frame = simulatedFrame({.measures_range = true, .identified = false, .clutter = 0.05}, shown, truth,
+                                       roundTripStep(k), random);
+    test.update(frame, map, particlesAt(truth, random));
+    odds.push_back(test.logOdds());
+  }
+  EXPECT_GE(*std::min_element(odds.begin(), odds.end()), SequentialPoseTest::kRejectLogOdds);
+  EXPECT_GE(odds.back(), SequentialPoseTest::kAcceptLogOdds);
+}
+
 TEST(SequentialPoseTest, DetectionsThatSelectedTheModeDoNotCount)
 {
   RandomStream random(1);

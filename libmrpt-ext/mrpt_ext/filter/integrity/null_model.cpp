@@ -73,7 +73,7 @@ void NullModel::add(const Reading& reading, const Pose2& sensor, const Detection
   if (features_.size() > kMaxFeatures) features_.erase(features_.begin());
 }
 
-double NullModel::logLikelihood(const Reading& reading, const Detection& bearing)
+FeatureMixture::Outcome NullModel::observe(const Reading& reading, const Detection& bearing)
 {
   const Pose2 sensor = compose(odometry_.pose, reading.T_robot_sensor);
   const double uniform = 1 / measurementVolume(bearing, reading.model, max_range_);
@@ -94,8 +94,8 @@ double NullModel::logLikelihood(const Reading& reading, const Detection& bearing
   }
   known.any = best != nullptr;
   known.best = best_prediction.density;
-  const auto [log_density, is_known] = mixture_.observe(known, uniform, reading.model.clutter_probability);
-  if (is_known)
+  const FeatureMixture::Outcome outcome = mixture_.observe(known, uniform, reading.model.clutter_probability);
+  if (outcome.is_known)
   {
     RangeWeights ranges{};
     for (std::size_t k = 0; k < kRanges; ++k) ranges[k] = (best->position[k] - sensor.position()).norm();
@@ -104,6 +104,6 @@ double NullModel::logLikelihood(const Reading& reading, const Detection& bearing
   }
   else
     add(reading, sensor, bearing);
-  return log_density;
+  return outcome;
 }
 }  // namespace mrpt_ext

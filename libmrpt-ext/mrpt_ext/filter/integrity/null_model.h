@@ -25,9 +25,9 @@ class NullModel
 
   void clear() { *this = NullModel(motion_, max_range_); }
   void move(const OdometryMotion& motion);
-  /// Log density [1/rad] of a bearing, clutter included, given those before; the bearing is remembered. The detection
-  /// has a bearing and no range.
-  double logLikelihood(const Reading& reading, const Detection& bearing);
+  /// The log density of the result is that of a bearing [1/rad], clutter included, given those before; the bearing is
+  /// remembered. The detection has a bearing and no range.
+  FeatureMixture::Outcome observe(const Reading& reading, const Detection& bearing);
 
   /// Number of tracked features.
   [[nodiscard]] std::size_t size() const { return features_.size(); }

@@ -39,7 +39,7 @@ void PointNullModel::move(const OdometryMotion& motion)
   }
 }
 
-double PointNullModel::logLikelihood(const Reading& reading, const Detection& detection)
+FeatureMixture::Outcome PointNullModel::observe(const Reading& reading, const Detection& detection)
 {
   const double range = *detection.range, bearing = *detection.bearing;
   const Vector2d ray(std::cos(bearing), std::sin(bearing));
@@ -62,8 +62,8 @@ double PointNullModel::logLikelihood(const Reading& reading, const Detection& de
     best = feature;
     known.best = density;
   }
-  const auto [log_density, is_known] = mixture_.observe(known, uniform, reading.model.clutter_probability);
-  if (is_known)
+  const FeatureMixture::Outcome outcome = mixture_.observe(known, uniform, reading.model.clutter_probability);
+  if (outcome.is_known)
   {
     const Matrix2d gain = best->covariance * (best->covariance + seen.covariance).inverse();
     seen.mean = best->mean + gain * (seen.mean - best->mean);
@@ -72,6 +72,6 @@ double PointNullModel::logLikelihood(const Reading& reading, const Detection& de
   }
   features_.push_back(std::move(seen));
   if (features_.size() > kMaxPoints) features_.erase(features_.begin());
-  return log_density;
+  return outcome;
 }
 }  // namespace mrpt_ext

@@ -24,9 +24,9 @@ class PointNullModel
 
   void clear() { *this = PointNullModel(motion_, max_range_); }
   void move(const OdometryMotion& motion);
-  /// Log density [1/(m rad)] of a detection, clutter included, given those before; the detection is remembered. It has
-  /// both bearing and range.
-  double logLikelihood(const Reading& reading, const Detection& detection);
+  /// The log density of the result is that of a detection [1/(m rad)], clutter included, given those before; the
+  /// detection is remembered. It has both bearing and range.
+  FeatureMixture::Outcome observe(const Reading& reading, const Detection& detection);
 
   /// Number of tracked features.
   [[nodiscard]] std::size_t size() const { return features_.size(); }

@@ -8,6 +8,7 @@
 #include "mrpt_ext/filter/integrity/landmark_evidence.h"
 #include "mrpt_ext/filter/integrity/null_model.h"
 #include "mrpt_ext/filter/integrity/point_null_model.h"
+#include "mrpt_ext/filter/integrity/seen_landmarks.h"
 #include "mrpt_ext/filter/integrity/spot_evidence.h"
 #include "mrpt_ext/filter/motion/motion_model.h"
 #include "mrpt_ext/filter/particles/particle_set.h"
@@ -56,10 +57,12 @@ class SequentialPoseTest
     doubt();
     log_odds_ = 0;
   }
-  /// The detections do not agree with the mode: what was known of it counts as much as a start at most.
+  /// The detections do not agree with the mode, and others compete with it: what was known of it counts as much as a
+  /// start at most, and nothing against what is left of them.
   void doubt()
   {
-    log_odds_ = std::min(log_odds_, kAcceptLogOdds / 2);
+    log_odds_ = std::clamp(log_odds_, 0.0, kAcceptLogOdds / 2);
+    seen_.clear();
     by_landmark_.clear();
     rivals_refuted_ = false;
   }
@@ -74,8 +77,8 @@ class SequentialPoseTest
   void move(const OdometryMotion& motion);
   /// Where detections return after a gap, and none of them is identified: earlier evidence counts less.
   void decayAfterGap(const Frame& frame);
-  /// Log-likelihood of independent detections under the null hypothesis; remembers them.
-  double nullLogLikelihood(const Reading& independent, double default_max_range);
+  /// The only detection of a reading under the null hypothesis; it is remembered.
+  FeatureMixture::Outcome observeWithoutMap(const Reading& part, double default_max_range);
   /// Adds the log-likelihood ratio of the readings' independent detections; `particles` are weighted with them.
   void test(const std::vector<Reading>& readings, const LandmarkTable& map, ParticleSet particles);
   /// What counts of the log-likelihood ratio of a single detection of `landmark`; `first`: see SpotEvidence.
@@ -84,6 +87,7 @@ class SequentialPoseTest
   DetectionDecorrelator decorrelator_;
   NullModel null_model_;             // of anonymous bearings
   PointNullModel point_null_model_;  // of those with ranges
+  SeenLandmarks seen_;
   SpotEvidence spot_;
   LandmarkEvidence by_landmark_{kMaxLogOdds};
   bool rivals_refuted_ = false, heading_measured_ = false;
