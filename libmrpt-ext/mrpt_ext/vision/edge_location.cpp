@@ -12,13 +12,13 @@ namespace
 constexpr int kNeighbourRounds = 12;   ///< neighbours' moves depend on each other
 constexpr double kMoveUnknown = 0.6;   ///< share of a neighbour's pull that is not known
 constexpr double kPullReach = 5;       ///< [widths] between edges
-constexpr double kUsualDrift = 0.04;   ///< of an edge's width, by what is beside it
-constexpr double kDriftShare = 0.9;    ///< of the drift, by which smoothing has moved an edge already
-constexpr double kDriftUnknown = 0.6;  ///< of the drift, standard deviation of that
-constexpr double kDriftNoise = 0.5;    ///< of an edge's own noise, in its drift
+constexpr double kUsualDrift = 0.09;   ///< of an edge's width, by what is beside it
+constexpr double kDriftUnknown = 0.7;  ///< of the drift that smoothing has moved an edge by, standard deviation
+constexpr double kDriftNoise = 1.2;    ///< of an edge's own noise, in its drift
 constexpr double kPriorFreedom = 5;    ///< degrees of freedom that what is usual counts as
 constexpr double kMostScatter = 4;     ///< of an edge that tells what is usual, in units of its parts' variances
-constexpr double kUneven = 0.0003;     ///< [rad] standard deviation of a part beyond noise
+constexpr double kUnevenPart = 0.02;   ///< [px] standard deviation of a part, by the raster of the pixels
+constexpr double kUnevenEdge = 0.02;   ///< [px] of all parts of an edge alike
 constexpr double kForeign = 4;         ///< standard deviations from which on a part shows something else
 constexpr int kLocationReweightings = 3;
 
@@ -51,8 +51,8 @@ struct MeanOfParts
   double squares = 0, freedom = 0;  ///< of the parts about the mean, in units of their variances; degrees of freedom
 };
 
-/// How much parts scatter in this image, in units of their variances. Noise is measured where there are no edges; what
-/// a camera's compression, sharpening and a room's walls do beside edges shows in their parts alone.
+/// How much parts scatter in this image, in units of their variances. Noise is measured where there are few edges:
+/// bricks make it seem larger than it is beside edges, a camera's compression and sharpening smaller.
 double usualScatter(const std::vector<MeanOfParts>& means)
 {
   double squares = kPriorFreedom, freedom = kPriorFreedom;
@@ -76,8 +76,12 @@ DriftedBack driftedBack(double drift, double std_drift, double width)
 {
   const double usual = square(kUsualDrift * width), believed = drift * usual / (usual + square(std_drift));
   const double left = usual * square(std_drift) / (usual + square(std_drift));
-  return {-kDriftShare * believed, square(kDriftUnknown * believed) + square(kDriftShare) * left};
+  return {-believed, square(kDriftUnknown * believed) + left};
 }
+
+/// Variance of the mean in units of that by noise. Noise is another one in every part. What makes parts scatter more
+/// may last along the edge, and so be no smaller in the mean.
+double scatterOfMean(double scatter, double freedom) { return scatter + freedom * std::max(0.0, scatter - 1); }
 
 MeanOfParts meanOf(const std::vector<FreedPart>& parts, double centre_std, double width, double usual_scatter)
 {
@@ -96,7 +100,7 @@ MeanOfParts meanOf(const std::vector<FreedPart>& parts, double centre_std, doubl
       wider_move += weight * parts[i].wider_move;
       per_pixel += weight * parts[i].per_pixel;
     }
-    mean /= total;
+    mean /= total, move /= total, drift /= total, wider_move /= total, per_pixel /= total;
     for (std::size_t i = 0; i < parts.size(); ++i)
     {
       const double share = square(parts[i].azimuth - mean) / parts[i].variance;
@@ -108,15 +112,12 @@ MeanOfParts meanOf(const std::vector<FreedPart>& parts, double centre_std, doubl
   }
   const double freedom = std::max(0.0, count - 1);
   if (freedom == 0) squares = 0;
-  // Parts that agree share errors of the camera and of the wall all the same; those that do not are no matter of
-  // chance.
-  const double own = freedom > 0 ? squares / freedom : 0;
-  const double scatter = std::max({1.0, own, (kPriorFreedom * usual_scatter + squares) / (kPriorFreedom + freedom)});
-  const double std_drift = std::hypot(kDriftNoise / std::sqrt(total), kMoveUnknown * wider_move / total);
-  const DriftedBack back = driftedBack(drift / total, std_drift, width);
+  const double scatter = (kPriorFreedom * usual_scatter + squares) / (kPriorFreedom + freedom);
+  const double std_drift = std::hypot(kDriftNoise * std::sqrt(scatter / total), kMoveUnknown * wider_move);
+  const DriftedBack back = driftedBack(drift, std_drift, width);
   return {mean + back.move,
-          std::sqrt(scatter / total + square(kMoveUnknown * move / total) + back.variance +
-                    square(centre_std * per_pixel / total)),
+          std::sqrt(scatterOfMean(scatter, freedom) / total + square(kMoveUnknown * move) + back.variance +
+                    square(std::hypot(centre_std, kUnevenEdge) * per_pixel)),
           squares, freedom};
 }
 
@@ -137,7 +138,7 @@ std::vector<FreedPart> freed(const std::vector<RadialEdge>& edges, const RadialE
     const double pixel = 1 / (part.radius * blur.radius);
     const double coding = edge.polarity * edge.coding_shift * pixel;
     parts.push_back({wrap(part.azimuth - edge.azimuth) - move + coding,
-                     square(part.std_azimuth) + square(kUneven) + square(kMoveUnknown * move), move,
+                     square(part.std_azimuth) + square(kUnevenPart * pixel) + square(kMoveUnknown * move), move,
                      part.drift - (softer - move), softer - move, pixel});
   }
   return parts;

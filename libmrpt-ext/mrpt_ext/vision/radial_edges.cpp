@@ -21,10 +21,11 @@ constexpr std::size_t kClearEdges = 4;    ///< fewer tell nothing about the came
 constexpr double kLargestBlur = 4;        ///< [px] beyond it shadows and edges look alike
 constexpr double kBeside = 2.5;           ///< the levels of its sides are so many standard deviations away
 constexpr double kClippedLevel = 250;     ///< [grey levels] of a side that may be brighter than the image shows
-constexpr double kClippingShift = 0.2;  ///< of the blur, by which half the clipped step is beside half of the whole one
-constexpr double kUnevenBlur = 0.015;   ///< of a larger blur, by which what is beside an edge moves it
-constexpr double kPairWidth = 1.15;     ///< of a sharp edge's width; two edges make a wider peak
-constexpr int kBlurRounds = 8;          ///< of bisection: to a sixtieth of a pixel
+constexpr double kMostClippingShift =
+    0.3;                               ///< of the blur; half the clipped step is up to that beside half of the whole
+constexpr double kUnevenBlur = 0.015;  ///< of a larger blur, by which what is beside an edge moves it
+constexpr double kPairWidth = 1.15;    ///< of a sharp edge's width; two edges make a wider peak
+constexpr int kBlurRounds = 8;         ///< of bisection: to a sixtieth of a pixel
 
 double medianBrightness(const PolarImage& polar)
 {
@@ -75,8 +76,9 @@ class EdgeJudge
     edge.significance = peak.significance();
     const int beside = static_cast<int>(std::lround(kBeside * peak.sigma)), column = static_cast<int>(peak.column);
     const double before = levelAt(peak.run, column - beside), behind = levelAt(peak.run, column + beside);
-    edge.coding_shift = shiftByCoding(before, behind);
-    if (std::max(before, behind) > kClippedLevel) edge.std_clipping = kClippingShift * blur_;
+    const double clipped = clippedShare(peak.run, peak.polarity > 0 ? column + beside : column - beside);
+    edge.coding_shift = shiftByCoding(before, behind) + clipped * kMostClippingShift / 2 * blur_;
+    edge.std_clipping = clipped * kMostClippingShift / std::sqrt(12.0) * blur_;
     edge.width = std::max(sigmaOf(peak), sharpest(peak));  // a neighbour makes the peak narrower than any edge is
     edge.inner = grid_.radiusOf(peak.run.first);
     edge.outer = grid_.radiusOf(peak.run.end - 1);
@@ -127,6 +129,14 @@ class EdgeJudge
     double sum = 0;
     for (int row = run.first; row < run.end; ++row) sum += polar_.grey.at<float>(row, j);
     return sum / (run.end - run.first);
+  }
+  /// Of a run's rows, those that may be brighter in a column than the image shows.
+  [[nodiscard]] double clippedShare(const RadialRun& run, int column) const
+  {
+    const int j = wrappedColumn(column, polar_.grey.cols);
+    int count = 0;
+    for (int row = run.first; row < run.end; ++row) count += polar_.grey.at<float>(row, j) > kClippedLevel;
+    return static_cast<double>(count) / (run.end - run.first);
   }
   [[nodiscard]] bool isClear(const RadialPeak& peak) const
   {
