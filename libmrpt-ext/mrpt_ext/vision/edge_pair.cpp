@@ -21,7 +21,7 @@ constexpr double kLeastWeaker = 0.2;    ///< height of the weaker edge, share of
 constexpr double kLeastDistance = 0.9;  ///< [widths] between the edges
 constexpr double kResolved = 5;         ///< their distance in standard deviations of their places
 constexpr double kBetterFit = 4;        ///< of the squares that one soft edge leaves, over those of two edges
-constexpr double kWidthUnknown = 0.04;  ///< standard deviation of the width, share
+constexpr double kWidthUnknown = 0.08;  ///< standard deviation of the width, share
 constexpr double kCorrelated = 1.7;     ///< of neighbouring columns: their noise weighs so many times as much
 constexpr double kFinestStep = 0.02;    ///< [columns] of the search
 
