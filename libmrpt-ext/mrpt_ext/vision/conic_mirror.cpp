@@ -14,8 +14,8 @@ std::string textOf(const cv::Point2d& pixel)
   return std::to_string(std::lround(pixel.x)) + " " + std::to_string(std::lround(pixel.y)) + " px";
 }
 
-/// [rad] standard deviation of azimuths about the camera's axis, where the mirror sees from beside it: a mirror's radius
-/// is a hundredth of the distances in a room.
+/// [rad] standard deviation of azimuths about the camera's axis, where the mirror sees from beside it: a mirror's
+/// radius is a hundredth of the distances in a room.
 double parallaxOf(const AxisEllipse& rim, const std::optional<MirrorAxis>& axis)
 {
   constexpr double kMirrorOverRoom = 0.01;

@@ -9,8 +9,9 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr int kNeighbourRounds = 12;   ///< neighbours' moves depend on each other
-constexpr double kMoveUnknown = 0.6;   ///< share of a neighbour's pull that is not known
+constexpr int kNeighbourRounds = 12;  ///< neighbours' moves depend on each other
+constexpr int kTopRounds = 4;
+constexpr double kMoveUnknown = 0.35;  ///< share of a neighbour's pull that is not known
 constexpr double kPullReach = 5;       ///< [widths] between edges
 constexpr double kUsualDrift = 0.09;   ///< of an edge's width, by what is beside it
 constexpr double kDriftUnknown = 0.7;  ///< of the drift that smoothing has moved an edge by, standard deviation
@@ -22,15 +23,76 @@ constexpr double kUnevenEdge = 0.02;   ///< [px] of all parts of an edge alike
 constexpr double kForeign = 4;         ///< standard deviations from which on a part shows something else
 constexpr int kLocationReweightings = 3;
 
-/// [rad] by which `other` moves a part of `edge`: to where the slopes of both profiles cancel. Edges of opposite
-/// polarity push each other away.
-double pull(const RadialEdge& edge, const EdgePart& part, const RadialEdge& other, double width)
+/// The profile of an edge and of its neighbours at one radius, in the edge's own height: Gaussians of one width. Edges
+/// of the other polarity are negative.
+class CrowdedProfile
 {
-  if (part.radius < other.inner || part.radius > other.outer) return 0;
-  const double apart = wrap(other.azimuth - edge.azimuth);
-  if (std::abs(apart) > kPullReach * width) return 0;
-  const double height = edge.polarity * other.polarity * other.contrast / edge.contrast;
-  return std::clamp(height * apart * std::exp(-square(apart / width) / 2), -width, width);
+ public:
+  explicit CrowdedProfile(double width) : width_(width) {}
+
+  void add(double apart, double height) { neighbours_.push_back({apart, height}); }
+  [[nodiscard]] bool isCrowded() const { return !neighbours_.empty(); }
+
+  /// [rad] by which the neighbours move what is located by a Gaussian through three samples so far apart.
+  [[nodiscard]] double displacement(double spacing) const
+  {
+    const double top = highest();
+    const double before = at(top - spacing), here = at(top), behind = at(top + spacing);
+    if (!(before > 0) || !(here > 0) || !(behind > 0)) return top;
+    const double a = std::log(before), b = std::log(here), c = std::log(behind), bend = a - 2 * b + c;
+    if (!(bend < 0)) return top;
+    return top + std::clamp(0.5 * (a - c) / bend, -1.0, 1.0) * spacing;
+  }
+
+ private:
+  struct Neighbour
+  {
+    double apart = 0, height = 0;
+  };
+
+  [[nodiscard]] double bell(double x) const { return std::exp(-square(x / width_) / 2); }
+  [[nodiscard]] double at(double x) const
+  {
+    double sum = bell(x);
+    for (const Neighbour& other : neighbours_) sum += other.height * bell(x - other.apart);
+    return sum;
+  }
+  /// Where the slopes cancel, by Newton's method from the edge itself.
+  [[nodiscard]] double highest() const
+  {
+    double top = 0;
+    for (int round = 0; round < kTopRounds; ++round)
+    {
+      double slope = 0, bend = 0;
+      const auto add = [&](double x, double height)
+      {
+        const double bells = height * bell(x);
+        slope -= x / square(width_) * bells, bend += (square(x / width_) - 1) / square(width_) * bells;
+      };
+      add(top, 1);
+      for (const Neighbour& other : neighbours_) add(top - other.apart, other.height);
+      if (!(bend < 0)) break;
+      top = std::clamp(top - slope / bend, -width_, width_);
+    }
+    return top;
+  }
+
+  double width_;
+  std::vector<Neighbour> neighbours_;
+};
+
+CrowdedProfile profileAt(const RadialEdge& edge, double radius, const std::vector<RadialEdge>& edges, double width)
+{
+  CrowdedProfile profile(width);
+  for (const RadialEdge& other : edges)
+  {
+    if (&other == &edge || (edge.pair != 0 && other.pair == edge.pair)) continue;
+    if (radius < other.inner || radius > other.outer) continue;
+    const double apart = wrap(other.azimuth - edge.azimuth);
+    if (std::abs(apart) < kPullReach * width)
+      profile.add(apart, edge.polarity * other.polarity * other.contrast / edge.contrast);
+  }
+  return profile;
 }
 
 /// A part as its neighbours left it.
@@ -127,19 +189,18 @@ std::vector<FreedPart> freed(const std::vector<RadialEdge>& edges, const RadialE
   std::vector<FreedPart> parts;
   for (const EdgePart& part : edge.parts)
   {
-    const double width = blur.widthAt(part.radius), wider = more.widthAt(part.radius);
     double move = 0, softer = 0;
-    for (const RadialEdge& other : edges)
-      if (&other != &edge && (edge.pair == 0 || other.pair != edge.pair))
-      {
-        move += pull(edge, part, other, width);
-        softer += pull(edge, part, other, wider);
-      }
+    if (const auto profile = profileAt(edge, part.radius, edges, blur.widthAt(part.radius)); profile.isCrowded())
+      move = profile.displacement(part.spacing);
+    if (part.soft_spacing > 0)
+      if (const auto profile = profileAt(edge, part.radius, edges, more.widthAt(part.radius)); profile.isCrowded())
+        softer = profile.displacement(part.soft_spacing);
+    const double more_move = part.soft_spacing > 0 ? softer - move : 0;
     const double pixel = 1 / (part.radius * blur.radius);
     const double coding = edge.polarity * edge.coding_shift * pixel;
     parts.push_back({wrap(part.azimuth - edge.azimuth) - move + coding,
                      square(part.std_azimuth) + square(kUnevenPart * pixel) + square(kMoveUnknown * move), move,
-                     part.drift - (softer - move), softer - move, pixel});
+                     part.drift - more_move, more_move, pixel});
   }
   return parts;
 }

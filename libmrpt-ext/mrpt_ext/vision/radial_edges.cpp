@@ -108,7 +108,8 @@ class EdgeJudge
       RadialEdge edge = edgeAt(one);
       edge.coding_shift = 0;  // the levels on either side are those of the other edge, too
       edge.pair = number;
-      edge.parts = {{std::sqrt(edge.inner * edge.outer), edge.azimuth, pair->std_column * step, 0}};
+      edge.parts = {
+          {std::sqrt(edge.inner * edge.outer), edge.azimuth, pair->std_column * step, 0, settings_.smoothing, 0}};
       edges.push_back(std::move(edge));
     }
     return edges;
@@ -117,8 +118,12 @@ class EdgeJudge
   [[nodiscard]] EdgePart wholeOf(const RadialPeak& peak) const
   {
     const double step = grid_.azimuthStep();
-    return {std::sqrt(grid_.radiusOf(peak.run.first) * grid_.radiusOf(peak.run.end - 1)), wrap(peak.column * step),
-            columnNoise(peak, settings_.smoothing / step) * step, 0};
+    return {std::sqrt(grid_.radiusOf(peak.run.first) * grid_.radiusOf(peak.run.end - 1)),
+            wrap(peak.column * step),
+            columnNoise(peak, settings_.smoothing / step) * step,
+            0,
+            peak.spacing * step,
+            0};
   }
 
  private:
