@@ -11,6 +11,7 @@ namespace
 {
 constexpr int kNeighbourRounds = 12;  ///< neighbours' moves depend on each other
 constexpr int kTopRounds = 4;
+constexpr double kLeastLeft = 0.3;     ///< of its height, by neighbours; edges with less are not seen
 constexpr double kMoveUnknown = 0.35;  ///< share of a neighbour's pull that is not known
 constexpr double kPullReach = 5;       ///< [widths] between edges
 constexpr double kUsualDrift = 0.09;   ///< of an edge's width, by what is beside it
@@ -43,6 +44,8 @@ class CrowdedProfile
     if (!(bend < 0)) return top;
     return top + std::clamp(0.5 * (a - c) / bend, -1.0, 1.0) * spacing;
   }
+  /// Of the top, in heights of the edge alone.
+  [[nodiscard]] double topHeight() const { return at(highest()); }
 
  private:
   struct Neighbour
@@ -90,9 +93,16 @@ CrowdedProfile profileAt(const RadialEdge& edge, double radius, const std::vecto
     if (radius < other.inner || radius > other.outer) continue;
     const double apart = wrap(other.azimuth - edge.azimuth);
     if (std::abs(apart) < kPullReach * width)
-      profile.add(apart, edge.polarity * other.polarity * other.contrast / edge.contrast);
+      profile.add(apart, edge.polarity * other.polarity * other.height / edge.height);
   }
   return profile;
+}
+
+double heightAlone(const RadialEdge& edge, const std::vector<RadialEdge>& edges, const EdgeBlur& blur)
+{
+  const double radius = std::sqrt(edge.inner * edge.outer);
+  const CrowdedProfile profile = profileAt(edge, radius, edges, blur.widthAt(radius));
+  return profile.isCrowded() ? edge.contrast / std::max(kLeastLeft, profile.topHeight()) : edge.contrast;
 }
 
 /// A part as its neighbours left it.
@@ -218,9 +228,12 @@ void locateByParts(std::vector<RadialEdge>& edges, const EdgeBlur& blur, double 
       means.push_back(
           meanOf(freed(edges, edge, blur), std::hypot(centre_std, edge.std_clipping), edge.width, usual_scatter));
     usual_scatter = usualScatter(means);
+    std::vector<double> heights;
+    for (const RadialEdge& edge : edges) heights.push_back(heightAlone(edge, edges, blur));
     for (std::size_t i = 0; i < edges.size(); ++i)
     {
       edges[i].azimuth = wrap(edges[i].azimuth + means[i].azimuth);
+      edges[i].height = heights[i];
       edges[i].std_azimuth = std::hypot(means[i].std, floor);
     }
   }
