@@ -42,8 +42,8 @@ double shiftByCoding(double level, double other)
 
 double shiftByClipping(double dark_level)
 {
-  const double shown = kBrightestLevel - std::min(dark_level, kBrightestLevel);
+  const double shown = std::max(1.0, kBrightestLevel - dark_level);
   const double share = shown / (kUsualBrightness * kBrightestLevel - kBrightestLevel + shown);
-  return share > 0 ? standardNormal(normalQuantile(share)) / share : 1;
+  return standardNormal(normalQuantile(share)) / share;
 }
 }  // namespace mrpt_ext
