@@ -25,10 +25,24 @@ def wall_pigment(kind, col, scale=0.35):
     return "pigment { %s scale %g color_map { [0 %s] [1 %s] } }" % (kind, scale, rgb(c2), rgb(col))
 
 
+PROUD = 0.001     # m that panels stand out of the wall
+
+
+def azimuth(pose, point):
+    return math.degrees(wrap(math.atan2(point[1] - pose[1], point[0] - pose[0]) - pose[2]))
+
+
+def seen_azimuth(pose, end, front, other):
+    """of a panel's end, which is on the wall, in front of it, or between: its outline is where the panel is widest"""
+    on_wall, in_front = azimuth(pose, end), azimuth(pose, front)
+    return in_front if wrapdeg(in_front - on_wall) * wrapdeg(on_wall - azimuth(pose, other)) > 0 else on_wall
+
+
 def build(room):
-    """returns pov text, landmarks (mapped), clutter (unmapped vertical edges), occluders"""
+    """returns pov text, landmarks (mapped), clutter (unmapped vertical edges), occluders, and of every end of a panel its front
+    edge and the other end"""
     X, Y, Z = room["size"]
-    o, lm, cl, segs, circs = [], [], [], [], []
+    o, lm, cl, segs, circs, fronts = [], [], [], [], [], {}
     W = room["walls"]     # order S(y=0) E(x=X) N(y=Y) W(x=0)
     t = 0.1
     o.append(box((-t, -t, -t), (X + t, 0, Z), wall_pigment(*W["S"])))
@@ -45,11 +59,13 @@ def build(room):
         if w == "N": return (a, Y + 0.01, z0), (b, Y - d, z1), (a, Y), (b, Y)
         if w == "E": return (X + 0.01, a, z0), (X - d, b, z1), (X, a), (X, b)
         return (-0.01, a, z0), (d, b, z1), (0, a), (0, b)
-    for p in room["panels"]:      # doors, boards, posters: flush with the wall (1 mm proud)
-        lo, hi, e0, e1 = on_wall(p["wall"], p["a"], p["b"], p["z0"], p["z1"], 0.001)
+    for p in room["panels"]:      # doors, boards, posters: nearly flush with the wall
+        lo, hi, e0, e1 = on_wall(p["wall"], p["a"], p["b"], p["z0"], p["z1"], PROUD)
         o.append(box(lo, hi, wall_pigment(p.get("tex", "plain"), p["col"])))
         dst = lm if p.get("mapped", True) else cl
         dst.append((p["name"] + "_a", e0)); dst.append((p["name"] + "_b", e1))
+        begin = (lo[0], hi[1]) if p["wall"] in "SN" else (hi[0], lo[1])
+        fronts[p["name"] + "_a"], fronts[p["name"] + "_b"] = (begin, e1), (hi[:2], e0)
     for b in room["boxes"]:       # cabinets, pillars: footprint + height
         x0, y0, x1, y1 = b["rect"]
         o.append(box((x0, y0, b.get("z0", -0.01)), (x1, y1, b["h"]), wall_pigment(b.get("tex", "plain"), b["col"])))
@@ -67,7 +83,7 @@ def build(room):
         o.append(box((0, Y, 0), (X, Y - 0.008, 0.08), "pigment{rgb <0.25,0.18,0.12>}"))
     for l in room["lights"]:
         o.append(light(l["pos"], l.get("power", 1), l.get("col", [1, 1, 1]), l.get("fade"), l.get("soft", 0)))
-    return "".join(o), lm, cl, segs, circs
+    return "".join(o), lm, cl, segs, circs, fronts
 
 
 def mirror(cam, pose):
@@ -106,7 +122,7 @@ def main():
     cfg = json.load(open(sys.argv[1])); out = sys.argv[2]; clean = "--clean" in sys.argv; truth_only = "--truth-only" in sys.argv
     os.makedirs(out, exist_ok=True)
     room, cam = cfg["room"], cfg["camera"]
-    base, lm, cl, segs, circs = build(room)
+    base, lm, cl, segs, circs, fronts = build(room)
     amb, dif = room.get("ambient", 0.3), room.get("diffuse", 0.65)
     W, H = cam["width"], cam["height"]
     frames, obs = [], []
@@ -147,7 +163,7 @@ def main():
         for mapped, lst in ((1, lm), (0, cl)):
             for nm, c in lst:
                 dx, dy = c[0] - x, c[1] - y
-                az = wrapdeg(math.degrees(wrap(math.atan2(dy, dx) - th)))
+                az = wrapdeg(seen_azimuth((x, y, th), c, *fronts[nm]) if nm in fronts else azimuth((x, y, th), c))
                 vis = not any(seg_hit((x, y), c, a, b) for a, b in segs) and \
                     not any(circ_hit((x, y), c, cc, rr) for cc, rr in circs)
                 # a corner of a box seen "through" its own box: midpoint test just before the corner

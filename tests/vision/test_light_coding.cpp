@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace mrpt_ext::test_light_coding
@@ -27,5 +28,24 @@ TEST(LightCoding, EqualOrMissingLevelsShiftNothing)
   EXPECT_EQ(shiftByCoding(100, 100), 0);
   EXPECT_EQ(shiftByCoding(0, 0), 0);
   EXPECT_NEAR(shiftByCoding(0, 255), 1 / (1 + 1 / 2.2) - 0.5, 1e-9);
+}
+
+TEST(LightCoding, ClippingShiftsAStepToItsDarkerSide)
+{
+  // A blurred step up to 5 % more than the brightest level: where the slopes of what is shown have their mean.
+  for (const double dark : {20.0, 120.0, 200.0, 240.0})
+  {
+    double sum = 0, moment = 0;
+    constexpr double kStep = 1e-3;
+    const auto shown = [&](double z)
+    { return std::min(255.0, dark + (1.05 * 255 - dark) * std::erfc(-z / std::sqrt(2.0)) / 2); };
+    for (double z = -6; z < 6; z += kStep)
+    {
+      const double slope = shown(z + kStep) - shown(z);
+      sum += slope, moment += (z + kStep / 2) * slope;
+    }
+    EXPECT_NEAR(shiftByClipping(dark), -moment / sum, 0.01) << dark;
+  }
+  EXPECT_GT(shiftByClipping(255), shiftByClipping(250));
 }
 }  // namespace mrpt_ext::test_light_coding

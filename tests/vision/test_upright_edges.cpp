@@ -53,6 +53,22 @@ TEST(UprightEdges, MayLeanByTheRollOfACameraButNotMore)
     EXPECT_TRUE(edgesOf(withEdge(kColumn, slope), withEdge(kColumn - kDisparity, slope)).empty()) << slope;
 }
 
+TEST(UprightEdges, RowsThatMoveTogetherCountLess)
+{
+  const std::vector<double> together{-0.2, -0.2, -0.2, -0.1, -0.1, 0, 0.1, 0.1, 0.2, 0.2, 0.2},
+      apart{-0.2, 0.2, -0.1, 0.2, -0.2, 0.1, -0.1, 0.2, -0.2, 0.1, 0};
+  const auto stdWith = [](const std::vector<double>& moves)
+  {
+    cv::Mat left = withEdge(kColumn, 0);
+    for (int row = kWindow.first_row; row <= kWindow.last_row; ++row)
+      withEdge(kColumn + moves[static_cast<std::size_t>(row - kWindow.first_row)], 0).row(row).copyTo(left.row(row));
+    const auto edges = edgesOf(left, withEdge(kColumn - kDisparity, 0));
+    return edges.size() == 1 ? edges[0].std_disparity : 0;
+  };
+  EXPECT_GT(stdWith(apart), 0.1);
+  EXPECT_GT(stdWith(together), 1.2 * stdWith(apart));
+}
+
 TEST(UprightEdges, TrustBrightnessWhereColourDiffers)
 {
   const auto pixels = [](double of_brightness, double of_colour)

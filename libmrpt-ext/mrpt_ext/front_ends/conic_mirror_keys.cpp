@@ -56,6 +56,7 @@ KeyTable conicMirrorKeys()
               "Least standard deviation of what camera and sampling add to an edge's width; more where the image's "
               "sharpest edges show more.")
       .number("edge_prominence", "", 0.45, {0, 1}, "How far the step must fall on both sides, share of its peak.")
-      .number("std_floor_deg", "deg", 0.012, {0, 10}, "Standard deviation of an azimuth that noise does not explain.");
+      .number("std_floor_deg", "deg", 0, {0, 10},
+              "Standard deviation of an azimuth beyond what the image itself shows.");
 }
 }  // namespace mrpt_ext

@@ -32,7 +32,7 @@ KeyTable goalKeys()
       .integer("min_rows", "px", 5, {2, 1000}, "Rows in which both images must show the corner.")
       .number("std_column_px", "px", 0.15, {0, 10},
               "Standard deviation of a corner's column that noise does not explain.")
-      .number("std_disparity_px", "px", 0.12, {0, 10},
+      .number("std_disparity_px", "px", 0.08, {0, 10},
               "Likewise of its disparity; both images share much of the former.")
       .number("yellow_red", "", 1.0, kColourShare, "Yellow goal beside white: share of the white's red as coded.")
       .number("yellow_green", "", 0.9, kColourShare, "Share of the white's green.")

@@ -14,6 +14,14 @@ std::string textOf(const cv::Point2d& pixel)
   return std::to_string(std::lround(pixel.x)) + " " + std::to_string(std::lround(pixel.y)) + " px";
 }
 
+/// [rad] standard deviation of azimuths about the camera's axis, where the mirror sees from beside it: a mirror's
+/// radius is a hundredth of the distances in a room.
+double parallaxOf(const AxisEllipse& rim, const std::optional<MirrorAxis>& axis)
+{
+  constexpr double kMirrorOverRoom = 0.01;
+  return axis ? kMirrorOverRoom * cv::norm(mirrorOffset(rim, *axis)) / rim.semi_v / std::sqrt(2.0) : 0;
+}
+
 /// The same circle: a mirror of which a part is hidden is found with some pixels of error.
 bool isSameRim(const AxisEllipse& a, const AxisEllipse& b)
 {
@@ -65,8 +73,10 @@ ConicMirrorView viewConicMirror(const cv::Mat& image, const ConicMirrorSettings&
                    textOf(settings.usual_rim->centre) + ": something else was taken for its rim";
     return view;
   }
-  view.edges = findRadialEdges(unroll(grey, rim, settings.grid, settings.axis), view.outline->std_centre, rim.semi_v,
-                               settings.edges);
+  RadialEdgeSettings edges = settings.edges;
+  edges.std_floor = std::hypot(edges.std_floor, parallaxOf(rim, settings.axis));
+  view.edges =
+      findRadialEdges(unroll(grey, rim, settings.grid, settings.axis), view.outline->std_centre, rim.semi_v, edges);
   return view;
 }
 }  // namespace mrpt_ext

@@ -19,11 +19,11 @@ struct EdgeBlur
   [[nodiscard]] EdgeBlur smoothed(double times) const { return {times * smoothing, pixels, radius}; }
 };
 
-/// Places every edge at the mean of its parts, weighted by what noise and neighbours leave of them: edges closer than
-/// their profiles are wide pull at each other's peaks, the more the nearer the centre. Each part is moved back by what
-/// Gaussian profiles tell, the whole edge by what more smoothing does to it, and 0.6 of a move is an error. The
-/// standard deviation states how much an edge's parts scatter, and those of the other edges of the image, together with
-/// `centre_std` [px] of the rim's centre, what clipping may move the edge by, and `floor` [rad]. Every edge must have a
-/// part.
+/// Places every edge at the mean of its parts, weighted by what noise and neighbours leave of them. Edges closer than
+/// their profiles are wide move each other: a part is moved back by what the same location of Gaussian profiles makes
+/// of both, the whole edge by what more smoothing does to it; shares of both moves are errors. The standard deviation
+/// is that of the parts' scatter, the edge's own and that of the image, together with what all parts have in common:
+/// the raster of the pixels, `centre_std` [px] of the rim's centre, what clipping may move the edge by, and `floor`
+/// [rad]. Every edge must have a part.
 void locateByParts(std::vector<RadialEdge>& edges, const EdgeBlur& blur, double centre_std, double floor);
 }  // namespace mrpt_ext

@@ -22,6 +22,7 @@ constexpr double kLeastDistance = 0.9;  ///< [widths] between the edges
 constexpr double kResolved = 5;         ///< their distance in standard deviations of their places
 constexpr double kBetterFit = 4;        ///< of the squares that one soft edge leaves, over those of two edges
 constexpr double kWidthUnknown = 0.04;  ///< standard deviation of the width, share
+constexpr double kShapeUnknown = 0.18;  ///< [widths] standard deviation of a place, by what else is in the peak
 constexpr double kCorrelated = 1.7;     ///< of neighbouring columns: their noise weighs so many times as much
 constexpr double kFinestStep = 0.02;    ///< [columns] of the search
 
@@ -188,6 +189,7 @@ std::optional<EdgePair> fitEdgePair(const RunProfile& profile, double column, co
   const double residual = fit.squares / static_cast<double>(samples.columns.size());
   found.std_column = stdColumn(samples, shape, found, std::sqrt(std::max(variance, residual)));
   if (!(found.column[1] - found.column[0] >= kResolved * found.std_column)) return std::nullopt;
+  found.std_column = std::hypot(found.std_column, kShapeUnknown * width);
   return found;
 }
 }  // namespace mrpt_ext

@@ -33,7 +33,7 @@ class EdgeShape
 struct EdgePair
 {
   std::array<double, 2> column{}, height{};
-  double std_column = 0;  ///< of either, by noise and by an error of the shape
+  double std_column = 0;  ///< of either, by noise, by an error of the shape and by what else may be in the peak
 };
 
 /// Explains a peak by one soft edge (of a shadow, with even or normally distributed light) and by two sharp ones, with

@@ -65,9 +65,10 @@ std::vector<EdgePart> partsOf(const RadialPeak& peak, const AzimuthSteps& steps,
     part.noise = profile.noise();
     if (part.significance() < kPartSignificance) continue;
     const auto softer = highestPeak(profile.smoothed(more), search);
-    const double drift = softer ? softer->column - found->column : 0;
-    parts.push_back({grid.radiusOf(0.5 * (run.first + run.end - 1)), wrap(found->column * grid.azimuthStep()),
-                     columnNoise(part, smoothing) * grid.azimuthStep(), drift * grid.azimuthStep()});
+    const double step = grid.azimuthStep();
+    parts.push_back({grid.radiusOf(0.5 * (run.first + run.end - 1)), wrap(found->column * step),
+                     columnNoise(part, smoothing) * step, softer ? (softer->column - found->column) * step : 0,
+                     found->shape.spacing * step, softer ? softer->shape.spacing * step : 0});
   }
   return parts;
 }

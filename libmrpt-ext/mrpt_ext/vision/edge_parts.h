@@ -16,6 +16,8 @@ struct EdgePart
   double std_azimuth = 0;  ///< [rad] by noise
   /// [rad] by which it moves when it is smoothed `kMoreSmoothing` times as much: what is beside the edge pulls at it.
   double drift = 0;
+  double spacing = 0;       ///< [rad] of the samples that it was located by (radial_peaks.h)
+  double soft_spacing = 0;  ///< [rad] likewise with more smoothing; 0 where no drift was measured
 };
 
 /// The peak's run in parts of equal numbers of rows, from the centre outwards, for steps smoothed by `smoothing`

@@ -10,7 +10,7 @@ namespace mrpt_ext
 namespace
 {
 constexpr int kRounds = 5;
-constexpr double kStatedPrincipalPoint = 0.0015;  ///< standard deviation, share of the rim's radius: a third of a pixel
+constexpr double kStatedPrincipalPoint = 0.0005;  ///< standard deviation, share of the rim's radius: a tenth of a pixel
 constexpr double kUsualDeviation = 0.04;          ///< of azimuths by the unknown mirror, per offset of it
 constexpr double kNoOffset = 0.0005;              ///< standard deviation of what is taken for right
 constexpr double kNoTilt = 0.0003;                ///< [rad] likewise

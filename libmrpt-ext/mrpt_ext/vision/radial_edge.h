@@ -14,6 +14,7 @@ struct RadialEdge
   double std_azimuth = 0;   ///< [rad]
   int polarity = 0;         ///< +1: brighter towards growing azimuth, -1: darker
   double contrast = 0;      ///< [grey levels] mean step
+  double height = 0;        ///< [grey levels] that of the edge alone, without what its neighbours take from it
   double coding_shift = 0;  ///< [px] towards its darker side that its parts have (light_coding.h)
   double std_clipping = 0;  ///< [px] of all its parts together, where a side is too bright for the image
   double significance = 0;

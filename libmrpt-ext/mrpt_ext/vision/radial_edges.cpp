@@ -15,16 +15,17 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kClearSignificance = 2;  ///< of edges that tell the blur, in least significances
-constexpr double kSharpestShare = 0.35;   ///< of them are as sharp as the camera lets them be
-constexpr std::size_t kClearEdges = 4;    ///< fewer tell nothing about the camera
-constexpr double kLargestBlur = 4;        ///< [px] beyond it shadows and edges look alike
-constexpr double kBeside = 2.5;           ///< the levels of its sides are so many standard deviations away
-constexpr double kClippedLevel = 250;     ///< [grey levels] of a side that may be brighter than the image shows
-constexpr double kClippingShift = 0.2;  ///< of the blur, by which half the clipped step is beside half of the whole one
-constexpr double kUnevenBlur = 0.015;   ///< of a larger blur, by which what is beside an edge moves it
-constexpr double kPairWidth = 1.15;     ///< of a sharp edge's width; two edges make a wider peak
-constexpr int kBlurRounds = 8;          ///< of bisection: to a sixtieth of a pixel
+constexpr double kClearSignificance = 2;   ///< of edges that tell the blur, in least significances
+constexpr double kSharpestShare = 0.35;    ///< of them are as sharp as the camera lets them be
+constexpr std::size_t kClearEdges = 4;     ///< fewer tell nothing about the camera
+constexpr double kLargestBlur = 4;         ///< [px] beyond it shadows and edges look alike
+constexpr double kBeside = 2.5;            ///< the levels of its sides are so many standard deviations away
+constexpr double kClippedLevel = 250;      ///< [grey levels] of a side that may be brighter than the image shows
+constexpr double kSamplingBlur = 0.85;     ///< [px] of the least blur is by sampling, after the camera's clipping
+constexpr double kClippingUnknown = 0.58;  ///< of the shift by clipping: as if it were anything up to twice that
+constexpr double kUnevenBlur = 0.015;      ///< of a larger blur, by which what is beside an edge moves it
+constexpr double kPairWidth = 1.15;        ///< of a sharp edge's width; two edges make a wider peak
+constexpr int kBlurRounds = 8;             ///< of bisection: to a sixtieth of a pixel
 
 double medianBrightness(const PolarImage& polar)
 {
@@ -71,12 +72,14 @@ class EdgeJudge
     RadialEdge edge;
     edge.azimuth = wrap(peak.column * step);
     edge.polarity = peak.polarity;
-    edge.contrast = peak.height;
+    edge.contrast = edge.height = peak.height;
     edge.significance = peak.significance();
     const int beside = static_cast<int>(std::lround(kBeside * peak.sigma)), column = static_cast<int>(peak.column);
     const double before = levelAt(peak.run, column - beside), behind = levelAt(peak.run, column + beside);
-    edge.coding_shift = shiftByCoding(before, behind);
-    if (std::max(before, behind) > kClippedLevel) edge.std_clipping = kClippingShift * blur_;
+    const double shift = clippedShare(peak.run, peak.polarity > 0 ? column + beside : column - beside) *
+                         std::sqrt(square(blur_) - square(kSamplingBlur)) * shiftByClipping(std::min(before, behind));
+    edge.coding_shift = shiftByCoding(before, behind) + shift;
+    edge.std_clipping = kClippingUnknown * shift;
     edge.width = std::max(sigmaOf(peak), sharpest(peak));  // a neighbour makes the peak narrower than any edge is
     edge.inner = grid_.radiusOf(peak.run.first);
     edge.outer = grid_.radiusOf(peak.run.end - 1);
@@ -106,7 +109,8 @@ class EdgeJudge
       RadialEdge edge = edgeAt(one);
       edge.coding_shift = 0;  // the levels on either side are those of the other edge, too
       edge.pair = number;
-      edge.parts = {{std::sqrt(edge.inner * edge.outer), edge.azimuth, pair->std_column * step, 0}};
+      edge.parts = {
+          {std::sqrt(edge.inner * edge.outer), edge.azimuth, pair->std_column * step, 0, settings_.smoothing, 0}};
       edges.push_back(std::move(edge));
     }
     return edges;
@@ -115,8 +119,12 @@ class EdgeJudge
   [[nodiscard]] EdgePart wholeOf(const RadialPeak& peak) const
   {
     const double step = grid_.azimuthStep();
-    return {std::sqrt(grid_.radiusOf(peak.run.first) * grid_.radiusOf(peak.run.end - 1)), wrap(peak.column * step),
-            columnNoise(peak, settings_.smoothing / step) * step, 0};
+    return {std::sqrt(grid_.radiusOf(peak.run.first) * grid_.radiusOf(peak.run.end - 1)),
+            wrap(peak.column * step),
+            columnNoise(peak, settings_.smoothing / step) * step,
+            0,
+            peak.spacing * step,
+            0};
   }
 
  private:
@@ -127,6 +135,14 @@ class EdgeJudge
     double sum = 0;
     for (int row = run.first; row < run.end; ++row) sum += polar_.grey.at<float>(row, j);
     return sum / (run.end - run.first);
+  }
+  /// Of a run's rows, those that may be brighter in a column than the image shows.
+  [[nodiscard]] double clippedShare(const RadialRun& run, int column) const
+  {
+    const int j = wrappedColumn(column, polar_.grey.cols);
+    int count = 0;
+    for (int row = run.first; row < run.end; ++row) count += polar_.grey.at<float>(row, j) > kClippedLevel;
+    return static_cast<double>(count) / (run.end - run.first);
   }
   [[nodiscard]] bool isClear(const RadialPeak& peak) const
   {

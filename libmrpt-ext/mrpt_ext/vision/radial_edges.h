@@ -17,7 +17,7 @@ struct RadialEdgeSettings
   double max_width = 0.0107;     ///< [rad] standard deviation of a soft edge in the room, as an exact camera sees it
   double blur = 1.05;            ///< [px] least standard deviation of what camera and sampling add to an edge's width
   double min_prominence = 0.45;  ///< how far the profile falls on both sides, share of the peak
-  double std_floor = 0.0002;     ///< [rad] beyond the effect of noise
+  double std_floor = 0;          ///< [rad] standard deviation beyond what the image itself shows
 };
 
 /// Radial edges of both polarities by voting along radii (paper 000, section 4): at every azimuth each radius votes

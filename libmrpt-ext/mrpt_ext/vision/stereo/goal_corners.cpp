@@ -13,18 +13,20 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr int kWindow = 10;              ///< [px] around the candidate's column
-constexpr int kInside = 4;               ///< [px] from the step to where the coloured side's height is measured
-constexpr float kAsWhite = 0.6F;         ///< of the white beside the step is still it, share of each channel
-constexpr int kFootReach = 10;           ///< [px] to either side that the foot is followed
-constexpr int kFootPoints = 5;           ///< of a line
-constexpr double kFootStep = 0.6;        ///< [px] by more a wall's foot is lower where it covers the goal
-constexpr double kHollow = 140;          ///< [deg] a quarter of a turn, as badly as it can be measured
-constexpr double kLeastSide = 4;         ///< [px] columns of a goal's side that can be told from its back
-constexpr double kLeastCovered = 1;      ///< [px] of a goal's side by the wall, to be sure of it
-constexpr int kSameEdge = 2;             ///< [px] an edge of which the column is known
-constexpr int kSideReach = 5;            ///< [px] from the step that a narrow side is sought
-constexpr int kLevelColumns = 4;         ///< [px] beyond it, that tell the level of white and of colour
+constexpr int kWindow = 10;           ///< [px] around the candidate's column
+constexpr int kInside = 4;            ///< [px] from the step to where the coloured side's height is measured
+constexpr float kAsWhite = 0.6F;      ///< of the white beside the step is still it, share of each channel
+constexpr int kFootReach = 10;        ///< [px] to either side that the foot is followed
+constexpr int kFootPoints = 5;        ///< of a line
+constexpr double kFootStep = 0.6;     ///< [px] by more a wall's foot is lower where it covers the goal
+constexpr double kHollow = 140;       ///< [deg] a quarter of a turn, as badly as it can be measured
+constexpr double kLeastSide = 4;      ///< [px] columns of a goal's side that can be told from its back
+constexpr double kByColour = 0.2;     ///< [px] by which the blur of the colour beside it moves the turn of a narrow one
+constexpr double kColourReach = 1.5;  ///< [px] of that blur
+constexpr double kLeastCovered = 1;   ///< [px] of a goal's side by the wall, to be sure of it
+constexpr int kSameEdge = 2;          ///< [px] an edge of which the column is known
+constexpr int kSideReach = 5;         ///< [px] from the step that a narrow side is sought
+constexpr int kLevelColumns = 4;      ///< [px] beyond it, that tell the level of white and of colour
 constexpr double kLeastDeficit = 0.25;   ///< [px] of complete darkness that a side in the shade amounts to
 constexpr double kOutlierDeficit = 2;    ///< likewise, standard deviations of the noise
 constexpr double kBesideStep = 0.4;      ///< [px] towards the colour; a coloured side is farther there
@@ -117,8 +119,12 @@ class CornerFinder
       {
         EdgeWindow narrow = beside;
         narrow.column = column, narrow.reach = kSameEdge;
-        for (const UprightEdge& turn : edges_.in(narrow, {nullptr, darker}))
+        for (UprightEdge turn : edges_.in(narrow, {nullptr, darker}))
         {
+          const double side = std::abs(edge.middle.x - turn.middle.x);
+          const double by_colour = kByColour * std::exp(-square((side - kLeastSide) / kColourReach) / 2);
+          turn.std_column = std::hypot(turn.std_column, by_colour);
+          turn.std_disparity = std::hypot(turn.std_disparity, by_colour);
           auto front = cornerAt(turn, {back.colour, back.side, 0, 0, 0});
           if (!front) continue;
           const double apart = (front->measured.position - back.measured.position).norm();
@@ -126,7 +132,7 @@ class CornerFinder
           const double std = std::hypot(front->measured.std_range, back.measured.std_range);
           front->white_bottom = back.white_bottom;
           moveToFoot(*front, turn);
-          front->side_width = std::abs(edge.middle.x - turn.middle.x);
+          front->side_width = side;
           if (front->measured.range < back.measured.range &&
               std::abs(apart - settings_.goal_depth) < kDepthTolerance * settings_.goal_depth + 2 * std)
             return front;

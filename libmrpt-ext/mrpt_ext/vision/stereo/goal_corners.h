@@ -21,7 +21,7 @@ struct GoalCornerSettings
   double max_range = 2.2;          ///< [m] depth
   int min_rows = 5;                ///< rows in which both images must show the step
   double std_column = 0.15;        ///< [px] of a corner's column beyond the scatter of the rows: coding, blur
-  double std_disparity = 0.12;     ///< [px] likewise; both images share much of the former
+  double std_disparity = 0.08;     ///< [px] likewise; both images share much of the former
 };
 
 /// Where the white wall and a goal meet, seen in both images.

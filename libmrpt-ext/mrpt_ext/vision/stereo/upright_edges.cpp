@@ -12,15 +12,18 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr int kWhiteStep = 16;          ///< [px] between pixels that define white
-constexpr double kSameFeature = 1.5;    ///< [px] disparities of one feature agree
-constexpr double kSameColumn = 1;       ///< [px] likewise columns
-constexpr int kLookRows = 8;            ///< rows of a first look
-constexpr int kLeastLookRows = 3;       ///< of them that must agree
-constexpr double kOutlier = 3;          ///< in robust standard deviations
-constexpr double kLeastScatter = 0.2;   ///< [px] least robust standard deviation of a row's column
-constexpr double kMostSlope = 0.08;     ///< columns per row of an upright edge: a camera may roll by some degrees
-constexpr double kAgreeingShare = 0.5;  ///< of the rows of the left image
+constexpr int kWhiteStep = 16;               ///< [px] between pixels that define white
+constexpr double kSameFeature = 1.5;         ///< [px] disparities of one feature agree
+constexpr double kSameColumn = 1;            ///< [px] likewise columns
+constexpr int kLookRows = 8;                 ///< rows of a first look
+constexpr int kLeastLookRows = 3;            ///< of them that must agree
+constexpr double kOutlier = 3;               ///< in robust standard deviations
+constexpr double kLeastScatter = 0.2;        ///< [px] least robust standard deviation of a row's column
+constexpr double kMostSlope = 0.08;          ///< columns per row of an upright edge: a camera may roll by some degrees
+constexpr double kUsualCorrelation = 0.4;    ///< of neighbouring rows
+constexpr double kCorrelationRows = 10;      ///< rows that what is usual counts as
+constexpr double kLargestCorrelation = 0.8;  ///< beyond it the rows tell nothing about it
+constexpr double kAgreeingShare = 0.5;       ///< of the rows of the left image
 
 /// The value that most of all agree with, and how many do.
 std::pair<double, int> commonest(const std::vector<double>& all, double tolerance)
@@ -51,6 +54,22 @@ struct MeanColumn
   double mean = 0, std = 0;  ///< [px] of the mean
 };
 
+/// Of neighbouring rows: what moves one (JPEG, coarse colour, the raster that a leaning edge crosses) lasts for some.
+template <typename Row>
+double correlationOf(const std::vector<Row>& rows, double Row::*member, double mean)
+{
+  double squares = 0, products = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    squares += square(rows[i].*member - mean);
+    if (i > 0) products += (rows[i].*member - mean) * (rows[i - 1].*member - mean);
+  }
+  const double usual = kCorrelationRows * squares / static_cast<double>(rows.size());
+  if (!(squares > 0)) return 0;
+  return std::clamp((products + kUsualCorrelation * usual) / (squares + usual), 0.0, kLargestCorrelation);
+}
+
+/// The standard deviation of the mean is that of independent rows, wider by what their correlation makes of it.
 template <typename Row>
 MeanColumn meanOf(const std::vector<Row>& rows, double Row::*member)
 {
@@ -58,7 +77,8 @@ MeanColumn meanOf(const std::vector<Row>& rows, double Row::*member)
   MeanColumn result;
   for (const Row& r : rows) result.mean += r.*member / n;
   for (const Row& r : rows) result.std += square(r.*member - result.mean);
-  result.std = std::sqrt(result.std / (n * (n - 1)));
+  const double correlation = correlationOf(rows, member, result.mean);
+  result.std = std::sqrt(result.std / (n * (n - 1)) * (1 + correlation) / (1 - correlation));
   return result;
 }
 
