@@ -22,10 +22,11 @@ struct TagNoise
 /// A pose in which a square is where its corners are seen: a local minimum of the negative log-likelihood.
 struct TagPose
 {
-  Eigen::Matrix3d rotation;    ///< from the tag's axes to the camera's; the tag lies in x and y
-  Eigen::Vector3d centre;      ///< [m] in camera axes
-  Eigen::Matrix3d covariance;  ///< of the centre [m^2]
-  double residual = 0;         ///< chi-squared: four degrees of freedom, two where tags hang anyhow
+  Eigen::Matrix3d rotation;  ///< from the tag's axes to the camera's; the tag lies in x and y
+  Eigen::Vector3d centre;    ///< [m] in camera axes
+  /// Of a rotation about the centre [rad] and of the centre [m], in camera axes.
+  Eigen::Matrix<double, 6, 6> covariance;
+  double residual = 0;  ///< chi-squared: four degrees of freedom, two where tags hang anyhow
 };
 
 /// The poses of a square of this edge [m], most likely first: one, or two where a perspective too weak for the noise
