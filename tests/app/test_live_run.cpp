@@ -237,8 +237,9 @@ TEST_F(LiveRunTest, OneTagThatFacesAKnownDirectionTellsThePose)
   EXPECT_EQ(spreadWith(R"(, "yaw_deg": 170, "std_yaw_deg": 2)"), 1U);
   const auto mistake = [&](const std::string& seen)
   {
-    const auto lines = run(R"({"t": 0, "sensor": "camera", "detections": [{"id": 7, "bearing_deg": 20, "std_bearing_deg": 1)" +
-                           seen + "}]}\n");
+    const auto lines =
+        run(R"({"t": 0, "sensor": "camera", "detections": [{"id": 7, "bearing_deg": 20, "std_bearing_deg": 1)" + seen +
+            "}]}\n");
     return errorsOf(lines).at(0);
   };
   EXPECT_NE(mistake(R"(, "yaw_deg": 170)").find("'std_yaw_deg' is missing"), std::string::npos);

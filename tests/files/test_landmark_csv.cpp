@@ -77,7 +77,8 @@ TEST(LandmarkCsv, CategoryThatWouldBreakTheFileIsRejected)
 TEST(LandmarkCsv, DirectionsAreKept)
 {
   const ScratchFolder folder;
-  const LandmarkTable map = readLandmarkCsv(folder.write("map.csv", "id,x,y,yaw_deg,std_yaw_deg\n1,0,0,-90,2\n2,1,1,,\n3,2,2,33.3,\n"));
+  const LandmarkTable map =
+      readLandmarkCsv(folder.write("map.csv", "id,x,y,yaw_deg,std_yaw_deg\n1,0,0,-90,2\n2,1,1,,\n3,2,2,33.3,\n"));
   EXPECT_NEAR(*map[0].yaw, -kPi / 2, 1e-12);
   EXPECT_NEAR(map[0].std_yaw, degToRad(2), 1e-12);
   EXPECT_FALSE(map[1].yaw);

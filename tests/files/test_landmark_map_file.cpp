@@ -91,15 +91,16 @@ TEST(LandmarkMapFile, AnyOtherNameIsACsv)
 
 TEST(LandmarkMapFile, TagsOfAFieldLayoutFaceAlongTheirXAxis)
 {
-  // Tags of a field: one on the far wall, turned by half a turn, faces the origin; one on the near wall faces away from it.
+  // Tags of a field: one on the far wall, turned by half a turn, faces the origin; one on the near wall faces away from
+  // it.
   const LandmarkTable map = parseFieldLayout(kWpilib, "field", {});
   EXPECT_NEAR(*map[0].yaw, 2 * std::atan2(0.87, 0.5), 1e-12);
   EXPECT_NEAR(*map[1].yaw, 0, 1e-12);
   const auto yawIn = [](const std::string& rotation)
   {
-    return parseFieldLayout(R"({"tags": [{"ID": 1, "pose": {"translation": {"x": 16, "y": 1, "z": 1})" + rotation +
-                                "}}]}",
-                            "field", {})[0]
+    return parseFieldLayout(
+               R"({"tags": [{"ID": 1, "pose": {"translation": {"x": 16, "y": 1, "z": 1})" + rotation + "}}]}", "field",
+               {})[0]
         .yaw;
   };
   const auto turned = [&](const std::string& w, const std::string& x, const std::string& y, const std::string& z)
@@ -123,7 +124,7 @@ TEST(LandmarkMapFile, TagsOfABundleFaceAlongTheirZAxis)
         parseTagBundle("tag_bundles: [{name: a, layout: [{id: 1, x: 0, y: 0, z: 1" + quaternion + "}]}]", "a", {});
     return map[0].yaw;
   };
-  EXPECT_FALSE(yawOf(""));                                // flat on the floor, seen from above
+  EXPECT_FALSE(yawOf(""));  // flat on the floor, seen from above
   EXPECT_FALSE(yawOf(", qw: 1, qx: 0, qy: 0, qz: 0"));
   // x to the right of those who stand before it, y up, z towards them: this one hangs upright and faces -y.
   EXPECT_NEAR(*yawOf(", qw: 0.7071068, qx: 0.7071068, qy: 0, qz: 0"), -kPi / 2, 1e-12);

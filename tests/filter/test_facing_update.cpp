@@ -81,8 +81,8 @@ TEST(FacingUpdate, AnAttitudeThatContradictsTheStateIsClutter)
 
 TEST(FacingUpdate, TheEvidenceOfAStateWithZeroCovarianceIsTheLikelihoodOfItsPose)
 {
-  for (const Facing& facing : {Facing::single(seenYaw() + 0.04, 0.05),
-                               Facing::either({seenYaw() + 0.1, 0.2}, {seenYaw() - 0.3, 0.1}, 0.4)})
+  for (const Facing& facing :
+       {Facing::single(seenYaw() + 0.04, 0.05), Facing::either({seenYaw() + 0.1, 0.2}, {seenYaw() - 0.3, 0.1}, 0.4)})
   {
     const Frame frame = frameWith(facing);
     EXPECT_NEAR(updateExtended(priorOf(0, 0), frame, map(), {}).log_evidence,
@@ -98,7 +98,8 @@ TEST(FacingUpdate, AnOffsetOfTheSensorIsTakenOffAndLearned)
   const auto compared = compareFacing(frame.readings[0].detections[0], frame.readings[0], map(), prior, biases);
   ASSERT_TRUE(compared && compared->attitude);
   prior.mean[3] = 0.1;
-  const KalmanRow row = lineariseFacing(frame.readings[0].detections[0], 0, frame.readings[0], map(), prior.mean, biases);
+  const KalmanRow row =
+      lineariseFacing(frame.readings[0].detections[0], 0, frame.readings[0], map(), prior.mean, biases);
   EXPECT_NEAR(row.residual, 0, 1e-12);
   EXPECT_EQ(row.jacobian[2], 1);
   EXPECT_EQ(row.jacobian[3], -1);
@@ -110,7 +111,8 @@ TEST(FacingUpdate, NothingWhereTheMapKnowsNoDirection)
   const LandmarkTable plain({{.id = 1, .position = {8, 6, 0}}});
   const Frame with = frameWith(Facing::single(seenYaw(), 0.05)), without = frameWith({});
   EXPECT_FALSE(compareFacing(with.readings[0].detections[0], with.readings[0], plain, priorOf(1, 1), {}));
-  const KalmanUpdate a = updateExtended(priorOf(1, 1), with, plain, {}), b = updateExtended(priorOf(1, 1), without, plain, {});
+  const KalmanUpdate a = updateExtended(priorOf(1, 1), with, plain, {}),
+                     b = updateExtended(priorOf(1, 1), without, plain, {});
   EXPECT_EQ(a.log_evidence, b.log_evidence);
   EXPECT_EQ(a.state.covariance, b.state.covariance);
 }

@@ -127,7 +127,8 @@ HypothesisSet facingProposals(const Reading& reading)
   std::vector<Landmark> landmarks = kMap.all();
   landmarks[0].yaw = 2.2;
   const LandmarkTable map(landmarks);
-  return proposePoses({.time = 1, .readings = {reading}}, map, GlobalPoseSearch(map), {.region = {{-20, -20}, {20, 20}}});
+  return proposePoses({.time = 1, .readings = {reading}}, map, GlobalPoseSearch(map),
+                      {.region = {{-20, -20}, {20, 20}}});
 }
 }  // namespace
 

@@ -231,7 +231,8 @@ TEST(CsvRecording, DirectionsOfLandmarksAreOptional)
   copy.replace("landmarks.csv", "id,x,y,yaw_deg\n1,4,0,180\n");
   const auto facingOf = [&](const std::string& columns, const std::string& fields)
   {
-    copy.replace("detections.csv", "t,sensor,id,bearing_deg,std_bearing_deg" + columns + "\n0.5,eye,1,10,1" + fields + "\n");
+    copy.replace("detections.csv",
+                 "t,sensor,id,bearing_deg,std_bearing_deg" + columns + "\n0.5,eye,1,10,1" + fields + "\n");
     const Recording recording = importFolder(copy.path());
     EXPECT_NEAR(*recording.map[0].yaw, kPi, 1e-12);
     return recordsOf<Reading>(recording).at(0).detections.at(0).facing;

@@ -41,8 +41,8 @@ double density(const Reading& reading, double heading)
 
 TEST(FacingLikelihood, TheHeadingFollowsFromTheDirectionInTheMap)
 {
-  const auto headings = headingFromFacing(readingOf(1, Facing::single(seenYaw(-2.8), 0.05)).detections[0],
-                                          readingOf(1, {}), map());
+  const auto headings =
+      headingFromFacing(readingOf(1, Facing::single(seenYaw(-2.8), 0.05)).detections[0], readingOf(1, {}), map());
   ASSERT_TRUE(headings);
   EXPECT_NEAR(headings->attitudes[0].yaw, -2.8, 1e-12);
   EXPECT_EQ(headings->attitudes[0].std, 0.05);
@@ -80,8 +80,7 @@ TEST(FacingLikelihood, IsNormalisedOverWhatIsSeen)
 TEST(FacingLikelihood, GoldenMixture)
 {
   // (1 - 0.1) (0.75 N(0; 0.2) + 0.25 N(0.5 - 0.1; 0.3)) + 0.1 / 2 pi, off by 0.1 from the first.
-  const Reading reading =
-      readingOf(1, Facing::either({seenYaw(0.3) + 0.1, 0.2}, {seenYaw(0.3) - 0.4, 0.3}, 0.25), 0.1);
+  const Reading reading = readingOf(1, Facing::either({seenYaw(0.3) + 0.1, 0.2}, {seenYaw(0.3) - 0.4, 0.3}, 0.25), 0.1);
   const double first = std::exp(-0.125) / (0.2 * std::sqrt(kTwoPi)),
                second = std::exp(-0.5 * square(0.4 / 0.3)) / (0.3 * std::sqrt(kTwoPi));
   EXPECT_NEAR(density(reading, 0.3), 0.9 * (0.75 * first + 0.25 * second) + 0.1 / kTwoPi, 1e-12);

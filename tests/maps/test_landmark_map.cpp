@@ -275,8 +275,8 @@ TEST(LandmarkMap, SavesItselfAsAMapFile)
 TEST(LandmarkMap, DirectionsAreKept)
 {
   registerAllClasses();
-  const CLandmarkMap2D map(LandmarkTable(
-      {{.id = 1, .position = {1, 2, 3}, .yaw = -2.5, .std_yaw = 0.1}, {.id = 2, .position = {4, 5, 6}}}));
+  const CLandmarkMap2D map(
+      LandmarkTable({{.id = 1, .position = {1, 2, 3}, .yaw = -2.5, .std_yaw = 0.1}, {.id = 2, .position = {4, 5, 6}}}));
   mrpt::io::CMemoryStream stream;
   auto archive = mrpt::serialization::archiveFrom(stream);
   archive << map;

@@ -160,7 +160,7 @@ TEST_F(ObservationSerialization, AnUnknownVersionIsRefused)
     std::string bytes = bytesOf(*observation);
     const std::string name = observation->GetRuntimeClass()->className;
     const std::size_t version_at = bytes.find(name) + name.size();
-    ASSERT_EQ(bytes[version_at], 0);
+    ASSERT_TRUE(bytes[version_at] == 0 || bytes[version_at] == 1);
     bytes[version_at] = 99;
     EXPECT_ANY_THROW((void)readBack(bytes)) << name;
   }

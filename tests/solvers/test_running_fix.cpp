@@ -176,7 +176,8 @@ TEST(PoseRing, HeadingsGiveTheirPosesWithTheirProbabilities)
   EXPECT_LT((poses[0].pose.mean.vector() - Vector3d(0, -2, kPi / 2)).norm(), 1e-12);
   EXPECT_LT((poses[1].pose.mean.vector() - Vector3d(0, 2, -kPi / 2)).norm(), 1e-12);
   Matrix3d expected;
-  // Across: 2 m times the errors of heading and bearing; along: the range; a turn to the left moves the robot to the right.
+  // Across: 2 m times the errors of heading and bearing; along: the range; a turn to the left moves the robot to the
+  // right.
   expected << 4 * (square(0.1) + square(0.01)), 0, 2 * square(0.1), 0, square(0.03), 0, 2 * square(0.1), 0, square(0.1);
   EXPECT_LT((poses[0].pose.covariance - expected).norm(), 1e-12) << poses[0].pose.covariance;
   EXPECT_EQ(posesOnRing(ring, Facing::single(1, 0.1)).size(), 1U);

@@ -33,7 +33,7 @@ std::optional<Facing> seen(const TagCorners& corners, const TagNoise& noise)
 /// Sums over shaken images of one tag.
 struct Tally
 {
-  double squared = 0;      ///< errors of the attitude that the truth belongs to, in units of the stated variance
+  double squared = 0;      ///< errors of the attitudes that the truth belongs to, in units of the stated variance
   double range_error = 0;  ///< products of the errors of direction and range
   double squared_range = 0, squared_yaw = 0;
   double first = 0, first_right = 0;  ///< stated probability of the first attitude; how often the truth belongs to it
@@ -49,7 +49,8 @@ struct Tally
     const double of_one = density(one) / (density(one) + density(other));
     const Facing::Attitude& own = of_one > 0.5 ? one : other;
     const double yaw_error = wrap(own.yaw - facingOf(tag)), error = measured.range - tag.range;
-    squared += square(deviation(own));
+    // Between two attitudes the truth belongs to both: to the nearer one alone it would seem too near.
+    squared += of_one * square(deviation(one)) + (of_one < 1 ? (1 - of_one) * square(deviation(other)) : 0);
     range_error += yaw_error * error, squared_range += square(error), squared_yaw += square(yaw_error);
     first += one.weight, first_right += of_one;
     ++count;

@@ -27,8 +27,8 @@ void addInformation(Matrix3d& information, const KalmanRow& row)
   information += row.jacobian.transpose() * row.jacobian / row.variance;
 }
 
-/// The direction of a landmark as if the attitude that is nearest to the truth were the only one, which no estimator knows
-/// better.
+/// The direction of a landmark as if the attitude that is nearest to the truth were the only one, which no estimator
+/// knows better.
 void addFacing(Matrix3d& information, const Detection& detection, const Reading& reading, const LandmarkTable& map,
                const KalmanState& truth)
 {

@@ -99,9 +99,10 @@ LandmarkTable parseTagBundle(const std::string& text, const std::string& name, c
       throw dataError(name + ": " + std::to_string(bundles ? bundles.size() : 0) +
                       " tag_bundles, expected one, whose frame is the map's");
     for (const YAML::Node& tag : bundles[0]["layout"])
-      map.add(tag["id"].as<int>(), {tag["x"].as<double>(0), tag["y"].as<double>(0), tag["z"].as<double>(0)},
-              yawOf({tag["qw"].as<double>(1), tag["qx"].as<double>(0), tag["qy"].as<double>(0), tag["qz"].as<double>(0)},
-                    Vector3d::UnitZ()));
+      map.add(
+          tag["id"].as<int>(), {tag["x"].as<double>(0), tag["y"].as<double>(0), tag["z"].as<double>(0)},
+          yawOf({tag["qw"].as<double>(1), tag["qx"].as<double>(0), tag["qy"].as<double>(0), tag["qz"].as<double>(0)},
+                Vector3d::UnitZ()));
   }
   catch (const YAML::Exception& error)
   {

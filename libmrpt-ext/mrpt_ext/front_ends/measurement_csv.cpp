@@ -48,7 +48,8 @@ void MeasurementCsv::add(const ImageFrame& frame, const std::vector<MeasurementR
 
 std::string MeasurementCsv::text() const
 {
-  const bool faces = std::any_of(lines_.begin(), lines_.end(), [](const Line& line) { return line.facing.has_value(); });
+  const bool faces =
+      std::any_of(lines_.begin(), lines_.end(), [](const Line& line) { return line.facing.has_value(); });
   std::string text = "frame,time_s,sensor,label,azimuth_deg,std_azimuth_deg,range_m,std_range_m,u_left,u_right";
   text += faces ? ",yaw_deg,std_yaw_deg,other_yaw_deg,other_std_yaw_deg,other_weight\n" : "\n";
   for (const Line& line : lines_)

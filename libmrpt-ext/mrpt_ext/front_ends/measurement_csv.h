@@ -7,8 +7,8 @@
 
 namespace mrpt_ext
 {
-/// Table of `--csv`: one row per measurement, a field that was not measured stays empty. The columns of facings are there
-/// when one was measured.
+/// Table of `--csv`: one row per measurement, a field that was not measured stays empty. The columns of facings are
+/// there when one was measured.
 class MeasurementCsv
 {
  public:

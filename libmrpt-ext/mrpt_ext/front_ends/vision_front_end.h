@@ -21,11 +21,7 @@ struct MeasurementRow
   std::optional<Facing> facing;                ///< of what is seen, from robot forward
 
   MeasurementRow(const std::string& sensor_label, const std::string& name, const Detection& detection)
-      : sensor(sensor_label),
-        label(name),
-        azimuth(detection.bearing),
-        range(detection.range),
-        facing(detection.facing)
+      : sensor(sensor_label), label(name), azimuth(detection.bearing), range(detection.range), facing(detection.facing)
   {
     if (azimuth) std_azimuth = detection.std_bearing;
     if (range) std_range = detection.std_range;

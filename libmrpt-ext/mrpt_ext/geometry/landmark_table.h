@@ -17,7 +17,8 @@ struct Landmark
   Vector3d position{0, 0, 0};  ///< [m]
   std::string category;        ///< empty: none
   Vector2d stddev{0, 0};       ///< standard deviation of x and y [m]
-  /// Direction in which it faces, of its normal [rad, CCW from the x axis of the map]; absent: it faces none, or unknown.
+  /// Direction in which it faces, of its normal [rad, CCW from the x axis of the map]; absent: it faces none, or
+  /// unknown.
   std::optional<double> yaw = std::nullopt;
   double std_yaw = 0;  ///< [rad], meaningful with a yaw
 };

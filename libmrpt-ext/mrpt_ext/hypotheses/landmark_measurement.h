@@ -19,10 +19,10 @@ struct LandmarkMeasurement
   Vector2d position{0, 0};              ///< of that landmark, world frame [m]
   std::string category;                 ///< of the detection
   Pose2 T_robot_sensor;
-  std::optional<double> bearing;  ///< [rad]
-  std::optional<double> range;    ///< [m] horizontal
-  double std_bearing = 0;         ///< [rad]
-  double std_range = 0;           ///< [m]
+  std::optional<double> bearing;                  ///< [rad]
+  std::optional<double> range;                    ///< [m] horizontal
+  double std_bearing = 0;                         ///< [rad]
+  double std_range = 0;                           ///< [m]
   std::optional<Facing> headings = std::nullopt;  ///< of the robot in the world, if the landmark faces as seen
 
   [[nodiscard]] bool hasPoint() const { return bearing && range; }

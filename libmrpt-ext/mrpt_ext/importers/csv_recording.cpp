@@ -97,9 +97,8 @@ void addOdometry(Recording& recording, const CsvFiles& files)
 TextTable readDetectionRows(const fs::path& path)
 {
   TextTable table(path, {});
-  table.expectOnlyColumns(
-      {"t", "sensor", "id", "category", "bearing_deg", "range_m", "std_bearing_deg", "std_range_m", "yaw_deg",
-       "std_yaw_deg", "other_yaw_deg", "other_std_yaw_deg", "other_weight"});
+  table.expectOnlyColumns({"t", "sensor", "id", "category", "bearing_deg", "range_m", "std_bearing_deg", "std_range_m",
+                           "yaw_deg", "std_yaw_deg", "other_yaw_deg", "other_std_yaw_deg", "other_weight"});
   return table;
 }
 
@@ -193,8 +192,7 @@ class DetectionTable
                              bearing_ = table_.findColumn("bearing_deg"), range_ = table_.findColumn("range_m"),
                              std_bearing_ = stdColumn(bearing_, "std_bearing_deg"),
                              std_range_ = stdColumn(range_, "std_range_m"), yaw_ = table_.findColumn("yaw_deg"),
-                             other_yaw_ = table_.findColumn("other_yaw_deg"),
-                             std_yaw_ = stdColumn(yaw_, "std_yaw_deg"),
+                             other_yaw_ = table_.findColumn("other_yaw_deg"), std_yaw_ = stdColumn(yaw_, "std_yaw_deg"),
                              other_std_yaw_ = stdColumn(other_yaw_, "other_std_yaw_deg"),
                              other_weight_ = table_.findColumn("other_weight");
 };

@@ -53,7 +53,8 @@ void addFacingLogLikelihood(const Reading& reading, const LandmarkTable& map, co
     {
       // An offset turns all headings, as if the robot were turned back.
       const double offset = robots.bias_states.empty() ? 0 : sensorBias(robots, i, reading.sensor).bearing_offset;
-      const double density = facingDensity(*headings, double{robots.phi[i]} - offset, reading.model.clutter_probability);
+      const double density =
+          facingDensity(*headings, double{robots.phi[i]} - offset, reading.model.clutter_probability);
       log_likelihood[i] += static_cast<float>(std::log(density));
     }
   }

@@ -10,9 +10,9 @@
 namespace mrpt_ext
 {
 /// The headings that the robot has if the landmark faces as seen, each with its probability and with the standard
-/// deviation of sensor and map. Nothing where no direction was measured, where the map has none, or where the landmark is
-/// not known: of several landmarks it would tell nothing without their bearings. `bearing_offset` [rad]: systematic error
-/// of the sensor's bearings, which turns directions as well.
+/// deviation of sensor and map. Nothing where no direction was measured, where the map has none, or where the landmark
+/// is not known: of several landmarks it would tell nothing without their bearings. `bearing_offset` [rad]: systematic
+/// error of the sensor's bearings, which turns directions as well.
 [[nodiscard]] std::optional<Facing> headingFromFacing(const Detection& detection, const Reading& reading,
                                                       const LandmarkTable& map, double bearing_offset = 0);
 
@@ -20,9 +20,9 @@ namespace mrpt_ext
 /// clutter probability of the sensor.
 [[nodiscard]] double facingDensity(const Facing& headings, double heading, double clutter_probability);
 
-/// Log-likelihood of the directions of the landmarks of a reading, given where the robot heads; always finite, 0 without
-/// directions. A factor of its own beside the density of bearing and range: an attitude may be wrong where the place is
-/// right. `bias`: systematic errors of the sensor.
+/// Log-likelihood of the directions of the landmarks of a reading, given where the robot heads; always finite, 0
+/// without directions. A factor of its own beside the density of bearing and range: an attitude may be wrong where the
+/// place is right. `bias`: systematic errors of the sensor.
 [[nodiscard]] double facingLogLikelihood(const Reading& reading, const LandmarkTable& map, const Pose2& robot,
                                          const SensorBias& bias = {});
 

@@ -23,8 +23,8 @@ namespace mrpt_ext
 [[nodiscard]] double logLikelihood(const Reading& reading, const LandmarkTable& map, const Pose2& robot,
                                    const LandmarkClutter& clutter = {}, const SensorBias& bias = {});
 
-/// The same for many robot poses in one call, in single precision (see ReadingScorer, which leaves directions out): adds the log-likelihood of pose
-/// i to log_likelihood[i].
+/// The same for many robot poses in one call, in single precision (see ReadingScorer, which leaves directions out):
+/// adds the log-likelihood of pose i to log_likelihood[i].
 void addLogLikelihood(const Reading& reading, const LandmarkTable& map, const LandmarkClutter& clutter,
                       const PoseBatch& robots, std::span<float> log_likelihood);
 

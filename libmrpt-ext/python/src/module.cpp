@@ -41,7 +41,8 @@ void bindMap(py::module_& module)
                }),
            py::arg("positions"), py::arg("ids") = py::none(), py::arg("categories") = py::none(),
            py::arg("yaws") = py::none(),
-           "positions: (n, 2) or (n, 3) [m]; ids: n numbers, default 0 ... n-1; categories: n texts; yaws: n directions in "
+           "positions: (n, 2) or (n, 3) [m]; ids: n numbers, default 0 ... n-1; categories: n texts; yaws: n "
+           "directions in "
            "which they face [rad], nan: unknown.")
       .def_static(
           "load", [](const std::string& path) { return readLandmarkMapFile(path); }, py::arg("path"),

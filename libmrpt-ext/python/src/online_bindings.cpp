@@ -23,7 +23,8 @@ std::optional<Facing> facingOf(const py::dict& given)
 {
   const auto yaw = entry<double>(given, "yaw"), other = entry<double>(given, "other_yaw");
   if (!yaw) return std::nullopt;
-  const double std = entry<double>(given, "std_yaw").value_or(0), other_std = entry<double>(given, "other_std_yaw").value_or(0);
+  const double std = entry<double>(given, "std_yaw").value_or(0),
+               other_std = entry<double>(given, "other_std_yaw").value_or(0);
   const double weight = entry<double>(given, "other_weight").value_or(-1);
   if (!(std > 0) || (other && !(other_std > 0 && weight >= 0 && weight <= 1)))
     throw py::value_error(

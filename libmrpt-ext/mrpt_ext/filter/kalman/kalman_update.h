@@ -36,10 +36,10 @@ struct KalmanUpdate
 /// associations. A detection is used, with full weight, for the landmark that is likelier than everything else together
 /// (clutter and other landmarks); otherwise it is left out. Of anonymous detections the most certain ones come first,
 /// so that they disambiguate the others (sequential compatibility; two detections may show the same landmark, as in the
-/// likelihood of particles). Where the landmark is seen to face a direction, that is one more measurement, left out unless
-/// one of its two attitudes is certain (facing_update.h). Landmarks that were not detected count in the evidence where the reading declares a
-/// detection probability (missed_detections.h).
-/// The covariance is updated in Joseph's form and stays positive definite.
+/// likelihood of particles). Where the landmark is seen to face a direction, that is one more measurement, left out
+/// unless one of its two attitudes is certain (facing_update.h). Landmarks that were not detected count in the evidence
+/// where the reading declares a detection probability (missed_detections.h). The covariance is updated in Joseph's form
+/// and stays positive definite.
 [[nodiscard]] KalmanUpdate updateExtended(const KalmanState& prior, const Frame& frame, const LandmarkTable& map,
                                           const BiasModel& biases);
 

@@ -49,8 +49,7 @@ class UsedMeasurements
           linearise(reading.detections[use.detection], reading, map_[*use.landmark], mean, biases_);
       rows.insert(rows.end(), rowsOf(found).begin(), rowsOf(found).end());
       if (use.attitude)
-        rows.push_back(
-            lineariseFacing(reading.detections[use.detection], *use.attitude, reading, map_, mean, biases_));
+        rows.push_back(lineariseFacing(reading.detections[use.detection], *use.attitude, reading, map_, mean, biases_));
     }
     if (update_.compass_used)
       rows.push_back(lineariseHeading(frame_.compass->heading, frame_.compass->std_heading, mean));

@@ -102,7 +102,6 @@ std::optional<Facing> facingOf(const std::vector<TagPose>& poses, const TagCorne
   }
   if (attitudes.empty()) return std::nullopt;
   if (attitudes.size() == 1) return Facing::single(attitudes[0].yaw, attitudes[0].std);
-  return Facing::either(attitudes[0], attitudes[1],
-                        attitudes[1].weight / (attitudes[0].weight + attitudes[1].weight));
+  return Facing::either(attitudes[0], attitudes[1], attitudes[1].weight / (attitudes[0].weight + attitudes[1].weight));
 }
 }  // namespace mrpt_ext

@@ -47,7 +47,7 @@ struct TagNormal
 struct DescentOfTag
 {
   int steps = 40;
-  double accuracy = 1e-10;                    ///< ends with a step that takes less off the misfit, as a share of it
+  double accuracy = 1e-10;                   ///< ends with a step that takes less off the misfit, as a share of it
   std::optional<double> yaw = std::nullopt;  ///< [rad] that the normal is held at
 };
 

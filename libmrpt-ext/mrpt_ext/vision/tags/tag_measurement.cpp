@@ -43,7 +43,8 @@ std::optional<TagMeasurement> measureTag(const TagCorners& corners, double edge,
 {
   const std::vector<TagPose> poses = posesOfTag(corners, edge, camera, noise);
   if (poses.empty()) return std::nullopt;
-  const auto polar = [&](const TagPose& pose) { return polarOf(pose.centre, pose.covariance.bottomRightCorner<3, 3>(), camera.levelAxes()); };
+  const auto polar = [&](const TagPose& pose)
+  { return polarOf(pose.centre, pose.covariance.bottomRightCorner<3, 3>(), camera.levelAxes()); };
   PolarPosition seen = polar(poses[0]);
   if (poses.size() == 2)
   {
