@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "mrpt_ext/vision/tags/tag_pose.h"
+#include "mrpt_ext/vision/tags/tag_values.h"
 
 // The descent that the poses of a tag and the direction it faces share.
 namespace mrpt_ext
