@@ -172,7 +172,8 @@ def main():
         print(image, flush=True)
     write_csv(os.path.join(out, "frames.csv"), frames)
     write_csv(os.path.join(out, "observations.csv"), observations)
-    write_csv(os.path.join(out, "map.csv"), [{"id": t["id"], "name": "tag%d" % t["id"], "x_m": float(t["at"][0]), "y_m": float(t["at"][1])} for t in tags])
+    write_csv(os.path.join(out, "map.csv"), [{"id": t["id"], "name": "tag%d" % t["id"], "x_m": float(t["at"][0]), "y_m": float(t["at"][1]),
+                                               "yaw_deg": float(t["facing_deg"])} for t in tags])
     json.dump({"scene": "tags", "name": cfg["name"], "dictionary": cfg["dictionary"], "camera": dict(c, tag_edge_m=edge), "noise": noise},
               open(os.path.join(out, "camera.json"), "w"), indent=1)
 

@@ -218,4 +218,31 @@ TEST_F(LiveRunTest, ResetAndMapAreTaken)
   EXPECT_EQ(lines[0]["modes"].size(), 1U) << "the start is known";
   EXPECT_NE(lines[6]["verdict"], "ok") << "one bearing does not tell the pose";
 }
+
+TEST_F(LiveRunTest, OneTagThatFacesAKnownDirectionTellsThePose)
+{
+  const auto spreadWith = [&](const std::string& seen)
+  {
+    const std::vector<Json> lines =
+        run(R"({"map": [{"id": 7, "x": 6, "y": 3, "yaw_deg": 180, "std_yaw_deg": 1}]})"
+            "\n" +
+            odometryLine(0) +
+            R"({"t": 0, "sensor": "camera", "detections": [{"id": 7, "bearing_deg": 20, "std_bearing_deg": 0.1, )"
+            R"("range_m": 3, "std_range_m": 0.02)" +
+            seen + "}]}\n");
+    EXPECT_TRUE(errorsOf(lines).empty()) << errorsOf(lines)[0];
+    return lines.at(0).at("modes").size();
+  };
+  EXPECT_GT(spreadWith(""), 1U);
+  EXPECT_EQ(spreadWith(R"(, "yaw_deg": 170, "std_yaw_deg": 2)"), 1U);
+  const auto mistake = [&](const std::string& seen)
+  {
+    const auto lines =
+        run(R"({"t": 0, "sensor": "camera", "detections": [{"id": 7, "bearing_deg": 20, "std_bearing_deg": 1)" + seen +
+            "}]}\n");
+    return errorsOf(lines).at(0);
+  };
+  EXPECT_NE(mistake(R"(, "yaw_deg": 170)").find("'std_yaw_deg' is missing"), std::string::npos);
+  EXPECT_NE(mistake(R"(, "other_yaw_deg": 170, "other_std_yaw_deg": 1)").find("without 'yaw_deg'"), std::string::npos);
+}
 }  // namespace mrpt_ext::test_live_run

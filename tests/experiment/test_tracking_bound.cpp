@@ -128,4 +128,21 @@ TEST(TrackingBound, StatesWhyThereIsNone)
   EXPECT_FALSE(boundOf(gap).why_none.empty());
   EXPECT_TRUE(boundOf(gap).stamps.empty());
 }
+
+TEST(TrackingBound, DirectionsOfLandmarksCount)
+{
+  BoundInput input = standingRobot();
+  const double without = boundOf(input).stamps.front().heading_variance;
+  std::vector<Landmark> landmarks = input.context.map.all();
+  landmarks[1].yaw = 3;
+  input.context.map = LandmarkTable(landmarks);
+  for (Frame& frame : input.frames)
+    frame.readings[0].detections[1].facing =
+        Facing::either({3 - kPlace.phi + 0.9, 0.01}, {3 - kPlace.phi + 0.001, 0.01}, 0.4);
+  const double with = boundOf(input).stamps.front().heading_variance;
+  EXPECT_LT(with, square(0.01));
+  EXPECT_LT(with, 0.7 * without);
+  for (Frame& frame : input.frames) frame.readings[0].detections[1].facing = Facing::single(3 - kPlace.phi + 1, 0.01);
+  EXPECT_EQ(boundOf(input).stamps.front().heading_variance, without) << "an outlier";
+}
 }  // namespace mrpt_ext::test_tracking_bound

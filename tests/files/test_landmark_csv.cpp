@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "mrpt_ext/files/text_file.h"
+#include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "scratch_folder.h"
 
@@ -57,6 +59,8 @@ TEST(LandmarkCsv, MistakesAreNamedWithTheirLine)
   EXPECT_NE(read("id,x,y\n1,0,0\n1,2,2\n").find("map.csv:3: landmark id 1 occurs twice"), std::string::npos);
   EXPECT_NE(read("id,x,y\n-4,0,0\n").find("map.csv:2: landmark id -4 is negative"), std::string::npos);
   EXPECT_NE(read("id,x,y\nA,0,0\n").find("map.csv:2: 'A' is not an integer"), std::string::npos);
+  EXPECT_NE(read("x,y,yaw_deg\n0,0,400\n").find("map.csv:2: yaw_deg is out of range"), std::string::npos);
+  EXPECT_NE(read("x,y,yaw_deg,std_yaw_deg\n0,0,4,-1\n").find("map.csv:2: std_yaw_deg is negative"), std::string::npos);
   EXPECT_NE(read("id,x\n1,0\n").find("map.csv:1: no column 'y'"), std::string::npos);
   EXPECT_NE(read("id,x,y,colour\n").find("map.csv:1: unknown column 'colour'"), std::string::npos);
   EXPECT_NE(read("id,x,y\n1,0,\n").find("map.csv:2: '' is not a number, expected y"), std::string::npos);
@@ -68,5 +72,31 @@ TEST(LandmarkCsv, CategoryThatWouldBreakTheFileIsRejected)
   const ScratchFolder folder;
   EXPECT_THROW(writeLandmarkCsv(folder.path() / "map.csv", LandmarkTable({{1, {0, 0, 0}, "a,b", {0, 0}}})), InputError);
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "map.csv"));
+}
+
+TEST(LandmarkCsv, DirectionsAreKept)
+{
+  const ScratchFolder folder;
+  const LandmarkTable map =
+      readLandmarkCsv(folder.write("map.csv", "id,x,y,yaw_deg,std_yaw_deg\n1,0,0,-90,2\n2,1,1,,\n3,2,2,33.3,\n"));
+  EXPECT_NEAR(*map[0].yaw, -kPi / 2, 1e-12);
+  EXPECT_NEAR(map[0].std_yaw, degToRad(2), 1e-12);
+  EXPECT_FALSE(map[1].yaw);
+  writeLandmarkCsv(folder.path() / "copy.csv", map);
+  EXPECT_EQ(readTextFile(folder.path() / "copy.csv"),
+            "id,x,y,z,category,yaw_deg,std_yaw_deg\n1,0,0,0,,-90,2\n2,1,1,0,,,\n3,2,2,0,,33.3,0\n");
+}
+
+TEST(LandmarkCsv, ColumnsOfDirectionsAreWrittenWhereTheyAreKnown)
+{
+  const ScratchFolder folder;
+  const auto written = [&](const Landmark& landmark)
+  {
+    writeLandmarkCsv(folder.path() / "map.csv", LandmarkTable({landmark}));
+    return readTextFile(folder.path() / "map.csv");
+  };
+  EXPECT_EQ(written({.id = 1, .position = {2, 3, 4}}), "id,x,y,z,category\n1,2,3,4,\n");
+  EXPECT_EQ(written({.id = 1, .position = {2, 3, 4}, .stddev = {0.5, 0}, .yaw = kPi}),
+            "id,x,y,z,category,std_x,std_y,yaw_deg\n1,2,3,4,,0.5,0,180\n");
 }
 }  // namespace mrpt_ext::test_landmark_csv

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "scratch_folder.h"
 
@@ -84,5 +87,48 @@ TEST(LandmarkMapFile, AnyOtherNameIsACsv)
 {
   const testing::ScratchFolder folder;
   EXPECT_EQ(readLandmarkMapFile(folder.write("map.txt", "id,x,y\n3,1,2\n"))[0].id, 3);
+}
+
+TEST(LandmarkMapFile, TagsOfAFieldLayoutFaceAlongTheirXAxis)
+{
+  // Tags of a field: one on the far wall, turned by half a turn, faces the origin; one on the near wall faces away from
+  // it.
+  const LandmarkTable map = parseFieldLayout(kWpilib, "field", {});
+  EXPECT_NEAR(*map[0].yaw, 2 * std::atan2(0.87, 0.5), 1e-12);
+  EXPECT_NEAR(*map[1].yaw, 0, 1e-12);
+  const auto yawIn = [](const std::string& rotation)
+  {
+    return parseFieldLayout(
+               R"({"tags": [{"ID": 1, "pose": {"translation": {"x": 16, "y": 1, "z": 1})" + rotation + "}}]}", "field",
+               {})[0]
+        .yaw;
+  };
+  const auto turned = [&](const std::string& w, const std::string& x, const std::string& y, const std::string& z)
+  {
+    return yawIn(R"(, "rotation": {"quaternion": {"W": )" + w + R"(, "X": )" + x + R"(, "Y": )" + y + R"(, "Z": )" + z +
+                 "}}");
+  };
+  EXPECT_NEAR(std::abs(turned("0", "0", "0", "1").value()), kPi, 1e-12);
+  // Leaning back by 30 deg, facing the origin: half a turn about z, then a turn about its own y axis.
+  EXPECT_NEAR(std::abs(turned("0", "0.258819", "0", "0.965926").value()), kPi, 1e-6);
+  EXPECT_FALSE(turned("0.7071068", "0", "-0.7071068", "0"));  // faces the ceiling
+  EXPECT_FALSE(turned("0", "0", "0", "0"));
+  EXPECT_FALSE(yawIn(""));
+}
+
+TEST(LandmarkMapFile, TagsOfABundleFaceAlongTheirZAxis)
+{
+  const auto yawOf = [](const std::string& quaternion)
+  {
+    const LandmarkTable map =
+        parseTagBundle("tag_bundles: [{name: a, layout: [{id: 1, x: 0, y: 0, z: 1" + quaternion + "}]}]", "a", {});
+    return map[0].yaw;
+  };
+  EXPECT_FALSE(yawOf(""));  // flat on the floor, seen from above
+  EXPECT_FALSE(yawOf(", qw: 1, qx: 0, qy: 0, qz: 0"));
+  // x to the right of those who stand before it, y up, z towards them: this one hangs upright and faces -y.
+  EXPECT_NEAR(*yawOf(", qw: 0.7071068, qx: 0.7071068, qy: 0, qz: 0"), -kPi / 2, 1e-12);
+  // ... and this one along x: x axis along y, y axis up.
+  EXPECT_NEAR(*yawOf(", qw: 0.5, qx: 0.5, qy: 0.5, qz: 0.5"), 0, 1e-12);
 }
 }  // namespace mrpt_ext::test_landmark_map_file

@@ -115,6 +115,32 @@ TEST(SequentialPoseTest, OneLandmarkAloneVerifiesNoPose)
   EXPECT_GE(drive(2, false, false), SequentialPoseTest::kAcceptLogOdds);
 }
 
+TEST(SequentialPoseTest, OneLandmarkThatFacesAKnownDirectionVerifiesAPose)
+{
+  const LandmarkTable map({{.id = 1, .position = {2, 2, 0}, .yaw = 0.5}});
+  const auto drive = [&](double other_weight)
+  {
+    RandomStream random(4);
+    SequentialPoseTest test(motionModelOf({}), map);
+    Pose2 truth{5, 2, 0};
+    for (int k = 0; k < 60; ++k)
+    {
+      truth = compose(truth, roundTripStep(k));
+      Frame frame = simulatedFrame({.measures_range = true}, map, truth, roundTripStep(k), random);
+      for (Reading& reading : frame.readings)
+        for (Detection& d : reading.detections)
+        {
+          const double yaw = wrap(0.5 - truth.phi - reading.T_robot_sensor.phi);
+          d.facing = Facing::either({yaw, 0.05}, {yaw + 1, 0.05}, other_weight);
+        }
+      test.update(frame, map, particlesAt(truth, random));
+    }
+    return test.logOdds();
+  };
+  EXPECT_GE(drive(0), SequentialPoseTest::kAcceptLogOdds);
+  EXPECT_LT(drive(0.3), 1) << "the other attitude is a rival";
+}
+
 TEST(SequentialPoseTest, AVerifiedPoseIsConfirmedByOneLandmark)
 {
   const LandmarkTable map({{.id = 1, .position = {2, 2, 0}}, {.id = 2, .position = {7, 3, 0}}});

@@ -121,6 +121,9 @@ TEST(SensorConfig, DelayBiasAndScaleAreCorrected)
   EXPECT_NEAR(*reading.detections[0].range, 2.8, 1e-12);  // 4 = 1.25 * 2.8 + 0.5
   const Detection turned = configuredDetection({.bearing = -kPi + 0.01, .std_bearing = 0.1}, "bias_bearing_deg = 10\n");
   EXPECT_NEAR(*turned.bearing, kPi + 0.01 - degToRad(10), 1e-12);
+  Detection faced = kBoth;
+  faced.facing = Facing::single(1, 0.1);
+  EXPECT_NEAR(configuredDetection(faced, "bias_bearing_deg = 10\n").facing->attitudes[0].yaw, 1 - degToRad(10), 1e-12);
 }
 
 TEST(SensorConfig, ALandmarkMayHaveABiasOfItsOwn)

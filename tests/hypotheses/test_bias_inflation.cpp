@@ -42,4 +42,13 @@ TEST(BiasInflation, ARangeThatTheMeanWouldMakeNegativeIsLeftAsItIs)
   const auto readings = withBiasUncertainty(oneReading(), {{.kind = BiasKind::range_offset, .mean = 60, .std = 1}});
   EXPECT_EQ(readings[0].detections[0].range, 52.5);
 }
+
+TEST(BiasInflation, ABearingOffsetTurnsFacingsAsWell)
+{
+  auto readings = oneReading();
+  readings[0].detections[1].facing = Facing::single(1, 0.03);
+  readings = withBiasUncertainty(readings, {{.kind = BiasKind::bearing_offset, .mean = 0.1, .std = 0.04}});
+  EXPECT_NEAR(readings[0].detections[1].facing->attitudes[0].yaw, 0.9, 1e-12);
+  EXPECT_NEAR(readings[0].detections[1].facing->attitudes[0].std, 0.05, 1e-12);
+}
 }  // namespace mrpt_ext::test_bias_inflation

@@ -116,6 +116,28 @@ TEST(LandmarkMeasurement, PoseMeasurementsHaveNoResidualAtTheTruth)
   for (const PoseMeasurement& row : rows) EXPECT_NEAR(residual(row, robot), 0, 1e-9);
 }
 
+TEST(LandmarkMeasurement, ACertainFacingIsAHeading)
+{
+  const LandmarkTable map({{.id = 1, .position = {2, 0, 0}, .yaw = 2.0}});
+  Reading reading = readingOf({.id = 1, .bearing = 0.3, .std_bearing = 0.01});
+  reading.T_robot_sensor.phi = 0.5;
+  const auto headingsOf = [&](const Facing& facing)
+  {
+    reading.detections[0].facing = facing;
+    const auto measurements = identifiedMeasurements({&reading, 1}, map);
+    EXPECT_TRUE(measurements.at(0).headings);
+    std::vector<PoseMeasurement> rows = poseMeasurements(measurements);
+    std::erase_if(rows, [](const PoseMeasurement& m) { return m.kind != PoseMeasurement::Kind::heading; });
+    return rows;
+  };
+  const auto certain = headingsOf(Facing::single(1.2, 0.1));
+  ASSERT_EQ(certain.size(), 1U);
+  EXPECT_NEAR(certain[0].value, 0.3, 1e-12);
+  EXPECT_EQ(certain[0].std, 0.1);
+  EXPECT_EQ(headingsOf(Facing::either({1.2, 0.1}, {2, 0.1}, 0.005)).size(), 1U);
+  EXPECT_TRUE(headingsOf(Facing::either({1.2, 0.1}, {2, 0.1}, 0.02)).empty());
+}
+
 TEST(LandmarkMeasurement, CountsDifferentLandmarks)
 {
   const auto seen = identifiedMeasurements({{seenFrom({}, kHigh, {0, 0, 1, 0}, {})}}, kHigh);

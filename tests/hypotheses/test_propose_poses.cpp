@@ -111,6 +111,48 @@ TEST(ProposePoses, OneLandmarkGivesARing)
     EXPECT_NEAR(predictRange(h.pose.mean, {0, 0}, kMount), predictRange(kRobot, {0, 0}, kMount), 1e-9);
 }
 
+namespace
+{
+/// The landmark of id 1, of which the map knows that it faces 2.2 rad, seen from kRobot; with its direction.
+Reading facingReading(double std, double other_weight = 0)
+{
+  Reading reading = seenFrom(kRobot, kMap, {0}, kPoints);
+  const double yaw = wrap(2.2 - kRobot.phi - kMount.phi);
+  reading.detections[0].facing = Facing::either({yaw, std}, {yaw + 0.9, std}, other_weight);
+  return reading;
+}
+
+HypothesisSet facingProposals(const Reading& reading)
+{
+  std::vector<Landmark> landmarks = kMap.all();
+  landmarks[0].yaw = 2.2;
+  const LandmarkTable map(landmarks);
+  return proposePoses({.time = 1, .readings = {reading}}, map, GlobalPoseSearch(map),
+                      {.region = {{-20, -20}, {20, 20}}});
+}
+}  // namespace
+
+TEST(ProposePoses, OneLandmarkThatFacesAKnownDirectionGivesAPose)
+{
+  const HypothesisSet found = facingProposals(facingReading(0.05));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(rankOfTruth(found), 0);
+  EXPECT_EQ(found[0].source, "oriented_landmark");
+  EXPECT_NEAR(found[0].pose.covariance(2, 2), square(0.05), 1e-6);
+  // Turned about the landmark, 3.2 m away.
+  const double across = found[0].pose.covariance.topLeftCorner<2, 2>().trace();
+  EXPECT_NEAR(std::sqrt(across), 0.05 * kRobot.position().norm(), 0.03);
+}
+
+TEST(ProposePoses, TwoAttitudesGiveTwoPoses)
+{
+  const HypothesisSet found = facingProposals(facingReading(0.05, 0.3));
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(rankOfTruth(found), 0);
+  EXPECT_NEAR(wrap(found[0].pose.mean.phi - found[1].pose.mean.phi), 0.9, 0.01);
+  EXPECT_NEAR(found[1].weight, 0.3, 0.02);
+}
+
 TEST(ProposePoses, ARunningFixWithACompass)
 {
   Frame frame{.time = 1, .fixes = {fixOf({1.2, 0.2, 0.4})}};

@@ -224,4 +224,35 @@ TEST(CsvRecording, MistakesInTheOtherFilesAreNamedWithTheirLine)
   copy.replace("landmarks.csv", "id,x,y,z,category\n1,a,0,0,\n");
   EXPECT_INPUT_ERROR((void)importFolder(copy.path()), "landmarks.csv:2: 'a' is not a number, expected x");
 }
+
+TEST(CsvRecording, DirectionsOfLandmarksAreOptional)
+{
+  const DamagedCopy copy("csv");
+  copy.replace("landmarks.csv", "id,x,y,yaw_deg\n1,4,0,180\n");
+  const auto facingOf = [&](const std::string& columns, const std::string& fields)
+  {
+    copy.replace("detections.csv",
+                 "t,sensor,id,bearing_deg,std_bearing_deg" + columns + "\n0.5,eye,1,10,1" + fields + "\n");
+    const Recording recording = importFolder(copy.path());
+    EXPECT_NEAR(*recording.map[0].yaw, kPi, 1e-12);
+    return recordsOf<Reading>(recording).at(0).detections.at(0).facing;
+  };
+  EXPECT_FALSE(facingOf("", ""));
+  EXPECT_FALSE(facingOf(",yaw_deg,std_yaw_deg", ",,"));
+  const auto one = facingOf(",yaw_deg,std_yaw_deg", ",170,2");
+  ASSERT_TRUE(one);
+  EXPECT_NEAR(one->attitudes[0].yaw, degToRad(170), 1e-12);
+  EXPECT_NEAR(one->attitudes[0].std, degToRad(2), 1e-12);
+  EXPECT_EQ(one->attitudes[1].weight, 0);
+  const std::string all = ",yaw_deg,std_yaw_deg,other_yaw_deg,other_std_yaw_deg,other_weight";
+  const auto either = facingOf(all, ",170,2,150,3,0.2");
+  ASSERT_TRUE(either);
+  EXPECT_NEAR(either->attitudes[1].yaw, degToRad(150), 1e-12);
+  EXPECT_EQ(either->attitudes[1].weight, 0.2);
+  EXPECT_EQ(facingOf(all, ",170,2,,,")->attitudes[1].weight, 0);
+  EXPECT_INPUT_ERROR((void)facingOf(",yaw_deg", ",170"), "detections.csv:1: no column 'std_yaw_deg'");
+  EXPECT_INPUT_ERROR((void)facingOf(",yaw_deg,std_yaw_deg", ",170,"), "detections.csv:2: std_yaw_deg is ''");
+  EXPECT_INPUT_ERROR((void)facingOf(all, ",170,2,150,3,"), "detections.csv:2: other_weight is missing");
+  EXPECT_INPUT_ERROR((void)facingOf(all, ",,,150,3,0.2"), "detections.csv:2: other_yaw_deg without yaw_deg");
+}
 }  // namespace mrpt_ext::test_csv_recording

@@ -271,4 +271,34 @@ TEST(LandmarkMap, SavesItselfAsAMapFile)
   EXPECT_EQ(again[3].stddev, room()[3].stddev);
   std::filesystem::remove(prefix + "_landmarks.csv");
 }
+
+TEST(LandmarkMap, DirectionsAreKept)
+{
+  registerAllClasses();
+  const CLandmarkMap2D map(
+      LandmarkTable({{.id = 1, .position = {1, 2, 3}, .yaw = -2.5, .std_yaw = 0.1}, {.id = 2, .position = {4, 5, 6}}}));
+  mrpt::io::CMemoryStream stream;
+  auto archive = mrpt::serialization::archiveFrom(stream);
+  archive << map;
+  stream.Seek(0);
+  const auto copy = std::dynamic_pointer_cast<CLandmarkMap2D>(archive.ReadObject());
+  ASSERT_TRUE(copy);
+  EXPECT_EQ(copy->landmarks()[0].yaw, -2.5);
+  EXPECT_EQ(copy->landmarks()[0].std_yaw, 0.1);
+  EXPECT_FALSE(copy->landmarks()[1].yaw);
+  EXPECT_EQ(copy->landmarks()[1].position, Vector3d(4, 5, 6));
+}
+
+TEST(LandmarkMap, TheDirectionOfALandmarkTellsTheHeading)
+{
+  const CLandmarkMap2D map(LandmarkTable({{.id = 1, .position = {3, 0, 0}, .yaw = kPi}}));
+  Reading reading{.sensor = "camera"};
+  reading.detections = {{.id = 1, .bearing = 0, .range = 3, .std_bearing = 0.01, .std_range = 0.05}};
+  reading.detections[0].facing = Facing::single(kPi, 0.05);
+  // Poses on a circle about the landmark see it alike, but for the side.
+  const Pose2 truth{0, 0, 0}, elsewhere{3, -3, kPi / 2};
+  EXPECT_GT(score(map, *toStereoRanges(reading), truth), score(map, *toStereoRanges(reading), elsewhere) + 3);
+  reading.detections[0].facing.reset();
+  EXPECT_NEAR(score(map, *toStereoRanges(reading), truth), score(map, *toStereoRanges(reading), elsewhere), 1e-6);
+}
 }  // namespace mrpt_ext::test_landmark_map

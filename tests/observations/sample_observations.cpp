@@ -57,6 +57,14 @@ CObservationStereoRanges::Ptr sampleRanges()
   return observation;
 }
 
+CObservationStereoRanges::Ptr sampleFacings()
+{
+  auto observation = sampleRanges();
+  observation->detections[0].facing = Facing::single(2.5, 0.02);
+  observation->detections[1].facing = Facing::either({-3, 0.1}, {3, 0.2}, 0.25);
+  return observation;
+}
+
 CObservationRunningFix::Ptr sampleFix()
 {
   auto observation = CObservationRunningFix::Create();
@@ -78,6 +86,6 @@ CObservationRunningFix::Ptr sampleFix()
 
 std::vector<mrpt::obs::CObservation::Ptr> samplesOfAllClasses()
 {
-  return {sampleBearings(), sampleRanges(), sampleFix()};
+  return {sampleBearings(), sampleRanges(), sampleFacings(), sampleFix()};
 }
 }  // namespace mrpt_ext

@@ -13,6 +13,8 @@ namespace mrpt_ext
 /// One of each class of ours with no field left at its default.
 [[nodiscard]] CObservationLandmarkBearings::Ptr sampleBearings();
 [[nodiscard]] CObservationStereoRanges::Ptr sampleRanges();
+/// The same, of which two landmarks show which way they face: one in one attitude, one in one of two.
+[[nodiscard]] CObservationStereoRanges::Ptr sampleFacings();
 [[nodiscard]] CObservationRunningFix::Ptr sampleFix();
 
 [[nodiscard]] std::vector<mrpt::obs::CObservation::Ptr> samplesOfAllClasses();

@@ -19,6 +19,14 @@ void expectSame(const Detection& a, const Detection& b)
   EXPECT_EQ(a.range, b.range);
   EXPECT_EQ(a.std_bearing, b.std_bearing);
   EXPECT_EQ(a.std_range, b.std_range);
+  ASSERT_EQ(a.facing.has_value(), b.facing.has_value());
+  if (!a.facing) return;
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    EXPECT_EQ(a.facing->attitudes[k].yaw, b.facing->attitudes[k].yaw);
+    EXPECT_EQ(a.facing->attitudes[k].std, b.facing->attitudes[k].std);
+    EXPECT_EQ(a.facing->attitudes[k].weight, b.facing->attitudes[k].weight);
+  }
 }
 
 void expectSame(const Reading& a, const Reading& b)
@@ -57,6 +65,15 @@ TEST(ObservationConversions, RangesBecomeAReadingAndBack)
   EXPECT_NEAR(reading.detections.at(1).std_range, 2.0 / 60, 1e-12);
   EXPECT_FALSE(reading.detections.at(2).range.has_value());
   EXPECT_TRUE(hasRange(reading));
+  expectSame(toReading(*toStereoRanges(reading)), reading);
+}
+
+TEST(ObservationConversions, FacingsBecomeAReadingAndBack)
+{
+  const Reading reading = toReading(*sampleFacings());
+  EXPECT_EQ(reading.detections.at(0).facing->attitudes[0].yaw, 2.5);
+  EXPECT_TRUE(hasFacing(reading));
+  EXPECT_FALSE(hasFacing(toReading(*sampleRanges())));
   expectSame(toReading(*toStereoRanges(reading)), reading);
 }
 

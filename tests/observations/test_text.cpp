@@ -45,6 +45,9 @@ TEST(ObservationText, CellsAreInTheirColumns)
   EXPECT_EQ(cell(*sampleRanges(), "range_m_2"), "2.000000");
   EXPECT_EQ(cell(*sampleRanges(), "range_m_3"), "nan");
   EXPECT_EQ(cell(*sampleRanges(), "bearing_deg_2"), "nan");
+  EXPECT_EQ(cell(*sampleRanges(), "yaw_deg_1"), "nan");
+  EXPECT_EQ(cell(*sampleFacings(), "yaw_deg_1"), "143.239449");
+  EXPECT_EQ(cell(*sampleFacings(), "std_yaw_deg_2"), "5.729578");
   EXPECT_EQ(cell(*sampleFix(), "first_range_m"), "1.250000");
   EXPECT_EQ(cell(*sampleFix(), "dphi_deg"), "7.161972");
   EXPECT_EQ(cell(*sampleFix(), "cpp"), "0.005000000");
@@ -73,5 +76,19 @@ TEST(ObservationText, RangeStdFollowsFromTheDisparity)
   EXPECT_EQ(observation->rangeStd(observation->detections[0]), 0.05);  // declared
   EXPECT_DOUBLE_EQ(observation->rangeStd(observation->detections[1]), 2.0 * 2.0 * 0.5 / 60);
   EXPECT_EQ(observation->rangeStd(observation->detections[2]), 0);  // no range
+}
+
+TEST(ObservationText, FacingsAreDescribedWhereThereAreSome)
+{
+  const auto described = [](const mrpt::obs::CObservation& observation)
+  {
+    std::ostringstream text;
+    observation.getDescriptionAsText(text);
+    return text.str();
+  };
+  EXPECT_EQ(described(*sampleRanges()).find("yaw"), std::string::npos);
+  const std::string text = described(*sampleFacings());
+  EXPECT_NE(text.find("bearing [deg] std [deg] yaw [deg] std [deg]"), std::string::npos) << text;
+  EXPECT_NE(text.find("-171.8873 5.7296 (or 171.8873 11.4592, 0.2500)"), std::string::npos) << text;
 }
 }  // namespace mrpt_ext::test_text

@@ -58,4 +58,25 @@ TEST(UsableDetections, ChecksRunningFixes)
   fix.second_bearing = kNan;
   EXPECT_EQ(whyUnusable(fix), "bearing not finite");
 }
+
+TEST(UsableDetections, AnImpossibleFacingIsDroppedAlone)
+{
+  const auto kept = [](const Facing& facing)
+  {
+    Reading reading;
+    reading.detections = {{.bearing = 0.5, .std_bearing = 0.1, .facing = facing}};
+    UnusableCounts counts;
+    removeUnusable(reading, counts);
+    EXPECT_EQ(reading.detections.size(), 1U);
+    EXPECT_EQ(counts.empty(), reading.detections.at(0).facing.has_value());
+    return reading.detections.at(0).facing.has_value();
+  };
+  EXPECT_TRUE(kept(Facing::single(1, 0.1)));
+  EXPECT_TRUE(kept(Facing::either({1, 0.1}, {2, 0.1}, 0.3)));
+  EXPECT_FALSE(kept(Facing::single(1, 0)));
+  EXPECT_FALSE(kept(Facing::single(kNan, 0.1)));
+  EXPECT_FALSE(kept(Facing::either({1, 0.1}, {2, kNan}, 0.3)));
+  EXPECT_FALSE(kept(Facing{{{{1, 0.1, 1.5}, {2, 0.1, -0.5}}}}));
+  EXPECT_FALSE(kept(Facing{{{{1, 0.1, kNan}, {2, 0.1, kNan}}}}));
+}
 }  // namespace mrpt_ext::test_usable_detections

@@ -176,6 +176,18 @@ TEST(MeasurementWindow, HeadingNoiseInflatesBearings)
   }
 }
 
+TEST(MeasurementWindow, HeadingNoiseInflatesFacings)
+{
+  Reading first = seenFrom({}, kMap, {0}, {});
+  first.detections[0].facing = Facing::single(1, 0.1);
+  const std::vector<OdometryMotion> curve(30, motionOf({0.1, 0, 0.04}, 0.2));
+  const Reading propagated = propagatedAlong(curve, first);
+  EXPECT_NEAR(square(propagated.detections[0].facing->attitudes[0].std) - square(0.1),
+              square(propagated.detections[0].std_bearing) - square(first.detections[0].std_bearing), 1e-12);
+  EXPECT_EQ(propagated.detections[0].facing->attitudes[0].yaw, 1);
+  EXPECT_NEAR(withoutOdometryNoise(propagated).detections[0].facing->attitudes[0].std, 0.1, 1e-9);
+}
+
 TEST(MeasurementWindow, KeepsTheCovarianceOfTheOdometry)
 {
   const std::vector<OdometryMotion> curve(30, motionOf({0.1, 0, 0.04}, 0.2));

@@ -166,6 +166,23 @@ TEST(PoseRing, EveryPoseOfTheRingSeesTheSameThing)
   }
 }
 
+TEST(PoseRing, HeadingsGiveTheirPosesWithTheirProbabilities)
+{
+  // A landmark 2 m ahead in the origin, the robot heads along y or half a turn back: golden values.
+  const PoseRing ring = makePoseRing({0, 0}, 2.0, 0.03, 0, 0.01);
+  const auto poses = posesOnRing(ring, Facing::either({kPi / 2, 0.1}, {-kPi / 2, 0.2}, 0.25));
+  ASSERT_EQ(poses.size(), 2U);
+  EXPECT_EQ(poses[0].probability, 0.75);
+  EXPECT_LT((poses[0].pose.mean.vector() - Vector3d(0, -2, kPi / 2)).norm(), 1e-12);
+  EXPECT_LT((poses[1].pose.mean.vector() - Vector3d(0, 2, -kPi / 2)).norm(), 1e-12);
+  Matrix3d expected;
+  // Across: 2 m times the errors of heading and bearing; along: the range; a turn to the left moves the robot to the
+  // right.
+  expected << 4 * (square(0.1) + square(0.01)), 0, 2 * square(0.1), 0, square(0.03), 0, 2 * square(0.1), 0, square(0.1);
+  EXPECT_LT((poses[0].pose.covariance - expected).norm(), 1e-12) << poses[0].pose.covariance;
+  EXPECT_EQ(posesOnRing(ring, Facing::single(1, 0.1)).size(), 1U);
+}
+
 TEST(LandmarkInRobotFrame, TruthOrItsMirrorImage)
 {
   const Vector2d v(2, 1), d(0.5, 0);  // driving straight ahead: the mirror image is (2, -1)

@@ -129,6 +129,28 @@ class JsonObject
   std::set<std::string> known_;
 };
 
+/// An angle `name` with its standard deviation `std_name`; nothing where it is not given.
+std::optional<Facing::Attitude> attitudeFrom(JsonObject& object, const std::string& name, const std::string& std_name)
+{
+  const auto yaw = object.angle(name), std = object.angle(std_name);
+  if (!yaw) return std::nullopt;
+  if (!std) throw dataError("detection: '" + std_name + "_deg' is missing");
+  if (!(*std > 0)) throw dataError("detection: '" + std_name + "_deg': " + kNoStd);
+  return Facing::Attitude{*yaw, *std, 1};
+}
+
+std::optional<Facing> facingFrom(JsonObject& object)
+{
+  const auto one = attitudeFrom(object, "yaw", "std_yaw"), other = attitudeFrom(object, "other_yaw", "other_std_yaw");
+  const auto weight = object.optionalNumber("other_weight");
+  if (!one && other) throw dataError("detection: 'other_yaw_deg' without 'yaw_deg'");
+  if (!one) return std::nullopt;
+  if (!other) return Facing::single(one->yaw, one->std);
+  if (!weight || !(*weight >= 0 && *weight <= 1))
+    throw dataError("detection: 'other_weight': expected a probability beside 'other_yaw_deg'");
+  return Facing::either(*one, *other, *weight);
+}
+
 Detection detectionFrom(const Json& value)
 {
   JsonObject object(value, "detection");
@@ -149,6 +171,7 @@ Detection detectionFrom(const Json& value)
     if (!(detection.std_range > 0)) throw dataError("detection: 'std_range_m': " + kNoStd);
   }
   if (!detection.bearing && !detection.range) throw dataError("detection: expected 'bearing_deg' or 'range_m'");
+  detection.facing = facingFrom(object);
   object.expectNothingElse();
   return detection;
 }
@@ -202,6 +225,9 @@ void applyMap(JsonObject& line, OnlineLocalizer& robot)
     JsonObject object(value, "landmark");
     Landmark landmark{.id = object.id(), .category = object.text("category", "")};
     landmark.position = {object.number("x"), object.number("y"), object.number("z", 0)};
+    landmark.yaw = object.angle("yaw");
+    landmark.std_yaw = object.angle("std_yaw").value_or(0);
+    if (!(landmark.std_yaw >= 0)) throw dataError("landmark: 'std_yaw_deg': " + kNoStd);
     object.expectNothingElse();
     landmarks.push_back(std::move(landmark));
   }
@@ -218,6 +244,11 @@ Json objectOf(const Detection& detection)
   if (detection.bearing)
     object.update({{"bearing_rad", *detection.bearing}, {"std_bearing_rad", detection.std_bearing}});
   if (detection.range) object.update({{"range_m", *detection.range}, {"std_range_m", detection.std_range}});
+  if (!detection.facing) return object;
+  const auto& [likelier, other] = detection.facing->attitudes;
+  object.update({{"yaw_rad", likelier.yaw}, {"std_yaw_rad", likelier.std}});
+  if (other.weight > 0)
+    object.update({{"other_yaw_rad", other.yaw}, {"other_std_yaw_rad", other.std}, {"other_weight", other.weight}});
   return object;
 }
 

@@ -19,6 +19,7 @@ constexpr double kUsualBearingStd = degToRad(1.0);
 std::vector<PoseMeasurement> measurementsOf(const Frame& frame, const LandmarkTable& map)
 {
   std::vector<PoseMeasurement> measurements = poseMeasurements(identifiedMeasurements(frame.readings, map));
+  std::erase_if(measurements, [](const PoseMeasurement& m) { return m.kind == PoseMeasurement::Kind::heading; });
   if (measurements.size() > kMostMeasurements) measurements.resize(kMostMeasurements);
   for (PoseMeasurement& m : measurements) m.std *= kTolerance;
   return measurements;

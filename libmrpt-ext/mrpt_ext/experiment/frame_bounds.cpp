@@ -20,7 +20,7 @@ std::optional<FrameBound> boundOfFrames(const FrameStream& frames, const Landmar
     if (!pose) continue;
     std::vector<LandmarkMeasurement> seen = identifiedMeasurements(frame->readings, map);
     if (what == BoundOf::bearings)
-      for (LandmarkMeasurement& s : seen) s.range.reset();
+      for (LandmarkMeasurement& s : seen) s.range.reset(), s.headings.reset();
     const auto bound = informationBound(poseInformation(poseMeasurements(seen), pose->pose));
     if (!bound) continue;
     position.push_back(bound->position_rms);

@@ -79,7 +79,7 @@ class MrptFilterLocalizer : public FilterLocalizer
       landmark_map_->likelihood_options.clutter_probability = reading.model.clutter_probability;
       landmark_map_->likelihood_options.detection_probability = reading.model.detection_probability.value_or(0);
       mrpt::obs::CSensoryFrame sensory;
-      if (hasRange(reading))
+      if (hasRange(reading) || hasFacing(reading))
         sensory.insert(toStereoRanges(reading));
       else
         sensory.insert(toLandmarkBearings(reading));

@@ -7,6 +7,7 @@
 #include "mrpt_ext/evaluation/posterior_bound.h"
 #include "mrpt_ext/evaluation/scoring.h"
 #include "mrpt_ext/filter/kalman/measurement_linearization.h"
+#include "mrpt_ext/likelihood/facing_likelihood.h"
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
 
 namespace mrpt_ext
@@ -26,6 +27,24 @@ void addInformation(Matrix3d& information, const KalmanRow& row)
   information += row.jacobian.transpose() * row.jacobian / row.variance;
 }
 
+/// The direction of a landmark as if the attitude that is nearest to the truth were the only one, which no estimator
+/// knows better.
+void addFacing(Matrix3d& information, const Detection& detection, const Reading& reading, const LandmarkTable& map,
+               const KalmanState& truth)
+{
+  const auto headings = headingFromFacing(detection, reading, map);
+  if (!headings) return;
+  std::optional<KalmanRow> nearest;
+  for (const Facing::Attitude& heading : headings->attitudes)
+  {
+    if (!(heading.weight > 0)) continue;
+    const KalmanRow row = lineariseHeading(heading.yaw, heading.std, truth.mean);
+    if (!nearest || square(row.residual) / row.variance < square(nearest->residual) / nearest->variance) nearest = row;
+  }
+  if (nearest && square(nearest->residual) <= square(kOutlierGate) * nearest->variance)
+    addInformation(information, *nearest);
+}
+
 Matrix3d informationOf(const Frame& frame, const LandmarkTable& map, const Pose2& truth)
 {
   const KalmanState state = startingState({truth, Matrix3d::Zero()}, {});
@@ -38,6 +57,7 @@ Matrix3d informationOf(const Frame& frame, const LandmarkTable& map, const Pose2
       const DetectionRows rows = linearise(detection, reading, map[*landmark], state.mean, {});
       if (isOutlier(rows)) continue;
       for (int r = 0; r < rows.count; ++r) addInformation(information, rows.rows[static_cast<std::size_t>(r)]);
+      addFacing(information, detection, reading, map, state);
     }
   if (frame.compass)
     addInformation(information, lineariseHeading(frame.compass->heading, frame.compass->std_heading, state.mean));

@@ -1,6 +1,7 @@
 #include "mrpt_ext/files/landmark_csv.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "mrpt_ext/files/atomic_file.h"
@@ -28,6 +29,31 @@ double readStd(const TextTable& table, std::size_t row, std::optional<std::size_
   return value;
 }
 
+/// [rad]; nothing where the field is empty.
+std::optional<double> readYaw(const TextTable& table, std::size_t row, std::optional<std::size_t> column)
+{
+  if (!column || table.text(row, *column).empty()) return std::nullopt;
+  const double degrees = table.number(row, *column);
+  if (std::abs(degrees) > 360) throw table.errorAt(row, "yaw_deg is out of range, expected within +-360");
+  return wrap(degToRad(degrees));
+}
+
+/// Angles in degrees, without the digits that their conversion has made.
+std::string degreesText(double angle) { return shortestText(std::round(radToDeg(angle) * 1e9) / 1e9); }
+
+/// ",yaw_deg", with a standard deviation ",yaw_deg,std_yaw_deg"; an unknown direction leaves both empty.
+std::string yawText(const Landmark& landmark, bool with_std)
+{
+  if (!landmark.yaw) return with_std ? ",," : ",";
+  return ',' + degreesText(*landmark.yaw) + (with_std ? ',' + degreesText(landmark.std_yaw) : "");
+}
+
+/// True for some landmark of the map.
+bool hasAny(const LandmarkTable& landmarks, bool (*is)(const Landmark&))
+{
+  return std::any_of(landmarks.all().begin(), landmarks.all().end(), is);
+}
+
 std::string categoryText(const Landmark& landmark)
 {
   if (landmark.category.find_first_of(",\r\n") != std::string::npos)
@@ -39,10 +65,11 @@ std::string categoryText(const Landmark& landmark)
 LandmarkTable readLandmarkCsv(const std::filesystem::path& path, const RowLimit& limit)
 {
   const TextTable table(path, {.limit = limit});
-  table.expectOnlyColumns({"id", "x", "y", "z", "category", "std_x", "std_y"});
+  table.expectOnlyColumns({"id", "x", "y", "z", "category", "std_x", "std_y", "yaw_deg", "std_yaw_deg"});
   const std::size_t x = table.column("x"), y = table.column("y");
   const auto id = table.findColumn("id"), z = table.findColumn("z"), category = table.findColumn("category");
   const auto std_x = table.findColumn("std_x"), std_y = table.findColumn("std_y");
+  const auto yaw = table.findColumn("yaw_deg"), std_yaw = table.findColumn("std_yaw_deg");
 
   std::vector<Landmark> landmarks;
   std::set<int> seen;
@@ -57,6 +84,8 @@ LandmarkTable readLandmarkCsv(const std::filesystem::path& path, const RowLimit&
                          has_height ? table.coordinate(row, *z) : 0};
     if (category) landmark.category = table.text(row, *category);
     landmark.stddev = {readStd(table, row, std_x), readStd(table, row, std_y)};
+    landmark.yaw = readYaw(table, row, yaw);
+    landmark.std_yaw = degToRad(readStd(table, row, std_yaw));
     landmarks.push_back(std::move(landmark));
   }
   return LandmarkTable(std::move(landmarks));
@@ -64,15 +93,20 @@ LandmarkTable readLandmarkCsv(const std::filesystem::path& path, const RowLimit&
 
 void writeLandmarkCsv(const std::filesystem::path& path, const LandmarkTable& landmarks)
 {
-  const bool with_std = std::any_of(landmarks.all().begin(), landmarks.all().end(),
-                                    [](const Landmark& landmark) { return !landmark.stddev.isZero(0); });
-  std::string content = with_std ? "id,x,y,z,category,std_x,std_y\n" : "id,x,y,z,category\n";
+  const bool with_std = hasAny(landmarks, [](const Landmark& landmark) { return !landmark.stddev.isZero(0); });
+  const bool with_yaw = hasAny(landmarks, [](const Landmark& landmark) { return landmark.yaw.has_value(); });
+  const bool with_std_yaw =
+      hasAny(landmarks, [](const Landmark& landmark) { return landmark.yaw && landmark.std_yaw != 0; });
+  std::string content = with_std ? "id,x,y,z,category,std_x,std_y" : "id,x,y,z,category";
+  content += with_yaw ? ",yaw_deg" : "";
+  content += with_std_yaw ? ",std_yaw_deg\n" : "\n";
   for (const Landmark& landmark : landmarks.all())
   {
     if (landmark.id != kNoId) content += std::to_string(landmark.id);
     for (const double coordinate : landmark.position) content += ',' + shortestText(coordinate);
     content += ',' + categoryText(landmark);
     if (with_std) content += ',' + shortestText(landmark.stddev.x()) + ',' + shortestText(landmark.stddev.y());
+    if (with_yaw) content += yawText(landmark, with_std_yaw);
     content += '\n';
   }
   writeFileAtomically(path, content);

@@ -2,6 +2,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -15,6 +16,16 @@ namespace mrpt_ext
 namespace
 {
 constexpr const char* kTagCategory = "tag";
+constexpr double kLeastHorizontal = 0.5;  ///< of a normal whose direction from above means something
+
+/// [rad] from above; nothing for a normal that points up or down. `normal`: in the axes of a tag of this attitude.
+std::optional<double> yawOf(const Eigen::Quaterniond& attitude, const Vector3d& normal)
+{
+  if (!(attitude.norm() > 0)) return std::nullopt;
+  const Vector3d towards = attitude.normalized() * normal;
+  if (!(towards.head<2>().norm() > kLeastHorizontal)) return std::nullopt;
+  return std::atan2(towards.y(), towards.x());
+}
 
 /// Collects tags and refuses what no map can have.
 class TagMap
@@ -22,7 +33,7 @@ class TagMap
  public:
   TagMap(const std::string& name, const RowLimit& limit) : name_(name), limit_(limit) {}
 
-  void add(int id, const Vector3d& position)
+  void add(int id, const Vector3d& position, const std::optional<double>& yaw)
   {
     const std::string where = name_ + ": tag " + std::to_string(id);
     if (id < 0 || !seen_.insert(id).second) throw dataError(where + " is negative or occurs twice");
@@ -31,7 +42,7 @@ class TagMap
     if (landmarks_.size() == limit_.rows)
       throw dataError(name_ + ": more than " + std::to_string(limit_.rows) + " tags, expected no more" +
                       (limit_.set_by.empty() ? "" : ": set " + limit_.set_by));
-    landmarks_.push_back({.id = id, .position = position, .category = kTagCategory});
+    landmarks_.push_back({.id = id, .position = position, .category = kTagCategory, .yaw = yaw});
   }
   [[nodiscard]] LandmarkTable table() const
   {
@@ -46,6 +57,14 @@ class TagMap
   std::vector<Landmark> landmarks_;
 };
 
+/// Zero where a pose of WPILib has no rotation.
+Eigen::Quaterniond attitudeIn(const nlohmann::json& pose)
+{
+  if (!pose.contains("rotation")) return {0, 0, 0, 0};
+  const auto& q = pose.at("rotation").at("quaternion");
+  return {q.at("W").get<double>(), q.at("X").get<double>(), q.at("Y").get<double>(), q.at("Z").get<double>()};
+}
+
 std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
 }  // namespace
 
@@ -58,7 +77,8 @@ LandmarkTable parseFieldLayout(const std::string& text, const std::string& name,
     for (const auto& tag : layout.at("tags"))
     {
       const auto& at = tag.at("pose").at("translation");
-      map.add(tag.at("ID").get<int>(), {at.at("x").get<double>(), at.at("y").get<double>(), at.at("z").get<double>()});
+      map.add(tag.at("ID").get<int>(), {at.at("x").get<double>(), at.at("y").get<double>(), at.at("z").get<double>()},
+              yawOf(attitudeIn(tag.at("pose")), Vector3d::UnitX()));
     }
   }
   catch (const nlohmann::json::exception& error)
@@ -79,7 +99,10 @@ LandmarkTable parseTagBundle(const std::string& text, const std::string& name, c
       throw dataError(name + ": " + std::to_string(bundles ? bundles.size() : 0) +
                       " tag_bundles, expected one, whose frame is the map's");
     for (const YAML::Node& tag : bundles[0]["layout"])
-      map.add(tag["id"].as<int>(), {tag["x"].as<double>(0), tag["y"].as<double>(0), tag["z"].as<double>(0)});
+      map.add(
+          tag["id"].as<int>(), {tag["x"].as<double>(0), tag["y"].as<double>(0), tag["z"].as<double>(0)},
+          yawOf({tag["qw"].as<double>(1), tag["qx"].as<double>(0), tag["qy"].as<double>(0), tag["qz"].as<double>(0)},
+                Vector3d::UnitZ()));
   }
   catch (const YAML::Exception& error)
   {

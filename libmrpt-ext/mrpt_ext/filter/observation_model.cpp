@@ -4,6 +4,7 @@
 #include "mrpt_ext/filter/particles/particle_blocks.h"
 #include "mrpt_ext/likelihood/compass_likelihood.h"
 #include "mrpt_ext/likelihood/detection_density.h"
+#include "mrpt_ext/likelihood/facing_likelihood.h"
 #include "mrpt_ext/likelihood/reading_scorer.h"
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
 
@@ -39,6 +40,7 @@ void ObservationModel::weight(const Frame& frame, ParticleSet& particles) const
     forEachBlock(particles.size(), threads_,
                  [&](std::size_t first, std::size_t count)
                  { scorer.addTo(poses.block(first, count), log_weight.subspan(first, count)); });
+    addFacingLogLikelihood(reading, map_, poses, log_weight);
   }
   if (frame.compass) addCompassLogLikelihood(*frame.compass, particles.poses(), particles.log_weight);
 }

@@ -126,6 +126,7 @@ Reading configured(Reading reading, const SensorConfigs& configs, const Landmark
   for (Detection& detection : reading.detections)
   {
     if (detection.bearing) correctBearing(*detection.bearing, detection.std_bearing, config, reading.sensor);
+    if (detection.facing) detection.facing = turnedBack(*detection.facing, config.bias_bearing);
     const double depth_share = depthShare(detection, config);
     if (detection.range)
       correctRange(*detection.range, detection.std_range, config, reading.sensor, detection.id, depth_share);

@@ -85,6 +85,8 @@ LandmarkTable readMap(const fs::path& file)
     landmark.id = table.integer(row, table.column("id"));
     landmark.position = {table.coordinate(row, table.column("x_m")), table.coordinate(row, table.column("y_m")), 0};
     if (const auto category = table.findColumn("category")) landmark.category = table.text(row, *category);
+    if (const auto yaw = table.findColumn("yaw_deg"); yaw && !table.text(row, *yaw).empty())
+      landmark.yaw = wrap(degToRad(table.number(row, *yaw)));
     landmarks.push_back(landmark);
   }
   return LandmarkTable(landmarks);

@@ -57,7 +57,8 @@ class ImageSequence
 
 /// A folder with `frames.csv` (one row per frame: `frame`, a file name per role, optional `t`, optional
 /// `odometry_x_m,odometry_y_m,odometry_heading_deg`, optional truth `x_m,y_m,heading_deg`), optional `camera.json` and
-/// optional `map.csv` (`id,name,x_m,y_m`, optional `category`). Without a role's column, files are found as
+/// optional `map.csv` (`id,name,x_m,y_m`, optional `category` and `yaw_deg`). Without a role's column, files are found
+/// as
 /// *_POINT_ROLE.* by the column `point`; a role without any file is left out. `heading_offset` [rad] is added to all
 /// headings: what the forward axis is turned against the axis that frames.csv counts from. Throws InputError (data) on
 /// damaged tables.

@@ -7,14 +7,20 @@
 
 namespace mrpt_ext
 {
-/// Table of `--csv`: one row per measurement, a field that was not measured stays empty.
+/// Table of `--csv`: one row per measurement, a field that was not measured stays empty. The columns of facings are
+/// there when one was measured.
 class MeasurementCsv
 {
  public:
   void add(const ImageFrame& frame, const std::vector<MeasurementRow>& rows);
-  [[nodiscard]] const std::string& text() const { return text_; }
+  [[nodiscard]] std::string text() const;
 
  private:
-  std::string text_ = "frame,time_s,sensor,label,azimuth_deg,std_azimuth_deg,range_m,std_range_m,u_left,u_right\n";
+  struct Line
+  {
+    std::string measured;
+    std::optional<Facing> facing;
+  };
+  std::vector<Line> lines_;
 };
 }  // namespace mrpt_ext

@@ -83,6 +83,7 @@ Detection detectionOf(const SeenTag& tag)
   detection.id = tag.id;
   detection.bearing = tag.measured.bearing, detection.std_bearing = tag.measured.std_bearing;
   detection.range = tag.measured.range, detection.std_range = tag.measured.std_range;
+  detection.facing = tag.measured.facing;
   return detection;
 }
 }  // namespace
@@ -139,6 +140,7 @@ FrameMeasurements TagsFrontEnd::measure(const ImageFrame& frame, bool with_drawi
     reading.detections.push_back(detectionOf(tag));
     MeasurementRow row(label_, std::to_string(tag.id), reading.detections.back());
     row.azimuth = wrap(tag.measured.bearing + T_robot_sensor_.phi);
+    if (row.facing) row.facing = turnedBack(*row.facing, -T_robot_sensor_.phi);
     result.rows.push_back(std::move(row));
   }
   if (!reading.detections.empty()) result.readings.push_back(std::move(reading));

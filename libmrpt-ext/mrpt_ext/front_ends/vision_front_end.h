@@ -18,9 +18,10 @@ struct MeasurementRow
   std::optional<double> azimuth, std_azimuth;  ///< [rad] CCW from robot forward, seen from the sensor's own position
   std::optional<double> range, std_range;      ///< [m]
   std::optional<double> u_left, u_right;       ///< [px]
+  std::optional<Facing> facing;                ///< of what is seen, from robot forward
 
   MeasurementRow(const std::string& sensor_label, const std::string& name, const Detection& detection)
-      : sensor(sensor_label), label(name), azimuth(detection.bearing), range(detection.range)
+      : sensor(sensor_label), label(name), azimuth(detection.bearing), range(detection.range), facing(detection.facing)
   {
     if (azimuth) std_azimuth = detection.std_bearing;
     if (range) std_range = detection.std_range;

@@ -13,6 +13,8 @@ LandmarkTable::LandmarkTable(std::vector<Landmark> landmarks) : landmarks_(std::
     const Landmark& landmark = landmarks_[i];
     if (!landmark.position.allFinite() || !landmark.stddev.allFinite())
       throw configurationError("landmark " + std::to_string(i + 1) + ": coordinates must be finite numbers");
+    if (!std::isfinite(landmark.yaw.value_or(0)) || !std::isfinite(landmark.std_yaw))
+      throw configurationError("landmark " + std::to_string(i + 1) + ": its direction must be a finite number");
     mean_height_ += landmark.position.z() / static_cast<double>(landmarks_.size());
     if (landmark.id != kNoId) index_by_id_.emplace_back(landmark.id, i);
   }

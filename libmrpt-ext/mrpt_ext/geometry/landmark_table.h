@@ -17,6 +17,10 @@ struct Landmark
   Vector3d position{0, 0, 0};  ///< [m]
   std::string category;        ///< empty: none
   Vector2d stddev{0, 0};       ///< standard deviation of x and y [m]
+  /// Direction in which it faces, of its normal [rad, CCW from the x axis of the map]; absent: it faces none, or
+  /// unknown.
+  std::optional<double> yaw = std::nullopt;
+  double std_yaw = 0;  ///< [rad], meaningful with a yaw
 };
 
 /// The landmarks of a map; keeps their order, finds them by id.
@@ -24,7 +28,7 @@ class LandmarkTable
 {
  public:
   LandmarkTable() = default;
-  /// Throws InputError (configuration) when an id occurs twice or a coordinate is not finite.
+  /// Throws InputError (configuration) when an id occurs twice, or a coordinate or an angle is not finite.
   explicit LandmarkTable(std::vector<Landmark> landmarks);
 
   [[nodiscard]] const std::vector<Landmark>& all() const { return landmarks_; }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mrpt_ext/geometry/facing.h"
 #include "mrpt_ext/geometry/landmark_table.h"
 #include "mrpt_ext/geometry/pose.h"
 
@@ -19,6 +20,8 @@ struct Detection
   std::optional<double> range;    ///< [m] from the sensor origin
   double std_bearing = 0;         ///< [rad], meaningful with a bearing
   double std_range = 0;           ///< [m], meaningful with a range
+  /// Which way the landmark faces; only of identified detections it says something about the robot.
+  std::optional<Facing> facing = std::nullopt;
 };
 
 /// What the likelihood needs to know about a sensor.

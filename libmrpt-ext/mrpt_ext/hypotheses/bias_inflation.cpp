@@ -45,6 +45,8 @@ std::vector<Reading> withBiasUncertainty(std::vector<Reading> readings, const Bi
         detection.bearing = wrap(*detection.bearing - bias.bearing_offset);
         detection.std_bearing = std::sqrt(square(detection.std_bearing) + bias.bearing_variance);
       }
+      if (detection.facing)
+        detection.facing = widened(turnedBack(*detection.facing, bias.bearing_offset), bias.bearing_variance);
       if (!detection.range) continue;
       const double range = (*detection.range - bias.range_offset) / (1 + bias.range_scale);
       if (!(range > 0)) continue;  // the prior mean does not apply to it

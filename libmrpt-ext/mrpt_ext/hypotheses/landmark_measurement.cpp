@@ -1,5 +1,7 @@
 #include "mrpt_ext/hypotheses/landmark_measurement.h"
 
+#include "mrpt_ext/likelihood/facing_likelihood.h"
+
 namespace mrpt_ext
 {
 namespace
@@ -61,6 +63,7 @@ std::vector<LandmarkMeasurement> identifiedMeasurements(std::span<const Reading>
       LandmarkMeasurement m = reduce(reading, detection, map[*known].position.z(), map[*known].stddev);
       m.landmark = known;
       m.position = map[*known].position.head<2>();
+      m.headings = headingFromFacing(detection, reading, map);
       if (m.bearing || m.range) result.push_back(std::move(m));
     }
   return result;
@@ -102,6 +105,9 @@ std::vector<PoseMeasurement> poseMeasurements(std::span<const LandmarkMeasuremen
     if (m.bearing)
       result.push_back({PoseMeasurement::Kind::bearing, m.position, *m.bearing, m.std_bearing, m.T_robot_sensor});
     if (m.range) result.push_back({PoseMeasurement::Kind::range, m.position, *m.range, m.std_range, m.T_robot_sensor});
+    if (m.headings && m.headings->attitudes.front().weight >= kCertainAttitude)
+      result.push_back({PoseMeasurement::Kind::heading, m.position, m.headings->attitudes.front().yaw,
+                        m.headings->attitudes.front().std, m.T_robot_sensor});
   }
   return result;
 }

@@ -19,10 +19,11 @@ struct LandmarkMeasurement
   Vector2d position{0, 0};              ///< of that landmark, world frame [m]
   std::string category;                 ///< of the detection
   Pose2 T_robot_sensor;
-  std::optional<double> bearing;  ///< [rad]
-  std::optional<double> range;    ///< [m] horizontal
-  double std_bearing = 0;         ///< [rad]
-  double std_range = 0;           ///< [m]
+  std::optional<double> bearing;                  ///< [rad]
+  std::optional<double> range;                    ///< [m] horizontal
+  double std_bearing = 0;                         ///< [rad]
+  double std_range = 0;                           ///< [m]
+  std::optional<Facing> headings = std::nullopt;  ///< of the robot in the world, if the landmark faces as seen
 
   [[nodiscard]] bool hasPoint() const { return bearing && range; }
   /// Position in the robot frame [m]; needs bearing and range.
@@ -39,7 +40,7 @@ struct LandmarkMeasurement
 [[nodiscard]] std::vector<LandmarkMeasurement> anonymousMeasurements(std::span<const Reading> readings,
                                                                      const LandmarkTable& map);
 
-/// One scalar measurement per bearing and per range of identified detections.
+/// One scalar measurement per bearing, per range and per heading that is certain (kCertainAttitude).
 [[nodiscard]] std::vector<PoseMeasurement> poseMeasurements(std::span<const LandmarkMeasurement> measurements);
 
 /// Reduces the slant ranges of a running fix to the plane; false if a range is shorter than the difference in height.

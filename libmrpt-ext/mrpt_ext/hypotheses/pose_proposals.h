@@ -25,6 +25,9 @@ namespace mrpt_ext
 /// within the window, or is unknown.
 [[nodiscard]] HypothesisSet proposeFromRanges(std::span<const LandmarkMeasurement> measurements);
 
+/// Landmarks with range and bearing that face a known direction: the pose that each gives by itself, or two.
+[[nodiscard]] HypothesisSet proposeFromFacing(std::span<const LandmarkMeasurement> measurements);
+
 /// One landmark with range and bearing: `points` poses on the ring around it.
 [[nodiscard]] HypothesisSet proposeFromRing(std::span<const LandmarkMeasurement> measurements, std::size_t points);
 

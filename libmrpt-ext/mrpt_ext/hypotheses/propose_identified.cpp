@@ -96,7 +96,7 @@ HypothesisSet proposeFromBearings(std::span<const LandmarkMeasurement> measureme
       const LandmarkMeasurement& m = bearings[i];
       known.push_back({m.position, wrap(*m.bearing + m.T_robot_sensor.phi), m.std_bearing});
       members.push_back(m);
-      members.back().range.reset();
+      members.back().range.reset(), members.back().headings.reset();
     }
     const PoseMl start = solveBearingPoseMl(known);
     if (start.status != SolveStatus::ok) continue;
@@ -154,13 +154,32 @@ HypothesisSet proposeFromRanges(std::span<const LandmarkMeasurement> measurement
   return result;
 }
 
+namespace
+{
+PoseRing ringOf(const LandmarkMeasurement& m)
+{
+  return makePoseRing(m.position, *m.range, m.std_range, *m.bearing, m.std_bearing, m.T_robot_sensor);
+}
+}  // namespace
+
+HypothesisSet proposeFromFacing(std::span<const LandmarkMeasurement> measurements)
+{
+  std::vector<LandmarkMeasurement> facing = only(measurements, true, true);
+  std::erase_if(facing, [](const LandmarkMeasurement& m) { return !m.headings; });
+  thin(facing);
+  HypothesisSet result;
+  for (const LandmarkMeasurement& m : facing)
+    for (const PoseOnRing& found : posesOnRing(ringOf(m), *m.headings))
+      result.push_back({.pose = found.pose, .source = "oriented_landmark"});
+  return result;
+}
+
 HypothesisSet proposeFromRing(std::span<const LandmarkMeasurement> measurements, std::size_t points)
 {
   HypothesisSet result;
   const std::vector<LandmarkMeasurement> seen = only(measurements, true, true);
   if (seen.empty()) return result;
-  const LandmarkMeasurement& m = seen.back();  // the newest
-  const PoseRing ring = makePoseRing(m.position, *m.range, m.std_range, *m.bearing, m.std_bearing, m.T_robot_sensor);
+  const PoseRing ring = ringOf(seen.back());  // the newest
   for (const HeadingPrior& heading : headingsToTry(std::nullopt, points))
     result.push_back({.pose = gaussianOnRing(ring, heading.heading, heading.std_heading), .source = "ring"});
   return result;

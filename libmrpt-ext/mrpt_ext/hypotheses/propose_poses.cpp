@@ -75,6 +75,7 @@ HypothesisSet proposePoses(const Frame& frame, const LandmarkTable& map, const G
   HypothesisSet all = proposeFromPointPairs(identified);
   append(all, proposeFromBearings(identified));
   if (all.empty()) append(all, proposeFromRanges(identified));
+  append(all, proposeFromFacing(identified));
   const std::vector<PoseMeasurement> rows = poseMeasurements(identified);
   for (PoseHypothesis& hypothesis : all) refine(hypothesis, rows);
   if (all.empty()) append(all, proposeFromRing(identified, kRingPoints));

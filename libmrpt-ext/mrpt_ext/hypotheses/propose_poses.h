@@ -18,8 +18,9 @@ struct ProposalOptions
 /// Poses from closed forms over the measurements of a frame, with covariance, ranked by the likelihood of the whole
 /// frame. Minimal subsets and their solvers: three bearings -> linear form and maximum likelihood; two landmarks with
 /// range and bearing -> rigid fit; two ranges or more -> trilateration, heading from a bearing or unknown; one range
-/// and bearing, or a running fix -> ring; anonymous detections -> pose search (`search`, of this map). Outliers are
-/// tolerated: some minimal subset is free of them, and the whole frame ranks its pose.
+/// and bearing of a landmark that faces a known direction -> one pose or two; else, or from a running fix -> ring;
+/// anonymous detections -> pose search (`search`, of this map). Outliers are tolerated: some minimal subset is free of
+/// them, and the whole frame ranks its pose.
 [[nodiscard]] HypothesisSet proposePoses(const Frame& frame, const LandmarkTable& map, const GlobalPoseSearch& search,
                                          const ProposalOptions& options);
 }  // namespace mrpt_ext

@@ -23,6 +23,7 @@ Reading withoutOdometryNoise(Reading propagated)
     // The floor guards against cancellation.
     const double variance = square(d.std_bearing) - heading_variance;
     if (d.bearing) d.std_bearing = std::sqrt(std::max(variance, 1e-9 * square(d.std_bearing)));
+    if (d.facing) d.facing = widened(*d.facing, -heading_variance);
   }
   return propagated;
 }

@@ -17,8 +17,8 @@ namespace mrpt_ext
 /// True if some of the readings were propagated by odometry.
 [[nodiscard]] bool isWindow(std::span<const Reading> readings);
 
-/// The reading with the standard deviations of the sensor alone: what odometry has added to the bearings and to the
-/// sensor position is taken off, `odometry_covariance` stays.
+/// The reading with the standard deviations of the sensor alone: what odometry has added to the bearings, to the
+/// directions of landmarks and to the sensor position is taken off, `odometry_covariance` stays.
 [[nodiscard]] Reading withoutOdometryNoise(Reading propagated);
 
 /// The identified detections, one entry per reading that has any.

@@ -97,8 +97,8 @@ void addOdometry(Recording& recording, const CsvFiles& files)
 TextTable readDetectionRows(const fs::path& path)
 {
   TextTable table(path, {});
-  table.expectOnlyColumns(
-      {"t", "sensor", "id", "category", "bearing_deg", "range_m", "std_bearing_deg", "std_range_m"});
+  table.expectOnlyColumns({"t", "sensor", "id", "category", "bearing_deg", "range_m", "std_bearing_deg", "std_range_m",
+                           "yaw_deg", "std_yaw_deg", "other_yaw_deg", "other_std_yaw_deg", "other_weight"});
   return table;
 }
 
@@ -127,6 +127,7 @@ class DetectionTable
       throw table_.errorAt(row, "neither bearing_deg nor range_m, expected at least one of them");
     detection.std_bearing = degToRad(stdOf(row, std_bearing_, detection.bearing.has_value()));
     detection.std_range = stdOf(row, std_range_, detection.range.has_value());
+    detection.facing = facing(row);
     return detection;
   }
 
@@ -140,6 +141,21 @@ class DetectionTable
     if (id < kNoId)
       throw table_.errorAt(row, "id " + table_.text(row, *id_) + ", expected >= 0, or empty when not known");
     return id;
+  }
+
+  /// Of the landmark, one attitude or two.
+  [[nodiscard]] std::optional<Facing> facing(std::size_t row) const
+  {
+    const auto yaw = checked(row, yaw_, -360, 360), other = checked(row, other_yaw_, -360, 360);
+    const double std = degToRad(stdOf(row, std_yaw_, yaw.has_value()));
+    const double other_std = degToRad(stdOf(row, other_std_yaw_, other.has_value()));
+    if (!yaw && other) throw table_.errorAt(row, "other_yaw_deg without yaw_deg, expected both or neither");
+    if (!yaw) return std::nullopt;
+    if (!other) return Facing::single(degToRad(*yaw), std);
+    const auto weight = other_weight_ ? table_.optionalNumber(row, *other_weight_) : std::nullopt;
+    if (!weight || *weight < 0 || *weight > 1)
+      throw table_.errorAt(row, "other_weight is missing or no probability, expected 0 to 1 beside other_yaw_deg");
+    return Facing::either({degToRad(*yaw), std}, {degToRad(*other), other_std}, *weight);
   }
 
   [[nodiscard]] std::optional<double> checked(std::size_t row, std::optional<std::size_t> column, double least,
@@ -175,7 +191,10 @@ class DetectionTable
   std::optional<std::size_t> id_ = table_.findColumn("id"), category_ = table_.findColumn("category"),
                              bearing_ = table_.findColumn("bearing_deg"), range_ = table_.findColumn("range_m"),
                              std_bearing_ = stdColumn(bearing_, "std_bearing_deg"),
-                             std_range_ = stdColumn(range_, "std_range_m");
+                             std_range_ = stdColumn(range_, "std_range_m"), yaw_ = table_.findColumn("yaw_deg"),
+                             other_yaw_ = table_.findColumn("other_yaw_deg"), std_yaw_ = stdColumn(yaw_, "std_yaw_deg"),
+                             other_std_yaw_ = stdColumn(other_yaw_, "other_std_yaw_deg"),
+                             other_weight_ = table_.findColumn("other_weight");
 };
 
 void addReadings(Recording& recording, const fs::path& path)

@@ -19,7 +19,10 @@ struct CsvFiles
   /// a car: speed of the rear axle and angle of the front wheels, to the left positive. Empty: no odometry.
   std::filesystem::path odometry;
   /// `t,sensor,id,category,bearing_deg,range_m,std_bearing_deg,std_range_m`; an empty field was not measured or is not
-  /// known. Ranges are 3-D distances from the sensor. Rows with one time and sensor are one reading.
+  /// known. Ranges are 3-D distances from the sensor. Rows with one time and sensor are one reading. Optional:
+  /// `yaw_deg,std_yaw_deg`, the direction in which the landmark faces, from the sensor's forward axis, and
+  /// `other_yaw_deg,other_std_yaw_deg,other_weight`, the attitude that explains the image as well, with its
+  /// probability.
   std::filesystem::path detections;
   std::filesystem::path scans;  ///< laser scans, see scan_table.h; empty: none. Without detections they are enough
   /// TUM file, see tum.h; empty: no truth.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mrpt_ext/likelihood/detection_density.h"
+#include "mrpt_ext/likelihood/facing_likelihood.h"
 #include "mrpt_ext/likelihood/landmark_prediction.h"
 #include "mrpt_ext/likelihood/missed_detections.h"
 #include "mrpt_ext/likelihood/reading_scorer.h"
@@ -128,13 +129,15 @@ double logLikelihoodOf(const PreparedReading& prepared, const Pose2& robot, cons
 double logLikelihood(const Reading& reading, const LandmarkTable& map, const Pose2& robot,
                      const LandmarkClutter& clutter, const SensorBias& bias)
 {
-  return logLikelihoodOf(PreparedReading(reading, map, clutter), robot, bias);
+  return logLikelihoodOf(PreparedReading(reading, map, clutter), robot, bias) +
+         facingLogLikelihood(reading, map, robot, bias);
 }
 
 void addLogLikelihood(const Reading& reading, const LandmarkTable& map, const LandmarkClutter& clutter,
                       const PoseBatch& robots, std::span<float> log_likelihood)
 {
   ReadingScorer(reading, map, clutter, robots.origin).addTo(robots, log_likelihood);
+  addFacingLogLikelihood(reading, map, robots, log_likelihood);
 }
 
 std::vector<std::vector<double>> associationProbabilities(const Reading& reading, const LandmarkTable& map,

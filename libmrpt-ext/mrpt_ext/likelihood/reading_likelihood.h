@@ -18,12 +18,13 @@ namespace mrpt_ext
 /// each weighted by its share s_j of the expected detections). An id that is not in the map can only be clutter.
 /// Where field of view, range limit and detection probability are all declared, the landmarks in view that were not
 /// reported count as well (see missed_detections.h).
+/// Where detections tell which way their landmarks face, that is a further factor (facing_likelihood.h).
 /// Double precision; `bias`: systematic errors of the sensor.
 [[nodiscard]] double logLikelihood(const Reading& reading, const LandmarkTable& map, const Pose2& robot,
                                    const LandmarkClutter& clutter = {}, const SensorBias& bias = {});
 
-/// The same for many robot poses in one call, in single precision (see ReadingScorer): adds the log-likelihood of pose
-/// i to log_likelihood[i].
+/// The same for many robot poses in one call, in single precision (see ReadingScorer, which leaves directions out):
+/// adds the log-likelihood of pose i to log_likelihood[i].
 void addLogLikelihood(const Reading& reading, const LandmarkTable& map, const LandmarkClutter& clutter,
                       const PoseBatch& robots, std::span<float> log_likelihood);
 

@@ -9,8 +9,9 @@
 
 namespace mrpt_ext
 {
-/// logLikelihood() of one reading for many robots, in single precision: what does not depend on the robot is prepared
-/// once, then any number of batches about the same origin are scored, also by several threads at a time.
+/// logLikelihood() of one reading, without the directions that landmarks face, for many robots, in single precision:
+/// what does not depend on the robot is prepared once, then any number of batches about the same origin are scored,
+/// also by several threads at a time.
 ///
 /// Agrees with logLikelihood() to 2e-4 per anonymous detection (see AnonymousScorer) and to 1e-5 for each other
 /// term, as far as single precision can tell the prediction: positions to 1e-7 of their distance from the origin,

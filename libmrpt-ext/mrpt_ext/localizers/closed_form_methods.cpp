@@ -61,7 +61,7 @@ std::vector<LandmarkMeasurement> bearingsOf(const Frame& frame, const LandmarkTa
 {
   std::vector<LandmarkMeasurement> bearings = identifiedMeasurements(frame.readings, map);
   std::erase_if(bearings, [](const LandmarkMeasurement& m) { return !m.bearing; });
-  for (LandmarkMeasurement& m : bearings) m.range.reset();
+  for (LandmarkMeasurement& m : bearings) m.range.reset(), m.headings.reset();
   return averaged(bearings);
 }
 
@@ -154,7 +154,7 @@ ClosedFormResult rangeLeastSquares(const Frame& frame, const LandmarkTable& map,
 {
   std::vector<LandmarkMeasurement> measurements = identifiedMeasurements(frame.readings, map);
   std::erase_if(measurements, [](const LandmarkMeasurement& m) { return !m.range; });
-  for (LandmarkMeasurement& m : measurements) m.bearing.reset();
+  for (LandmarkMeasurement& m : measurements) m.bearing.reset(), m.headings.reset();
   measurements = averaged(measurements);
   if (distinctLandmarks(measurements, kAny) < 2) return {};
   // Without a heading, the direction of the sensor's offset on the robot is unknown: it inflates the covariance.

@@ -32,7 +32,7 @@ struct LogSummary
 {
   std::size_t entries = 0;
   double first_time = 0;                  ///< [s]
-  std::set<std::string> ranging_sensors;  ///< that measure a range at least once
+  std::set<std::string> ranging_sensors;  ///< that measure at least once what is no bearing
 };
 
 class ObservationMaker
@@ -84,7 +84,7 @@ LogSummary summaryOf(const std::filesystem::path& path, const RecordStream& reco
     latest = time;
     const auto* reading = std::get_if<Reading>(&*record);
     if (reading && reading->sensor.empty()) throw fail("a reading without sensor label");
-    if (reading && hasRange(*reading)) summary.ranging_sensors.insert(reading->sensor);
+    if (reading && (hasRange(*reading) || hasFacing(*reading))) summary.ranging_sensors.insert(reading->sensor);
   }
   return summary;
 }

@@ -29,7 +29,10 @@ void propagate(Reading& reading, const OdometryMotion& motion, const Matrix3d& S
   reading.sensor_position_covariance = R * inflated * R.transpose();
   reading.odometry_covariance = propagated(reading.odometry_covariance, motion.increment, S);
   for (Detection& detection : reading.detections)
+  {
     if (detection.bearing) detection.std_bearing = std::hypot(detection.std_bearing, std::sqrt(S(2, 2)));
+    if (detection.facing) detection.facing = widened(*detection.facing, S(2, 2));
+  }
   reading.T_robot_sensor = compose(inverse(motion.increment), reading.T_robot_sensor);
   reading.model.detection_probability.reset();  // missed detections do not apply to the new pose
 }

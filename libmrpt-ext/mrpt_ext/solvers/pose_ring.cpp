@@ -30,4 +30,12 @@ GaussianPose gaussianOnRing(const PoseRing& ring, double heading, double std_hea
   return {poseOnRing(ring, heading),
           withHeading(R * ring.seen_in_robot.covariance * R.transpose(), turned, square(std_heading))};
 }
+
+std::vector<PoseOnRing> posesOnRing(const PoseRing& ring, const Facing& headings)
+{
+  std::vector<PoseOnRing> poses;
+  for (const Facing::Attitude& heading : headings.attitudes)
+    if (heading.weight > 0) poses.push_back({gaussianOnRing(ring, heading.yaw, heading.std), heading.weight});
+  return poses;
+}
 }  // namespace mrpt_ext

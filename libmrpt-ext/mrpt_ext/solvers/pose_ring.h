@@ -1,5 +1,8 @@
 #pragma once
 
+#include <vector>
+
+#include "mrpt_ext/geometry/facing.h"
 #include "mrpt_ext/geometry/gaussian_pose.h"
 #include "mrpt_ext/solvers/gaussian_point.h"
 
@@ -23,4 +26,14 @@ struct PoseRing
 
 /// The same with covariance, for a heading known to `std_heading` [rad]; position and heading are correlated.
 [[nodiscard]] GaussianPose gaussianOnRing(const PoseRing& ring, double heading, double std_heading);
+
+struct PoseOnRing
+{
+  GaussianPose pose;
+  double probability = 0;
+};
+
+/// The poses of the ring with one of these headings, likelier first, of the robot in the world: a single landmark that
+/// faces a known direction gives one pose, or two.
+[[nodiscard]] std::vector<PoseOnRing> posesOnRing(const PoseRing& ring, const Facing& headings);
 }  // namespace mrpt_ext

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <sstream>
 
 #include "bindings.h"
@@ -18,13 +19,15 @@ void bindMap(py::module_& module)
   py::class_<LandmarkTable>(module, "LandmarkMap", "Known landmarks: position [m], id and category.")
       .def(py::init(
                [](const Eigen::MatrixXd& positions, const std::optional<std::vector<int>>& ids,
-                  const std::optional<std::vector<std::string>>& categories)
+                  const std::optional<std::vector<std::string>>& categories,
+                  const std::optional<std::vector<double>>& yaws)
                {
                  const auto count = static_cast<std::size_t>(positions.rows());
                  if (positions.cols() != 2 && positions.cols() != 3)
                    throw py::value_error("positions: expected an array of shape (n, 2) or (n, 3)");
-                 if ((ids && ids->size() != count) || (categories && categories->size() != count))
-                   throw py::value_error("ids, categories: expected one for each position");
+                 if ((ids && ids->size() != count) || (categories && categories->size() != count) ||
+                     (yaws && yaws->size() != count))
+                   throw py::value_error("ids, categories, yaws: expected one for each position");
                  std::vector<Landmark> landmarks(count);
                  for (std::size_t i = 0; i < count; ++i)
                  {
@@ -32,11 +35,15 @@ void bindMap(py::module_& module)
                    landmarks[i].id = ids ? (*ids)[i] : static_cast<int>(i);
                    landmarks[i].position = {row(0), row(1), positions.cols() == 3 ? row(2) : 0.0};
                    if (categories) landmarks[i].category = (*categories)[i];
+                   if (yaws && !std::isnan((*yaws)[i])) landmarks[i].yaw = (*yaws)[i];
                  }
                  return LandmarkTable(std::move(landmarks));
                }),
            py::arg("positions"), py::arg("ids") = py::none(), py::arg("categories") = py::none(),
-           "positions: (n, 2) or (n, 3) [m]; ids: n numbers, default 0 ... n-1; categories: n texts.")
+           py::arg("yaws") = py::none(),
+           "positions: (n, 2) or (n, 3) [m]; ids: n numbers, default 0 ... n-1; categories: n texts; yaws: n "
+           "directions in "
+           "which they face [rad], nan: unknown.")
       .def_static(
           "load", [](const std::string& path) { return readLandmarkMapFile(path); }, py::arg("path"),
           "Reads landmarks.csv: id,x,y,z,category.")

@@ -1,3 +1,5 @@
+#include <set>
+
 #include "bindings.h"
 #include "mrpt_ext/online/online_localizer.h"
 
@@ -14,11 +16,26 @@ std::optional<Value> entry(const py::dict& detection, const char* key)
   return detection[key].cast<Value>();
 }
 
+const std::set<std::string> kKeys{"id",  "category", "bearing",   "range",         "std_bearing", "std_range",
+                                  "yaw", "std_yaw",  "other_yaw", "other_std_yaw", "other_weight"};
+
+std::optional<Facing> facingOf(const py::dict& given)
+{
+  const auto yaw = entry<double>(given, "yaw"), other = entry<double>(given, "other_yaw");
+  if (!yaw) return std::nullopt;
+  const double std = entry<double>(given, "std_yaw").value_or(0),
+               other_std = entry<double>(given, "other_std_yaw").value_or(0);
+  const double weight = entry<double>(given, "other_weight").value_or(-1);
+  if (!(std > 0) || (other && !(other_std > 0 && weight >= 0 && weight <= 1)))
+    throw py::value_error(
+        "detection: every yaw needs its standard deviation > 0, the other one its probability as well");
+  return other ? Facing::either({*yaw, std}, {*other, other_std}, weight) : Facing::single(*yaw, std);
+}
+
 Detection detectionOf(const py::dict& given)
 {
   for (const auto& [key, value] : given)
-    if (const auto name = key.cast<std::string>(); name != "id" && name != "category" && name != "bearing" &&
-                                                   name != "range" && name != "std_bearing" && name != "std_range")
+    if (const auto name = key.cast<std::string>(); !kKeys.contains(name))
       throw py::key_error("detection: unknown key '" + name + "'");
   Detection detection;
   detection.id = entry<int>(given, "id").value_or(kNoId);
@@ -27,6 +44,7 @@ Detection detectionOf(const py::dict& given)
   detection.range = entry<double>(given, "range");
   detection.std_bearing = entry<double>(given, "std_bearing").value_or(0);
   detection.std_range = entry<double>(given, "std_range").value_or(0);
+  detection.facing = facingOf(given);
   if ((detection.bearing && !(detection.std_bearing > 0)) || (detection.range && !(detection.std_range > 0)))
     throw py::value_error("detection: every bearing and range needs its standard deviation > 0");
   if (!detection.bearing && !detection.range) throw py::value_error("detection: expected 'bearing' or 'range'");
@@ -144,7 +162,9 @@ void bindOnline(py::module_& module)
            py::arg("mount") = Vector3d(Vector3d::Zero()), py::arg("height") = 0.0,
            "What one sensor detects: dicts with bearing and std_bearing [rad], range and std_range [m], and, where "
            "known, "
-           "id and category. mount: (x, y, yaw) on the robot.")
+           "id and category, and yaw and std_yaw [rad], which way the landmark faces from the sensor's forward axis, "
+           "with other_yaw, other_std_yaw, other_weight where another attitude is possible. mount: (x, y, yaw) on the "
+           "robot.")
       .def(
           "estimates", &released<&OnlineLocalizer::estimates>,
           "What became final since the last call: dicts with t [s], verdict, reason, modes, steps_late, and after the\n"

@@ -66,6 +66,20 @@ def test_mistakes_are_errors():
         mrpt_ext.LandmarkMap.load("/no/such/map.csv")
 
 
+def test_one_tag_that_faces_a_known_direction_tells_the_heading():
+    tag = {"id": 0, "bearing": 0.2, "std_bearing": 0.002, "range": 3.0, "std_range": 0.02}
+    seen = dict(tag, yaw=np.pi, std_yaw=0.03)
+    for detection, known in ((tag, False), (seen, True)):
+        localizer = mrpt_ext.OnlineLocalizer(
+            mrpt_ext.LandmarkMap([[5.0, 1.0], [0.0, 4.0]], yaws=[np.pi, np.nan]), particles=500, initial_particles=4000)
+        localizer.add_odometry(0, [0, 0, 0])
+        localizer.add_detections(0, "camera", [detection])
+        modes = (localizer.estimates() + localizer.finish())[-1]["modes"]
+        assert (len(modes) == 1) == known
+    with pytest.raises(ValueError, match="yaw"):
+        localizer.add_detections(0, "camera", [dict(tag, yaw=1.0)])
+
+
 def test_snapshot_and_reset():
     localizer = robot()
     drive(localizer)

@@ -44,11 +44,12 @@ auto CLandmarkMap2D::internal_CreateFromMapDefinition(const mrpt::maps::TMetricM
   return handOver<decltype(internal_CreateFromMapDefinition(definition))>(std::move(map));
 }
 
-std::uint8_t CLandmarkMap2D::serializeGetVersion() const { return 0; }
+// Version 1 adds the directions in which landmarks face. A map without them is written as version 0, as before.
+std::uint8_t CLandmarkMap2D::serializeGetVersion() const { return hasDirections(landmarks_) ? 1 : 0; }
 
 void CLandmarkMap2D::serializeTo(mrpt::serialization::CArchive& out) const
 {
-  writeLandmarks(out, landmarks_);
+  writeLandmarks(out, landmarks_, hasDirections(landmarks_));
   writeOptions(out, likelihood_options);
   out << genericMapParams;
 }
@@ -58,7 +59,8 @@ void CLandmarkMap2D::serializeFrom(mrpt::serialization::CArchive& in, std::uint8
   switch (version)
   {
     case 0:
-      landmarks_ = readLandmarks(in);
+    case 1:
+      landmarks_ = readLandmarks(in, version > 0);
       readOptions(in, likelihood_options);
       in >> genericMapParams;
       break;

@@ -8,8 +8,12 @@
 /// Serialization of the parts of CLandmarkMap2D.
 namespace mrpt_ext
 {
-void writeLandmarks(mrpt::serialization::CArchive& out, const LandmarkTable& landmarks);
-[[nodiscard]] LandmarkTable readLandmarks(mrpt::serialization::CArchive& in);
+/// True when some landmark faces a known direction.
+[[nodiscard]] bool hasDirections(const LandmarkTable& landmarks);
+
+/// With the directions in which landmarks face, or without.
+void writeLandmarks(mrpt::serialization::CArchive& out, const LandmarkTable& landmarks, bool with_directions);
+[[nodiscard]] LandmarkTable readLandmarks(mrpt::serialization::CArchive& in, bool with_directions);
 
 void writeOptions(mrpt::serialization::CArchive& out, const LandmarkLikelihoodOptions& options);
 void readOptions(mrpt::serialization::CArchive& in, LandmarkLikelihoodOptions& options);

@@ -4,11 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "mrpt_ext/geometry/facing.h"
 #include "mrpt_ext/observations/mrpt_compatibility.h"
 
 namespace mrpt_ext
 {
-/// Distances to landmarks, with or without direction, that one sensor (a stereo pair, a radio) measured at one time.
+/// Distances to landmarks, with or without direction, that one sensor (a stereo pair, a radio, a camera that sees tags)
+/// measured at one time.
 class CObservationStereoRanges : public FixedSensorObservation
 {
   DEFINE_SERIALIZABLE(CObservationStereoRanges, mrpt_ext)
@@ -24,6 +26,7 @@ class CObservationStereoRanges : public FixedSensorObservation
     double std_disparity = 0;                          ///< [px], used with `baseline_focal`; 0: not declared
     std::optional<double> bearing;                     ///< [rad] CCW from the sensor's forward axis
     double std_bearing = 0;                            ///< [rad]; 0: not declared
+    std::optional<mrpt_ext::Facing> facing = {};       ///< which way the landmark faces; absent: not measured
   };
 
   double field_of_view = 0;   ///< [rad] full angle around the forward axis; 0: not declared
@@ -40,7 +43,7 @@ class CObservationStereoRanges : public FixedSensorObservation
   void getDescriptionAsText(std::ostream& o) const override;
 
   /// One row: N, then id, category, range [m] and bearing [deg], each followed by its standard deviation, of the first
-  /// 8 detections ("nan", "-": none).
+  /// 8 detections, then the likelier yaw [deg] with its standard deviation of the same ("nan", "-": none).
   bool exportTxtSupported() const override { return true; }
   std::string exportTxtHeader() const override;
   std::string exportTxtDataRow() const override;

@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "mrpt_ext/geometry/facing.h"
+
 /// Shared by the serialization of our observations. The base class writes neither its stamp nor its label.
 namespace mrpt_ext
 {
@@ -66,6 +68,25 @@ inline void writeOptional(mrpt::serialization::CArchive& out, const std::optiona
 {
   if (!readFlag(in)) return std::nullopt;
   return in.ReadAs<double>();
+}
+
+/// Both attitudes; the probability of the second follows from that of the first.
+inline void writeFacing(mrpt::serialization::CArchive& out, const std::optional<Facing>& facing)
+{
+  out << facing.has_value();
+  if (!facing) return;
+  for (const Facing::Attitude& attitude : facing->attitudes) out << attitude.yaw << attitude.std;
+  out << facing->attitudes.back().weight;
+}
+
+[[nodiscard]] inline std::optional<Facing> readFacing(mrpt::serialization::CArchive& in)
+{
+  if (!readFlag(in)) return std::nullopt;
+  Facing facing;
+  for (Facing::Attitude& attitude : facing.attitudes) in >> attitude.yaw >> attitude.std;
+  const auto other = in.ReadAs<double>();
+  facing.attitudes.front().weight = 1 - other, facing.attitudes.back().weight = other;
+  return facing;
 }
 
 [[nodiscard]] inline std::uint32_t readDetectionCount(mrpt::serialization::CArchive& in)

@@ -61,7 +61,8 @@ Reading toReading(const CObservationStereoRanges& observation)
                                   .bearing = d.bearing,
                                   .range = d.range,
                                   .std_bearing = d.std_bearing,
-                                  .std_range = observation.rangeStd(d)});
+                                  .std_range = observation.rangeStd(d),
+                                  .facing = d.facing});
   return reading;
 }
 

@@ -56,7 +56,7 @@ struct LandmarkMeasurements
 /// The observation's label, or, when it is empty, a stable one derived from its class ("beacons", "bearings", ...).
 [[nodiscard]] std::string labelOf(const mrpt::obs::CObservation& observation);
 
-/// The reverse; the first one cannot represent detections without a bearing, see hasRange().
+/// The reverse; the first one represents bearings alone: see hasRange(), hasFacing().
 [[nodiscard]] std::shared_ptr<CObservationLandmarkBearings> toLandmarkBearings(const Reading& reading);
 [[nodiscard]] std::shared_ptr<CObservationStereoRanges> toStereoRanges(const Reading& reading);
 [[nodiscard]] std::shared_ptr<CObservationRunningFix> toObservation(const RunningFixReading& fix);
@@ -65,4 +65,6 @@ struct LandmarkMeasurements
 
 /// True if any detection has a range.
 [[nodiscard]] bool hasRange(const Reading& reading);
+/// True if any detection tells which way its landmark faces.
+[[nodiscard]] bool hasFacing(const Reading& reading);
 }  // namespace mrpt_ext

@@ -39,9 +39,11 @@ void describeSensor(std::ostream& out, const mrpt::poses::CPose3D& pose, double 
   if (max_range > 0) out << "Maximum range: " << decimalText(max_range, 3) << " m\n";
 }
 
-std::string numberedHeader(const std::vector<std::string>& names)
+std::string numberedHeader(const std::vector<std::string>& names) { return 'N' + numberedNames(names); }
+
+std::string numberedNames(const std::vector<std::string>& names)
 {
-  std::string header = "N";
+  std::string header;
   for (std::size_t i = 1; i <= kExportedDetections; ++i)
     for (const std::string& name : names) header += ' ' + name + '_' + std::to_string(i);
   return header;
@@ -50,7 +52,13 @@ std::string numberedHeader(const std::vector<std::string>& names)
 std::string numberedRow(std::size_t count, std::size_t columns,
                         const std::function<std::vector<std::string>(std::size_t)>& cells)
 {
-  std::string row = std::to_string(count);
+  return std::to_string(count) + numberedCells(count, columns, cells);
+}
+
+std::string numberedCells(std::size_t count, std::size_t columns,
+                          const std::function<std::vector<std::string>(std::size_t)>& cells)
+{
+  std::string row;
   for (std::size_t i = 0; i < kExportedDetections; ++i)
     for (const std::string& cell : i < count ? cells(i) : std::vector<std::string>(columns, "nan")) row += ' ' + cell;
   return row;

@@ -23,8 +23,13 @@ void describeSensor(std::ostream& out, const mrpt::poses::CPose3D& pose, double 
 
 /// "N a_1 b_1 ... a_2 b_2 ...": the column names for kExportedDetections detections.
 [[nodiscard]] std::string numberedHeader(const std::vector<std::string>& names);
+/// " a_1 b_1 ... a_2 b_2 ...": more columns at its end.
+[[nodiscard]] std::string numberedNames(const std::vector<std::string>& names);
 
 /// Data row to numberedHeader: `cells(i)` gives the columns of detection i; absent detections are "nan".
 [[nodiscard]] std::string numberedRow(std::size_t count, std::size_t columns,
                                       const std::function<std::vector<std::string>(std::size_t)>& cells);
+/// The same without the number: the cells to numberedNames().
+[[nodiscard]] std::string numberedCells(std::size_t count, std::size_t columns,
+                                        const std::function<std::vector<std::string>(std::size_t)>& cells);
 }  // namespace mrpt_ext

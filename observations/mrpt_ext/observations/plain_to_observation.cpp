@@ -56,7 +56,8 @@ CObservationStereoRanges::Ptr toStereoRanges(const Reading& reading)
                                        .std_range = d.std_range,
                                        .std_disparity = 0,
                                        .bearing = d.bearing,
-                                       .std_bearing = d.std_bearing});
+                                       .std_bearing = d.std_bearing,
+                                       .facing = d.facing});
   return observation;
 }
 
@@ -107,5 +108,11 @@ bool hasRange(const Reading& reading)
 {
   return std::any_of(reading.detections.begin(), reading.detections.end(),
                      [](const Detection& d) { return d.range.has_value(); });
+}
+
+bool hasFacing(const Reading& reading)
+{
+  return std::any_of(reading.detections.begin(), reading.detections.end(),
+                     [](const Detection& d) { return d.facing.has_value(); });
 }
 }  // namespace mrpt_ext

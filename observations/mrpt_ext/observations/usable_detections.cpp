@@ -32,6 +32,14 @@ std::string whyUnusable(const Detection& d)
   const std::string range = d.range ? whyRangeUnusable(*d.range, d.std_range) : "";
   return !range.empty() || !d.bearing ? range : whyBearingUnusable(*d.bearing, d.std_bearing);
 }
+
+/// Finite, with standard deviations above zero and probabilities that are some.
+bool isUsable(const Facing& facing)
+{
+  const auto usable = [](const Facing::Attitude& a)
+  { return a.weight == 0 || (std::isfinite(a.yaw) && isStd(a.std) && a.std > 0 && a.weight > 0 && a.weight <= 1); };
+  return std::all_of(facing.attitudes.begin(), facing.attitudes.end(), usable);
+}
 }  // namespace
 
 void removeUnusable(Reading& reading, UnusableCounts& counts)
@@ -46,6 +54,11 @@ void removeUnusable(Reading& reading, UnusableCounts& counts)
       continue;
     }
     if (d.bearing) d.bearing = wrap(*d.bearing);
+    if (d.facing && !isUsable(*d.facing))
+    {
+      ++counts["direction of a landmark not finite or without standard deviation"];
+      d.facing.reset();
+    }
     usable.push_back(std::move(d));
   }
   reading.detections = std::move(usable);

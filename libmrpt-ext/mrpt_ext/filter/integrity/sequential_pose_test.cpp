@@ -7,6 +7,7 @@
 #include "mrpt_ext/filter/kalman/kalman_association.h"
 #include "mrpt_ext/filter/particle_moments.h"
 #include "mrpt_ext/likelihood/detection_density.h"
+#include "mrpt_ext/likelihood/facing_likelihood.h"
 #include "mrpt_ext/likelihood/reading_scorer.h"
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
 
@@ -47,6 +48,17 @@ std::optional<std::size_t> landmarkIn(const Reading& part, const LandmarkTable& 
 /// An anonymous range or bearing alone fits so many landmarks that none can be told to be seen again, and so many poses
 /// that those right about one landmark are not the strongest rivals.
 bool tellsPlace(const Detection& detection) { return detection.range && detection.bearing; }
+
+/// True when a landmark is seen to face in a direction that leaves one heading.
+bool showsHeading(const Reading& reading, const LandmarkTable& map)
+{
+  const auto leaves_one = [&](const Detection& detection)
+  {
+    const auto headings = headingFromFacing(detection, reading, map);
+    return headings && headings->attitudes.front().weight >= kCertainAttitude;
+  };
+  return std::any_of(reading.detections.begin(), reading.detections.end(), leaves_one);
+}
 }  // namespace
 
 SequentialPoseTest::SequentialPoseTest(const MotionModel& motion, const LandmarkTable& map)
@@ -127,6 +139,7 @@ void SequentialPoseTest::test(const std::vector<Reading>& readings, const Landma
   for (const Reading& reading : readings)
   {
     const Reading independent = decorrelator_.independent(reading);
+    heading_seen_ = heading_seen_ || showsHeading(reading, map);
     if (independent.detections.empty()) continue;
     const bool first = !hasAnonymous(reading) || spot_.isFirstOf(sensorKey(reading));
     const auto state = momentsOf(particles, [](std::size_t) { return true; });
@@ -156,7 +169,7 @@ double SequentialPoseTest::counted(const Reading& part, std::optional<std::size_
   if (!landmark || (hasAnonymous(part) && !tellsPlace(part.detections.front()))) return log_ratio;
   const double against_rivals = by_landmark_.add(*landmark, log_ratio);
   if (log_odds_ <= 0) rivals_refuted_ = false;
-  if (verified() || heading_measured_) rivals_refuted_ = true;
+  if (verified() || heading_measured_ || heading_seen_) rivals_refuted_ = true;
   return rivals_refuted_ ? log_ratio : against_rivals;
 }
 }  // namespace mrpt_ext

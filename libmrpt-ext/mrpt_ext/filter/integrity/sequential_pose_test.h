@@ -31,7 +31,8 @@ namespace mrpt_ext
 ///
 /// Beside chance there are the rivals of landmark_evidence.h, which fit one landmark as well. Against those one
 /// landmark alone proves nothing, however often it is seen; once the pose is verified they are refuted, and each
-/// landmark counts, until nothing is left of the odds. Where a compass measures the heading there are none.
+/// landmark counts, until nothing is left of the odds. Where a compass measures the heading there are none, nor where a
+/// landmark is seen to face its direction (facing_likelihood.h).
 class SequentialPoseTest
 {
  public:
@@ -64,7 +65,7 @@ class SequentialPoseTest
     log_odds_ = std::clamp(log_odds_, 0.0, kAcceptLogOdds / 2);
     seen_.clear();
     by_landmark_.clear();
-    rivals_refuted_ = false;
+    rivals_refuted_ = heading_seen_ = false;
   }
   /// The pose is known.
   void accept() { log_odds_ = kMaxLogOdds; }
@@ -91,6 +92,7 @@ class SequentialPoseTest
   SpotEvidence spot_;
   LandmarkEvidence by_landmark_{kMaxLogOdds};
   bool rivals_refuted_ = false, heading_measured_ = false;
+  bool heading_seen_ = false;  // by a landmark's direction, since the mode is under test
   double log_odds_ = 0;
   double gap_ = 0;  // [s] since the last detection
 };

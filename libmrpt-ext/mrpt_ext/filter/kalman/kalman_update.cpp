@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mrpt_ext/filter/kalman/facing_update.h"
 #include "mrpt_ext/filter/kalman/kalman_association.h"
 #include "mrpt_ext/filter/kalman/kalman_innovation.h"
 #include "mrpt_ext/likelihood/detection_density.h"
@@ -56,6 +57,22 @@ void useCompass(const CompassRecord& compass, KalmanUpdate& update)
   update.compass_used = true;
 }
 
+/// The direction of the landmark of a detection, after its bearing and range.
+void useFacing(DetectionUse& use, const Reading& reading, const LandmarkTable& map, const BiasModel& biases,
+               KalmanUpdate& update)
+{
+  const Detection& detection = reading.detections[use.detection];
+  const auto compared = compareFacing(detection, reading, map, update.state, biases);
+  if (!compared) return;
+  update.log_evidence += std::log(compared->evidence);
+  if (!use.landmark || !compared->attitude) return;
+  use.attitude = compared->attitude;
+  const KalmanRow row = lineariseFacing(detection, *use.attitude, reading, map, update.state.mean, biases);
+  applyRows({&row, 1}, update.state);
+  update.nis += compared->nis;
+  ++update.degrees_of_freedom;
+}
+
 double logMissed(const std::vector<Reading>& readings, const LandmarkTable& map, const Pose2& pose)
 {
   double sum = 0;
@@ -99,11 +116,14 @@ KalmanUpdate updateExtended(const KalmanState& prior, const Frame& frame, const 
     const Association found = associate(detection, reading, map, update.state, biases, default_max_range);
     update.log_evidence += std::log(found.evidence);
     use.inlier_probability = found.inlier_probability;
-    if (!(found.best > 0.5)) continue;
-    use.landmark = found.landmark;
-    update.nis += found.nis;
-    update.degrees_of_freedom += found.rows.count;
-    applyRows(rowsOf(found.rows), update.state);
+    if (found.best > 0.5)
+    {
+      use.landmark = found.landmark;
+      update.nis += found.nis;
+      update.degrees_of_freedom += found.rows.count;
+      applyRows(rowsOf(found.rows), update.state);
+    }
+    useFacing(use, reading, map, biases, update);
   }
   return update;
 }

@@ -14,6 +14,7 @@ struct DetectionUse
   std::size_t reading = 0, detection = 0;  ///< positions in the frame's scored readings
   std::optional<std::size_t> landmark;     ///< it is associated with; absent: not used
   double inlier_probability = 0;           ///< probability that it shows any landmark and is no clutter
+  std::optional<std::size_t> attitude;     ///< in which it is seen to face; absent: not used (facing_update.h)
 };
 
 struct KalmanUpdate
@@ -35,9 +36,10 @@ struct KalmanUpdate
 /// associations. A detection is used, with full weight, for the landmark that is likelier than everything else together
 /// (clutter and other landmarks); otherwise it is left out. Of anonymous detections the most certain ones come first,
 /// so that they disambiguate the others (sequential compatibility; two detections may show the same landmark, as in the
-/// likelihood of particles). Landmarks that were not detected count in the evidence where the reading declares a
-/// detection probability (missed_detections.h).
-/// The covariance is updated in Joseph's form and stays positive definite.
+/// likelihood of particles). Where the landmark is seen to face a direction, that is one more measurement, left out
+/// unless one of its two attitudes is certain (facing_update.h). Landmarks that were not detected count in the evidence
+/// where the reading declares a detection probability (missed_detections.h). The covariance is updated in Joseph's form
+/// and stays positive definite.
 [[nodiscard]] KalmanUpdate updateExtended(const KalmanState& prior, const Frame& frame, const LandmarkTable& map,
                                           const BiasModel& biases);
 

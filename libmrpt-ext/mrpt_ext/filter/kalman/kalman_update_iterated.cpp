@@ -1,5 +1,6 @@
 #include <Eigen/Cholesky>
 
+#include "mrpt_ext/filter/kalman/facing_update.h"
 #include "mrpt_ext/filter/kalman/kalman_association.h"
 #include "mrpt_ext/filter/kalman/kalman_innovation.h"
 #include "mrpt_ext/filter/kalman/kalman_update.h"
@@ -47,6 +48,8 @@ class UsedMeasurements
       const DetectionRows found =
           linearise(reading.detections[use.detection], reading, map_[*use.landmark], mean, biases_);
       rows.insert(rows.end(), rowsOf(found).begin(), rowsOf(found).end());
+      if (use.attitude)
+        rows.push_back(lineariseFacing(reading.detections[use.detection], *use.attitude, reading, map_, mean, biases_));
     }
     if (update_.compass_used)
       rows.push_back(lineariseHeading(frame_.compass->heading, frame_.compass->std_heading, mean));

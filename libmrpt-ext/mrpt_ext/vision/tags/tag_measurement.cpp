@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "mrpt_ext/geometry/angle.h"
+#include "mrpt_ext/vision/tags/tag_facing.h"
 
 namespace mrpt_ext
 {
@@ -42,7 +43,8 @@ std::optional<TagMeasurement> measureTag(const TagCorners& corners, double edge,
 {
   const std::vector<TagPose> poses = posesOfTag(corners, edge, camera, noise);
   if (poses.empty()) return std::nullopt;
-  const auto polar = [&](const TagPose& pose) { return polarOf(pose.centre, pose.covariance, camera.levelAxes()); };
+  const auto polar = [&](const TagPose& pose)
+  { return polarOf(pose.centre, pose.covariance.bottomRightCorner<3, 3>(), camera.levelAxes()); };
   PolarPosition seen = polar(poses[0]);
   if (poses.size() == 2)
   {
@@ -54,6 +56,7 @@ std::optional<TagMeasurement> measureTag(const TagCorners& corners, double edge,
   measured.std_range = std::sqrt(seen.covariance(0, 0)), measured.std_bearing = std::sqrt(seen.covariance(1, 1));
   measured.correlation = seen.covariance(0, 1) / (measured.std_range * measured.std_bearing);
   measured.residual = poses[0].residual;
+  measured.facing = facingOf(poses, corners, edge, camera, noise);
   const bool usable = std::isfinite(measured.bearing) && measured.std_bearing < kLargestStdBearing &&
                       measured.std_range < measured.range;
   return usable ? std::optional(measured) : std::nullopt;

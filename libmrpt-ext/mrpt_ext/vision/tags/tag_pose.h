@@ -1,33 +1,11 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
 #include <vector>
 
-#include "mrpt_ext/geometry/angle.h"
-#include "mrpt_ext/vision/tags/pinhole_camera.h"
+#include "mrpt_ext/vision/tags/tag_values.h"
 
 namespace mrpt_ext
 {
-/// [px] in the image as the camera takes it, in order around the tag, either way.
-using TagCorners = std::array<Eigen::Vector2d, 4>;
-
-/// What is known of corners and of the way tags hang, as standard deviations.
-struct TagNoise
-{
-  double std_corner = 0.5;           ///< [px] each way
-  double std_upright = degToRad(3);  ///< [rad] of the edges that are upright, each way; large: tags hang anyhow
-};
-
-/// A pose in which a square is where its corners are seen: a local minimum of the negative log-likelihood.
-struct TagPose
-{
-  Eigen::Matrix3d rotation;    ///< from the tag's axes to the camera's; the tag lies in x and y
-  Eigen::Vector3d centre;      ///< [m] in camera axes
-  Eigen::Matrix3d covariance;  ///< of the centre [m^2]
-  double residual = 0;         ///< chi-squared: four degrees of freedom, two where tags hang anyhow
-};
-
 /// The poses of a square of this edge [m], most likely first: one, or two where a perspective too weak for the noise
 /// leaves it open which side is nearer (Collins, Bartoli, "Infinitesimal plane-based pose estimation", 2014; here both
 /// are found by descent, the second from the first, mirrored at the line of sight). None where the corners enclose no
