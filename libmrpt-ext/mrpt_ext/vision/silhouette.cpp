@@ -1,161 +1,207 @@
 #include "mrpt_ext/vision/silhouette.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/geometry/quantile.h"
-#include "mrpt_ext/vision/object_colours.h"
+#include "mrpt_ext/vision/light_coding.h"
+#include "mrpt_ext/vision/outline_fit.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr double kSampleStep = 0.5;       ///< [px] between samples
-constexpr double kEdgeReach = 2;          ///< [px] from an edge, where blur has ended
-constexpr double kBackground = 6;         ///< [px] from an edge, where the background is taken from
-constexpr double kMinAngleSquare = 0.01;  ///< squared sine of the angle between two colours that can be distinguished
-constexpr double kOutlier = 3;            ///< standard deviations
-constexpr double kAgreement = 0.15;       ///< [px] by which slices may differ in any case, as standard deviation
-constexpr double kChroma = 0.5;           ///< of its precision that colour has: JPEG and sensors have few pixels of it
-constexpr int kRecentring = 2;
+double envd(const char*n,double d){const char*s=getenv(n);return s?atof(s):d;}
+constexpr double kReach = 7;          ///< [px] beyond an object's edges that is looked at
+constexpr double kOutlier = 3;        ///< standard deviations
+constexpr double kAgreement = 0.15;   ///< [px] by which slices may differ in any case, as standard deviation
+constexpr int kRounds = 6;
+constexpr double kUsualBlur = 1.0, kStdBlur = 1.0;  ///< [px]
+constexpr double kStdRatio = 0.1;     ///< of the seen width over the expected one
+constexpr double kMostBlur = 3, kLeastBlur = 0.4;
+constexpr double kMostOff = 4;        ///< [px] from the guess
+constexpr int kCorrelated = 8;        ///< slices, beyond which residuals of JPEG's blocks are independent
 
-using Profile = std::vector<cv::Vec3d>;
-
-/// Mixtures are the same mixtures; least squares over them trust brightness more.
-cv::Vec3d withLessChroma(const cv::Vec3d& light)
+/// What the slices of an object have in common.
+struct Common
 {
-  const double luminance = light.dot(cv::Vec3d(0.114, 0.587, 0.299));
-  return cv::Vec3d::all((1 - kChroma) * luminance) + kChroma * light;
-}
-
-/// Mean light of a slice outwards from the middle, on the side given by `sign`; sample i is (i + 1/2) `step` away.
-std::optional<Profile> profileOf(const cv::Mat& image, const HyperbolicMirror& mirror, double middle, int sign,
-                                 const SilhouetteSlice& slice, double step, int samples)
-{
-  const double length = (slice.rho_high - slice.rho_low) * mirror.focalLength();
-  const int rows = std::max(1, static_cast<int>(std::lround(length / kSampleStep)));
-  Profile profile(static_cast<std::size_t>(samples), cv::Vec3d(0, 0, 0));
-  for (int row = 0; row < rows; ++row)
-  {
-    const double rho = slice.rho_low + (row + 0.5) / rows * (slice.rho_high - slice.rho_low);
-    for (int i = 0; i < samples; ++i)
-    {
-      const auto light = lightAt(image, mirror.pixel(middle + sign * (i + 0.5) * step, rho));
-      if (!light) return std::nullopt;
-      profile[static_cast<std::size_t>(i)] += withLessChroma(*light) / rows;
-    }
-  }
-  return profile;
-}
-
-cv::Vec3d meanOf(const Profile& profile, int first, int end)
-{
-  cv::Vec3d sum(0, 0, 0);
-  for (int i = first; i < end; ++i) sum += profile[static_cast<std::size_t>(i)];
-  return sum / std::max(1, end - first);
-}
-
-/// Where an object ends on one side.
-struct Edge
-{
-  double offset = 0;    ///< [rad] from the middle, > 0
-  double variance = 0;  ///< of relative size only
+  double offset = 0;  ///< [rad] from the guess
+  double ratio = 1;   ///< of its width to the expected one
+  double blur = kUsualBlur;
 };
 
-/// From one side's profile: how far the object reaches. Background share of each sample by least squares with free
-/// brightness of the object.
-std::optional<Edge> edgeOf(const Profile& profile, double half_width, double step, double per_pixel)
+struct Located
 {
-  const int samples = static_cast<int>(profile.size());
-  const int inner_end = std::max(1, static_cast<int>(0.6 * half_width / step));
-  const int outer = static_cast<int>((half_width + kEdgeReach * per_pixel) / step);
-  if (outer >= samples) return std::nullopt;
-  const cv::Vec3d object = meanOf(profile, 0, inner_end), background = meanOf(profile, outer, samples);
-  const double oo = object.dot(object), bb = background.dot(background), ob = object.dot(background);
-  const double determinant = oo * bb - ob * ob;
-  if (determinant < kMinAngleSquare * oo * bb || oo <= 0 || bb <= 0) return std::nullopt;
-  double inside = 0;
-  for (const cv::Vec3d& light : profile)
-    inside += 1 - (oo * background.dot(light) - ob * object.dot(light)) / determinant;
-  return Edge{inside * step, oo / determinant};
-}
-
-/// The result of one slice.
-struct SliceResult
-{
-  double offset = 0;       ///< [rad] of its middle from the guess
-  double width_ratio = 1;  ///< of what was seen to what was expected
-  double weight = 0;
-  double per_pixel = 0;  ///< [rad]
+  Common common;
+  double std_offset = 0, std_ratio = 0;
+  int slices = 0;
 };
 
-std::optional<SliceResult> measureSlice(const cv::Mat& image, const HyperbolicMirror& mirror, double middle,
-                                        const SilhouetteSlice& slice)
+using Equations = OutlineEquations (*)(const SliceProfile&, const Outline&);
+
+/// One slice at the present outline.
+struct SliceState
 {
-  const double per_pixel = 1 / (0.5 * (slice.rho_low + slice.rho_high) * mirror.focalLength());  // [rad]
-  const double step = kSampleStep * per_pixel;
-  const int samples = static_cast<int>((slice.half_width + kBackground * per_pixel) / step);
-  double offset = 0;
-  std::optional<SliceResult> result;
-  for (int round = 0; round < kRecentring; ++round)
-  {
-    result.reset();
-    const auto left = profileOf(image, mirror, middle + offset, -1, slice, step, samples);
-    const auto right = profileOf(image, mirror, middle + offset, 1, slice, step, samples);
-    if (!left || !right) return std::nullopt;
-    const auto low = edgeOf(*left, slice.half_width, step, per_pixel);
-    const auto high = edgeOf(*right, slice.half_width, step, per_pixel);
-    if (!low || !high) return std::nullopt;
-    offset += 0.5 * (high->offset - low->offset);
-    if (std::abs(offset) > slice.half_width + kEdgeReach * per_pixel) return std::nullopt;
-    const double pixels = (slice.rho_high - slice.rho_low) * mirror.focalLength() / per_pixel;
-    result = SliceResult{offset, 0.5 * (low->offset + high->offset) / slice.half_width,
-                         pixels / (per_pixel * (low->variance + high->variance)), per_pixel};
-  }
-  return result;
+  OutlineEquations equations;  ///< by offset [rad], ratio and blur
+  double variance = 1;
+  Eigen::Vector2d step{0, 0};  ///< what the slice alone would add to offset and ratio
+  bool used = true;
+};
+
+SliceState stateOf(const SliceProfile& profile, const Common& common, Equations equations)
+{
+  SliceState state;
+  const double sl = profile.shift_low, sh = profile.shift_high;
+  state.equations = equations(
+      profile, {common.offset / profile.per_pixel + (sl - sh) / 2, common.ratio * profile.half_width - (sl + sh) / 2,
+                common.blur});
+  const Eigen::Vector3d scale(1 / profile.per_pixel, profile.half_width, 1);
+  state.equations.information = scale.asDiagonal() * state.equations.information * scale.asDiagonal();
+  state.equations.gradient = scale.asDiagonal() * state.equations.gradient;
+  state.variance = state.equations.meanSquare();
+  Eigen::Matrix2d own = state.equations.information.topLeftCorner<2, 2>();
+  own.diagonal() *= 1.001;
+  own.diagonal().array() += 1e-9;
+  state.step = own.inverse() * state.equations.gradient.head<2>();
+  return state;
 }
 
-/// Keeps the results whose `value` is near the median of all.
+/// Keeps the slices whose `value` is near the median of all.
 template <typename Value>
-void dropOutliers(std::vector<SliceResult>& results, double floor, const Value& value)
+void dropOutliers(std::vector<SliceState>& slices, double floor, const Value& value)
 {
   std::vector<double> values;
-  for (const SliceResult& r : results) values.push_back(value(r));
+  for (const SliceState& s : slices) if(s.used) values.push_back(value(s));
   if (values.empty()) return;
   const double centre = upperMedian(values);
   for (double& v : values) v = std::abs(v - centre);
   const double limit = kOutlier * std::max(1.4826 * upperMedian(values), floor);
-  std::erase_if(results, [&](const SliceResult& r) { return std::abs(value(r) - centre) > limit; });
+  for (SliceState& s : slices)
+    if (std::abs(value(s) - centre) > limit) s.used = false;
+}
+
+/// Mean correlation of the residuals of two slices.
+double meanCorrelation(const std::vector<const SliceState*>& slices)
+{
+  const auto count = slices.size();
+  double squares = 0;
+  for (const SliceState* s : slices) squares += s->variance;
+  squares /= static_cast<double>(count);
+  double sum = 0;
+  for (std::size_t lag = 1; lag <= std::min<std::size_t>(kCorrelated, count - 1); ++lag)
+  {
+    double product = 0; std::size_t terms = 0;
+    for (std::size_t i = lag; i < count; ++i)
+    {
+      const auto &a = slices[i - lag]->equations.residuals, &b = slices[i]->equations.residuals;
+      const auto n = std::min(a.size(), b.size())/2;  // aligned at the middle
+      // profiles of different length: compare around the middle
+      const std::size_t ca = a.size()/2, cb = b.size()/2; (void)n;
+      const std::size_t half = std::min(ca, cb);
+      for (std::size_t k = 0; k < 2*half; ++k) { product += a[ca-half+k]*b[cb-half+k]; ++terms; }
+    }
+    const double correlation = product / std::max<double>(1, static_cast<double>(terms)) / squares;
+    if (correlation < 0.05) break;
+    sum += 2 * correlation * static_cast<double>(count - lag);
+  }
+  return sum / static_cast<double>(count * (count - 1));
+}
+
+std::optional<Located> locate(const std::vector<SliceProfile>& profiles, Common common, Equations equations,
+                              int min_slices)
+{
+  std::vector<SliceState> slices;
+  Eigen::Matrix3d information;
+  double noise=1;
+  double per_pixel = 0;
+  for (const SliceProfile& profile : profiles) per_pixel += profile.per_pixel / static_cast<double>(profiles.size());
+  for (int round = 0; round <= kRounds; ++round)
+  {
+    slices.clear();
+    std::vector<double> variances;
+    for (const SliceProfile& profile : profiles)
+    {
+      slices.push_back(stateOf(profile, common, equations));
+      variances.push_back(slices.back().variance);
+    }
+    noise = std::max(upperMedian(variances), 1e-3);
+    if (round > 1)
+    {
+      dropOutliers(slices, kAgreement/ profiles.front().half_width, [](const SliceState& s) { return s.step[1]; });
+      dropOutliers(slices, kAgreement * per_pixel, [](const SliceState& s) { return s.step[0]; });
+    }
+    information = Eigen::Vector3d(1e-6, 1 / square(kStdRatio), 1 / square(kStdBlur)).asDiagonal();
+    Eigen::Vector3d gradient(0, (1 - common.ratio) / square(kStdRatio), (kUsualBlur - common.blur) / square(kStdBlur));
+    for (const SliceState& s : slices)
+      if (s.used)
+      {
+        const double weight = 1 / std::max(noise, s.variance);
+        information += weight * s.equations.information, gradient += weight * s.equations.gradient;
+      }
+    if (round == kRounds) break;
+    const Eigen::Vector3d step = information.inverse() * gradient;
+    common.offset += std::clamp(step[0], -per_pixel, per_pixel);
+    common.ratio = std::clamp(common.ratio + std::clamp(step[1], -0.2, 0.2), 0.3, 2.0);
+    common.blur = std::clamp(common.blur + step[2], kLeastBlur, kMostBlur);
+    if (!(std::abs(common.offset) < kMostOff * per_pixel)) return std::nullopt;
+  }
+  std::vector<const SliceState*> used;
+  for (const SliceState& s : slices)
+    if (s.used) used.push_back(&s);
+  const auto count = static_cast<double>(used.size());
+  if (static_cast<int>(used.size()) < min_slices || used.size() < 2) return std::nullopt;
+  const Eigen::Matrix3d inverse = information.inverse();
+  Eigen::Vector3d scatter = Eigen::Vector3d::Zero();
+  for (const SliceState* s : used)
+  {
+    const Eigen::Vector3d influence = inverse * s->equations.gradient / std::max(noise, s->variance);
+    scatter += influence.cwiseAbs2();
+  }
+  const double prior = envd("NU",4);
+  const double kx = envd("KX",1.5);
+  const Eigen::Vector3d expected = kx*inverse.diagonal();
+  const double r = std::min(envd("RMAX",0.8), meanCorrelation(used));
+  const double inflation = (1 + (count - 1) * r) / (1 - r);
+  Eigen::Vector3d variance = (count / (count - 1) * scatter * (count - 1) + prior * expected) / (count - 1 + prior);
+  if(getenv("DBG")) fprintf(stderr,"off %.3f px ratio %.3f blur %.2f n %g/%zu r %.2f infl %.2f scatter %.3f expected %.3f noise %.2f\n",common.offset/per_pixel,common.ratio,common.blur,count,slices.size(),r,inflation,std::sqrt(scatter[0])/per_pixel,std::sqrt(expected[0])/per_pixel,std::sqrt(noise));
+  variance *= inflation;
+  return Located{common, std::sqrt(variance[0]), std::sqrt(variance[1]), static_cast<int>(used.size())};
 }
 }  // namespace
 
 std::optional<Silhouette> measureSilhouette(const cv::Mat& image, const HyperbolicMirror& mirror, double azimuth,
-                                            const std::vector<SilhouetteSlice>& slices, int min_slices)
+                                            const std::vector<SilhouetteSlice>& slices, int min_slices,
+                                            bool by_brightness)
 {
-  std::vector<SliceResult> results;
+  std::vector<SliceProfile> profiles;
   for (const SilhouetteSlice& slice : slices)
-    if (const auto result = measureSlice(image, mirror, azimuth, slice)) results.push_back(*result);
-  if (results.empty()) return std::nullopt;
-  const double floor = kAgreement * results.front().per_pixel;
-  dropOutliers(results, floor / slices.front().half_width, [](const SliceResult& r) { return r.width_ratio; });
-  dropOutliers(results, floor, [](const SliceResult& r) { return r.offset; });
-  if (static_cast<int>(results.size()) < min_slices) return std::nullopt;
-  double weights = 0, offset = 0, width = 0, scatter = 0;
-  for (const SliceResult& r : results)
-  {
-    weights += r.weight;
-    offset += r.weight * r.offset;
-    width += r.weight * r.width_ratio;
+    if (auto profile = profileOf(image, mirror, azimuth, slice, kReach)) profiles.push_back(std::move(*profile));
+  if (static_cast<int>(profiles.size()) < min_slices) return std::nullopt;
+  if (envd("CODING",1)>0) for (auto& p : profiles) {
+    const double h = p.half_width, in = std::max(h-1.5,0.4*h);
+    const auto sh=[&](double a,double b){ const double x=p.lumaAt(a), y=p.lumaAt(b); return (y>x?1:-1)*shiftByCoding(std::max(1.,x),std::max(1.,y)); };
+    p.shift_low=sh(-in,-h-1.5); p.shift_high=sh(in,h+1.5);
   }
-  offset /= weights;
-  for (const SliceResult& r : results) scatter += r.weight * square(r.offset - offset);
-  const auto count = static_cast<double>(results.size());
-  Silhouette found;
-  found.azimuth = wrap(azimuth + offset);
-  found.std_azimuth = std::sqrt(scatter / weights / std::max(1.0, count - 1));
-  found.width_ratio = width / weights;
-  found.slices = static_cast<int>(results.size());
-  return found;
+  auto located = locate(profiles, {}, colourEquations, min_slices);
+  if (!located) return std::nullopt;
+  if (by_brightness && envd("BRIGHT",1)>0)
+    if (const auto bright = locate(profiles, {located->common.offset, located->common.ratio, kUsualBlur}, brightnessEquations, min_slices))
+    {
+      const double off = bright->common.offset - located->common.offset;
+      const double vc = square(located->std_offset), vb = square(bright->std_offset);
+      if (square(off) < 9 * (vc + vb))
+      {
+        located->common.offset += off * vc / (vb + vc);
+        located->std_offset = std::sqrt(vb * vc / (vb + vc));
+        const double rc = square(located->std_ratio), rb = square(bright->std_ratio);
+        located->common.ratio += (bright->common.ratio - located->common.ratio) * rc / (rb + rc);
+        located->std_ratio = std::sqrt(rb * rc / (rb + rc));
+      }
+    }
+  return Silhouette{wrap(azimuth + located->common.offset), located->std_offset, located->common.ratio,
+                    located->std_ratio, located->slices};
 }
 }  // namespace mrpt_ext
