@@ -123,7 +123,8 @@ bool OmniCamera::measure(const cv::Mat& image, const std::string& label, const O
 {
   const bool is_ball = label == "ball";
   const auto slices = is_ball ? ballSlices(settings_, guess) : poleSlices(settings_, guess);
-  const auto silhouette = measureSilhouette(image, settings_.mirror, guess.azimuth, slices, settings_.min_slices, !is_ball);
+  const auto silhouette =
+      measureSilhouette(image, settings_.mirror, guess.azimuth, slices, settings_.min_slices, is_ball);
   if (isBlocked(settings_.blocked, silhouette ? silhouette->azimuth : guess.azimuth))
   {
     view.hidden.push_back({label, guess.azimuth, guess.half_width, guess.half_width, guess.distance});

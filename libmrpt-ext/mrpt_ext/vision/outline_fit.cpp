@@ -11,9 +11,9 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kClear = 1.5;       ///< [px] from an edge, where samples are no mixtures
-constexpr double kMostClear = 0.6;   ///< of the half width
-constexpr double kRidge = 1e-3;      ///< grey levels that do not show stay zero
+constexpr double kClearOfEdge = 1.5;     ///< [px] from an edge, where samples are no mixtures
+constexpr double kMostClearShare = 0.6;  ///< of the half width
+constexpr double kLevelRidge = 1e-3;     ///< grey levels that do not show stay zero
 
 /// Density and distribution function of the standard normal distribution.
 struct Normal
@@ -94,7 +94,7 @@ class Eliminated
   }
   void addTo(OutlineEquations& equations) const
   {
-    Eigen::Matrix<double, Unknowns, Unknowns> normal = kRidge * decltype(normal)::Identity();
+    Eigen::Matrix<double, Unknowns, Unknowns> normal = kLevelRidge * decltype(normal)::Identity();
     Eigen::Matrix<double, Unknowns, 1> right = decltype(right)::Zero();
     for (std::size_t i = 0; i < rows_.size(); ++i)
       normal += rows_[i].transpose() * rows_[i], right += rows_[i].transpose() * values_[i];
@@ -129,7 +129,7 @@ double OutlineEquations::meanSquare() const
 
 OutlineEquations colourEquations(const SliceProfile& profile, const Outline& outline)
 {
-  const double h = outline.half_width, clear = std::min(kClear * outline.blur, kMostClear * h);
+  const double h = outline.half_width, clear = std::min(kClearOfEdge * outline.blur, kMostClearShare * h);
   std::array<Eliminated<2>, 2> channels;
   for (auto& channel : channels) channel.reserve(profile.size());
   for (std::size_t i = 0; i < profile.size(); ++i)
@@ -159,8 +159,9 @@ OutlineEquations brightnessEquations(const SliceProfile& profile, const Outline&
   {
     const double u = profile.first + static_cast<double>(i) - outline.offset;
     const BlurredPowers b = blurredPowers(u, outline.half_width, outline.blur);
-    const auto of = [&](const std::array<double, 3>& v)
-    { return std::array<double, 3>{v[0], v[1] / h, v[0] - v[2] / (h * h)}; };
+    const auto of = [&](const std::array<double, 3>& v) {
+      return std::array<double, 3>{v[0], v[1] / h, v[0] - v[2] / (h * h)};
+    };
     const auto value = of(b.value), position = of(b.by_position), width = of(b.by_half_width), blur = of(b.by_blur);
     const double s = outline.blur, low = standardNormal((u + outline.half_width) / s).density / s,
                  high = standardNormal((u - outline.half_width) / s).density / s;

@@ -26,8 +26,8 @@ struct OutlineEquations
 };
 
 /// By colour: a sample's chroma is its brightness times that of the object inside and of the background outside, two
-/// unknowns per channel. What shading and shadows do is in the brightness, as it is measured; at the edge, where it is a
-/// mixture, it is that of the nearest sample clear of the edge.
+/// unknowns per channel. What shading and shadows do is in the brightness, as it is measured; at the edge, where it is
+/// a mixture, it is that of the nearest sample clear of the edge.
 [[nodiscard]] OutlineEquations colourEquations(const SliceProfile& profile, const Outline& outline);
 
 /// By brightness: a step at either edge, from unknown levels beside the object to one that changes across it like the

@@ -3,27 +3,35 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/geometry/quantile.h"
-#include "mrpt_ext/vision/light_coding.h"
 #include "mrpt_ext/vision/outline_fit.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-double envd(const char*n,double d){const char*s=getenv(n);return s?atof(s):d;}
-constexpr double kReach = 7;          ///< [px] beyond an object's edges that is looked at
-constexpr double kOutlier = 3;        ///< standard deviations
-constexpr double kAgreement = 0.15;   ///< [px] by which slices may differ in any case, as standard deviation
-constexpr int kRounds = 6;
-constexpr double kUsualBlur = 1.0, kStdBlur = 1.0;  ///< [px]
-constexpr double kStdRatio = 0.1;     ///< of the seen width over the expected one
-constexpr double kMostBlur = 3, kLeastBlur = 0.4;
-constexpr double kMostOff = 4;        ///< [px] from the guess
-constexpr int kCorrelated = 8;        ///< slices, beyond which residuals of JPEG's blocks are independent
+constexpr double kReach = 7;                       ///< [px] beyond an object's edges that is looked at
+constexpr int kNewtonRounds = 6;                   ///< of Gauss and Newton
+constexpr int kAllAgree = 2;                       ///< the first rounds, in which no slice is left out
+constexpr double kOutlierSlice = 3;                ///< standard deviations
+constexpr double kAgreement = 0.15;                ///< [px] by which slices may differ in any case, as std. deviation
+constexpr double kUsualBlur = 1, kStdBlur = 1;     ///< [px]
+constexpr double kLeastBlur = 0.4, kMostBlur = 3;  ///< [px]
+constexpr double kStdRatio = 0.1;                  ///< of the seen width over the expected one, where nothing shows
+constexpr double kLeastRatio = 0.3, kMostRatio = 2;
+constexpr double kMostRatioStep = 0.2;
+constexpr double kMostOff = 4;             ///< [px] from the guess
+constexpr double kLeastSliceNoise = 0.03;  ///< [grey levels] of a slice's mean
+constexpr double kInterpolated = 1.5;      ///< variance by samples that share pixels, over that by independent ones
+constexpr double kScatterPrior = 4;        ///< slices that the expected scatter counts for
+constexpr std::size_t kMostCorrelatedSlices =
+    8;                                   ///< slices of two pixels: the blocks of coarse chroma are 16 pixels high
+constexpr double kNoCorrelation = 0.05;  ///< what is less is noise of the estimate
+constexpr double kMostCorrelation = 0.8;
+
+using Equations = OutlineEquations (*)(const SliceProfile&, const Outline&);
 
 /// What the slices of an object have in common.
 struct Common
@@ -33,174 +41,197 @@ struct Common
   double blur = kUsualBlur;
 };
 
+/// The same with standard deviations.
 struct Located
 {
   Common common;
   double std_offset = 0, std_ratio = 0;
-  int slices = 0;
+  int slices = 0;  ///< that agree
 };
 
-using Equations = OutlineEquations (*)(const SliceProfile&, const Outline&);
-
-/// One slice at the present outline.
-struct SliceState
+/// One slice at the present outline; equations are by offset [rad], ratio and blur.
+struct Slice
 {
-  OutlineEquations equations;  ///< by offset [rad], ratio and blur
-  double variance = 1;
-  Eigen::Vector2d step{0, 0};  ///< what the slice alone would add to offset and ratio
-  bool used = true;
+  OutlineEquations equations;
+  double variance = 1;         ///< of its residuals
+  Eigen::Vector2d step{0, 0};  ///< what it alone would add to offset and ratio
 };
 
-SliceState stateOf(const SliceProfile& profile, const Common& common, Equations equations)
+Slice sliceAt(const SliceProfile& profile, const Common& common, Equations equations)
 {
-  SliceState state;
-  const double sl = profile.shift_low, sh = profile.shift_high;
-  state.equations = equations(
-      profile, {common.offset / profile.per_pixel + (sl - sh) / 2, common.ratio * profile.half_width - (sl + sh) / 2,
-                common.blur});
+  Slice slice;
+  slice.equations = equations(
+      profile, {common.offset / profile.per_pixel + 0.5 * (profile.shift_low - profile.shift_high),
+                common.ratio * profile.half_width - 0.5 * (profile.shift_low + profile.shift_high), common.blur});
   const Eigen::Vector3d scale(1 / profile.per_pixel, profile.half_width, 1);
-  state.equations.information = scale.asDiagonal() * state.equations.information * scale.asDiagonal();
-  state.equations.gradient = scale.asDiagonal() * state.equations.gradient;
-  state.variance = state.equations.meanSquare();
-  Eigen::Matrix2d own = state.equations.information.topLeftCorner<2, 2>();
-  own.diagonal() *= 1.001;
+  slice.equations.information = scale.asDiagonal() * slice.equations.information * scale.asDiagonal();
+  slice.equations.gradient = scale.asDiagonal() * slice.equations.gradient;
+  slice.variance = slice.equations.meanSquare();
+  Eigen::Matrix2d own = slice.equations.information.topLeftCorner<2, 2>();
+  own.diagonal() *= 1 + 1e-3;
   own.diagonal().array() += 1e-9;
-  state.step = own.inverse() * state.equations.gradient.head<2>();
-  return state;
+  slice.step = own.inverse() * slice.equations.gradient.head<2>();
+  return slice;
 }
 
 /// Keeps the slices whose `value` is near the median of all.
 template <typename Value>
-void dropOutliers(std::vector<SliceState>& slices, double floor, const Value& value)
+void dropOutliers(std::vector<Slice>& slices, double floor, const Value& value)
 {
   std::vector<double> values;
-  for (const SliceState& s : slices) if(s.used) values.push_back(value(s));
+  for (const Slice& s : slices) values.push_back(value(s));
   if (values.empty()) return;
   const double centre = upperMedian(values);
   for (double& v : values) v = std::abs(v - centre);
-  const double limit = kOutlier * std::max(1.4826 * upperMedian(values), floor);
-  for (SliceState& s : slices)
-    if (std::abs(value(s) - centre) > limit) s.used = false;
+  const double limit = kOutlierSlice * std::max(upperMedian(values) / kNormalMedianDeviation, floor);
+  std::erase_if(slices, [&](const Slice& s) { return std::abs(value(s) - centre) > limit; });
 }
 
-/// Mean correlation of the residuals of two slices.
-double meanCorrelation(const std::vector<const SliceState*>& slices)
+/// Mean product of residuals that are at the same place of both profiles, counted from the middle.
+double meanProduct(const std::vector<double>& a, const std::vector<double>& b)
 {
-  const auto count = slices.size();
-  double squares = 0;
-  for (const SliceState* s : slices) squares += s->variance;
-  squares /= static_cast<double>(count);
+  const std::size_t half = std::min(a.size(), b.size()) / 2;
   double sum = 0;
-  for (std::size_t lag = 1; lag <= std::min<std::size_t>(kCorrelated, count - 1); ++lag)
-  {
-    double product = 0; std::size_t terms = 0;
-    for (std::size_t i = lag; i < count; ++i)
-    {
-      const auto &a = slices[i - lag]->equations.residuals, &b = slices[i]->equations.residuals;
-      const auto n = std::min(a.size(), b.size())/2;  // aligned at the middle
-      // profiles of different length: compare around the middle
-      const std::size_t ca = a.size()/2, cb = b.size()/2; (void)n;
-      const std::size_t half = std::min(ca, cb);
-      for (std::size_t k = 0; k < 2*half; ++k) { product += a[ca-half+k]*b[cb-half+k]; ++terms; }
-    }
-    const double correlation = product / std::max<double>(1, static_cast<double>(terms)) / squares;
-    if (correlation < 0.05) break;
-    sum += 2 * correlation * static_cast<double>(count - lag);
-  }
-  return sum / static_cast<double>(count * (count - 1));
+  for (std::size_t i = 0; i < 2 * half; ++i) sum += a[a.size() / 2 - half + i] * b[b.size() / 2 - half + i];
+  return half > 0 ? sum / static_cast<double>(2 * half) : 0;
 }
 
-std::optional<Located> locate(const std::vector<SliceProfile>& profiles, Common common, Equations equations,
-                              int min_slices)
+/// Mean correlation of two slices, by their residuals: of neighbours, and of the next as long as there is any.
+double meanCorrelation(const std::vector<Slice>& slices)
 {
-  std::vector<SliceState> slices;
-  Eigen::Matrix3d information;
-  double noise=1;
-  double per_pixel = 0;
-  for (const SliceProfile& profile : profiles) per_pixel += profile.per_pixel / static_cast<double>(profiles.size());
-  for (int round = 0; round <= kRounds; ++round)
+  const std::size_t count = slices.size();
+  double squares = 0, correlations = 0;
+  for (const Slice& s : slices) squares += s.variance / static_cast<double>(count);
+  for (std::size_t lag = 1; lag <= std::min(kMostCorrelatedSlices, count - 1); ++lag)
   {
-    slices.clear();
+    double products = 0;  // summed over the pairs
+    for (std::size_t i = lag; i < count; ++i)
+      products += meanProduct(slices[i - lag].equations.residuals, slices[i].equations.residuals);
+    if (products < kNoCorrelation * squares * static_cast<double>(count - lag)) break;
+    correlations += products / squares;
+  }
+  return std::min(kMostCorrelation, 2 * correlations / static_cast<double>(count * (count - 1)));
+}
+
+/// The outline that the slices have in common, by Gauss and Newton.
+class OutlineSearch
+{
+ public:
+  OutlineSearch(const std::vector<SliceProfile>& profiles, Equations equations)
+      : profiles_(profiles), equations_(equations)
+  {
+    for (const SliceProfile& p : profiles) per_pixel_ += p.per_pixel / static_cast<double>(profiles.size());
+  }
+
+  [[nodiscard]] std::optional<Located> from(const Common& start, int min_slices)
+  {
+    common_ = start;
+    for (int round = 0; round < kNewtonRounds; ++round)
+    {
+      linearise(round >= kAllAgree);
+      move(information_.inverse() * gradient_);
+      if (!(std::abs(common_.offset) < kMostOff * per_pixel_)) return std::nullopt;
+    }
+    linearise(true);
+    if (static_cast<int>(slices_.size()) < std::max(2, min_slices)) return std::nullopt;
+    return located();
+  }
+
+ private:
+  void linearise(bool without_outliers)
+  {
+    slices_.clear();
     std::vector<double> variances;
-    for (const SliceProfile& profile : profiles)
+    for (const SliceProfile& profile : profiles_)
     {
-      slices.push_back(stateOf(profile, common, equations));
-      variances.push_back(slices.back().variance);
+      slices_.push_back(sliceAt(profile, common_, equations_));
+      variances.push_back(slices_.back().variance);
     }
-    noise = std::max(upperMedian(variances), 1e-3);
-    if (round > 1)
+    noise_ = std::max(upperMedian(variances), kLeastSliceNoise * kLeastSliceNoise);
+    if (without_outliers)
     {
-      dropOutliers(slices, kAgreement/ profiles.front().half_width, [](const SliceState& s) { return s.step[1]; });
-      dropOutliers(slices, kAgreement * per_pixel, [](const SliceState& s) { return s.step[0]; });
+      dropOutliers(slices_, kAgreement / profiles_.front().half_width, [](const Slice& s) { return s.step[1]; });
+      dropOutliers(slices_, kAgreement * per_pixel_, [](const Slice& s) { return s.step[0]; });
     }
-    information = Eigen::Vector3d(1e-6, 1 / square(kStdRatio), 1 / square(kStdBlur)).asDiagonal();
-    Eigen::Vector3d gradient(0, (1 - common.ratio) / square(kStdRatio), (kUsualBlur - common.blur) / square(kStdBlur));
-    for (const SliceState& s : slices)
-      if (s.used)
-      {
-        const double weight = 1 / std::max(noise, s.variance);
-        information += weight * s.equations.information, gradient += weight * s.equations.gradient;
-      }
-    if (round == kRounds) break;
-    const Eigen::Vector3d step = information.inverse() * gradient;
-    common.offset += std::clamp(step[0], -per_pixel, per_pixel);
-    common.ratio = std::clamp(common.ratio + std::clamp(step[1], -0.2, 0.2), 0.3, 2.0);
-    common.blur = std::clamp(common.blur + step[2], kLeastBlur, kMostBlur);
-    if (!(std::abs(common.offset) < kMostOff * per_pixel)) return std::nullopt;
+    information_ = Eigen::Vector3d(1e-6, 1 / square(kStdRatio), 1 / square(kStdBlur)).asDiagonal();
+    gradient_ = {0, (1 - common_.ratio) / square(kStdRatio), (kUsualBlur - common_.blur) / square(kStdBlur)};
+    for (const Slice& s : slices_)
+    {
+      information_ += weightOf(s) * s.equations.information;
+      gradient_ += weightOf(s) * s.equations.gradient;
+    }
   }
-  std::vector<const SliceState*> used;
-  for (const SliceState& s : slices)
-    if (s.used) used.push_back(&s);
-  const auto count = static_cast<double>(used.size());
-  if (static_cast<int>(used.size()) < min_slices || used.size() < 2) return std::nullopt;
-  const Eigen::Matrix3d inverse = information.inverse();
-  Eigen::Vector3d scatter = Eigen::Vector3d::Zero();
-  for (const SliceState* s : used)
+
+  void move(const Eigen::Vector3d& step)
   {
-    const Eigen::Vector3d influence = inverse * s->equations.gradient / std::max(noise, s->variance);
-    scatter += influence.cwiseAbs2();
+    common_.offset += std::clamp(step[0], -per_pixel_, per_pixel_);
+    common_.ratio += std::clamp(step[1], -kMostRatioStep, kMostRatioStep);
+    common_.ratio = std::clamp(common_.ratio, kLeastRatio, kMostRatio);
+    common_.blur = std::clamp(common_.blur + step[2], kLeastBlur, kMostBlur);
   }
-  const double prior = envd("NU",4);
-  const double kx = envd("KX",1.5);
-  const Eigen::Vector3d expected = kx*inverse.diagonal();
-  const double r = std::min(envd("RMAX",0.8), meanCorrelation(used));
-  const double inflation = (1 + (count - 1) * r) / (1 - r);
-  Eigen::Vector3d variance = (count / (count - 1) * scatter * (count - 1) + prior * expected) / (count - 1 + prior);
-  if(getenv("DBG")) fprintf(stderr,"off %.3f px ratio %.3f blur %.2f n %g/%zu r %.2f infl %.2f scatter %.3f expected %.3f noise %.2f\n",common.offset/per_pixel,common.ratio,common.blur,count,slices.size(),r,inflation,std::sqrt(scatter[0])/per_pixel,std::sqrt(expected[0])/per_pixel,std::sqrt(noise));
-  variance *= inflation;
-  return Located{common, std::sqrt(variance[0]), std::sqrt(variance[1]), static_cast<int>(used.size())};
+
+  /// Slices that do not fit as well as most have noise of their own.
+  [[nodiscard]] double weightOf(const Slice& slice) const { return 1 / std::max(noise_, slice.variance); }
+
+  /// Few slices do not show how far they scatter: what is expected by their noise counts as well. Their correlation
+  /// makes them scatter less than they are wrong.
+  [[nodiscard]] Located located() const
+  {
+    const auto count = static_cast<double>(slices_.size());
+    const Eigen::Matrix3d covariance = information_.inverse();
+    Eigen::Vector3d scatter = Eigen::Vector3d::Zero();
+    for (const Slice& s : slices_) scatter += (weightOf(s) * covariance * s.equations.gradient).cwiseAbs2();
+    const double correlation = meanCorrelation(slices_);
+    const double inflation = (1 + (count - 1) * correlation) / (1 - correlation);
+    const Eigen::Vector3d variance = inflation / (count - 1 + kScatterPrior) *
+                                     (count * scatter + kScatterPrior * kInterpolated * covariance.diagonal());
+    return {common_, std::sqrt(variance[0]), std::sqrt(variance[1]), static_cast<int>(slices_.size())};
+  }
+
+  const std::vector<SliceProfile>& profiles_;
+  Equations equations_;
+  double per_pixel_ = 0;  ///< [rad] mean
+  Common common_;
+  std::vector<Slice> slices_;  ///< that agree
+  double noise_ = 1;           ///< median variance of residuals
+  Eigen::Matrix3d information_;
+  Eigen::Vector3d gradient_;
+};
+
+/// Mean of two values weighted by their variances; the deviation of the first becomes that of the mean.
+void average(double& value, double& std, double other, double std_other)
+{
+  const double sum = square(std) + square(std_other);
+  value += (other - value) * square(std) / sum;
+  std = std * std_other / std::sqrt(sum);
+}
+
+/// What brightness tells beside colour, where both agree.
+void addBrightness(Located& by_colour, const std::vector<SliceProfile>& profiles, int min_slices)
+{
+  Common start = by_colour.common;
+  start.blur = kUsualBlur;
+  const auto bright = OutlineSearch(profiles, brightnessEquations).from(start, min_slices);
+  if (!bright) return;
+  Common& common = by_colour.common;
+  const double std = std::hypot(by_colour.std_offset, bright->std_offset);
+  if (std::abs(common.offset - bright->common.offset) > kOutlierSlice * std) return;
+  average(common.offset, by_colour.std_offset, bright->common.offset, bright->std_offset);
+  average(common.ratio, by_colour.std_ratio, bright->common.ratio, bright->std_ratio);
 }
 }  // namespace
 
 std::optional<Silhouette> measureSilhouette(const cv::Mat& image, const HyperbolicMirror& mirror, double azimuth,
                                             const std::vector<SilhouetteSlice>& slices, int min_slices,
-                                            bool by_brightness)
+                                            bool casts_shadow)
 {
   std::vector<SliceProfile> profiles;
   for (const SilhouetteSlice& slice : slices)
     if (auto profile = profileOf(image, mirror, azimuth, slice, kReach)) profiles.push_back(std::move(*profile));
-  if (static_cast<int>(profiles.size()) < min_slices) return std::nullopt;
-  if (envd("CODING",1)>0) for (auto& p : profiles) {
-    const double h = p.half_width, in = std::max(h-1.5,0.4*h);
-    const auto sh=[&](double a,double b){ const double x=p.lumaAt(a), y=p.lumaAt(b); return (y>x?1:-1)*shiftByCoding(std::max(1.,x),std::max(1.,y)); };
-    p.shift_low=sh(-in,-h-1.5); p.shift_high=sh(in,h+1.5);
-  }
-  auto located = locate(profiles, {}, colourEquations, min_slices);
+  if (profiles.empty()) return std::nullopt;
+  auto located = OutlineSearch(profiles, colourEquations).from({}, min_slices);
   if (!located) return std::nullopt;
-  if (by_brightness && envd("BRIGHT",1)>0)
-    if (const auto bright = locate(profiles, {located->common.offset, located->common.ratio, kUsualBlur}, brightnessEquations, min_slices))
-    {
-      const double off = bright->common.offset - located->common.offset;
-      const double vc = square(located->std_offset), vb = square(bright->std_offset);
-      if (square(off) < 9 * (vc + vb))
-      {
-        located->common.offset += off * vc / (vb + vc);
-        located->std_offset = std::sqrt(vb * vc / (vb + vc));
-        const double rc = square(located->std_ratio), rb = square(bright->std_ratio);
-        located->common.ratio += (bright->common.ratio - located->common.ratio) * rc / (rb + rc);
-        located->std_ratio = std::sqrt(rb * rc / (rb + rc));
-      }
-    }
+  if (!casts_shadow) addBrightness(*located, profiles, min_slices);
   return Silhouette{wrap(azimuth + located->common.offset), located->std_offset, located->common.ratio,
                     located->std_ratio, located->slices};
 }

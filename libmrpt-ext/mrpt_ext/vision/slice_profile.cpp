@@ -3,11 +3,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mrpt_ext/vision/light_coding.h"
+
 namespace mrpt_ext
 {
 namespace
 {
-constexpr double kRowStep = 1;  ///< [px] between the rows that are averaged
+constexpr double kRowStep = 1;        ///< [px] between the rows that are averaged
+constexpr double kBesideEdge = 1.5;   ///< [px] from an edge to where its levels are taken
+constexpr double kShareInside = 0.4;  ///< of the half width that is inside in any case
+constexpr double kLeastLevel = 1;     ///< black is not zero
+
+/// [px] by which an edge between these levels seems too far on the side of `inside`.
+double shiftOfEdge(double inside, double outside)
+{
+  const double a = std::max(kLeastLevel, inside), b = std::max(kLeastLevel, outside);
+  return std::copysign(shiftByCoding(a, b), b - a);
+}
 }  // namespace
 
 std::optional<cv::Vec3d> levelsAt(const cv::Mat& image, const cv::Point2d& position)
@@ -57,6 +69,10 @@ std::optional<SliceProfile> profileOf(const cv::Mat& image, const HyperbolicMirr
     profile.chroma[0].push_back(0.564 * (sum[0] - profile.luma.back()));
     profile.chroma[1].push_back(0.713 * (sum[2] - profile.luma.back()));
   }
+  const double out = profile.half_width + kBesideEdge;
+  const double in = std::max(profile.half_width - kBesideEdge, kShareInside * profile.half_width);
+  profile.shift_low = shiftOfEdge(profile.lumaAt(-in), profile.lumaAt(-out));
+  profile.shift_high = shiftOfEdge(profile.lumaAt(in), profile.lumaAt(out));
   return profile;
 }
 }  // namespace mrpt_ext
