@@ -118,7 +118,7 @@ TEST(OutlineEquations, GradientOfBrightnessIsThatOfTheResiduals)
   {
     const OutlineEquations e =
         brightnessEquations(profile, {at.offset + offset, at.half_width + half_width, at.blur + blur});
-    return 0.5 * e.meanSquare() * static_cast<double>(e.residuals.size());
+    return 0.5 * e.meanSquare() * static_cast<double>(profile.size());
   };
   const Eigen::Vector3d gradient = brightnessEquations(profile, at).gradient;
   constexpr double kStep = 0.02;

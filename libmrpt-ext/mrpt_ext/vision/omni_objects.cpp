@@ -16,7 +16,8 @@ constexpr double kRimDistance = 0.04;   ///< of the samples on either side of th
 constexpr double kSliceHeight = 2;      ///< [px]
 constexpr int kMinSliceCount = 5;       ///< of one colour, so that they can be compared
 constexpr double kSliceMargin = 1.5;    ///< [px] from where a colour ends
-constexpr double kGuessedWidth = 0.04;  ///< standard deviation of a width by a rough distance, share
+constexpr double kGuessedWidth = 0.04;  ///< standard deviation of a pole's width by a rough distance, share
+constexpr double kGuessedRadius = 1;    ///< [px] of the image radius of a ball's middle
 constexpr double kSeenWidth = 0.08;     ///< [px] of half a silhouette's width that its slices have in common
 constexpr double kBallShare = 0.75;     ///< of the ball's height that is measured: its poles are short
 
@@ -111,6 +112,16 @@ std::optional<ExpectedWidth> widthByBands(const cv::Mat& image, const OmniCamera
   return ExpectedWidth{half_width, by_bands->std / by_bands->distance * half_width};
 }
 
+/// A ball's distance, and so its width, is known as well as where its middle is.
+ExpectedWidth widthOfBall(const OmniCameraSettings& settings, const ObjectGuess& guess)
+{
+  const HyperbolicMirror& mirror = settings.mirror;
+  const double drop = mirror.focus_height - settings.sizes.ball_radius;
+  const double rho = mirror.rhoAt(-drop / guess.distance) + kGuessedRadius / mirror.focalLength();
+  const double farther = -drop / std::min(mirror.slopeAt(rho), -1e-3);
+  return {guess.half_width, (farther / guess.distance - 1) * guess.half_width};
+}
+
 bool isBlocked(const std::vector<BlockedSector>& sectors, double azimuth)
 {
   for (const BlockedSector& sector : sectors)
@@ -132,8 +143,10 @@ bool OmniCamera::measure(const cv::Mat& image, const std::string& label, const O
   }
   if (!silhouette) return false;
   const ObjectGuess seen{silhouette->azimuth, silhouette->width_ratio * guess.half_width, guess.distance};
-  ExpectedWidth expected{guess.half_width, kGuessedWidth * guess.half_width};
-  if (!is_ball) expected = widthByBands(image, settings_, seen).value_or(expected);
+  const ExpectedWidth expected = is_ball
+                                     ? widthOfBall(settings_, guess)
+                                     : widthByBands(image, settings_, seen)
+                                           .value_or(ExpectedWidth{guess.half_width, kGuessedWidth * guess.half_width});
   if (std::abs(seen.half_width - expected.half_width) > settings_.search.width_tolerance * expected.half_width)
     return false;
   // What is missing of the width may be missing on either side.

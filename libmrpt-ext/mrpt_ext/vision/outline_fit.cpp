@@ -101,6 +101,8 @@ class Eliminated
     const Eigen::LDLT<decltype(normal)> solver(normal);
     const Eigen::Matrix<double, Unknowns, 1> solution = solver.solve(right);
     Derivatives mixed = Derivatives::Zero();
+    std::vector<double>& residuals = equations.residuals.emplace_back();
+    residuals.reserve(rows_.size());
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
     for (std::size_t i = 0; i < rows_.size(); ++i)
     {
@@ -108,7 +110,8 @@ class Eliminated
       const double residual = values_[i] - rows_[i].dot(solution);
       mixed += rows_[i].transpose() * slope, information += slope.transpose() * slope;
       equations.gradient += slope.transpose() * residual;
-      equations.residuals.push_back(residual);
+      residuals.push_back(residual);
+      equations.slopes += slope[0] * slope[0], equations.slope_squares += square(slope[0] * residual);
     }
     equations.information += information - mixed.transpose() * solver.solve(mixed);
   }
@@ -122,9 +125,10 @@ class Eliminated
 
 double OutlineEquations::meanSquare() const
 {
-  double sum = 0;
-  for (const double residual : residuals) sum += residual * residual;
-  return residuals.empty() ? 0 : sum / static_cast<double>(residuals.size());
+  double sum = 0, count = 0;
+  for (const auto& channel : residuals)
+    for (const double residual : channel) sum += residual * residual, ++count;
+  return count > 0 ? sum / count : 0;
 }
 
 OutlineEquations colourEquations(const SliceProfile& profile, const Outline& outline)

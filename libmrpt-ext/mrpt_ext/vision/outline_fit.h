@@ -20,7 +20,9 @@ struct OutlineEquations
 {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< for residuals of variance 1
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
-  std::vector<double> residuals;  ///< [grey levels], channel by channel
+  std::vector<std::vector<double>> residuals;  ///< [grey levels] of the samples of each channel
+  double slopes = 0;                           ///< sum of the squared derivatives of the samples by `offset`
+  double slope_squares = 0;  ///< sum of the squared residuals, weighted by these: residuals at the edges
 
   [[nodiscard]] double meanSquare() const;
 };

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/geometry/quantile.h"
@@ -22,9 +23,12 @@ constexpr double kLeastBlur = 0.4, kMostBlur = 3;  ///< [px]
 constexpr double kStdRatio = 0.1;                  ///< of the seen width over the expected one, where nothing shows
 constexpr double kLeastRatio = 0.3, kMostRatio = 2;
 constexpr double kMostRatioStep = 0.2;
-constexpr double kMostOff = 4;             ///< [px] from the guess
+constexpr double kProfileKnown = 0.035;  ///< of the blur, to which an edge is known that is not as soft as a Gaussian
+constexpr double kBlurKnown =
+    0.2;                        ///< share of itself by which a blur that is no Gaussian may differ from the fitted one
+constexpr double kMostOff = 4;  ///< [px] from the guess
 constexpr double kLeastSliceNoise = 0.03;  ///< [grey levels] of a slice's mean
-constexpr double kInterpolated = 1.5;      ///< variance by samples that share pixels, over that by independent ones
+constexpr double kEdgeWidth = 2;           ///< of an edge, over its blur
 constexpr double kScatterPrior = 4;        ///< slices that the expected scatter counts for
 constexpr std::size_t kMostCorrelatedSlices =
     8;                                   ///< slices of two pixels: the blocks of coarse chroma are 16 pixels high
@@ -87,30 +91,70 @@ void dropOutliers(std::vector<Slice>& slices, double floor, const Value& value)
   std::erase_if(slices, [&](const Slice& s) { return std::abs(value(s) - centre) > limit; });
 }
 
-/// Mean product of residuals that are at the same place of both profiles, counted from the middle.
-double meanProduct(const std::vector<double>& a, const std::vector<double>& b)
+using Channels = std::vector<std::vector<double>>;
+
+/// Means of as many neighbours as an edge is wide: what is left of residuals there moves the edge.
+Channels meansOver(const Channels& residuals, std::size_t window)
 {
-  const std::size_t half = std::min(a.size(), b.size()) / 2;
-  double sum = 0;
-  for (std::size_t i = 0; i < 2 * half; ++i) sum += a[a.size() / 2 - half + i] * b[b.size() / 2 - half + i];
-  return half > 0 ? sum / static_cast<double>(2 * half) : 0;
+  Channels means;
+  for (const auto& channel : residuals)
+  {
+    auto& into = means.emplace_back();
+    double sum = 0;
+    for (std::size_t i = 0; i < channel.size(); ++i)
+    {
+      sum += channel[i] - (i >= window ? channel[i - window] : 0);
+      if (i + 1 >= window) into.push_back(sum / static_cast<double>(window));
+    }
+  }
+  return means;
 }
 
-/// Mean correlation of two slices, by their residuals: of neighbours, and of the next as long as there is any.
-double meanCorrelation(const std::vector<Slice>& slices)
+/// Mean product of values at the same place of both profiles, counted from the middle.
+double meanProduct(const Channels& a, const Channels& b)
 {
+  double sum = 0, count = 0;
+  for (std::size_t c = 0; c < a.size(); ++c)
+  {
+    const std::size_t common = std::min(a[c].size(), b[c].size());
+    const double* const first = a[c].data() + (a[c].size() - common) / 2;
+    const double* const second = b[c].data() + (b[c].size() - common) / 2;
+    sum += std::inner_product(first, first + common, second, 0.0), count += static_cast<double>(common);
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+/// How residuals are correlated, as noise of images and JPEG's blocks are.
+struct Correlation
+{
+  double along = 1;    ///< variance that edges have by it, over that by independent samples
+  double between = 0;  ///< mean correlation of two slices
+};
+
+Correlation correlationOf(const std::vector<Slice>& slices, double blur)
+{
+  const auto window = static_cast<std::size_t>(std::max(1.0, std::round(kEdgeWidth * blur)));
   const std::size_t count = slices.size();
-  double squares = 0, correlations = 0;
-  for (const Slice& s : slices) squares += s.variance / static_cast<double>(count);
+  std::vector<Channels> means;
+  double variance = 0, squares = 0, products = 0, slopes = 0, at_edges = 0;
+  for (const Slice& s : slices)
+  {
+    means.push_back(meansOver(s.equations.residuals, window));
+    variance += s.variance, squares += meanProduct(means.back(), means.back());
+    slopes += s.equations.slopes, at_edges += s.equations.slope_squares;
+  }
+  if (!(squares > 0)) return {};
   for (std::size_t lag = 1; lag <= std::min(kMostCorrelatedSlices, count - 1); ++lag)
   {
-    double products = 0;  // summed over the pairs
-    for (std::size_t i = lag; i < count; ++i)
-      products += meanProduct(slices[i - lag].equations.residuals, slices[i].equations.residuals);
-    if (products < kNoCorrelation * squares * static_cast<double>(count - lag)) break;
-    correlations += products / squares;
+    double sum = 0;
+    for (std::size_t i = lag; i < count; ++i) sum += meanProduct(means[i - lag], means[i]);
+    if (sum < kNoCorrelation * squares) break;
+    products += sum;
   }
-  return std::min(kMostCorrelation, 2 * correlations / static_cast<double>(count * (count - 1)));
+  const double mean = products / squares * 2 / static_cast<double>(count - 1);
+  const double edges = at_edges / slopes / (variance / static_cast<double>(count));
+  return {std::max(1.0, squares / variance * static_cast<double>(window)) * std::max(1.0, edges),
+          std::min(kMostCorrelation, mean)};
 }
 
 /// The outline that the slices have in common, by Gauss and Newton.
@@ -181,11 +225,21 @@ class OutlineSearch
     const Eigen::Matrix3d covariance = information_.inverse();
     Eigen::Vector3d scatter = Eigen::Vector3d::Zero();
     for (const Slice& s : slices_) scatter += (weightOf(s) * covariance * s.equations.gradient).cwiseAbs2();
-    const double correlation = meanCorrelation(slices_);
-    const double inflation = (1 + (count - 1) * correlation) / (1 - correlation);
+    const Correlation correlation = correlationOf(slices_, common_.blur);
+    const double left_out = static_cast<double>(profiles_.size()) / count;  // some of it noise like the others'
+    const double inflation = left_out * (1 + (count - 1) * correlation.between) / (1 - correlation.between);
     const Eigen::Vector3d variance = inflation / (count - 1 + kScatterPrior) *
-                                     (count * scatter + kScatterPrior * kInterpolated * covariance.diagonal());
-    return {common_, std::sqrt(variance[0]), std::sqrt(variance[1]), static_cast<int>(slices_.size())};
+                                     (count * scatter + kScatterPrior * correlation.along * covariance.diagonal());
+    return {common_, std::hypot(std::sqrt(variance[0]), kProfileKnown * common_.blur * per_pixel_),
+            std::hypot(std::sqrt(variance[1]), ratioByBlur()), static_cast<int>(slices_.size())};
+  }
+
+  /// What an error of the blur does to the width: of a soft object its second moment is seen, h^2 / 3 of the outline
+  /// and the square of the blur.
+  [[nodiscard]] double ratioByBlur() const
+  {
+    const double half_width = common_.ratio * profiles_[profiles_.size() / 2].half_width;
+    return 3 * kBlurKnown * square(common_.blur / half_width);
   }
 
   const std::vector<SliceProfile>& profiles_;
