@@ -77,6 +77,7 @@ struct Score
   double rms = 0;   ///< [deg]
   double nees = 0;  ///< mean squared error in units of the stated variance
   double width = 0;
+  double std = 0;  ///< [deg] as stated
 };
 
 Score scoreOf(const Light& light, double noise, int quality, bool casts_shadow)
@@ -95,6 +96,7 @@ Score scoreOf(const Light& light, double noise, int quality, bool casts_shadow)
     score.rms += square(radToDeg(error)) / kPictures;
     score.nees += square(error / found->std_azimuth) / kPictures;
     score.width += found->width_ratio / kPictures;
+    score.std += radToDeg(found->std_azimuth) / kPictures;
   }
   score.rms = std::sqrt(score.rms);
   return score;
@@ -154,14 +156,16 @@ TEST(Silhouette, IsFoundToHundredthsOfAPixel)
   }
 }
 
+// Edges of these pictures are softened by a Gaussian, so that the share of the blur by which others may be off is more
+// than their error.
 TEST(Silhouette, StatesHowFarItIsOff)
 {
   for (const double noise : {2.0, 6.0})
     for (const bool casts_shadow : {true, false})
     {
       const Score score = scoreOf({}, noise, 0, casts_shadow);
-      EXPECT_GT(score.nees, 0.4) << noise << casts_shadow;
-      EXPECT_LT(score.nees, 1.6) << noise << casts_shadow;
+      EXPECT_LT(score.nees, 1.3) << noise << casts_shadow;
+      EXPECT_LT(score.std, 0.02 + 0.01 * noise) << noise << casts_shadow;
     }
 }
 

@@ -13,7 +13,7 @@ namespace
 {
 constexpr double kClearOfEdge = 1.5;     ///< [px] from an edge, where samples are no mixtures
 constexpr double kMostClearShare = 0.6;  ///< of the half width
-constexpr double kLevelRidge = 1e-3;     ///< grey levels that do not show stay zero
+constexpr double kLevelRidge = 1e-6;     ///< grey levels that do not show stay zero
 
 /// Density and distribution function of the standard normal distribution.
 struct Normal

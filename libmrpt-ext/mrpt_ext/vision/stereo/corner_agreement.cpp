@@ -10,15 +10,15 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kAgreementGate = 4;   ///< standard deviations
-constexpr double kStdFoot = 0.7;       ///< [px] of a foot, which is found to a row
-constexpr double kStdRight = 0.25;     ///< [px] of the rows by which both images differ
-constexpr double kStdWidth = 0.02;     ///< of a goal's width, share: its corners are as wide as their paint
-constexpr int kFewestCorners = 8;      ///< that tell a constant
-constexpr int kFewestGoals = 4;        ///< likewise, with both corners
-constexpr int kRowReach = 4;           ///< [px] by which rows of both images may differ
-constexpr int kColumnReach = 6;        ///< [px] of the patch that is compared
-constexpr double kLeastContrast = 20;  ///< [grey levels] squared: mean square of differences between rows
+constexpr double kAgreementGate = 4;        ///< standard deviations
+constexpr double kStdFoot = 0.7;            ///< [px] of a foot, which is found to a row
+constexpr double kStdRight = 0.25;          ///< [px] of the rows by which both images differ
+constexpr double kStdWidth = 0.02;          ///< of a goal's width, share: its corners are as wide as their paint
+constexpr int kFewestCorners = 8;           ///< that tell a constant
+constexpr int kFewestGoals = 4;             ///< likewise, with both corners
+constexpr int kPatchRows = 4;               ///< [px] by which rows of both images may differ
+constexpr int kPatchColumns = 6;            ///< [px] of the patch that is compared
+constexpr double kLeastPatchContrast = 20;  ///< [grey levels] squared: mean square of differences between rows
 constexpr double kStdOfMedian = 1.2533;
 constexpr double kMostSlant = 1.2;  ///< worst fit over the best one from which on a patch tells its row
 
@@ -55,19 +55,19 @@ std::optional<double> difference(const cv::Mat& left, const cv::Mat& right, cons
 /// Rows that the right image shows the patch lower: where it differs least, between rows by a parabola.
 std::optional<double> rowsLower(const cv::Mat& left, const cv::Mat& right, const cv::Rect& patch, int shift)
 {
-  std::array<double, 2 * kRowReach + 1> differences{};
-  for (int lower = -kRowReach; lower <= kRowReach; ++lower)
+  std::array<double, 2 * kPatchRows + 1> differences{};
+  for (int lower = -kPatchRows; lower <= kPatchRows; ++lower)
   {
     const auto d = difference(left, right, patch, shift, lower);
     if (!d) return std::nullopt;
-    differences[static_cast<std::size_t>(lower + kRowReach)] = *d;
+    differences[static_cast<std::size_t>(lower + kPatchRows)] = *d;
   }
   const auto best = std::min_element(differences.begin(), differences.end());
   if (best == differences.begin() || best + 1 == differences.end()) return std::nullopt;
   const double before = best[-1], after = best[1], bend = before + after - 2 * *best;
   const double worst = *std::max_element(differences.begin(), differences.end());
-  if (!(bend > 0) || worst < kLeastContrast || worst < kMostSlant * *best) return std::nullopt;
-  return static_cast<double>(best - differences.begin()) - kRowReach + 0.5 * (before - after) / bend;
+  if (!(bend > 0) || worst < kLeastPatchContrast || worst < kMostSlant * *best) return std::nullopt;
+  return static_cast<double>(best - differences.begin()) - kPatchRows + 0.5 * (before - after) / bend;
 }
 
 std::optional<CornerConstant> constantFrom(const std::vector<double>& values, int fewest)
@@ -150,9 +150,9 @@ CornerEvidence evidenceOf(const GoalCorner& corner, const cv::Mat& left, const c
   evidence.std_foot = slope * camera.height / depth * corner.measured.std_range / corner.measured.range;
   if (corner.white_bottom < left.rows - 1) evidence.foot = corner.white_bottom + 0.5 - floorRow(camera, depth);
   const int u = static_cast<int>(std::lround(corner.u_left));
-  const int top = static_cast<int>(corner.row_top) - kRowReach,
-            foot = static_cast<int>(corner.white_bottom) + kRowReach;
-  const cv::Rect patch(u - kColumnReach, top, 2 * kColumnReach + 1, foot - top);
+  const int top = static_cast<int>(corner.row_top) - kPatchRows,
+            foot = static_cast<int>(corner.white_bottom) + kPatchRows;
+  const cv::Rect patch(u - kPatchColumns, top, 2 * kPatchColumns + 1, foot - top);
   if (patch.height > 0 && (patch & cv::Rect({0, 0}, left.size())) == patch)
     evidence.right = rowsLower(left, right, patch, static_cast<int>(std::lround(corner.u_right)) - u);
   return evidence;
