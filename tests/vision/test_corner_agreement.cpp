@@ -28,7 +28,7 @@ std::vector<CornerEvidence> goalAt(const StereoCamera& is, const StereoCamera& s
     const cv::Point2d foot = *is.pixelOf(place);
     GoalCorner corner;
     corner.side = side > 0 ? 1 : -1;
-    corner.white_bottom = foot.y - 0.5 + rows(random) + off_rows;
+    corner.white_bottom = foot.y + rows(random) + off_rows;
     corner.u_left = foot.x;
     corner.measured = *measureStereo(stated, foot, is.disparityAt(depth) + disparities(random), 0.15, 0.12);
     frame.push_back(evidenceOf(corner, cv::Mat(is.size, CV_8UC3, cv::Scalar::all(0)),

@@ -12,6 +12,7 @@ namespace
 {
 constexpr double kSignificant = 3;    ///< standard deviations by which a constant must differ from what is stated
 constexpr double kLeastRows = 0.7;    ///< [px] and by as many rows of the image
+constexpr double kLeastFeet = 1.2;    ///< [px] likewise of feet, which are found to a row
 constexpr double kLeastShare = 0.03;  ///< or by this share of a goal's width
 
 StereoCamera readCameraModel(const Settings& settings, const CameraFile& camera)
@@ -97,15 +98,6 @@ std::vector<std::string> differences(const CornerConstants& constants, const Ste
   { return std::abs(by) > std::max(kSignificant * constant.std(), least); };
   const auto feet = [&](const CornerConstant& constant)
   { return "stereo: the feet of " + std::to_string(constant.count) + " goal corners are where "; };
-  if (const auto& pitch = constants.pitch; pitch && differs(pitch->value, *pitch, kLeastRows / camera.fy))
-    lines.push_back(feet(*pitch) + "pitch_deg would be " +
-                    numberText(radToDeg(camera.pitch + pitch->value), radToDeg(pitch->std()), 2) +
-                    ", stated: " + fixedText(radToDeg(camera.pitch), 2));
-  if (const auto& height = constants.height;
-      height && differs(height->value, *height, kLeastRows * camera.height / camera.fy))
-    lines.push_back(feet(*height) + "camera_height_m would be " +
-                    numberText(camera.height + height->value, height->std(), 4) +
-                    ", stated: " + fixedText(camera.height, 4));
   if (const auto& rows = constants.right; rows && differs(rows->value, *rows, kLeastRows))
     lines.push_back("stereo: the right images show goal corners " + numberText(rows->value, rows->std(), 2) +
                     " rows lower than the left ones, expected rectified images");
@@ -114,6 +106,18 @@ std::vector<std::string> differences(const CornerConstants& constants, const Ste
     lines.push_back("stereo: goals seem " + numberText(width->value, width->std(), 3) +
                     " m wide, stated: " + fixedText(*goal_width, 3) + "; baseline_m would be " +
                     fixedText(camera.baseline * *goal_width / width->value, 4));
+  if (!lines.empty()) return lines;  // what else differs may follow from it
+  if (const auto& pitch = constants.pitch;
+      pitch && constants.stated && std::abs(constants.stated->value) > kLeastFeet && differs(pitch->value, *pitch, 0))
+    lines.push_back(feet(*pitch) + "pitch_deg would be " +
+                    numberText(radToDeg(camera.pitch + pitch->value), radToDeg(pitch->std()), 2) +
+                    ", stated: " + fixedText(radToDeg(camera.pitch), 2));
+  if (const auto& height = constants.height; height && constants.stated &&
+                                             std::abs(constants.stated->value) > kLeastFeet &&
+                                             differs(height->value, *height, 0))
+    lines.push_back(feet(*height) + "camera_height_m would be " +
+                    numberText(camera.height + height->value, height->std(), 4) +
+                    ", stated: " + fixedText(camera.height, 4));
   return lines;
 }
 }  // namespace

@@ -129,6 +129,7 @@ void addFeet(CornerConstants& constants, const std::vector<CornerEvidence>& corn
   CornerConstants by_pitch, by_height;
   by_pitch.pitch = constantFrom(pitches, kFewestCorners), by_height.height = constantFrom(heights, kFewestCorners);
   if (!by_pitch.pitch || !by_height.height) return;
+  constants.stated = constantFrom(feetLeft(corners, {}), 1);
   const auto left_by_pitch = constantFrom(feetLeft(corners, by_pitch), 1);
   const auto left_by_height = constantFrom(feetLeft(corners, by_height), 1);
   const bool is_pitch = left_by_pitch->scatter <= left_by_height->scatter;
@@ -148,7 +149,7 @@ CornerEvidence evidenceOf(const GoalCorner& corner, const cv::Mat& left, const c
   evidence.foot_by_height = slope / depth;
   evidence.foot_by_pitch = -camera.fy * (1 + square((floorRow(camera, depth) - camera.cy) / camera.fy));
   evidence.std_foot = slope * camera.height / depth * corner.measured.std_range / corner.measured.range;
-  if (corner.white_bottom < left.rows - 1) evidence.foot = corner.white_bottom + 0.5 - floorRow(camera, depth);
+  if (corner.white_bottom < left.rows - 1) evidence.foot = corner.white_bottom - floorRow(camera, depth);
   const int u = static_cast<int>(std::lround(corner.u_left));
   const int top = static_cast<int>(corner.row_top) - kPatchRows,
             foot = static_cast<int>(corner.white_bottom) + kPatchRows;

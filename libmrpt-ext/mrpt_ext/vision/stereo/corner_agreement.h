@@ -40,7 +40,8 @@ struct CornerConstants
 {
   std::optional<CornerConstant> pitch;       ///< [rad] to be added to the camera's
   std::optional<CornerConstant> height;      ///< [m] likewise
-  std::optional<CornerConstant> foot;        ///< [px] what is left of the feet
+  std::optional<CornerConstant> stated;      ///< [px] of the feet as the camera is stated
+  std::optional<CornerConstant> foot;        ///< [px] what is left of the feet when it is corrected
   std::optional<CornerConstant> right;       ///< [px]
   std::optional<CornerConstant> goal_width;  ///< [m] between both corners of a goal
 };
