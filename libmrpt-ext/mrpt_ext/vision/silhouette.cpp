@@ -23,16 +23,14 @@ constexpr double kLeastBlur = 0.4, kMostBlur = 3;  ///< [px]
 constexpr double kStdRatio = 0.1;                  ///< of the seen width over the expected one, where nothing shows
 constexpr double kLeastRatio = 0.3, kMostRatio = 2;
 constexpr double kMostRatioStep = 0.2;
-constexpr double kProfileKnown = 0.035;  ///< of the blur, to which an edge is known that is not as soft as a Gaussian
-constexpr double kBlurKnown =
-    0.2;                        ///< share of itself by which a blur that is no Gaussian may differ from the fitted one
-constexpr double kMostOff = 4;  ///< [px] from the guess
+constexpr double kProfileKnown = 0.035;    ///< of the blur, to which an edge is known that is not as soft as a Gaussian
+constexpr double kBlurKnown = 0.2;         ///< of the fitted blur, by which one may differ that is no Gaussian
+constexpr double kMostOff = 4;             ///< [px] from the guess
 constexpr double kLeastSliceNoise = 0.03;  ///< [grey levels] of a slice's mean
 constexpr double kEdgeWidth = 2;           ///< of an edge, over its blur
 constexpr double kScatterPrior = 4;        ///< slices that the expected scatter counts for
-constexpr std::size_t kMostCorrelatedSlices =
-    8;                                   ///< slices of two pixels: the blocks of coarse chroma are 16 pixels high
-constexpr double kNoCorrelation = 0.05;  ///< what is less is noise of the estimate
+constexpr std::size_t kMostCorrelatedSlices = 8;  ///< of two pixels: blocks of coarse chroma are 16 pixels high
+constexpr double kNoCorrelation = 0.05;           ///< what is less is noise of the estimate
 constexpr double kMostCorrelation = 0.8;
 
 using Equations = OutlineEquations (*)(const SliceProfile&, const Outline&);
