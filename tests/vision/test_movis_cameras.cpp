@@ -192,13 +192,13 @@ TEST(PoleDistance, FollowsFromWhereBandsMeet)
     const OmniObject object = *find(view.objects, label);
     for (const double guess : {0.95 * object.distance, object.distance})
     {
-      const auto found = distanceByBands(ownImage("field_00_M1.jpg"), settings.mirror, settings.sizes.pole_height,
+      const auto found = distanceByBands(ownImage("field_00_M1.jpg"), settings.mirror, settings.sizes,
                                          {object.azimuth, object.half_width, guess});
       ASSERT_TRUE(found) << label;
       EXPECT_NEAR(found->distance, truth, 3 * found->std) << label;
       EXPECT_LT(found->std, 0.05 * truth) << label;
     }
-    EXPECT_FALSE(distanceByBands(ownImage("field_00_M1.jpg"), settings.mirror, settings.sizes.pole_height,
+    EXPECT_FALSE(distanceByBands(ownImage("field_00_M1.jpg"), settings.mirror, settings.sizes,
                                  {object.azimuth + 0.5, object.half_width, object.distance}))
         << label;
   }

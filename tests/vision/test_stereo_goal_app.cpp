@@ -153,6 +153,36 @@ TEST(StereoGoalApp, CountsPairsWithoutMeasurement)
             "torn.png: left image is missing, empty or damaged, no measurement\n");
 }
 
+TEST(StereoGoalApp, TellsWhichConstantOfTheCameraIsNotAsStated)
+{
+  const ScratchFolder folder;
+  const fs::path images = fs::path(MRPT_EXT_SOURCE_DIR) / "datasets/stereo-goal", log = folder.path() / "log.rawlog";
+  EXPECT_EQ(runOn(images, log).err, "");
+  EXPECT_NE(runOn(images, log, {"--set", "StereoGoal.pitch_deg=8.5"}).err.find("pitch_deg would be 6.9"),
+            std::string::npos);
+  EXPECT_NE(runOn(images, log, {"--set", "StereoGoal.baseline_m=0.033"}).err.find("baseline_m would be 0.0300"),
+            std::string::npos);
+  EXPECT_EQ(runOn(images, log, {"--set", "StereoGoal.pitch_deg=8.5", "--set", "StereoGoal.agreement_frames=0"}).err,
+            "");
+}
+
+TEST(StereoGoalApp, LeavesOutCornersOfPairsThatDoNotAgreeWithTheOthers)
+{
+  const ScratchFolder folder;
+  const fs::path shown = fs::path(MRPT_EXT_SOURCE_DIR) / "datasets/stereo-goal", images = folder.path() / "images";
+  fs::copy(shown, images);
+  for (const char* const name : {"field_01_R.jpg", "field_04_R.jpg", "field_07_R.jpg", "field_10_R.jpg"})
+  {  // a camera that has been knocked
+    const cv::Mat before = cv::imread((shown / name).string());
+    cv::Mat after = before.clone();
+    before.rowRange(0, before.rows - 3).copyTo(after.rowRange(3, before.rows));
+    cv::imwrite((images / name).string(), after, {cv::IMWRITE_JPEG_QUALITY, 95});
+  }
+  const auto outcome = runOn(images, folder.path() / "log.rawlog");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("left out that others contradict"), std::string::npos) << outcome.out;
+}
+
 TEST(StereoGoalApp, ReportsMissingValuesInOneLine)
 {
   const ScratchFolder folder;

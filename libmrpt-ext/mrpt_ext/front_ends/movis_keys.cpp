@@ -73,8 +73,7 @@ KeyTable searchKeys()
               "How far an object's width may differ from that of its distance, as a share.")
       .number("ball_area", "", 6, {1, 1e6}, "Smallest ball in pixels of the panorama.")
       .integer("min_slices", "", 3, {1, 1000}, "Slices of two rows of an object whose middles must agree.")
-      .number("std_floor_deg", "deg", 0.03, {0, 10},
-              "Standard deviation of an azimuth that its slices have in common.");
+      .number("std_floor_deg", "deg", 0, {0, 10}, "Standard deviation of an azimuth that its slices have in common.");
 }
 }  // namespace
 

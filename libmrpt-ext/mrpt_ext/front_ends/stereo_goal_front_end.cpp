@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "mrpt_ext/files/number_format.h"
 #include "mrpt_ext/front_ends/images_keys.h"
 #include "mrpt_ext/geometry/input_error.h"
 
@@ -9,6 +10,10 @@ namespace mrpt_ext
 {
 namespace
 {
+constexpr double kSignificant = 3;    ///< standard deviations by which a constant must differ from what is stated
+constexpr double kLeastRows = 0.7;    ///< [px] and by as many rows of the image
+constexpr double kLeastFeet = 1.2;    ///< [px] likewise of feet, which are found to a row
+constexpr double kLeastShare = 0.03;  ///< or by this share of a goal's width
 
 StereoCamera readCameraModel(const Settings& settings, const CameraFile& camera)
 {
@@ -57,6 +62,13 @@ StereoGoalSettings readStereoModel(const Settings& settings, const CameraFile& c
   return model;
 }
 
+/// Of the .ini, else of camera.json; nothing where neither has it.
+std::optional<double> statedGoalWidth(const Settings& settings, const CameraFile& camera)
+{
+  const auto own = settings.optionalNumber(kStereoGoalSection, "goal_width_m");
+  return own ? own : camera.fieldNumber("goal_width");
+}
+
 MeasurementRow rowOf(const std::string& label, const Detection& detection, double u_left, double u_right)
 {
   MeasurementRow row("stereo", label, detection);
@@ -71,10 +83,50 @@ Detection detectionOf(const StereoMeasurement& measured)
   detection.range = measured.range, detection.std_range = measured.std_range;
   return detection;
 }
+
+std::string numberText(double value, double std, int decimals)
+{
+  return fixedText(value, decimals) + " (standard deviation " + fixedText(std, decimals) + ")";
+}
+
+/// A line per constant that differs from what is stated, with the value to set.
+std::vector<std::string> differences(const CornerConstants& constants, const StereoCamera& camera,
+                                     const std::optional<double>& goal_width)
+{
+  std::vector<std::string> lines;
+  const auto differs = [](double by, const CornerConstant& constant, double least)
+  { return std::abs(by) > std::max(kSignificant * constant.std(), least); };
+  const auto feet = [&](const CornerConstant& constant)
+  { return "stereo: the feet of " + std::to_string(constant.count) + " goal corners are where "; };
+  if (const auto& rows = constants.right; rows && differs(rows->value, *rows, kLeastRows))
+    lines.push_back("stereo: the right images show goal corners " + numberText(rows->value, rows->std(), 2) +
+                    " rows lower than the left ones, expected rectified images");
+  if (const auto& width = constants.goal_width;
+      width && goal_width && differs(width->value - *goal_width, *width, kLeastShare * *goal_width))
+    lines.push_back("stereo: goals seem " + numberText(width->value, width->std(), 3) +
+                    " m wide, stated: " + fixedText(*goal_width, 3) + "; baseline_m would be " +
+                    fixedText(camera.baseline * *goal_width / width->value, 4));
+  if (!lines.empty()) return lines;  // what else differs may follow from it
+  if (const auto& pitch = constants.pitch;
+      pitch && constants.stated && std::abs(constants.stated->value) > kLeastFeet && differs(pitch->value, *pitch, 0))
+    lines.push_back(feet(*pitch) + "pitch_deg would be " +
+                    numberText(radToDeg(camera.pitch + pitch->value), radToDeg(pitch->std()), 2) +
+                    ", stated: " + fixedText(radToDeg(camera.pitch), 2));
+  if (const auto& height = constants.height; height && constants.stated &&
+                                             std::abs(constants.stated->value) > kLeastFeet &&
+                                             differs(height->value, *height, 0))
+    lines.push_back(feet(*height) + "camera_height_m would be " +
+                    numberText(camera.height + height->value, height->std(), 4) +
+                    ", stated: " + fixedText(camera.height, 4));
+  return lines;
+}
 }  // namespace
 
 StereoGoalFrontEnd::StereoGoalFrontEnd(const Settings& settings, const CameraFile& camera)
     : model_(readStereoModel(settings, camera)),
+      goal_width_(statedGoalWidth(settings, camera)),
+      agreement_frames_(
+          model_.with_corners ? static_cast<std::size_t>(settings.integer(kStereoGoalSection, "agreement_frames")) : 0),
       T_robot_sensor_{CameraNumbers(settings, kStereoGoalSection, camera).required("sensor_x_m", "forward"),
                       CameraNumbers(settings, kStereoGoalSection, camera)
                           .optional("sensor_y_m", "left")
@@ -95,6 +147,35 @@ const StereoGoalFrontEnd::CornerName& StereoGoalFrontEnd::nameOf(const GoalCorne
   return names_[static_cast<std::size_t>(2 * corner.colour + (corner.side > 0 ? 0 : 1))];
 }
 
+CalibrationNotes StereoGoalFrontEnd::selfCalibrate(const std::vector<ImageFrame>& frames)
+{
+  StereoGoalSettings only_corners = model_;
+  only_corners.with_lines = false;
+  std::vector<std::vector<CornerEvidence>> evidence;
+  for (const ImageFrame& frame : frames)
+  {
+    const FrameImage *const left = frame.find("left"), *const right = frame.find("right");
+    if (!left || !right) continue;
+    auto& here = evidence.emplace_back();
+    for (const GoalCorner& corner : viewStereoGoal(left->pixels, right->pixels, only_corners).corners)
+      here.push_back(evidenceOf(corner, left->pixels, right->pixels, model_.camera));
+  }
+  constants_ = constantsOf(evidence);
+  return {{}, differences(constants_, model_.camera, goal_width_)};
+}
+
+std::size_t StereoGoalFrontEnd::dropContradicted(StereoGoalView& view, const cv::Mat& left, const cv::Mat& right) const
+{
+  std::vector<CornerEvidence> evidence;
+  for (const GoalCorner& corner : view.corners) evidence.push_back(evidenceOf(corner, left, right, model_.camera));
+  const std::vector<bool> agrees = agreeingCorners(evidence, constants_);
+  std::vector<GoalCorner> kept;
+  for (std::size_t i = 0; i < agrees.size(); ++i)
+    if (agrees[i]) kept.push_back(view.corners[i]);
+  view.corners = std::move(kept);
+  return agrees.size() - view.corners.size();
+}
+
 FrameMeasurements StereoGoalFrontEnd::measure(const ImageFrame& frame, bool with_drawings) const
 {
   FrameMeasurements result;
@@ -104,7 +185,8 @@ FrameMeasurements StereoGoalFrontEnd::measure(const ImageFrame& frame, bool with
     result.problems.push_back("frame " + std::to_string(frame.number) + ": no " + (left ? "right" : "left") + " image");
     return result;
   }
-  const StereoGoalView view = viewStereoGoal(left->pixels, right->pixels, model_);
+  StereoGoalView view = viewStereoGoal(left->pixels, right->pixels, model_);
+  result.contradicted = dropContradicted(view, left->pixels, right->pixels);
   if (with_drawings) result.drawings.push_back({left->name, drawStereoGoal(left->pixels, view, model_)});
   if (!left->problem.empty() || !right->problem.empty())
     for (const FrameImage* image : {left, right})

@@ -26,6 +26,11 @@ KeyTable goalKeys()
       .integer("scan_step", "px", 4, {1, 16}, "Every such pixel of every such row is examined; 1 is a full scan.")
       .number("goal_height_m", "m", 0.05, {0.001, 10}, "What is not as high where it stands is no goal.")
       .number("goal_depth_m", "m", 0.15, {0, 10}, "From the goal line to the goal's back.")
+      .number("goal_width_m", "m", kUnset, {0.001, 100},
+              "Between both corners of a goal. Not set: goal_width of the field in camera.json; neither: any.")
+      .integer("agreement_frames", "", 60, {0, 100000},
+               "Frames that tell what is the same in all: the row of a corner's foot at its range, both images' rows, "
+               "a goal's width. Corners that do not agree are left out. 0: not tested.")
       .number("goal_height_tolerance", "", 0.25, {0.01, 0.9}, "Share of the goal's height.")
       .number("min_range_m", "m", 0.15, {0.01, 100}, "Nearest depth of a corner.")
       .number("max_range_m", "m", 2.2, {0.02, 1000}, "Farthest depth of a corner.")

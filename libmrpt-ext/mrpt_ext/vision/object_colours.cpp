@@ -55,21 +55,6 @@ const std::array<float, 256>& linearLight()
   return levels;
 }
 
-std::optional<cv::Vec3d> lightAt(const cv::Mat& image, const cv::Point2d& position)
-{
-  const int u = static_cast<int>(std::floor(position.x)), v = static_cast<int>(std::floor(position.y));
-  if (u < 0 || v < 0 || u + 1 >= image.cols || v + 1 >= image.rows) return std::nullopt;
-  const auto& linear = linearLight();
-  const auto light = [&](int row, int column)
-  {
-    const auto& p = image.at<cv::Vec3b>(row, column);
-    return cv::Vec3d(linear[p[0]], linear[p[1]], linear[p[2]]);
-  };
-  const double x = position.x - u, y = position.y - v;
-  return (1 - y) * ((1 - x) * light(v, u) + x * light(v, u + 1)) +
-         y * ((1 - x) * light(v + 1, u) + x * light(v + 1, u + 1));
-}
-
 cv::Vec3d whiteOf(const cv::Mat& image, double share)
 {
   std::array<std::size_t, 256> counts{};

@@ -39,9 +39,6 @@ struct ColourModel
 /// Linear light of the 256 grey levels of a camera that codes as sRGB does, [0, 1].
 [[nodiscard]] const std::array<float, 256>& linearLight();
 
-/// Linear light at a point of a BGR image, between its pixels; nothing outside.
-[[nodiscard]] std::optional<cv::Vec3d> lightAt(const cv::Mat& image, const cv::Point2d& position);
-
 /// Linear BGR of what is white in a BGR image: mean of the pixels that are brightest in their darkest channel. Coloured
 /// things, however bright, have a dark channel.
 [[nodiscard]] cv::Vec3d whiteOf(const cv::Mat& image, double share);

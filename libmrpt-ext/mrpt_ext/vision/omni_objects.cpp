@@ -16,8 +16,9 @@ constexpr double kRimDistance = 0.04;   ///< of the samples on either side of th
 constexpr double kSliceHeight = 2;      ///< [px]
 constexpr int kMinSliceCount = 5;       ///< of one colour, so that they can be compared
 constexpr double kSliceMargin = 1.5;    ///< [px] from where a colour ends
-constexpr double kGuessedWidth = 0.04;  ///< standard deviation of a width by a rough distance, share
-constexpr double kSeenWidth = 0.012;    ///< of a silhouette's width, share
+constexpr double kGuessedWidth = 0.04;  ///< standard deviation of a pole's width by a rough distance, share
+constexpr double kGuessedRadius = 1;    ///< [px] of the image radius of a ball's middle
+constexpr double kSeenWidth = 0.08;     ///< [px] of half a silhouette's width that its slices have in common
 constexpr double kBallShare = 0.75;     ///< of the ball's height that is measured: its poles are short
 
 int brightnessAt(const cv::Mat& image, const cv::Point2d& position)
@@ -105,10 +106,20 @@ struct ExpectedWidth
 std::optional<ExpectedWidth> widthByBands(const cv::Mat& image, const OmniCameraSettings& settings,
                                           const ObjectGuess& seen)
 {
-  const auto by_bands = distanceByBands(image, settings.mirror, settings.sizes.pole_height, seen);
+  const auto by_bands = distanceByBands(image, settings.mirror, settings.sizes, seen);
   if (!by_bands) return std::nullopt;
   const double half_width = poleHalfWidth(settings.sizes, by_bands->distance);
-  return ExpectedWidth{half_width, std::hypot(by_bands->std / by_bands->distance, kSeenWidth) * half_width};
+  return ExpectedWidth{half_width, by_bands->std / by_bands->distance * half_width};
+}
+
+/// A ball's distance, and so its width, is known as well as where its middle is.
+ExpectedWidth widthOfBall(const OmniCameraSettings& settings, const ObjectGuess& guess)
+{
+  const HyperbolicMirror& mirror = settings.mirror;
+  const double drop = mirror.focus_height - settings.sizes.ball_radius;
+  const double rho = mirror.rhoAt(-drop / guess.distance) + kGuessedRadius / mirror.focalLength();
+  const double farther = -drop / std::min(mirror.slopeAt(rho), -1e-3);
+  return {guess.half_width, (farther / guess.distance - 1) * guess.half_width};
 }
 
 bool isBlocked(const std::vector<BlockedSector>& sectors, double azimuth)
@@ -123,7 +134,8 @@ bool OmniCamera::measure(const cv::Mat& image, const std::string& label, const O
 {
   const bool is_ball = label == "ball";
   const auto slices = is_ball ? ballSlices(settings_, guess) : poleSlices(settings_, guess);
-  const auto silhouette = measureSilhouette(image, settings_.mirror, guess.azimuth, slices, settings_.min_slices);
+  const auto silhouette =
+      measureSilhouette(image, settings_.mirror, guess.azimuth, slices, settings_.min_slices, is_ball);
   if (isBlocked(settings_.blocked, silhouette ? silhouette->azimuth : guess.azimuth))
   {
     view.hidden.push_back({label, guess.azimuth, guess.half_width, guess.half_width, guess.distance});
@@ -131,12 +143,17 @@ bool OmniCamera::measure(const cv::Mat& image, const std::string& label, const O
   }
   if (!silhouette) return false;
   const ObjectGuess seen{silhouette->azimuth, silhouette->width_ratio * guess.half_width, guess.distance};
-  ExpectedWidth expected{guess.half_width, kGuessedWidth * guess.half_width};
-  if (!is_ball) expected = widthByBands(image, settings_, seen).value_or(expected);
+  const ExpectedWidth expected = is_ball
+                                     ? widthOfBall(settings_, guess)
+                                     : widthByBands(image, settings_, seen)
+                                           .value_or(ExpectedWidth{guess.half_width, kGuessedWidth * guess.half_width});
   if (std::abs(seen.half_width - expected.half_width) > settings_.search.width_tolerance * expected.half_width)
     return false;
   // What is missing of the width may be missing on either side.
-  const double missing = std::sqrt(std::max(0.0, square(seen.half_width - expected.half_width) - square(expected.std)));
+  const double pixel = 1 / (settings_.mirror.focalLength() * 0.5 * (slices.front().rho_low + slices.back().rho_high));
+  const double std_width = std::hypot(silhouette->std_width_ratio * guess.half_width, kSeenWidth * pixel);
+  const double missing = std::sqrt(
+      std::max(0.0, square(seen.half_width - expected.half_width) - square(expected.std) - square(std_width)));
   const double std = std::sqrt(square(silhouette->std_azimuth) + square(settings_.std_floor) + square(missing));
   view.objects.push_back({label, silhouette->azimuth, std, seen.half_width, guess.distance});
   return true;

@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "mrpt_ext/vision/light_coding.h"
+#include "mrpt_ext/vision/slice_profile.h"
+
 namespace mrpt_ext
 {
 namespace
@@ -14,24 +17,37 @@ constexpr double kSample = 0.25;         ///< [px] along a radius
 constexpr double kStdBoundary = 0.15;    ///< [px] of a boundary's radius
 constexpr double kMostResidual = 0.6;    ///< [px] boundaries that fit no distance are not the pole's
 constexpr double kMostChange = 0.12;     ///< of the distance by all colours, share
-constexpr double kLeastContrast = 0.05;  ///< squared difference of the bands' colours, share of their squared light
+constexpr double kLeastContrast = 0.05;  ///< squared difference of the bands' colours, share of their squared levels
 constexpr std::array kBoundaries{2.0 / 3, 1.0 / 3};  ///< shares of the pole's height
 constexpr double kHalfBand = 1.0 / 6;                ///< likewise
 constexpr int kDistanceRounds = 4;
 
-/// Mean light at a radius in the middle of the pole.
-std::optional<cv::Vec3d> lightAcross(const cv::Mat& image, const HyperbolicMirror& mirror, const ObjectGuess& guess,
-                                     double rho)
+/// Mean grey levels at a radius in the middle of the pole.
+std::optional<cv::Vec3d> levelsAcross(const cv::Mat& image, const HyperbolicMirror& mirror, const ObjectGuess& guess,
+                                      double rho)
 {
   cv::Vec3d sum(0, 0, 0);
   for (int i = 0; i < kAcross; ++i)
   {
     const double offset = (2.0 * i / (kAcross - 1) - 1) * kMiddleShare * guess.half_width;
-    const auto light = lightAt(image, mirror.pixel(guess.azimuth + offset, rho));
-    if (!light) return std::nullopt;
-    sum += *light;
+    const auto levels = levelsAt(image, mirror.pixel(guess.azimuth + offset, rho));
+    if (!levels) return std::nullopt;
+    sum += *levels;
   }
   return sum / kAcross;
+}
+
+/// [px] by which a boundary seems too near to the image's centre since pixels on it sum light, each channel by itself.
+double codingShift(const cv::Vec3d& inner, const cv::Vec3d& outer)
+{
+  double shift = 0, weights = 0;
+  for (int c = 0; c < 3; ++c)
+  {
+    const double change = outer[c] - inner[c];
+    weights += change * change;
+    shift += change * change * std::copysign(shiftByCoding(inner[c], outer[c]), change);
+  }
+  return shift / weights;
 }
 
 /// Radius at which one colour becomes another between the radii `low` and `high`: the shares of the other one, summed.
@@ -40,33 +56,34 @@ std::optional<double> boundaryBetween(const cv::Mat& image, const HyperbolicMirr
 {
   const int count = static_cast<int>((high - low) * mirror.focalLength() / kSample), level = count / 4;
   if (level < 2) return std::nullopt;
-  std::vector<cv::Vec3d> lights;
+  std::vector<cv::Vec3d> all;
   for (int i = 0; i < count; ++i)
   {
-    const auto light = lightAcross(image, mirror, guess, low + (i + 0.5) * (high - low) / count);
-    if (!light) return std::nullopt;
-    lights.push_back(*light);
+    const auto levels = levelsAcross(image, mirror, guess, low + (i + 0.5) * (high - low) / count);
+    if (!levels) return std::nullopt;
+    all.push_back(*levels);
   }
   cv::Vec3d inner(0, 0, 0), outer(0, 0, 0);
   for (int i = 0; i < level; ++i)
   {
-    inner += lights[static_cast<std::size_t>(i)] / level;
-    outer += lights[static_cast<std::size_t>(count - 1 - i)] / level;
+    inner += all[static_cast<std::size_t>(i)] / level;
+    outer += all[static_cast<std::size_t>(count - 1 - i)] / level;
   }
   const cv::Vec3d change = outer - inner;
   if (change.dot(change) < kLeastContrast * (inner.dot(inner) + outer.dot(outer))) return std::nullopt;
   double inside = 0;
-  for (const cv::Vec3d& light : lights) inside += (outer - light).dot(change) / change.dot(change);
+  for (const cv::Vec3d& levels : all) inside += (outer - levels).dot(change) / change.dot(change);
   if (inside < level || inside > count - level) return std::nullopt;
-  return low + inside / count * (high - low);
+  return low + inside / count * (high - low) + codingShift(inner, outer) / mirror.focalLength();
 }
 }  // namespace
 
-std::optional<PoleDistance> distanceByBands(const cv::Mat& image, const HyperbolicMirror& mirror, double pole_height,
-                                            const ObjectGuess& guess)
+std::optional<PoleDistance> distanceByBands(const cv::Mat& image, const HyperbolicMirror& mirror,
+                                            const FieldObjectSizes& sizes, const ObjectGuess& guess)
 {
+  // What is seen of the pole is its front.
   const auto rhoOf = [&](double share, double distance)
-  { return mirror.rhoAt(mirror.slopeOf(share * pole_height, distance)); };
+  { return mirror.rhoAt(mirror.slopeOf(share * sizes.pole_height, distance - sizes.pole_radius)); };
   std::array<double, kBoundaries.size()> seen{};
   for (std::size_t i = 0; i < kBoundaries.size(); ++i)
   {

@@ -14,8 +14,8 @@ struct PoleDistance
 };
 
 /// From where the colours of neighbouring bands meet in the middle of the pole, which `guess` knows roughly: its height
-/// and the mirror tell the distance, without a look at the width, of which something may hide a part. Nothing where a
-/// boundary is not seen or the boundaries fit no distance.
+/// and the mirror tell how far its front is, without a look at the width, of which something may hide a part. Nothing
+/// where a boundary is not seen or the boundaries fit no distance.
 [[nodiscard]] std::optional<PoleDistance> distanceByBands(const cv::Mat& image, const HyperbolicMirror& mirror,
-                                                          double pole_height, const ObjectGuess& guess);
+                                                          const FieldObjectSizes& sizes, const ObjectGuess& guess);
 }  // namespace mrpt_ext

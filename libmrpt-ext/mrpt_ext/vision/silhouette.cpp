@@ -1,161 +1,290 @@
 #include "mrpt_ext/vision/silhouette.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/geometry/quantile.h"
-#include "mrpt_ext/vision/object_colours.h"
+#include "mrpt_ext/vision/outline_fit.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr double kSampleStep = 0.5;       ///< [px] between samples
-constexpr double kEdgeReach = 2;          ///< [px] from an edge, where blur has ended
-constexpr double kBackground = 6;         ///< [px] from an edge, where the background is taken from
-constexpr double kMinAngleSquare = 0.01;  ///< squared sine of the angle between two colours that can be distinguished
-constexpr double kOutlier = 3;            ///< standard deviations
-constexpr double kAgreement = 0.15;       ///< [px] by which slices may differ in any case, as standard deviation
-constexpr double kChroma = 0.5;           ///< of its precision that colour has: JPEG and sensors have few pixels of it
-constexpr int kRecentring = 2;
+constexpr double kReach = 7;                       ///< [px] beyond an object's edges that is looked at
+constexpr int kNewtonRounds = 6;                   ///< of Gauss and Newton
+constexpr int kAllAgree = 2;                       ///< the first rounds, in which no slice is left out
+constexpr double kOutlierSlice = 3;                ///< standard deviations
+constexpr double kAgreement = 0.15;                ///< [px] by which slices may differ in any case, as std. deviation
+constexpr double kUsualBlur = 1, kStdBlur = 1;     ///< [px]
+constexpr double kLeastBlur = 0.4, kMostBlur = 3;  ///< [px]
+constexpr double kStdRatio = 0.1;                  ///< of the seen width over the expected one, where nothing shows
+constexpr double kLeastRatio = 0.3, kMostRatio = 2;
+constexpr double kMostRatioStep = 0.2;
+constexpr double kProfileKnown = 0.035;    ///< of the blur, to which an edge is known that is not as soft as a Gaussian
+constexpr double kBlurKnown = 0.2;         ///< of the fitted blur, by which one may differ that is no Gaussian
+constexpr double kMostOff = 4;             ///< [px] from the guess
+constexpr double kLeastSliceNoise = 0.03;  ///< [grey levels] of a slice's mean
+constexpr double kEdgeWidth = 2;           ///< of an edge, over its blur
+constexpr double kScatterPrior = 4;        ///< slices that the expected scatter counts for
+constexpr std::size_t kMostCorrelatedSlices = 8;  ///< of two pixels: blocks of coarse chroma are 16 pixels high
+constexpr double kNoCorrelation = 0.05;           ///< what is less is noise of the estimate
+constexpr double kMostCorrelation = 0.8;
 
-using Profile = std::vector<cv::Vec3d>;
+using Equations = OutlineEquations (*)(const SliceProfile&, const Outline&);
 
-/// Mixtures are the same mixtures; least squares over them trust brightness more.
-cv::Vec3d withLessChroma(const cv::Vec3d& light)
+/// What the slices of an object have in common.
+struct Common
 {
-  const double luminance = light.dot(cv::Vec3d(0.114, 0.587, 0.299));
-  return cv::Vec3d::all((1 - kChroma) * luminance) + kChroma * light;
-}
-
-/// Mean light of a slice outwards from the middle, on the side given by `sign`; sample i is (i + 1/2) `step` away.
-std::optional<Profile> profileOf(const cv::Mat& image, const HyperbolicMirror& mirror, double middle, int sign,
-                                 const SilhouetteSlice& slice, double step, int samples)
-{
-  const double length = (slice.rho_high - slice.rho_low) * mirror.focalLength();
-  const int rows = std::max(1, static_cast<int>(std::lround(length / kSampleStep)));
-  Profile profile(static_cast<std::size_t>(samples), cv::Vec3d(0, 0, 0));
-  for (int row = 0; row < rows; ++row)
-  {
-    const double rho = slice.rho_low + (row + 0.5) / rows * (slice.rho_high - slice.rho_low);
-    for (int i = 0; i < samples; ++i)
-    {
-      const auto light = lightAt(image, mirror.pixel(middle + sign * (i + 0.5) * step, rho));
-      if (!light) return std::nullopt;
-      profile[static_cast<std::size_t>(i)] += withLessChroma(*light) / rows;
-    }
-  }
-  return profile;
-}
-
-cv::Vec3d meanOf(const Profile& profile, int first, int end)
-{
-  cv::Vec3d sum(0, 0, 0);
-  for (int i = first; i < end; ++i) sum += profile[static_cast<std::size_t>(i)];
-  return sum / std::max(1, end - first);
-}
-
-/// Where an object ends on one side.
-struct Edge
-{
-  double offset = 0;    ///< [rad] from the middle, > 0
-  double variance = 0;  ///< of relative size only
+  double offset = 0;  ///< [rad] from the guess
+  double ratio = 1;   ///< of its width to the expected one
+  double blur = kUsualBlur;
 };
 
-/// From one side's profile: how far the object reaches. Background share of each sample by least squares with free
-/// brightness of the object.
-std::optional<Edge> edgeOf(const Profile& profile, double half_width, double step, double per_pixel)
+/// The same with standard deviations.
+struct Located
 {
-  const int samples = static_cast<int>(profile.size());
-  const int inner_end = std::max(1, static_cast<int>(0.6 * half_width / step));
-  const int outer = static_cast<int>((half_width + kEdgeReach * per_pixel) / step);
-  if (outer >= samples) return std::nullopt;
-  const cv::Vec3d object = meanOf(profile, 0, inner_end), background = meanOf(profile, outer, samples);
-  const double oo = object.dot(object), bb = background.dot(background), ob = object.dot(background);
-  const double determinant = oo * bb - ob * ob;
-  if (determinant < kMinAngleSquare * oo * bb || oo <= 0 || bb <= 0) return std::nullopt;
-  double inside = 0;
-  for (const cv::Vec3d& light : profile)
-    inside += 1 - (oo * background.dot(light) - ob * object.dot(light)) / determinant;
-  return Edge{inside * step, oo / determinant};
-}
-
-/// The result of one slice.
-struct SliceResult
-{
-  double offset = 0;       ///< [rad] of its middle from the guess
-  double width_ratio = 1;  ///< of what was seen to what was expected
-  double weight = 0;
-  double per_pixel = 0;  ///< [rad]
+  Common common;
+  double std_offset = 0, std_ratio = 0;
+  int slices = 0;  ///< that agree
 };
 
-std::optional<SliceResult> measureSlice(const cv::Mat& image, const HyperbolicMirror& mirror, double middle,
-                                        const SilhouetteSlice& slice)
+/// One slice at the present outline; equations are by offset [rad], ratio and blur.
+struct Slice
 {
-  const double per_pixel = 1 / (0.5 * (slice.rho_low + slice.rho_high) * mirror.focalLength());  // [rad]
-  const double step = kSampleStep * per_pixel;
-  const int samples = static_cast<int>((slice.half_width + kBackground * per_pixel) / step);
-  double offset = 0;
-  std::optional<SliceResult> result;
-  for (int round = 0; round < kRecentring; ++round)
-  {
-    result.reset();
-    const auto left = profileOf(image, mirror, middle + offset, -1, slice, step, samples);
-    const auto right = profileOf(image, mirror, middle + offset, 1, slice, step, samples);
-    if (!left || !right) return std::nullopt;
-    const auto low = edgeOf(*left, slice.half_width, step, per_pixel);
-    const auto high = edgeOf(*right, slice.half_width, step, per_pixel);
-    if (!low || !high) return std::nullopt;
-    offset += 0.5 * (high->offset - low->offset);
-    if (std::abs(offset) > slice.half_width + kEdgeReach * per_pixel) return std::nullopt;
-    const double pixels = (slice.rho_high - slice.rho_low) * mirror.focalLength() / per_pixel;
-    result = SliceResult{offset, 0.5 * (low->offset + high->offset) / slice.half_width,
-                         pixels / (per_pixel * (low->variance + high->variance)), per_pixel};
-  }
-  return result;
+  OutlineEquations equations;
+  double variance = 1;         ///< of its residuals
+  Eigen::Vector2d step{0, 0};  ///< what it alone would add to offset and ratio
+};
+
+Slice sliceAt(const SliceProfile& profile, const Common& common, Equations equations)
+{
+  Slice slice;
+  slice.equations = equations(
+      profile, {common.offset / profile.per_pixel + 0.5 * (profile.shift_low - profile.shift_high),
+                common.ratio * profile.half_width - 0.5 * (profile.shift_low + profile.shift_high), common.blur});
+  const Eigen::Vector3d scale(1 / profile.per_pixel, profile.half_width, 1);
+  slice.equations.information = scale.asDiagonal() * slice.equations.information * scale.asDiagonal();
+  slice.equations.gradient = scale.asDiagonal() * slice.equations.gradient;
+  slice.variance = slice.equations.meanSquare();
+  Eigen::Matrix2d own = slice.equations.information.topLeftCorner<2, 2>();
+  own.diagonal() *= 1 + 1e-3;
+  own.diagonal().array() += 1e-9;
+  slice.step = own.inverse() * slice.equations.gradient.head<2>();
+  return slice;
 }
 
-/// Keeps the results whose `value` is near the median of all.
+/// Keeps the slices whose `value` is near the median of all.
 template <typename Value>
-void dropOutliers(std::vector<SliceResult>& results, double floor, const Value& value)
+void dropOutliers(std::vector<Slice>& slices, double floor, const Value& value)
 {
   std::vector<double> values;
-  for (const SliceResult& r : results) values.push_back(value(r));
+  for (const Slice& s : slices) values.push_back(value(s));
   if (values.empty()) return;
   const double centre = upperMedian(values);
   for (double& v : values) v = std::abs(v - centre);
-  const double limit = kOutlier * std::max(1.4826 * upperMedian(values), floor);
-  std::erase_if(results, [&](const SliceResult& r) { return std::abs(value(r) - centre) > limit; });
+  const double limit = kOutlierSlice * std::max(upperMedian(values) / kNormalMedianDeviation, floor);
+  std::erase_if(slices, [&](const Slice& s) { return std::abs(value(s) - centre) > limit; });
+}
+
+using Channels = std::vector<std::vector<double>>;
+
+/// Means of as many neighbours as an edge is wide: what is left of residuals there moves the edge.
+Channels meansOver(const Channels& residuals, std::size_t window)
+{
+  Channels means;
+  for (const auto& channel : residuals)
+  {
+    auto& into = means.emplace_back();
+    double sum = 0;
+    for (std::size_t i = 0; i < channel.size(); ++i)
+    {
+      sum += channel[i] - (i >= window ? channel[i - window] : 0);
+      if (i + 1 >= window) into.push_back(sum / static_cast<double>(window));
+    }
+  }
+  return means;
+}
+
+/// Mean product of values at the same place of both profiles, counted from the middle.
+double meanProduct(const Channels& a, const Channels& b)
+{
+  double sum = 0, count = 0;
+  for (std::size_t c = 0; c < a.size(); ++c)
+  {
+    const std::size_t common = std::min(a[c].size(), b[c].size());
+    const double* const first = a[c].data() + (a[c].size() - common) / 2;
+    const double* const second = b[c].data() + (b[c].size() - common) / 2;
+    sum += std::inner_product(first, first + common, second, 0.0), count += static_cast<double>(common);
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+/// How residuals are correlated, as noise of images and JPEG's blocks are.
+struct Correlation
+{
+  double along = 1;    ///< variance that edges have by it, over that by independent samples
+  double between = 0;  ///< mean correlation of two slices
+};
+
+Correlation correlationOf(const std::vector<Slice>& slices, double blur)
+{
+  const auto window = static_cast<std::size_t>(std::max(1.0, std::round(kEdgeWidth * blur)));
+  const std::size_t count = slices.size();
+  std::vector<Channels> means;
+  double variance = 0, squares = 0, products = 0, slopes = 0, at_edges = 0;
+  for (const Slice& s : slices)
+  {
+    means.push_back(meansOver(s.equations.residuals, window));
+    variance += s.variance, squares += meanProduct(means.back(), means.back());
+    slopes += s.equations.slopes, at_edges += s.equations.slope_squares;
+  }
+  if (!(squares > 0)) return {};
+  for (std::size_t lag = 1; lag <= std::min(kMostCorrelatedSlices, count - 1); ++lag)
+  {
+    double sum = 0;
+    for (std::size_t i = lag; i < count; ++i) sum += meanProduct(means[i - lag], means[i]);
+    if (sum < kNoCorrelation * squares) break;
+    products += sum;
+  }
+  const double mean = products / squares * 2 / static_cast<double>(count - 1);
+  const double edges = at_edges / slopes / (variance / static_cast<double>(count));
+  return {std::max(1.0, squares / variance * static_cast<double>(window)) * std::max(1.0, edges),
+          std::min(kMostCorrelation, mean)};
+}
+
+/// The outline that the slices have in common, by Gauss and Newton.
+class OutlineSearch
+{
+ public:
+  OutlineSearch(const std::vector<SliceProfile>& profiles, Equations equations)
+      : profiles_(profiles), equations_(equations)
+  {
+    for (const SliceProfile& p : profiles) per_pixel_ += p.per_pixel / static_cast<double>(profiles.size());
+  }
+
+  [[nodiscard]] std::optional<Located> from(const Common& start, int min_slices)
+  {
+    common_ = start;
+    for (int round = 0; round < kNewtonRounds; ++round)
+    {
+      linearise(round >= kAllAgree);
+      move(information_.inverse() * gradient_);
+      if (!(std::abs(common_.offset) < kMostOff * per_pixel_)) return std::nullopt;
+    }
+    linearise(true);
+    if (static_cast<int>(slices_.size()) < std::max(2, min_slices)) return std::nullopt;
+    return located();
+  }
+
+ private:
+  void linearise(bool without_outliers)
+  {
+    slices_.clear();
+    std::vector<double> variances;
+    for (const SliceProfile& profile : profiles_)
+    {
+      slices_.push_back(sliceAt(profile, common_, equations_));
+      variances.push_back(slices_.back().variance);
+    }
+    noise_ = std::max(upperMedian(variances), kLeastSliceNoise * kLeastSliceNoise);
+    if (without_outliers)
+    {
+      dropOutliers(slices_, kAgreement / profiles_.front().half_width, [](const Slice& s) { return s.step[1]; });
+      dropOutliers(slices_, kAgreement * per_pixel_, [](const Slice& s) { return s.step[0]; });
+    }
+    information_ = Eigen::Vector3d(1e-6, 1 / square(kStdRatio), 1 / square(kStdBlur)).asDiagonal();
+    gradient_ = {0, (1 - common_.ratio) / square(kStdRatio), (kUsualBlur - common_.blur) / square(kStdBlur)};
+    for (const Slice& s : slices_)
+    {
+      information_ += weightOf(s) * s.equations.information;
+      gradient_ += weightOf(s) * s.equations.gradient;
+    }
+  }
+
+  void move(const Eigen::Vector3d& step)
+  {
+    common_.offset += std::clamp(step[0], -per_pixel_, per_pixel_);
+    common_.ratio += std::clamp(step[1], -kMostRatioStep, kMostRatioStep);
+    common_.ratio = std::clamp(common_.ratio, kLeastRatio, kMostRatio);
+    common_.blur = std::clamp(common_.blur + step[2], kLeastBlur, kMostBlur);
+  }
+
+  /// Slices that do not fit as well as most have noise of their own.
+  [[nodiscard]] double weightOf(const Slice& slice) const { return 1 / std::max(noise_, slice.variance); }
+
+  /// Few slices do not show how far they scatter: what is expected by their noise counts as well. Their correlation
+  /// makes them scatter less than they are wrong.
+  [[nodiscard]] Located located() const
+  {
+    const auto count = static_cast<double>(slices_.size());
+    const Eigen::Matrix3d covariance = information_.inverse();
+    Eigen::Vector3d scatter = Eigen::Vector3d::Zero();
+    for (const Slice& s : slices_) scatter += (weightOf(s) * covariance * s.equations.gradient).cwiseAbs2();
+    const Correlation correlation = correlationOf(slices_, common_.blur);
+    const double left_out = static_cast<double>(profiles_.size()) / count;  // some of it noise like the others'
+    const double inflation = left_out * (1 + (count - 1) * correlation.between) / (1 - correlation.between);
+    const Eigen::Vector3d variance = inflation / (count - 1 + kScatterPrior) *
+                                     (count * scatter + kScatterPrior * correlation.along * covariance.diagonal());
+    return {common_, std::hypot(std::sqrt(variance[0]), kProfileKnown * common_.blur * per_pixel_),
+            std::hypot(std::sqrt(variance[1]), ratioByBlur()), static_cast<int>(slices_.size())};
+  }
+
+  /// What an error of the blur does to the width: of a soft object its second moment is seen, h^2 / 3 of the outline
+  /// and the square of the blur.
+  [[nodiscard]] double ratioByBlur() const
+  {
+    const double half_width = common_.ratio * profiles_[profiles_.size() / 2].half_width;
+    return 3 * kBlurKnown * square(common_.blur / half_width);
+  }
+
+  const std::vector<SliceProfile>& profiles_;
+  Equations equations_;
+  double per_pixel_ = 0;  ///< [rad] mean
+  Common common_;
+  std::vector<Slice> slices_;  ///< that agree
+  double noise_ = 1;           ///< median variance of residuals
+  Eigen::Matrix3d information_;
+  Eigen::Vector3d gradient_;
+};
+
+/// Mean of two values weighted by their variances; the deviation of the first becomes that of the mean.
+void average(double& value, double& std, double other, double std_other)
+{
+  const double sum = square(std) + square(std_other);
+  value += (other - value) * square(std) / sum;
+  std = std * std_other / std::sqrt(sum);
+}
+
+/// What brightness tells beside colour, where both agree.
+void addBrightness(Located& by_colour, const std::vector<SliceProfile>& profiles, int min_slices)
+{
+  Common start = by_colour.common;
+  start.blur = kUsualBlur;
+  const auto bright = OutlineSearch(profiles, brightnessEquations).from(start, min_slices);
+  if (!bright) return;
+  Common& common = by_colour.common;
+  const double std = std::hypot(by_colour.std_offset, bright->std_offset);
+  if (std::abs(common.offset - bright->common.offset) > kOutlierSlice * std) return;
+  average(common.offset, by_colour.std_offset, bright->common.offset, bright->std_offset);
+  average(common.ratio, by_colour.std_ratio, bright->common.ratio, bright->std_ratio);
 }
 }  // namespace
 
 std::optional<Silhouette> measureSilhouette(const cv::Mat& image, const HyperbolicMirror& mirror, double azimuth,
-                                            const std::vector<SilhouetteSlice>& slices, int min_slices)
+                                            const std::vector<SilhouetteSlice>& slices, int min_slices,
+                                            bool casts_shadow)
 {
-  std::vector<SliceResult> results;
+  std::vector<SliceProfile> profiles;
   for (const SilhouetteSlice& slice : slices)
-    if (const auto result = measureSlice(image, mirror, azimuth, slice)) results.push_back(*result);
-  if (results.empty()) return std::nullopt;
-  const double floor = kAgreement * results.front().per_pixel;
-  dropOutliers(results, floor / slices.front().half_width, [](const SliceResult& r) { return r.width_ratio; });
-  dropOutliers(results, floor, [](const SliceResult& r) { return r.offset; });
-  if (static_cast<int>(results.size()) < min_slices) return std::nullopt;
-  double weights = 0, offset = 0, width = 0, scatter = 0;
-  for (const SliceResult& r : results)
-  {
-    weights += r.weight;
-    offset += r.weight * r.offset;
-    width += r.weight * r.width_ratio;
-  }
-  offset /= weights;
-  for (const SliceResult& r : results) scatter += r.weight * square(r.offset - offset);
-  const auto count = static_cast<double>(results.size());
-  Silhouette found;
-  found.azimuth = wrap(azimuth + offset);
-  found.std_azimuth = std::sqrt(scatter / weights / std::max(1.0, count - 1));
-  found.width_ratio = width / weights;
-  found.slices = static_cast<int>(results.size());
-  return found;
+    if (auto profile = profileOf(image, mirror, azimuth, slice, kReach)) profiles.push_back(std::move(*profile));
+  if (profiles.empty()) return std::nullopt;
+  auto located = OutlineSearch(profiles, colourEquations).from({}, min_slices);
+  if (!located) return std::nullopt;
+  if (!casts_shadow) addBrightness(*located, profiles, min_slices);
+  return Silhouette{wrap(azimuth + located->common.offset), located->std_offset, located->common.ratio,
+                    located->std_ratio, located->slices};
 }
 }  // namespace mrpt_ext

@@ -5,31 +5,26 @@
 #include <vector>
 
 #include "mrpt_ext/vision/hyperbolic_mirror.h"
+#include "mrpt_ext/vision/slice_profile.h"
 
 namespace mrpt_ext
 {
-/// Rows of the image of a mirror in which an object is of one colour: image radii, and half its width there.
-struct SilhouetteSlice
-{
-  double rho_low = 0, rho_high = 0;
-  double half_width = 0;  ///< [rad]
-};
-
 /// An upright object that is symmetric about its middle azimuth.
 struct Silhouette
 {
-  double azimuth = 0;      ///< [rad] of the middle, in the image
-  double std_azimuth = 0;  ///< [rad] from the scatter of the slices
-  double width_ratio = 1;  ///< seen width over that of the slices
-  int slices = 0;          ///< that agree
+  double azimuth = 0;          ///< [rad] of the middle, in the image
+  double std_azimuth = 0;      ///< [rad]
+  double width_ratio = 1;      ///< seen width over that of the slices
+  double std_width_ratio = 0;  ///< of the slices alone
+  int slices = 0;              ///< that agree
 };
 
-/// Middle of an object from where it ends on both sides in each slice. Every pixel of a slice is a mixture of the
-/// object's colour, at whatever brightness, and the background's colour beside it, in linear light; the shares of the
-/// background, summed outwards from the middle, locate the edges to fractions of a pixel, whatever the shading of a
-/// round object. Slices that do not agree with the others (something in front, a background that changes) are left out;
-/// nothing when fewer than `min_slices` agree.
+/// Middle of an object, given roughly, from where it ends on both sides in each slice: least squares over all slices,
+/// by colour and, of an object that casts no shadow beside itself, by brightness as well, which is sharper where colour
+/// is coarse (JPEG). Slices that do not agree with the others (something in front, a background that changes) are left
+/// out; nothing when fewer than `min_slices` agree. Standard deviations follow from the scatter of the slices, their
+/// noise and the correlation of their residuals.
 [[nodiscard]] std::optional<Silhouette> measureSilhouette(const cv::Mat& image, const HyperbolicMirror& mirror,
                                                           double azimuth, const std::vector<SilhouetteSlice>& slices,
-                                                          int min_slices);
+                                                          int min_slices, bool casts_shadow);
 }  // namespace mrpt_ext

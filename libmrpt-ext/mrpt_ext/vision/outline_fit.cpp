@@ -1,0 +1,187 @@
+#include "mrpt_ext/vision/outline_fit.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "mrpt_ext/geometry/angle.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kClearOfEdge = 1.5;     ///< [px] from an edge, where samples are no mixtures
+constexpr double kMostClearShare = 0.6;  ///< of the half width
+constexpr double kLevelRidge = 1e-6;     ///< grey levels that do not show stay zero
+
+/// Density and distribution function of the standard normal distribution.
+struct Normal
+{
+  double density = 0, below = 0;
+};
+
+/// By linear interpolation in a table, to 1e-4.
+class NormalTable
+{
+ public:
+  NormalTable()
+  {
+    for (std::size_t i = 0; i < values_.size(); ++i)
+    {
+      const double z = kLowest + static_cast<double>(i) * kStep;
+      values_[i] = {std::exp(-0.5 * z * z) / std::sqrt(kTwoPi), 0.5 * std::erfc(-z / std::sqrt(2.0))};
+    }
+  }
+  [[nodiscard]] Normal at(double z) const
+  {
+    const double place = std::clamp((z - kLowest) / kStep, 0.0, static_cast<double>(values_.size()) - 1.001);
+    const auto i = static_cast<std::size_t>(place);
+    const double share = place - static_cast<double>(i);
+    const auto between = [share](double a, double b) { return a + share * (b - a); };
+    return {between(values_[i].density, values_[i + 1].density), between(values_[i].below, values_[i + 1].below)};
+  }
+
+ private:
+  static constexpr double kLowest = -5, kStep = 1.0 / 32;
+  std::array<Normal, 321> values_{};
+};
+
+Normal standardNormal(double z)
+{
+  static const NormalTable table;
+  return table.at(z);
+}
+
+/// Integrals of 1, t and t^2 from -h to h over a Gaussian around u, and their derivatives by u, h and the Gaussian's
+/// standard deviation.
+struct BlurredPowers
+{
+  std::array<double, 3> value{}, by_position{}, by_half_width{}, by_blur{};
+  double left = 0, right = 0;  ///< shares of the Gaussian beyond either end
+};
+
+BlurredPowers blurredPowers(double u, double h, double s)
+{
+  const double p = (u + h) / s, q = (u - h) / s;
+  const Normal low = standardNormal(p), high = standardNormal(q);
+  const double difference = low.density - high.density, sum = low.density + high.density;
+  const double moments = p * low.density - q * high.density, other = p * low.density + q * high.density;
+  BlurredPowers b;
+  b.left = 1 - low.below, b.right = high.below;
+  b.value[0] = low.below - high.below;
+  b.value[1] = u * b.value[0] + s * difference;
+  b.value[2] = (u * u + s * s) * b.value[0] + 2 * u * s * difference - s * s * moments;
+  b.by_position = {difference / s, b.value[0] - h * sum / s, 2 * b.value[1] + h * h * difference / s};
+  b.by_half_width = {sum / s, -h * difference / s, h * h * sum / s};
+  b.by_blur = {-moments / s, difference + h * other / s, 2 * s * b.by_position[1] - h * h * moments / s};
+  return b;
+}
+
+/// Least squares with `Unknowns` linear ones that are eliminated: rows are added once for the unknowns and their
+/// derivatives are taken off afterwards.
+template <int Unknowns>
+class Eliminated
+{
+ public:
+  using Row = Eigen::Matrix<double, 1, Unknowns>;
+  using Derivatives = Eigen::Matrix<double, Unknowns, 3>;  ///< of a row's entries by the outline
+
+  void reserve(std::size_t count) { rows_.reserve(count), derivatives_.reserve(count), values_.reserve(count); }
+  void add(const Row& row, const Derivatives& derivatives, double value)
+  {
+    rows_.push_back(row), derivatives_.push_back(derivatives), values_.push_back(value);
+  }
+  void addTo(OutlineEquations& equations) const
+  {
+    Eigen::Matrix<double, Unknowns, Unknowns> normal = kLevelRidge * decltype(normal)::Identity();
+    Eigen::Matrix<double, Unknowns, 1> right = decltype(right)::Zero();
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      normal += rows_[i].transpose() * rows_[i], right += rows_[i].transpose() * values_[i];
+    const Eigen::LDLT<decltype(normal)> solver(normal);
+    const Eigen::Matrix<double, Unknowns, 1> solution = solver.solve(right);
+    Derivatives mixed = Derivatives::Zero();
+    std::vector<double>& residuals = equations.residuals.emplace_back();
+    residuals.reserve(rows_.size());
+    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+    {
+      const Eigen::RowVector3d slope = solution.transpose() * derivatives_[i];
+      const double residual = values_[i] - rows_[i].dot(solution);
+      mixed += rows_[i].transpose() * slope, information += slope.transpose() * slope;
+      equations.gradient += slope.transpose() * residual;
+      residuals.push_back(residual);
+      equations.slopes += slope[0] * slope[0], equations.slope_squares += square(slope[0] * residual);
+    }
+    equations.information += information - mixed.transpose() * solver.solve(mixed);
+  }
+
+ private:
+  std::vector<Row, Eigen::aligned_allocator<Row>> rows_;
+  std::vector<Derivatives, Eigen::aligned_allocator<Derivatives>> derivatives_;
+  std::vector<double> values_;
+};
+}  // namespace
+
+double OutlineEquations::meanSquare() const
+{
+  double sum = 0, count = 0;
+  for (const auto& channel : residuals)
+    for (const double residual : channel) sum += residual * residual, ++count;
+  return count > 0 ? sum / count : 0;
+}
+
+OutlineEquations colourEquations(const SliceProfile& profile, const Outline& outline)
+{
+  const double h = outline.half_width, clear = std::min(kClearOfEdge * outline.blur, kMostClearShare * h);
+  std::array<Eliminated<2>, 2> channels;
+  for (auto& channel : channels) channel.reserve(profile.size());
+  for (std::size_t i = 0; i < profile.size(); ++i)
+  {
+    const double x = profile.first + static_cast<double>(i), u = x - outline.offset;
+    const BlurredPowers inside = blurredPowers(u, h, outline.blur);
+    const double of_object = profile.lumaAt(outline.offset + std::clamp(u, clear - h, h - clear));
+    const double of_background =
+        std::abs(u) < h + clear ? profile.lumaAt(outline.offset + std::copysign(h + clear, u)) : profile.luma[i];
+    const Eigen::RowVector3d by_outline(-inside.by_position[0], inside.by_half_width[0], inside.by_blur[0]);
+    Eliminated<2>::Derivatives derivatives;
+    derivatives << of_object * by_outline, -of_background * by_outline;
+    const Eliminated<2>::Row row(inside.value[0] * of_object, (1 - inside.value[0]) * of_background);
+    for (std::size_t c = 0; c < channels.size(); ++c) channels[c].add(row, derivatives, profile.chroma[c][i]);
+  }
+  OutlineEquations equations;
+  for (const auto& channel : channels) channel.addTo(equations);
+  return equations;
+}
+
+OutlineEquations brightnessEquations(const SliceProfile& profile, const Outline& outline)
+{
+  const double h = profile.half_width;  // what the shade's terms are counted in
+  Eliminated<5> luma;
+  luma.reserve(profile.size());
+  for (std::size_t i = 0; i < profile.size(); ++i)
+  {
+    const double u = profile.first + static_cast<double>(i) - outline.offset;
+    const BlurredPowers b = blurredPowers(u, outline.half_width, outline.blur);
+    const auto of = [&](const std::array<double, 3>& v) {
+      return std::array<double, 3>{v[0], v[1] / h, v[0] - v[2] / (h * h)};
+    };
+    const auto value = of(b.value), position = of(b.by_position), width = of(b.by_half_width), blur = of(b.by_blur);
+    const double s = outline.blur, low = standardNormal((u + outline.half_width) / s).density / s,
+                 high = standardNormal((u - outline.half_width) / s).density / s;
+    const Eliminated<5>::Row row(b.left, b.right, value[0], value[1], value[2]);
+    Eliminated<5>::Derivatives derivatives;
+    derivatives.row(0) << low, -low, low * (u + outline.half_width) / s;
+    derivatives.row(1) << -high, -high, -high * (u - outline.half_width) / s;
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto j = static_cast<std::size_t>(k);
+      derivatives.row(2 + k) << -position[j], width[j], blur[j];
+    }
+    luma.add(row, derivatives, profile.luma[i]);
+  }
+  OutlineEquations equations;
+  luma.addTo(equations);
+  return equations;
+}
+}  // namespace mrpt_ext
