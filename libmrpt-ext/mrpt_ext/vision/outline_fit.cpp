@@ -47,7 +47,7 @@ class NormalTable
   std::array<Normal, 321> values_{};
 };
 
-Normal standardNormal(double z)
+Normal normalFromTable(double z)
 {
   static const NormalTable table;
   return table.at(z);
@@ -64,7 +64,7 @@ struct BlurredPowers
 BlurredPowers blurredPowers(double u, double h, double s)
 {
   const double p = (u + h) / s, q = (u - h) / s;
-  const Normal low = standardNormal(p), high = standardNormal(q);
+  const Normal low = normalFromTable(p), high = normalFromTable(q);
   const double difference = low.density - high.density, sum = low.density + high.density;
   const double moments = p * low.density - q * high.density, other = p * low.density + q * high.density;
   BlurredPowers b;
@@ -167,8 +167,8 @@ OutlineEquations brightnessEquations(const SliceProfile& profile, const Outline&
       return std::array<double, 3>{v[0], v[1] / h, v[0] - v[2] / (h * h)};
     };
     const auto value = of(b.value), position = of(b.by_position), width = of(b.by_half_width), blur = of(b.by_blur);
-    const double s = outline.blur, low = standardNormal((u + outline.half_width) / s).density / s,
-                 high = standardNormal((u - outline.half_width) / s).density / s;
+    const double s = outline.blur, low = normalFromTable((u + outline.half_width) / s).density / s,
+                 high = normalFromTable((u - outline.half_width) / s).density / s;
     const Eliminated<5>::Row row(b.left, b.right, value[0], value[1], value[2]);
     Eliminated<5>::Derivatives derivatives;
     derivatives.row(0) << low, -low, low * (u + outline.half_width) / s;
