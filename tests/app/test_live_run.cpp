@@ -240,7 +240,7 @@ TEST_F(LiveRunTest, OneTagThatFacesAKnownDirectionTellsThePose)
     const auto lines =
         run(R"({"t": 0, "sensor": "camera", "detections": [{"id": 7, "bearing_deg": 20, "std_bearing_deg": 1)" + seen +
             "}]}\n");
-    return errorsOf(lines).at(0);
+    return errorsOf(lines).at(0).at("error").get<std::string>();
   };
   EXPECT_NE(mistake(R"(, "yaw_deg": 170)").find("'std_yaw_deg' is missing"), std::string::npos);
   EXPECT_NE(mistake(R"(, "other_yaw_deg": 170, "other_std_yaw_deg": 1)").find("without 'yaw_deg'"), std::string::npos);
