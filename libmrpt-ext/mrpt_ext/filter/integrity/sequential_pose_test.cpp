@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mrpt_ext/filter/integrity/sensor_monitors.h"
-#include "mrpt_ext/filter/kalman/kalman_association.h"
-#include "mrpt_ext/filter/particle_moments.h"
 #include "mrpt_ext/likelihood/detection_density.h"
 #include "mrpt_ext/likelihood/facing_likelihood.h"
 #include "mrpt_ext/likelihood/reading_scorer.h"
@@ -16,7 +15,7 @@ namespace mrpt_ext
 namespace
 {
 constexpr std::size_t kMaxScored = 4000;  // particles: enough to estimate a density
-constexpr double kClearlyLikelier = 0.5;  // of the probability of all landmarks
+constexpr double kClearlyNearer = 0.5;    // times the distance of the second landmark
 
 /// Every k-th particle, at most kMaxScored of them, normalised.
 ParticleSet thinned(const ParticleSet& particles)
@@ -36,18 +35,47 @@ std::vector<Reading> parts(const Reading& reading)
   return result;
 }
 
-/// Index of the landmark that the only detection shows if it is no clutter; nothing where two are nearly as likely.
-std::optional<std::size_t> landmarkIn(const Reading& part, const LandmarkTable& map, const KalmanState& state)
-{
-  const Detection& detection = part.detections.front();
-  if (detection.id != kNoId) return map.indexOf(detection.id);
-  const Association found = associate(detection, part, map, state, {}, defaultMaxRange(map));
-  return found.best > kClearlyLikelier * found.inlier_probability ? std::optional(found.landmark) : std::nullopt;
-}
-
 /// An anonymous range or bearing alone fits so many landmarks that none can be told to be seen again, and so many poses
 /// that those right about one landmark are not the strongest rivals.
 bool tellsPlace(const Detection& detection) { return detection.range && detection.bearing; }
+
+/// Where the only detection, with range and bearing, is in the map: the mean over the particles.
+Vector2d placeOf(const Reading& part, const ParticleSet& particles)
+{
+  const Detection& detection = part.detections.front();
+  const Vector2d by_sensor = *detection.range * Vector2d(std::cos(*detection.bearing), std::sin(*detection.bearing));
+  const Vector2d by_robot = part.T_robot_sensor.position() + rotation(part.T_robot_sensor.phi) * by_sensor;
+  Vector2d sum = Vector2d::Zero();
+  double weights = 0;
+  for (std::size_t i = 0; i < particles.size(); ++i)
+  {
+    const Pose2 pose = particles.pose(i);
+    const double weight = std::exp(double{particles.log_weight[i]});
+    sum += weight * (pose.position() + rotation(pose.phi) * by_robot);
+    weights += weight;
+  }
+  return weights > 0 ? Vector2d(sum / weights) : sum;
+}
+
+/// Index of the landmark that the only detection shows if it is no clutter. Nothing where another is nearly as near,
+/// and for an anonymous range or bearing.
+std::optional<std::size_t> landmarkIn(const Reading& part, const LandmarkTable& map, const ParticleSet& particles)
+{
+  const Detection& detection = part.detections.front();
+  if (detection.id != kNoId) return map.indexOf(detection.id);
+  if (!tellsPlace(detection)) return std::nullopt;
+  const Vector2d place = placeOf(part, particles);
+  double nearest = std::numeric_limits<double>::infinity(), second = nearest;
+  std::size_t best = 0;
+  for (std::size_t k = 0; k < map.size(); ++k)
+  {
+    const double away = (map[k].position.head<2>() - place).norm();
+    if (away < nearest) best = k;
+    second = std::min(second, std::max(nearest, away));
+    nearest = std::min(nearest, away);
+  }
+  return nearest < kClearlyNearer * second ? std::optional(best) : std::nullopt;
+}
 
 /// True when a landmark is seen to face in a direction that leaves one heading.
 bool showsHeading(const Reading& reading, const LandmarkTable& map)
@@ -142,11 +170,10 @@ void SequentialPoseTest::test(const std::vector<Reading>& readings, const Landma
     heading_seen_ = heading_seen_ || showsHeading(reading, map);
     if (independent.detections.empty()) continue;
     const bool first = !hasAnonymous(reading) || spot_.isFirstOf(sensorKey(reading));
-    const auto state = momentsOf(particles, [](std::size_t) { return true; });
     for (const Reading& part : parts(independent))
     {
       const FeatureMixture::Outcome without_map = observeWithoutMap(part, defaultMaxRange(map));
-      const auto landmark = state ? landmarkIn(part, map, startingState(state->gaussianPose(), {})) : std::nullopt;
+      const std::optional<std::size_t> landmark = landmarkIn(part, map, particles);
       // What a tracked feature is was seen before.
       if (landmark && without_map.is_known) seen_.add(*landmark);
       if (hasAnonymous(part) && tellsPlace(part.detections.front()))
@@ -166,7 +193,7 @@ double SequentialPoseTest::counted(const Reading& part, std::optional<std::size_
                                    bool first)
 {
   if (hasAnonymous(part)) log_ratio = spot_.counted(std::min(log_ratio, kMaxLogOdds - log_odds_), first);
-  if (!landmark || (hasAnonymous(part) && !tellsPlace(part.detections.front()))) return log_ratio;
+  if (!landmark) return log_ratio;
   const double against_rivals = by_landmark_.add(*landmark, log_ratio);
   if (log_odds_ <= 0) rivals_refuted_ = false;
   if (verified() || heading_measured_ || heading_seen_) rivals_refuted_ = true;
