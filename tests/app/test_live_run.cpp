@@ -221,7 +221,7 @@ TEST_F(LiveRunTest, ResetAndMapAreTaken)
 
 TEST_F(LiveRunTest, OneTagThatFacesAKnownDirectionTellsThePose)
 {
-  const auto spreadWith = [&](const std::string& seen)
+  const auto bestWith = [&](const std::string& seen)
   {
     const std::vector<Json> lines =
         run(R"({"map": [{"id": 7, "x": 6, "y": 3, "yaw_deg": 180, "std_yaw_deg": 1}]})"
@@ -231,10 +231,12 @@ TEST_F(LiveRunTest, OneTagThatFacesAKnownDirectionTellsThePose)
             R"("range_m": 3, "std_range_m": 0.02)" +
             seen + "}]}\n");
     EXPECT_TRUE(errorsOf(lines).empty()) << errorsOf(lines)[0];
-    return lines.at(0).at("modes").size();
+    return lines.at(0).at("modes").at(0);
   };
-  EXPECT_GT(spreadWith(""), 1U);
-  EXPECT_EQ(spreadWith(R"(, "yaw_deg": 170, "std_yaw_deg": 2)"), 1U);
+  EXPECT_LT(bestWith("").at("weight"), 0.1) << "anywhere around the tag";
+  const Json best = bestWith(R"(, "yaw_deg": 170, "std_yaw_deg": 2)");
+  EXPECT_GT(best.at("weight"), 0.5);
+  EXPECT_NEAR(best.at("phi_deg").get<double>(), 10, 3) << "180 - 170";
   const auto mistake = [&](const std::string& seen)
   {
     const auto lines =

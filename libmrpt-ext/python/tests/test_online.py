@@ -74,8 +74,10 @@ def test_one_tag_that_faces_a_known_direction_tells_the_heading():
             mrpt_ext.LandmarkMap([[5.0, 1.0], [0.0, 4.0]], yaws=[np.pi, np.nan]), particles=500, initial_particles=4000)
         localizer.add_odometry(0, [0, 0, 0])
         localizer.add_detections(0, "camera", [detection])
-        modes = (localizer.estimates() + localizer.finish())[-1]["modes"]
-        assert (len(modes) == 1) == known
+        best = (localizer.estimates() + localizer.finish())[-1]["modes"][0]
+        assert (best["weight"] > 0.9) == known
+        if known:  # facing the tag, which is seen 0.2 rad to the left
+            np.testing.assert_allclose(best["pose"], [5 - 3 * np.cos(0.2), 1 - 3 * np.sin(0.2), 0], atol=0.1)
     with pytest.raises(ValueError, match="yaw"):
         localizer.add_detections(0, "camera", [dict(tag, yaw=1.0)])
 
