@@ -58,8 +58,8 @@ class SequentialPoseTest
     doubt();
     log_odds_ = 0;
   }
-  /// The detections do not agree with the mode, and others compete with it: what was known of it counts as much as a
-  /// start at most, and nothing against what is left of them.
+  /// The detections do not agree with the mode, and hypotheses compete with it. For the one that survives, what was
+  /// known before counts as much as a start at most, and nothing counts against it.
   void doubt()
   {
     log_odds_ = std::clamp(log_odds_, 0.0, kAcceptLogOdds / 2);
