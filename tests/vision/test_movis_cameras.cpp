@@ -7,6 +7,7 @@
 
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/vision/omni_objects.h"
+#include "mrpt_ext/vision/pole_cover.h"
 #include "mrpt_ext/vision/pole_distance.h"
 
 // One omnidirectional camera of paper 001: its mirror, its colours, what it sees and what it refuses.
@@ -202,6 +203,42 @@ TEST(PoleDistance, FollowsFromWhereBandsMeet)
                                  {object.azimuth + 0.5, object.half_width, object.distance}))
         << label;
   }
+}
+
+TEST(OmniCamera, MeasuresTheVisibleSideOfACoveredPole)
+{
+  // Something upright is painted in front of a third of the pole: a sector from the floor before the pole to the rim.
+  const OmniCamera camera(ownCamera());
+  const HyperbolicMirror& mirror = camera.settings().mirror;
+  const cv::Mat image = ownImage("field_00_M1.jpg");
+  const OmniObject whole = *find(camera.view(image).objects, "p");
+  const double foot = mirror.rhoAt(mirror.slopeOf(0, whole.distance)), begin = foot - 12 / mirror.focalLength();
+  for (const int side : {-1, 1})
+  {
+    cv::Mat covered = image.clone();
+    const double edge = whole.azimuth + side * whole.half_width / 3;
+    for (int row = 0; row < image.rows; ++row)
+      for (int column = 0; column < image.cols; ++column)
+      {
+        const cv::Point2d at = cv::Point2d(column, row) - mirror.centre;
+        const double beyond = side * wrap(std::atan2(at.y, at.x) - edge);
+        if (beyond > 0 && beyond < 0.2 && cv::norm(at) > begin * mirror.focalLength() &&
+            cv::norm(at) < mirror.rimRho() * mirror.focalLength())
+          covered.at<cv::Vec3b>(row, column) = {120, 110, 150};
+      }
+    const auto cover = coverOfPole(covered, mirror, camera.settings().sizes,
+                                   {whole.azimuth - side * whole.half_width / 3, whole.half_width, whole.distance});
+    ASSERT_TRUE(cover);
+    EXPECT_EQ(cover->side, side);
+    EXPECT_NEAR(radToDeg(wrap(cover->edge - edge)), 0, 0.4);
+    const OmniView view = camera.view(covered);
+    const OmniObject* const seen = find(view.objects, "p");
+    ASSERT_TRUE(seen) << side;
+    EXPECT_NEAR(wrap(seen->azimuth - whole.azimuth), 0, 3 * seen->std_azimuth) << side;
+    EXPECT_LT(radToDeg(seen->std_azimuth), 0.2) << side;
+  }
+  // Nothing is in front of the pole as it is.
+  EXPECT_FALSE(coverOfPole(image, mirror, camera.settings().sizes, {whole.azimuth, whole.half_width, whole.distance}));
 }
 
 TEST(OmniCamera, StatesWhyThereIsNoMeasurement)

@@ -4,6 +4,7 @@
 
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/vision/image_check.h"
+#include "mrpt_ext/vision/pole_cover.h"
 #include "mrpt_ext/vision/pole_distance.h"
 #include "mrpt_ext/vision/silhouette.h"
 
@@ -122,6 +123,12 @@ ExpectedWidth widthOfBall(const OmniCameraSettings& settings, const ObjectGuess&
   return {guess.half_width, (farther / guess.distance - 1) * guess.half_width};
 }
 
+/// False where what is found beside a pole hides nothing of it.
+bool hidesSome(const PoleCover& cover, const ObjectGuess& guess)
+{
+  return std::abs(cover.edge - guess.azimuth) < guess.half_width;
+}
+
 bool isBlocked(const std::vector<BlockedSector>& sectors, double azimuth)
 {
   for (const BlockedSector& sector : sectors)
@@ -141,6 +148,10 @@ bool OmniCamera::measure(const cv::Mat& image, const std::string& label, const O
     view.hidden.push_back({label, guess.azimuth, guess.half_width, guess.half_width, guess.distance});
     return true;
   }
+  if (!is_ball)
+    if (const auto cover = coverOfPole(image, settings_.mirror, settings_.sizes, guess);
+        cover && hidesSome(*cover, guess))
+      return measureCovered(image, label, guess, *cover, view);
   if (!silhouette) return false;
   const ObjectGuess seen{silhouette->azimuth, silhouette->width_ratio * guess.half_width, guess.distance};
   const ExpectedWidth expected = is_ball
@@ -156,6 +167,22 @@ bool OmniCamera::measure(const cv::Mat& image, const std::string& label, const O
       std::max(0.0, square(seen.half_width - expected.half_width) - square(expected.std) - square(std_width)));
   const double std = std::sqrt(square(silhouette->std_azimuth) + square(settings_.std_floor) + square(missing));
   view.objects.push_back({label, silhouette->azimuth, std, seen.half_width, guess.distance});
+  return true;
+}
+
+bool OmniCamera::measureCovered(const cv::Mat& image, const std::string& label, const ObjectGuess& guess,
+                                const PoleCover& cover, OmniView& view) const
+{
+  // The pole's colours are seen about the guess, from what hides the rest to the other edge.
+  const ObjectGuess part{guess.azimuth, std::abs(cover.edge - guess.azimuth), guess.distance};
+  const ExpectedWidth expected =
+      widthByBands(image, settings_, part).value_or(ExpectedWidth{guess.half_width, kGuessedWidth * guess.half_width});
+  const auto edge = measureEdge(image, settings_.mirror, part.azimuth, poleSlices(settings_, part),
+                                settings_.min_slices, -cover.side);
+  if (!edge) return false;
+  const double std = std::sqrt(square(edge->std_azimuth) + square(settings_.std_floor) + square(expected.std));
+  view.objects.push_back(
+      {label, wrap(edge->azimuth + cover.side * expected.half_width), std, expected.half_width, guess.distance});
   return true;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mrpt_ext/vision/field_objects.h"
+#include "mrpt_ext/vision/pole_cover.h"
 
 namespace mrpt_ext
 {
@@ -69,6 +70,9 @@ class OmniCamera
  private:
   /// Adds the object to the view; false when it is not where it was guessed.
   bool measure(const cv::Mat& image, const std::string& label, const ObjectGuess& guess, OmniView& view) const;
+  /// The same for a pole of which one side is hidden.
+  bool measureCovered(const cv::Mat& image, const std::string& label, const ObjectGuess& guess, const PoleCover& cover,
+                      OmniView& view) const;
 
   OmniCameraSettings settings_;
   MirrorPanorama panorama_;

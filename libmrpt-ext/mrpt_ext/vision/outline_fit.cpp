@@ -131,27 +131,73 @@ double OutlineEquations::meanSquare() const
   return count > 0 ? sum / count : 0;
 }
 
-OutlineEquations colourEquations(const SliceProfile& profile, const Outline& outline)
+namespace
 {
+/// Shares of the object and of what is on either side of it in a sample, and their derivatives by the outline.
+struct Shares
+{
+  double object = 0, left = 0, right = 0;
+  Eigen::RowVector3d object_slope, left_slope, right_slope;
+};
+
+Shares sharesAt(double u, const Outline& outline)
+{
+  const double s = outline.blur, low = (u + outline.half_width) / s, high = (u - outline.half_width) / s;
+  const Normal at_low = normalFromTable(low), at_high = normalFromTable(high);
+  Shares shares;
+  shares.left = 1 - at_low.below, shares.right = at_high.below, shares.object = at_low.below - at_high.below;
+  shares.left_slope = at_low.density / s * Eigen::RowVector3d(1, -1, low);
+  shares.right_slope = at_high.density / s * Eigen::RowVector3d(-1, -1, -high);
+  shares.object_slope = -shares.left_slope - shares.right_slope;
+  return shares;
+}
+
+/// Colour with one background, or with one on either side.
+template <int Backgrounds>
+OutlineEquations colourEquationsWith(const SliceProfile& profile, const Outline& outline)
+{
+  using Unknowns = Eliminated<1 + Backgrounds>;
   const double h = outline.half_width, clear = std::min(kClearOfEdge * outline.blur, kMostClearShare * h);
-  std::array<Eliminated<2>, 2> channels;
+  std::array<Unknowns, 2> channels;
   for (auto& channel : channels) channel.reserve(profile.size());
   for (std::size_t i = 0; i < profile.size(); ++i)
   {
-    const double x = profile.first + static_cast<double>(i), u = x - outline.offset;
-    const BlurredPowers inside = blurredPowers(u, h, outline.blur);
+    const double u = profile.first + static_cast<double>(i) - outline.offset;
+    const Shares shares = sharesAt(u, outline);
     const double of_object = profile.lumaAt(outline.offset + std::clamp(u, clear - h, h - clear));
     const double of_background =
         std::abs(u) < h + clear ? profile.lumaAt(outline.offset + std::copysign(h + clear, u)) : profile.luma[i];
-    const Eigen::RowVector3d by_outline(-inside.by_position[0], inside.by_half_width[0], inside.by_blur[0]);
-    Eliminated<2>::Derivatives derivatives;
-    derivatives << of_object * by_outline, -of_background * by_outline;
-    const Eliminated<2>::Row row(inside.value[0] * of_object, (1 - inside.value[0]) * of_background);
+    typename Unknowns::Row row;
+    typename Unknowns::Derivatives derivatives;
+    row[0] = shares.object * of_object;
+    derivatives.row(0) = of_object * shares.object_slope;
+    if constexpr (Backgrounds == 1)
+    {
+      row[1] = (shares.left + shares.right) * of_background;
+      derivatives.row(1) = of_background * (shares.left_slope + shares.right_slope);
+    }
+    else
+    {
+      row[1] = shares.left * of_background, row[2] = shares.right * of_background;
+      derivatives.row(1) = of_background * shares.left_slope;
+      derivatives.row(2) = of_background * shares.right_slope;
+    }
     for (std::size_t c = 0; c < channels.size(); ++c) channels[c].add(row, derivatives, profile.chroma[c][i]);
   }
   OutlineEquations equations;
   for (const auto& channel : channels) channel.addTo(equations);
   return equations;
+}
+}  // namespace
+
+OutlineEquations colourEquations(const SliceProfile& profile, const Outline& outline)
+{
+  return colourEquationsWith<1>(profile, outline);
+}
+
+OutlineEquations colourEquationsOfSides(const SliceProfile& profile, const Outline& outline)
+{
+  return colourEquationsWith<2>(profile, outline);
 }
 
 OutlineEquations brightnessEquations(const SliceProfile& profile, const Outline& outline)

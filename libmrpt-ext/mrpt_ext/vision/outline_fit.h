@@ -32,6 +32,9 @@ struct OutlineEquations
 /// a mixture, it is that of the nearest sample clear of the edge.
 [[nodiscard]] OutlineEquations colourEquations(const SliceProfile& profile, const Outline& outline);
 
+/// The same with a background of its own on either side: what hides a part of the object is of another colour.
+[[nodiscard]] OutlineEquations colourEquationsOfSides(const SliceProfile& profile, const Outline& outline);
+
 /// By brightness: a step at either edge, from unknown levels beside the object to one that changes across it like the
 /// shade of a round body, as a parabola.
 [[nodiscard]] OutlineEquations brightnessEquations(const SliceProfile& profile, const Outline& outline);

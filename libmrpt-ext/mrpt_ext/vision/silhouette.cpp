@@ -21,6 +21,7 @@ constexpr double kAgreement = 0.15;                ///< [px] by which slices may
 constexpr double kUsualBlur = 1, kStdBlur = 1;     ///< [px]
 constexpr double kLeastBlur = 0.4, kMostBlur = 3;  ///< [px]
 constexpr double kStdRatio = 0.1;                  ///< of the seen width over the expected one, where nothing shows
+constexpr double kStdRatioOfPart = 0.3;            ///< likewise of a part that is seen
 constexpr double kLeastRatio = 0.3, kMostRatio = 2;
 constexpr double kMostRatioStep = 0.2;
 constexpr double kProfileKnown = 0.035;    ///< of the blur, to which an edge is known that is not as soft as a Gaussian
@@ -35,10 +36,18 @@ constexpr double kMostCorrelation = 0.8;
 
 using Equations = OutlineEquations (*)(const SliceProfile&, const Outline&);
 
+/// What is looked for.
+struct OutlineQuery
+{
+  Equations colour = colourEquations;
+  int side = 0;                  ///< whose edge is located: -1 or 1; 0: the middle
+  double std_ratio = kStdRatio;  ///< of the width, where nothing shows
+};
+
 /// What the slices of an object have in common.
 struct Common
 {
-  double offset = 0;  ///< [rad] from the guess
+  double offset = 0;  ///< [rad] of the middle, or of the edge that is looked for, from the guess
   double ratio = 1;   ///< of its width to the expected one
   double blur = kUsualBlur;
 };
@@ -59,15 +68,18 @@ struct Slice
   Eigen::Vector2d step{0, 0};  ///< what it alone would add to offset and ratio
 };
 
-Slice sliceAt(const SliceProfile& profile, const Common& common, Equations equations)
+Slice sliceAt(const SliceProfile& profile, const Common& common, Equations equations, int side)
 {
   Slice slice;
+  // An edge that stays where it is takes the middle along when the width changes.
+  const double middle = common.offset / profile.per_pixel - side * (common.ratio - 1) * profile.half_width;
   slice.equations = equations(
-      profile, {common.offset / profile.per_pixel + 0.5 * (profile.shift_low - profile.shift_high),
+      profile, {middle + 0.5 * (profile.shift_low - profile.shift_high),
                 common.ratio * profile.half_width - 0.5 * (profile.shift_low + profile.shift_high), common.blur});
-  const Eigen::Vector3d scale(1 / profile.per_pixel, profile.half_width, 1);
-  slice.equations.information = scale.asDiagonal() * slice.equations.information * scale.asDiagonal();
-  slice.equations.gradient = scale.asDiagonal() * slice.equations.gradient;
+  Eigen::Matrix3d outline_by_common = Eigen::Vector3d(1 / profile.per_pixel, profile.half_width, 1).asDiagonal();
+  outline_by_common(0, 1) = -side * profile.half_width;
+  slice.equations.information = outline_by_common.transpose() * slice.equations.information * outline_by_common;
+  slice.equations.gradient = outline_by_common.transpose() * slice.equations.gradient;
   slice.variance = slice.equations.meanSquare();
   Eigen::Matrix2d own = slice.equations.information.topLeftCorner<2, 2>();
   own.diagonal() *= 1 + 1e-3;
@@ -159,8 +171,8 @@ Correlation correlationOf(const std::vector<Slice>& slices, double blur)
 class OutlineSearch
 {
  public:
-  OutlineSearch(const std::vector<SliceProfile>& profiles, Equations equations)
-      : profiles_(profiles), equations_(equations)
+  OutlineSearch(const std::vector<SliceProfile>& profiles, Equations equations, const OutlineQuery& search)
+      : profiles_(profiles), equations_(equations), search_(search)
   {
     for (const SliceProfile& p : profiles) per_pixel_ += p.per_pixel / static_cast<double>(profiles.size());
   }
@@ -186,7 +198,7 @@ class OutlineSearch
     std::vector<double> variances;
     for (const SliceProfile& profile : profiles_)
     {
-      slices_.push_back(sliceAt(profile, common_, equations_));
+      slices_.push_back(sliceAt(profile, common_, equations_, search_.side));
       variances.push_back(slices_.back().variance);
     }
     noise_ = std::max(upperMedian(variances), kLeastSliceNoise * kLeastSliceNoise);
@@ -195,8 +207,8 @@ class OutlineSearch
       dropOutliers(slices_, kAgreement / profiles_.front().half_width, [](const Slice& s) { return s.step[1]; });
       dropOutliers(slices_, kAgreement * per_pixel_, [](const Slice& s) { return s.step[0]; });
     }
-    information_ = Eigen::Vector3d(1e-6, 1 / square(kStdRatio), 1 / square(kStdBlur)).asDiagonal();
-    gradient_ = {0, (1 - common_.ratio) / square(kStdRatio), (kUsualBlur - common_.blur) / square(kStdBlur)};
+    information_ = Eigen::Vector3d(1e-6, 1 / square(search_.std_ratio), 1 / square(kStdBlur)).asDiagonal();
+    gradient_ = {0, (1 - common_.ratio) / square(search_.std_ratio), (kUsualBlur - common_.blur) / square(kStdBlur)};
     for (const Slice& s : slices_)
     {
       information_ += weightOf(s) * s.equations.information;
@@ -242,6 +254,7 @@ class OutlineSearch
 
   const std::vector<SliceProfile>& profiles_;
   Equations equations_;
+  OutlineQuery search_;
   double per_pixel_ = 0;  ///< [rad] mean
   Common common_;
   std::vector<Slice> slices_;  ///< that agree
@@ -259,17 +272,34 @@ void average(double& value, double& std, double other, double std_other)
 }
 
 /// What brightness tells beside colour, where both agree.
-void addBrightness(Located& by_colour, const std::vector<SliceProfile>& profiles, int min_slices)
+void addBrightness(Located& by_colour, const std::vector<SliceProfile>& profiles, int min_slices,
+                   const OutlineQuery& search)
 {
   Common start = by_colour.common;
   start.blur = kUsualBlur;
-  const auto bright = OutlineSearch(profiles, brightnessEquations).from(start, min_slices);
+  const auto bright = OutlineSearch(profiles, brightnessEquations, search).from(start, min_slices);
   if (!bright) return;
   Common& common = by_colour.common;
-  const double std = std::hypot(by_colour.std_offset, bright->std_offset);
-  if (std::abs(common.offset - bright->common.offset) > kOutlierSlice * std) return;
+  const double difference =
+      std::abs(common.offset - bright->common.offset) / std::hypot(by_colour.std_offset, bright->std_offset);
+  if (difference > kOutlierSlice) return;
   average(common.offset, by_colour.std_offset, bright->common.offset, bright->std_offset);
   average(common.ratio, by_colour.std_ratio, bright->common.ratio, bright->std_ratio);
+  // A part is few pixels wide: how far both differ tells more than the scatter of its slices (Birge's ratio).
+  if (search.side != 0) by_colour.std_offset *= std::max(1.0, difference);
+}
+
+std::optional<Located> locate(const cv::Mat& image, const HyperbolicMirror& mirror, double azimuth,
+                              const std::vector<SilhouetteSlice>& slices, int min_slices, bool by_brightness,
+                              const OutlineQuery& search)
+{
+  std::vector<SliceProfile> profiles;
+  for (const SilhouetteSlice& slice : slices)
+    if (auto profile = profileOf(image, mirror, azimuth, slice, kReach)) profiles.push_back(std::move(*profile));
+  if (profiles.empty()) return std::nullopt;
+  auto located = OutlineSearch(profiles, search.colour, search).from({}, min_slices);
+  if (located && by_brightness) addBrightness(*located, profiles, min_slices, search);
+  return located;
 }
 }  // namespace
 
@@ -277,14 +307,18 @@ std::optional<Silhouette> measureSilhouette(const cv::Mat& image, const Hyperbol
                                             const std::vector<SilhouetteSlice>& slices, int min_slices,
                                             bool casts_shadow)
 {
-  std::vector<SliceProfile> profiles;
-  for (const SilhouetteSlice& slice : slices)
-    if (auto profile = profileOf(image, mirror, azimuth, slice, kReach)) profiles.push_back(std::move(*profile));
-  if (profiles.empty()) return std::nullopt;
-  auto located = OutlineSearch(profiles, colourEquations).from({}, min_slices);
+  const auto located = locate(image, mirror, azimuth, slices, min_slices, !casts_shadow, {});
   if (!located) return std::nullopt;
-  if (!casts_shadow) addBrightness(*located, profiles, min_slices);
   return Silhouette{wrap(azimuth + located->common.offset), located->std_offset, located->common.ratio,
                     located->std_ratio, located->slices};
+}
+
+std::optional<VisibleEdge> measureEdge(const cv::Mat& image, const HyperbolicMirror& mirror, double azimuth,
+                                       const std::vector<SilhouetteSlice>& slices, int min_slices, int side)
+{
+  const auto located =
+      locate(image, mirror, azimuth, slices, min_slices, true, {colourEquationsOfSides, side, kStdRatioOfPart});
+  if (!located) return std::nullopt;
+  return VisibleEdge{wrap(azimuth + side * slices.front().half_width + located->common.offset), located->std_offset};
 }
 }  // namespace mrpt_ext

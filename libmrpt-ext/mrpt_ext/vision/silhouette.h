@@ -27,4 +27,16 @@ struct Silhouette
 [[nodiscard]] std::optional<Silhouette> measureSilhouette(const cv::Mat& image, const HyperbolicMirror& mirror,
                                                           double azimuth, const std::vector<SilhouetteSlice>& slices,
                                                           int min_slices, bool casts_shadow);
+
+/// One edge of an object of which something hides the other side.
+struct VisibleEdge
+{
+  double azimuth = 0, std_azimuth = 0;  ///< [rad] in the image
+};
+
+/// The edge on one side (-1 at smaller azimuths, 1 at larger ones) of what is seen of such an object; `slices` have the
+/// width of the part that is seen, roughly, and `azimuth` is its middle. By colour and brightness as above.
+[[nodiscard]] std::optional<VisibleEdge> measureEdge(const cv::Mat& image, const HyperbolicMirror& mirror,
+                                                     double azimuth, const std::vector<SilhouetteSlice>& slices,
+                                                     int min_slices, int side);
 }  // namespace mrpt_ext
