@@ -4,6 +4,7 @@
 
 #include "mrpt_ext/app/progress_line.h"
 #include "mrpt_ext/diagnosis/adopted_findings.h"
+#include "mrpt_ext/diagnosis/calibration_trajectory.h"
 #include "mrpt_ext/evaluation/run_scoring.h"
 #include "mrpt_ext/experiment/trial_runner.h"
 #include "mrpt_ext/geometry/formatted.h"
@@ -12,8 +13,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kLeastDuration = 60;            // [s]
-constexpr std::size_t kMostEstimates = 100'000;  // bound the memory of a log of hours
+constexpr double kLeastDuration = 60;  // [s]
 const std::string kFilterName = "particle_filter";
 
 struct FirstPass
@@ -32,8 +32,9 @@ FirstPass firstPass(const LocalizationInput& input, bool show_progress)
   const auto progress = [&](double share) { line.show(share); };
   const TrialOutcome outcome = runTrial({methods, input, never, progress, {}}, config.seed, 0);
   FirstPass pass;
-  for (const PoseEstimate& point : outcome.record.methods.front().points)
-    if (isConfident(point, config) && pass.trajectory.size() < kMostEstimates) pass.trajectory.push_back(point);
+  CalibrationTrajectory trajectory(config);
+  for (const PoseEstimate& point : outcome.record.methods.front().points) trajectory.add(point);
+  pass.trajectory = trajectory.take();
   const RunScore score = scoreRun(input.context, outcome.record, config.limits);
   pass.row = {.verdict = score.verdict,
               .shares = score.verdict_shares,

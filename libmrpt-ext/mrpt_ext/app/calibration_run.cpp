@@ -18,9 +18,9 @@ namespace
 std::string whyImpossible(SolveStatus status, const std::vector<PoseEstimate>& trajectory)
 {
   if (trajectory.empty())
-    return "the filter never reached `ok`: check the map (order of x and y, metres) and where the sensors are on the "
+    return "the filter never came to a single pose: check the map (order of x and y, metres) and where the sensors are on the "
            "robot, or set wider std_range_m, std_bearing_deg or [Bias] to start from";
-  return status == SolveStatus::too_few ? "too few measurements while the verdict was `ok`"
+  return status == SolveStatus::too_few ? "too few measurements while the pose was unique"
                                         : "the measurements do not determine the trajectory";
 }
 
@@ -30,10 +30,10 @@ std::string headline(const LocalizationInput& input, const CalibrationData& data
 {
   const auto frames = static_cast<double>(input.log.frames);
   std::string text = "data     " + std::to_string(data.problem.readings.size()) + " bearings and ranges in " +
-                     fixedText(input.context.duration_s, 1) + " s, where the verdict was `ok` (" +
+                     fixedText(input.context.duration_s, 1) + " s, where the pose was unique (" +
                      fixedText(100 * static_cast<double>(trajectory.size()) / frames, 0) + " % of the frames)";
-  if (data.anonymous > 0)
-    text += "; " + std::to_string(data.anonymous) + " detections with several landmarks near left out";
+  if (data.ambiguous > 0)
+    text += "; " + std::to_string(data.ambiguous) + " detections with several landmarks near left out";
   return text + "; the truth was not used";
 }
 

@@ -4,17 +4,18 @@
 #include <map>
 
 #include "mrpt_ext/diagnosis/bias_parameter.h"
+#include "mrpt_ext/diagnosis/outlier_share.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr double kPays = 2;                       // standard deviations, of an error and of a gain
-constexpr double kBeyondDoubt = 4;                // standard deviations, of an error
-constexpr double kNoiseDiffers = 1.2;             // of deviations, either way
-constexpr std::size_t kLeastNoiseReadings = 100;  // of a sensor, for its noise
-constexpr double kIndependent = 0.3;              // autocorrelation of successive misfits
-constexpr double kMostOutlierShare = 0.5;         // share
+constexpr double kPays = 2;                                    // standard deviations, of an error and of a gain
+constexpr double kBeyondDoubt = 4;                             // standard deviations, of an error
+constexpr double kNoiseDiffers = 1.2;                          // of deviations, either way
+constexpr std::size_t kLeastNoiseReadings = 100;               // of a sensor, for its noise
+constexpr double kIndependent = 0.3;                           // autocorrelation of successive misfits
+constexpr double kLeastShare = 1e-3, kMostOutlierShare = 0.5;  // of outliers
 
 enum class PartKind
 {
@@ -180,14 +181,9 @@ class ChoiceSearch
 
   [[nodiscard]] double outliersOf(std::size_t sensor) const
   {
-    double readings = 0, outliers = 0;
-    for (std::size_t i = 0; i < first_half_.misfits.size(); ++i)
-    {
-      if (data_.problem.readings[i].sensor != sensor) continue;
-      ++readings;
-      outliers += std::abs(first_half_.misfits[i]) > kOutlierMisfit;
-    }
-    return readings < kLeastNoiseReadings ? 0 : std::min(outliers / readings, kMostOutlierShare);
+    if (!data_.verified) return 0;  // a wrong pose has outliers, too
+    const OutlierShare outliers = outlierShare(data_, first_half_.misfits, sensor, middle_);
+    return outliers.readings < kLeastNoiseReadings ? 0 : std::min(outliers.share, kMostOutlierShare);
   }
 
   /// Standard deviations of the gain: what the first half tells beyond doubt has only to improve the prediction.
@@ -248,7 +244,22 @@ class ChoiceSearch
     const bool settles =
         std::any_of(model.errors.begin(), model.errors.end(),
                     [](const AssumedError& error) { return error.std > 0 || error.std_per_sqrt_s > 0; });
-    return predictiveLogDensities(data_.problem, model, settles ? 0 : middle_);
+    std::vector<double> densities = predictiveLogDensities(data_.problem, model, settles ? 0 : middle_);
+    addUnmatched(model, densities);
+    return densities;
+  }
+
+  /// A reading that no landmark is near is an outlier by every model: it counts at the last reading before it, without
+  /// its density among outliers, which all models share.
+  void addUnmatched(const RecordingModel& model, std::vector<double>& densities) const
+  {
+    const std::vector<CalibrationReading>& readings = data_.problem.readings;
+    std::size_t next = 0;
+    for (const UnmatchedReading& unmatched : data_.unmatched)
+    {
+      while (next < readings.size() && readings[next].pose <= unmatched.pose) ++next;
+      if (next > 0) densities[next - 1] += std::log(std::max(model.sensors[unmatched.sensor].outliers, kLeastShare));
+    }
   }
 
   [[nodiscard]] CalibrationChoice choice(const std::vector<double>& configured, const std::vector<double>& best) const

@@ -4,7 +4,6 @@
 #include <set>
 
 #include "mrpt_ext/diagnosis/detection_association.h"
-#include "mrpt_ext/experiment/method_factory.h"
 
 namespace mrpt_ext
 {
@@ -96,15 +95,19 @@ class CalibrationDataBuilder
     const LandmarkTable& map = input_.context.map;
     const DetectionMatch match = matchOf(detection, reading, map, robot);
     const std::optional<std::size_t> landmark = match.landmark;
+    const auto label = std::find(result_.sensors.begin(), result_.sensors.end(), reading.sensor);
+    const auto sensor = static_cast<std::size_t>(label - result_.sensors.begin());
     if (!landmark)
     {
-      ++(match.none ? result_.unmatched[reading.sensor] : result_.anonymous);
+      if (match.none)
+        addUnmatched(detection, sensor);
+      else
+        ++result_.ambiguous;
       return;
     }
-    const auto label = std::find(result_.sensors.begin(), result_.sensors.end(), reading.sensor);
     const Vector3d position = map[*landmark].position;
     CalibrationReading r{.pose = result_.problem.poses.size() - 1,
-                         .sensor = static_cast<std::size_t>(label - result_.sensors.begin()),
+                         .sensor = sensor,
                          .landmark = position.head<2>(),
                          .T_robot_sensor = reading.T_robot_sensor,
                          .height = reading.horizontal_range ? 0 : position.z() - reading.sensor_height};
@@ -120,39 +123,24 @@ class CalibrationDataBuilder
     if (detection.range) add(true, *detection.range, detection.std_range);
   }
 
+  void addUnmatched(const Detection& detection, std::size_t sensor)
+  {
+    const std::size_t pose = result_.problem.poses.size() - 1;
+    if (detection.bearing) result_.unmatched.push_back({pose, sensor, false});
+    if (detection.range) result_.unmatched.push_back({pose, sensor, true});
+  }
+
   const LocalizationInput& input_;
   CalibrationData result_;
 };
 }  // namespace
 
-bool isConfident(const PoseEstimate& estimate, const LocalizationConfig& config)
-{
-  return estimate.verdict == Verdict::ok && (estimate.heading_known || !config.filter.heading_observable);
-}
-
-std::vector<PoseEstimate> confidentTrajectory(const LocalizationInput& input, std::uint64_t seed)
-{
-  LocalizationConfig config = input.config;
-  config.methods = {"particle_filter"};
-  if (config.frames.independent) config.methods = {"bearing_maximum_likelihood", "two_landmark_pose"};
-  const MethodFactory factory(config, input.context.map, input.log.available);
-  const Methods methods = factory.make(seed, 0);
-  std::vector<PoseEstimate> trajectory;
-  const FrameStream frames = streamOf(input);
-  while (const auto frame = frames())
-    for (const auto& method : methods.localizers)
-    {
-      const Estimate estimate = method->process(*frame);
-      const bool first = trajectory.empty() || trajectory.back().time < frame->time;
-      if (first && estimate.point && isConfident(*estimate.point, config)) trajectory.push_back(*estimate.point);
-    }
-  return trajectory;
-}
-
 CalibrationData collectCalibrationData(const LocalizationInput& input, const std::vector<PoseEstimate>& trajectory)
 {
   constexpr double kRounding = 1e-6;  // [s]
   CalibrationDataBuilder builder(input);
+  const bool verified = std::any_of(trajectory.begin(), trajectory.end(),
+                                    [](const PoseEstimate& point) { return point.verdict == Verdict::ok; });
   FrameOptions by_stamp = input.config.frames;
   by_stamp.window = 0;
   const double window = input.config.frames.window;
@@ -165,7 +153,9 @@ CalibrationData collectCalibrationData(const LocalizationInput& input, const std
       builder.add(*frame, *estimate);
     if (builder.isFull()) break;
   }
-  return builder.take();
+  CalibrationData data = builder.take();
+  data.verified = verified;
+  return data;
 }
 
 std::vector<CalibrationUnknown> calibrationUnknowns(const LocalizationInput& input, const CalibrationData& data)

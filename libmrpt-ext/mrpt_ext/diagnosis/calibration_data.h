@@ -1,6 +1,5 @@
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -10,22 +9,24 @@
 
 namespace mrpt_ext
 {
+/// A bearing or a range of a detection that no landmark is near.
+struct UnmatchedReading
+{
+  std::size_t pose = 0;    ///< number of the pose of its stamp
+  std::size_t sensor = 0;  ///< number of the sensor
+  bool is_range = false;   ///< else a bearing
+};
+
 /// A log as a problem of self-calibration (calibration/self_calibration.h).
 struct CalibrationData
 {
   CalibrationProblem problem;
-  std::vector<std::string> sensors;              ///< labels, by number
-  std::vector<std::size_t> landmarks;            ///< of the map, by reading
-  std::map<std::string, std::size_t> unmatched;  ///< detections left out because no landmark is near, by sensor
-  std::size_t anonymous = 0;                     ///< ... because several are
+  std::vector<std::string> sensors;         ///< labels, by number
+  std::vector<std::size_t> landmarks;       ///< of the map, by reading
+  std::vector<UnmatchedReading> unmatched;  ///< ordered by pose
+  std::size_t ambiguous = 0;                ///< detections left out because several landmarks are near
+  bool verified = false;                    ///< at least one estimate of the trajectory was `ok`
 };
-
-/// An estimate that calibration may rest on: `ok`, and with a heading where it is observable.
-[[nodiscard]] bool isConfident(const PoseEstimate& estimate, const LocalizationConfig& config);
-
-/// The confident estimates in order of time: those of the particle filter, or for independent frames of the closed
-/// forms.
-[[nodiscard]] std::vector<PoseEstimate> confidentTrajectory(const LocalizationInput& input, std::uint64_t seed);
 
 /// One pose per stamp near an estimate of `trajectory`, and more in between where odometry bridges a gap, for the first
 /// 100 000 readings. Anonymous detections are associated with the only landmark within their gate. Never uses the

@@ -1,5 +1,6 @@
 #include "mrpt_ext/diagnosis/log_diagnosis.h"
 
+#include "mrpt_ext/diagnosis/calibration_trajectory.h"
 #include "mrpt_ext/diagnosis/noise_findings.h"
 
 namespace mrpt_ext
@@ -7,7 +8,7 @@ namespace mrpt_ext
 LogDiagnosis diagnoseLog(const LocalizationInput& input)
 {
   LogDiagnosis diagnosis;
-  diagnosis.trajectory = confidentTrajectory(input, input.config.seed);
+  diagnosis.trajectory = calibrationTrajectory(input, input.config.seed);
   diagnosis.data = collectCalibrationData(input, diagnosis.trajectory);
   const CalibrationData& data = diagnosis.data;
   diagnosis.errors = calibrate(data.problem, calibrationUnknowns(input, data));

@@ -9,7 +9,7 @@ namespace mrpt_ext
 /// What `--diagnose` finds in a log.
 struct LogDiagnosis
 {
-  std::vector<PoseEstimate> trajectory;      ///< the confident estimates that it rests on
+  std::vector<PoseEstimate> trajectory;      ///< the estimates that it rests on
   CalibrationData data;                      ///< the readings along them
   CalibrationResult errors;                  ///< not `ok`: no findings
   std::vector<CalibrationFinding> findings;  ///< errors, then noise

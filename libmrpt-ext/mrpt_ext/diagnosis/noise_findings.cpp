@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "mrpt_ext/diagnosis/outlier_share.h"
 #include "mrpt_ext/geometry/quantile.h"
 
 namespace mrpt_ext
@@ -13,62 +14,39 @@ constexpr double kStdOfMedian = 1.17;       // of a median absolute deviation, t
 constexpr double kSignificantRatio = 1.5;   // estimated over configured
 constexpr std::size_t kLeastReadings = 50;  // of a sensor
 
-/// Bearings or ranges of one sensor.
-struct Residuals
-{
-  std::vector<double> stds;  // declared
-  double outliers = 0;
-};
-
-/// By number of the sensor and whether they are ranges.
-using ResidualsBySensor = std::map<std::pair<std::size_t, bool>, Residuals>;
-
-/// Of the detections of each sensor: those far from the landmark they were matched with, and those near none.
-std::vector<CalibrationFinding> outlierFindings(const ResidualsBySensor& by_sensor, const CalibrationData& data,
+std::vector<CalibrationFinding> outlierFindings(const CalibrationResult& errors, const CalibrationData& data,
                                                 const LocalizationConfig& config)
 {
-  std::map<std::size_t, CalibrationFinding> findings;
-  for (const auto& [key, of] : by_sensor)
+  std::vector<CalibrationFinding> findings;
+  for (std::size_t sensor = 0; sensor < data.sensors.size(); ++sensor)
   {
-    const std::size_t sensor = key.first;
+    const OutlierShare outliers = outlierShare(data, errors.misfits, sensor);
+    if (outliers.readings == 0) continue;
     const std::string& label = data.sensors[sensor];
-    const auto left_out = data.unmatched.find(label);
-    const double unmatched = left_out == data.unmatched.end() ? 0 : static_cast<double>(left_out->second);
-    const double count = static_cast<double>(of.stds.size()) + unmatched, share = (of.outliers + unmatched) / count;
     CalibrationFinding found{.what = label + ": share of outliers",
                              .configured = configOf(config.frames.sensors, label).clutter_probability,
-                             .estimate = share,
-                             .std = std::sqrt(share * (1 - share) / count),
+                             .estimate = outliers.share,
+                             .std = outliers.std,
                              .decimals = 3,
                              .line = {"Sensor_" + label, "clutter_probability", ""}};
-    settleLine(found, of.stds.size() >= kLeastReadings && share > kSignificantRatio * found.configured);
-    // Bearings and ranges of a sensor have one key: the worse of them counts.
-    const auto [entry, is_new] = findings.try_emplace(sensor, found);
-    if (!is_new && share > entry->second.estimate) entry->second = found;
+    settleLine(found, outliers.readings >= kLeastReadings && outliers.share > kSignificantRatio * found.configured);
+    findings.push_back(found);
   }
-  std::vector<CalibrationFinding> list;
-  for (auto& [sensor, found] : findings) list.push_back(std::move(found));
-  return list;
+  return findings;
 }
 
 std::vector<CalibrationFinding> measurementNoiseFindings(const CalibrationResult& errors, const CalibrationData& data,
                                                          const LocalizationConfig& config)
 {
-  ResidualsBySensor by_sensor;
-  for (std::size_t i = 0; i < errors.misfits.size(); ++i)
-  {
-    const CalibrationReading& r = data.problem.readings[i];
-    Residuals& of = by_sensor[{r.sensor, r.is_range}];
-    of.stds.push_back(r.std);
-    of.outliers += std::abs(errors.misfits[i]) > kOutlierMisfit;
-  }
+  std::map<std::pair<std::size_t, bool>, std::vector<double>> stds;  // declared, by sensor and whether it is a range
+  for (const CalibrationReading& r : data.problem.readings) stds[{r.sensor, r.is_range}].push_back(r.std);
   std::vector<CalibrationFinding> findings;
-  for (const auto& [key, of] : by_sensor)
+  for (const auto& [key, of] : stds)
   {
     const auto& [sensor, is_range] = key;
     const std::string label = data.sensors[sensor], section = "Sensor_" + label;
     const SensorConfig& now = configOf(config.frames.sensors, label);
-    const double unit = is_range ? 1 : radToDeg(1.0), declared = unit * upperMedian(of.stds);
+    const double unit = is_range ? 1 : radToDeg(1.0), declared = unit * upperMedian(of);
     const double scatter = is_range ? errors.scatter[sensor].range : errors.scatter[sensor].bearing;
     const double redundancy =
         is_range ? errors.scatter[sensor].range_redundancy : errors.scatter[sensor].bearing_redundancy;
@@ -79,11 +57,11 @@ std::vector<CalibrationFinding> measurementNoiseFindings(const CalibrationResult
                               .std = scatter * declared * kStdOfMedian / std::sqrt(std::max(redundancy, 1.0)),
                               .decimals = is_range ? 3 : 2,
                               .line = {section, is_range ? "std_range_m" : "std_bearing_deg", ""}};
-    const bool enough = of.stds.size() >= kLeastReadings;
+    const bool enough = of.size() >= kLeastReadings;
     settleLine(spread, enough && scatter > kSignificantRatio && !(is_range && now.std_range_per_m > 0));
     findings.push_back(spread);
   }
-  for (CalibrationFinding& outliers : outlierFindings(by_sensor, data, config)) findings.push_back(std::move(outliers));
+  for (CalibrationFinding& outliers : outlierFindings(errors, data, config)) findings.push_back(std::move(outliers));
   return findings;
 }
 

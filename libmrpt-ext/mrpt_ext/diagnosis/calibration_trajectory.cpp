@@ -1,0 +1,64 @@
+#include "mrpt_ext/diagnosis/calibration_trajectory.h"
+
+#include <utility>
+
+#include "mrpt_ext/experiment/method_factory.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr std::size_t kMostEstimates = 100'000;  // bound the memory of a log of hours
+}  // namespace
+
+CalibrationTrajectory::CalibrationTrajectory(const LocalizationConfig& config)
+    : min_best_weight_(config.filter.verdict.min_best_weight), needs_heading_(config.filter.heading_observable)
+{
+}
+
+void CalibrationTrajectory::add(const PoseEstimate& estimate)
+{
+  const bool dominates = estimate.verdict != Verdict::lost && estimate.best_weight >= min_best_weight_ &&
+                         (estimate.heading_known || !needs_heading_);
+  if (!dominates) return endSpell();
+  const bool first_ok = estimate.verdict == Verdict::ok && !verified_;
+  if (first_ok) spell_.clear();
+  verified_ = verified_ || first_ok;
+  if (chosen_.size() + spell_.size() < kMostEstimates) spell_.push_back(estimate);
+}
+
+std::vector<PoseEstimate> CalibrationTrajectory::take()
+{
+  endSpell();
+  return std::move(chosen_.empty() ? longest_unverified_ : chosen_);
+}
+
+void CalibrationTrajectory::endSpell()
+{
+  if (verified_)
+    chosen_.insert(chosen_.end(), spell_.begin(), spell_.end());
+  else if (spell_.size() > longest_unverified_.size())
+    longest_unverified_ = spell_;
+  spell_.clear();
+  verified_ = false;
+}
+
+std::vector<PoseEstimate> calibrationTrajectory(const LocalizationInput& input, std::uint64_t seed)
+{
+  LocalizationConfig config = input.config;
+  config.methods = {"particle_filter"};
+  if (config.frames.independent) config.methods = {"bearing_maximum_likelihood", "two_landmark_pose"};
+  const MethodFactory factory(config, input.context.map, input.log.available);
+  const Methods methods = factory.make(seed, 0);
+  CalibrationTrajectory trajectory(config);
+  const FrameStream frames = streamOf(input);
+  while (const auto frame = frames())
+    for (const auto& method : methods.localizers)
+      if (const Estimate estimate = method->process(*frame); estimate.point)
+      {
+        trajectory.add(*estimate.point);
+        break;  // one estimate of a frame is enough
+      }
+  return trajectory.take();
+}
+}  // namespace mrpt_ext
