@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mrpt_ext/filter/motion/motion_model.h"
+#include "mrpt_ext/configuration/localization_config.h"
 #include "mrpt_ext/geometry/odometry_path.h"
 
 namespace mrpt_ext
