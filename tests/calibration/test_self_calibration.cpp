@@ -213,6 +213,8 @@ TEST(CalibrationResult, ScattersOfReadingsAndOdometryAreNotBiased)
     range += found.scatter[0].range / runs;
     odometry += found.odometry_scatter / runs;
     EXPECT_GT(found.odometry_redundancy, 100);
+    EXPECT_NEAR(found.odometry_scatter, 1, 4 * found.odometry_scatter_std) << seed;
+    EXPECT_LT(found.odometry_scatter_std, 0.2) << seed;
     EXPECT_GT(found.scatter[0].range_redundancy, 0.5 * static_cast<double>(found.scatter[0].ranges));
   }
   if (testing::isShort()) return;  // too few runs for the bounds

@@ -13,7 +13,7 @@ using Kind = CalibrationParameter;
 
 const std::vector<CalibrationUnknown> kAll{{Kind::distance_scale}, {Kind::rotation_scale}, {Kind::veer},
                                            {Kind::bearing_offset}, {Kind::range_offset},   {Kind::range_scale},
-                                           {Kind::range_height}};
+                                           {Kind::range_height},   {Kind::drift}};
 
 DrivePlan quietDrive()
 {
@@ -107,6 +107,14 @@ TEST(InnovationRegression, FindsAScaleOfOdometry)
   DrivePlan plan = quietDrive();
   plan.distance_scale = 0.1;
   expectFound(plan, Kind::distance_scale, 0.1);
+}
+
+TEST(InnovationRegression, FindsADriftOfTheHeading)
+{
+  DrivePlan plan = quietDrive();
+  plan.drift = 0.02;
+  plan.rests = true;  // tell it from a veer
+  expectFound(plan, Kind::drift, 0.02);
 }
 
 TEST(InnovationRegression, TellsAHeightFromAnOffset)

@@ -23,6 +23,14 @@ TEST(SystematicErrorCheck, SignsAreWords)
   EXPECT_TRUE(hints[1].starts_with("odometry: distances are 5.0 +- 0.2 % too short")) << hints[1];
 }
 
+TEST(SystematicErrorCheck, ADriftIsToldPerSecond)
+{
+  const auto hints = systematicErrorHints({{{CalibrationParameter::drift}, degToRad(-0.4), degToRad(0.02), 2.0}}, {});
+  ASSERT_EQ(hints.size(), 1u);
+  EXPECT_TRUE(hints[0].starts_with("odometry: it does not see a turn of 0.400 +- 0.020 deg per second to the right"))
+      << hints[0];
+}
+
 TEST(SystematicErrorCheck, AHeightIsNamedWithoutACommandThatCannotTellIt)
 {
   const auto hints = systematicErrorHints({{{CalibrationParameter::range_height, 0}, 4.0, 0.1, 2.0},

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mrpt_ext/geometry/concatenated_motion.h"
 #include "mrpt_ext/geometry/odometry_path.h"
 
 namespace mrpt_ext::test_path_moments
@@ -75,6 +76,34 @@ TEST(PathMoments, SquaresWeighHeadAndTailOfThePathAlike)
   EXPECT_TRUE(two.time.isApprox(one.time, 1e-12));
   EXPECT_TRUE(two.length.isApprox(one.length, 1e-12));
   EXPECT_TRUE(two.by_length.isApprox(one.by_length, 1e-12));
+}
+
+TEST(PathMoments, OfTwoPathsInARowAreThoseOfOne)
+{
+  const std::vector<PathPiece> pieces = samplePath();
+  const auto motionAlong = [](const std::vector<PathPiece>& part)
+  {
+    OdometryMotion motion{.moments = momentsAlong(part)};
+    for (const PathPiece& piece : part)
+    {
+      motion.increment = compose(motion.increment, piece.increment);
+      motion.path_length += piece.length;
+      motion.turned += piece.turned;
+      motion.duration += piece.duration;
+    }
+    return motion;
+  };
+  const OdometryMotion expected = motionAlong(pieces),
+                       whole = concatenated(motionAlong({pieces.begin(), pieces.begin() + 11}),
+                                            motionAlong({pieces.begin() + 11, pieces.end()}));
+  EXPECT_LT((whole.increment.vector() - expected.increment.vector()).norm(), 1e-12);
+  EXPECT_NEAR(whole.path_length, expected.path_length, 1e-12);
+  EXPECT_NEAR(whole.turned, expected.turned, 1e-12);
+  EXPECT_NEAR(whole.duration, expected.duration, 1e-12);
+  for (const auto sum : {&PathMoments::by_turn, &PathMoments::by_arc, &PathMoments::by_length, &PathMoments::by_time})
+    EXPECT_TRUE(((*whole.moments).*sum).isApprox((*expected.moments).*sum, 1e-9));
+  for (const auto sum : {&PathMoments::turned, &PathMoments::length, &PathMoments::time})
+    EXPECT_TRUE(((*whole.moments).*sum).isApprox((*expected.moments).*sum, 1e-9));
 }
 
 TEST(PathMoments, OfAPathAreThoseOfItsRecords)

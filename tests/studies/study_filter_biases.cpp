@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <map>
 #include <numeric>
 
 #include "filter_scenario.h"
+#include "mrpt_ext/geometry/bias_units.h"
 #include "mrpt_ext/geometry/random.h"
 #include "mrpt_ext/localizers/kalman_localizer.h"
 #include "study.h"
@@ -15,22 +17,42 @@ namespace
 constexpr std::uint64_t kTruthStream = 17;
 const std::vector<double> kTimes{15, 30, 60, 120, 175};  // [s]
 
-/// One systematic error: its prior, the key that simulates it, and what that key is for an error.
+/// The systematic errors of a run, by kind.
+using Errors = std::map<BiasKind, double>;
+
+/// One of them: its prior deviation, the key that simulates it, and what that key is. The simulator states what
+/// odometry measures of the truth, the filter what is true of the measured; the last key is per true metre or second.
 struct SimulatedBias
 {
   BiasKind kind;
-  std::string prior, key;
   double std;
-  double (*value)(double error);
+  std::string key;
+  double (*value)(const Errors& of);
 };
 
+double measuredTurns(const Errors& of) { return 1 / (1 + of.at(BiasKind::rotation_scale)); }
+
 const std::vector<SimulatedBias> kBiases{
-    {BiasKind::distance_scale, "odometry_distance_scale_std", "Odometry.scale_error", 0.03,
-     [](double e) { return 1 / (1 + e) - 1; }},
-    {BiasKind::rotation_scale, "odometry_rotation_scale_std", "Odometry.rotation_scale_error", 0.03,
-     [](double e) { return 1 / (1 + e) - 1; }},
-    {BiasKind::range_scale, "range_scale_std", "Sensor_camera.scale_range", 0.03, [](double e) { return 1 + e; }},
-    {BiasKind::range_offset, "range_offset_std_m", "Sensor_camera.bias_range_m", 0.1, [](double e) { return e; }}};
+    {BiasKind::distance_scale, 0.03, "Odometry.scale_error",
+     [](const Errors& of) { return 1 / (1 + of.at(BiasKind::distance_scale)) - 1; }},
+    {BiasKind::rotation_scale, 0.03, "Odometry.rotation_scale_error",
+     [](const Errors& of) { return measuredTurns(of) - 1; }},
+    {BiasKind::arc_scale, 0.05, "Odometry.arc_scale_error",
+     [](const Errors& of)
+     { return 1 / (1 + of.at(BiasKind::rotation_scale) + of.at(BiasKind::arc_scale)) - measuredTurns(of); }},
+    {BiasKind::veer, degToRad(1.0), "Odometry.veer_deg_per_m",
+     [](const Errors& of) { return radToDeg(of.at(BiasKind::veer)) / (1 + of.at(BiasKind::distance_scale)); }},
+    {BiasKind::drift, degToRad(0.2), "Odometry.drift_deg_s",
+     [](const Errors& of) { return -radToDeg(of.at(BiasKind::drift)) * measuredTurns(of); }},
+    {BiasKind::range_scale, 0.03, "Sensor_camera.scale_range",
+     [](const Errors& of) { return 1 + of.at(BiasKind::range_scale); }},
+    {BiasKind::range_offset, 0.1, "Sensor_camera.bias_range_m",
+     [](const Errors& of) { return of.at(BiasKind::range_offset); }},
+    {BiasKind::bearing_offset, degToRad(2.0), "Sensor_camera.bias_bearing_deg",
+     [](const Errors& of) { return radToDeg(of.at(BiasKind::bearing_offset)); }}};
+
+/// Of [Bias].
+std::string priorKey(const BiasUnit& unit) { return std::string(unit.name) + "_std" + unit.suffix; }
 
 /// The errors of a run in stated deviations, and the stated deviations, at some time.
 struct BiasTally
@@ -59,7 +81,7 @@ using Tallies = std::vector<std::vector<BiasTally>>;  // by error and time
 struct ErringDrive
 {
   FilterScenario scenario;
-  std::vector<double> truth;  // in the order of kBiases
+  Errors truth;
 
   [[nodiscard]] std::size_t indexOf(std::size_t b) const
   {
@@ -77,12 +99,13 @@ ErringDrive drive(std::uint64_t seed)
                                      "RandomErrors.noise_factor=1", "RandomErrors.slips_per_minute=0",
                                      "RandomErrors.delay_s=0",      "RandomErrors.lever_arm_m=0"};
   std::vector<std::string> stated;
-  std::vector<double> truth;
+  Errors truth;
+  for (const SimulatedBias& bias : kBiases) truth[bias.kind] = bias.std * random.gaussian();
   for (const SimulatedBias& bias : kBiases)
   {
-    truth.push_back(bias.std * random.gaussian());
-    simulated.push_back(bias.key + "=" + std::to_string(bias.value(truth.back())));
-    stated.push_back("Bias." + bias.prior + "=" + std::to_string(bias.std));
+    const BiasUnit& unit = unitOf(bias.kind);
+    simulated.push_back(bias.key + "=" + std::to_string(bias.value(truth)));
+    stated.push_back("Bias." + priorKey(unit) + "=" + std::to_string(bias.std * unit.factor));
   }
   return {playScenario("bad-odometry", seed, simulated, stated), truth};
 }
@@ -94,7 +117,7 @@ void addParticleFilter(const ErringDrive& drive, std::uint64_t seed, Tallies& ta
   {
     if (next == kTimes.size() || sample.time < kTimes[next] || sample.step.biases.empty()) continue;
     for (std::size_t b = 0; b < kBiases.size(); ++b)
-      add(sample.step.biases[drive.indexOf(b)], drive.truth[b], tallies[b][next]);
+      add(sample.step.biases[drive.indexOf(b)], drive.truth.at(kBiases[b].kind), tallies[b][next]);
     ++next;
   }
 }
@@ -116,7 +139,7 @@ void addKalmanBank(const ErringDrive& drive, Tallies& tallies)
     for (std::size_t b = 0; b < kBiases.size(); ++b)
     {
       const auto at = static_cast<Eigen::Index>(3 + drive.indexOf(b));
-      add({state.mean[at], std::sqrt(state.covariance(at, at))}, drive.truth[b], tallies[b][next]);
+      add({state.mean[at], std::sqrt(state.covariance(at, at))}, drive.truth.at(kBiases[b].kind), tallies[b][next]);
     }
     ++next;
   }
@@ -128,9 +151,10 @@ void print(std::ostream& out, const std::string& method, const Tallies& tallies)
     for (std::size_t t = 0; t < kTimes.size(); ++t)
     {
       const BiasTally& tally = tallies[b][t];
-      out << "| " << method << " | " << kBiases[b].prior << " | " << kTimes[t] << " s | " << tally.squares.size()
-          << " | " << std::setprecision(3) << rootMean(tally.errors) << " | " << mean(tally.deviations) << " | "
-          << rootMean(tally.squares) << " |\n";
+      const BiasUnit& unit = unitOf(kBiases[b].kind);
+      out << "| " << method << " | " << priorKey(unit) << " | " << kTimes[t] << " s | " << tally.squares.size() << " | "
+          << std::setprecision(3) << unit.factor * rootMean(tally.errors) << " | "
+          << unit.factor * mean(tally.deviations) << " | " << rootMean(tally.squares) << " |\n";
     }
 }
 
@@ -140,7 +164,7 @@ void runBiases(std::ostream& out)
   const int runs = studyRuns(100);
   for (int k = 0; k < runs; ++k)
   {
-    const auto seed = static_cast<std::uint64_t>(k) + 1;
+    const std::uint64_t seed = studyFirstSeed() + static_cast<std::uint64_t>(k);
     const ErringDrive erring = drive(seed);
     addParticleFilter(erring, seed, filter);
     addKalmanBank(erring, bank);

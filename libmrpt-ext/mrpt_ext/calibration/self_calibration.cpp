@@ -183,6 +183,7 @@ CalibrationResult calibrate(const CalibrationProblem& problem, const std::vector
   result.scatter = adjuster->scatters();
   result.misfits = moved.measured ? inLoggedOrder(adjuster->misfits(), moved.measured->readings) : adjuster->misfits();
   result.odometry_scatter = adjuster->odometryScatter();
+  result.odometry_scatter_std = adjuster->odometryScatterStd();
   result.odometry_redundancy = adjuster->odometryRedundancy();
   result.iterations = adjuster->steps();
   result.status = SolveStatus::ok;

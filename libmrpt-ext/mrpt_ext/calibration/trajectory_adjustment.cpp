@@ -2,6 +2,8 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "mrpt_ext/calibration/parameter_limits.h"
 #include "mrpt_ext/calibration/robust_loss.h"
@@ -19,6 +21,8 @@ constexpr double kLeastScatter = 0.1, kMostScatter = 30;
 // was picked up does not count.
 constexpr double kSlip2 = 400;  // squared standard deviations
 constexpr int kMostBlocks = 30, kLeastBlocks = 8;
+constexpr double kScatterStep = 0.05;  // of a logarithm, for a derivative
+constexpr int kScatterSteps = 3;       // of the adjustment that follow it
 
 /// Of one kind, by one sensor.
 struct Residuals
@@ -158,18 +162,7 @@ bool TrajectoryAdjustment::estimateScatters()
     residuals.sizes.push_back(std::abs(row.residual) / std::sqrt(redundancy));
     residuals.redundancy += weight * redundancy;
   }
-  double misfit = 0, redundancy = 0;
-  for (std::size_t k = 1; k < poses_.size(); ++k)
-  {
-    if (!problem_.poses[k].since_previous) continue;
-    const OdometryResidual row = model_.link(k, poses_[k - 1], poses_[k]);
-    const double weight = robust::weight((linkScale() * row.residual).squaredNorm(), kSlip2);
-    const Matrix3d cross = row.own * solution->with_successor[k - 1] * row.next.transpose();
-    const Matrix3d explained = row.own * solution->covariance[k - 1] * row.own.transpose() +
-                               row.next * solution->covariance[k] * row.next.transpose() + cross + cross.transpose();
-    misfit += weight * row.residual.squaredNorm();
-    redundancy += weight * std::max(3 - weight * square(linkScale()) * explained.trace(), 0.0);
-  }
+  const LinkFit odometry = linkFits(*solution).rowwise().sum();
   for (std::size_t s = 0; s < problem_.sensors; ++s)
   {
     scatters_[s].bearing = scatterFrom(bearings[s].sizes);
@@ -177,9 +170,56 @@ bool TrajectoryAdjustment::estimateScatters()
     scatters_[s].bearing_redundancy = bearings[s].redundancy;
     scatters_[s].range_redundancy = ranges[s].redundancy;
   }
-  odometry_redundancy_ = redundancy;
-  if (redundancy > 10) odometry_scatter_ = std::clamp(std::sqrt(misfit / redundancy), kLeastScatter, kMostScatter);
+  odometry_redundancy_ = odometry[1];
+  if (odometry[1] > 10)
+    odometry_scatter_ = std::clamp(std::sqrt(odometry[0] / odometry[1]), kLeastScatter, kMostScatter);
   return true;
+}
+
+Eigen::Matrix2Xd TrajectoryAdjustment::linkFits(const ChainSolution& solution) const
+{
+  Eigen::Matrix2Xd fits = Eigen::Matrix2Xd::Zero(2, static_cast<Eigen::Index>(poses_.size()));
+  for (std::size_t k = 1; k < poses_.size(); ++k)
+  {
+    if (!problem_.poses[k].since_previous) continue;
+    const OdometryResidual row = model_.link(k, poses_[k - 1], poses_[k]);
+    const double weight = robust::weight((linkScale() * row.residual).squaredNorm(), kSlip2);
+    const Matrix3d cross = row.own * solution.with_successor[k - 1] * row.next.transpose();
+    const Matrix3d explained = row.own * solution.covariance[k - 1] * row.own.transpose() +
+                               row.next * solution.covariance[k] * row.next.transpose() + cross + cross.transpose();
+    fits.col(static_cast<Eigen::Index>(k)) << weight * row.residual.squaredNorm(),
+        weight * std::max(3 - weight * square(linkScale()) * explained.trace(), 0.0);
+  }
+  return fits;
+}
+
+std::optional<Eigen::VectorXd> TrajectoryAdjustment::scatterScores(double scatter) const
+{
+  TrajectoryAdjustment other = *this;
+  other.odometry_scatter_ = scatter;
+  if (!other.descend(kScatterSteps)) return std::nullopt;
+  const std::optional<ChainSolution> solution = other.linearized().solve();
+  if (!solution) return std::nullopt;
+  const Eigen::Matrix2Xd fits = other.linkFits(*solution);
+  const auto blocks = static_cast<Eigen::Index>(std::min<std::size_t>(kMostBlocks, poses_.size()));
+  Eigen::VectorXd scores = Eigen::VectorXd::Zero(blocks);
+  for (Eigen::Index k = 0; k < fits.cols(); ++k)
+    scores[k * blocks / fits.cols()] += fits(0, k) / square(scatter) - fits(1, k);
+  return scores;
+}
+
+double TrajectoryAdjustment::odometryScatterStd() const
+{
+  constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  const auto here = scatterScores(odometry_scatter_), above = scatterScores(odometry_scatter_ * std::exp(kScatterStep)),
+             below = scatterScores(odometry_scatter_ * std::exp(-kScatterStep));
+  if (!here || !above || !below) return kUnknown;
+  const double information = (below->sum() - above->sum()) / (2 * kScatterStep);
+  if (!(information > 0)) return kUnknown;
+  double variance = 1 / information;
+  if (const auto blocks = static_cast<double>(here->size()); here->size() >= kLeastBlocks)
+    variance = std::max(variance, blocks / (blocks - 1) * here->squaredNorm() / square(information));
+  return odometry_scatter_ * std::sqrt(variance);
 }
 
 std::vector<double> TrajectoryAdjustment::misfits() const

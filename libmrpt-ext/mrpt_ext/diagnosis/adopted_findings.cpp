@@ -39,7 +39,9 @@ std::vector<CalibrationFinding> adoptedFindings(const CalibrationChoice& choice,
     if (finding.why_not_observable.empty()) adopted.push_back(finding);
   for (CalibrationFinding& finding : noiseFindings(errors, data, config))
   {
-    if (!(finding.estimate > 0) || !isChosen(finding.line, choice.noise, data.sensors)) continue;
+    if (!finding.why_not_observable.empty() || !(finding.estimate > 0) ||
+        !isChosen(finding.line, choice.noise, data.sensors))
+      continue;
     finding.decimals = decimalsFor(finding.estimate, finding.decimals);
     finding.line.value = fixedText(finding.estimate, finding.decimals);
     adopted.push_back(finding);

@@ -15,6 +15,8 @@ Vector3d odometryEffect(CalibrationParameter parameter, const OdometryMotion& mo
       return -momentsOf(motion).by_turn;
     case CalibrationParameter::veer:
       return -momentsOf(motion).by_length;
+    case CalibrationParameter::drift:
+      return -momentsOf(motion).by_time;
     default:
       return Vector3d::Zero();
   }
@@ -33,7 +35,7 @@ void BiasFreeFilter::start(const GaussianPose& pose)
   sensitivity_.setZero();
 }
 
-void BiasFreeFilter::predict(const OdometryMotion& measured, const OdometryMotion& smooth)
+void BiasFreeFilter::predict(const OdometryMotion& measured, const OdometryMotion& smooth, const Matrix3d& noise)
 {
   const OdometryMotion motion = nominalMotion(motion_, measured);
   const Vector2d step = rotation(pose_.mean.phi) * motion.increment.position();
@@ -41,8 +43,7 @@ void BiasFreeFilter::predict(const OdometryMotion& measured, const OdometryMotio
   transition(0, 2) = -step.y();
   transition(1, 2) = step.x();
   to_map.topLeftCorner<2, 2>() = rotation(pose_.mean.phi);
-  pose_.covariance = transition * pose_.covariance * transition.transpose() +
-                     to_map * incrementCovariance(motion_, motion) * to_map.transpose();
+  pose_.covariance = transition * pose_.covariance * transition.transpose() + to_map * noise * to_map.transpose();
   sensitivity_ = (transition * sensitivity_).eval();
   for (std::size_t k = 0; k < unknowns_.size(); ++k)
     sensitivity_.col(static_cast<Eigen::Index>(k)) += to_map * odometryEffect(unknowns_[k].parameter, smooth);

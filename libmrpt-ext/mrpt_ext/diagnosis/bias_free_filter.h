@@ -38,9 +38,10 @@ class BiasFreeFilter
 
   void start(const GaussianPose& pose);
   /// `smooth`: the same motion as the average over about a second says, in the frame of the robot before. The
-  /// sensitivities follow it, because they must not contain the noise of the innovations.
-  void predict(const OdometryMotion& motion, const OdometryMotion& smooth);
-  void predict(const OdometryMotion& motion) { predict(motion, motion); }
+  /// sensitivities follow it, because they must not contain the noise of the innovations. `noise`: covariance of the
+  /// increment, which must not contain it either (link_noise.h).
+  void predict(const OdometryMotion& motion, const OdometryMotion& smooth, const Matrix3d& noise);
+  void predict(const OdometryMotion& motion) { predict(motion, motion, incrementCovariance(motion_, motion)); }
   [[nodiscard]] SensitiveInnovation innovation(const ScalarMeasurement& measurement) const;
   void update(const ScalarMeasurement& measurement);
 

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "mrpt_ext/diagnosis/detection_association.h"
+#include "mrpt_ext/diagnosis/link_noise.h"
 
 namespace mrpt_ext
 {
@@ -11,13 +12,13 @@ namespace
 {
 constexpr double kStep = 1;          // [s] longest time between two poses
 constexpr double kLongestGap = 180;  // [s] that odometry bridges
-constexpr double kAside = 1.0;       // [s] before and after a motion that tell its noise
 constexpr std::size_t kMostReadings = 100'000;
 
 class CalibrationDataBuilder
 {
  public:
-  CalibrationDataBuilder(const LocalizationInput& input) : input_(input)
+  CalibrationDataBuilder(const LocalizationInput& input)
+      : input_(input), noise_(input.config.filter.motion, input.log.overview.odometry)
   {
     for (const TimedPose& entry : input.log.overview.odometry.trajectory())
       result_.problem.odometry.push_back({entry.time, entry.pose});
@@ -45,28 +46,6 @@ class CalibrationDataBuilder
     return nominalMotion(input_.config.filter.motion, input_.log.overview.odometry.between(from, to));
   }
 
-  /// The motion with the way and the turn of the motion before and after it, which the noise depends on. Its own would
-  /// not do: what odometry measures too long would count less than what it measures too short, and all of it would
-  /// appear to be measured too short.
-  [[nodiscard]] OdometryMotion motionWithNoiseAround(double from, double to) const
-  {
-    OdometryMotion motion = moved(from, to);
-    const double aside = std::max(to - from, kAside), share = (to - from) / (2 * aside);
-    const OdometryMotion before = moved(from - aside, from), after = moved(to, to + aside);
-    motion.path_length = share * (before.increment.position().norm() + after.increment.position().norm());
-    motion.turned = share * (turnBeyondNoise(before) + turnBeyondNoise(after));
-    return motion;
-  }
-
-  /// [rad] What noise turns is no turn.
-  [[nodiscard]] double turnBeyondNoise(OdometryMotion motion) const
-  {
-    motion.path_length = motion.increment.position().norm();
-    motion.turned = std::abs(motion.increment.phi);
-    const double noise = incrementStd(input_.config.filter.motion, motion).z();
-    return std::sqrt(std::max(square(motion.turned) - square(noise), 0.0));
-  }
-
   void bridgeTo(double time)
   {
     if (result_.problem.poses.empty() || input_.config.frames.independent) return;
@@ -84,8 +63,7 @@ class CalibrationDataBuilder
     if (!result_.problem.poses.empty() && !input_.config.frames.independent)
     {
       const double before = result_.problem.poses.back().time;
-      if (time - before <= kLongestGap)
-        next.since_previous = incrementCovariance(input_.config.filter.motion, motionWithNoiseAround(before, time));
+      if (time - before <= kLongestGap) next.since_previous = noise_.covariance(before, time);
     }
     result_.problem.poses.push_back(next);
   }
@@ -131,6 +109,7 @@ class CalibrationDataBuilder
   }
 
   const LocalizationInput& input_;
+  LinkNoise noise_;
   CalibrationData result_;
 };
 }  // namespace

@@ -12,19 +12,26 @@ constexpr std::size_t kMostEstimates = 100'000;  // bound the memory of a log of
 }  // namespace
 
 CalibrationTrajectory::CalibrationTrajectory(const LocalizationConfig& config)
-    : min_best_weight_(config.filter.verdict.min_best_weight), needs_heading_(config.filter.heading_observable)
+    : min_best_weight_(config.filter.verdict.min_best_weight),
+      needs_heading_(config.filter.heading_observable),
+      independent_frames_(config.frames.independent)
 {
 }
 
-void CalibrationTrajectory::add(const PoseEstimate& estimate)
+bool CalibrationTrajectory::add(const PoseEstimate& estimate)
 {
-  const bool dominates = estimate.verdict != Verdict::lost && estimate.best_weight >= min_best_weight_ &&
-                         (estimate.heading_known || !needs_heading_);
-  if (!dominates) return endSpell();
-  const bool first_ok = estimate.verdict == Verdict::ok && !verified_;
-  if (first_ok) spell_.clear();
-  verified_ = verified_ || first_ok;
+  const bool is_ok = estimate.verdict == Verdict::ok;
+  const bool dominates = estimate.verdict != Verdict::lost && estimate.best_weight >= min_best_weight_;
+  const bool counts = (independent_frames_ ? is_ok : is_ok || dominates) && (estimate.heading_known || !needs_heading_);
+  if (!counts)
+  {
+    endSpell();
+    return false;
+  }
+  if (is_ok && !verified_) spell_.clear();
+  verified_ = verified_ || is_ok;
   if (chosen_.size() + spell_.size() < kMostEstimates) spell_.push_back(estimate);
+  return true;
 }
 
 std::vector<PoseEstimate> CalibrationTrajectory::take()
@@ -54,11 +61,7 @@ std::vector<PoseEstimate> calibrationTrajectory(const LocalizationInput& input, 
   const FrameStream frames = streamOf(input);
   while (const auto frame = frames())
     for (const auto& method : methods.localizers)
-      if (const Estimate estimate = method->process(*frame); estimate.point)
-      {
-        trajectory.add(*estimate.point);
-        break;  // one estimate of a frame is enough
-      }
+      if (const Estimate estimate = method->process(*frame); estimate.point && trajectory.add(*estimate.point)) break;
   return trajectory.take();
 }
 }  // namespace mrpt_ext

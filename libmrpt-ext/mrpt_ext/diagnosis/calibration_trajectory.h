@@ -8,16 +8,17 @@
 namespace mrpt_ext
 {
 /// Collects, in order of time, the estimates that a calibration may rest on: those of one dominant mode that was
-/// verified. `ok` would be too strict: it also asks for agreement with the declared noise and shares of outliers, which
-/// are to be found out, and what is found where they happen to hold is biased. So a mode counts from its first `ok` on
-/// for as long as it dominates; where no estimate is `ok`, the longest spell of a dominant mode counts. Without
-/// estimates of the heading where it is observable.
+/// verified. `ok` alone would be too strict: it also asks for agreement with the declared noise and share of outliers,
+/// which are to be found out, and what is found where they happen to hold is biased. So a mode counts from its first
+/// `ok` on for as long as it dominates; where no estimate is `ok`, the longest spell of a dominant mode counts. Of
+/// independent frames each must be `ok`. Estimates without a heading are left out where it is observable.
 class CalibrationTrajectory
 {
  public:
   explicit CalibrationTrajectory(const LocalizationConfig& config);
 
-  void add(const PoseEstimate& estimate);
+  /// Returns whether the estimate may count.
+  bool add(const PoseEstimate& estimate);
   /// The estimates in order of time.
   [[nodiscard]] std::vector<PoseEstimate> take();
 
@@ -25,7 +26,7 @@ class CalibrationTrajectory
   void endSpell();
 
   double min_best_weight_;
-  bool needs_heading_;
+  bool needs_heading_, independent_frames_;
   bool verified_ = false;            // the spell had an `ok`
   std::vector<PoseEstimate> spell_;  // of the mode that dominates now
   std::vector<PoseEstimate> chosen_, longest_unverified_;

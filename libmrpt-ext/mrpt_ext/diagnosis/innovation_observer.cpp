@@ -45,7 +45,7 @@ PossibleErrors possibleErrors(const LocalizationInput& input)
 {
   using enum CalibrationParameter;
   std::vector<CalibrationUnknown> all;
-  if (hasUsableOdometry(input)) all = {{distance_scale}, {rotation_scale}, {veer}};
+  if (hasUsableOdometry(input)) all = {{distance_scale}, {rotation_scale}, {veer}, {drift}};
   for (std::size_t s = 0; s < std::min(input.logged_sensors.size(), kMostSensors); ++s)
   {
     for (const CalibrationParameter parameter : {bearing_offset, range_offset, range_scale, range_height})
@@ -60,6 +60,7 @@ InnovationObserver::InnovationObserver(const LocalizationInput& input)
     : input_(input),
       unknowns_(possibleErrors(input).unknowns),
       filter_(unknowns_, input.config.filter.motion),
+      noise_(input.config.filter.motion, input.log.overview.odometry),
       regression_(unknowns_, possibleErrors(input).nuisances)
 {
   if (hasUsableOdometry(input)) delays_.emplace(input.log.overview.odometry, input.config.filter.motion);
@@ -79,7 +80,8 @@ void InnovationObserver::add(const Frame& frame, const FilterStep& step)
   if (input_.config.frames.independent) return;
   if (delays_)
   {
-    filter_.predict(frame.motion, smoothMotion(frame));
+    const Matrix3d noise = noise_.covariance(frame.time - frame.motion.duration, frame.time);
+    filter_.predict(frame.motion, smoothMotion(frame), noise);
     delays_->predict(frame.time);
   }
   else
@@ -188,6 +190,7 @@ OdometryMotion InnovationObserver::smoothMotion(const Frame& frame) const
   const Vector2d step = rotation(-turned) * smooth.increment.position() * share;
   smooth.increment = {step.x(), step.y(), smooth.increment.phi * share};
   smooth.path_length *= share;
+  smooth.duration = lasted;
   smooth.moments.reset();
   return smooth;
 }

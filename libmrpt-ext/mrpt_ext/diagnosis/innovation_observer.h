@@ -6,6 +6,7 @@
 #include "mrpt_ext/diagnosis/delay_hypotheses.h"
 #include "mrpt_ext/diagnosis/innovation_regression.h"
 #include "mrpt_ext/diagnosis/innovation_statistics.h"
+#include "mrpt_ext/diagnosis/link_noise.h"
 #include "mrpt_ext/experiment/localization_input.h"
 
 namespace mrpt_ext
@@ -48,6 +49,7 @@ class InnovationObserver
   const LocalizationInput& input_;
   std::vector<CalibrationUnknown> unknowns_;
   BiasFreeFilter filter_;
+  LinkNoise noise_;
   std::optional<DelayHypotheses> delays_;
   InnovationRegression regression_;
   std::map<std::string, SensorInnovations> sensors_;

@@ -12,6 +12,7 @@ namespace
 {
 constexpr double kStdOfMedian = 1.17;       // of a median absolute deviation, times the root of their number
 constexpr double kSignificantRatio = 1.5;   // estimated over configured
+constexpr double kUsefulShare = 0.5;        // standard deviation of a noise over the noise
 constexpr std::size_t kLeastReadings = 50;  // of a sensor
 
 std::vector<CalibrationFinding> outlierFindings(const CalibrationResult& errors, const CalibrationData& data,
@@ -72,8 +73,8 @@ std::vector<CalibrationFinding> odometryNoiseFindings(const CalibrationResult& e
   for (const TrajectoryPose& pose : data.problem.poses) links += pose.since_previous ? 1 : 0;
   if (data.problem.odometry.empty() || links == 0) return {};
   const MotionModel& now = config.filter.motion;
-  const double factor = errors.odometry_scatter,
-               relative_std = 1 / std::sqrt(2 * std::max(errors.odometry_redundancy, 1.0));
+  const double factor = errors.odometry_scatter, std = errors.odometry_scatter_std;
+  const bool told = std <= kUsefulShare * factor;
   const bool larger = factor > kSignificantRatio;
   std::vector<CalibrationFinding> findings;
   const auto add = [&](const char* key, double configured, const char* unit)
@@ -82,8 +83,9 @@ std::vector<CalibrationFinding> odometryNoiseFindings(const CalibrationResult& e
                              .unit = unit,
                              .configured = configured,
                              .estimate = factor * configured,
-                             .std = factor * configured * relative_std,
+                             .std = told ? std * configured : 0,
                              .decimals = 4,
+                             .why_not_observable = told ? "" : "readings do not tell it from their own noise",
                              .line = {"MotionModel", key, ""}};
     settleLine(found, larger);
     findings.push_back(found);

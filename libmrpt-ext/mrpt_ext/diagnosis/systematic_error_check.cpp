@@ -67,11 +67,13 @@ std::string finding(const RegressedError& error, const std::string& sensor)
     case CalibrationParameter::veer:
       return "odometry: it does not see a turn of " + withStd(radToDeg(size), radToDeg(error.std), 2) +
              " deg per metre to the " + (positive ? "left" : "right") + kCommand;
+    case CalibrationParameter::drift:
+      return "odometry: it does not see a turn of " + withStd(radToDeg(size), radToDeg(error.std), 3) +
+             " deg per second to the " + (positive ? "left" : "right") + ", also at standstill" + kCommand;
     case CalibrationParameter::delay:
       break;  // see delayHint()
     case CalibrationParameter::lever_arm_x:
     case CalibrationParameter::lever_arm_y:
-    case CalibrationParameter::drift:
       break;  // not among the errors that are looked for in every run
   }
   return {};

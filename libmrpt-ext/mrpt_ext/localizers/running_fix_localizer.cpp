@@ -1,5 +1,6 @@
 #include "mrpt_ext/localizers/running_fix_localizer.h"
 
+#include "mrpt_ext/geometry/concatenated_motion.h"
 #include "mrpt_ext/hypotheses/landmark_measurement.h"
 #include "mrpt_ext/likelihood/reading_likelihood.h"
 #include "mrpt_ext/localizers/closed_form_methods.h"
@@ -10,12 +11,6 @@ namespace
 {
 constexpr double kMinDisplacementStds = 10;  // between the two ranges of a fix, in standard deviations of a range
 constexpr double kMaxAge = 60;               // [s] of the first range
-
-OdometryMotion concatenated(const OdometryMotion& first, const OdometryMotion& second)
-{
-  return {compose(first.increment, second.increment), first.path_length + second.path_length,
-          first.turned + second.turned, first.duration + second.duration};
-}
 }  // namespace
 
 Estimate RunningFixLocalizer::process(const Frame& frame)

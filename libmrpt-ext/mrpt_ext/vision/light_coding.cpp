@@ -1,9 +1,8 @@
 #include "mrpt_ext/vision/light_coding.h"
 
 #include <algorithm>
+#include <boost/math/distributions/normal.hpp>
 #include <cmath>
-
-#include "mrpt_ext/geometry/angle.h"
 
 namespace mrpt_ext
 {
@@ -12,21 +11,7 @@ namespace
 constexpr double kCodingPower = 2.2;
 constexpr double kBrightestLevel = 255;
 constexpr double kUsualBrightness = 1.05;  ///< of a side that is too bright, share of the brightest level
-constexpr int kQuantileRounds = 20;        ///< of bisection
 constexpr double kEqualLevels = 0.98;      ///< ratio from which on there is no shift to speak of
-
-double standardNormal(double z) { return std::exp(-z * z / 2) / std::sqrt(kTwoPi); }
-
-double normalQuantile(double share)
-{
-  double low = -8, high = 8;
-  for (int round = 0; round < kQuantileRounds; ++round)
-  {
-    const double middle = (low + high) / 2;
-    (std::erfc(-middle / std::sqrt(2.0)) / 2 < share ? low : high) = middle;
-  }
-  return low;
-}
 }  // namespace
 
 double shiftByCoding(double level, double other)
@@ -44,6 +29,7 @@ double shiftByClipping(double dark_level)
 {
   const double shown = std::max(1.0, kBrightestLevel - dark_level);
   const double share = shown / (kUsualBrightness * kBrightestLevel - kBrightestLevel + shown);
-  return standardNormal(normalQuantile(share)) / share;
+  const boost::math::normal blur;
+  return boost::math::pdf(blur, boost::math::quantile(blur, share)) / share;
 }
 }  // namespace mrpt_ext

@@ -69,11 +69,11 @@ void addSlices(std::vector<SilhouetteSlice>& slices, const HyperbolicMirror& mir
 std::vector<SilhouetteSlice> poleSlices(const OmniCameraSettings& settings, const ObjectGuess& guess)
 {
   const HyperbolicMirror& mirror = settings.mirror;
-  const auto rhoOf = [&](double share)
+  const auto rho_of = [&](double share)
   { return mirror.rhoAt(mirror.slopeOf(share * settings.sizes.pole_height, guess.distance)); };
   std::vector<SilhouetteSlice> slices;
   for (int band = 0; band < 3; ++band)
-    addSlices(slices, mirror, rhoOf(band / 3.0), rhoOf((band + 1) / 3.0), kSliceMargin,
+    addSlices(slices, mirror, rho_of(band / 3.0), rho_of((band + 1) / 3.0), kSliceMargin,
               [&](double) { return guess.half_width; });
   return slices;
 }

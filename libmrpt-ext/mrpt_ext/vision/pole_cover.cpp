@@ -43,12 +43,12 @@ class ColumnsAboutPole
                    const ObjectGuess& guess)
       : image_(image), mirror_(mirror), middle_(guess.azimuth)
   {
-    const auto rhoOf = [&](double share)
+    const auto rho_of = [&](double share)
     { return mirror.rhoAt(mirror.slopeOf(share * sizes.pole_height, guess.distance)); };
-    const double foot = rhoOf(0), pixel = 1 / mirror.focalLength();
+    const double foot = rho_of(0), pixel = 1 / mirror.focalLength();
     below_low_ = foot - kBelowLast * pixel, below_high_ = foot - kBelowFirst * pixel;
     for (std::size_t i = 0; i < kBesidePole.size(); ++i)
-      beside_[i] = {rhoOf(kBesidePole[i][0]), rhoOf(kBesidePole[i][1])};
+      beside_[i] = {rho_of(kBesidePole[i][0]), rho_of(kBesidePole[i][1])};
     step_ = pixel / foot;
     floor_ = below(0);
   }

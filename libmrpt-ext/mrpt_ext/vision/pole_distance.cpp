@@ -82,13 +82,13 @@ std::optional<PoleDistance> distanceByBands(const cv::Mat& image, const Hyperbol
                                             const FieldObjectSizes& sizes, const ObjectGuess& guess)
 {
   // What is seen of the pole is its front.
-  const auto rhoOf = [&](double share, double distance)
+  const auto rho_of = [&](double share, double distance)
   { return mirror.rhoAt(mirror.slopeOf(share * sizes.pole_height, distance - sizes.pole_radius)); };
   std::array<double, kBoundaries.size()> seen{};
   for (std::size_t i = 0; i < kBoundaries.size(); ++i)
   {
-    const auto rho = boundaryBetween(image, mirror, guess, rhoOf(kBoundaries[i] - kHalfBand, guess.distance),
-                                     rhoOf(kBoundaries[i] + kHalfBand, guess.distance));
+    const auto rho = boundaryBetween(image, mirror, guess, rho_of(kBoundaries[i] - kHalfBand, guess.distance),
+                                     rho_of(kBoundaries[i] + kHalfBand, guess.distance));
     if (!rho) return std::nullopt;
     seen[i] = *rho;
   }
@@ -99,8 +99,8 @@ std::optional<PoleDistance> distanceByBands(const cv::Mat& image, const Hyperbol
     for (std::size_t i = 0; i < kBoundaries.size(); ++i)
     {
       constexpr double kStep = 1e-4;
-      const double here = rhoOf(kBoundaries[i], distance);
-      const double slope = (rhoOf(kBoundaries[i], distance + kStep) - here) / kStep;
+      const double here = rho_of(kBoundaries[i], distance);
+      const double slope = (rho_of(kBoundaries[i], distance + kStep) - here) / kStep;
       information += slope * slope;
       right += slope * (seen[i] - here);
       largest = std::max(largest, std::abs(seen[i] - here) * mirror.focalLength());

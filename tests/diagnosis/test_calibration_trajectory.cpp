@@ -1,0 +1,62 @@
+#include "mrpt_ext/diagnosis/calibration_trajectory.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace mrpt_ext
+{
+namespace
+{
+/// The times of the estimates that are kept, one second each: 'o' ok, 'a' ambiguous with one dominant mode, 'm' several
+/// modes, 'l' lost, 'h' ok without a heading.
+std::vector<double> kept(const std::string& estimates, bool independent = false, bool heading_observable = true)
+{
+  LocalizationConfig config;
+  config.frames.independent = independent;
+  config.filter.heading_observable = heading_observable;
+  CalibrationTrajectory trajectory(config);
+  double time = 0;
+  for (const char kind : estimates)
+  {
+    PoseEstimate estimate{.time = time++};
+    if (kind == 'a' || kind == 'm') estimate.verdict = Verdict::ambiguous;
+    if (kind == 'm') estimate.best_weight = 0.5;
+    if (kind == 'l') estimate.verdict = Verdict::lost;
+    if (kind == 'h') estimate.heading_known = false;
+    trajectory.add(estimate);
+  }
+  std::vector<double> times;
+  for (const PoseEstimate& estimate : trajectory.take()) times.push_back(estimate.time);
+  return times;
+}
+
+using Times = std::vector<double>;
+
+TEST(CalibrationTrajectory, AModeCountsFromItsFirstOkForAsLongAsItDominates)
+{
+  EXPECT_EQ(kept("aaooaaoam"), (Times{2, 3, 4, 5, 6, 7}));
+}
+
+TEST(CalibrationTrajectory, SeveralModesAndLostEndAMode) { EXPECT_EQ(kept("oamaaoala"), (Times{0, 1, 5, 6})); }
+
+TEST(CalibrationTrajectory, WithoutAnyOkTheLongestSpellCounts)
+{
+  EXPECT_EQ(kept("aamaaalaa"), (Times{3, 4, 5}));
+  EXPECT_EQ(kept("aaaamo"), (Times{5}));
+  EXPECT_TRUE(kept("mml").empty());
+}
+
+TEST(CalibrationTrajectory, AHeadingIsNeededWhereItIsObservable)
+{
+  EXPECT_EQ(kept("oho"), (Times{0, 2}));
+  EXPECT_EQ(kept("oho", false, false), (Times{0, 1, 2}));
+}
+
+TEST(CalibrationTrajectory, OfIndependentFramesEachMustBeOk)
+{
+  EXPECT_EQ(kept("aoaao", true), (Times{1, 4}));
+  EXPECT_TRUE(kept("aaa", true).empty());
+}
+}  // namespace
+}  // namespace mrpt_ext
