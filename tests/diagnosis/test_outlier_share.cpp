@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "mrpt_ext/geometry/random.h"
+#include <cmath>
+#include <random>
 
 namespace mrpt_ext
 {

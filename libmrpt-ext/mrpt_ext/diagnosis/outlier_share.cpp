@@ -38,10 +38,9 @@ std::vector<Count> countsOf(const CalibrationData& data, const std::vector<doubl
   std::erase_if(counts, [](const Count& count) { return count.readings == 0; });
   return counts;
 }
-}  // namespace
 
-OutlierShare outlierShare(const CalibrationData& data, const std::vector<double>& misfits, std::size_t sensor,
-                          bool is_range, std::size_t end)
+OutlierShare shareOf(const CalibrationData& data, const std::vector<double>& misfits, std::size_t sensor, bool is_range,
+                     std::size_t end)
 {
   const std::vector<Count> counts = countsOf(data, misfits, sensor, is_range, end);
   if (counts.empty()) return {};
@@ -60,11 +59,13 @@ OutlierShare outlierShare(const CalibrationData& data, const std::vector<double>
   return {static_cast<std::size_t>(all.readings), share, std::sqrt(share * (1 - share) / all.readings)};
 }
 
+}  // namespace
+
 OutlierShare outlierShare(const CalibrationData& data, const std::vector<double>& misfits, std::size_t sensor,
                           std::size_t end)
 {
-  const OutlierShare bearings = outlierShare(data, misfits, sensor, false, end);
-  const OutlierShare ranges = outlierShare(data, misfits, sensor, true, end);
+  const OutlierShare bearings = shareOf(data, misfits, sensor, false, end);
+  const OutlierShare ranges = shareOf(data, misfits, sensor, true, end);
   return ranges.readings == 0 || bearings.share > ranges.share ? bearings : ranges;
 }
 }  // namespace mrpt_ext

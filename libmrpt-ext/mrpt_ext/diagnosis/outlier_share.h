@@ -15,15 +15,10 @@ struct OutlierShare
   double share = 0, std = 0;  ///< in [0, 1], and its standard deviation
 };
 
-/// Of the bearings or of the ranges of sensor number `sensor`, before pose number `end`: those with a misfit beyond
-/// kOutlierMisfit, and those of detections that no landmark is near. Clutter comes at all times: blocks of time with
-/// significantly more outliers than most others are left out, for there the trajectory was wrong. `misfits`: by reading
-/// of `data.problem`, those from `end` on are not used.
-[[nodiscard]] OutlierShare outlierShare(const CalibrationData& data, const std::vector<double>& misfits,
-                                        std::size_t sensor, bool is_range,
-                                        std::size_t end = std::numeric_limits<std::size_t>::max());
-
-/// Of the bearings or the ranges of the sensor, whichever are worse: they have one probability of clutter.
+/// Of the bearings or the ranges of sensor number `sensor`, whichever are worse (they have one probability of clutter),
+/// before pose number `end`: those with a misfit beyond kOutlierMisfit, and those of detections that no landmark is
+/// near. Clutter comes at all times: blocks of time with significantly more outliers than most others are left out, for
+/// there the trajectory was wrong. `misfits`: by reading of `data.problem`, those from `end` on are not used.
 [[nodiscard]] OutlierShare outlierShare(const CalibrationData& data, const std::vector<double>& misfits,
                                         std::size_t sensor, std::size_t end = std::numeric_limits<std::size_t>::max());
 }  // namespace mrpt_ext
