@@ -59,8 +59,9 @@ void run(std::ostream& out)
   double worst_ok = 0, wrong_and_ok = 0;
   for (int k = 0; k < runs; ++k)
   {
-    const FilterScenario scenario = playScenario("kidnap", static_cast<std::uint64_t>(k) + 1);
-    const std::vector<FilterSample> samples = runFilter(scenario, static_cast<std::uint64_t>(k));
+    const std::uint64_t seed = studyFirstSeed() + static_cast<std::uint64_t>(k);
+    const FilterScenario scenario = playScenario("kidnap", seed);
+    const std::vector<FilterSample> samples = runFilter(scenario, seed - 1);
     for (std::size_t n = 0; n < kKidnapped.size(); ++n)
     {
       const double until = n + 1 < kKidnapped.size() ? kKidnapped[n + 1] : 1e9;

@@ -79,14 +79,15 @@ void run(std::ostream& out)
     Sum sum;
     for (int k = 0; k < runs; ++k)
     {
-      FilterScenario scenario = playScenario("tracking", static_cast<std::uint64_t>(k) + 1);
+      const std::uint64_t seed = studyFirstSeed() + static_cast<std::uint64_t>(k);
+      FilterScenario scenario = playScenario("tracking", seed);
       scenario.config.filter.particles = particles;
-      RandomStream random(91, static_cast<std::uint64_t>(k));
+      RandomStream random(91, seed - 1);
       GaussianPose& start = scenario.config.filter.initial_pose;
       start.mean.x += std::sqrt(start.covariance(0, 0)) * random.gaussian();
       start.mean.y += std::sqrt(start.covariance(1, 1)) * random.gaussian();
       start.mean.phi = wrap(start.mean.phi + std::sqrt(start.covariance(2, 2)) * random.gaussian());
-      addRun(scenario, static_cast<std::uint64_t>(k), sum);
+      addRun(scenario, seed - 1, sum);
     }
     const auto count = static_cast<double>(sum.steps);
     const ErrorStatistics errors = errorStatistics(sum.errors), nees = errorStatistics(sum.nees);
