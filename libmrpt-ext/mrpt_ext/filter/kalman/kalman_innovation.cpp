@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mrpt_ext/filter/kalman/rigid_step.h"
 #include "mrpt_ext/geometry/log_probability.h"
 
 namespace mrpt_ext
@@ -34,19 +35,25 @@ Innovation innovationOf(std::span<const KalmanRow> rows, const KalmanMatrix& cov
   return {a.log_density + b.log_density, a.nis + b.nis};
 }
 
-void applyRows(std::span<const KalmanRow> rows, KalmanState& state)
+StepPosterior posteriorStep(std::span<const KalmanRow> rows, const KalmanMatrix& prior)
 {
-  KalmanVector step = KalmanVector::Zero(state.mean.size());
+  StepPosterior posterior{KalmanVector::Zero(prior.rows()), prior};
   for (const KalmanRow& row : rows)
   {
-    const KalmanVector PH = state.covariance * row.jacobian.transpose();
-    const KalmanVector K = PH / varianceOf(row, state.covariance);
-    step += K * (row.residual - row.jacobian.dot(step));
-    KalmanMatrix A = KalmanMatrix::Identity(step.size(), step.size());
+    const KalmanVector PH = posterior.covariance * row.jacobian.transpose();
+    const KalmanVector K = PH / varianceOf(row, posterior.covariance);
+    posterior.step += K * (row.residual - row.jacobian.dot(posterior.step));
+    KalmanMatrix A = KalmanMatrix::Identity(prior.rows(), prior.rows());
     A.noalias() -= K * row.jacobian;
-    const KalmanMatrix joseph = A * state.covariance * A.transpose() + row.variance * K * K.transpose();
-    state.covariance = 0.5 * (joseph + joseph.transpose());
+    const KalmanMatrix joseph = A * posterior.covariance * A.transpose() + row.variance * K * K.transpose();
+    posterior.covariance = 0.5 * (joseph + joseph.transpose());
   }
-  state.mean = moved(state.mean, step);
+  return posterior;
+}
+
+void applyRows(std::span<const KalmanRow> rows, KalmanState& state)
+{
+  const StepPosterior posterior = posteriorStep(rows, state.covariance);
+  state = {movedRigidly(state.mean, posterior.step), transported(posterior.covariance, posterior.step)};
 }
 }  // namespace mrpt_ext

@@ -4,6 +4,7 @@
 #include "mrpt_ext/filter/kalman/kalman_association.h"
 #include "mrpt_ext/filter/kalman/kalman_innovation.h"
 #include "mrpt_ext/filter/kalman/kalman_update.h"
+#include "mrpt_ext/filter/kalman/rigid_step.h"
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
 
 namespace mrpt_ext
@@ -13,13 +14,6 @@ namespace
 constexpr int kMaxIterations = 10;
 constexpr int kMaxHalvings = 6;
 constexpr double kConverged = 1e-4;  // share of the posterior's standard deviations
-
-KalmanVector difference(const KalmanVector& to, const KalmanVector& from)
-{
-  KalmanVector step = to - from;
-  step[2] = wrap(step[2]);
-  return step;
-}
 
 /// The cost function.
 class UsedMeasurements
@@ -59,21 +53,32 @@ class UsedMeasurements
   /// Twice the negative logarithm of the posterior density, up to a constant.
   [[nodiscard]] double cost(const KalmanVector& mean) const
   {
-    const KalmanVector from_prior = difference(mean, prior_.mean);
+    const KalmanVector from_prior = rigidStep(prior_.mean, mean);
     double sum = from_prior.dot(prior_factor_.solve(from_prior));
     for (const KalmanRow& row : rowsAt(mean)) sum += row.residual * row.residual / row.variance;
     return sum;
   }
 
-  /// The prior updated with the rows linearised at `mean`: its mean is where Gauss-Newton goes next.
-  [[nodiscard]] KalmanState linearPosterior(const KalmanVector& mean) const
+  /// The step from `mean` where Gauss-Newton goes next.
+  [[nodiscard]] StepPosterior gaussNewton(const KalmanVector& mean) const
   {
+    const KalmanVector from_prior = rigidStep(prior_.mean, mean);
+    const KalmanMatrix J = rigidStepJacobian(from_prior);
     std::vector<KalmanRow> rows = rowsAt(mean);
-    const KalmanVector from_prior = difference(mean, prior_.mean);
-    for (KalmanRow& row : rows) row.residual += row.jacobian.dot(from_prior);
-    KalmanState posterior = prior_;
-    applyRows(rows, posterior);
-    return posterior;
+    for (KalmanRow& row : rows)
+    {
+      row.jacobian = (row.jacobian * J).eval();
+      row.residual += row.jacobian.dot(from_prior);
+    }
+    const StepPosterior posterior = posteriorStep(rows, prior_.covariance);
+    return {J * (posterior.step - from_prior), posterior.covariance};
+  }
+
+  /// The prior at `mean` and what the rows tell there.
+  [[nodiscard]] KalmanMatrix covarianceAt(const KalmanVector& mean) const
+  {
+    const KalmanMatrix prior = transported(prior_.covariance, rigidStep(prior_.mean, mean));
+    return posteriorStep(rowsAt(mean), prior).covariance;
   }
 
  private:
@@ -95,24 +100,24 @@ KalmanUpdate updateIterated(const KalmanState& prior, const Frame& frame, const 
   const UsedMeasurements measurements(prior, update, frame, map, biases);
   KalmanVector mean = update.state.mean;
   double cost = measurements.cost(mean);
-  KalmanState posterior = measurements.linearPosterior(mean);
+  StepPosterior posterior = measurements.gaussNewton(mean);
   for (int i = 0; i < kMaxIterations; ++i)
   {
-    const KalmanVector full = difference(posterior.mean, mean);
-    double share = 1, lower = measurements.cost(moved(mean, full));
+    const KalmanVector full = posterior.step;
+    double share = 1, lower = measurements.cost(movedRigidly(mean, full));
     for (int k = 0; k < kMaxHalvings && !(lower <= cost); ++k)
     {
       share /= 2;
-      lower = measurements.cost(moved(mean, share * full));
+      lower = measurements.cost(movedRigidly(mean, share * full));
     }
     if (!(lower <= cost)) break;  // the maximum to within rounding
-    mean = moved(mean, share * full);
+    mean = movedRigidly(mean, share * full);
     cost = lower;
-    posterior = measurements.linearPosterior(mean);
+    posterior = measurements.gaussNewton(mean);
     const KalmanVector deviations = posterior.covariance.diagonal().cwiseSqrt();
     if ((full.cwiseAbs().array() <= kConverged * deviations.array()).all()) break;
   }
-  update.state = {mean, posterior.covariance};
+  update.state = {mean, measurements.covarianceAt(mean)};
   return update;
 }
 }  // namespace mrpt_ext
