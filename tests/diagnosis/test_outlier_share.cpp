@@ -78,6 +78,19 @@ TEST(OutlierShare, TheWorseOfBearingsAndRangesCounts)
   EXPECT_NEAR(outlierShare(sample.data, sample.misfits, 0).share, 0.2, 1e-9);
 }
 
+TEST(OutlierShare, TellsHowManyReadingsHaveALandmark)
+{
+  const Sample sample = bearings(1000, 0.05, 0.3);
+  EXPECT_EQ(outlierShare(sample.data, sample.misfits, 0).matched, sample.misfits.size());
+}
+
+TEST(OutlierShare, NothingOfASensorWithoutALandmark)
+{
+  const Sample sample = bearings(1000, 0, 1);
+  ASSERT_EQ(sample.data.unmatched.size(), 1000U);
+  EXPECT_EQ(outlierShare(sample.data, sample.misfits, 0).share, 0);
+}
+
 TEST(OutlierShare, NothingOfASensorWithoutReadings)
 {
   const Sample sample = bearings(100, 0, 0);

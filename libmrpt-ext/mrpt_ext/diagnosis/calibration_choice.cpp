@@ -183,7 +183,7 @@ class ChoiceSearch
   {
     if (!data_.verified) return 0;  // a wrong pose has outliers, too
     const OutlierShare outliers = outlierShare(data_, first_half_.misfits, sensor, middle_);
-    return outliers.readings < kLeastNoiseReadings ? 0 : std::min(outliers.share, kMostOutlierShare);
+    return outliers.matched < kLeastNoiseReadings ? 0 : std::min(outliers.share, kMostOutlierShare);
   }
 
   /// Standard deviations of the gain: what the first half tells beyond doubt has only to improve the prediction.

@@ -15,6 +15,7 @@ constexpr double kSignificantRatio = 1.5;   // estimated over configured
 constexpr double kUsefulShare = 0.5;        // standard deviation of a noise over the noise
 constexpr std::size_t kLeastReadings = 50;  // of a sensor
 
+/// One per sensor.
 std::vector<CalibrationFinding> outlierFindings(const CalibrationResult& errors, const CalibrationData& data,
                                                 const LocalizationConfig& config)
 {
@@ -22,7 +23,7 @@ std::vector<CalibrationFinding> outlierFindings(const CalibrationResult& errors,
   for (std::size_t sensor = 0; sensor < data.sensors.size(); ++sensor)
   {
     const OutlierShare outliers = outlierShare(data, errors.misfits, sensor);
-    if (outliers.readings == 0) continue;
+    if (outliers.matched == 0) continue;
     const std::string& label = data.sensors[sensor];
     CalibrationFinding found{.what = label + ": share of outliers",
                              .configured = configOf(config.frames.sensors, label).clutter_probability,
@@ -30,7 +31,7 @@ std::vector<CalibrationFinding> outlierFindings(const CalibrationResult& errors,
                              .std = outliers.std,
                              .decimals = 3,
                              .line = {"Sensor_" + label, "clutter_probability", ""}};
-    settleLine(found, outliers.readings >= kLeastReadings && outliers.share > kSignificantRatio * found.configured);
+    settleLine(found, outliers.matched >= kLeastReadings && outliers.share > kSignificantRatio * found.configured);
     findings.push_back(found);
   }
   return findings;
