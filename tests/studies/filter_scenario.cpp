@@ -66,9 +66,10 @@ int studyRuns(int full)
   return wanted ? std::max(1, std::atoi(wanted)) : full;
 }
 
-std::uint64_t studyFirstSeed()
+std::uint64_t studySeed(int run)
 {
   const char* wanted = std::getenv("STUDY_FIRST_SEED");
-  return wanted ? std::strtoull(wanted, nullptr, 10) : 1;
+  const std::uint64_t first = wanted ? std::strtoull(wanted, nullptr, 10) : 1;
+  return first + static_cast<std::uint64_t>(run);
 }
 }  // namespace mrpt_ext

@@ -45,6 +45,7 @@ struct FilterSample
 
 /// Number of runs of a study: `full`, or the value of the environment variable STUDY_RUNS.
 [[nodiscard]] int studyRuns(int full);
-/// Random seed of its first run: 1, or the value of the environment variable STUDY_FIRST_SEED.
-[[nodiscard]] std::uint64_t studyFirstSeed();
+/// Random seed of its run number `run`, counted from 0: the first has 1, or the value of the environment variable
+/// STUDY_FIRST_SEED, and each one more.
+[[nodiscard]] std::uint64_t studySeed(int run);
 }  // namespace mrpt_ext

@@ -74,7 +74,7 @@ void runBadOdometry(std::ostream& out)
     std::string wrong_seeds;
     for (int k = 0; k < runs; ++k)
     {
-      const std::uint64_t seed = studyFirstSeed() + static_cast<std::uint64_t>(k);
+      const std::uint64_t seed = studySeed(k);
       const FilterScenario scenario = playScenario("bad-odometry", seed, {"Sensor_camera.identity=" + identity});
       if (addRun(runFilter(scenario, seed), seed % 2 == 0 ? even : odd)) wrong_seeds += ' ' + std::to_string(seed);
     }

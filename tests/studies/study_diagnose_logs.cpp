@@ -206,7 +206,7 @@ void runDiagnoseLogs(std::ostream& out)
   std::size_t without = 0;
   for (int k = 0; k < runs; ++k)
   {
-    const std::uint64_t seed = studyFirstSeed() + static_cast<std::uint64_t>(k);
+    const std::uint64_t seed = studySeed(k);
     without += addLog(seed, by_sensor[seed % kSensors.size()], every_line ? &out : nullptr) ? 0 : 1;
   }
   out << "Logs: " << runs << ", without findings: " << without

@@ -164,7 +164,7 @@ void runBiases(std::ostream& out)
   const int runs = studyRuns(100);
   for (int k = 0; k < runs; ++k)
   {
-    const std::uint64_t seed = studyFirstSeed() + static_cast<std::uint64_t>(k);
+    const std::uint64_t seed = studySeed(k);
     const ErringDrive erring = drive(seed);
     addParticleFilter(erring, seed, filter);
     addKalmanBank(erring, bank);

@@ -18,7 +18,7 @@ void runScenario(std::ostream& out, const std::string& name, const std::vector<s
   std::vector<double> errors;
   for (int k = 0; k < runs; ++k)
   {
-    const std::uint64_t seed = studyFirstSeed() + static_cast<std::uint64_t>(k);
+    const std::uint64_t seed = studySeed(k);
     const FilterScenario scenario = playScenario(name, seed, changes);
     for (const FilterSample& sample : runFilter(scenario, seed - 1))
     {

@@ -59,7 +59,7 @@ void run(std::ostream& out)
   double worst_ok = 0, wrong_and_ok = 0;
   for (int k = 0; k < runs; ++k)
   {
-    const std::uint64_t seed = studyFirstSeed() + static_cast<std::uint64_t>(k);
+    const std::uint64_t seed = studySeed(k);
     const FilterScenario scenario = playScenario("kidnap", seed);
     const std::vector<FilterSample> samples = runFilter(scenario, seed - 1);
     for (std::size_t n = 0; n < kKidnapped.size(); ++n)

@@ -79,7 +79,7 @@ void run(std::ostream& out)
     Sum sum;
     for (int k = 0; k < runs; ++k)
     {
-      const std::uint64_t seed = studyFirstSeed() + static_cast<std::uint64_t>(k);
+      const std::uint64_t seed = studySeed(k);
       FilterScenario scenario = playScenario("tracking", seed);
       scenario.config.filter.particles = particles;
       RandomStream random(91, seed - 1);

@@ -261,7 +261,7 @@ void run(std::ostream& out)
     DriveSums sums;
     for (int k = 0; k < runs; ++k)
     {
-      const std::uint64_t seed = studyFirstSeed() + static_cast<std::uint64_t>(k);
+      const std::uint64_t seed = studySeed(k);
       addDrive(drive(seed, series), seed, sums);
     }
     const double rmse = std::sqrt(sums.squared / sums.count), bound = std::sqrt(sums.bound / sums.count);

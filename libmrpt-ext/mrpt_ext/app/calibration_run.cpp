@@ -19,8 +19,7 @@ std::string whyImpossible(SolveStatus status, const std::vector<PoseEstimate>& t
 {
   if (trajectory.empty())
     return "the filter never came to a single pose: check the map (order of x and y, metres) and where the sensors are "
-           "on the "
-           "robot, or set wider std_range_m, std_bearing_deg or [Bias] to start from";
+           "on the robot, or set wider std_range_m, std_bearing_deg or [Bias] to start from";
   return status == SolveStatus::too_few ? "too few measurements while the pose was unique"
                                         : "the measurements do not determine the trajectory";
 }

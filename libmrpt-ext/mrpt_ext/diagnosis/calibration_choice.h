@@ -22,7 +22,8 @@ struct CalibrationChoice
 {
   std::vector<CalibrationUnknown> errors;
   NoiseChoice noise;
-  /// Mean log density of a reading of the second half: as configured, and with what was estimated from the first.
+  /// Mean log density of a reading of the second half: as configured, and with what was estimated from the first. A
+  /// reading that no landmark is near adds the log probability of an outlier.
   double configured = 0, calibrated = 0;
   [[nodiscard]] bool empty() const;
 };

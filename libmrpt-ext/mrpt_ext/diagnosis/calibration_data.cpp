@@ -118,8 +118,6 @@ CalibrationData collectCalibrationData(const LocalizationInput& input, const std
 {
   constexpr double kRounding = 1e-6;  // [s]
   CalibrationDataBuilder builder(input);
-  const bool verified = std::any_of(trajectory.begin(), trajectory.end(),
-                                    [](const PoseEstimate& point) { return point.verdict == Verdict::ok; });
   FrameOptions by_stamp = input.config.frames;
   by_stamp.window = 0;
   const double window = input.config.frames.window;
@@ -133,7 +131,8 @@ CalibrationData collectCalibrationData(const LocalizationInput& input, const std
     if (builder.isFull()) break;
   }
   CalibrationData data = builder.take();
-  data.verified = verified;
+  data.verified = std::any_of(trajectory.begin(), trajectory.end(),
+                              [](const PoseEstimate& point) { return point.verdict == Verdict::ok; });
   return data;
 }
 

@@ -45,7 +45,7 @@ void CalibrationTrajectory::endSpell()
   if (verified_)
     chosen_.insert(chosen_.end(), spell_.begin(), spell_.end());
   else if (spell_.size() > longest_unverified_.size())
-    longest_unverified_ = spell_;
+    longest_unverified_.swap(spell_);
   spell_.clear();
   verified_ = false;
 }

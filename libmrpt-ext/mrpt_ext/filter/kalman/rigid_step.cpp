@@ -2,29 +2,31 @@
 
 #include <cmath>
 
+#include "mrpt_ext/geometry/arc_motion.h"
+
 namespace mrpt_ext
 {
 namespace
 {
 constexpr double kSmallAngle = 1e-4;  // [rad] below which the series is exact to rounding
 
-/// sin(a) / a, (1 - cos(a)) / a and the derivatives of the arc by its angle, (a - sin(a)) / a^2 and (1 - cos(a)) / a^2.
-struct ArcFactors
+/// By the angle: (a - sin(a)) / a^2 and (1 - cos(a)) / a^2.
+struct ArcDerivatives
 {
-  double chord, rise, chord_by_angle, rise_by_angle;
+  double along, across;
 };
 
-ArcFactors arcFactors(double a)
+ArcDerivatives arcDerivatives(double a)
 {
-  if (std::abs(a) < kSmallAngle) return {1 - a * a / 6, a / 2, a / 6, 0.5 - a * a / 24};
-  return {std::sin(a) / a, (1 - std::cos(a)) / a, (a - std::sin(a)) / (a * a), (1 - std::cos(a)) / (a * a)};
+  if (std::abs(a) < kSmallAngle) return {a / 6, 0.5 - a * a / 24};
+  return {(a - std::sin(a)) / (a * a), (1 - std::cos(a)) / (a * a)};
 }
 
 /// From the tangent of the arc to the displacement.
 Matrix2d arcMatrix(double angle)
 {
-  const ArcFactors f = arcFactors(angle);
-  return (Matrix2d() << f.chord, -f.rise, f.rise, f.chord).finished();
+  const Pose2 end = arcMotion(1, angle, 1);
+  return (Matrix2d() << end.x, -end.y, end.y, end.x).finished();
 }
 
 /// From motions of the plane that are told about a point to the same ones told about where `step` leads it.
@@ -58,10 +60,10 @@ KalmanVector rigidStep(const KalmanVector& from, const KalmanVector& to)
 KalmanMatrix rigidStepJacobian(const KalmanVector& step)
 {
   KalmanMatrix J = KalmanMatrix::Identity(step.size(), step.size());
-  const ArcFactors f = arcFactors(step[2]);
+  const ArcDerivatives by_angle = arcDerivatives(step[2]);
   J.topLeftCorner<2, 2>() = arcMatrix(step[2]);
-  J(0, 2) = f.chord_by_angle * step[0] + f.rise_by_angle * step[1];
-  J(1, 2) = f.chord_by_angle * step[1] - f.rise_by_angle * step[0];
+  J(0, 2) = by_angle.along * step[0] + by_angle.across * step[1];
+  J(1, 2) = by_angle.along * step[1] - by_angle.across * step[0];
   return toldAbout(step) * J;
 }
 
