@@ -49,12 +49,12 @@ TEST(MeasurementTimes, TheNoiseOfOdometryIsThatOfTheTimeBetween)
 {
   const CalibrationProblem problem = twoSensors();
   const MeasuredRecording moved = atMeasurementTimes(problem, {0, 0.27});
-  const double rate = (*problem.poses[1].since_previous)(2, 2) / (problem.poses[1].time - problem.poses[0].time);
+  const double rate = scattered(*problem.poses[1].since_previous)(2, 2) / (problem.poses[1].time - problem.poses[0].time);
   for (std::size_t k = 1; k < moved.problem.poses.size(); ++k)
   {
     const double seconds = moved.problem.poses[k].time - moved.problem.poses[k - 1].time;
     ASSERT_TRUE(moved.problem.poses[k].since_previous);
-    EXPECT_NEAR((*moved.problem.poses[k].since_previous)(2, 2), rate * seconds, 1e-9);
+    EXPECT_NEAR(scattered(*moved.problem.poses[k].since_previous)(2, 2), rate * seconds, 1e-9);
   }
 }
 

@@ -138,12 +138,14 @@ TEST(CalibrationResult, DeclaredDeviationsNeedNotBeRight)
   CalibrationProblem problem = recordedDrive(erroneous(), random);
   for (CalibrationReading& r : problem.readings) r.std *= r.is_range ? 4 : 0.3;
   for (TrajectoryPose& pose : problem.poses)
-    if (pose.since_previous) *pose.since_previous *= 9;
+    if (pose.since_previous)
+      for (Matrix3d& noise : *pose.since_previous) noise *= 9;
   const CalibrationResult found = calibrate(problem, kAll);
   ASSERT_EQ(found.status, SolveStatus::ok);
   EXPECT_NEAR(found.scatter[0].range, 0.25, 0.05);
   EXPECT_NEAR(found.scatter[0].bearing, 3.3, 0.7);
-  EXPECT_NEAR(found.odometry_scatter, 0.33, 0.12);  // ranges are used as declared, four times too inaccurate
+  for (const MotionNoise noise : {position_noise, heading_noise})
+    EXPECT_NEAR(found.odometry_scatter[noise], 0.33, 0.15);  // ranges are used as declared, four times too inaccurate
   for (const ParameterEstimate& error : found.errors)
     EXPECT_LT(std::abs(error.value - trueValue(erroneous(), error.unknown.parameter)), 4 * error.std);
 }
@@ -204,22 +206,47 @@ TEST(CalibrationResult, NoiseOfOdometryDoesNotMakeTheWayLongWhereReadingsAreLate
 
 TEST(CalibrationResult, ScattersOfReadingsAndOdometryAreNotBiased)
 {
-  double range = 0, odometry = 0;
+  double range = 0;
+  PerMotionNoise<double> odometry{0, 0};
   const int runs = testing::runsOfTest(6);
   for (int seed = 1; seed <= runs; ++seed)
   {
     RandomStream random(static_cast<std::uint64_t>(seed), 12);
     const CalibrationResult found = calibrate(recordedDrive({}, random), kAll);
     range += found.scatter[0].range / runs;
-    odometry += found.odometry_scatter / runs;
-    EXPECT_GT(found.odometry_redundancy, 100);
-    EXPECT_NEAR(found.odometry_scatter, 1, 4 * found.odometry_scatter_std) << seed;
-    EXPECT_LT(found.odometry_scatter_std, 0.2) << seed;
+    for (const MotionNoise noise : {position_noise, heading_noise})
+    {
+      odometry[noise] += found.odometry_scatter[noise] / runs;
+      EXPECT_GT(found.odometry_redundancy[noise], 30);
+      EXPECT_NEAR(found.odometry_scatter[noise], 1, 4 * found.odometry_scatter_std[noise]) << seed;
+      EXPECT_LT(found.odometry_scatter_std[noise], 0.25) << seed;
+    }
     EXPECT_GT(found.scatter[0].range_redundancy, 0.5 * static_cast<double>(found.scatter[0].ranges));
   }
   if (testing::isShort()) return;  // too few runs for the bounds
   EXPECT_NEAR(range, 1, 0.02);
-  EXPECT_NEAR(odometry, 1, 0.05);
+  for (const double scatter : odometry) EXPECT_NEAR(scatter, 1, 0.05);
+}
+
+// Wheels slip, the gyro is good.
+TEST(CalibrationResult, NoiseOfThePositionIsToldFromThatOfTheHeading)
+{
+  for (const MotionNoise wrong : {position_noise, heading_noise})
+  {
+    RandomStream random(21, wrong);
+    DrivePlan plan;
+    CalibrationProblem problem = recordedDrive(plan, random);
+    for (TrajectoryPose& pose : problem.poses)
+      if (pose.since_previous) (*pose.since_previous)[wrong] /= 25;
+    const CalibrationResult found = calibrate(problem, kAll);
+    ASSERT_EQ(found.status, SolveStatus::ok);
+    for (const MotionNoise noise : {position_noise, heading_noise})
+    {
+      const double truth = noise == wrong ? 5 : 1, std = found.odometry_scatter_std[noise];
+      EXPECT_NEAR(found.odometry_scatter[noise], truth, 4 * std) << wrong << noise;
+      EXPECT_LT(std, 0.25 * truth);
+    }
+  }
 }
 
 TEST(CalibrationResult, MisfitsShowTheOutliers)

@@ -29,7 +29,7 @@ TEST(LinkNoise, OfAnEvenArcIsThatOfItsMotion)
   for (const double lasts : {0.2, 0.7, 1.3})
   {
     const Matrix3d measured = incrementCovariance(model, path.between(1.4, 1.4 + lasts));
-    const Matrix3d covariance = LinkNoise(model, path).covariance(1.4, 1.4 + lasts);
+    const Matrix3d covariance = scattered(LinkNoise(model, path).covariances(1.4, 1.4 + lasts));
     EXPECT_LT((covariance - measured).norm(), 0.04 * measured.norm()) << lasts << "\n"
                                                                       << covariance << "\n"
                                                                       << measured;
@@ -42,7 +42,7 @@ TEST(LinkNoise, DoesNotDependOnTheTurnMeasured)
   const auto variance = [&](double error)
   {
     const OdometryPath path = arc([&](int k) { return k >= 38 && k < 42 ? error : 0; });
-    return LinkNoise(model, path).covariance(38 * kPeriod, 42 * kPeriod)(2, 2);
+    return scattered(LinkNoise(model, path).covariances(38 * kPeriod, 42 * kPeriod))(2, 2);
   };
   EXPECT_NEAR(variance(0.02), variance(0), 1e-9);
   EXPECT_NEAR(variance(-0.02), variance(0), 1e-9);
@@ -58,7 +58,7 @@ TEST(LinkNoise, WeighsTurnsMeasuredTooLongAndTooShortAlike)
   {
     const double std = degToRad(0.6) * std::sqrt(radToDeg(kTurnRate * kPeriod));
     const OdometryPath path = arc([&](int) { return std * random.gaussian(); });
-    const double weight = 1 / LinkNoise(model, path).covariance(38 * kPeriod, 42 * kPeriod)(2, 2);
+    const double weight = 1 / scattered(LinkNoise(model, path).covariances(38 * kPeriod, 42 * kPeriod))(2, 2);
     weighted += weight * path.between(38 * kPeriod, 42 * kPeriod).increment.phi;
     weights += weight;
   }

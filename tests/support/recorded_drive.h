@@ -82,9 +82,9 @@ inline CalibrationProblem recordedDrive(const DrivePlan& plan, RandomStream& ran
                         {}};
     if (k > 0)
     {
-      const Vector3d variances{square(plan.std_distance_per_root_s), square(plan.std_distance_per_root_s),
-                               square(plan.std_turn_per_root_s)};
-      pose.since_previous = Matrix3d((variances / plan.rate).asDiagonal());
+      const double distance = square(plan.std_distance_per_root_s), turn = square(plan.std_turn_per_root_s);
+      pose.since_previous = {Matrix3d(Vector3d(distance, distance, 0).asDiagonal()) / plan.rate,
+                             Matrix3d(Vector3d(0, 0, turn).asDiagonal()) / plan.rate};
     }
     problem.poses.push_back(pose);
     for (int i = 0; i < plan.landmarks_seen; ++i)

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "mrpt_ext/calibration/motion_noise.h"
 #include "mrpt_ext/geometry/odometry_path.h"
 
 namespace mrpt_ext
@@ -54,8 +55,9 @@ struct TrajectoryPose
 {
   double time = 0;  ///< [s]
   Pose2 pose;
-  /// Of the increment of odometry since the pose before it, as declared; absent: not tied to it.
-  std::optional<Matrix3d> since_previous;
+  /// Covariances of the increment of odometry since the pose before it, as declared, by what errs, in axes of that
+  /// pose; absent: not tied to it.
+  std::optional<PerMotionNoise<Matrix3d>> since_previous;
 };
 
 /// A recording with poses that are roughly known.

@@ -18,19 +18,21 @@ class OdometryNoiseByTime
   OdometryNoiseByTime(const CalibrationProblem& problem, const OdometryPath& path) : problem_(problem), path_(path) {}
 
   /// Nothing where poses are not tied.
-  [[nodiscard]] std::optional<Matrix3d> between(double from, double to) const
+  [[nodiscard]] std::optional<PerMotionNoise<Matrix3d>> between(double from, double to) const
   {
-    GaussianPose sum;
+    PerMotionNoise<GaussianPose> sums;
     for (double time = from; time < to;)
     {
       const std::size_t k = linkAt(time);
       if (k >= problem_.poses.size() || !problem_.poses[k].since_previous) return std::nullopt;
       const double end = k + 1 < problem_.poses.size() ? std::min(to, problem_.poses[k].time) : to;
       const double share = (end - time) / (problem_.poses[k].time - problem_.poses[k - 1].time);
-      sum = compound(sum, path_.between(time, end).increment, share * *problem_.poses[k].since_previous);
+      const Pose2 increment = path_.between(time, end).increment;
+      for (std::size_t n = 0; n < motion_noises; ++n)
+        sums[n] = compound(sums[n], increment, share * (*problem_.poses[k].since_previous)[n]);
       time = end;
     }
-    return sum.covariance;
+    return PerMotionNoise<Matrix3d>{sums[position_noise].covariance, sums[heading_noise].covariance};
   }
 
  private:

@@ -79,7 +79,7 @@ class PredictionFilter
     Matrix3d rotated = Matrix3d::Identity();
     rotated.topLeftCorner<2, 2>() = to_map;
     covariance_.topLeftCorner<3, 3>() +=
-        square(assumed_.odometry) * rotated * *problem_.poses[k].since_previous * rotated.transpose();
+        rotated * scattered(*problem_.poses[k].since_previous, assumed_.odometry) * rotated.transpose();
     const double seconds = problem_.poses[k].time - problem_.poses[k - 1].time;
     for (Eigen::Index i = 0; i < errors_.size(); ++i)
       covariance_(3 + i, 3 + i) += square(assumed_.errors[static_cast<std::size_t>(i)].std_per_sqrt_s) * seconds;

@@ -25,7 +25,7 @@ struct RecordingModel
 {
   std::vector<AssumedError> errors;
   std::vector<AssumedNoise> sensors;  ///< by sensor
-  double odometry = 1;                ///< standard deviation of odometry over the declared one
+  PerMotionNoise<double> odometry{1, 1};  ///< standard deviations of odometry over the declared ones
 };
 
 /// Logarithm of the density [1/rad] or [1/m] of every reading, given all readings before it: the innovations form of

@@ -19,7 +19,7 @@ constexpr double kSmallDelay = 0.003;  // [s]
 bool isUsable(const CalibrationProblem& problem, const std::vector<CalibrationUnknown>& unknowns)
 {
   const auto pose_ok = [](const TrajectoryPose& p)
-  { return std::isfinite(p.time) && isFinite(p.pose) && (!p.since_previous || p.since_previous->allFinite()); };
+  { return std::isfinite(p.time) && isFinite(p.pose) && (!p.since_previous || scattered(*p.since_previous).allFinite()); };
   const auto reading_ok = [&](const CalibrationReading& r)
   {
     return r.pose < problem.poses.size() && r.sensor < problem.sensors && r.landmark.allFinite() &&
@@ -35,7 +35,7 @@ bool isUsable(const CalibrationProblem& problem, const std::vector<CalibrationUn
 }
 
 /// True when the robot moves by more than the error of odometry: else scales and delays would be fitted to its noise.
-bool moves(const CalibrationProblem& problem, double odometry_scatter)
+bool moves(const CalibrationProblem& problem, const PerMotionNoise<double>& odometry_scatter)
 {
   constexpr double kStretch = 5, kLeast = 4;  // [s]; squared motion over its variance, per axis
   const OdometryPath path(problem.odometry, {});
@@ -44,14 +44,14 @@ bool moves(const CalibrationProblem& problem, double odometry_scatter)
   for (std::size_t k = 1, first = 0; k < problem.poses.size(); ++k)
   {
     const bool tied = problem.poses[k].since_previous.has_value(), last = k + 1 == problem.poses.size();
-    if (tied) noise += *problem.poses[k].since_previous;
+    if (tied) noise += scattered(*problem.poses[k].since_previous, odometry_scatter);
     if (tied && !last && problem.poses[k].time - problem.poses[first].time < kStretch) continue;
     const Vector3d motion =
         path.between(problem.poses[first].time, problem.poses[tied ? k : k - 1].time).increment.vector();
     for (int axis = 0; axis < 3; ++axis)
     {
       if (!(noise(axis, axis) > 0)) continue;
-      sum += square(motion[axis] / odometry_scatter) / noise(axis, axis);
+      sum += square(motion[axis]) / noise(axis, axis);
       ++axes;
     }
     noise.setZero();
@@ -159,7 +159,7 @@ CalibrationResult calibrate(const CalibrationProblem& problem, const std::vector
   for (std::size_t k = 0; k < unknowns.size(); ++k) numbers.push_back(k);
   std::optional<TrajectoryAdjustment> adjuster(std::in_place, problem, left);
   if (!settle(*adjuster, 2)) return result;
-  if (!moves(problem, adjuster->odometryScatter()))
+  if (!moves(problem, adjuster->model().odometryScatter()))
   {
     std::erase_if(
         numbers, [&](std::size_t k)
@@ -182,7 +182,7 @@ CalibrationResult calibrate(const CalibrationProblem& problem, const std::vector
   }
   result.scatter = adjuster->scatters();
   result.misfits = moved.measured ? inLoggedOrder(adjuster->misfits(), moved.measured->readings) : adjuster->misfits();
-  result.odometry_scatter = adjuster->odometryScatter();
+  result.odometry_scatter = adjuster->model().odometryScatter();
   result.odometry_scatter_std = adjuster->odometryScatterStd();
   result.odometry_redundancy = adjuster->odometryRedundancy();
   result.iterations = adjuster->steps();

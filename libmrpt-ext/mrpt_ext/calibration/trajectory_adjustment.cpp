@@ -16,6 +16,7 @@ namespace
 constexpr double kSettled = 1e-3;          // step over its standard deviation
 constexpr double kLoosePose = 1e-6;        // [1/m^2], [1/rad^2] keeps poses without constraints solvable
 constexpr double kLeastRedundancy = 0.05;  // of a residual; below, it carries no information about its scatter
+constexpr double kLeastLinkRedundancy = 10;  // of all links, likewise
 constexpr double kLeastScatter = 0.1, kMostScatter = 30;
 // Slips belong to odometry: scales are to be right on the whole, not for the stretches without slip. Only a robot that
 // was picked up does not count.
@@ -63,14 +64,14 @@ void TrajectoryAdjustment::restart(const TrajectoryAdjustment& start, const Eige
 {
   poses_ = start.poses_;
   scatters_ = start.scatters_;
-  odometry_scatter_ = start.odometry_scatter_;
+  model_.setOdometryScatter(start.model_.odometryScatter());
   model_.setErrors(errors);
 }
 
 void TrajectoryAdjustment::continueFrom(const TrajectoryAdjustment& start)
 {
   scatters_ = start.scatters_;
-  odometry_scatter_ = start.odometry_scatter_;
+  model_.setOdometryScatter(start.model_.odometryScatter());
   steps_ = start.steps_;
   model_.setErrors(start.model_.errors());
 }
@@ -91,7 +92,7 @@ PoseChainSystem TrajectoryAdjustment::linearized() const
       chain.addReading(k, 0, JacobianRow::Unit(axis), Eigen::RowVectorXd::Zero(model_.errors().size()), kLoosePose);
     if (k == 0 || !problem_.poses[k].since_previous) continue;
     const OdometryResidual row = model_.link(k, poses_[k - 1], poses_[k]);
-    const double weight = robust::weight((linkScale() * row.residual).squaredNorm(), kSlip2) * square(linkScale());
+    const double weight = robust::weight(row.residual.squaredNorm(), kSlip2);
     chain.addLink(k - 1, row.residual, row.own, row.next, row.shared, weight);
   }
   for (std::size_t k = 0; k < model_.unknowns().size(); ++k)
@@ -110,7 +111,7 @@ double TrajectoryAdjustment::cost() const
     cost += robust::loss(square(model_.reading(r, poses_[r.pose]).residual / assumedScatterOf(r)));
   for (std::size_t k = 1; k < poses_.size(); ++k)
     if (problem_.poses[k].since_previous)
-      cost += robust::loss((linkScale() * model_.linkResidual(k, poses_[k - 1], poses_[k])).squaredNorm(), kSlip2);
+      cost += robust::loss(model_.linkResidual(k, poses_[k - 1], poses_[k]).squaredNorm(), kSlip2);
   for (std::size_t k = 0; k < model_.unknowns().size(); ++k)
     cost += square(model_.errors()[static_cast<Eigen::Index>(k)] / priorStd(problem_, model_.unknowns()[k]));
   return cost;
@@ -162,7 +163,7 @@ bool TrajectoryAdjustment::estimateScatters()
     residuals.sizes.push_back(std::abs(row.residual) / std::sqrt(redundancy));
     residuals.redundancy += weight * redundancy;
   }
-  const LinkFit odometry = linkFits(*solution).rowwise().sum();
+  const LinkFits odometry = linkFits(*solution);
   for (std::size_t s = 0; s < problem_.sensors; ++s)
   {
     scatters_[s].bearing = scatterFrom(bearings[s].sizes);
@@ -170,56 +171,91 @@ bool TrajectoryAdjustment::estimateScatters()
     scatters_[s].bearing_redundancy = bearings[s].redundancy;
     scatters_[s].range_redundancy = ranges[s].redundancy;
   }
-  odometry_redundancy_ = odometry[1];
-  if (odometry[1] > 10)
-    odometry_scatter_ = std::clamp(std::sqrt(odometry[0] / odometry[1]), kLeastScatter, kMostScatter);
+  PerMotionNoise<double> scatter = model_.odometryScatter();
+  for (std::size_t n = 0; n < motion_noises; ++n)
+  {
+    const auto row = static_cast<Eigen::Index>(n);
+    odometry_redundancy_[n] = odometry.redundancy.row(row).sum();
+    if (odometry_redundancy_[n] < kLeastLinkRedundancy) continue;
+    const double excess = std::sqrt(odometry.misfit.row(row).sum() / odometry_redundancy_[n]);
+    scatter[n] = std::clamp(scatter[n] * excess, kLeastScatter, kMostScatter);
+  }
+  model_.setOdometryScatter(scatter);
   return true;
 }
 
-Eigen::Matrix2Xd TrajectoryAdjustment::linkFits(const ChainSolution& solution) const
+TrajectoryAdjustment::LinkFits TrajectoryAdjustment::linkFits(const ChainSolution& solution) const
 {
-  Eigen::Matrix2Xd fits = Eigen::Matrix2Xd::Zero(2, static_cast<Eigen::Index>(poses_.size()));
+  const LinkFits::ByLink none = LinkFits::ByLink::Zero(motion_noises, static_cast<Eigen::Index>(poses_.size()));
+  LinkFits fits{none, none};
   for (std::size_t k = 1; k < poses_.size(); ++k)
   {
     if (!problem_.poses[k].since_previous) continue;
     const OdometryResidual row = model_.link(k, poses_[k - 1], poses_[k]);
-    const double weight = robust::weight((linkScale() * row.residual).squaredNorm(), kSlip2);
+    const double weight = robust::weight(row.residual.squaredNorm(), kSlip2);
     const Matrix3d cross = row.own * solution.with_successor[k - 1] * row.next.transpose();
     const Matrix3d explained = row.own * solution.covariance[k - 1] * row.own.transpose() +
                                row.next * solution.covariance[k] * row.next.transpose() + cross + cross.transpose();
-    fits.col(static_cast<Eigen::Index>(k)) << weight * row.residual.squaredNorm(),
-        weight * std::max(3 - weight * square(linkScale()) * explained.trace(), 0.0);
+    const Matrix3d unexplained = Matrix3d::Identity() - weight * explained;
+    for (const MotionNoise noise : {position_noise, heading_noise})
+    {
+      const Matrix3d share = model_.linkCovariance(k, noise);
+      const auto n = static_cast<Eigen::Index>(noise), link = static_cast<Eigen::Index>(k);
+      fits.misfit(n, link) = weight * row.residual.dot(share * row.residual);
+      fits.redundancy(n, link) = weight * std::max((share * unexplained).trace(), 0.0);
+    }
   }
   return fits;
 }
 
-std::optional<Eigen::VectorXd> TrajectoryAdjustment::scatterScores(double scatter) const
+std::optional<TrajectoryAdjustment::LinkFits::ByLink> TrajectoryAdjustment::scatterScores(
+    const PerMotionNoise<double>& scatter) const
 {
   TrajectoryAdjustment other = *this;
-  other.odometry_scatter_ = scatter;
+  other.model_.setOdometryScatter(scatter);
   if (!other.descend(kScatterSteps)) return std::nullopt;
   const std::optional<ChainSolution> solution = other.linearized().solve();
   if (!solution) return std::nullopt;
-  const Eigen::Matrix2Xd fits = other.linkFits(*solution);
+  const LinkFits fits = other.linkFits(*solution);
   const auto blocks = static_cast<Eigen::Index>(std::min<std::size_t>(kMostBlocks, poses_.size()));
-  Eigen::VectorXd scores = Eigen::VectorXd::Zero(blocks);
-  for (Eigen::Index k = 0; k < fits.cols(); ++k)
-    scores[k * blocks / fits.cols()] += fits(0, k) / square(scatter) - fits(1, k);
+  LinkFits::ByLink scores = LinkFits::ByLink::Zero(motion_noises, blocks);
+  for (Eigen::Index k = 0; k < fits.misfit.cols(); ++k)
+    scores.col(k * blocks / fits.misfit.cols()) += fits.misfit.col(k) - fits.redundancy.col(k);
   return scores;
 }
 
-double TrajectoryAdjustment::odometryScatterStd() const
+PerMotionNoise<double> TrajectoryAdjustment::odometryScatterStd() const
 {
+  using NoiseMatrix = Eigen::Matrix<double, motion_noises, motion_noises>;
   constexpr double kUnknown = std::numeric_limits<double>::infinity();
-  const auto here = scatterScores(odometry_scatter_), above = scatterScores(odometry_scatter_ * std::exp(kScatterStep)),
-             below = scatterScores(odometry_scatter_ * std::exp(-kScatterStep));
-  if (!here || !above || !below) return kUnknown;
-  const double information = (below->sum() - above->sum()) / (2 * kScatterStep);
-  if (!(information > 0)) return kUnknown;
-  double variance = 1 / information;
-  if (const auto blocks = static_cast<double>(here->size()); here->size() >= kLeastBlocks)
-    variance = std::max(variance, blocks / (blocks - 1) * here->squaredNorm() / square(information));
-  return odometry_scatter_ * std::sqrt(variance);
+  const PerMotionNoise<double>& scatter = model_.odometryScatter();
+  const auto scores = scatterScores(scatter);
+  if (!scores) return {kUnknown, kUnknown};
+  NoiseMatrix information;
+  for (std::size_t n = 0; n < motion_noises; ++n)
+  {
+    PerMotionNoise<double> more = scatter, less = scatter;
+    more[n] *= std::exp(kScatterStep);
+    less[n] *= std::exp(-kScatterStep);
+    const auto above = scatterScores(more), below = scatterScores(less);
+    if (!above || !below) return {kUnknown, kUnknown};
+    information.col(static_cast<Eigen::Index>(n)) = (*below - *above).rowwise().sum() / (2 * kScatterStep);
+  }
+  information = (0.5 * (information + information.transpose())).eval();
+  // A noise that nothing tells leaves the other one as it is.
+  if (!(information.determinant() > 0 && information(0, 0) > 0)) information = NoiseMatrix(information.diagonal().asDiagonal());
+  PerMotionNoise<double> stds{kUnknown, kUnknown};
+  const NoiseMatrix inverse = information.inverse();
+  const auto blocks = static_cast<double>(scores->cols());
+  const NoiseMatrix sandwich = blocks / (blocks - 1) * inverse * (*scores * scores->transpose()) * inverse;
+  for (std::size_t n = 0; n < motion_noises; ++n)
+  {
+    const auto i = static_cast<Eigen::Index>(n);
+    if (!(information(i, i) > 0)) continue;
+    const double variance = blocks >= kLeastBlocks ? std::max(inverse(i, i), sandwich(i, i)) : inverse(i, i);
+    stds[n] = scatter[n] * std::sqrt(variance);
+  }
+  return stds;
 }
 
 std::vector<double> TrajectoryAdjustment::misfits() const
@@ -255,7 +291,7 @@ Eigen::MatrixXd TrajectoryAdjustment::scoresByBlock(const ChainSolution& solutio
   {
     if (!problem_.poses[k].since_previous) continue;
     const OdometryResidual row = model_.link(k, poses_[k - 1], poses_[k]);
-    const double weight = robust::weight((linkScale() * row.residual).squaredNorm(), kSlip2) * square(linkScale());
+    const double weight = robust::weight(row.residual.squaredNorm(), kSlip2);
     const Eigen::MatrixXd reduced = row.shared - row.own * pull_of(k - 1) - row.next * pull_of(k);
     scores.row(block_of(k)) += weight * row.residual.transpose() * reduced;
   }

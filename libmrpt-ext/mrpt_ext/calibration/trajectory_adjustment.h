@@ -23,13 +23,12 @@ class TrajectoryAdjustment
 
   [[nodiscard]] const TrajectoryModel& model() const { return model_; }
   [[nodiscard]] const std::vector<SensorScatter>& scatters() const { return scatters_; }
-  [[nodiscard]] double odometryScatter() const { return odometry_scatter_; }
-  /// Standard deviation of odometryScatter(); infinite where nothing tells it. A variance component: the derivative of
-  /// its restricted likelihood is the misfit of odometry over what is expected of it, minus its redundancy (Patterson
-  /// and Thompson, Biometrika 58(3), 1971). The curvature, in which the poses follow the scatter, and the disagreement
-  /// of blocks of time both bound it.
-  [[nodiscard]] double odometryScatterStd() const;
-  [[nodiscard]] double odometryRedundancy() const { return odometry_redundancy_; }
+  /// Standard deviations of the scatters of odometry; infinite where nothing tells one. Variance components: the
+  /// derivative of their restricted likelihood is the misfit of odometry over what is expected of it, minus its
+  /// redundancy (Patterson and Thompson, Biometrika 58(3), 1971). The curvature, in which the poses follow the scatters,
+  /// and the disagreement of blocks of time both bound them.
+  [[nodiscard]] PerMotionNoise<double> odometryScatterStd() const;
+  [[nodiscard]] const PerMotionNoise<double>& odometryRedundancy() const { return odometry_redundancy_; }
   [[nodiscard]] int steps() const { return steps_; }
   /// Residual of each reading over its standard deviation, with the scatter found.
   [[nodiscard]] std::vector<double> misfits() const;
@@ -42,13 +41,16 @@ class TrajectoryAdjustment
  private:
   [[nodiscard]] double scatterOf(const CalibrationReading& reading) const;
   [[nodiscard]] double assumedScatterOf(const CalibrationReading& reading) const;
-  [[nodiscard]] double linkScale() const { return 1 / odometry_scatter_; }
   [[nodiscard]] PoseChainSystem linearized() const;
-  /// Of each link: squared residual, in declared standard deviations, and redundancy.
-  [[nodiscard]] Eigen::Matrix2Xd linkFits(const ChainSolution& solution) const;
-  using LinkFit = Eigen::Vector2d;  // their sums
-  /// By block of time: derivative of the logarithm of the restricted likelihood by that of the scatter.
-  [[nodiscard]] std::optional<Eigen::VectorXd> scatterScores(double scatter) const;
+  /// What each noise of odometry has in the squared residual of each link, and in its redundancy: a column per link.
+  struct LinkFits
+  {
+    using ByLink = Eigen::Matrix<double, motion_noises, Eigen::Dynamic>;
+    ByLink misfit, redundancy;
+  };
+  [[nodiscard]] LinkFits linkFits(const ChainSolution& solution) const;
+  /// Derivatives of the logarithm of the restricted likelihood by those of the scatters: a column per block of time.
+  [[nodiscard]] std::optional<LinkFits::ByLink> scatterScores(const PerMotionNoise<double>& scatter) const;
   void move(const ChainSolution& solution, double share, const std::vector<Pose2>& from, const Eigen::VectorXd& errors);
   [[nodiscard]] Eigen::MatrixXd scoresByBlock(const ChainSolution& solution, double& curvature) const;
 
@@ -56,7 +58,7 @@ class TrajectoryAdjustment
   TrajectoryModel model_;
   std::vector<Pose2> poses_;
   std::vector<SensorScatter> scatters_;
-  double odometry_scatter_ = 1, odometry_redundancy_ = 0;
+  PerMotionNoise<double> odometry_redundancy_{0, 0};
   int steps_ = 0;
 };
 }  // namespace mrpt_ext

@@ -42,12 +42,25 @@ TrajectoryModel::TrajectoryModel(const CalibrationProblem& problem, std::vector<
                                                                  : drift_;
     number = static_cast<int>(k);
   }
-  for (const TrajectoryPose& pose : problem.poses)
+  setOdometryScatter(odometry_scatter_);
+}
+
+void TrajectoryModel::setOdometryScatter(const PerMotionNoise<double>& scatter)
+{
+  odometry_scatter_ = scatter;
+  whitening_.clear();
+  for (const TrajectoryPose& pose : problem_.poses)
   {
-    Matrix3d covariance = pose.since_previous.value_or(Matrix3d::Identity());
+    Matrix3d covariance = pose.since_previous ? scattered(*pose.since_previous, scatter) : Matrix3d::Identity();
     covariance.diagonal().array() += square(kLeastLink);
     whitening_.push_back(covariance.llt().matrixL().solve(Matrix3d::Identity()));
   }
+}
+
+Matrix3d TrajectoryModel::linkCovariance(std::size_t k, MotionNoise noise) const
+{
+  const Matrix3d whitened = square(odometry_scatter_[noise]) * whitening_[k];
+  return whitened * (*problem_.poses[k].since_previous)[noise] * whitening_[k].transpose();
 }
 
 /// The chord of an arc turns by half of what its end turns.

@@ -15,7 +15,7 @@ struct ReadingResidual
   Eigen::RowVectorXd shared;  ///< by the errors
 };
 
-/// The motion between a pose and the next against odometry, in declared standard deviations.
+/// The motion between a pose and the next against odometry, in standard deviations: the declared times the scatter.
 struct OdometryResidual
 {
   Vector3d residual{0, 0, 0};  ///< odometry minus predicted
@@ -43,12 +43,17 @@ class TrajectoryModel
   void setErrors(const Eigen::VectorXd& values) { values_ = values; }
   [[nodiscard]] const Eigen::VectorXd& errors() const { return values_; }
   [[nodiscard]] const std::vector<CalibrationUnknown>& unknowns() const { return unknowns_; }
+  /// Standard deviations of odometry over the declared ones.
+  void setOdometryScatter(const PerMotionNoise<double>& scatter);
+  [[nodiscard]] const PerMotionNoise<double>& odometryScatter() const { return odometry_scatter_; }
 
   [[nodiscard]] ReadingResidual reading(const CalibrationReading& reading, const Pose2& pose) const;
   /// Between pose `k - 1` and pose `k`, which must be tied.
   [[nodiscard]] OdometryResidual link(std::size_t k, const Pose2& before, const Pose2& pose) const;
   /// The motion from pose `k - 1` to pose `k`: the inverse of what link() predicts.
   [[nodiscard]] MotionPrediction motion(std::size_t k) const;
+  /// Covariance of the residual of link() by one noise alone; together they are the unit matrix.
+  [[nodiscard]] Matrix3d linkCovariance(std::size_t k, MotionNoise noise) const;
   /// The residual of link() alone.
   [[nodiscard]] Vector3d linkResidual(std::size_t k, const Pose2& before, const Pose2& pose) const;
 
@@ -70,6 +75,7 @@ class TrajectoryModel
   std::vector<SensorTerms> of_sensor_;
   int distance_scale_ = -1, rotation_scale_ = -1, veer_ = -1, drift_ = -1;  // numbers of their unknowns
   OdometryPath path_;
+  PerMotionNoise<double> odometry_scatter_{1, 1};
   std::vector<Matrix3d> whitening_;  // of each link
   Eigen::VectorXd values_;
 };

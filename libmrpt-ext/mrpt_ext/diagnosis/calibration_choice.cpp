@@ -32,6 +32,7 @@ struct Part
   PartKind kind = PartKind::errors;
   std::vector<std::size_t> errors;  // numbers of unknowns
   std::size_t sensor = 0;
+  MotionNoise odometry = position_noise;
 };
 
 bool isRangeError(const CalibrationUnknown& unknown)
@@ -132,8 +133,10 @@ class ChoiceSearch
     for (std::size_t s = 0; s < data_.sensors.size(); ++s) addNoise(s);
     // Never less: the noise of odometry also stands for slips and for errors that last, which a prediction of the next
     // reading hardly shows.
-    if (!data_.problem.odometry.empty() && first_half_.odometry_scatter > kNoiseDiffers)
-      parts_.push_back({PartKind::odometry_noise, {}, 0});
+    if (data_.problem.odometry.empty()) return;
+    for (const MotionNoise noise : {position_noise, heading_noise})
+      if (first_half_.odometry_scatter[noise] > kNoiseDiffers)
+        parts_.push_back({PartKind::odometry_noise, {}, 0, noise});
   }
 
   void addNoise(std::size_t sensor)
@@ -236,7 +239,8 @@ class ChoiceSearch
       if (part.kind == PartKind::bearing_noise) noise.bearing = scatter.bearing;
       if (part.kind == PartKind::range_noise) noise.range = scatter.range;
       if (part.kind == PartKind::outliers) noise.outliers = outliersOf(part.sensor);
-      if (part.kind == PartKind::odometry_noise) model.odometry = first_half_.odometry_scatter;
+      if (part.kind == PartKind::odometry_noise)
+        model.odometry[part.odometry] = first_half_.odometry_scatter[part.odometry];
     }
     std::erase_if(model.errors, [](const AssumedError& error)
                   { return error.mean == 0 && error.std == 0 && error.std_per_sqrt_s == 0; });
@@ -275,7 +279,7 @@ class ChoiceSearch
       if (part.kind == PartKind::bearing_noise) chosen.noise.bearings[part.sensor] = true;
       if (part.kind == PartKind::range_noise) chosen.noise.ranges[part.sensor] = true;
       if (part.kind == PartKind::outliers) chosen.noise.outliers[part.sensor] = true;
-      if (part.kind == PartKind::odometry_noise) chosen.noise.odometry = true;
+      if (part.kind == PartKind::odometry_noise) chosen.noise.odometry[part.odometry] = true;
     }
     double readings = 0;
     for (std::size_t i = 0; i < best.size(); ++i)
@@ -301,7 +305,8 @@ bool CalibrationChoice::empty() const
 {
   const auto none = [](const std::vector<bool>& flags)
   { return std::find(flags.begin(), flags.end(), true) == flags.end(); };
-  return errors.empty() && !noise.odometry && none(noise.bearings) && none(noise.ranges) && none(noise.outliers);
+  const auto& [position, heading] = noise.odometry;
+  return errors.empty() && !position && !heading && none(noise.bearings) && none(noise.ranges) && none(noise.outliers);
 }
 
 CalibrationChoice chooseCalibration(const CalibrationData& data, const std::vector<CalibrationUnknown>& unknowns,

@@ -13,7 +13,7 @@ namespace mrpt_ext
 /// Noise that a calibration may change beside the systematic errors.
 struct NoiseChoice
 {
-  bool odometry = false;
+  PerMotionNoise<bool> odometry{false, false};
   std::vector<bool> bearings, ranges, outliers;  ///< by sensor
 };
 

@@ -63,7 +63,7 @@ class CalibrationDataBuilder
     if (!result_.problem.poses.empty() && !input_.config.frames.independent)
     {
       const double before = result_.problem.poses.back().time;
-      if (time - before <= kLongestGap) next.since_previous = noise_.covariance(before, time);
+      if (time - before <= kLongestGap) next.since_previous = noise_.covariances(before, time);
     }
     result_.problem.poses.push_back(next);
   }

@@ -80,7 +80,7 @@ void InnovationObserver::add(const Frame& frame, const FilterStep& step)
   if (input_.config.frames.independent) return;
   if (delays_)
   {
-    const Matrix3d noise = noise_.covariance(frame.time - frame.motion.duration, frame.time);
+    const Matrix3d noise = scattered(noise_.covariances(frame.time - frame.motion.duration, frame.time));
     filter_.predict(frame.motion, smoothMotion(frame), noise);
     delays_->predict(frame.time);
   }

@@ -27,7 +27,7 @@ double LinkNoise::turnBeyondNoise(const Pose2& moved, double duration) const
   return std::sqrt(std::max(square(turned) - square(incrementStd(model_, motion).z()), 0.0));
 }
 
-Matrix3d LinkNoise::covariance(double from, double to) const
+PerMotionNoise<Matrix3d> LinkNoise::covariances(double from, double to) const
 {
   const double aside = std::max(to - from, kAside);
   const Pose2 before = moved(from - aside, from), after = moved(to, to + aside);
@@ -43,6 +43,7 @@ Matrix3d LinkNoise::covariance(double from, double to) const
     whole = concatenated(
         whole, {.increment = increment, .path_length = share * way, .turned = share * turn, .duration = lasts});
   }
-  return incrementCovariance(model_, whole);
+  const auto [position, by_turning, by_way, by_time] = covarianceBySource(model_, whole);
+  return {position, by_turning + by_way + by_time};
 }
 }  // namespace mrpt_ext

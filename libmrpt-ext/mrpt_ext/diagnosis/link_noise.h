@@ -1,5 +1,6 @@
 #pragma once
 
+#include "mrpt_ext/calibration/motion_noise.h"
 #include "mrpt_ext/configuration/localization_config.h"
 #include "mrpt_ext/geometry/odometry_path.h"
 
@@ -17,8 +18,9 @@ class LinkNoise
   /// `odometry` must outlive it.
   LinkNoise(const MotionModel& model, const OdometryPath& odometry) : model_(model), odometry_(odometry) {}
 
-  /// Covariance of the increment (x, y, phi) [m^2, m rad, rad^2], in axes of the motion's begin; times in s.
-  [[nodiscard]] Matrix3d covariance(double from, double to) const;
+  /// Covariances of the increment (x, y, phi) [m^2, m rad, rad^2], in axes of the motion's begin, by what errs; times
+  /// in s.
+  [[nodiscard]] PerMotionNoise<Matrix3d> covariances(double from, double to) const;
 
  private:
   [[nodiscard]] Pose2 moved(double from, double to) const;

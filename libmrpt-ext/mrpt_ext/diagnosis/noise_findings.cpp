@@ -74,12 +74,11 @@ std::vector<CalibrationFinding> odometryNoiseFindings(const CalibrationResult& e
   for (const TrajectoryPose& pose : data.problem.poses) links += pose.since_previous ? 1 : 0;
   if (data.problem.odometry.empty() || links == 0) return {};
   const MotionModel& now = config.filter.motion;
-  const double factor = errors.odometry_scatter, std = errors.odometry_scatter_std;
-  const bool told = std <= kUsefulShare * factor;
-  const bool larger = factor > kSignificantRatio;
   std::vector<CalibrationFinding> findings;
-  const auto add = [&](const char* key, double configured, const char* unit)
+  const auto add = [&](const char* key, MotionNoise noise, double configured, const char* unit)
   {
+    const double factor = errors.odometry_scatter[noise], std = errors.odometry_scatter_std[noise];
+    const bool told = std <= kUsefulShare * factor;
     CalibrationFinding found{.what = std::string("odometry: ") + key,
                              .unit = unit,
                              .configured = configured,
@@ -88,12 +87,12 @@ std::vector<CalibrationFinding> odometryNoiseFindings(const CalibrationResult& e
                              .decimals = 4,
                              .why_not_observable = told ? "" : "readings do not tell it from their own noise",
                              .line = {"MotionModel", key, ""}};
-    settleLine(found, larger);
+    settleLine(found, factor > kSignificantRatio);
     findings.push_back(found);
   };
-  add("std_xy_per_m", now.std_xy_per_m, "m");
-  add("std_phi_deg_per_deg", now.std_phi_per_deg, "deg");
-  add("std_phi_deg_per_m", radToDeg(now.std_phi_per_m), "deg");
+  add("std_xy_per_m", position_noise, now.std_xy_per_m, "m");
+  add("std_phi_deg_per_deg", heading_noise, now.std_phi_per_deg, "deg");
+  add("std_phi_deg_per_m", heading_noise, radToDeg(now.std_phi_per_m), "deg");
   return findings;
 }
 }  // namespace
