@@ -64,7 +64,7 @@ bool moves(const CalibrationProblem& problem, const PerMotionNoise<double>& odom
 bool settle(TrajectoryAdjustment& adjuster, int rounds)
 {
   for (int k = 0; k < rounds; ++k)
-    if (!adjuster.estimateScatters() || !adjuster.descend(kStepsPerRound)) return false;
+    if (!adjuster.descend(kStepsPerRound) || !adjuster.estimateScatters()) return false;
   return adjuster.descend(kLastSteps);
 }
 

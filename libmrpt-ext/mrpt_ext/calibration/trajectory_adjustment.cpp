@@ -177,8 +177,9 @@ bool TrajectoryAdjustment::estimateScatters()
     const auto row = static_cast<Eigen::Index>(n);
     odometry_redundancy_[n] = odometry.redundancy.row(row).sum();
     if (odometry_redundancy_[n] < kLeastLinkRedundancy) continue;
-    const double excess = std::sqrt(odometry.misfit.row(row).sum() / odometry_redundancy_[n]);
-    scatter[n] = std::clamp(scatter[n] * excess, kLeastScatter, kMostScatter);
+    const double excess = std::log(std::max(odometry.misfit.row(row).sum() / odometry_redundancy_[n], 1e-6));
+    scatter[n] = std::clamp(scatter[n] * std::exp(search_[n].step(std::log(scatter[n]), excess)), kLeastScatter,
+                            kMostScatter);
   }
   model_.setOdometryScatter(scatter);
   return true;

@@ -1,10 +1,37 @@
 #pragma once
 
+#include <algorithm>
+#include <optional>
+
 #include "mrpt_ext/calibration/block_tridiagonal_solver.h"
 #include "mrpt_ext/calibration/trajectory_model.h"
 
 namespace mrpt_ext
 {
+/// Zero of a function that falls by 2 at most and hardly less than by a quarter of its argument, by the secant of the
+/// last two values. The logarithm of misfit over redundancy is one of the scatter's: by 2 where the residuals are all
+/// redundant; where the poses follow most of them, steps of that size would take dozens of rounds.
+class SecantSearch
+{
+ public:
+  /// What to add to `x`, where the function is `value`.
+  [[nodiscard]] double step(double x, double value)
+  {
+    constexpr double kSteepest = -2, kFlattest = -0.25;
+    const double slope =
+        last_ && x != last_->x ? std::clamp((value - last_->value) / (x - last_->x), kSteepest, kFlattest) : kSteepest;
+    last_ = {x, value};
+    return -value / slope;
+  }
+
+ private:
+  struct Point
+  {
+    double x = 0, value = 0;
+  };
+  std::optional<Point> last_;
+};
+
 /// Robust adjustment of the poses and the unknowns of a recording, step by step; calibrate() runs the steps.
 class TrajectoryAdjustment
 {
@@ -58,6 +85,7 @@ class TrajectoryAdjustment
   TrajectoryModel model_;
   std::vector<Pose2> poses_;
   std::vector<SensorScatter> scatters_;
+  PerMotionNoise<SecantSearch> search_;  // of the scatters of odometry
   PerMotionNoise<double> odometry_redundancy_{0, 0};
   int steps_ = 0;
 };
