@@ -36,45 +36,35 @@ std::vector<BandRows> bandRows(const MirrorPanorama& panorama, const HyperbolicM
   return all;
 }
 
-/// How many pixels of two colours a column has above each row.
+/// How many pixels of the two colours a column has above each row.
 struct ColumnCounts
 {
-  std::vector<int> ends, middle;
+  const ColourCounts &ends, &middle;
+  int column = 0;
 
-  void count(const cv::Mat1b& colours, int column, ObjectColour ends_colour, ObjectColour middle_colour)
+  [[nodiscard]] bool showBands() const
   {
-    const auto size = static_cast<std::size_t>(colours.rows) + 1;
-    ends.assign(size, 0);
-    middle.assign(size, 0);
-    for (int row = 0; row < colours.rows; ++row)
-    {
-      const auto i = static_cast<std::size_t>(row);
-      const auto colour = static_cast<ObjectColour>(colours(row, column));
-      ends[i + 1] = ends[i] + (colour == ends_colour ? 1 : 0);
-      middle[i + 1] = middle[i] + (colour == middle_colour ? 1 : 0);
-    }
+    return ends(ends.rows - 1, column) >= kMinBandRows && middle(middle.rows - 1, column) >= kMinBandRows;
+  }
+  /// Share of the pixels in rows [first, end) that have a colour; nothing when there are too few rows.
+  [[nodiscard]] std::optional<double> share(const ColourCounts& colour, int first, int end) const
+  {
+    if (end - first < kMinBandRows) return std::nullopt;
+    return static_cast<double>(colour(end, column) - colour(first, column)) / (end - first);
   }
 };
-
-/// Share of the counted pixels in rows [first, end); nothing when there are too few rows.
-std::optional<double> share(const std::vector<int>& counts, int first, int end)
-{
-  if (end - first < kMinBandRows) return std::nullopt;
-  const int n = counts[static_cast<std::size_t>(end)] - counts[static_cast<std::size_t>(first)];
-  return static_cast<double>(n) / (end - first);
-}
 
 /// How well a column shows the bands: mean share of the bands in their colours less what of the top colour is above
 /// the top; 0 when the middle and one of the others do not show.
 double bandScore(const ColumnCounts& counts, const BandRows& rows, double band_share)
 {
-  const auto middle = share(counts.middle, rows.first[2], rows.first[3]);
+  const auto middle = counts.share(counts.middle, rows.first[2], rows.first[3]);
   if (!middle || *middle < band_share) return 0;
-  const auto top = share(counts.ends, rows.first[1], rows.first[2]);
-  const auto bottom = share(counts.ends, rows.first[3], rows.first[4]);
+  const auto top = counts.share(counts.ends, rows.first[1], rows.first[2]);
+  const auto bottom = counts.share(counts.ends, rows.first[3], rows.first[4]);
   if (std::max(top.value_or(0), bottom.value_or(0)) < band_share) return 0;
   const double seen = (*middle + top.value_or(0) + bottom.value_or(0)) / 3;
-  return seen - 0.5 * share(counts.ends, rows.first[0], rows.first[1]).value_or(0);
+  return seen - 0.5 * counts.share(counts.ends, rows.first[0], rows.first[1]).value_or(0);
 }
 
 /// Neighbouring columns that show a pole.
@@ -90,15 +80,14 @@ struct ColumnScore
   double score = 0, distance = 0;
 };
 
-std::vector<ColumnScore> scoreColumns(const cv::Mat1b& colours, const std::vector<BandRows>& all, ObjectColour ends,
-                                      ObjectColour middle, double band_share)
+std::vector<ColumnScore> scoreColumns(const ColourCounts& ends, const ColourCounts& middle,
+                                      const std::vector<BandRows>& all, double band_share)
 {
-  std::vector<ColumnScore> scores(static_cast<std::size_t>(colours.cols));
-  ColumnCounts counts;
-  for (int column = 0; column < colours.cols; ++column)
+  std::vector<ColumnScore> scores(static_cast<std::size_t>(ends.cols));
+  for (int column = 0; column < ends.cols; ++column)
   {
-    counts.count(colours, column, ends, middle);
-    if (counts.middle.back() < kMinBandRows || counts.ends.back() < kMinBandRows) continue;
+    const ColumnCounts counts{ends, middle, column};
+    if (!counts.showBands()) continue;
     ColumnScore& best = scores[static_cast<std::size_t>(column)];
     for (const BandRows& rows : all)
       if (const double score = bandScore(counts, rows, band_share); score > best.score) best = {score, rows.distance};
@@ -137,14 +126,25 @@ double poleHalfWidth(const FieldObjectSizes& sizes, double distance)
   return std::asin(std::min(1.0, sizes.pole_radius / distance));
 }
 
-std::optional<ObjectGuess> findBandedPole(const cv::Mat1b& colours, const MirrorPanorama& panorama,
-                                          const HyperbolicMirror& mirror, ObjectColour ends, ObjectColour middle,
+ColourCounts countColour(const cv::Mat1b& colours, ObjectColour colour)
+{
+  ColourCounts counts(colours.rows + 1, colours.cols);
+  counts.row(0).setTo(0);
+  for (int row = 0; row < colours.rows; ++row)
+    std::transform(colours[row], colours[row] + colours.cols, counts[row], counts[row + 1],
+                   [colour](unsigned char pixel, short above)
+                   { return static_cast<short>(above + (pixel == static_cast<unsigned char>(colour) ? 1 : 0)); });
+  return counts;
+}
+
+std::optional<ObjectGuess> findBandedPole(const ColourCounts& ends, const ColourCounts& middle,
+                                          const MirrorPanorama& panorama, const HyperbolicMirror& mirror,
                                           const FieldObjectSizes& sizes, const FieldObjectSearch& search)
 {
   const auto all = bandRows(panorama, mirror, sizes.pole_height, search);
   std::optional<ObjectGuess> found;
   double best = 0;
-  for (const PoleRun& run : runsOf(scoreColumns(colours, all, ends, middle, search.band_share)))
+  for (const PoleRun& run : runsOf(scoreColumns(ends, middle, all, search.band_share)))
   {
     const double half_width = poleHalfWidth(sizes, run.distance);
     const double columns = 2 * half_width * panorama.columns() / kTwoPi;

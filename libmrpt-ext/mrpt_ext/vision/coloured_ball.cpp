@@ -22,12 +22,15 @@ std::vector<Patch> orangePatches(const cv::Mat1b& colours, int overlap, double m
   const cv::Mat1b mask(colours == static_cast<int>(ObjectColour::orange));
   cv::Mat1b wide;
   cv::hconcat(mask, mask.colRange(0, overlap), wide);
-  cv::Mat labels, figures, centres;
-  const int count = cv::connectedComponentsWithStats(wide, labels, figures, centres, 8, CV_32S);
+  const cv::Rect around = cv::boundingRect(wide);
   std::vector<Patch> patches;
+  if (around.empty()) return patches;
+  cv::Mat labels, figures, centres;
+  const int count = cv::connectedComponentsWithStats(wide(around), labels, figures, centres, 8, CV_32S);
   for (int i = 1; i < count; ++i)
     if (const int area = figures.at<int>(i, cv::CC_STAT_AREA); area >= min_area)
-      patches.push_back({static_cast<double>(area), centres.at<double>(i, 0), centres.at<double>(i, 1)});
+      patches.push_back(
+          {static_cast<double>(area), centres.at<double>(i, 0) + around.x, centres.at<double>(i, 1) + around.y});
   return patches;
 }
 }  // namespace

@@ -36,13 +36,16 @@ struct ObjectGuess
 /// Half the angle under which a pole appears.
 [[nodiscard]] double poleHalfWidth(const FieldObjectSizes& sizes, double distance);
 
-/// The pole whose bands are from above `ends`, `middle`, `ends`: for every azimuth the distance that explains the
-/// colours along it best. Two of the three bands are enough, one of them the middle one; the others may be hidden or
-/// outside the mirror. Nothing when bands and width fit one distance nowhere.
-[[nodiscard]] std::optional<ObjectGuess> findBandedPole(const cv::Mat1b& colours, const MirrorPanorama& panorama,
-                                                        const HyperbolicMirror& mirror, ObjectColour ends,
-                                                        ObjectColour middle, const FieldObjectSizes& sizes,
-                                                        const FieldObjectSearch& search);
+/// How many pixels of one colour each column of a panorama has above each row.
+using ColourCounts = cv::Mat_<short>;
+[[nodiscard]] ColourCounts countColour(const cv::Mat1b& colours, ObjectColour colour);
+
+/// The pole whose bands are from above of the colours `ends`, `middle`, `ends`: for every azimuth the distance that
+/// explains the colours along it best. Two of the three bands are enough, one of them the middle one; the others may be
+/// hidden or outside the mirror. Nothing when bands and width fit one distance nowhere.
+[[nodiscard]] std::optional<ObjectGuess> findBandedPole(const ColourCounts& ends, const ColourCounts& middle,
+                                                        const MirrorPanorama& panorama, const HyperbolicMirror& mirror,
+                                                        const FieldObjectSizes& sizes, const FieldObjectSearch& search);
 
 /// Where the ball may be: orange patches on the floor as large as a ball at the distance where it touches the floor,
 /// the largest first.

@@ -196,10 +196,12 @@ OmniView OmniCamera::view(const cv::Mat& image) const
   const cv::Mat panorama = panorama_.unroll(image);
   view.white = settings_.colours.white.value_or(whiteOf(panorama, settings_.colours.white_share));
   const cv::Mat1b colours = classifyColours(panorama, settings_.colours, view.white);
-  const auto pole = [&](ObjectColour ends, ObjectColour middle)
-  { return findBandedPole(colours, panorama_, settings_.mirror, ends, middle, settings_.sizes, settings_.search); };
-  if (const auto p = pole(ObjectColour::yellow, ObjectColour::blue)) measure(image, "p", *p, view);
-  if (const auto q = pole(ObjectColour::blue, ObjectColour::yellow)) measure(image, "q", *q, view);
+  const ColourCounts yellow = countColour(colours, ObjectColour::yellow);
+  const ColourCounts blue = countColour(colours, ObjectColour::blue);
+  const auto pole = [&](const ColourCounts& ends, const ColourCounts& middle)
+  { return findBandedPole(ends, middle, panorama_, settings_.mirror, settings_.sizes, settings_.search); };
+  if (const auto p = pole(yellow, blue)) measure(image, "p", *p, view);
+  if (const auto q = pole(blue, yellow)) measure(image, "q", *q, view);
   for (const ObjectGuess& ball : findBalls(colours, panorama_, settings_.mirror, settings_.sizes, settings_.search))
     if (measure(image, "ball", ball, view)) break;
   return view;

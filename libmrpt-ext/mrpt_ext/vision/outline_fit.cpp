@@ -58,17 +58,16 @@ Normal normalFromTable(double z)
 struct BlurredPowers
 {
   std::array<double, 3> value{}, by_position{}, by_half_width{}, by_blur{};
-  double left = 0, right = 0;  ///< shares of the Gaussian beyond either end
+  Normal low, high;  ///< at either end
 };
 
 BlurredPowers blurredPowers(double u, double h, double s)
 {
   const double p = (u + h) / s, q = (u - h) / s;
-  const Normal low = normalFromTable(p), high = normalFromTable(q);
+  BlurredPowers b;
+  const Normal low = b.low = normalFromTable(p), high = b.high = normalFromTable(q);
   const double difference = low.density - high.density, sum = low.density + high.density;
   const double moments = p * low.density - q * high.density, other = p * low.density + q * high.density;
-  BlurredPowers b;
-  b.left = 1 - low.below, b.right = high.below;
   b.value[0] = low.below - high.below;
   b.value[1] = u * b.value[0] + s * difference;
   b.value[2] = (u * u + s * s) * b.value[0] + 2 * u * s * difference - s * s * moments;
@@ -78,48 +77,61 @@ BlurredPowers blurredPowers(double u, double h, double s)
   return b;
 }
 
-/// Least squares with `Unknowns` linear ones that are eliminated: rows are added once for the unknowns and their
-/// derivatives are taken off afterwards.
-template <int Unknowns>
+/// Least squares with `Unknowns` linear ones, of each channel its own, that are eliminated. All channels have the same
+/// rows.
+template <int Unknowns, int Channels>
 class Eliminated
 {
  public:
   using Row = Eigen::Matrix<double, 1, Unknowns>;
   using Derivatives = Eigen::Matrix<double, Unknowns, 3>;  ///< of a row's entries by the outline
+  using Values = Eigen::Matrix<double, 1, Channels>;
 
-  void reserve(std::size_t count) { rows_.reserve(count), derivatives_.reserve(count), values_.reserve(count); }
-  void add(const Row& row, const Derivatives& derivatives, double value)
+  explicit Eliminated(std::size_t count) { samples_.reserve(count); }
+  void add(const Row& row, const Derivatives& derivatives, const Values& values)
   {
-    rows_.push_back(row), derivatives_.push_back(derivatives), values_.push_back(value);
+    samples_.push_back({row, derivatives, values});
+    normal_ += row.transpose() * row, right_ += row.transpose() * values;
   }
-  void addTo(OutlineEquations& equations) const
+  [[nodiscard]] OutlineEquations equations() const
   {
-    Eigen::Matrix<double, Unknowns, Unknowns> normal = kLevelRidge * decltype(normal)::Identity();
-    Eigen::Matrix<double, Unknowns, 1> right = decltype(right)::Zero();
-    for (std::size_t i = 0; i < rows_.size(); ++i)
-      normal += rows_[i].transpose() * rows_[i], right += rows_[i].transpose() * values_[i];
-    const Eigen::LDLT<decltype(normal)> solver(normal);
-    const Eigen::Matrix<double, Unknowns, 1> solution = solver.solve(right);
-    Derivatives mixed = Derivatives::Zero();
-    std::vector<double>& residuals = equations.residuals.emplace_back();
-    residuals.reserve(rows_.size());
-    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-    for (std::size_t i = 0; i < rows_.size(); ++i)
+    OutlineEquations equations;
+    const Eigen::LDLT<Normal> solver(normal_);
+    for (int c = 0; c < Channels; ++c)
     {
-      const Eigen::RowVector3d slope = solution.transpose() * derivatives_[i];
-      const double residual = values_[i] - rows_[i].dot(solution);
-      mixed += rows_[i].transpose() * slope, information += slope.transpose() * slope;
-      equations.gradient += slope.transpose() * residual;
-      residuals.push_back(residual);
-      equations.slopes += slope[0] * slope[0], equations.slope_squares += square(slope[0] * residual);
+      const Eigen::Matrix<double, Unknowns, 1> solution = solver.solve(right_.col(c));
+      Derivatives mixed = Derivatives::Zero();
+      std::vector<double>& residuals = equations.residuals.emplace_back();
+      residuals.reserve(samples_.size());
+      for (const Sample& s : samples_)
+      {
+        const Eigen::RowVector3d slope = solution.transpose() * s.derivatives;
+        const double residual = s.values[c] - s.row.dot(solution);
+        mixed += s.row.transpose() * slope, equations.information += slope.transpose() * slope;
+        equations.gradient += slope.transpose() * residual;
+        residuals.push_back(residual);
+        equations.slopes += slope[0] * slope[0], equations.slope_squares += square(slope[0] * residual);
+      }
+      for (int i = 0; i < 3; ++i)
+      {
+        const Eigen::Matrix<double, Unknowns, 1> column = solver.solve(mixed.col(i));
+        equations.information.col(i) -= mixed.transpose() * column;
+      }
     }
-    equations.information += information - mixed.transpose() * solver.solve(mixed);
+    return equations;
   }
 
  private:
-  std::vector<Row, Eigen::aligned_allocator<Row>> rows_;
-  std::vector<Derivatives, Eigen::aligned_allocator<Derivatives>> derivatives_;
-  std::vector<double> values_;
+  using Normal = Eigen::Matrix<double, Unknowns, Unknowns>;
+  struct Sample
+  {
+    Row row;
+    Derivatives derivatives;
+    Values values;
+  };
+  std::vector<Sample, Eigen::aligned_allocator<Sample>> samples_;
+  Normal normal_ = kLevelRidge * Normal::Identity();
+  Eigen::Matrix<double, Unknowns, Channels> right_ = decltype(right_)::Zero();
 };
 }  // namespace
 
@@ -156,10 +168,9 @@ Shares sharesAt(double u, const Outline& outline)
 template <int Backgrounds>
 OutlineEquations colourEquationsWith(const SliceProfile& profile, const Outline& outline)
 {
-  using Unknowns = Eliminated<1 + Backgrounds>;
+  using Unknowns = Eliminated<1 + Backgrounds, 2>;
   const double h = outline.half_width, clear = std::min(kClearOfEdge * outline.blur, kMostClearShare * h);
-  std::array<Unknowns, 2> channels;
-  for (auto& channel : channels) channel.reserve(profile.size());
+  Unknowns channels(profile.size());
   for (std::size_t i = 0; i < profile.size(); ++i)
   {
     const double u = profile.first + static_cast<double>(i) - outline.offset;
@@ -182,11 +193,9 @@ OutlineEquations colourEquationsWith(const SliceProfile& profile, const Outline&
       derivatives.row(1) = of_background * shares.left_slope;
       derivatives.row(2) = of_background * shares.right_slope;
     }
-    for (std::size_t c = 0; c < channels.size(); ++c) channels[c].add(row, derivatives, profile.chroma[c][i]);
+    channels.add(row, derivatives, {profile.chroma[0][i], profile.chroma[1][i]});
   }
-  OutlineEquations equations;
-  for (const auto& channel : channels) channel.addTo(equations);
-  return equations;
+  return channels.equations();
 }
 }  // namespace
 
@@ -203,8 +212,8 @@ OutlineEquations colourEquationsOfSides(const SliceProfile& profile, const Outli
 OutlineEquations brightnessEquations(const SliceProfile& profile, const Outline& outline)
 {
   const double h = profile.half_width;  // what the shade's terms are counted in
-  Eliminated<5> luma;
-  luma.reserve(profile.size());
+  using Unknowns = Eliminated<5, 1>;
+  Unknowns luma(profile.size());
   for (std::size_t i = 0; i < profile.size(); ++i)
   {
     const double u = profile.first + static_cast<double>(i) - outline.offset;
@@ -213,10 +222,9 @@ OutlineEquations brightnessEquations(const SliceProfile& profile, const Outline&
       return std::array<double, 3>{v[0], v[1] / h, v[0] - v[2] / (h * h)};
     };
     const auto value = of(b.value), position = of(b.by_position), width = of(b.by_half_width), blur = of(b.by_blur);
-    const double s = outline.blur, low = normalFromTable((u + outline.half_width) / s).density / s,
-                 high = normalFromTable((u - outline.half_width) / s).density / s;
-    const Eliminated<5>::Row row(b.left, b.right, value[0], value[1], value[2]);
-    Eliminated<5>::Derivatives derivatives;
+    const double s = outline.blur, low = b.low.density / s, high = b.high.density / s;
+    const Unknowns::Row row(1 - b.low.below, b.high.below, value[0], value[1], value[2]);
+    Unknowns::Derivatives derivatives;
     derivatives.row(0) << low, -low, low * (u + outline.half_width) / s;
     derivatives.row(1) << -high, -high, -high * (u - outline.half_width) / s;
     for (int k = 0; k < 3; ++k)
@@ -224,10 +232,8 @@ OutlineEquations brightnessEquations(const SliceProfile& profile, const Outline&
       const auto j = static_cast<std::size_t>(k);
       derivatives.row(2 + k) << -position[j], width[j], blur[j];
     }
-    luma.add(row, derivatives, profile.luma[i]);
+    luma.add(row, derivatives, Unknowns::Values(profile.luma[i]));
   }
-  OutlineEquations equations;
-  luma.addTo(equations);
-  return equations;
+  return luma.equations();
 }
 }  // namespace mrpt_ext

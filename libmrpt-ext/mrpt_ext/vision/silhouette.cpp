@@ -15,6 +15,7 @@ namespace
 {
 constexpr double kReach = 7;                       ///< [px] beyond an object's edges that is looked at
 constexpr int kNewtonRounds = 6;                   ///< of Gauss and Newton
+constexpr double kLastStep = 0.005;                ///< [px] of the edges, which is no longer worth a round
 constexpr int kAllAgree = 2;                       ///< the first rounds, in which no slice is left out
 constexpr double kOutlierSlice = 3;                ///< standard deviations
 constexpr double kAgreement = 0.15;                ///< [px] by which slices may differ in any case, as std. deviation
@@ -183,8 +184,9 @@ class OutlineSearch
     for (int round = 0; round < kNewtonRounds; ++round)
     {
       linearise(round >= kAllAgree);
-      move(information_.inverse() * gradient_);
+      const bool is_last = move(information_.inverse() * gradient_) && round >= kAllAgree;
       if (!(std::abs(common_.offset) < kMostOff * per_pixel_)) return std::nullopt;
+      if (is_last) break;
     }
     linearise(true);
     if (static_cast<int>(slices_.size()) < std::max(2, min_slices)) return std::nullopt;
@@ -216,12 +218,15 @@ class OutlineSearch
     }
   }
 
-  void move(const Eigen::Vector3d& step)
+  /// True when the step was too small for another one.
+  bool move(const Eigen::Vector3d& step)
   {
     common_.offset += std::clamp(step[0], -per_pixel_, per_pixel_);
     common_.ratio += std::clamp(step[1], -kMostRatioStep, kMostRatioStep);
     common_.ratio = std::clamp(common_.ratio, kLeastRatio, kMostRatio);
     common_.blur = std::clamp(common_.blur + step[2], kLeastBlur, kMostBlur);
+    const double edges = std::abs(step[0]) / per_pixel_ + std::abs(step[1]) * profiles_.front().half_width;
+    return edges + std::abs(step[2]) < kLastStep;
   }
 
   /// Slices that do not fit as well as most have noise of their own.
