@@ -49,7 +49,8 @@ TEST(MeasurementTimes, TheNoiseOfOdometryIsThatOfTheTimeBetween)
 {
   const CalibrationProblem problem = twoSensors();
   const MeasuredRecording moved = atMeasurementTimes(problem, {0, 0.27});
-  const double rate = scattered(*problem.poses[1].since_previous)(2, 2) / (problem.poses[1].time - problem.poses[0].time);
+  const double rate =
+      scattered(*problem.poses[1].since_previous)(2, 2) / (problem.poses[1].time - problem.poses[0].time);
   for (std::size_t k = 1; k < moved.problem.poses.size(); ++k)
   {
     const double seconds = moved.problem.poses[k].time - moved.problem.poses[k - 1].time;

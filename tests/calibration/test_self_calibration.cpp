@@ -208,7 +208,7 @@ TEST(CalibrationResult, ScattersOfReadingsAndOdometryAreNotBiased)
 {
   double range = 0;
   PerMotionNoise<double> odometry{0, 0};
-  const int runs = testing::runsOfTest(6);
+  const int runs = testing::runsOfTest(30);
   for (int seed = 1; seed <= runs; ++seed)
   {
     RandomStream random(static_cast<std::uint64_t>(seed), 12);

@@ -24,7 +24,7 @@ struct AssumedNoise
 struct RecordingModel
 {
   std::vector<AssumedError> errors;
-  std::vector<AssumedNoise> sensors;  ///< by sensor
+  std::vector<AssumedNoise> sensors;      ///< by sensor
   PerMotionNoise<double> odometry{1, 1};  ///< standard deviations of odometry over the declared ones
 };
 

@@ -19,7 +19,9 @@ constexpr double kSmallDelay = 0.003;  // [s]
 bool isUsable(const CalibrationProblem& problem, const std::vector<CalibrationUnknown>& unknowns)
 {
   const auto pose_ok = [](const TrajectoryPose& p)
-  { return std::isfinite(p.time) && isFinite(p.pose) && (!p.since_previous || scattered(*p.since_previous).allFinite()); };
+  {
+    return std::isfinite(p.time) && isFinite(p.pose) && (!p.since_previous || scattered(*p.since_previous).allFinite());
+  };
   const auto reading_ok = [&](const CalibrationReading& r)
   {
     return r.pose < problem.poses.size() && r.sensor < problem.sensors && r.landmark.allFinite() &&

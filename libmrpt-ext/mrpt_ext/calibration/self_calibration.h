@@ -22,8 +22,8 @@ struct CalibrationResult
   SolveStatus status = SolveStatus::too_few;
   std::vector<ParameterEstimate> errors;  ///< in the order of the unknowns
   std::vector<SensorScatter> scatter;     ///< by sensor
-  std::vector<double> misfits;      ///< by reading: signed residual over its standard deviation, with the scatter found
-  PerMotionNoise<double> odometry_scatter{1, 1};  ///< over the declared standard deviations
+  std::vector<double> misfits;  ///< by reading: signed residual over its standard deviation, with the scatter found
+  PerMotionNoise<double> odometry_scatter{1, 1};      ///< over the declared standard deviations
   PerMotionNoise<double> odometry_scatter_std{0, 0};  ///< of those; infinite: the recording does not tell it
   /// Number of its residuals less what the adjustment took up.
   PerMotionNoise<double> odometry_redundancy{0, 0};

@@ -13,9 +13,9 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kSettled = 1e-3;          // step over its standard deviation
-constexpr double kLoosePose = 1e-6;        // [1/m^2], [1/rad^2] keeps poses without constraints solvable
-constexpr double kLeastRedundancy = 0.05;  // of a residual; below, it carries no information about its scatter
+constexpr double kSettled = 1e-3;            // step over its standard deviation
+constexpr double kLoosePose = 1e-6;          // [1/m^2], [1/rad^2] keeps poses without constraints solvable
+constexpr double kLeastRedundancy = 0.05;    // of a residual; below, it carries no information about its scatter
 constexpr double kLeastLinkRedundancy = 10;  // of all links, likewise
 constexpr double kLeastScatter = 0.1, kMostScatter = 30;
 // Slips belong to odometry: scales are to be right on the whole, not for the stretches without slip. Only a robot that
@@ -178,8 +178,8 @@ bool TrajectoryAdjustment::estimateScatters()
     odometry_redundancy_[n] = odometry.redundancy.row(row).sum();
     if (odometry_redundancy_[n] < kLeastLinkRedundancy) continue;
     const double excess = std::log(std::max(odometry.misfit.row(row).sum() / odometry_redundancy_[n], 1e-6));
-    scatter[n] = std::clamp(scatter[n] * std::exp(search_[n].step(std::log(scatter[n]), excess)), kLeastScatter,
-                            kMostScatter);
+    scatter[n] =
+        std::clamp(scatter[n] * std::exp(search_[n].step(std::log(scatter[n]), excess)), kLeastScatter, kMostScatter);
   }
   model_.setOdometryScatter(scatter);
   return true;
@@ -244,7 +244,8 @@ PerMotionNoise<double> TrajectoryAdjustment::odometryScatterStd() const
   }
   information = (0.5 * (information + information.transpose())).eval();
   // A noise that nothing tells leaves the other one as it is.
-  if (!(information.determinant() > 0 && information(0, 0) > 0)) information = NoiseMatrix(information.diagonal().asDiagonal());
+  if (!(information.determinant() > 0 && information(0, 0) > 0))
+    information = NoiseMatrix(information.diagonal().asDiagonal());
   PerMotionNoise<double> stds{kUnknown, kUnknown};
   const NoiseMatrix inverse = information.inverse();
   const auto blocks = static_cast<double>(scores->cols());

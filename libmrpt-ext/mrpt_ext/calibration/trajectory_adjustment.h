@@ -52,8 +52,8 @@ class TrajectoryAdjustment
   [[nodiscard]] const std::vector<SensorScatter>& scatters() const { return scatters_; }
   /// Standard deviations of the scatters of odometry; infinite where nothing tells one. Variance components: the
   /// derivative of their restricted likelihood is the misfit of odometry over what is expected of it, minus its
-  /// redundancy (Patterson and Thompson, Biometrika 58(3), 1971). The curvature, in which the poses follow the scatters,
-  /// and the disagreement of blocks of time both bound them.
+  /// redundancy (Patterson and Thompson, Biometrika 58(3), 1971). The curvature, in which the poses follow the
+  /// scatters, and the disagreement of blocks of time both bound them.
   [[nodiscard]] PerMotionNoise<double> odometryScatterStd() const;
   [[nodiscard]] const PerMotionNoise<double>& odometryRedundancy() const { return odometry_redundancy_; }
   [[nodiscard]] int steps() const { return steps_; }

@@ -25,8 +25,7 @@ bool isChosen(const IniAssignment& line, const NoiseChoice& noise, const std::ve
     return (line.key == "std_bearing_deg" && noise.bearings[s]) || (line.key == "std_range_m" && noise.ranges[s]) ||
            (line.key == "clutter_probability" && noise.outliers[s]);
   }
-  return line.section == "MotionModel" &&
-         noise.odometry[line.key == "std_xy_per_m" ? position_noise : heading_noise];
+  return line.section == "MotionModel" && noise.odometry[line.key == "std_xy_per_m" ? position_noise : heading_noise];
 }
 }  // namespace
 
