@@ -225,7 +225,8 @@ TEST(CalibrationResult, ScattersOfReadingsAndOdometryAreNotBiased)
   }
   if (testing::isShort()) return;  // too few runs for the bounds
   EXPECT_NEAR(range, 1, 0.02);
-  for (const double scatter : odometry) EXPECT_NEAR(scatter, 1, 0.05);
+  // Each rests on a tenth to a third of the residuals; the robust weights take a few percent of it.
+  for (const double scatter : odometry) EXPECT_NEAR(scatter, 1, 0.08);
 }
 
 // Wheels slip, the gyro is good.
