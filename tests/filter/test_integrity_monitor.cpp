@@ -27,9 +27,12 @@ InlierReport report(double inliers, std::size_t detections, const std::string& s
   return {{sensor, inliers, expected, expected, detections}};
 }
 
-Frame afterMoving(double distance)
+/// A detection of landmark `id` after moving ahead; without: nothing is seen.
+Frame afterMoving(double distance, std::optional<int> id = std::nullopt)
 {
-  return {.motion = {.increment = {distance, 0, 0}, .path_length = distance, .duration = 1}};
+  Frame frame{.motion = {.increment = {distance, 0, 0}, .path_length = distance, .duration = 1}};
+  if (id) frame.readings.push_back({.detections = {{.id = *id, .bearing = 0}}});
+  return frame;
 }
 }  // namespace
 
@@ -81,21 +84,40 @@ TEST(IntegrityMonitor, TheLogOddsStayWithTheirModeAsItMoves)
 {
   IntegrityMonitor monitor = monitorOf();
   monitor.startVerified({});
-  EXPECT_FALSE(monitor.followMode(modesAt({1, 1, 0}), {}));
-  EXPECT_FALSE(monitor.followMode(modesAt({2, 1, 0}), afterMoving(1).motion)) << "it moved as odometry did";
+  EXPECT_FALSE(monitor.followMode(modesAt({1, 1, 0}), afterMoving(0, 1)));
+  EXPECT_FALSE(monitor.followMode(modesAt({2, 1, 0}), afterMoving(1, 1))) << "it moved as odometry did";
   EXPECT_TRUE(monitor.verified());
-  EXPECT_FALSE(monitor.followMode(modesAt({5, 5, 0}, 0.45), {})) << "a rival without the majority";
+  EXPECT_FALSE(monitor.followMode(modesAt({5, 5, 0}, 0.45), afterMoving(0, 1))) << "a rival without the majority";
   EXPECT_TRUE(monitor.verified());
-  EXPECT_TRUE(monitor.followMode(modesAt({5, 5, 0}), {})) << "another mode";
+  EXPECT_TRUE(monitor.followMode(modesAt({5, 5, 0}), afterMoving(0, 1))) << "another mode";
   EXPECT_FALSE(monitor.verified());
+}
+
+TEST(IntegrityMonitor, AGapInWhichThePositionBecameImpreciseEndsWithAnIdentifiedLandmark)
+{
+  const MotionModel motion{.std_xy_per_m = 0.1, .std_phi_per_deg = 0, .std_phi_per_m = degToRad(0.5)};
+  IntegrityMonitor monitor({}, {}, motion, {}, kMap);
+  monitor.startVerified({});
+  EXPECT_FALSE(monitor.endsGap(afterMoving(20, 1))) << "no mode yet";
+  (void)monitor.followMode(modesAt({1, 1, 0}), afterMoving(0, 1));
+  EXPECT_TRUE(monitor.endsGap(afterMoving(20, 1)));
+  EXPECT_FALSE(monitor.endsGap(afterMoving(2, 1))) << "still precise";
+  EXPECT_FALSE(monitor.endsGap(afterMoving(2000, 1))) << "nor is the heading known any more";
+  EXPECT_FALSE(monitor.endsGap(afterMoving(20, kNoId)));
+
+  EXPECT_FALSE(monitor.followMode(modesAt({11, 1, 0}, 1, 2), afterMoving(10))) << "nothing was seen";
+  EXPECT_TRUE(monitor.endsGap(afterMoving(10, 1)));
+  monitor.test(afterMoving(10, 1), {}, true);
+  EXPECT_LT(monitor.logOdds(), SequentialPoseTest::kMaxLogOdds);
+  EXPECT_FALSE(monitor.followMode(modesAt({22, 1, 0}), afterMoving(10, 1))) << "1 m is within the prediction";
 }
 
 TEST(IntegrityMonitor, WithoutAModeUnderTestNothingIsVerified)
 {
   IntegrityMonitor monitor = monitorOf();
   monitor.startVerified({});
-  EXPECT_FALSE(monitor.followMode({}, {})) << "no modes at all";
-  EXPECT_TRUE(monitor.followMode(modesAt({}, 1, 2), {})) << "too imprecise";
+  EXPECT_FALSE(monitor.followMode({}, afterMoving(0, 1))) << "no modes at all";
+  EXPECT_TRUE(monitor.followMode(modesAt({}, 1, 2), afterMoving(0, 1))) << "too imprecise";
   EXPECT_FALSE(monitor.verified());
 }
 

@@ -38,7 +38,17 @@ TEST(LandmarkEvidence, OfALandmarkIsLimited)
   double sum = evidence.add(2, 5);
   sum += evidence.add(1, -10);
   EXPECT_EQ(sum, 4) << "1 had 14, not 500";
-  evidence.clear();
+  evidence.restart(false);
   EXPECT_EQ(evidence.add(1, 5), 0);
+}
+
+TEST(LandmarkEvidence, OfAPredictedPoseBeginsWithTheFirstDetectionOfEachLandmark)
+{
+  LandmarkEvidence evidence(14);
+  evidence.restart(true);
+  EXPECT_EQ(evidence.add(1, 5), 5) << "the pose was there before it";
+  EXPECT_EQ(evidence.add(1, 5), 0) << "poses turned about 1 fit as well";
+  EXPECT_EQ(evidence.add(2, -3), -3);
+  EXPECT_EQ(evidence.add(2, 4), 4) << "1 leads with 5";
 }
 }  // namespace mrpt_ext::test_landmark_evidence

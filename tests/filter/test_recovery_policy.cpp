@@ -73,6 +73,15 @@ TEST(RecoveryPolicy, AVerifiedModeIsTestedOnlyWhereAnotherPoseMayFit)
   EXPECT_EQ(first({.unimodal = true, .verified = true, .has_trajectory = true}), 20);
 }
 
+TEST(RecoveryPolicy, AFrameThatTestsAPredictedPoseDoesNotChooseAnother)
+{
+  RecoveryPolicy policy({});
+  policy.start();
+  EXPECT_FALSE(policy.decide({.unimodal = true, .ends_gap = true}, 30).due());
+  EXPECT_EQ(policy.decide({.unimodal = true}, 1).kind, Kind::verify) << "the next one";
+  EXPECT_EQ(policy.decide({.suspicious = true, .ends_gap = true}, 30).kind, Kind::reseed);
+}
+
 TEST(RecoveryPolicy, SeveralModesAreVerifiedByATrajectoryOnly)
 {
   RecoveryPolicy alone({}), with_trajectory({});

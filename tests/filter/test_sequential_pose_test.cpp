@@ -164,6 +164,36 @@ TEST(SequentialPoseTest, AVerifiedPoseIsConfirmedByOneLandmark)
   EXPECT_GT(after, SequentialPoseTest::kMaxLogOdds - 1);
 }
 
+TEST(SequentialPoseTest, AfterAGapOneDetectionConfirmsThePose)
+{
+  const LandmarkTable map({{.id = 1, .position = {2, 2, 0}}});
+  RandomStream random(5);
+  SequentialPoseTest test(motionModelOf({}), map);
+  test.accept();
+  Pose2 truth{5, 2, 0};
+  const auto update = [&](int k, const Pose2& off)
+  {
+    truth = compose(truth, roundTripStep(k));
+    const Frame frame = simulatedFrame({.measures_range = true}, map, truth, roundTripStep(k), random);
+    test.update(frame, map, particlesAt(compose(truth, off), random));
+    return test.logOdds();
+  };
+  const auto endGap = [&]
+  {
+    test.endGap({.duration = 10});
+    return test.logOdds();
+  };
+  EXPECT_NEAR(endGap(), -std::log(10 * SequentialPoseTest::kSlipRate), 0.01) << "it may have slipped";
+  EXPECT_GE(update(0, {}), SequentialPoseTest::kAcceptLogOdds);
+  const double before = endGap();
+  double after = before;
+  int k = 1;
+  while (after == before && k < 30) after = update(k++, {1, 1, 1});  // the first detection away from the last one
+  EXPECT_LT(after, before - 1);
+  while (k < 60) after = update(k++, {});  // a pose that is corrected by the landmark fits it
+  EXPECT_LT(after, SequentialPoseTest::kAcceptLogOdds);
+}
+
 TEST(SequentialPoseTest, ADoubtedPoseHasToBeVerifiedAgain)
 {
   RandomStream random(1);

@@ -2,14 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "mrpt_ext/geometry/bounded_frame.h"
+#include "mrpt_ext/geometry/identified.h"
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr double kMajority = 0.5;  // of the weight
+constexpr double kMajority = 0.5;        // of the weight
+constexpr double kChiSquareGate = 16.3;  // of a pose, 99.9 %
+
+bool isPrecise(const KalmanState& state, const VerdictOptions& options)
+{
+  return isUnimodal({{{state.gaussianPose(), 1}}, {}}, options);
+}
 }  // namespace
 
 IntegrityMonitor::IntegrityMonitor(const RecoveryOptions& recovery, const VerdictOptions& verdict,
@@ -37,8 +46,19 @@ void IntegrityMonitor::startVerified(const Frame& frame)
   pose_test_.accept();
 }
 
+bool IntegrityMonitor::endsGap(const Frame& frame) const
+{
+  if (!tested_mode_ || pose_test_.logOdds() < 0 || !hasIdentified(frame)) return false;
+  const KalmanState predicted = predict(*tested_mode_, biases_, motion_, frame.motion);
+  VerdictOptions heading_only = options_;
+  heading_only.max_std_xy = std::numeric_limits<double>::infinity();
+  return !isPrecise(predicted, options_) && isPrecise(predicted, heading_only);
+}
+
 void IntegrityMonitor::test(const Frame& frame, const ParticleSet& predicted, bool counts)
 {
+  gap_ends_ = counts && endsGap(frame);
+  if (gap_ends_) pose_test_.endGap(frame.motion);
   if (counts)
     pose_test_.update(frame, map_, predicted);
   else
@@ -47,22 +67,24 @@ void IntegrityMonitor::test(const Frame& frame, const ParticleSet& predicted, bo
 
 void IntegrityMonitor::doubt() { pose_test_.doubt(); }
 
-bool IntegrityMonitor::hasLeft(const Mode& best) const
+bool IntegrityMonitor::hasLeft(const Mode& best, bool identified) const
 {
-  const bool precise = isUnimodal({{{tested_mode_->gaussianPose(), 1}}, {}}, options_);
+  if (!gap_ends_ && !isPrecise(*tested_mode_, options_)) return true;
   const Vector2d away = best.pose.mean.position() - tested_mode_->mean.head<2>();
-  const double turned = wrap(best.pose.mean.phi - tested_mode_->mean.z());
-  const bool elsewhere = away.norm() > options_.max_std_xy || std::abs(turned) > options_.max_std_phi;
-  return !precise || (elsewhere && best.weight > kMajority);
+  const Vector3d off(away.x(), away.y(), wrap(best.pose.mean.phi - tested_mode_->mean.z()));
+  const bool far = away.norm() > options_.max_std_xy || std::abs(off.z()) > options_.max_std_phi;
+  const double nees = off.dot(tested_mode_->gaussianPose().covariance.ldlt().solve(off));
+  return far && !(identified && nees <= kChiSquareGate) && best.weight > kMajority;
 }
 
-bool IntegrityMonitor::followMode(const ModeSet& modes, const OdometryMotion& motion)
+bool IntegrityMonitor::followMode(const ModeSet& modes, const Frame& frame)
 {
   if (modes.modes.empty()) return false;
   const Mode& best = modes.modes.front();
   const bool unimodal = isUnimodal(modes, options_);
-  if (tested_mode_) tested_mode_ = predict(*tested_mode_, biases_, motion_, motion);
-  const bool restart = tested_mode_ ? hasLeft(best) : !unimodal;
+  if (tested_mode_) tested_mode_ = predict(*tested_mode_, biases_, motion_, frame.motion);
+  if (tested_mode_ && detectionCount(frame) == 0) return false;
+  const bool restart = tested_mode_ ? hasLeft(best, hasIdentified(frame)) : !unimodal;
   if (restart)
   {
     tested_mode_.reset();

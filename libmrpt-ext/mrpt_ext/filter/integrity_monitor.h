@@ -24,6 +24,9 @@ class IntegrityMonitor
   void start(const Frame& measurements, const ParticleSet& samples);
   /// The filter was initialized at a known pose: the mode is verified.
   void startVerified(const Frame& frame);
+  /// True when identified landmarks end a gap in which the position of the mode under test became imprecise, but not
+  /// its heading: the frame can tell whether the mode is right. A heading that nothing supports is found anew.
+  [[nodiscard]] bool endsGap(const Frame& frame) const;
   /// Tests the mode with a frame. `predicted`: normalised particles after the motion, not yet weighted with the frame.
   /// `counts` is false when the frame selects between modes or injected hypotheses: it is no evidence for the winner.
   void test(const Frame& frame, const ParticleSet& predicted, bool counts);
@@ -31,10 +34,10 @@ class IntegrityMonitor
   void doubt();
   /// `contradicted`: the result of the trajectory search fits another pose better than the best mode.
   void setContradicted(bool contradicted) { contradicted_ = contradicted; }
-  /// Predicts the mode under test by odometry. When another mode has most of the weight, or the mode under test is not
-  /// precise any more, the test starts again and the result is true. A second mode that only appears for a while leaves
-  /// the log odds as they are.
-  bool followMode(const ModeSet& modes, const OdometryMotion& motion);
+  /// Predicts the mode under test by the odometry of the frame that was weighted. When another mode has most of the
+  /// weight, or the mode under test is not precise any more, the test starts again and the result is true. A second
+  /// mode that only appears for a while leaves the log odds as they are, and so does a frame without detections.
+  bool followMode(const ModeSet& modes, const Frame& frame);
   /// Updates the inlier ratios with the inliers of the weighted particles.
   void update(const InlierReport& report);
 
@@ -55,7 +58,9 @@ class IntegrityMonitor
   [[nodiscard]] std::string finding() const { return sensor_ratios_.finding(); }
 
  private:
-  [[nodiscard]] bool hasLeft(const Mode& best) const;
+  /// Whether `best` is another mode than the one under test. What moves a mode within its prediction is a correction if
+  /// landmarks are identified; anonymous ones may have chosen another place.
+  [[nodiscard]] bool hasLeft(const Mode& best, bool identified) const;
 
   VerdictOptions options_;
   MotionModel motion_;
@@ -65,6 +70,7 @@ class IntegrityMonitor
   SensorMonitors sensor_ratios_;
   SequentialPoseTest pose_test_;
   std::optional<KalmanState> tested_mode_;  // the mode under test, predicted by odometry
+  bool gap_ends_ = false;                   // with the frame under test
   bool contradicted_ = false;
 };
 }  // namespace mrpt_ext

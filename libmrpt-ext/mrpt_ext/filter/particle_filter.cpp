@@ -66,7 +66,8 @@ FilterStep ParticleFilter::process(const Frame& whole, const HypothesisSources& 
   if (steady) gaussian = updated(*steady, used);
 
   // Test the mode, before the same measurements change it
-  integrity_.test(frame, gaussian ? gaussian->samples : particles_, before.unimodal && !recovery.due());
+  integrity_.test(frame, gaussian ? gaussian->samples : particles_,
+                  (before.unimodal || before.ends_gap) && !recovery.due());
 
   // Recover: let hypotheses from elsewhere compete
   if (recovery.due()) inject(recovery, frame, sources);
@@ -116,6 +117,7 @@ PosteriorState ParticleFilter::assess(const Frame& frame, const HypothesisSource
           .unimodal = isUnimodal(),
           .verified = integrity_.verified(),
           .anonymous = hasAnonymous(frame),
+          .ends_gap = integrity_.endsGap(frame),
           .has_trajectory = usesTrajectory(sources, Recovery::Kind::verify)};
 }
 
@@ -231,7 +233,8 @@ FilterStep ParticleFilter::estimate(const Frame& frame, Recovery::Kind injected)
 
   // A known start is the mode under test, however imprecise it becomes, until something else was tried.
   const bool known_start = options_.initial_mode == InitialMode::gaussian && !recovery_.hasInjected();
-  if (!known_start && integrity_.followMode(modes_, frame.motion)) recovery_.resetVerification();
+  if (!known_start && integrity_.followMode(modes_, frame))
+    recovery_.resetVerification();
   if (options_.mode_kalman_filters) mode_mixture_.associate(modes_, particles_);
   integrity_.update(observation_model_.countInliers(frame, particles_, isTracking()));
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "mrpt_ext/geometry/identified.h"
+
 namespace mrpt_ext
 {
 namespace
@@ -10,14 +12,6 @@ namespace
 constexpr double kBuffered = 240;              // [s]
 constexpr double kStepDuration = 1;            // [s]
 constexpr std::size_t kMostCurrentModes = 10;  // that compete with the poses found
-
-bool hasIdentified(const Frame& frame)
-{
-  const auto is_identified = [](const Detection& d) { return d.id != kNoId; };
-  return std::any_of(frame.readings.begin(), frame.readings.end(),
-                     [&](const Reading& reading)
-                     { return std::any_of(reading.detections.begin(), reading.detections.end(), is_identified); });
-}
 }  // namespace
 
 TrajectoryRelocalizer::TrajectoryRelocalizer(const LandmarkTable& map, std::shared_ptr<const GlobalPoseSearch> search,

@@ -13,17 +13,27 @@ namespace mrpt_ext
 /// one landmark and a false detection is one of these, so the landmark's detections say nothing for it. The
 /// log-likelihood ratio against the composite null hypothesis "wrong, but right about some landmark" is the least one,
 /// that is the sum over all landmarks but the one with most.
+///
+/// A pose that was predicted over a gap was not found by the landmarks that end it: the first detection of each is
+/// evidence against every rival, and only those after it are as above.
 class LandmarkEvidence
 {
  public:
   /// `most`: log-likelihood ratio of one landmark at most.
   explicit LandmarkEvidence(double most) : most_(most) {}
 
-  void clear() { by_landmark_.clear(); }
+  /// `predicted`: no landmark that is seen from here on has found the pose.
+  void restart(bool predicted)
+  {
+    by_landmark_.clear();
+    predicted_ = predicted;
+  }
   /// Adds the log-likelihood ratio of a detection of the landmark; returns by how much the evidence changes.
   double add(std::size_t landmark, double log_ratio)
   {
-    double& own = by_landmark_[landmark];
+    const auto [entry, is_first] = by_landmark_.try_emplace(landmark, 0.0);
+    if (is_first && predicted_) return log_ratio;
+    double& own = entry->second;
     const double before = own - leading();
     own = std::min(own + log_ratio, most_);
     return own - leading() - before;
@@ -38,6 +48,7 @@ class LandmarkEvidence
   }
 
   double most_;
+  bool predicted_ = false;
   std::map<std::size_t, double> by_landmark_;
 };
 }  // namespace mrpt_ext

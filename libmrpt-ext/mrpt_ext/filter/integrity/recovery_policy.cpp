@@ -25,6 +25,7 @@ Recovery RecoveryPolicy::decide(const PosteriorState& state, double elapsed)
 
 bool RecoveryPolicy::isVerificationDue(const PosteriorState& state) const
 {
+  if (state.ends_gap) return false;
   if (state.unimodal && state.verified)
     return since_injection_ >= kMaxVerificationInterval && (state.has_trajectory || state.anonymous);
   return since_injection_ >= verification_interval_ && (state.unimodal || state.has_trajectory);

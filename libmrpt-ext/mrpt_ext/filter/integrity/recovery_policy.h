@@ -14,6 +14,7 @@ struct PosteriorState
   bool unimodal = false;        ///< one precise mode
   bool verified = false;        ///< ... that the sequential test has accepted
   bool anonymous = false;       ///< the frame has anonymous detections
+  bool ends_gap = false;        ///< the frame tests a pose that was predicted over a gap
   bool has_trajectory = false;  ///< a trajectory search can give hypotheses
 };
 
@@ -37,6 +38,7 @@ struct Recovery
 ///   up to `max_reseed_interval`, until resetReseeding().
 /// - verify (particle filter only): at an interval that doubles with every verification that the mode survives, while
 ///   the prior falls in proportion. A verified mode is tested at the longest interval, where another pose could fit.
+///   Never by a frame that ends a gap, which tests the pose before anything else.
 class RecoveryPolicy
 {
  public:

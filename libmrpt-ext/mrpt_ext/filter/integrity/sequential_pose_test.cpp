@@ -132,6 +132,13 @@ void SequentialPoseTest::decayAfterGap(const Frame& frame)
     log_odds_ = std::max(0.0, log_odds_ - decay);
 }
 
+void SequentialPoseTest::endGap(const OdometryMotion& motion)
+{
+  log_odds_ = -std::log(std::exp(-log_odds_) + kSlipRate * (gap_ + motion.duration));
+  by_landmark_.restart(true);
+  rivals_refuted_ = heading_seen_ = false;
+}
+
 FeatureMixture::Outcome SequentialPoseTest::observeWithoutMap(const Reading& part, double default_max_range)
 {
   const Detection& d = part.detections.front();

@@ -42,6 +42,7 @@ class SequentialPoseTest
   /// After a gap without detections the robot may have slipped, and anonymous detections fit wrong poses too. Each
   /// second of the gap beyond kDecayAfter [s] takes kDecayPerS from positive log odds.
   static constexpr double kDecayPerS = 0.3, kDecayAfter = 5;
+  static constexpr double kSlipRate = 1e-3;  ///< [1/s] prior of slips that the noise of odometry does not cover
 
   SequentialPoseTest(const MotionModel& motion, const LandmarkTable& map);
 
@@ -50,6 +51,9 @@ class SequentialPoseTest
   void start(const std::vector<Reading>& readings, const LandmarkTable& map, const ParticleSet& samples);
   /// Scores the frame's independent detections by the particles moved to it and not yet weighted with it (normalised).
   void update(const Frame& frame, const LandmarkTable& map, const ParticleSet& predicted);
+  /// The next frame ends a gap in which the position became imprecise. What was known before holds unless the robot
+  /// slipped, and which pose it slipped to only the landmarks from here on tell.
+  void endGap(const OdometryMotion& motion);
   /// Remembers the frame's detections without counting them: the mode is selected by them.
   void skip(const Frame& frame);
   /// Another mode is under test.
@@ -64,7 +68,7 @@ class SequentialPoseTest
   {
     log_odds_ = std::clamp(log_odds_, 0.0, kAcceptLogOdds / 2);
     seen_.clear();
-    by_landmark_.clear();
+    by_landmark_.restart(false);
     rivals_refuted_ = heading_seen_ = false;
   }
   /// The pose is known.
