@@ -52,7 +52,7 @@ bool IntegrityMonitor::endsGap(const Frame& frame) const
   const KalmanState predicted = predict(*tested_mode_, biases_, motion_, frame.motion);
   VerdictOptions heading_only = options_;
   heading_only.max_std_xy = std::numeric_limits<double>::infinity();
-  return !isPrecise(predicted, options_) && isPrecise(predicted, heading_only);
+  return (pose_test_.isGap(frame.motion) || !isPrecise(predicted, options_)) && isPrecise(predicted, heading_only);
 }
 
 void IntegrityMonitor::test(const Frame& frame, const ParticleSet& predicted, bool counts)

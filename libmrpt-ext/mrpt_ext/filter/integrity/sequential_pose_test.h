@@ -54,6 +54,7 @@ class SequentialPoseTest
   /// The next frame ends a gap in which the position became imprecise. What was known before holds unless the robot
   /// slipped, and which pose it slipped to only the landmarks from here on tell.
   void endGap(const OdometryMotion& motion);
+  [[nodiscard]] bool isGap(const OdometryMotion& motion) const { return gap_ + motion.duration > kDecayAfter; }
   /// Remembers the frame's detections without counting them: the mode is selected by them.
   void skip(const Frame& frame);
   /// Another mode is under test.
