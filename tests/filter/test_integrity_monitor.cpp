@@ -93,7 +93,7 @@ TEST(IntegrityMonitor, TheLogOddsStayWithTheirModeAsItMoves)
   EXPECT_FALSE(monitor.verified());
 }
 
-TEST(IntegrityMonitor, AGapInWhichThePositionBecameImpreciseEndsWithAnIdentifiedLandmark)
+TEST(IntegrityMonitor, AGapEndsWithAnIdentifiedLandmarkWhileTheHeadingIsKnown)
 {
   const MotionModel motion{.std_xy_per_m = 0.1, .std_phi_per_deg = 0, .std_phi_per_m = degToRad(0.5)};
   IntegrityMonitor monitor({}, {}, motion, {}, kMap);
@@ -104,6 +104,9 @@ TEST(IntegrityMonitor, AGapInWhichThePositionBecameImpreciseEndsWithAnIdentified
   EXPECT_FALSE(monitor.endsGap(afterMoving(2, 1))) << "still precise";
   EXPECT_FALSE(monitor.endsGap(afterMoving(2000, 1))) << "nor is the heading known any more";
   EXPECT_FALSE(monitor.endsGap(afterMoving(20, kNoId)));
+  Frame late = afterMoving(2, 1);
+  late.motion.duration = SequentialPoseTest::kDecayAfter + 1;
+  EXPECT_TRUE(monitor.endsGap(late)) << "precise, but it may have slipped";
 
   EXPECT_FALSE(monitor.followMode(modesAt({11, 1, 0}, 1, 2), afterMoving(10))) << "nothing was seen";
   EXPECT_TRUE(monitor.endsGap(afterMoving(10, 1)));

@@ -24,8 +24,9 @@ class IntegrityMonitor
   void start(const Frame& measurements, const ParticleSet& samples);
   /// The filter was initialized at a known pose: the mode is verified.
   void startVerified(const Frame& frame);
-  /// True when identified landmarks end a gap in which the position of the mode under test became imprecise, but not
-  /// its heading: the frame can tell whether the mode is right. A heading that nothing supports is found anew.
+  /// True when identified landmarks end a gap, a long one or one in which the position of the mode under test became
+  /// imprecise, but not its heading: the frame can tell whether the mode is right. A heading that nothing supports is
+  /// found anew.
   [[nodiscard]] bool endsGap(const Frame& frame) const;
   /// Tests the mode with a frame. `predicted`: normalised particles after the motion, not yet weighted with the frame.
   /// `counts` is false when the frame selects between modes or injected hypotheses: it is no evidence for the winner.

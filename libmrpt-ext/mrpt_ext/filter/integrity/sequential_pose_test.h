@@ -39,8 +39,8 @@ class SequentialPoseTest
   static constexpr double kAcceptLogOdds = 9;   ///< one wrong pose in exp(9) = 8000 gets that far
   static constexpr double kRejectLogOdds = -5;  ///< at which the robot is searched elsewhere
   static constexpr double kMaxLogOdds = 14;     ///< remembered at most, so that a later error shows soon
-  /// After a gap without detections the robot may have slipped, and anonymous detections fit wrong poses too. Each
-  /// second of the gap beyond kDecayAfter [s] takes kDecayPerS from positive log odds.
+  /// After a gap without detections longer than kDecayAfter [s] the robot may have slipped, and anonymous detections
+  /// fit wrong poses too. Each second beyond takes kDecayPerS from positive log odds; for identified ones see endGap().
   static constexpr double kDecayPerS = 0.3, kDecayAfter = 5;
   static constexpr double kSlipRate = 1e-3;  ///< [1/s] prior of slips that the noise of odometry does not cover
 
@@ -51,10 +51,11 @@ class SequentialPoseTest
   void start(const std::vector<Reading>& readings, const LandmarkTable& map, const ParticleSet& samples);
   /// Scores the frame's independent detections by the particles moved to it and not yet weighted with it (normalised).
   void update(const Frame& frame, const LandmarkTable& map, const ParticleSet& predicted);
-  /// The next frame ends a gap in which the position became imprecise. What was known before holds unless the robot
-  /// slipped, and which pose it slipped to only the landmarks from here on tell.
-  void endGap(const OdometryMotion& motion);
+  /// True when the robot may have slipped since the last detection, at the end of the motion.
   [[nodiscard]] bool isGap(const OdometryMotion& motion) const { return gap_ + motion.duration > kDecayAfter; }
+  /// Identified detections end a gap with the next frame. What was known before holds unless the robot slipped, and to
+  /// which pose only the landmarks from here on tell.
+  void endGap(const OdometryMotion& motion);
   /// Remembers the frame's detections without counting them: the mode is selected by them.
   void skip(const Frame& frame);
   /// Another mode is under test.
