@@ -131,6 +131,7 @@ TEST(KeyDefaults, OfASensorAreThoseOfItsConfig)
   EXPECT_EQ(read.detection_probability, plain.detection_probability);
   EXPECT_EQ(read.lever_arm, plain.lever_arm);
   EXPECT_EQ(read.lever_arm_std, plain.lever_arm_std);
+  EXPECT_EQ(read.delay_std, plain.delay_std);
   EXPECT_EQ(read.association, plain.association);
   EXPECT_EQ(read.reflectors.has_value(), plain.reflectors.has_value());
   EXPECT_EQ(read.ignore, plain.ignore);

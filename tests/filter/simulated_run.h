@@ -58,6 +58,7 @@ inline Frame simulatedFrame(const SimulatedRobot& robot, const LandmarkTable& ma
   reading.model.clutter_probability = robot.clutter;
   reading.model.max_range = 20.0;
   reading.model.lever_arm_std = 0;
+  reading.model.delay_std = 0;
   std::vector<std::size_t> order(map.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   for (std::size_t i = 0; i < std::min(robot.detections, order.size()); ++i)

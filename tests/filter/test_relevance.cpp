@@ -56,6 +56,16 @@ TEST(Relevance, AParameterThatIsNeverZeroHasItsPriorUntilTheDataSayMore)
   EXPECT_NEAR(found.covariance(1, 1), 1 / 400.0, 1e-3);
 }
 
+// However large an estimate of next to no data is.
+TEST(Relevance, AParameterThatIsNeverZeroIsNotTakenForLargeByChance)
+{
+  const PriorStds prior{Eigen::VectorXd::Constant(1, 0.05), Eigen::VectorXd::Constant(1, 0.2)};
+  const LinearEvidence little{Eigen::MatrixXd::Constant(1, 1, 1e-6), Eigen::VectorXd::Constant(1, 5e-4)};
+  EXPECT_NEAR(determined(little, prior).covariance(0, 0), square(0.05), 1e-6);
+  const LinearEvidence clear{Eigen::MatrixXd::Constant(1, 1, 1e6), Eigen::VectorXd::Constant(1, 1.5e5)};
+  EXPECT_NEAR(determined(clear, prior).mean[0], 0.15, 1e-4);
+}
+
 TEST(Relevance, OneErrorIsExplainedByTheParameterThatFits)
 {
   Eigen::VectorXd truth = Eigen::VectorXd::Zero(12);

@@ -152,6 +152,11 @@ KeyTable sensorKeys()
   const ReflectorOptions reflectors;
   return KeySection("Sensor_<label>")
       .number("delay_s", "s", sensor.delay, ranges::kAny, "Latency of the sensor, subtracted from its time stamps.")
+      .number(
+          "delay_std_s", "s", sensor.delay_std, {0, 1},
+          "Standard deviation of that latency. What readings have not told of it is part of the stated covariance "
+          "while the robot moves; the estimate is not corrected. 0: nothing is assumed, only what the readings show "
+          "is stated.")
       .number("scan_duration_s", "s", sensor.sweep.duration, ranges::kNotNegative,
               "Time from the first beam of a spinning scanner to the last, whose time is the stamp. Each detection is "
               "moved by odometry to the stamp. Stamps of the first beam: delay_s = -scan_duration_s. 0: all at once.")

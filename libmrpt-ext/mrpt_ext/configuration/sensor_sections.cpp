@@ -67,6 +67,7 @@ SensorConfigs sensorConfigs(const Settings& settings)
     c.detection_probability = settings.optionalNumber(section, "detection_probability");
     c.lever_arm = {settings.number(section, "lever_arm_x_m"), settings.number(section, "lever_arm_y_m")};
     c.lever_arm_std = settings.number(section, "lever_arm_std_m");
+    c.delay_std = settings.number(section, "delay_std_s");
     c.association = settings.choice(section, "association", identityLevels());
     c.reflectors = reflectorOptions(settings, section);
     c.ignore = settings.flag(section, "ignore");

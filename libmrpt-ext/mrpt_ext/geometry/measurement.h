@@ -33,6 +33,7 @@ struct SensorModel
   std::optional<double> detection_probability;  ///< of a landmark in view; absent: missed detections are not scored
   bool has_field_of_view = false;               ///< true when declared by the log or the configuration
   double lever_arm_std = 0.05;                  ///< [m] of the stated position on the robot, along each axis
+  double delay_std = 0.05;                      ///< [s] of the times of its readings, all alike
 };
 
 /// The detections of one sensor at one time.

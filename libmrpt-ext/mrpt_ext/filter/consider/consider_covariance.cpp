@@ -68,7 +68,9 @@ void ConsiderCovariance::follow(std::optional<KalmanState> now, const Frame& fra
   {
     Frame at_rest = frame;
     at_rest.motion = {};
-    systematic_.start(linearise(*now, at_rest));
+    LinearStep step = linearise(*now, at_rest);
+    step.motion = nominalMotion(motion_, frame.motion);
+    systematic_.start(step);
     state();
   }
   if (!now) restart();
@@ -114,9 +116,9 @@ std::string ConsiderCovariance::finding(const Matrix3d& stated) const
   const bool mostly_assumed = assumed_.topLeftCorner<2, 2>().trace() > 0.5 * more;
   std::string text;
   if (std::sqrt(before + more) > kRemarkable * std::sqrt(before))
-    text =
-        formatted("%s: standard deviation %.3f m instead of %.3f m",
-                  mostly_assumed ? "lever_arm_std_m" : "errors that last", std::sqrt(before + more), std::sqrt(before));
+    text = formatted("%s: standard deviation %.3f m instead of %.3f m",
+                     mostly_assumed ? "lever_arm_std_m, delay_std_s" : "errors that last", std::sqrt(before + more),
+                     std::sqrt(before));
   const double noise = std::sqrt(*std::max_element(noise_.factors().begin(), noise_.factors().end()));
   if (noise > kRemarkable)
     text += (text.empty() ? "" : "; ") + formatted("odometry errs %.1f times as much as stated", noise);
@@ -131,7 +133,7 @@ LinearStep ConsiderCovariance::linearise(const KalmanState& before, const Frame&
   step.increment_noise = composeJacobianSecond(before.pose()) * incrementCovariance(motion_, frame.motion);
   const std::optional<Frame> affordable = affordableToUpdate(frame, map_, 1);
   for (const Reading& reading : scoredReadings(affordable ? *affordable : frame)) addRows(reading, step);
-  step.lever_arm_std = lever_arm_std_;
+  step.sensor_stds = sensor_stds_;
   solveGains(step, sensors_.size());
   return step;
 }
@@ -139,8 +141,8 @@ LinearStep ConsiderCovariance::linearise(const KalmanState& before, const Frame&
 void ConsiderCovariance::addRows(const Reading& reading, LinearStep& step)
 {
   const std::size_t sensor = indexOf(reading.sensor);
-  lever_arm_std_.resize(sensors_.size());
-  lever_arm_std_[sensor] = reading.model.lever_arm_std;
+  sensor_stds_.resize(sensors_.size());
+  sensor_stds_[sensor] = {.lever_arm = reading.model.lever_arm_std, .delay = reading.model.delay_std};
   for (const Detection& detection : reading.detections)
   {
     const Association found = associate(detection, reading, map_, step.predicted, biases_, default_max_range_);

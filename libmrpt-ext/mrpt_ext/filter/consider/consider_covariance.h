@@ -14,7 +14,7 @@ namespace mrpt_ext
 /// What errors that last add to the covariance that a filter states, which takes all errors for white: those of single
 /// landmarks (PersistentErrors), and those of sensors and odometry (SystematicErrors); and how much more than stated
 /// odometry errs from motion to motion (ExcessNoise). All comes from the innovations, of which white ones that are as
-/// large as stated add nothing, but for the lever arms that are assumed until turns tell them.
+/// large as stated add nothing, but for the lever arms and delays that are assumed until motion tells them.
 ///
 /// It follows a filter of any kind from outside, as the Kalman filter that would have stated the same.
 class ConsiderCovariance
@@ -34,8 +34,9 @@ class ConsiderCovariance
 
   /// To be added to the stated covariance of the pose; positive semidefinite.
   [[nodiscard]] Matrix3d added() const { return added_; }
-  /// "errors that last: standard deviation 0.024 m instead of 0.012 m", "lever_arm_std_m: standard deviation ..." where
-  /// that is mostly assumed, "odometry errs 2.1 times as much as stated"; empty where either adds less than a half.
+  /// "errors that last: standard deviation 0.024 m instead of 0.012 m", "lever_arm_std_m, delay_std_s: standard
+  /// deviation ..." where that is mostly assumed, "odometry errs 2.1 times as much as stated"; empty where either adds
+  /// less than a half.
   [[nodiscard]] std::string finding(const Matrix3d& stated) const;
 
  private:
@@ -50,12 +51,12 @@ class ConsiderCovariance
   LandmarkTable map_;
   double default_max_range_;
   std::vector<std::string> sensors_;
-  std::vector<double> lever_arm_std_;  // [m] of each
+  std::vector<SensorStds> sensor_stds_;  // of each
   PersistentErrors persistent_;
   SystematicErrors systematic_;
   ExcessNoise noise_;
   std::optional<KalmanState> stated_;  // after the last frame
   Matrix3d added_ = Matrix3d::Zero();
-  Matrix3d assumed_ = Matrix3d::Zero();  // of that, by lever arms
+  Matrix3d assumed_ = Matrix3d::Zero();  // of that, by lever arms and delays
 };
 }  // namespace mrpt_ext

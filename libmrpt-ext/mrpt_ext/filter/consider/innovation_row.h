@@ -36,6 +36,13 @@ struct InnovationRow
   double variance = 1;  ///< of the innovation: H P H^T + R
 };
 
+/// Standard deviations of what is stated of a sensor, the same for all of its readings.
+struct SensorStds
+{
+  double lever_arm = 0;  ///< [m] along each axis
+  double delay = 0;      ///< [s]
+};
+
 /// One step of a linearised filter: from an error e of the estimate, those of the motion and of the measurements
 /// follows the error remaining (motion_jacobian e + ...) + sum of gains[i] times the error of rows[i].
 struct LinearStep
@@ -51,6 +58,6 @@ struct LinearStep
   std::vector<InnovationRow> rows;  ///< outliers left out
   std::vector<KalmanVector> gains;  ///< columns of K
   std::vector<KalmanMatrix> sensor_information;  ///< the part of every sensor so far, zero without rows
-  std::vector<double> lever_arm_std;             ///< [m] of every sensor so far
+  std::vector<SensorStds> sensor_stds;           ///< of every sensor so far
 };
 }  // namespace mrpt_ext

@@ -33,7 +33,8 @@ void Relevance::update(const LinearEvidence& evidence, const PriorStds& prior)
     const auto shared = evidence.information.col(k);
     const double information = evidence.information(k, k) - shared.dot(others.covariance * shared);
     const double weighted = evidence.weighted[k] - shared.dot(others.mean);
-    const double seems = information > 0 ? square(weighted / information) : 0;
+    double seems = information > 0 ? square(weighted / information) : 0;
+    if (prior.least[k] > 0 && information > 0) seems -= 1 / information;
     variances_[k] = std::clamp(seems, square(prior.least[k]), square(prior.most[k]));
   }
 }

@@ -30,7 +30,8 @@ struct RelevantParameters
 /// explained by the one parameter that fits it, not by a little of each.
 ///
 /// The prior that makes the data most likely is narrower by the variance of that estimate. Without it parameters that
-/// are hardly known keep their uncertainty. Parameters that are never exactly zero have a least standard deviation.
+/// are hardly known keep their uncertainty. Parameters that are never exactly zero have a least standard deviation,
+/// which is uncertainty enough: their priors are those that make the data most likely.
 class Relevance
 {
  public:

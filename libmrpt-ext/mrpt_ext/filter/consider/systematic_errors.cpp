@@ -77,13 +77,13 @@ void SystematicErrors::resize(Eigen::Index parameters)
 void SystematicErrors::resize(const LinearStep& step)
 {
   for (const InnovationRow& row : step.rows) resize(firstOf(row.source.sensor + 1));
-  lever_arm_std_ = step.lever_arm_std;
+  sensor_stds_ = step.sensor_stds;
 }
 
 void SystematicErrors::update(const LinearStep& step)
 {
   resize(step);
-  if (!started_) start(step);
+  if (!started_) share(step);
   predict(step);
   velocity_.predict(step);
   const Eigen::MatrixXd by_parameters = measurementDerivatives(step);
@@ -102,21 +102,29 @@ void SystematicErrors::restart()
   velocity_.restart();
 }
 
-// The readings that the estimate started from were taken where the sensors are, not where they are said to be: by their
-// share the whole estimate is beside the robot by as much.
 void SystematicErrors::start(const LinearStep& step)
+{
+  resize(step);
+  velocity_.predict(step);
+  share(step);
+  estimate();
+}
+
+// The readings that the estimate started from were taken where the sensors are, not where they are said to be, and when
+// the robot was further back: by their share the whole estimate is beside the robot by as much.
+void SystematicErrors::share(const LinearStep& step)
 {
   if (step.rows.empty()) return;
   started_ = true;
-  resize(step);
   const double all = step.information.topLeftCorner<2, 2>().trace();
   for (std::size_t sensor = 0; sensor < step.sensor_information.size(); ++sensor)
   {
     const double share = step.sensor_information[sensor].topLeftCorner<2, 2>().trace() / all;
-    if (share > 0 && step.lever_arm_std[sensor] > 0)
+    if (share > 0 && step.sensor_stds[sensor].lever_arm > 0)
       response_.block<2, 2>(0, firstOf(sensor) + lever_x_error) = share * rotation(step.before.mean[2]);
+    if (share > 0 && step.sensor_stds[sensor].delay > 0)
+      response_.block<3, 1>(0, firstOf(sensor) + delay_error) = -share * velocity_.velocity(step);
   }
-  estimate();
 }
 
 PriorStds SystematicErrors::prior() const
@@ -124,10 +132,14 @@ PriorStds SystematicErrors::prior() const
   const Eigen::Index parameters = response_.cols();
   PriorStds prior{Eigen::VectorXd::Zero(parameters), Eigen::VectorXd(parameters)};
   for (Eigen::Index k = 0; k < parameters; ++k) prior.most[k] = priorStd(k);
-  for (std::size_t sensor = 0; sensor < lever_arm_std_.size() && firstOf(sensor + 1) <= parameters; ++sensor)
+  for (std::size_t sensor = 0; sensor < sensor_stds_.size() && firstOf(sensor + 1) <= parameters; ++sensor)
   {
-    const auto given = Eigen::seqN(firstOf(sensor) + lever_x_error, 2);
-    if (lever_arm_std_[sensor] > 0) prior.least(given) = prior.most(given) = Vector2d::Constant(lever_arm_std_[sensor]);
+    const auto lever = Eigen::seqN(firstOf(sensor) + lever_x_error, 2);
+    const Eigen::Index delay = firstOf(sensor) + delay_error;
+    const SensorStds& given = sensor_stds_[sensor];
+    if (given.lever_arm > 0) prior.least(lever) = prior.most(lever) = Vector2d::Constant(given.lever_arm);
+    prior.least[delay] = given.delay;
+    prior.most[delay] = std::max(prior.most[delay], given.delay);
   }
   return prior;
 }

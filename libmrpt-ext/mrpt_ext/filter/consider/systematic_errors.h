@@ -18,18 +18,18 @@ namespace mrpt_ext
 /// The derivatives U of the error of the estimate by these parameters follow the filter through its steps; the
 /// innovations are then linear in the parameters, which are estimated by recursive least squares (the separate-bias
 /// filter of Friedland, IEEE Trans. Autom. Control 14(4), 1969). Those that the innovations do not ask for are zero
-/// (relevance.h), but for lever arms: how well the place of a sensor on the robot is known is given
-/// (SensorModel::lever_arm_std), and what the innovations have not told of it, because the robot has hardly turned, is
-/// stated. The estimate itself is left as it is: what the parameters, and what is not known of them, do to it is added
-/// to its covariance. Correcting the readings by them would help where a sensor is mounted elsewhere than stated, but
-/// errors of other kinds pass for these ones, too.
+/// (relevance.h), but for lever arms and delays: how well the place of a sensor on the robot and the time of its
+/// readings are known is given (SensorModel), and what the innovations have not told of them, because the robot has
+/// hardly turned or changed its speed, is stated. The estimate itself is left as it is: what the parameters, and what
+/// is not known of them, do to it is added to its covariance. Correcting the readings by them would help where a sensor
+/// is mounted elsewhere than stated, but errors of other kinds pass for these ones, too.
 class SystematicErrors
 {
  public:
   /// `size`: of the filter's state. `given`: the first estimate shares no error of the readings.
   SystematicErrors(Eigen::Index size, bool given);
 
-  /// The estimate was found from readings like those of this step.
+  /// The estimate was found from readings like those of this step, at the speed of its motion.
   void start(const LinearStep& step);
   /// Propagates through one step of the filter, and learns from its innovations.
   void update(const LinearStep& step);
@@ -38,24 +38,25 @@ class SystematicErrors
 
   /// What the errors add to the covariance of the estimate.
   [[nodiscard]] KalmanMatrix added() const;
-  /// ... of that what is assumed of lever arms, and no reading has shown.
+  /// ... of that what is assumed of lever arms and delays, and no reading has shown.
   [[nodiscard]] KalmanMatrix assumed() const;
 
  private:
   void resize(const LinearStep& step);
   void resize(Eigen::Index parameters);
+  void share(const LinearStep& step);
   [[nodiscard]] PriorStds prior() const;
   void predict(const LinearStep& step);
   [[nodiscard]] Eigen::MatrixXd measurementDerivatives(const LinearStep& step) const;
   void learn(const LinearStep& step, const Eigen::MatrixXd& by_parameters);
   void estimate();
 
-  bool started_;                       // the response holds what the start owes to the readings
-  Eigen::MatrixXd response_;           // U
-  Eigen::MatrixXd information_;        // of the parameters
-  Eigen::VectorXd weighted_;           // information times parameters
-  Eigen::VectorXd by_noise_;           // ... that the noise of the velocity would have caused alone
-  std::vector<double> lever_arm_std_;  // [m] of every sensor
+  bool started_;                 // the response holds what the start owes to the readings
+  Eigen::MatrixXd response_;     // U
+  Eigen::MatrixXd information_;  // of the parameters
+  Eigen::VectorXd weighted_;     // information times parameters
+  Eigen::VectorXd by_noise_;     // ... that the noise of the velocity would have caused alone
+  std::vector<SensorStds> sensor_stds_;
   RelevantParameters known_;
   Eigen::VectorXd significant_;  // share of what each adds
   Relevance relevance_;

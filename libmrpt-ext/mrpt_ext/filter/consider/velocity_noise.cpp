@@ -35,6 +35,14 @@ void VelocityNoise::predict(const LinearStep& step)
   with_error_ = (F * with_error_).eval();
   for (KalmanMatrix& covariance : with_response_) covariance = (F * covariance * F.transpose()).eval();
   with_response_.resize(step.sensor_information.size(), KalmanMatrix::Zero(size_, size_));
+  if (!(step.motion.duration > 0)) return;
+  const double kept = std::exp(-step.motion.duration / kVelocityMemory);
+  weight_ = kept * weight_ + 1 - kept;
+  const double newest = (1 - kept) / weight_;
+  velocity_ += newest * (step.motion.increment.vector() / step.motion.duration - velocity_);
+  KalmanMatrix of_step = KalmanMatrix::Zero(size_, 3);
+  of_step.topRows<3>() = step.increment_noise;
+  with_error_ = ((1 - newest) * with_error_ + newest / step.motion.duration * of_step).eval();
 }
 
 double VelocityNoise::expectedProduct(const LinearStep& step, std::size_t sensor) const
@@ -59,11 +67,5 @@ void VelocityNoise::correct(const LinearStep& step)
     covariance -= A * with_error * gain.transpose();
   }
   with_error_ = (A * with_error_).eval();
-  if (!(step.motion.duration > 0)) return;
-  const double newest = 1 - std::exp(-step.motion.duration / kVelocityMemory);
-  velocity_ += newest * (step.motion.increment.vector() / step.motion.duration - velocity_);
-  KalmanMatrix of_step = KalmanMatrix::Zero(size_, 3);
-  of_step.topRows<3>() = step.increment_noise;
-  with_error_ = ((1 - newest) * with_error_ + newest / step.motion.duration * (A * of_step)).eval();
 }
 }  // namespace mrpt_ext

@@ -16,17 +16,17 @@ class VelocityNoise
  public:
   explicit VelocityNoise(Eigen::Index size) : size_(size), with_error_(KalmanMatrix::Zero(size, 3)) {}
 
-  /// After the motion, before the measurement.
+  /// After the motion, before the measurement. The velocity then holds the motion of this step, too: a sensor with a
+  /// delay errs by what the robot has done meanwhile.
   void predict(const LinearStep& step);
   /// Mean of the products of the innovations of a step with the derivatives by the delay of one sensor.
   [[nodiscard]] double expectedProduct(const LinearStep& step, std::size_t sensor) const;
-  /// After the measurement. The velocity then holds the motion of this step, too.
+  /// After the measurement.
   void correct(const LinearStep& step);
   /// The estimate starts anew.
   void restart();
 
-  /// In world axes [m/s, rad/s], of the steps before: that of the newest would have most in common with its
-  /// innovations.
+  /// In world axes [m/s, rad/s].
   [[nodiscard]] Vector3d velocity(const LinearStep& step) const { return toWorld(step) * velocity_; }
 
  private:
@@ -36,6 +36,7 @@ class VelocityNoise
 
   Eigen::Index size_;
   Vector3d velocity_ = Vector3d::Zero();     // axes of the robot
+  double weight_ = 0;                        // of what it averages, 1 in the long run
   KalmanMatrix with_error_;                  // E[error of the estimate, error of the velocity^T]
   std::vector<KalmanMatrix> with_response_;  // per sensor: ... that of the estimate's derivative by its delay
 };
