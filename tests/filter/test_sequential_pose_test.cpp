@@ -86,6 +86,29 @@ TEST(SequentialPoseTest, TheSameDetectionFromTheSameSpotCountsOnce)
   EXPECT_EQ(test.logOdds(), once);
 }
 
+// While the robot stands its true detections repeat themselves; every false number is one that was not seen there yet.
+TEST(SequentialPoseTest, FalseDetectionsOfAStopDoNotRefuteThePose)
+{
+  RandomStream random(1);
+  const LandmarkTable map = randomMap(15, 10, random);
+  const Pose2 truth{5, 2, 0};
+  SimulatedRobot robot{.measures_range = true, .detections = 8, .clutter = 0.05};
+  SequentialPoseTest test(motionModelOf({}), map);
+  test.accept();
+  Frame frame = simulatedFrame(robot, map, truth, {}, random);
+  const std::vector<Detection> seen = frame.readings.front().detections;
+  for (int k = 0; k < 100; ++k)
+  {
+    frame.motion = {};
+    frame.readings.front().detections = seen;
+    Detection clutter = seen.front();
+    if (k % 10 == 9) clutter.id = map[random.below(map.size())].id, clutter.bearing = random.uniform(-kPi, kPi);
+    frame.readings.front().detections.push_back(clutter);
+    test.update(frame, map, particlesAt(truth, random));
+    EXPECT_TRUE(test.verified()) << "reading " << k;
+  }
+}
+
 TEST(SequentialPoseTest, OneLandmarkAloneVerifiesNoPose)
 {
   const LandmarkTable map({{.id = 1, .position = {2, 2, 0}}, {.id = 2, .position = {7, 3, 0}}});

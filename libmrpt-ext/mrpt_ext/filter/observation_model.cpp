@@ -32,8 +32,7 @@ void ObservationModel::weight(const Frame& frame, ParticleSet& particles) const
 {
   for (const Reading& reading : scoredReadings(frame))
   {
-    const LandmarkClutter clutter =
-        learns_ ? reliability_.clutter(reading.model.clutter_probability) : LandmarkClutter{};
+    const LandmarkClutter clutter = learns_ ? reliability_.clutter(reading) : LandmarkClutter{};
     const ReadingScorer scorer(reading, map_, clutter, particles.origin);
     const PoseBatch poses = particles.poses();
     const std::span<float> log_weight = particles.log_weight;

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <span>
 
+#include "mrpt_ext/filter/integrity/sensor_monitors.h"
 #include "mrpt_ext/filter/particles/particle_blocks.h"
 #include "mrpt_ext/filter/particles/weight_kernels.h"
 #include "mrpt_ext/geometry/work_counter.h"
@@ -98,6 +99,19 @@ LandmarkClutter LandmarkReliability::clutter(double sensor_clutter) const
   return result;
 }
 
+LandmarkClutter LandmarkReliability::clutter(const Reading& reading) const
+{
+  return memory_.predict(sensorKey(reading), reading.time, clutter(reading.model.clutter_probability));
+}
+
+void LandmarkReliability::remember(const Reading& reading, const LandmarkTable& map, const LandmarkClutter& shares,
+                                   const std::vector<double>& outliers)
+{
+  for (std::size_t d = 0; d < reading.detections.size(); ++d)
+    if (const auto landmark = map.indexOf(reading.detections[d].id))
+      memory_.observe(sensorKey(reading), reading.time, *landmark, {outliers[d], shares[*landmark]});
+}
+
 double LandmarkReliability::observe(const Reading& reading, const LandmarkTable& map, const ParticleSet& particles,
                                     bool learn, unsigned threads)
 {
@@ -108,6 +122,7 @@ double LandmarkReliability::observe(const Reading& reading, const LandmarkTable&
   if (draws.empty() || reading.detections.empty()) return 0;
   WorkCounter::add(kCostOfPair * pairs * draws.size());
   const LandmarkClutter current = clutter(reading.model.clutter_probability);
+  std::vector<double> outliers(reading.detections.size(), 1.0);  // probabilities
   const double share = 1.0 / static_cast<double>(draws.size());
   const PoseBatch poses = particles.poses();
   double inliers = 0;
@@ -123,6 +138,7 @@ double LandmarkReliability::observe(const Reading& reading, const LandmarkTable&
         const Detection& detection = reading.detections[d];
         const bool identified = detection.id != kNoId && detection.id == map[j].id;
         inliers += share * p;
+        outliers[d] -= share * p;
         if (!learn) continue;
         histories_[j].seen += share * (identified ? 1.0 : p);
         histories_[j].associated += share * p;
@@ -134,6 +150,7 @@ double LandmarkReliability::observe(const Reading& reading, const LandmarkTable&
         addResiduals(histories_[j], detection, prediction, share * p);
       }
   }
+  if (learn) remember(reading, map, current, outliers);
   return inliers / static_cast<double>(reading.detections.size());
 }
 }  // namespace mrpt_ext

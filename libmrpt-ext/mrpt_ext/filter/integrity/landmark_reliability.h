@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "mrpt_ext/filter/integrity/outlier_memory.h"
 #include "mrpt_ext/filter/particles/particle_set.h"
 #include "mrpt_ext/likelihood/reading_likelihood.h"
 
@@ -25,13 +26,15 @@ class LandmarkReliability
 {
  public:
   LandmarkReliability(std::size_t landmarks, double prior_strength)
-      : histories_(landmarks), prior_strength_(std::max(prior_strength, 1.0))
+      : histories_(landmarks), memory_(landmarks), prior_strength_(std::max(prior_strength, 1.0))
   {
   }
 
   /// Clutter probability of every landmark for a sensor with this prior clutter probability; at most 0.7, or the
   /// sensor's own if that is more.
   [[nodiscard]] LandmarkClutter clutter(double sensor_clutter) const;
+  /// ... for this reading, with the bursts of outliers that last.
+  [[nodiscard]] LandmarkClutter clutter(const Reading& reading) const;
 
   /// Inlier ratio of the reading's detections, averaged over the posterior (normalised particles); with `learn`, the
   /// histories are updated too.
@@ -41,7 +44,11 @@ class LandmarkReliability
   [[nodiscard]] const std::vector<LandmarkHistory>& histories() const { return histories_; }
 
  private:
+  void remember(const Reading& reading, const LandmarkTable& map, const LandmarkClutter& shares,
+                const std::vector<double>& outliers);
+
   std::vector<LandmarkHistory> histories_;
+  OutlierMemory memory_;
   double prior_strength_;
 };
 }  // namespace mrpt_ext

@@ -103,7 +103,9 @@ void SequentialPoseTest::skip(const Frame& frame)
   decayAfterGap(frame);
   for (const Reading& reading : scoredReadings(frame))
   {
-    for (const Reading& part : parts(decorrelator_.independent(reading))) (void)observeWithoutMap(part, 1);
+    const Reading independent = decorrelator_.independent(reading);
+    for (const Reading& part : parts(independent)) (void)observeWithoutMap(part, 1);
+    spot_.count(sensorKey(reading), reading.detections.size(), independent.detections.size());
     if (hasAnonymous(reading)) (void)spot_.isFirstOf(sensorKey(reading));
   }
 }
@@ -175,8 +177,10 @@ void SequentialPoseTest::test(const std::vector<Reading>& readings, const Landma
   {
     const Reading independent = decorrelator_.independent(reading);
     heading_seen_ = heading_seen_ || showsHeading(reading, map);
+    const double share_of_new = spot_.shareOfNew(sensorKey(reading));
+    spot_.count(sensorKey(reading), reading.detections.size(), independent.detections.size());
     if (independent.detections.empty()) continue;
-    const bool first = !hasAnonymous(reading) || spot_.isFirstOf(sensorKey(reading));
+    const bool first = hasAnonymous(reading) && spot_.isFirstOf(sensorKey(reading));
     for (const Reading& part : parts(independent))
     {
       const FeatureMixture::Outcome without_map = observeWithoutMap(part, defaultMaxRange(map));
@@ -191,15 +195,18 @@ void SequentialPoseTest::test(const std::vector<Reading>& readings, const Landma
       else
         ReadingScorer(part, map, clutter, particles.origin).addTo(particles.poses(), particles.log_weight);
       const double log_ratio = normalizeWeights(particles).log_sum - without_map.log_density;
-      log_odds_ = std::min(log_odds_ + counted(part, landmark, log_ratio, first), kMaxLogOdds);
+      log_odds_ = std::min(log_odds_ + counted(part, landmark, log_ratio, {first, share_of_new}), kMaxLogOdds);
     }
   }
 }
 
 double SequentialPoseTest::counted(const Reading& part, std::optional<std::size_t> landmark, double log_ratio,
-                                   bool first)
+                                   const Spot& spot)
 {
-  if (hasAnonymous(part)) log_ratio = spot_.counted(std::min(log_ratio, kMaxLogOdds - log_odds_), first);
+  if (hasAnonymous(part))
+    log_ratio = spot_.counted(std::min(log_ratio, kMaxLogOdds - log_odds_), spot.first);
+  else
+    log_ratio = againstRepetition(log_ratio, spot.share_of_new, boundedClutter(part.model.clutter_probability));
   if (!landmark) return log_ratio;
   const double against_rivals = by_landmark_.add(*landmark, log_ratio);
   if (log_odds_ <= 0) rivals_refuted_ = false;

@@ -88,8 +88,15 @@ class SequentialPoseTest
   FeatureMixture::Outcome observeWithoutMap(const Reading& part, double default_max_range);
   /// Adds the log-likelihood ratio of the readings' independent detections; `particles` are weighted with them.
   void test(const std::vector<Reading>& readings, const LandmarkTable& map, ParticleSet particles);
-  /// What counts of the log-likelihood ratio of a single detection of `landmark`; `first`: see SpotEvidence.
-  [[nodiscard]] double counted(const Reading& part, std::optional<std::size_t> landmark, double log_ratio, bool first);
+  /// What SpotEvidence knows of a reading.
+  struct Spot
+  {
+    bool first;           ///< of the sensor
+    double share_of_new;  ///< of its detections
+  };
+  /// What counts of the log-likelihood ratio of a single detection of `landmark`.
+  [[nodiscard]] double counted(const Reading& part, std::optional<std::size_t> landmark, double log_ratio,
+                               const Spot& spot);
 
   DetectionDecorrelator decorrelator_;
   NullModel null_model_;             // of anonymous bearings

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <algorithm>
-#include <set>
+#include <cmath>
+#include <map>
 #include <string>
+#include <utility>
 
 #include "mrpt_ext/filter/motion/dead_reckoning.h"
 
@@ -13,8 +15,11 @@ namespace mrpt_ext
 /// The first reading of a sensor at a new spot is an unbiased sample. Later readings from there are not: their true
 /// detections repeat those before and are left out as correlated, so that what remains is mostly clutter. An hour of it
 /// would refute the right pose, or by many chances prove a wrong one. So all later readings at a spot together count
-/// within limits, and take back at most what the first ones gave. Of an identified landmark the first detection is
-/// unbiased, and the only one that counts.
+/// within limits, and take back at most what the first ones gave.
+///
+/// Of an identified landmark only the first detection from a spot counts. The longer the robot stands, the more likely
+/// that one is false: whatever can be seen from there has been seen. The null hypothesis knows that as well
+/// (againstRepetition()).
 class SpotEvidence
 {
  public:
@@ -34,7 +39,19 @@ class SpotEvidence
     return true;
   }
   /// True for the first reading of the sensor at this spot.
-  bool isFirstOf(const std::string& sensor) { return sensors_.insert(sensor).second; }
+  bool isFirstOf(const std::string& sensor) { return !std::exchange(sensors_[sensor].has_looked, true); }
+  /// Share of the sensor's next detections that nothing was known of, by Laplace's rule of succession; 1 at first.
+  [[nodiscard]] double shareOfNew(const std::string& sensor) const
+  {
+    const auto found = sensors_.find(sensor);
+    return found == sensors_.end() ? 1 : (found->second.fresh + 1) / (found->second.all + 1);
+  }
+  /// A reading of the sensor with this many detections, and independent ones among them.
+  void count(const std::string& sensor, std::size_t all, std::size_t independent)
+  {
+    sensors_[sensor].all += static_cast<double>(all);
+    sensors_[sensor].fresh += static_cast<double>(independent);
+  }
   /// What counts of a reading's log-likelihood ratio.
   [[nodiscard]] double counted(double log_ratio, bool first)
   {
@@ -49,10 +66,27 @@ class SpotEvidence
   }
 
  private:
+  /// What a sensor has seen from here.
+  struct Looks
+  {
+    bool has_looked = false;
+    double all = 0, fresh = 0;  // detections
+  };
+
   MotionModel motion_;
   double distance_;
-  DeadReckoning odometry_, spot_;    // since the start: now, and where the spot was reached
-  std::set<std::string> sensors_;    // that have looked from here
+  DeadReckoning odometry_, spot_;  // since the start: now, and where the spot was reached
+  std::map<std::string, Looks> sensors_;
   double first_ = 0, repeated_ = 0;  // log-likelihood ratios of the first readings and of all later ones
 };
+
+/// Log-likelihood ratio of a detection of an identified landmark that was not seen from this spot before, if only
+/// `share_of_new` of the detections are: others that show no landmark of the spot are clutter under either hypothesis.
+/// `log_ratio`: the ratio for a share of 1, e + (1 - e) N V with the clutter probability e.
+[[nodiscard]] inline double againstRepetition(double log_ratio, double share_of_new, double clutter)
+{
+  constexpr double kMost = 100;
+  const double fits = std::max(0.0, std::exp(std::min(log_ratio, kMost)) - clutter);
+  return std::log((share_of_new * fits + clutter) / (share_of_new * (1 - clutter) + clutter));
+}
 }  // namespace mrpt_ext
