@@ -71,6 +71,8 @@ TEST(FilterVerdict, OkNeedsVerificationEnoughParticlesAndNoContradiction)
             "one mode, not verified yet: log odds 3.2 against the null hypothesis");
   EXPECT_EQ(reason_of({.effective = 12}), "one mode, but only 12 effective particles");
   EXPECT_EQ(reason_of({.contradicted = true}), "one mode, but the recent trajectory fits another pose better");
+  EXPECT_EQ(reason_of({.supported = false}),
+            "one mode, but what is seen shows no landmark, and odometry alone led here from the last one");
 }
 
 TEST(FilterVerdict, NoParticlesMeanLost) { EXPECT_EQ(verdictOn({}).verdict, Verdict::lost); }

@@ -54,6 +54,20 @@ TEST(IntegrityMonitor, AKnownStartIsOkUntilTheInlierRatioFalls)
   EXPECT_NE(monitor.finding().find("camera bearings"), std::string::npos);
 }
 
+TEST(IntegrityMonitor, ClutterAtTheEndOfABlindSpellIsNotOk)
+{
+  IntegrityMonitor monitor = monitorOf();
+  monitor.startVerified({});
+  ModeSet modes = modesAt({});
+  for (int k = 0; k < 20; ++k) monitor.update(report(1, 1), modes);
+  modes.modes.front().pose.covariance *= square(2.5);
+  EXPECT_EQ(monitor.verdict(modes, 1e4).verdict, Verdict::ok) << "nothing is seen";
+  monitor.update(report(0, 1), modes);
+  EXPECT_EQ(monitor.verdict(modes, 1e4).verdict, Verdict::ambiguous);
+  monitor.update(report(1, 1), modes);
+  EXPECT_EQ(monitor.verdict(modes, 1e4).verdict, Verdict::ok);
+}
+
 TEST(IntegrityMonitor, FewInliersOfOneSensorMakeRelocalizationDue)
 {
   IntegrityMonitor monitor = monitorOf();

@@ -94,8 +94,9 @@ bool IntegrityMonitor::followMode(const ModeSet& modes, const Frame& frame)
   return restart;
 }
 
-void IntegrityMonitor::update(const InlierReport& report)
+void IntegrityMonitor::update(const InlierReport& report, const ModeSet& stated)
 {
+  if (!stated.modes.empty()) support_.observe(report, stated.modes.front().pose.covariance);
   double inliers = 0, expected = 0, expected_by_sensor = 0;
   std::size_t detections = 0;
   for (const SensorInliers& reading : report)
@@ -118,6 +119,8 @@ VerdictWithReason IntegrityMonitor::verdict(const ModeSet& modes, double effecti
 {
   const bool falling = immediate_ratio_.suspicious() || fast_ratio_.suspicious();
   const double ratio = falling ? std::min(immediate_ratio_.average(), fast_ratio_.average()) : slow_ratio_.average();
-  return judge(modes, {ratio, fast_ratio_.lost(), effective, logOdds(), verified(), contradicted_}, options_);
+  return judge(modes,
+               {ratio, fast_ratio_.lost(), effective, logOdds(), verified(), contradicted_, support_.supported()},
+               options_);
 }
 }  // namespace mrpt_ext

@@ -6,6 +6,7 @@
 #include "mrpt_ext/filter/integrity/filter_verdict.h"
 #include "mrpt_ext/filter/integrity/inlier_ratio_monitor.h"
 #include "mrpt_ext/filter/integrity/inlier_report.h"
+#include "mrpt_ext/filter/integrity/pose_support.h"
 #include "mrpt_ext/filter/integrity/sensor_monitors.h"
 #include "mrpt_ext/filter/integrity/sequential_pose_test.h"
 #include "mrpt_ext/filter/kalman/kalman_state.h"
@@ -39,8 +40,8 @@ class IntegrityMonitor
   /// weight, or the mode under test is not precise any more, the test starts again and the result is true. A second
   /// mode that only appears for a while leaves the log odds as they are, and so does a frame without detections.
   bool followMode(const ModeSet& modes, const Frame& frame);
-  /// Updates the inlier ratios with the inliers of the weighted particles.
-  void update(const InlierReport& report);
+  /// Updates the inlier ratios with the inliers of the weighted particles. `stated`: their modes, as judged.
+  void update(const InlierReport& report, const ModeSet& stated = {});
 
   [[nodiscard]] bool verified() const { return pose_test_.verified(); }
   [[nodiscard]] double logOdds() const { return pose_test_.logOdds(); }
@@ -70,6 +71,7 @@ class IntegrityMonitor
   InlierRatioMonitor fast_ratio_, slow_ratio_, immediate_ratio_;  // fast: against the learned clutter of the landmarks
   SensorMonitors sensor_ratios_;
   SequentialPoseTest pose_test_;
+  PoseSupport support_;
   std::optional<KalmanState> tested_mode_;  // the mode under test, predicted by odometry
   bool gap_ends_ = false;                   // with the frame under test
   bool contradicted_ = false;

@@ -235,7 +235,7 @@ FilterStep ParticleFilter::estimate(const Frame& frame, Recovery::Kind injected)
   const bool known_start = options_.initial_mode == InitialMode::gaussian && !recovery_.hasInjected();
   if (!known_start && integrity_.followMode(modes_, frame)) recovery_.resetVerification();
   if (options_.mode_kalman_filters) mode_mixture_.associate(modes_, particles_);
-  integrity_.update(observation_model_.countInliers(frame, particles_, isTracking()));
+  integrity_.update(observation_model_.countInliers(frame, particles_, isTracking()), stated);
 
   // Hypotheses that are injected into a verified mode leave it few effective particles, for this frame only.
   const bool thinned = injected == Recovery::Kind::verify && integrity_.verified();

@@ -65,6 +65,8 @@ VerdictWithReason judge(const ModeSet& modes, const VerdictEvidence& evidence, c
     return ambiguous(
         formatted("one mode, not verified yet: log odds %.1f against the null hypothesis", evidence.log_odds));
   if (evidence.contradicted) return ambiguous("one mode, but the recent trajectory fits another pose better");
+  if (!evidence.supported)
+    return ambiguous("one mode, but what is seen shows no landmark, and odometry alone led here from the last one");
   return {Verdict::ok, formatted("one mode, weight %.2f, standard deviation %.3f m%s, inlier ratio %.0f %% of the "
                                  "expected value over recent detections",
                                  best.weight, spread.xy, heading.c_str(), percent)};

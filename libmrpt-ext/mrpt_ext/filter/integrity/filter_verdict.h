@@ -30,6 +30,7 @@ struct VerdictEvidence
   double log_odds = 0;        ///< of the mode against the null hypothesis (sequential_pose_test.h)
   bool verified = true;       ///< ... are enough
   bool contradicted = false;  ///< the recent trajectory fits another pose better
+  bool supported = true;      ///< a landmark fits, or odometry has not moved far since one did (pose_support.h)
 };
 
 /// True when the best mode has nearly all of the weight.

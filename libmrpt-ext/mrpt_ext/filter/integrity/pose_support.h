@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "mrpt_ext/filter/integrity/inlier_report.h"
+#include "mrpt_ext/geometry/gaussian_pose.h"
+
+namespace mrpt_ext
+{
+/// Whether landmarks support the pose, or only odometry.
+///
+/// In a spell without landmarks the pose is odometry's, and the stated covariance is as good as the stated noise. A
+/// detection then that fits no landmark is clutter, or the first sign that odometry has erred more than it is said to:
+/// which of both only a landmark that fits can tell. While most of the variance was there before the spell this does
+/// not matter; from then on such a detection leaves the pose unsupported until a landmark fits.
+class PoseSupport
+{
+ public:
+  /// `covariance`: of the pose after the frame with these inliers.
+  void observe(const InlierReport& report, const Matrix3d& covariance)
+  {
+    double inliers = 0;
+    std::size_t detections = 0;
+    for (const SensorInliers& reading : report)
+    {
+      inliers += reading.inliers;
+      detections += reading.detections;
+    }
+    if (detections == 0) return;
+    if (inliers > kFits || !at_landmark_)
+    {
+      at_landmark_ = covariance;
+      supported_ = true;
+    }
+    else
+      supported_ = supported_ && !isMostlyOdometry(*at_landmark_, covariance);
+  }
+  [[nodiscard]] bool supported() const { return supported_; }
+
+ private:
+  static constexpr double kFits = 0.5;   // inliers: one detection rather shows a landmark than not
+  static constexpr double kDoubled = 2;  // the standard deviation: three quarters of the variance are odometry's
+
+  [[nodiscard]] static bool isMostlyOdometry(const Matrix3d& before, const Matrix3d& now)
+  {
+    const auto position = [](const Matrix3d& C) { return C(0, 0) + C(1, 1); };
+    return position(now) > square(kDoubled) * position(before) || now(2, 2) > square(kDoubled) * before(2, 2);
+  }
+
+  std::optional<Matrix3d> at_landmark_;  // covariance when a landmark fitted last, or at the start
+  bool supported_ = true;
+};
+}  // namespace mrpt_ext
