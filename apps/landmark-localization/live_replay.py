@@ -18,9 +18,9 @@ def rows(path):
 
 
 def detection(row):
-    numbers = ("bearing_deg", "range_m", "std_bearing_deg", "std_range_m")
-    found = {key: float(row[key]) for key in numbers if row.get(key)}
-    return found | ({"id": int(row["id"])} if row.get("id") else {}) | ({"category": row["category"]} if row.get("category") else {})
+    """All columns have the name of their field, so that none is lost."""
+    types = {"id": int, "category": str}
+    return {key: types.get(key, float)(text) for key, text in row.items() if text and key not in ("t", "sensor")}
 
 
 def lines_of_csv(folder):

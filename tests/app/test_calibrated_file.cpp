@@ -29,4 +29,15 @@ TEST(CalibratedFile, NothingElseIsWrittenInto)
   EXPECT_NE(messageOf<InputError>([&] { (void)readFileToCalibrate(folder.path() / "none.ini"); }).find("no such file"),
             std::string::npos);
 }
+
+TEST(CalibratedFile, MayBeginAsTheBuiltInConfiguration)
+{
+  const ScratchFolder folder;
+  EXPECT_EQ(readFileToCalibrate(folder.path() / "new.ini", "[Sensor_eye]\n"), "[Sensor_eye]\n");
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "new.ini"));
+  EXPECT_EQ(readFileToCalibrate(folder.write("my.ini", "[Sensor_ear]\n"), "[Sensor_eye]\n"), "[Sensor_ear]\n");
+  const auto nowhere = folder.path() / "nowhere" / "new.ini";
+  EXPECT_EQ(messageOf<InputError>([&] { (void)readFileToCalibrate(nowhere, "[Sensor_eye]\n"); }),
+            "--calibrate " + nowhere.string() + ": no such folder");
+}
 }  // namespace mrpt_ext::test_calibrated_file

@@ -41,7 +41,13 @@ TEST(FilterVerdict, AnImpreciseModeIsAmbiguous)
 {
   EXPECT_EQ(verdictOn({mode(1, 0.6)}).verdict, Verdict::ambiguous);
   EXPECT_EQ(verdictOn({mode(1, 0.1, degToRad(16))}).verdict, Verdict::ambiguous);
-  EXPECT_NE(verdictOn({mode(1, 0.6)}).reason.find("0.60 m"), std::string::npos);
+  EXPECT_EQ(verdictOn({mode(1, 0.6)}).reason,
+            "the pose is not precise yet: standard deviation 0.60 m and 1.1 deg, `ok` asks for 0.50 m and 15.0 deg "
+            "(ok_max_std_m, ok_max_std_deg)");
+  const VerdictOptions without_heading{.max_std_xy = 0.2, .max_std_phi = std::numeric_limits<double>::infinity()};
+  EXPECT_EQ(judge({{mode(1, 0.6)}, {}}, {}, without_heading).reason,
+            "the pose is not precise yet: standard deviation 0.60 m, heading unknown, `ok` asks for 0.20 m "
+            "(ok_max_std_m)");
 }
 
 TEST(FilterVerdict, OutliersMeanLostHoweverPrecise)

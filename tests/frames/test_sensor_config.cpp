@@ -262,6 +262,21 @@ TEST(SensorConfig, UnusableDetectionsAreRemovedAndCounted)
   EXPECT_EQ(configured(flat, {}, kMap, unusable).detections.size(), 1u);
 }
 
+TEST(SensorConfig, ARangeShorterThanTheHeightDifferenceLeavesTheBearing)
+{
+  Detection overhead = kBoth;
+  overhead.range = 1.9;  // two metres below landmark 1
+  UnusableDetections unusable;
+  const Reading reading = configured(readingOf({overhead, kBoth}), {}, kMap, unusable);
+  ASSERT_EQ(reading.detections.size(), 2u);
+  EXPECT_FALSE(reading.detections[0].range);
+  EXPECT_EQ(reading.detections[0].bearing, 0.5);
+  EXPECT_EQ(reading.detections[0].id, 1);
+  EXPECT_EQ(reading.detections[1].range, 4.0);
+  EXPECT_EQ(unusable,
+            (UnusableDetections{{"eye: slant range shorter than the height difference, the bearing is used", 1}}));
+}
+
 TEST(SensorConfig, RunningFixesAndCompassesAreCorrectedAlike)
 {
   UnusableDetections unusable;

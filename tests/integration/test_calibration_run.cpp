@@ -99,6 +99,25 @@ TEST(CalibrationRun, NeedsAConfigurationToWriteInto)
   EXPECT_EQ(outcome.err, "--calibrate /nowhere/none.ini: no such file\n");
 }
 
+TEST(CalibrationRun, WithoutAConfigurationOneIsMade)
+{
+  const testing::ScratchFolder folder;
+  const auto log = testing::simulated(folder.path(), "half-field",
+                                      {"--set", "Simulation.duration_s=120", "--set", "Sensor_stereo.delay_s=0.2"});
+  const auto ini = folder.path() / "new.ini";
+  const testing::AppOutcome made =
+      testing::localize({log.rawlog.string(), "--map", log.map.string(), "--calibrate", ini.string()});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_NE(made.out.find("wrote " + ini.string() + ": the built-in configuration with these lines\n"),
+            std::string::npos)
+      << made.out;
+  const Settings settings = Settings::load(ini, localizationKeys());
+  EXPECT_NEAR(settings.number("Sensor_stereo", "delay_s"), 0.2, 0.05) << made.out;
+  EXPECT_EQ(settings.number("LocalizationExperiment", "particles_count"), 2000);
+  EXPECT_EQ(testing::localize({ini.string(), log.rawlog.string(), "--map", log.map.string(), "--dry-run"}).exit_code,
+            0);
+}
+
 TEST(CalibrationRun, TheFormerNameOfTheOptionStillWorks)
 {
   const testing::ScratchFolder folder;

@@ -7,10 +7,16 @@
 
 namespace mrpt_ext
 {
-std::string readFileToCalibrate(const std::filesystem::path& file)
+std::string readFileToCalibrate(const std::filesystem::path& file, std::string_view initial)
 {
   const std::string option = "--calibrate " + file.string();
-  if (!std::filesystem::exists(file)) throw dataError(option + ": no such file");
+  if (!std::filesystem::exists(file))
+  {
+    if (initial.empty()) throw dataError(option + ": no such file");
+    if (!std::filesystem::is_directory(std::filesystem::absolute(file).parent_path()))
+      throw dataError(option + ": no such folder");
+    return std::string(initial);
+  }
   try
   {
     static_cast<void>(Settings::load(file, localizationKeys()));

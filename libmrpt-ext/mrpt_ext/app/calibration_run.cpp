@@ -48,7 +48,8 @@ std::vector<IniAssignment> linesToSet(const std::vector<CalibrationFinding>& fin
 
 int runCalibration(Settings settings, const CalibrationRequest& request, std::ostream& out)
 {
-  const std::string ini = request.calibrated.empty() ? "" : readFileToCalibrate(request.calibrated);
+  const std::string ini = request.calibrated.empty() ? "" : readFileToCalibrate(request.calibrated, request.initial);
+  const bool is_new = !std::filesystem::exists(request.calibrated);
   if (settings.hasValue(kExperimentSection, "ground_truth_path_file"))
     settings.set(kExperimentSection, "ground_truth_path_file", "", "--diagnose");
   LocalizationInput input = loadLocalization(settings, request.window);
@@ -71,9 +72,16 @@ int runCalibration(Settings settings, const CalibrationRequest& request, std::os
     for (const std::string& line : findingsTable(found.findings)) out << line << '\n';
     for (const std::string& line : landmarkLines(found.errors, found.data, input.context.map)) out << line << '\n';
   }
-  if (request.calibrated.empty() || lines.empty()) return kExitDone;
+  if (request.calibrated.empty()) return kExitDone;
+  if (lines.empty())
+  {
+    if (is_new && !request.quiet) out << "nothing to set: " << request.calibrated.string() << " is not needed\n";
+    return kExitDone;
+  }
   writeFileAtomically(request.calibrated, withValues(ini, lines));
-  if (!request.quiet) out << "wrote " << request.calibrated.string() << '\n';
+  if (!request.quiet)
+    out << "wrote " << request.calibrated.string()
+        << (is_new ? ": the built-in configuration with these lines\n" : "\n");
   return kExitDone;
 }
 }  // namespace mrpt_ext

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <iosfwd>
+#include <string_view>
 
 #include "mrpt_ext/experiment/localization_input.h"
 
@@ -11,6 +12,7 @@ struct CalibrationRequest
 {
   LogWindow window;
   std::filesystem::path calibrated;  ///< configuration to write the lines into; empty: none
+  std::string_view initial;          ///< what it begins as if it does not exist; empty: it has to
   bool quiet = false;                ///< print the lines to set and nothing else
 };
 

@@ -96,9 +96,10 @@ void addOptions(CommandLine& line, LocalizationOptions& options)
             .help = "Estimate sensor and odometry calibration from the log instead of running; print the suggested "
                     ".ini lines"})
       .add({.names = "--examine", .target = &options.diagnose, .help = "--diagnose", .hidden = true})
-      .add({.names = "--calibrate",
-            .target = &options.calibrated,
-            .help = "The same, and write these lines into this configuration (.ini)"})
+      .add(
+          {.names = "--calibrate",
+           .target = &options.calibrated,
+           .help = "The same, and write these lines into this configuration (.ini); without CONFIG a new file is made"})
       .add({.names = "--live",
             .target = &options.live,
             .help = "Read measurements as JSON lines from standard input and write estimates as they become final",
@@ -163,7 +164,11 @@ int runRequest(LocalizationOptions options, AppShell& shell)
   if (options.lines) return writeLogLines(settings, request.window, shell.out(), shell.err());
   if (options.live) return runLive(settings, std::cin, shell.out());
   if (options.diagnose || !options.calibrated.empty())
-    return runCalibration(settings, {request.window, options.calibrated, shell.options().quiet}, shell.out());
+  {
+    // Who has no configuration has no file to write into either.
+    const std::string_view initial = options.config.empty() ? defaultConfiguration() : std::string_view();
+    return runCalibration(settings, {request.window, options.calibrated, initial, shell.options().quiet}, shell.out());
+  }
   const auto repetitions = settings.integer(kExperimentSection, "experimentRepetitions");
   request.last_trial = options.repeat > 0 ? options.repeat : static_cast<int>(repetitions);
   request.trial_folders = options.repeat > 0 || repetitions > 1;

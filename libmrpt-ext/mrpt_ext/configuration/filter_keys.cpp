@@ -35,9 +35,11 @@ KeyTable filterKeys()
       .number("ok_min_weight", "", filter.verdict.min_best_weight, ranges::kShare,
               "Minimum weight of the best mode for the verdict `ok`.")
       .number("ok_max_std_m", "m", kUnset, ranges::kPositive,
-              "Maximum standard deviation of the position for `ok`. Default: converged_within_m.")
+              "Maximum standard deviation of the position for `ok`: root of the sum of both variances. Default: "
+              "converged_within_m. Raise it where the sensors cannot give that.")
       .degrees("ok_max_std_deg", "deg", kUnset, ranges::kPositive,
-               "Maximum standard deviation of the heading for `ok`. Default: converged_within_deg.");
+               "Maximum standard deviation of the heading for `ok`. Default: converged_within_deg. Raise it where the "
+               "sensors cannot give that.");
 }
 
 KeyTable mrptKeys()

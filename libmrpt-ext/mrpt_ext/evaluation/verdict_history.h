@@ -15,7 +15,7 @@ struct VerdictSpell
 {
   double from = 0, to = 0;  ///< [s] stamps of the first and the last frame
   Verdict verdict = Verdict::lost;
-  std::string reason;  ///< of the first frame
+  std::string reason;  ///< the one that held longest, numbers aside, as one of the later of its frames words it
 };
 
 /// Shares of the frames with each verdict, in [0, 1]; of several trials their means. Absent without a frame.
@@ -34,7 +34,19 @@ class VerdictHistory
   [[nodiscard]] VerdictShares shares() const;
 
  private:
+  /// Reasons of a spell that differ in their numbers only. Each frame's holds until the next frame.
+  struct Cause
+  {
+    std::string kind, wording;
+    double held = 0;  // [s]
+    std::size_t frames = 0;
+  };
+  void takeReason(const std::string& reason);
+
   std::array<std::size_t, 3> frames_{};  // by verdict
   std::vector<VerdictSpell> spells_;
+  std::vector<Cause> causes_;  // of the last spell, in order of appearance
+  std::size_t current_ = 0;    // that of the last frame
+  double last_time_ = 0;       // [s]
 };
 }  // namespace mrpt_ext

@@ -9,6 +9,7 @@ namespace mrpt_ext
 namespace
 {
 const std::string kPrefix = "Sensor_";
+constexpr const char* kBelowHeight = "slant range shorter than the height difference";
 constexpr double kLeastDepthShare = 0.1;  // beside or behind the sensor the depth does not determine the range
 
 InputError missingStd(const std::string& sensor, const std::string& what, const std::string& key)
@@ -74,18 +75,22 @@ void correctBearing(double& bearing, double& std, const SensorConfig& config, co
   if (!(std > 0)) throw missingStd(sensor, "bearings", "std_bearing_deg");
 }
 
+/// True for a slant range that no horizontal distance explains: of a landmark nearly overhead, by its noise.
+bool isBelowHeight(const Detection& detection, const Reading& reading, const LandmarkTable& map)
+{
+  const auto known = map.indexOf(detection.id);
+  if (!detection.range || !known || reading.horizontal_range) return false;
+  return *detection.range < std::abs(map[*known].position.z() - reading.sensor_height);
+}
+
 /// Why the detection fits no pose; empty when it may fit one.
 std::string whyUnusable(const Detection& detection, const Reading& reading, const LandmarkTable& map,
                         IdentityLevel association)
 {
   const bool identified = association == IdentityLevel::known && detection.id != kNoId;
   if (identified && !map.indexOf(detection.id)) return "id not in the map";
-  if (!detection.range) return {};
-  if (!(*detection.range > 0)) return "range not above zero";
-  const auto known = map.indexOf(detection.id);
-  if (!known || reading.horizontal_range) return {};
-  const double dz = map[*known].position.z() - reading.sensor_height;
-  return *detection.range < std::abs(dz) ? "slant range shorter than the height difference" : "";
+  if (detection.range && !(*detection.range > 0)) return "range not above zero";
+  return isBelowHeight(detection, reading, map) && !detection.bearing ? kBelowHeight : "";
 }
 std::string whyUnusable(const RunningFixReading& fix, const LandmarkTable& map, IdentityLevel association)
 {
@@ -96,7 +101,7 @@ std::string whyUnusable(const RunningFixReading& fix, const LandmarkTable& map, 
   if (!(shorter > 0)) return "range not above zero";
   if (fix.horizontal_range) return {};
   const double dz = map[*known].position.z() - fix.sensor_height;
-  return shorter < std::abs(dz) ? "slant range shorter than the height difference" : "";
+  return shorter < std::abs(dz) ? kBelowHeight : "";
 }
 }  // namespace
 
@@ -138,6 +143,11 @@ Reading configured(Reading reading, const SensorConfigs& configs, const Landmark
     {
       ++unusable[reading.sensor + ": " + why];
       continue;
+    }
+    if (isBelowHeight(detection, reading, map))
+    {
+      ++unusable[reading.sensor + ": " + kBelowHeight + ", the bearing is used"];
+      detection.range.reset();
     }
     reduceIdentity(detection, config.association, map);
     usable.push_back(std::move(detection));

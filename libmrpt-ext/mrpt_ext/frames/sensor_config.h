@@ -51,8 +51,8 @@ using SensorConfigs = std::map<std::string, SensorConfig>;
 using UnusableDetections = std::map<std::string, std::size_t>;
 
 /// Applies the configuration to a logged reading: delay, biases, standard deviations, sensor model, identity level.
-/// Detections that fit no pose are removed and counted. Throws InputError (configuration) when a standard deviation is
-/// neither logged nor configured.
+/// Detections that fit no pose are removed and counted; one whose range alone fits none keeps its bearing. Throws
+/// InputError (configuration) when a standard deviation is neither logged nor configured.
 [[nodiscard]] Reading configured(Reading reading, const SensorConfigs& configs, const LandmarkTable& map,
                                  UnusableDetections& unusable);
 /// The reflectors in a laser scan, as such a reading; nothing when the scan cannot be used, which is counted.

@@ -61,7 +61,8 @@ std::string adviceList(const RunScore& score)
              "drive on, until other landmarks come into view. A map that looks the same from two places needs a known "
              "start (<code>init_PDF_mode = gaussian</code>), ids, or a landmark that breaks the symmetry.") +
         item("ambiguous, not precise",
-             "too few landmarks in view, or standard deviations that are declared too large.") +
+             "too few landmarks in view, standard deviations that are declared too large, or sensors that cannot give "
+             "what <code>ok_max_std_m</code> and <code>ok_max_std_deg</code> ask: set what is enough for you.") +
         item("ambiguous, few inliers",
              "the detections disagree with the map: <code>--diagnose</code> tells delays, offsets, noise and "
              "outliers, <code>--calibrate FILE.ini</code> sets them.");

@@ -28,6 +28,23 @@ bool isPrecise(const Spread& spread, const VerdictOptions& options)
 {
   return spread.xy <= options.max_std_xy && spread.phi <= options.max_std_phi;
 }
+
+bool headingCounts(const VerdictOptions& options) { return std::isfinite(options.max_std_phi); }
+
+std::string headingText(const Spread& spread, const VerdictOptions& options)
+{
+  return headingCounts(options) ? formatted(" and %.1f deg", radToDeg(spread.phi)) : ", heading unknown";
+}
+
+/// Names the limits with their keys: a sensor that cannot give that needs others.
+std::string whyImprecise(const Spread& spread, const VerdictOptions& options)
+{
+  const std::string limits = headingCounts(options) ? formatted("%.2f m and %.1f deg (ok_max_std_m, ok_max_std_deg)",
+                                                                options.max_std_xy, radToDeg(options.max_std_phi))
+                                                    : formatted("%.2f m (ok_max_std_m)", options.max_std_xy);
+  return formatted("the pose is not precise yet: standard deviation %.2f m", spread.xy) + headingText(spread, options) +
+         ", `ok` asks for " + limits;
+}
 }  // namespace
 
 bool isDominant(const ModeSet& modes, const VerdictOptions& options)
@@ -52,10 +69,7 @@ VerdictWithReason judge(const ModeSet& modes, const VerdictEvidence& evidence, c
   const auto ambiguous = [](std::string reason) { return VerdictWithReason{Verdict::ambiguous, std::move(reason)}; };
   if (!isDominant(modes, options))
     return ambiguous(formatted("%zu modes, the best has weight %.2f", modes.modes.size(), best.weight));
-  const bool heading_counts = std::isfinite(options.max_std_phi);
-  const std::string heading = heading_counts ? formatted(" and %.1f deg", radToDeg(spread.phi)) : ", heading unknown";
-  if (!isPrecise(spread, options))
-    return ambiguous(formatted("the pose is not precise yet: standard deviation %.2f m", spread.xy) + heading);
+  if (!isPrecise(spread, options)) return ambiguous(whyImprecise(spread, options));
   if (!(evidence.inlier_ratio >= kMinInlierRatio))
     return ambiguous(
         formatted("one mode, but inlier ratio only %.0f %% of the expected value over recent detections", percent));
@@ -69,6 +83,6 @@ VerdictWithReason judge(const ModeSet& modes, const VerdictEvidence& evidence, c
     return ambiguous("one mode, but what is seen shows no landmark, and odometry alone led here from the last one");
   return {Verdict::ok, formatted("one mode, weight %.2f, standard deviation %.3f m%s, inlier ratio %.0f %% of the "
                                  "expected value over recent detections",
-                                 best.weight, spread.xy, heading.c_str(), percent)};
+                                 best.weight, spread.xy, headingText(spread, options).c_str(), percent)};
 }
 }  // namespace mrpt_ext
