@@ -16,20 +16,22 @@ namespace
 /// How the sensor of a run errs beside the stated white noise.
 struct LastingErrors
 {
-  double white = 1;         // noise, relative to the stated standard deviation
-  double of_landmark = 0;   // standard deviation of the constant error of each landmark, relative to the stated one
-  double range_offset = 0;  // [m]
-  Vector2d lever{0, 0};     // [m]
-  double lever_std = 0;     // [m] as it is given
-  double delay = 0;         // [s]
-  double delay_std = 0;     // [s] as it is given
-  double turn_scale = 0;    // of odometry
-  double drift = 0;         // [rad/s]
+  double white = 1;           // noise, relative to the stated standard deviation
+  double of_landmark = 0;     // standard deviation of the constant error of each landmark, relative to the stated one
+  double range_offset = 0;    // [m]
+  double bearing_offset = 0;  // [rad]
+  Vector2d lever{0, 0};       // [m]
+  double lever_std = 0;       // [m] as it is given
+  double delay = 0;           // [s]
+  double delay_std = 0;       // [s] as it is given
+  double turn_scale = 0;      // of odometry
+  double drift = 0;           // [rad/s]
 };
 
 struct Statistics
 {
   double steps = 0, covered = 0, covered_as_stated = 0;
+  double heading_covered = 0, heading_covered_as_stated = 0;
   double variance = 0, stated_variance = 0;
 };
 
@@ -39,8 +41,9 @@ double mahalanobis2Of(const Vector2d& error, const Matrix3d& covariance)
   return error.dot(C.inverse() * error);
 }
 
-constexpr double kInside = 5.991;  // 95 % of chi square with two degrees of freedom
-constexpr double kPeriod = 0.2;    // [s]
+constexpr double kInside = 5.991;       // 95 % of chi square with two degrees of freedom
+constexpr double kInsideOfOne = 3.841;  // ... with one
+constexpr double kPeriod = 0.2;         // [s]
 const SensorModel kLeverArm{.lever_arm_std = 0.05, .delay_std = 0};
 
 const MotionModel kGoodWheels{.std_xy_per_m = 0.02,
@@ -103,7 +106,7 @@ Frame frameOf(const LandmarkTable& map, int k, const LastingErrors& errors,
     detection.id = landmark.id;
     detection.std_bearing = kBearing;
     detection.std_range = kRange;
-    detection.bearing = wrap(predictBearing(then, at, lever) + kBearing * lasting(true));
+    detection.bearing = wrap(predictBearing(then, at, lever) + errors.bearing_offset + kBearing * lasting(true));
     detection.range = range + errors.range_offset + kRange * lasting(false);
     reading.detections.push_back(detection);
   }
@@ -158,6 +161,9 @@ void run(const LastingErrors& errors, std::uint64_t seed, Statistics& statistics
     statistics.steps += 1;
     statistics.covered += mahalanobis2Of(error, honest) < kInside;
     statistics.covered_as_stated += mahalanobis2Of(error, stated) < kInside;
+    const double turned2 = square(wrap(state.pose().phi - poseAt(k).phi));
+    statistics.heading_covered += turned2 < kInsideOfOne * honest(2, 2);
+    statistics.heading_covered_as_stated += turned2 < kInsideOfOne * stated(2, 2);
     statistics.stated_variance += stated.topLeftCorner<2, 2>().trace();
     statistics.variance += honest.topLeftCorner<2, 2>().trace();
   }
@@ -195,6 +201,15 @@ TEST(ConsiderCovariance, CoversARangeOffset)
   if (testing::isShort()) return;  // too few runs for the bounds
   EXPECT_LT(all.covered_as_stated / all.steps, 0.5);
   EXPECT_GT(all.covered / all.steps, 0.90);
+}
+
+TEST(ConsiderCovariance, CoversABearingOffset)
+{
+  const Statistics all = runs({.bearing_offset = degToRad(2)});
+  if (testing::isShort()) return;  // too few runs for the bounds
+  EXPECT_LT(all.heading_covered_as_stated / all.steps, 0.5);
+  EXPECT_GT(all.covered / all.steps, 0.90);
+  EXPECT_GT(all.heading_covered / all.steps, 0.90);
 }
 
 TEST(ConsiderCovariance, CoversADelay)

@@ -18,6 +18,7 @@ enum OfOdometry : Eigen::Index
 enum OfSensor : Eigen::Index
 {
   delay_error,
+  bearing_offset_error,
   range_offset_error,
   range_scale_error,
   lever_x_error,
@@ -28,7 +29,7 @@ constexpr double kParameterMemory = 600;  // [s] after which parameters may have
 
 // What is plausible before anything was measured, in the order above; of lever arms where no deviation is assumed.
 constexpr std::array<double, odometry_errors> kOdometryPrior = {degToRad(5.0), degToRad(1.0)};
-constexpr std::array<double, sensor_errors> kSensorPrior = {0.2, 0.3, 0.1, 0.1, 0.1};
+constexpr std::array<double, sensor_errors> kSensorPrior = {0.2, degToRad(5.0), 0.3, 0.1, 0.1, 0.1};
 
 /// What is left of chi square of the parameters beyond what chance makes of as many that are zero, two standard
 /// deviations above its mean.
@@ -165,6 +166,7 @@ Eigen::MatrixXd SystematicErrors::measurementDerivatives(const LinearStep& step)
     const Eigen::Vector3d by_pose = row.row.jacobian.head<3>().transpose();
     auto derivative = derivatives.row(static_cast<Eigen::Index>(i)).segment<sensor_errors>(firstOf(row.source.sensor));
     derivative[delay_error] = -by_pose.dot(velocity);
+    if (row.source.is_bearing) derivative[bearing_offset_error] = 1;
     if (!row.source.is_bearing) derivative[range_offset_error] = 1;
     if (!row.source.is_bearing) derivative[range_scale_error] = row.measured;
     const Vector2d by_lever = R.transpose() * by_pose.head<2>();

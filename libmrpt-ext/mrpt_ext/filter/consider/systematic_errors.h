@@ -11,7 +11,7 @@ namespace mrpt_ext
 {
 /// What systematic errors that the filter does not estimate do to its estimate. They are shared by all landmarks and do
 /// not average out:
-/// - of every sensor: delay, offset and scale of ranges, lever arm;
+/// - of every sensor: delay, offset of bearings, offset and scale of ranges, lever arm;
 /// - of odometry: veer per metre, drift per second.
 /// Scales of odometry are left out: odometry's noise, which the innovations share, would be taken for them.
 ///
