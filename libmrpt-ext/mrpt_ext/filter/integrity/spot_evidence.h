@@ -85,8 +85,8 @@ class SpotEvidence
 /// `log_ratio`: the ratio for a share of 1, e + (1 - e) N V with the clutter probability e.
 [[nodiscard]] inline double againstRepetition(double log_ratio, double share_of_new, double clutter)
 {
-  constexpr double kMost = 100;
-  const double fits = std::max(0.0, std::exp(std::min(log_ratio, kMost)) - clutter);
+  constexpr double kFinite = 100;
+  const double fits = std::max(0.0, std::exp(std::min(log_ratio, kFinite)) - clutter);
   return std::log((share_of_new * fits + clutter) / (share_of_new * (1 - clutter) + clutter));
 }
 }  // namespace mrpt_ext
