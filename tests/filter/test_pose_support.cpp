@@ -6,52 +6,47 @@ namespace mrpt_ext::test_pose_support
 {
 namespace
 {
-InlierReport report(double inliers, std::size_t detections)
-{
-  return {{.sensor = "laser", .inliers = inliers, .detections = detections}};
-}
-
 Matrix3d spread(double std_xy, double std_phi) { return Vector3d(std_xy, std_xy, std_phi).cwiseAbs2().asDiagonal(); }
 }  // namespace
 
 TEST(PoseSupport, ClutterAfterASpellThatOdometryBridgedLeavesThePoseUnsupported)
 {
   PoseSupport support;
-  support.observe(report(1, 1), spread(0.1, 0.02));
+  support.observe(1, 1, spread(0.1, 0.02));
   EXPECT_TRUE(support.supported());
-  support.observe(report(0.1, 1), spread(0.25, 0.02));
+  support.observe(0.1, 1, spread(0.25, 0.02));
   EXPECT_FALSE(support.supported()) << "the position is odometry's";
-  support.observe(report(0.1, 1), spread(0.1, 0.02));
+  support.observe(0.1, 1, spread(0.1, 0.02));
   EXPECT_FALSE(support.supported()) << "until a landmark fits";
-  support.observe(report(1.8, 2), spread(0.3, 0.05));
+  support.observe(1.8, 2, spread(0.3, 0.05));
   EXPECT_TRUE(support.supported());
-  support.observe(report(0, 2), spread(0.3, 0.15));
+  support.observe(0, 2, spread(0.3, 0.15));
   EXPECT_FALSE(support.supported()) << "the heading is odometry's";
 }
 
 TEST(PoseSupport, ClutterNearTheLastLandmarkSaysNothing)
 {
   PoseSupport support;
-  support.observe(report(1, 1), spread(0.1, 0.02));
-  for (int k = 0; k < 20; ++k) support.observe(report(0, 1), spread(0.15, 0.03));
+  support.observe(1, 1, spread(0.1, 0.02));
+  for (int k = 0; k < 20; ++k) support.observe(0, 1, spread(0.15, 0.03));
   EXPECT_TRUE(support.supported());
 }
 
 TEST(PoseSupport, WithoutDetectionsThereIsNoSignOfAnError)
 {
   PoseSupport support;
-  support.observe(report(1, 1), spread(0.1, 0.02));
-  support.observe({}, spread(0.4, 0.1));
-  support.observe(report(0, 0), spread(0.5, 0.2));
+  support.observe(1, 1, spread(0.1, 0.02));
+  support.observe(0, 0, spread(0.4, 0.1));
+  support.observe(0, 0, spread(0.5, 0.2));
   EXPECT_TRUE(support.supported());
 }
 
 TEST(PoseSupport, AKnownStartIsAsGoodAsALandmark)
 {
   PoseSupport support;
-  support.observe(report(0, 1), spread(0.01, 0.01));
+  support.observe(0, 1, spread(0.01, 0.01));
   EXPECT_TRUE(support.supported());
-  support.observe(report(0, 1), spread(0.1, 0.01));
+  support.observe(0, 1, spread(0.1, 0.01));
   EXPECT_FALSE(support.supported());
 }
 }  // namespace mrpt_ext::test_pose_support

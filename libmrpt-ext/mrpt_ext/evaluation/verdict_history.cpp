@@ -19,13 +19,11 @@ std::string kindOf(std::string reason)
 void VerdictHistory::add(double time, Verdict verdict, const std::string& reason)
 {
   ++frames_[static_cast<std::size_t>(verdict)];
-  const auto longest = [&] { return std::ranges::max_element(causes_, {}, &Cause::held); };
   if (!spells_.empty())
   {
-    causes_[current_].held += time - last_time_;
-    spells_.back().reason = longest()->wording;
+    causes_[current_].held += time - spells_.back().to;
+    explainSpell();
   }
-  last_time_ = time;
   if (spells_.empty() || spells_.back().verdict != verdict)
   {
     spells_.push_back({time, time, verdict, {}});
@@ -33,7 +31,12 @@ void VerdictHistory::add(double time, Verdict verdict, const std::string& reason
   }
   takeReason(reason);
   spells_.back().to = time;
-  spells_.back().reason = longest()->wording;
+  explainSpell();
+}
+
+void VerdictHistory::explainSpell()
+{
+  spells_.back().reason = std::ranges::max_element(causes_, {}, &Cause::held)->wording;
 }
 
 void VerdictHistory::takeReason(const std::string& reason)

@@ -42,11 +42,11 @@ class VerdictHistory
     std::size_t frames = 0;
   };
   void takeReason(const std::string& reason);
+  void explainSpell();
 
   std::array<std::size_t, 3> frames_{};  // by verdict
   std::vector<VerdictSpell> spells_;
   std::vector<Cause> causes_;  // of the last spell, in order of appearance
   std::size_t current_ = 0;    // that of the last frame
-  double last_time_ = 0;       // [s]
 };
 }  // namespace mrpt_ext

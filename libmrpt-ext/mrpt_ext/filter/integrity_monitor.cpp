@@ -96,7 +96,6 @@ bool IntegrityMonitor::followMode(const ModeSet& modes, const Frame& frame)
 
 void IntegrityMonitor::update(const InlierReport& report, const ModeSet& stated)
 {
-  if (!stated.modes.empty()) support_.observe(report, stated.modes.front().pose.covariance);
   double inliers = 0, expected = 0, expected_by_sensor = 0;
   std::size_t detections = 0;
   for (const SensorInliers& reading : report)
@@ -108,6 +107,7 @@ void IntegrityMonitor::update(const InlierReport& report, const ModeSet& stated)
     expected_by_sensor += reading.expected_by_sensor;
     detections += reading.detections;
   }
+  if (!stated.modes.empty()) support_.observe(inliers, detections, stated.modes.front().pose.covariance);
   if (detections == 0) return;
   const auto count = static_cast<double>(detections);
   fast_ratio_.observe(inliers / count, expected / count, detections);

@@ -76,11 +76,16 @@ void correctBearing(double& bearing, double& std, const SensorConfig& config, co
 }
 
 /// True for a slant range that no horizontal distance explains: of a landmark nearly overhead, by its noise.
+template <typename RangeReading>
+bool isBelowHeight(double range, int id, const RangeReading& reading, const LandmarkTable& map)
+{
+  const auto known = map.indexOf(id);
+  if (!known || reading.horizontal_range) return false;
+  return range < std::abs(map[*known].position.z() - reading.sensor_height);
+}
 bool isBelowHeight(const Detection& detection, const Reading& reading, const LandmarkTable& map)
 {
-  const auto known = map.indexOf(detection.id);
-  if (!detection.range || !known || reading.horizontal_range) return false;
-  return *detection.range < std::abs(map[*known].position.z() - reading.sensor_height);
+  return detection.range && isBelowHeight(*detection.range, detection.id, reading, map);
 }
 
 /// Why the detection fits no pose; empty when it may fit one.
@@ -95,13 +100,10 @@ std::string whyUnusable(const Detection& detection, const Reading& reading, cons
 std::string whyUnusable(const RunningFixReading& fix, const LandmarkTable& map, IdentityLevel association)
 {
   if (association != IdentityLevel::known) return "running fix, not identified";
-  const auto known = map.indexOf(fix.id);
-  if (!known) return "id not in the map";
+  if (!map.indexOf(fix.id)) return "id not in the map";
   const double shorter = std::min(fix.first_range, fix.second_range);
   if (!(shorter > 0)) return "range not above zero";
-  if (fix.horizontal_range) return {};
-  const double dz = map[*known].position.z() - fix.sensor_height;
-  return shorter < std::abs(dz) ? kBelowHeight : "";
+  return isBelowHeight(shorter, fix.id, fix, map) ? kBelowHeight : "";
 }
 }  // namespace
 

@@ -107,9 +107,10 @@ LandmarkClutter LandmarkReliability::clutter(const Reading& reading) const
 void LandmarkReliability::remember(const Reading& reading, const LandmarkTable& map, const LandmarkClutter& shares,
                                    const std::vector<double>& outliers)
 {
+  const std::string sensor = sensorKey(reading);
   for (std::size_t d = 0; d < reading.detections.size(); ++d)
     if (const auto landmark = map.indexOf(reading.detections[d].id))
-      memory_.observe(sensorKey(reading), reading.time, *landmark, {outliers[d], shares[*landmark]});
+      memory_.observe(sensor, reading.time, *landmark, {outliers[d], shares[*landmark]});
 }
 
 double LandmarkReliability::observe(const Reading& reading, const LandmarkTable& map, const ParticleSet& particles,

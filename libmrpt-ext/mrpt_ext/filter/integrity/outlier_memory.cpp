@@ -8,7 +8,7 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kMostOutlying = 0.95;  // probability: an inlier is recognised at once
-constexpr double kMostDwells = 3;
+constexpr double kMostDwells = 3;       // between two detections that tell of them
 }  // namespace
 
 double OutlierMemory::Sensor::predict(std::size_t landmark, double time, double stationary) const

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <optional>
 
-#include "mrpt_ext/filter/integrity/inlier_report.h"
 #include "mrpt_ext/geometry/gaussian_pose.h"
 
 namespace mrpt_ext
@@ -17,16 +16,9 @@ namespace mrpt_ext
 class PoseSupport
 {
  public:
-  /// `covariance`: of the pose after the frame with these inliers.
-  void observe(const InlierReport& report, const Matrix3d& covariance)
+  /// Inliers among the detections of a frame, and the covariance of the pose after it.
+  void observe(double inliers, std::size_t detections, const Matrix3d& covariance)
   {
-    double inliers = 0;
-    std::size_t detections = 0;
-    for (const SensorInliers& reading : report)
-    {
-      inliers += reading.inliers;
-      detections += reading.detections;
-    }
     if (detections == 0) return;
     if (inliers > kFits || !at_landmark_)
     {

@@ -105,8 +105,9 @@ void SequentialPoseTest::skip(const Frame& frame)
   {
     const Reading independent = decorrelator_.independent(reading);
     for (const Reading& part : parts(independent)) (void)observeWithoutMap(part, 1);
-    spot_.count(sensorKey(reading), reading.detections.size(), independent.detections.size());
-    if (hasAnonymous(reading)) (void)spot_.isFirstOf(sensorKey(reading));
+    const std::string sensor = sensorKey(reading);
+    spot_.count(sensor, reading.detections.size(), independent.detections.size());
+    if (hasAnonymous(reading)) (void)spot_.isFirstOf(sensor);
   }
 }
 
@@ -177,10 +178,11 @@ void SequentialPoseTest::test(const std::vector<Reading>& readings, const Landma
   {
     const Reading independent = decorrelator_.independent(reading);
     heading_seen_ = heading_seen_ || showsHeading(reading, map);
-    const double share_of_new = spot_.shareOfNew(sensorKey(reading));
-    spot_.count(sensorKey(reading), reading.detections.size(), independent.detections.size());
+    const std::string sensor = sensorKey(reading);
+    const double share_of_new = spot_.shareOfNew(sensor);
+    spot_.count(sensor, reading.detections.size(), independent.detections.size());
     if (independent.detections.empty()) continue;
-    const bool first = hasAnonymous(reading) && spot_.isFirstOf(sensorKey(reading));
+    const bool first = hasAnonymous(reading) && spot_.isFirstOf(sensor);
     for (const Reading& part : parts(independent))
     {
       const FeatureMixture::Outcome without_map = observeWithoutMap(part, defaultMaxRange(map));
