@@ -13,6 +13,8 @@ enum OfOdometry : Eigen::Index
 {
   veer_error,
   drift_error,
+  centre_x_error,
+  centre_y_error,
   odometry_errors
 };
 enum OfSensor : Eigen::Index
@@ -28,7 +30,7 @@ enum OfSensor : Eigen::Index
 constexpr double kParameterMemory = 600;  // [s] after which parameters may have changed
 
 // What is plausible before anything was measured, in the order above; of lever arms where no deviation is assumed.
-constexpr std::array<double, odometry_errors> kOdometryPrior = {degToRad(5.0), degToRad(1.0)};
+constexpr std::array<double, odometry_errors> kOdometryPrior = {degToRad(5.0), degToRad(1.0), 0.1, 0.1};
 constexpr std::array<double, sensor_errors> kSensorPrior = {0.2, degToRad(5.0), 0.3, 0.1, 0.1, 0.1};
 
 /// What is left of chi square of the parameters beyond what chance makes of as many that are zero, two standard
@@ -133,6 +135,10 @@ PriorStds SystematicErrors::prior() const
   const Eigen::Index parameters = response_.cols();
   PriorStds prior{Eigen::VectorXd::Zero(parameters), Eigen::VectorXd(parameters)};
   for (Eigen::Index k = 0; k < parameters; ++k) prior.most[k] = priorStd(k);
+  double of_places = 0;
+  for (const SensorStds& given : sensor_stds_) of_places = std::max(of_places, given.lever_arm);
+  const auto centre = Eigen::seqN(centre_x_error, 2);
+  if (of_places > 0) prior.least(centre) = prior.most(centre) = Vector2d::Constant(of_places);
   for (std::size_t sensor = 0; sensor < sensor_stds_.size() && firstOf(sensor + 1) <= parameters; ++sensor)
   {
     const auto lever = Eigen::seqN(firstOf(sensor) + lever_x_error, 2);
@@ -153,6 +159,7 @@ void SystematicErrors::predict(const LinearStep& step)
   const Matrix3d to_world = composeJacobianSecond(step.before.pose());
   response_.col(veer_error).head<3>() -= to_world * moments.by_length;
   response_.col(drift_error).head<3>() -= to_world * moments.by_time;
+  response_.block<2, 2>(0, centre_x_error) -= rotation(step.predicted.mean[2]) - rotation(step.before.mean[2]);
 }
 
 Eigen::MatrixXd SystematicErrors::measurementDerivatives(const LinearStep& step) const

@@ -12,7 +12,7 @@ namespace mrpt_ext
 /// What systematic errors that the filter does not estimate do to its estimate. They are shared by all landmarks and do
 /// not average out:
 /// - of every sensor: delay, offset of bearings, offset and scale of ranges, lever arm;
-/// - of odometry: veer per metre, drift per second.
+/// - of odometry: veer per metre, drift per second, the place of the robot's point from the one that odometry follows.
 /// Scales of odometry are left out: odometry's noise, which the innovations share, would be taken for them.
 ///
 /// The derivatives U of the error of the estimate by these parameters follow the filter through its steps; the
@@ -20,9 +20,11 @@ namespace mrpt_ext
 /// filter of Friedland, IEEE Trans. Autom. Control 14(4), 1969). Those that the innovations do not ask for are zero
 /// (relevance.h), but for lever arms and delays: how well the place of a sensor on the robot and the time of its
 /// readings are known is given (SensorModel), and what the innovations have not told of them, because the robot has
-/// hardly turned or changed its speed, is stated. The estimate itself is left as it is: what the parameters, and what
-/// is not known of them, do to it is added to its covariance. Correcting the readings by them would help where a sensor
-/// is mounted elsewhere than stated, but errors of other kinds pass for these ones, too.
+/// hardly turned or changed its speed, is stated. Turns tell where a sensor is from the point that odometry follows;
+/// that this is the point whose pose is asked for is assumed as well as the sensors' places are. The estimate itself is
+/// left as it is: what the parameters, and what is not known of them, do to it is added to its covariance. Correcting
+/// the readings by them would help where a sensor is mounted elsewhere than stated, but errors of other kinds pass for
+/// these ones, too.
 class SystematicErrors
 {
  public:
