@@ -52,6 +52,14 @@ double priorStd(Eigen::Index parameter)
              : kSensorPrior[static_cast<std::size_t>((parameter - odometry_errors) % sensor_errors)];
 }
 
+/// [m] The largest that is given for a sensor: how well places on the robot are known.
+double leverArmStd(const std::vector<SensorStds>& sensors)
+{
+  double largest = 0;
+  for (const SensorStds& given : sensors) largest = std::max(largest, given.lever_arm);
+  return largest;
+}
+
 Eigen::Index firstOf(std::size_t sensor) { return odometry_errors + sensor_errors * static_cast<Eigen::Index>(sensor); }
 std::size_t sensorOf(Eigen::Index parameter)
 {
@@ -135,10 +143,9 @@ PriorStds SystematicErrors::prior() const
   const Eigen::Index parameters = response_.cols();
   PriorStds prior{Eigen::VectorXd::Zero(parameters), Eigen::VectorXd(parameters)};
   for (Eigen::Index k = 0; k < parameters; ++k) prior.most[k] = priorStd(k);
-  double of_places = 0;
-  for (const SensorStds& given : sensor_stds_) of_places = std::max(of_places, given.lever_arm);
   const auto centre = Eigen::seqN(centre_x_error, 2);
-  if (of_places > 0) prior.least(centre) = prior.most(centre) = Vector2d::Constant(of_places);
+  if (const double given = leverArmStd(sensor_stds_); given > 0)
+    prior.least(centre) = prior.most(centre) = Vector2d::Constant(given);
   for (std::size_t sensor = 0; sensor < sensor_stds_.size() && firstOf(sensor + 1) <= parameters; ++sensor)
   {
     const auto lever = Eigen::seqN(firstOf(sensor) + lever_x_error, 2);
@@ -159,7 +166,9 @@ void SystematicErrors::predict(const LinearStep& step)
   const Matrix3d to_world = composeJacobianSecond(step.before.pose());
   response_.col(veer_error).head<3>() -= to_world * moments.by_length;
   response_.col(drift_error).head<3>() -= to_world * moments.by_time;
-  response_.block<2, 2>(0, centre_x_error) -= rotation(step.predicted.mean[2]) - rotation(step.before.mean[2]);
+  // Turns alone cannot tell it from a lever arm: where no deviation of these is given, it is none.
+  if (leverArmStd(sensor_stds_) > 0)
+    response_.block<2, 2>(0, centre_x_error) -= rotation(step.predicted.mean[2]) - rotation(step.before.mean[2]);
 }
 
 Eigen::MatrixXd SystematicErrors::measurementDerivatives(const LinearStep& step) const
