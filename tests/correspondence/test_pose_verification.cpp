@@ -204,6 +204,19 @@ TEST(RankPoses, UniqueOnlyWhenChanceHardlyMakesSuchPoses)
   EXPECT_FALSE(search.unique);
 }
 
+// Where most of one is not explained but its area is large, and the other the reverse, each is far below the other.
+TEST(RankPoses, TheMostEvidentPoseStaysHoweverUnlikelyItIs)
+{
+  PoseSearchResult search;
+  search.poses = {poseAt(1, -20), poseAt(5, 0)};
+  search.poses[0].log_likelihood = 0;
+  search.poses[1].log_likelihood = -20;
+  rankPoses(search, {.keep_log_units = 8}, kLogZero);
+  ASSERT_EQ(search.poses.size(), 1u);
+  EXPECT_EQ(search.poses[0].pose.mean.x, 5);
+  EXPECT_NEAR(search.poses[0].probability, 1, 1e-12);
+}
+
 TEST(RankPoses, NothingFound)
 {
   PoseSearchResult search;

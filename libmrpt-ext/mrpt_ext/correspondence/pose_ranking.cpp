@@ -49,8 +49,9 @@ void rankPoses(PoseSearchResult& search, const PoseSearchOptions& options, doubl
   std::erase_if(search.poses,
                 [&](const ConsistentPose& pose)
                 {
-                  return pose.log_evidence < best - options.keep_log_units ||
-                         pose.log_likelihood < best_likelihood - options.keep_log_units;
+                  return pose.log_evidence < best &&  // the most evident one stays, whatever its likelihood
+                         (pose.log_evidence < best - options.keep_log_units ||
+                          pose.log_likelihood < best_likelihood - options.keep_log_units);
                 });
   search.poses = withoutRepeats(std::move(search.poses));
   double total = 0, of_unsearched = 0, kept = 0;
