@@ -21,10 +21,10 @@ namespace mrpt_ext
 /// (relevance.h), but for lever arms and delays: how well the place of a sensor on the robot and the time of its
 /// readings are known is given (SensorModel), and what the innovations have not told of them, because the robot has
 /// hardly turned or changed its speed, is stated. Turns tell where a sensor is from the point that odometry follows;
-/// that this is the point whose pose is asked for is assumed as well as the sensors' places are. The estimate itself is
-/// left as it is: what the parameters, and what is not known of them, do to it is added to its covariance. Correcting
-/// the readings by them would help where a sensor is mounted elsewhere than stated, but errors of other kinds pass for
-/// these ones, too.
+/// where the point whose pose is asked for is from that one is known no better than the places of the sensors. The
+/// estimate itself is left as it is: what the parameters, and what is not known of them, do to it is added to its
+/// covariance. Correcting the readings by them would help where a sensor is mounted elsewhere than stated, but errors of
+/// other kinds pass for these ones, too.
 class SystematicErrors
 {
  public:
