@@ -23,8 +23,8 @@ namespace mrpt_ext
 /// hardly turned or changed its speed, is stated. Turns tell where a sensor is from the point that odometry follows;
 /// where the point whose pose is asked for is from that one is known no better than the places of the sensors. The
 /// estimate itself is left as it is: what the parameters, and what is not known of them, do to it is added to its
-/// covariance. Correcting the readings by them would help where a sensor is mounted elsewhere than stated, but errors of
-/// other kinds pass for these ones, too.
+/// covariance. Correcting the readings by them would help where a sensor is mounted elsewhere than stated, but errors
+/// of other kinds pass for these ones, too.
 class SystematicErrors
 {
  public:
