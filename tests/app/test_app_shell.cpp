@@ -126,6 +126,11 @@ TEST(AppShell, ErrorsAreOneLineWithTheirExitCode)
   const Outcome other = runApp({"a.ini"}, []() -> int { throw std::runtime_error("disk full\nbacktrace\n"); });
   EXPECT_EQ(other.exit_code, kExitFailed);
   EXPECT_EQ(other.err, "my-app: disk full\n");
+  const auto no_thread = std::make_error_code(std::errc::resource_unavailable_try_again);
+  const Outcome thread = runApp({"a.ini"}, [&]() -> int { throw std::system_error(no_thread); });
+  EXPECT_EQ(thread.exit_code, kExitFailed);
+  EXPECT_EQ(thread.err,
+            "my-app: no further thread can be started: expected more memory (ulimit -v) or processes (ulimit -u)\n");
 }
 
 TEST(OneLine, TakesTheMessageOutOfMrptsReport)

@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <system_error>
 
 #include "mrpt_ext/app/interrupt.h"
 #include "mrpt_ext/app/version.h"
@@ -84,6 +85,15 @@ int AppShell::answer(const std::vector<std::string>& arguments, const std::funct
     err_ << name_
          << ": not enough memory: expected fewer particles (particles_count, initial_particles_count), a "
             "shorter part of the log (--duration), or a smaller map\n";
+    return kExitFailed;
+  }
+  catch (const std::system_error& error)
+  {
+    err_ << name_ << ": "
+         << (error.code() == std::errc::resource_unavailable_try_again
+                 ? "no further thread can be started: expected more memory (ulimit -v) or processes (ulimit -u)"
+                 : oneLine(error.what()))
+         << std::endl;
     return kExitFailed;
   }
   catch (const std::exception& error)
