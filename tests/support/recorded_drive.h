@@ -20,8 +20,9 @@ struct DrivePlan
   double outliers = 0.03;  // share
   double std_distance_per_root_s = 0.01, std_turn_per_root_s = 0.01;
   double delay = 0, bearing_offset = 0, range_offset = 0, range_scale = 0;
-  double height = 0;         // [m] between sensor and landmarks; the readings do not state it
-  Vector2d lever_arm{0, 0};  // [m] true minus stated
+  std::vector<double> landmark_offsets;  // [m] of ranges, by landmark, on top of the others; empty: none
+  double height = 0;                     // [m] between sensor and landmarks; the readings do not state it
+  Vector2d lever_arm{0, 0};              // [m] true minus stated
   double distance_scale = 0, rotation_scale = 0, veer = 0, drift = 0;
   bool evenly = false;  // on a circle, at one speed
   bool rests = false;   // for ten seconds of every thirty
@@ -89,8 +90,9 @@ inline CalibrationProblem recordedDrive(const DrivePlan& plan, RandomStream& ran
     problem.poses.push_back(pose);
     for (int i = 0; i < plan.landmarks_seen; ++i)
     {
-      CalibrationReading r{.pose = problem.poses.size() - 1,
-                           .landmark = plan.landmarks[next_landmark++ % plan.landmarks.size()]};
+      const std::size_t number = next_landmark++ % plan.landmarks.size();
+      CalibrationReading r{
+          .pose = problem.poses.size() - 1, .landmark = plan.landmarks[number], .landmark_number = number};
       const bool wrong = random.chance(plan.outliers);
       if (plan.bearings)
       {
@@ -103,7 +105,8 @@ inline CalibrationProblem recordedDrive(const DrivePlan& plan, RandomStream& ran
       r.is_range = true;
       r.std = plan.std_range;
       r.value = (1 + plan.range_scale) * std::hypot(predictRange(seen_from, r.landmark, T_robot_sensor), plan.height) +
-                plan.range_offset + r.std * random.gaussian() + (wrong ? random.uniform(0.5, 3) : 0);
+                plan.range_offset + (plan.landmark_offsets.empty() ? 0 : plan.landmark_offsets[number]) +
+                r.std * random.gaussian() + (wrong ? random.uniform(0.5, 3) : 0);
       problem.readings.push_back(r);
     }
   }

@@ -17,11 +17,12 @@ enum class CalibrationParameter
   bearing_offset,  ///< [rad] measured = true + offset
   range_offset,    ///< [m] measured = (1 + scale) true + offset
   range_scale,
-  range_height,    ///< [m^2] measured^2 = true^2 + this: the squared height that map and sensor do not state
-  distance_scale,  ///< true distance = (1 + scale) distance by odometry
-  rotation_scale,  ///< true rotation = (1 + scale) rotation by odometry + veer * distance + drift * time
-  veer,            ///< [rad/m] to the left
-  drift            ///< [rad/s] to the left
+  landmark_offset,  ///< [m] the same for one landmark, on top of range_offset: radios have a delay of their own
+  range_height,     ///< [m^2] measured^2 = true^2 + this: the squared height that map and sensor do not state
+  distance_scale,   ///< true distance = (1 + scale) distance by odometry
+  rotation_scale,   ///< true rotation = (1 + scale) rotation by odometry + veer * distance + drift * time
+  veer,             ///< [rad/m] to the left
+  drift             ///< [rad/s] to the left
 };
 
 /// True for the errors of odometry; the others belong to a sensor.
@@ -30,11 +31,12 @@ enum class CalibrationParameter
   return parameter >= CalibrationParameter::distance_scale;
 }
 
-/// A parameter to estimate; the sensor counts for parameters of a sensor only.
+/// A parameter to estimate; the sensor counts for parameters of a sensor only, the landmark for landmark_offset.
 struct CalibrationUnknown
 {
   CalibrationParameter parameter = CalibrationParameter::delay;
   std::size_t sensor = 0;
+  std::size_t landmark = 0;  ///< its number
 };
 
 /// One number that a sensor measured of a known landmark.
@@ -44,10 +46,11 @@ struct CalibrationReading
   std::size_t sensor = 0;   ///< number of the sensor
   bool is_range = false;    ///< else a bearing
   Vector2d landmark{0, 0};  ///< [m], world frame
-  Pose2 T_robot_sensor;     ///< at the stamp
-  double height = 0;        ///< [m] of the landmark above the sensor; 0 for horizontal ranges
-  double value = 0;         ///< [rad] or [m]
-  double std = 0;           ///< likewise, as declared
+  std::size_t landmark_number = 0;
+  Pose2 T_robot_sensor;  ///< at the stamp
+  double height = 0;     ///< [m] of the landmark above the sensor; 0 for horizontal ranges
+  double value = 0;      ///< [rad] or [m]
+  double std = 0;        ///< likewise, as declared
 };
 
 /// A pose of the trajectory, first guess.
@@ -80,5 +83,6 @@ struct SensorScatter
   std::size_t bearings = 0, ranges = 0;
   /// Number of residuals less what the adjustment took up: the information about the scatter.
   double bearing_redundancy = 0, range_redundancy = 0;
+  double landmark_offset_std = 0;  ///< [m] by which its landmarks' offsets differ; 0: none to estimate
 };
 }  // namespace mrpt_ext

@@ -9,12 +9,13 @@ namespace
 {
 constexpr double kToldShare = 0.5;  // of the prior standard deviation of a lever arm
 
-double typicalRange(const CalibrationProblem& problem, std::size_t sensor)
+/// Median of a member over the ranges of a sensor.
+double typical(const CalibrationProblem& problem, std::size_t sensor, double CalibrationReading::*member)
 {
-  std::vector<double> ranges;
+  std::vector<double> values;
   for (const CalibrationReading& r : problem.readings)
-    if (r.is_range && r.sensor == sensor) ranges.push_back(r.value);
-  return ranges.empty() ? 1 : upperMedian(std::move(ranges));
+    if (r.is_range && r.sensor == sensor) values.push_back(r.*member);
+  return values.empty() ? 1 : upperMedian(std::move(values));
 }
 
 double leverArmStd(const CalibrationProblem& problem, std::size_t sensor)
@@ -32,6 +33,8 @@ double priorStd(const CalibrationProblem& problem, const CalibrationUnknown& unk
       return leverArmStd(problem, unknown.sensor);
     case CalibrationParameter::range_offset:
       return 30;
+    case CalibrationParameter::landmark_offset:
+      return typical(problem, unknown.sensor, &CalibrationReading::std);
     case CalibrationParameter::distance_scale:
     case CalibrationParameter::rotation_scale:
     case CalibrationParameter::range_scale:
@@ -56,7 +59,8 @@ double largestUsefulStd(const CalibrationProblem& problem, const CalibrationUnkn
     case CalibrationParameter::bearing_offset:
       return degToRad(3.0);
     case CalibrationParameter::range_offset:
-      return 0.05 * typicalRange(problem, unknown.sensor);
+    case CalibrationParameter::landmark_offset:
+      return 0.05 * typical(problem, unknown.sensor, &CalibrationReading::value);
     case CalibrationParameter::range_scale:
     case CalibrationParameter::veer:
       return 0.05;

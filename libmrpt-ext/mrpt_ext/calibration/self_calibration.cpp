@@ -138,6 +138,21 @@ bool moveToMeasurements(const CalibrationProblem& problem, const std::vector<Cal
   return true;
 }
 
+/// `covariance` of the unknowns `numbers`, in the order of `errors`.
+Eigen::MatrixXd observableOnes(const std::optional<Eigen::MatrixXd>& covariance,
+                               const std::vector<std::size_t>& numbers, const std::vector<ParameterEstimate>& errors)
+{
+  const auto size = static_cast<Eigen::Index>(errors.size());
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(size, size);
+  if (!covariance) return all;
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+    for (std::size_t j = 0; j < numbers.size(); ++j)
+      if (errors[numbers[k]].observable && errors[numbers[j]].observable)
+        all(static_cast<Eigen::Index>(numbers[k]), static_cast<Eigen::Index>(numbers[j])) =
+            (*covariance)(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(j));
+  return all;
+}
+
 std::vector<double> inLoggedOrder(const std::vector<double>& values, const std::vector<std::size_t>& numbers)
 {
   std::vector<double> ordered(values.size());
@@ -182,6 +197,7 @@ CalibrationResult calibrate(const CalibrationProblem& problem, const std::vector
     const bool observable = (*stds)[i] <= largestUsefulStd(problem, left[k]);
     result.errors[numbers[k]] = {left[k], observable, observable ? adjuster->model().errors()[i] : 0, (*stds)[i]};
   }
+  result.covariance = observableOnes(adjuster->covariance(), numbers, result.errors);
   result.scatter = adjuster->scatters();
   result.misfits = moved.measured ? inLoggedOrder(adjuster->misfits(), moved.measured->readings) : adjuster->misfits();
   result.odometry_scatter = adjuster->model().odometryScatter();

@@ -20,7 +20,9 @@ constexpr double kLeastLinkRedundancy = 10;  // of all links, likewise
 constexpr double kLeastScatter = 0.1, kMostScatter = 30;
 // Slips belong to odometry: scales are to be right on the whole, not for the stretches without slip. Only a robot that
 // was picked up does not count.
-constexpr double kSlip2 = 400;  // squared standard deviations
+constexpr double kSlip2 = 400;              // squared standard deviations
+constexpr double kLeastLandmarkStd = 0.02;  // of landmarks' offsets, over the deviation of a range
+constexpr double kLeastTold = 0.01;         // of all landmarks' offsets
 constexpr int kMostBlocks = 30, kLeastBlocks = 8;
 constexpr double kScatterStep = 0.05;  // of a logarithm, for a derivative
 constexpr int kScatterSteps = 3;       // of the adjustment that follow it
@@ -49,6 +51,16 @@ TrajectoryAdjustment::TrajectoryAdjustment(const CalibrationProblem& problem, st
   for (const TrajectoryPose& pose : problem.poses) poses_.push_back(pose.pose);
   for (const CalibrationReading& r : problem.readings)
     ++(r.is_range ? scatters_[r.sensor].ranges : scatters_[r.sensor].bearings);
+  for (const CalibrationUnknown& unknown : model_.unknowns())
+    if (unknown.parameter == CalibrationParameter::landmark_offset &&
+        scatters_[unknown.sensor].landmark_offset_std == 0)
+      scatters_[unknown.sensor].landmark_offset_std = priorStd(problem, unknown);
+}
+
+double TrajectoryAdjustment::priorOf(const CalibrationUnknown& unknown) const
+{
+  return unknown.parameter == CalibrationParameter::landmark_offset ? scatters_[unknown.sensor].landmark_offset_std
+                                                                    : priorStd(problem_, unknown);
 }
 
 double TrajectoryAdjustment::scatterOf(const CalibrationReading& r) const
@@ -99,7 +111,7 @@ PoseChainSystem TrajectoryAdjustment::linearized() const
   {
     const auto i = static_cast<Eigen::Index>(k);
     chain.addPrior(-model_.errors()[i], Eigen::RowVectorXd::Unit(model_.errors().size(), i),
-                   1 / square(priorStd(problem_, model_.unknowns()[k])));
+                   1 / square(priorOf(model_.unknowns()[k])));
   }
   return chain;
 }
@@ -113,7 +125,7 @@ double TrajectoryAdjustment::cost() const
     if (problem_.poses[k].since_previous)
       cost += robust::loss(model_.linkResidual(k, poses_[k - 1], poses_[k]).squaredNorm(), kSlip2);
   for (std::size_t k = 0; k < model_.unknowns().size(); ++k)
-    cost += square(model_.errors()[static_cast<Eigen::Index>(k)] / priorStd(problem_, model_.unknowns()[k]));
+    cost += square(model_.errors()[static_cast<Eigen::Index>(k)] / priorOf(model_.unknowns()[k]));
   return cost;
 }
 
@@ -182,7 +194,30 @@ bool TrajectoryAdjustment::estimateScatters()
         std::clamp(scatter[n] * std::exp(search_[n].step(std::log(scatter[n]), excess)), kLeastScatter, kMostScatter);
   }
   model_.setOdometryScatter(scatter);
+  estimateLandmarkStds(*solution);
   return true;
+}
+
+void TrajectoryAdjustment::estimateLandmarkStds(const ChainSolution& solution)
+{
+  const std::vector<CalibrationUnknown>& unknowns = model_.unknowns();
+  if (std::none_of(unknowns.begin(), unknowns.end(),
+                   [](const CalibrationUnknown& t) { return t.parameter == CalibrationParameter::landmark_offset; }))
+    return;
+  const Eigen::VectorXd variances = Eigen::MatrixXd(solution.shared_information.inverse()).diagonal();
+  for (std::size_t s = 0; s < scatters_.size(); ++s)
+  {
+    double squares = 0, told = 0, least = 0;
+    for (std::size_t k = 0; k < unknowns.size(); ++k)
+    {
+      if (unknowns[k].parameter != CalibrationParameter::landmark_offset || unknowns[k].sensor != s) continue;
+      const auto i = static_cast<Eigen::Index>(k);
+      squares += square(model_.errors()[i]);
+      told += std::max(1 - variances[i] / square(scatters_[s].landmark_offset_std), 0.0);
+      least = kLeastLandmarkStd * priorStd(problem_, unknowns[k]);
+    }
+    if (told > kLeastTold) scatters_[s].landmark_offset_std = std::max(std::sqrt(squares / told), least);
+  }
 }
 
 TrajectoryAdjustment::LinkFits TrajectoryAdjustment::linkFits(const ChainSolution& solution) const
@@ -301,6 +336,13 @@ Eigen::MatrixXd TrajectoryAdjustment::scoresByBlock(const ChainSolution& solutio
   return scores;
 }
 
+std::optional<Eigen::MatrixXd> TrajectoryAdjustment::covariance() const
+{
+  const std::optional<ChainSolution> solution = linearized().solve();
+  if (!solution) return std::nullopt;
+  return Eigen::MatrixXd(solution->shared_information.inverse());
+}
+
 std::optional<Eigen::VectorXd> TrajectoryAdjustment::standardDeviations() const
 {
   const std::optional<ChainSolution> solution = linearized().solve();
@@ -311,8 +353,12 @@ std::optional<Eigen::VectorXd> TrajectoryAdjustment::standardDeviations() const
   Eigen::VectorXd variance = inverse.diagonal();
   if (const auto blocks = static_cast<double>(scores.rows()); scores.rows() >= kLeastBlocks)
   {
-    const Eigen::MatrixXd sandwich = inverse * (scores.transpose() * scores) * inverse;
-    variance = variance.cwiseMax(blocks / (blocks - 1) * sandwich.diagonal());
+    Eigen::MatrixXd spread = blocks / (blocks - 1) * scores.transpose() * scores;
+    for (std::size_t k = 0; k < model_.unknowns().size(); ++k)
+      if (const CalibrationUnknown& unknown = model_.unknowns()[k];
+          unknown.parameter == CalibrationParameter::landmark_offset)
+        spread.diagonal()[static_cast<Eigen::Index>(k)] += 1 / square(priorOf(unknown));
+    variance = variance.cwiseMax((inverse * spread * inverse).diagonal());
   }
   return Eigen::VectorXd(variance.cwiseMax(0).cwiseSqrt() / curvature);
 }

@@ -45,7 +45,10 @@ class TrajectoryAdjustment
   /// Estimates the scatters from the residuals; false when something is undetermined.
   [[nodiscard]] bool estimateScatters();
   [[nodiscard]] double cost() const;
+  /// Of the unknowns, by the normal equations.
+  [[nodiscard]] std::optional<Eigen::MatrixXd> covariance() const;
   /// Standard deviations of the unknowns: the larger of normal equations and sandwich estimator over blocks of time.
+  /// What landmarks share is told by their number: their offsets are random, and a block of time shows all of them.
   [[nodiscard]] std::optional<Eigen::VectorXd> standardDeviations() const;
 
   [[nodiscard]] const TrajectoryModel& model() const { return model_; }
@@ -68,6 +71,9 @@ class TrajectoryAdjustment
  private:
   [[nodiscard]] double scatterOf(const CalibrationReading& reading) const;
   [[nodiscard]] double assumedScatterOf(const CalibrationReading& reading) const;
+  [[nodiscard]] double priorOf(const CalibrationUnknown& unknown) const;
+  /// By how much the offsets of a sensor's landmarks differ: a variance component (restricted maximum likelihood).
+  void estimateLandmarkStds(const ChainSolution& solution);
   [[nodiscard]] PoseChainSystem linearized() const;
   /// What each noise of odometry has in the squared residual of each link, and in its redundancy: a column per link.
   struct LinkFits

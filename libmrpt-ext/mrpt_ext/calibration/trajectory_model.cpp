@@ -1,6 +1,7 @@
 #include "mrpt_ext/calibration/trajectory_model.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 
 #include "mrpt_ext/solvers/plane.h"
 
@@ -30,6 +31,13 @@ TrajectoryModel::TrajectoryModel(const CalibrationProblem& problem, std::vector<
   {
     const CalibrationParameter kind = unknowns_[k].parameter;
     SensorTerms unused, &sensor = isOfOdometry(kind) ? unused : of_sensor_[unknowns_[k].sensor];
+    if (kind == CalibrationParameter::landmark_offset)
+    {
+      std::vector<int>& offsets = sensor.landmark_offsets;
+      offsets.resize(std::max(offsets.size(), unknowns_[k].landmark + 1), -1);
+      offsets[unknowns_[k].landmark] = static_cast<int>(k);
+      continue;
+    }
     int& number = kind == CalibrationParameter::delay            ? sensor.delay
                   : kind == CalibrationParameter::lever_arm_x    ? sensor.lever_arm_x
                   : kind == CalibrationParameter::lever_arm_y    ? sensor.lever_arm_y
@@ -74,6 +82,11 @@ Pose2 TrajectoryModel::predictOdometry(std::size_t k, const Pose2& moved) const
 
 Pose2 TrajectoryModel::backBy(double time, double late) const { return between(path_.at(time), path_.at(time - late)); }
 
+int TrajectoryModel::landmarkOffset(const SensorTerms& terms, const CalibrationReading& reading)
+{
+  return reading.landmark_number < terms.landmark_offsets.size() ? terms.landmark_offsets[reading.landmark_number] : -1;
+}
+
 ReadingResidual TrajectoryModel::reading(const CalibrationReading& r, const Pose2& pose) const
 {
   const SensorTerms& terms = of_sensor_[r.sensor];
@@ -91,10 +104,12 @@ ReadingResidual TrajectoryModel::reading(const CalibrationReading& r, const Pose
   {
     const double flat = predictRange(then, r.landmark, T_robot_sensor), slant = std::hypot(flat, r.height);
     const double scale = 1 + valueOf(terms.range_scale);
-    predicted = scale * slant + valueOf(terms.range_offset);
+    const int of_landmark = landmarkOffset(terms, r);
+    predicted = scale * slant + valueOf(terms.range_offset) + valueOf(of_landmark);
     by_then = (slant > 0 ? scale * flat / slant : 0) * rangeJacobian(then, r.landmark, offset);
     if (terms.range_scale >= 0) row.shared[terms.range_scale] = slant;
     if (terms.range_offset >= 0) row.shared[terms.range_offset] = 1;
+    if (of_landmark >= 0) row.shared[of_landmark] = 1;
   }
   else
   {

@@ -62,8 +62,10 @@ class TrajectoryModel
   struct SensorTerms
   {
     int delay = -1, lever_arm_x = -1, lever_arm_y = -1, bearing_offset = -1, range_offset = -1, range_scale = -1;
+    std::vector<int> landmark_offsets;  // by landmark, up to the last that has one
   };
   [[nodiscard]] double valueOf(int term) const { return term < 0 ? 0 : values_[term]; }
+  [[nodiscard]] static int landmarkOffset(const SensorTerms& terms, const CalibrationReading& reading);
   /// Odometry that a motion between pose `k - 1` and pose `k` should give.
   [[nodiscard]] Pose2 predictOdometry(std::size_t k, const Pose2& moved) const;
   [[nodiscard]] double durationOf(std::size_t k) const { return problem_.poses[k].time - problem_.poses[k - 1].time; }
