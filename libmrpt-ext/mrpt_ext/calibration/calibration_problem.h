@@ -31,6 +31,12 @@ enum class CalibrationParameter
   return parameter >= CalibrationParameter::distance_scale;
 }
 
+/// True for what all ranges of a sensor share: offset and scale, which are only told together.
+[[nodiscard]] constexpr bool isOfAllRanges(CalibrationParameter parameter)
+{
+  return parameter == CalibrationParameter::range_offset || parameter == CalibrationParameter::range_scale;
+}
+
 /// A parameter to estimate; the sensor counts for parameters of a sensor only, the landmark for landmark_offset.
 struct CalibrationUnknown
 {

@@ -32,10 +32,13 @@ bool isChosen(const IniAssignment& line, const NoiseChoice& noise, const std::ve
 std::vector<CalibrationFinding> adoptedFindings(const CalibrationChoice& choice, const CalibrationData& data,
                                                 const LocalizationConfig& config)
 {
-  const CalibrationResult errors = calibrate(data.problem, choice.errors);
+  std::vector<CalibrationUnknown> unknowns = choice.errors;
+  unknowns.insert(unknowns.end(), choice.beside.begin(), choice.beside.end());
+  CalibrationResult errors = calibrate(data.problem, unknowns);
   if (errors.status != SolveStatus::ok) return {};
+  errors.errors.resize(choice.errors.size());
   std::vector<CalibrationFinding> adopted;
-  for (const CalibrationFinding& finding : calibrationFindings(errors, data.sensors, config))
+  for (const CalibrationFinding& finding : calibrationFindings(errors, data, config))
     if (finding.why_not_observable.empty()) adopted.push_back(finding);
   for (CalibrationFinding& finding : noiseFindings(errors, data, config))
   {

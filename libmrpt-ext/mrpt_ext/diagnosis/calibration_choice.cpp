@@ -5,6 +5,7 @@
 
 #include "mrpt_ext/diagnosis/bias_parameter.h"
 #include "mrpt_ext/diagnosis/outlier_share.h"
+#include "mrpt_ext/diagnosis/partial_calibration.h"
 
 namespace mrpt_ext
 {
@@ -35,16 +36,18 @@ struct Part
   MotionNoise odometry = position_noise;
 };
 
-bool isRangeError(const CalibrationUnknown& unknown)
+bool isShared(const CalibrationUnknown& unknown) { return isOfAllRanges(unknown.parameter); }
+
+bool isOfLandmark(const CalibrationUnknown& unknown)
 {
-  return unknown.parameter == CalibrationParameter::range_offset ||
-         unknown.parameter == CalibrationParameter::range_scale;
+  return unknown.parameter == CalibrationParameter::landmark_offset;
 }
 
 /// Errors that are only told together.
 bool belongTogether(const CalibrationUnknown& a, const CalibrationUnknown& b)
 {
-  return isRangeError(a) && isRangeError(b) && a.sensor == b.sensor;
+  const bool of_ranges = isOfAllRanges(a.parameter) && isOfAllRanges(b.parameter);
+  return a.sensor == b.sensor && (of_ranges || (isOfLandmark(a) && isOfLandmark(b)));
 }
 
 /// The poses up to `end`, and their readings.
@@ -77,36 +80,40 @@ class ChoiceSearch
  public:
   ChoiceSearch(const CalibrationData& data, const std::vector<CalibrationUnknown>& unknowns,
                const LocalizationConfig& config)
-      : data_(data), unknowns_(unknowns), config_(config), middle_(middleOf(data.problem))
+      : data_(data),
+        unknowns_(unknowns),
+        config_(config),
+        middle_(middleOf(data.problem)),
+        before_(firstPart(data.problem, middle_))
   {
-    first_half_ = calibrate(firstPart(data.problem, middle_), unknowns);
+    first_half_ = calibrate(before_, unknowns);
     if (first_half_.status == SolveStatus::ok) addParts();
   }
 
   [[nodiscard]] CalibrationChoice run()
   {
-    const std::vector<double> configured = densitiesOf({});
-    std::vector<double> best = densitiesOf(parts_);
+    const std::vector<double> configured = densitiesOf({}, first_half_);
+    std::vector<double> best = densitiesOf(parts_, found_);
     while (!parts_.empty())
     {
       std::optional<std::size_t> worst;
       double least = 0;
-      std::vector<double> without_worst;
       for (std::size_t k = 0; k < parts_.size(); ++k)
       {
-        std::vector<double> without = densitiesOf(allBut(k));
+        const std::vector<double> without = densitiesOf(allBut(k), foundWithout(k));
         const PredictiveGain gain = predictiveGain(data_.problem, middle_, best, without);
         const double margin = (gain.std > 0 ? gain.gain / gain.std : 0) - neededGain(parts_[k]);
         if (margin > least) continue;
         least = margin;
         worst = k;
-        without_worst = std::move(without);
       }
       if (!worst) break;
-      parts_ = allBut(*worst);
-      best = std::move(without_worst);
+      takeOut(*worst);
+      best = densitiesOf(parts_, found_);
     }
-    return choice(configured, best);
+    CalibrationChoice chosen = choice(configured, best);
+    if (!(chosen.calibrated > chosen.configured)) return {};
+    return chosen;
   }
 
  private:
@@ -126,10 +133,10 @@ class ChoiceSearch
       else
         parts_.push_back({PartKind::errors, {k}, unknowns_[k].sensor});
     }
-    const auto tells_nothing = [&](std::size_t k)
-    { return std::abs(first_half_.errors[k].value) <= kPays * first_half_.errors[k].std; };
-    std::erase_if(parts_,
-                  [&](const Part& part) { return std::all_of(part.errors.begin(), part.errors.end(), tells_nothing); });
+    const auto tells_nothing = [&](const Part& part)
+    { return !isOfLandmarks(part) && strengthOf(part, first_half_) <= kPays; };
+    std::erase_if(parts_, tells_nothing);
+    found_ = fitOf(parts_);
     for (std::size_t s = 0; s < data_.sensors.size(); ++s) addNoise(s);
     // Never less: the noise of odometry also stands for slips and for errors that last, which a prediction of the next
     // reading hardly shows.
@@ -189,13 +196,66 @@ class ChoiceSearch
     return outliers.matched < kLeastNoiseReadings ? 0 : std::min(outliers.share, kMostOutlierShare);
   }
 
-  /// Standard deviations of the gain: what the first half tells beyond doubt has only to improve the prediction.
-  [[nodiscard]] double neededGain(const Part& part) const
+  [[nodiscard]] static double strengthOf(const Part& part, const CalibrationResult& found)
   {
     double strength = 0;
     for (const std::size_t k : part.errors)
-      strength = std::max(strength, std::abs(first_half_.errors[k].value) / first_half_.errors[k].std);
-    return strength > kBeyondDoubt ? 0 : kPays;
+      if (found.errors[k].value != 0)
+        strength = std::max(strength, std::abs(found.errors[k].value) / found.errors[k].std);
+    return strength;
+  }
+
+  /// Standard deviations of the gain: what the first half tells beyond doubt has only to improve the prediction.
+  [[nodiscard]] double neededGain(const Part& part) const
+  {
+    return !isOfLandmarks(part) && strengthOf(part, first_half_) > kBeyondDoubt ? 0 : kPays;
+  }
+
+  [[nodiscard]] bool isOfLandmarks(const Part& part) const
+  {
+    return !part.errors.empty() && isOfLandmark(unknowns_[part.errors.front()]);
+  }
+
+  /// Numbers of the offsets of landmarks that are estimated beside `parts`: what the landmarks of a sensor share is
+  /// only known as well as they agree.
+  [[nodiscard]] std::vector<std::size_t> besides(const std::vector<Part>& parts) const
+  {
+    const auto has = [&](std::size_t sensor, const auto& is_it)
+    {
+      return std::any_of(parts.begin(), parts.end(),
+                         [&](const Part& part)
+                         { return part.sensor == sensor && !part.errors.empty() && is_it(unknowns_[part.errors[0]]); });
+    };
+    std::vector<std::size_t> numbers;
+    for (std::size_t k = 0; k < unknowns_.size(); ++k)
+      if (const std::size_t sensor = unknowns_[k].sensor;
+          isOfLandmark(unknowns_[k]) && has(sensor, isShared) && !has(sensor, isOfLandmark))
+        numbers.push_back(k);
+    return numbers;
+  }
+
+  /// What the first half tells of the errors of `parts` where the others are as configured.
+  [[nodiscard]] CalibrationResult fitOf(const std::vector<Part>& parts) const
+  {
+    std::vector<std::size_t> numbers = besides(parts);
+    for (const Part& part : parts) numbers.insert(numbers.end(), part.errors.begin(), part.errors.end());
+    return calibrateSome(before_, unknowns_, numbers, first_half_);
+  }
+
+  /// What was found, with the errors of a part as configured.
+  [[nodiscard]] CalibrationResult foundWithout(std::size_t number) const
+  {
+    const std::vector<std::size_t>& errors = parts_[number].errors;
+    const std::vector<std::size_t> kept = besides(allBut(number));
+    const bool stay = !errors.empty() && std::find(kept.begin(), kept.end(), errors.front()) != kept.end();
+    return stay ? found_ : withoutErrors(found_, errors);
+  }
+
+  void takeOut(std::size_t number)
+  {
+    const bool changes = !parts_[number].errors.empty();
+    parts_ = allBut(number);
+    if (changes) found_ = fitOf(parts_);
   }
 
   [[nodiscard]] std::vector<Part> allBut(std::size_t number) const
@@ -228,19 +288,18 @@ class ChoiceSearch
     return model;
   }
 
-  [[nodiscard]] std::vector<double> densitiesOf(const std::vector<Part>& parts) const
+  [[nodiscard]] std::vector<double> densitiesOf(const std::vector<Part>& parts, const CalibrationResult& found) const
   {
     RecordingModel model = configuredModel();
     for (const Part& part : parts)
     {
-      for (const std::size_t k : part.errors) model.errors[k].mean = first_half_.errors[k].value;
+      for (const std::size_t k : part.errors) model.errors[k].mean = found.errors[k].value;
       AssumedNoise& noise = model.sensors[part.sensor];
-      const SensorScatter& scatter = first_half_.scatter[part.sensor];
+      const SensorScatter& scatter = found.scatter[part.sensor];
       if (part.kind == PartKind::bearing_noise) noise.bearing = scatter.bearing;
       if (part.kind == PartKind::range_noise) noise.range = scatter.range;
       if (part.kind == PartKind::outliers) noise.outliers = outliersOf(part.sensor);
-      if (part.kind == PartKind::odometry_noise)
-        model.odometry[part.odometry] = first_half_.odometry_scatter[part.odometry];
+      if (part.kind == PartKind::odometry_noise) model.odometry[part.odometry] = found.odometry_scatter[part.odometry];
     }
     std::erase_if(model.errors, [](const AssumedError& error)
                   { return error.mean == 0 && error.std == 0 && error.std_per_sqrt_s == 0; });
@@ -281,6 +340,7 @@ class ChoiceSearch
       if (part.kind == PartKind::outliers) chosen.noise.outliers[part.sensor] = true;
       if (part.kind == PartKind::odometry_noise) chosen.noise.odometry[part.odometry] = true;
     }
+    for (const std::size_t k : besides(parts_)) chosen.beside.push_back(unknowns_[k]);
     double readings = 0;
     for (std::size_t i = 0; i < best.size(); ++i)
     {
@@ -295,8 +355,10 @@ class ChoiceSearch
   const CalibrationData& data_;
   const std::vector<CalibrationUnknown>& unknowns_;
   const LocalizationConfig& config_;
-  std::size_t middle_;  // number of the first pose of the second half
-  CalibrationResult first_half_;
+  std::size_t middle_;            // number of the first pose of the second half
+  CalibrationProblem before_;     // the first half
+  CalibrationResult first_half_;  // with all unknowns
+  CalibrationResult found_;       // with those of the parts
   std::vector<Part> parts_;
 };
 }  // namespace

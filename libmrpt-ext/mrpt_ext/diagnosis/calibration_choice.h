@@ -21,6 +21,7 @@ struct NoiseChoice
 struct CalibrationChoice
 {
   std::vector<CalibrationUnknown> errors;
+  std::vector<CalibrationUnknown> beside;  ///< to be estimated with them, and not adopted: what landmarks differ by
   NoiseChoice noise;
   /// Mean log density of a reading of the second half: as configured, and with what was estimated from the first. A
   /// reading that no landmark is near adds the log probability of an outlier.
@@ -31,7 +32,8 @@ struct CalibrationChoice
 /// What of `unknowns` and of the noise to adopt: estimated from the first half of the recording, it must predict the
 /// second half better than without it (calibration/predictive_likelihood.h): by two standard deviations of the gain,
 /// unless the first half tells the error by four of its own. Starts with everything that the first half shows, and
-/// takes out what does not pay, the worst first. Errors that the filters estimate anyway stay uncertain in the
+/// takes out what does not pay, the worst first; the
+/// others are then estimated anew. Errors that the filters estimate anyway stay uncertain in the
 /// comparison. Offsets of bearings are never adopted: they turn the robot's own axes, and only odometry tells them,
 /// whose axes may be turned as well.
 [[nodiscard]] CalibrationChoice chooseCalibration(const CalibrationData& data,

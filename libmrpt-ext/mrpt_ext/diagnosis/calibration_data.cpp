@@ -13,6 +13,7 @@ namespace
 constexpr double kStep = 1;          // [s] longest time between two poses
 constexpr double kLongestGap = 180;  // [s] that odometry bridges
 constexpr std::size_t kMostReadings = 100'000;
+constexpr std::size_t kMostRadios = 50, kLeastRanges = 20;  // ranges: per radio, on average
 
 class CalibrationDataBuilder
 {
@@ -24,6 +25,8 @@ class CalibrationDataBuilder
       result_.problem.odometry.push_back({entry.time, entry.pose});
     result_.sensors = input.logged_sensors;
     result_.problem.sensors = result_.sensors.size();
+    result_.identified.assign(result_.sensors.size(), true);
+    for (std::size_t i = 0; i < input.context.map.size(); ++i) result_.ids.push_back(input.context.map[i].id);
     for (const std::string& label : result_.sensors)
       result_.problem.lever_arm_std.push_back(configOf(input.config.frames.sensors, label).lever_arm_std);
   }
@@ -83,10 +86,12 @@ class CalibrationDataBuilder
         ++result_.ambiguous;
       return;
     }
+    if (detection.id == kNoId) result_.identified[sensor] = false;
     const Vector3d position = map[*landmark].position;
     CalibrationReading r{.pose = result_.problem.poses.size() - 1,
                          .sensor = sensor,
                          .landmark = position.head<2>(),
+                         .landmark_number = *landmark,
                          .T_robot_sensor = reading.T_robot_sensor,
                          .height = reading.horizontal_range ? 0 : position.z() - reading.sensor_height};
     const auto add = [&](bool is_range, double value, double std)
@@ -112,6 +117,21 @@ class CalibrationDataBuilder
   LinkNoise noise_;
   CalibrationData result_;
 };
+
+/// Landmarks that the sensor ranges to; none where they are too many to have an offset each.
+std::set<std::size_t> radiosOf(const CalibrationData& data, std::size_t sensor)
+{
+  std::set<std::size_t> radios;
+  std::size_t ranges = 0;
+  for (const CalibrationReading& r : data.problem.readings)
+  {
+    if (r.sensor != sensor || !r.is_range) continue;
+    radios.insert(r.landmark_number);
+    ++ranges;
+  }
+  if (radios.size() > kMostRadios || ranges < kLeastRanges * radios.size()) radios.clear();
+  return radios;
+}
 }  // namespace
 
 CalibrationData collectCalibrationData(const LocalizationInput& input, const std::vector<PoseEstimate>& trajectory)
@@ -158,6 +178,8 @@ std::vector<CalibrationUnknown> calibrationUnknowns(const LocalizationInput& inp
     if (ranges.count(s) == 0) continue;
     unknowns.push_back({range_offset, s});
     unknowns.push_back({range_scale, s});
+    if (bearings.count(s) > 0 || !data.identified[s]) continue;
+    for (const std::size_t landmark : radiosOf(data, s)) unknowns.push_back({landmark_offset, s, landmark});
   }
   return unknowns;
 }

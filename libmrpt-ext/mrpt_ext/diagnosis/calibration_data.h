@@ -23,6 +23,8 @@ struct CalibrationData
   CalibrationProblem problem;
   std::vector<std::string> sensors;         ///< labels, by number
   std::vector<std::size_t> landmarks;       ///< of the map, by reading
+  std::vector<int> ids;                     ///< of the landmarks, by number in the map
+  std::vector<bool> identified;             ///< by sensor: all its readings carry the id of their landmark
   std::vector<UnmatchedReading> unmatched;  ///< ordered by pose
   std::size_t ambiguous = 0;                ///< detections left out because several landmarks are near
   bool verified = false;                    ///< at least one estimate of the trajectory was `ok`
@@ -34,7 +36,8 @@ struct CalibrationData
 [[nodiscard]] CalibrationData collectCalibrationData(const LocalizationInput& input,
                                                      const std::vector<PoseEstimate>& trajectory);
 
-/// The errors that this log could tell.
+/// The errors that this log could tell. An offset per landmark for identified ranges without bearings: radios have a
+/// delay of their own.
 [[nodiscard]] std::vector<CalibrationUnknown> calibrationUnknowns(const LocalizationInput& input,
                                                                   const CalibrationData& data);
 }  // namespace mrpt_ext

@@ -191,12 +191,38 @@ bool differs(const CalibrationFinding& found)
   return found.why_not_observable.empty() && std::abs(found.estimate - found.configured) > kSignificant * found.std;
 }
 
-bool isOfRanges(const ParameterEstimate& error)
+/// Offsets of the landmarks of a sensor, all in one line; nothing without such unknowns. They differ when they are
+/// more, in their own deviations, than chance makes of so many.
+std::optional<CalibrationFinding> landmarkOffsets(const CalibrationResult& errors, std::size_t sensor,
+                                                  const CalibrationData& data, const LocalizationConfig& config)
 {
-  return error.unknown.parameter == CalibrationParameter::range_offset ||
-         error.unknown.parameter == CalibrationParameter::range_scale;
+  const SensorConfig& now = configOf(config.frames.sensors, data.sensors[sensor]);
+  CalibrationFinding found{.what = data.sensors[sensor] + ": range offsets of its landmarks",
+                           .unit = "m",
+                           .line = {"Sensor_" + data.sensors[sensor], "landmark_bias_range_m", ""}};
+  LandmarkValues values = now.landmark_bias_range;
+  double count = 0, in_deviations = 0;
+  for (const ParameterEstimate& error : errors.errors)
+  {
+    if (error.unknown.parameter != CalibrationParameter::landmark_offset || error.unknown.sensor != sensor) continue;
+    const int id = data.ids[error.unknown.landmark];
+    const double configured = valueOf(now.landmark_bias_range, id);
+    const double value = configured + now.scale_range * error.value, std = now.scale_range * error.std;
+    ++count;
+    found.configured += square(configured);
+    found.estimate += square(value);
+    found.std += square(std);
+    if (error.std > 0) in_deviations += square(error.value / error.std);
+    values[id] = value;
+  }
+  if (count == 0) return std::nullopt;
+  for (const auto& [id, value] : values)
+    found.line.value +=
+        (found.line.value.empty() ? "" : " ") + std::to_string(id) + ":" + fixedText(value, found.decimals);
+  for (double* sum : {&found.configured, &found.estimate, &found.std}) *sum = std::sqrt(*sum / count);
+  found.differs = in_deviations > count + kSignificant * std::sqrt(2 * count);
+  return found;
 }
-
 }  // namespace
 
 void settleLine(CalibrationFinding& found, bool differs)
@@ -205,22 +231,25 @@ void settleLine(CalibrationFinding& found, bool differs)
   found.line.value = fixedText(found.estimate, found.decimals);
 }
 
-std::vector<CalibrationFinding> calibrationFindings(const CalibrationResult& errors,
-                                                    const std::vector<std::string>& sensors,
+std::vector<CalibrationFinding> calibrationFindings(const CalibrationResult& errors, const CalibrationData& data,
                                                     const LocalizationConfig& config)
 {
-  const Translator translator(errors, sensors, config);
+  const Translator translator(errors, data.sensors, config);
   std::vector<CalibrationFinding> findings;
-  for (const ParameterEstimate& error : errors.errors) findings.push_back(translator.finding(error));
+  std::vector<ParameterEstimate> shared;  // by all landmarks
+  for (const ParameterEstimate& error : errors.errors)
+    if (error.unknown.parameter != CalibrationParameter::landmark_offset) shared.push_back(error);
+  for (const ParameterEstimate& error : shared) findings.push_back(translator.finding(error));
   for (std::size_t k = 0; k < findings.size(); ++k)
   {
-    const ParameterEstimate& error = errors.errors[k];
     bool set = differs(findings[k]);
-    for (std::size_t j = 0; j < findings.size() && isOfRanges(error); ++j)
-      set = set || (isOfRanges(errors.errors[j]) && errors.errors[j].unknown.sensor == error.unknown.sensor &&
-                    differs(findings[j]));
+    for (std::size_t j = 0; j < findings.size() && isOfAllRanges(shared[k].unknown.parameter); ++j)
+      set = set || (isOfAllRanges(shared[j].unknown.parameter) &&
+                    shared[j].unknown.sensor == shared[k].unknown.sensor && differs(findings[j]));
     settleLine(findings[k], set);
   }
+  for (std::size_t s = 0; s < data.sensors.size(); ++s)
+    if (const auto found = landmarkOffsets(errors, s, data, config)) findings.push_back(*found);
   return findings;
 }
 

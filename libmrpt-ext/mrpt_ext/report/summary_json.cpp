@@ -163,9 +163,12 @@ Json calibration(const RunContext& context, const RunScore& score)
   if (!context.calibration) return nullptr;
   Json adopted = Json::array();
   for (const CalibratedValue& value : context.calibration->values)
+  {
+    const std::optional<double> single = parseNumber(value.value);
     adopted.push_back({{"key", value.section + "." + value.key},
-                       {"value", number(parseNumber(value.value))},
+                       {"value", single ? number(single) : Json(value.value)},
                        {"std", number(value.std)}});
+  }
   return {{"adopted", adopted},
           {"rows",
            {{"before", calibrationRow(context.calibration->before)},

@@ -1,0 +1,42 @@
+#include "mrpt_ext/diagnosis/partial_calibration.h"
+
+#include <utility>
+
+namespace mrpt_ext
+{
+CalibrationResult calibrateSome(const CalibrationProblem& problem, const std::vector<CalibrationUnknown>& unknowns,
+                                const std::vector<std::size_t>& numbers, const CalibrationResult& otherwise)
+{
+  std::vector<CalibrationUnknown> some;
+  for (const std::size_t k : numbers) some.push_back(unknowns[k]);
+  CalibrationResult found = calibrate(problem, some);
+  if (found.status != SolveStatus::ok) return otherwise;
+  const std::vector<ParameterEstimate> errors = std::exchange(found.errors, otherwise.errors);
+  const auto size = static_cast<Eigen::Index>(unknowns.size());
+  const Eigen::MatrixXd covariance = std::exchange(found.covariance, Eigen::MatrixXd::Zero(size, size));
+  for (std::size_t a = 0; a < numbers.size(); ++a)
+  {
+    found.errors[numbers[a]] = errors[a];
+    for (std::size_t b = 0; b < numbers.size(); ++b)
+      found.covariance(static_cast<Eigen::Index>(numbers[a]), static_cast<Eigen::Index>(numbers[b])) =
+          covariance(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b));
+  }
+  return found;
+}
+
+CalibrationResult withoutErrors(CalibrationResult found, const std::vector<std::size_t>& numbers)
+{
+  for (const std::size_t k : numbers)
+  {
+    const auto i = static_cast<Eigen::Index>(k);
+    const double variance = found.covariance(i, i), value = found.errors[k].value;
+    found.errors[k].value = 0;
+    if (!(variance > 0)) continue;
+    const Eigen::VectorXd follows = found.covariance.col(i) / variance;
+    for (std::size_t j = 0; j < found.errors.size(); ++j)
+      if (j != k) found.errors[j].value -= value * follows[static_cast<Eigen::Index>(j)];
+    found.covariance -= variance * follows * follows.transpose();
+  }
+  return found;
+}
+}  // namespace mrpt_ext

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "mrpt_ext/calibration/self_calibration.h"
+
+namespace mrpt_ext
+{
+/// Calibration of those of the `unknowns` that `numbers` name, the others as configured: errors that are hard to tell
+/// apart have other values together. By number of all unknowns; those that are not named are as in `otherwise`, which
+/// is also returned when nothing can be estimated.
+[[nodiscard]] CalibrationResult calibrateSome(const CalibrationProblem& problem,
+                                              const std::vector<CalibrationUnknown>& unknowns,
+                                              const std::vector<std::size_t>& numbers,
+                                              const CalibrationResult& otherwise);
+
+/// The same for some unknowns less, to first order: the others take up what they have in common with the errors
+/// `numbers`.
+[[nodiscard]] CalibrationResult withoutErrors(CalibrationResult found, const std::vector<std::size_t>& numbers);
+}  // namespace mrpt_ext

@@ -1,0 +1,102 @@
+#include "mrpt_ext/diagnosis/calibration_choice.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "mrpt_ext/diagnosis/adopted_findings.h"
+#include "recorded_drive.h"
+
+namespace mrpt_ext::test_calibration_choice
+{
+namespace
+{
+using testing::DrivePlan;
+using Kind = CalibrationParameter;
+
+/// Ranges by radio, for four minutes.
+DrivePlan radios()
+{
+  DrivePlan plan;
+  plan.bearings = false;
+  plan.duration = 240;
+  return plan;
+}
+
+CalibrationData recorded(const DrivePlan& plan, int seed)
+{
+  RandomStream random(static_cast<std::uint64_t>(seed), 3);
+  CalibrationData data{.problem = testing::recordedDrive(plan, random), .sensors = {"uwb"}, .identified = {true}};
+  for (const CalibrationReading& r : data.problem.readings) data.landmarks.push_back(r.landmark_number);
+  for (std::size_t i = 0; i < plan.landmarks.size(); ++i) data.ids.push_back(static_cast<int>(10 + i));
+  return data;
+}
+
+std::vector<CalibrationUnknown> unknownsOf(const DrivePlan& plan)
+{
+  std::vector<CalibrationUnknown> unknowns{
+      {Kind::distance_scale}, {Kind::delay}, {Kind::range_offset}, {Kind::range_scale}};
+  for (std::size_t i = 0; i < plan.landmarks.size(); ++i) unknowns.push_back({Kind::landmark_offset, 0, i});
+  return unknowns;
+}
+
+bool has(const CalibrationChoice& choice, Kind kind)
+{
+  return std::any_of(choice.errors.begin(), choice.errors.end(),
+                     [&](const CalibrationUnknown& unknown) { return unknown.parameter == kind; });
+}
+}  // namespace
+
+TEST(CalibrationChoice, AConstantOfEveryLandmarkIsNotTakenForACommonOne)
+{
+  for (int seed = 1; seed <= 3; ++seed)
+  {
+    DrivePlan plan = radios();
+    plan.landmark_offsets = {0.08, -0.06, 0.05, -0.07, 0.02};
+    const CalibrationData data = recorded(plan, seed);
+    const LocalizationConfig config;
+    const CalibrationChoice choice = chooseCalibration(data, unknownsOf(plan), config);
+    EXPECT_TRUE(has(choice, Kind::landmark_offset));
+    EXPECT_FALSE(has(choice, Kind::range_offset));
+    EXPECT_FALSE(has(choice, Kind::range_scale));
+    EXPECT_FALSE(has(choice, Kind::distance_scale));
+    EXPECT_GT(choice.calibrated, choice.configured);
+
+    const std::vector<CalibrationFinding> adopted = adoptedFindings(choice, data, config);
+    const auto line =
+        std::find_if(adopted.begin(), adopted.end(),
+                     [](const CalibrationFinding& finding) { return finding.line.key == "landmark_bias_range_m"; });
+    ASSERT_NE(line, adopted.end());
+    EXPECT_EQ(line->line.section, "Sensor_uwb");
+    EXPECT_EQ(line->line.value.substr(0, 4), "10:0");
+    EXPECT_NE(line->line.value.find(" 11:-0"), std::string::npos) << line->line.value;
+    EXPECT_NEAR(line->estimate, 0.06, 0.015);
+  }
+}
+
+TEST(CalibrationChoice, AnOffsetThatAllLandmarksShareIsAdoptedAsOne)
+{
+  DrivePlan plan = radios();
+  plan.range_offset = 0.3;
+  const CalibrationData data = recorded(plan, 1);
+  const CalibrationChoice choice = chooseCalibration(data, unknownsOf(plan), {});
+  EXPECT_TRUE(has(choice, Kind::range_offset));
+  EXPECT_FALSE(has(choice, Kind::landmark_offset));
+  EXPECT_EQ(choice.beside.size(), plan.landmarks.size());
+  const std::vector<CalibrationFinding> adopted = adoptedFindings(choice, data, {});
+  const auto line = std::find_if(adopted.begin(), adopted.end(),
+                                 [](const CalibrationFinding& finding) { return finding.line.key == "bias_range_m"; });
+  ASSERT_NE(line, adopted.end());
+  EXPECT_NEAR(line->estimate, 0.3, 0.03);
+  EXPECT_TRUE(std::none_of(adopted.begin(), adopted.end(),
+                           [](const CalibrationFinding& finding)
+                           { return finding.line.key == "landmark_bias_range_m"; }));
+}
+
+TEST(CalibrationChoice, NothingIsAdoptedWhereNothingIsWrong)
+{
+  const DrivePlan plan = radios();
+  const CalibrationChoice choice = chooseCalibration(recorded(plan, 2), unknownsOf(plan), {});
+  EXPECT_TRUE(choice.errors.empty());
+}
+}  // namespace mrpt_ext::test_calibration_choice
