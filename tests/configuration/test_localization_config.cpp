@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "mrpt_ext/configuration/default_configuration.h"
 #include "mrpt_ext/configuration/localization_keys.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/settings/setting_value.h"
@@ -213,5 +214,18 @@ TEST(LocalizationConfig, ListsOfWords)
       configOf("[LocalizationExperiment]\nobjects = ball cup\nmethods = odometry, running_fix\n");
   EXPECT_EQ(config.frames.object_categories, (std::set<std::string>{"ball", "cup"}));
   EXPECT_EQ(config.methods, (std::vector<std::string>{"odometry", "running_fix"}));
+}
+TEST(LocalizationConfig, KnowsWhetherAnybodyStatedTheNoiseOfOdometry)
+{
+  EXPECT_FALSE(configOf("[LocalizationExperiment]\nparticles_count = 100\n").odometry_noise_stated);
+  EXPECT_TRUE(configOf("[MotionModel]\nstd_xy_per_m = 0.05\n").odometry_noise_stated);
+  const auto built_in = [](const std::vector<std::string>& overrides)
+  {
+    return localizationConfig(
+        Settings::parse(std::string(defaultConfiguration()), kDefaultConfigurationName, localizationKeys(), overrides),
+        kMap);
+  };
+  EXPECT_FALSE(built_in({}).odometry_noise_stated);
+  EXPECT_TRUE(built_in({"MotionModel.std_phi_deg_per_m=1"}).odometry_noise_stated);
 }
 }  // namespace mrpt_ext::test_localization_config

@@ -93,6 +93,29 @@ TEST(CalibrationChoice, AnOffsetThatAllLandmarksShareIsAdoptedAsOne)
                            { return finding.line.key == "landmark_bias_range_m"; }));
 }
 
+TEST(CalibrationChoice, NoiseOfASensorIsNotHiddenByADefaultOfOdometry)
+{
+  DrivePlan plan = radios();
+  plan.bearings = true;
+  plan.ranges = false;
+  CalibrationData data = recorded(plan, 1);
+  for (CalibrationReading& r : data.problem.readings) r.std /= 1.5;
+  for (TrajectoryPose& pose : data.problem.poses)
+    if (pose.since_previous)
+      for (Matrix3d& covariance : *pose.since_previous) covariance *= square(4.0);
+  LocalizationConfig config;
+  const std::vector<CalibrationUnknown> unknowns{{Kind::distance_scale}, {Kind::delay}};
+  const CalibrationChoice stated = chooseCalibration(data, unknowns, config);
+  EXPECT_TRUE(stated.empty() || (!stated.noise.odometry[position_noise] && !stated.noise.odometry[heading_noise]));
+  config.odometry_noise_stated = false;
+  const CalibrationChoice choice = chooseCalibration(data, unknowns, config);
+  ASSERT_FALSE(choice.empty());
+  EXPECT_TRUE(choice.noise.bearings[0]);
+  EXPECT_TRUE(choice.noise.odometry[position_noise]);
+  EXPECT_TRUE(choice.noise.odometry[heading_noise]);
+  EXPECT_GT(choice.calibrated, choice.configured);
+}
+
 TEST(CalibrationChoice, NothingIsAdoptedWhereNothingIsWrong)
 {
   const DrivePlan plan = radios();

@@ -1,8 +1,10 @@
 #include "mrpt_ext/configuration/localization_config.h"
 
 #include <algorithm>
+#include <array>
 
 #include "mrpt_ext/configuration/bias_config.h"
+#include "mrpt_ext/configuration/default_configuration.h"
 #include "mrpt_ext/configuration/localization_choices.h"
 #include "mrpt_ext/configuration/sensor_sections.h"
 #include "mrpt_ext/geometry/input_error.h"
@@ -22,6 +24,17 @@ MotionModel motionModel(const Settings& settings)
           .std_phi_per_m = settings.radians(kMotion, "std_phi_deg_per_m"),
           .std_xy_per_s = settings.number(kMotion, "std_xy_per_sqrt_s"),
           .std_phi_per_s = settings.radians(kMotion, "std_phi_deg_per_sqrt_s")};
+}
+
+/// False where the noise of odometry comes from the table of keys or from the built-in configuration.
+bool isOdometryNoiseStated(const Settings& settings)
+{
+  const bool built_in = settings.file() == kDefaultConfigurationName;
+  const auto is_stated = [&](const char* key)
+  { return built_in ? settings.isOverridden(kMotion, key) : settings.isSet(kMotion, key); };
+  constexpr std::array kKeys{"std_xy_per_m", "std_phi_deg_per_deg", "std_phi_deg_per_m", "std_xy_per_sqrt_s",
+                             "std_phi_deg_per_sqrt_s"};
+  return std::any_of(kKeys.begin(), kKeys.end(), is_stated);
 }
 
 PoseRegion poseRegion(const Settings& settings, const LandmarkTable& map)
@@ -132,6 +145,7 @@ LocalizationConfig localizationConfig(const Settings& settings, const LandmarkTa
                    .max_convergence_s = settings.number(kExperimentSection, "max_convergence_s")};
   config.biases = biasModel(settings);
   config.filter = filterOptions(settings, map, config.limits);
+  config.odometry_noise_stated = isOdometryNoiseStated(settings);
   config.filter.biases = config.biases;
   config.running_fix = runningFixOptions(settings, config.filter, config.limits);
   config.engine = settings.choice(kExperimentSection, "filter_engine", filterEngines());

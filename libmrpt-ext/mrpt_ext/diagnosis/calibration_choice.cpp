@@ -4,6 +4,7 @@
 #include <map>
 
 #include "mrpt_ext/diagnosis/bias_parameter.h"
+#include "mrpt_ext/diagnosis/noise_findings.h"
 #include "mrpt_ext/diagnosis/outlier_share.h"
 #include "mrpt_ext/diagnosis/partial_calibration.h"
 
@@ -15,6 +16,7 @@ constexpr double kPays = 2;                                    // standard devia
 constexpr double kBeyondDoubt = 4;                             // standard deviations, of an error
 constexpr double kNoiseDiffers = 1.2;                          // of deviations, either way
 constexpr std::size_t kLeastNoiseReadings = 100;               // of a sensor, for its noise
+constexpr double kToldNoise = 0.5;                             // standard deviation of odometry's noise over the noise
 constexpr double kIndependent = 0.3;                           // autocorrelation of successive misfits
 constexpr double kLeastShare = 1e-3, kMostOutlierShare = 0.5;  // of outliers
 
@@ -50,30 +52,8 @@ bool belongTogether(const CalibrationUnknown& a, const CalibrationUnknown& b)
   return a.sensor == b.sensor && (of_ranges || (isOfLandmark(a) && isOfLandmark(b)));
 }
 
-/// The poses up to `end`, and their readings.
-CalibrationProblem firstPart(const CalibrationProblem& problem, std::size_t end)
-{
-  CalibrationProblem part = problem;
-  part.poses.resize(end);
-  std::erase_if(part.readings, [&](const CalibrationReading& r) { return r.pose >= end; });
-  return part;
-}
-
 /// The pose in the middle of the readings.
 std::size_t middleOf(const CalibrationProblem& problem) { return problem.readings[problem.readings.size() / 2].pose; }
-
-/// True where all readings of the kind have one declared deviation: a factor on it is a value of the configuration.
-bool areAlike(const CalibrationProblem& problem, std::size_t sensor, bool is_range)
-{
-  std::optional<double> std;
-  for (const CalibrationReading& r : problem.readings)
-  {
-    if (r.sensor != sensor || r.is_range != is_range) continue;
-    if (std && std::abs(r.std - *std) > 1e-6 * *std) return false;
-    std = r.std;
-  }
-  return std.has_value();
-}
 
 class ChoiceSearch
 {
@@ -138,8 +118,8 @@ class ChoiceSearch
     std::erase_if(parts_, tells_nothing);
     found_ = fitOf(parts_);
     for (std::size_t s = 0; s < data_.sensors.size(); ++s) addNoise(s);
-    // Never less: the noise of odometry also stands for slips and for errors that last, which a prediction of the next
-    // reading hardly shows.
+    // Never less by itself: the noise of odometry also stands for slips and for errors that last, which a prediction of
+    // the next reading hardly shows.
     if (data_.problem.odometry.empty()) return;
     for (const MotionNoise noise : {position_noise, heading_noise})
       if (first_half_.odometry_scatter[noise] > kNoiseDiffers)
@@ -151,10 +131,10 @@ class ChoiceSearch
     const SensorScatter& scatter = first_half_.scatter[sensor];
     const SensorConfig& now = configOf(config_.frames.sensors, data_.sensors[sensor]);
     if (scatter.bearings >= kLeastNoiseReadings && mayChange(scatter.bearing, sensor, false) &&
-        areAlike(data_.problem, sensor, false))
+        areDeclaredAlike(data_.problem, sensor, false))
       parts_.push_back({PartKind::bearing_noise, {}, sensor});
     if (scatter.ranges >= kLeastNoiseReadings && mayChange(scatter.range, sensor, true) &&
-        areAlike(data_.problem, sensor, true) && !(now.std_range_per_m > 0))
+        areDeclaredAlike(data_.problem, sensor, true) && !(now.std_range_per_m > 0))
       parts_.push_back({PartKind::range_noise, {}, sensor});
     if (outliersOf(sensor) > kNoiseDiffers * now.clutter_probability)
       parts_.push_back({PartKind::outliers, {}, sensor});
@@ -187,6 +167,22 @@ class ChoiceSearch
       last->second = misfit;
     }
     return power > 0 ? product / power : 1;
+  }
+
+  /// Deviations of odometry over the configured ones where a sensor errs by more than it states: predictions that are
+  /// too wide by a default that nobody stated would hide that.
+  [[nodiscard]] PerMotionNoise<double> odometryBeside(const Part& part, const CalibrationResult& found) const
+  {
+    PerMotionNoise<double> scatter{1, 1};
+    const SensorScatter& sensor = found.scatter[part.sensor];
+    const bool more = (part.kind == PartKind::bearing_noise && sensor.bearing > 1) ||
+                      (part.kind == PartKind::range_noise && sensor.range > 1);
+    if (!more || config_.odometry_noise_stated || data_.problem.odometry.empty()) return scatter;
+    for (const MotionNoise noise : {position_noise, heading_noise})
+      if (const double estimate = found.odometry_scatter[noise];
+          estimate < 1 / kNoiseDiffers && found.odometry_scatter_std[noise] < kToldNoise * estimate)
+        scatter[noise] = estimate;
+    return scatter;
   }
 
   [[nodiscard]] double outliersOf(std::size_t sensor) const
@@ -300,6 +296,9 @@ class ChoiceSearch
       if (part.kind == PartKind::range_noise) noise.range = scatter.range;
       if (part.kind == PartKind::outliers) noise.outliers = outliersOf(part.sensor);
       if (part.kind == PartKind::odometry_noise) model.odometry[part.odometry] = found.odometry_scatter[part.odometry];
+      const PerMotionNoise<double> beside = odometryBeside(part, found);
+      for (const MotionNoise n : {position_noise, heading_noise})
+        if (beside[n] < 1) model.odometry[n] = beside[n];
     }
     std::erase_if(model.errors, [](const AssumedError& error)
                   { return error.mean == 0 && error.std == 0 && error.std_per_sqrt_s == 0; });
@@ -339,6 +338,9 @@ class ChoiceSearch
       if (part.kind == PartKind::range_noise) chosen.noise.ranges[part.sensor] = true;
       if (part.kind == PartKind::outliers) chosen.noise.outliers[part.sensor] = true;
       if (part.kind == PartKind::odometry_noise) chosen.noise.odometry[part.odometry] = true;
+      const PerMotionNoise<double> beside = odometryBeside(part, found_);
+      for (const MotionNoise n : {position_noise, heading_noise})
+        chosen.noise.odometry[n] = chosen.noise.odometry[n] || beside[n] < 1;
     }
     for (const std::size_t k : besides(parts_)) chosen.beside.push_back(unknowns_[k]);
     double readings = 0;

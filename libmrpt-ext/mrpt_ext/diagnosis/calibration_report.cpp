@@ -292,6 +292,7 @@ std::vector<std::string> findingsTable(const std::vector<CalibrationFinding>& fi
                     fixedText(f.configured, f.decimals) + unit,
                     !f.why_not_observable.empty() ? f.why_not_observable
                     : f.differs                   ? "set [" + f.line.section + "] " + f.line.key + " = " + f.line.value
+                    : !f.remark.empty()           ? f.remark
                                                   : "consistent"});
   }
   std::vector<std::size_t> widths(4, 0);

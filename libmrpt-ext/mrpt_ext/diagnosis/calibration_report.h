@@ -23,6 +23,7 @@ struct CalibrationFinding
   std::string why_not_observable;  ///< empty: observable
   IniAssignment line;              ///< that sets the estimate
   bool differs = false;            ///< significantly: the line should be set
+  std::string remark;              ///< in place of the line: what no line can set
 };
 
 /// The errors that were found on top of the configured corrections, as values of the configuration. Where [Bias] or

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "mrpt_ext/diagnosis/outlier_share.h"
+#include "mrpt_ext/files/number_format.h"
 #include "mrpt_ext/geometry/quantile.h"
 
 namespace mrpt_ext
@@ -11,9 +12,40 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kStdOfMedian = 1.17;       // of a median absolute deviation, times the root of their number
-constexpr double kSignificantRatio = 1.5;   // estimated over configured
+constexpr double kSignificantNoise = 3;     // standard deviations
+constexpr double kManyOutliers = 1.5;       // estimated over configured share
 constexpr double kUsefulShare = 0.5;        // standard deviation of a noise over the noise
 constexpr std::size_t kLeastReadings = 50;  // of a sensor
+constexpr std::size_t kNoiseBlocks = 20, kLeastNoiseBlocks = 8, kLeastInNoiseBlock = 10;
+
+/// Standard deviation of a sensor's scatter over the scatter: the larger of that of independent readings, and that by
+/// which blocks of time disagree.
+double relativeScatterStd(const CalibrationResult& errors, const CalibrationData& data, std::size_t sensor,
+                          bool is_range)
+{
+  const SensorScatter& scatter = errors.scatter[sensor];
+  const double redundancy = is_range ? scatter.range_redundancy : scatter.bearing_redundancy;
+  const double independent = kStdOfMedian / std::sqrt(std::max(redundancy, 1.0));
+  std::vector<double> sizes;
+  for (std::size_t i = 0; i < errors.misfits.size(); ++i)
+    if (const CalibrationReading& r = data.problem.readings[i];
+        r.sensor == sensor && r.is_range == is_range && std::abs(errors.misfits[i]) < kOutlierMisfit)
+      sizes.push_back(std::abs(errors.misfits[i]));
+  const std::size_t blocks = std::min(kNoiseBlocks, sizes.size() / kLeastInNoiseBlock);
+  if (blocks < kLeastNoiseBlocks) return independent;
+  double sum = 0, squares = 0;
+  for (std::size_t b = 0; b < blocks; ++b)
+  {
+    const auto at = [&](std::size_t block)
+    { return sizes.begin() + static_cast<std::ptrdiff_t>(block * sizes.size() / blocks); };
+    const double typical = upperMedian(std::vector<double>(at(b), at(b + 1)));
+    sum += typical;
+    squares += square(typical);
+  }
+  const auto count = static_cast<double>(blocks);
+  const double mean = sum / count, variance = std::max(squares / count - square(mean), 0.0) / (count - 1);
+  return std::max(independent, mean > 0 ? std::sqrt(variance) / mean : 0);
+}
 
 /// One per sensor.
 std::vector<CalibrationFinding> outlierFindings(const CalibrationResult& errors, const CalibrationData& data,
@@ -31,7 +63,7 @@ std::vector<CalibrationFinding> outlierFindings(const CalibrationResult& errors,
                              .std = outliers.std,
                              .decimals = 3,
                              .line = {"Sensor_" + label, "clutter_probability", ""}};
-    settleLine(found, outliers.matched >= kLeastReadings && outliers.share > kSignificantRatio * found.configured);
+    settleLine(found, outliers.matched >= kLeastReadings && outliers.share > kManyOutliers * found.configured);
     findings.push_back(found);
   }
   return findings;
@@ -50,17 +82,17 @@ std::vector<CalibrationFinding> measurementNoiseFindings(const CalibrationResult
     const SensorConfig& now = configOf(config.frames.sensors, label);
     const double unit = is_range ? 1 : radToDeg(1.0), declared = unit * upperMedian(of);
     const double scatter = is_range ? errors.scatter[sensor].range : errors.scatter[sensor].bearing;
-    const double redundancy =
-        is_range ? errors.scatter[sensor].range_redundancy : errors.scatter[sensor].bearing_redundancy;
     CalibrationFinding spread{.what = label + (is_range ? ": std of ranges" : ": std of bearings"),
                               .unit = is_range ? "m" : "deg",
                               .configured = declared,
                               .estimate = scatter * declared,
-                              .std = scatter * declared * kStdOfMedian / std::sqrt(std::max(redundancy, 1.0)),
+                              .std = scatter * declared * relativeScatterStd(errors, data, sensor, is_range),
                               .decimals = is_range ? 3 : 2,
                               .line = {section, is_range ? "std_range_m" : "std_bearing_deg", ""}};
-    const bool enough = of.size() >= kLeastReadings;
-    settleLine(spread, enough && scatter > kSignificantRatio && !(is_range && now.std_range_per_m > 0));
+    const bool more = of.size() >= kLeastReadings && spread.estimate > declared + kSignificantNoise * spread.std;
+    const bool is_alike = areDeclaredAlike(data.problem, sensor, is_range) && !(is_range && now.std_range_per_m > 0);
+    if (more && !is_alike) spread.remark = fixedText(scatter, 2) + " times what is declared reading by reading";
+    settleLine(spread, more && is_alike);
     findings.push_back(spread);
   }
   for (CalibrationFinding& outliers : outlierFindings(errors, data, config)) findings.push_back(std::move(outliers));
@@ -87,7 +119,7 @@ std::vector<CalibrationFinding> odometryNoiseFindings(const CalibrationResult& e
                              .decimals = 4,
                              .why_not_observable = told ? "" : "readings do not tell it from their own noise",
                              .line = {"MotionModel", key, ""}};
-    settleLine(found, factor > kSignificantRatio);
+    settleLine(found, factor > 1 + kSignificantNoise * std);
     findings.push_back(found);
   };
   add("std_xy_per_m", position_noise, now.std_xy_per_m, "m");
@@ -96,6 +128,18 @@ std::vector<CalibrationFinding> odometryNoiseFindings(const CalibrationResult& e
   return findings;
 }
 }  // namespace
+
+bool areDeclaredAlike(const CalibrationProblem& problem, std::size_t sensor, bool is_range)
+{
+  std::optional<double> std;
+  for (const CalibrationReading& r : problem.readings)
+  {
+    if (r.sensor != sensor || r.is_range != is_range) continue;
+    if (std && std::abs(r.std - *std) > 1e-6 * *std) return false;
+    std = r.std;
+  }
+  return std.has_value();
+}
 
 std::vector<CalibrationFinding> noiseFindings(const CalibrationResult& errors, const CalibrationData& data,
                                               const LocalizationConfig& config)

@@ -4,6 +4,14 @@
 
 namespace mrpt_ext
 {
+CalibrationProblem firstPart(const CalibrationProblem& problem, std::size_t end)
+{
+  CalibrationProblem part = problem;
+  part.poses.resize(end);
+  std::erase_if(part.readings, [&](const CalibrationReading& r) { return r.pose >= end; });
+  return part;
+}
+
 CalibrationResult calibrateSome(const CalibrationProblem& problem, const std::vector<CalibrationUnknown>& unknowns,
                                 const std::vector<std::size_t>& numbers, const CalibrationResult& otherwise)
 {

@@ -6,6 +6,9 @@
 
 namespace mrpt_ext
 {
+/// The poses up to `end`, and their readings.
+[[nodiscard]] CalibrationProblem firstPart(const CalibrationProblem& problem, std::size_t end);
+
 /// Calibration of those of the `unknowns` that `numbers` name, the others as configured: errors that are hard to tell
 /// apart have other values together. By number of all unknowns; those that are not named are as in `otherwise`, which
 /// is also returned when nothing can be estimated.
