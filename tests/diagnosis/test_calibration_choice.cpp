@@ -116,6 +116,23 @@ TEST(CalibrationChoice, NoiseOfASensorIsNotHiddenByADefaultOfOdometry)
   EXPECT_GT(choice.calibrated, choice.configured);
 }
 
+TEST(CalibrationChoice, AnOffsetOfBearingsIsToldBesideWhatIsAdopted)
+{
+  DrivePlan plan;
+  plan.duration = 240;
+  plan.bearing_offset = degToRad(2.0);
+  plan.delay = 0.2;
+  const CalibrationData data = recorded(plan, 1);
+  const std::vector<CalibrationUnknown> unknowns{{Kind::distance_scale}, {Kind::delay}, {Kind::bearing_offset}};
+  const CalibrationChoice choice = chooseCalibration(data, unknowns, {});
+  EXPECT_TRUE(has(choice, Kind::delay));
+  EXPECT_FALSE(has(choice, Kind::bearing_offset));
+  const std::vector<CalibrationFinding> told = bearingOffsetFindings(choice, data, unknowns, {});
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told.front().line.section + '.' + told.front().line.key, "Sensor_uwb.bias_bearing_deg");
+  EXPECT_NEAR(told.front().estimate, 2, 4 * told.front().std);
+}
+
 TEST(CalibrationChoice, NothingIsAdoptedWhereNothingIsWrong)
 {
   const DrivePlan plan = radios();

@@ -57,7 +57,8 @@ std::optional<AutoCalibration> autoCalibration(const Settings& settings, const L
 {
   const FirstPass pass = firstPass(input, show_progress);
   const CalibrationData data = collectCalibrationData(input, pass.trajectory);
-  const CalibrationChoice choice = chooseCalibration(data, calibrationUnknowns(input, data), input.config);
+  const std::vector<CalibrationUnknown> unknowns = calibrationUnknowns(input, data);
+  const CalibrationChoice choice = chooseCalibration(data, unknowns, input.config);
   if (choice.empty()) return std::nullopt;
   AutoCalibration result{settings, {.before = pass.row, .log_density_after = choice.calibrated}};
   result.adopted.before.log_density = choice.configured;
@@ -68,6 +69,8 @@ std::optional<AutoCalibration> autoCalibration(const Settings& settings, const L
     result.adopted.values.push_back({line.section, line.key, line.value, finding.std});
   }
   if (result.adopted.values.empty()) return std::nullopt;
+  for (const CalibrationFinding& finding : bearingOffsetFindings(choice, data, unknowns, input.config))
+    result.adopted.told.push_back({finding.line.section, finding.line.key, finding.line.value, finding.std});
   return result;
 }
 
@@ -76,6 +79,10 @@ std::string calibrationIni(const AdoptedCalibration& adopted)
   std::vector<IniAssignment> lines;
   for (const CalibratedValue& value : adopted.values)
     lines.push_back({value.section, value.key, formatted("%s  ; +- %.2g", value.value.c_str(), value.std)});
+  for (const CalibratedValue& value : adopted.told)
+    lines.push_back(
+        {value.section, "; " + value.key,
+         formatted("%s  ; +- %.2g, not adopted: it turns the axes of the heading", value.value.c_str(), value.std)});
   return withValues("; Found in the log by auto_calibrate. To keep it, copy the lines into your configuration.\n",
                     lines);
 }

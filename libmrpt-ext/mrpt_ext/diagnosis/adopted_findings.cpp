@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "mrpt_ext/diagnosis/noise_findings.h"
 #include "mrpt_ext/files/number_format.h"
@@ -27,14 +28,19 @@ bool isChosen(const IniAssignment& line, const NoiseChoice& noise, const std::ve
   }
   return line.section == "MotionModel" && noise.odometry[line.key == "std_xy_per_m" ? position_noise : heading_noise];
 }
+
+std::vector<CalibrationUnknown> estimatedBy(const CalibrationChoice& choice)
+{
+  std::vector<CalibrationUnknown> unknowns = choice.errors;
+  unknowns.insert(unknowns.end(), choice.beside.begin(), choice.beside.end());
+  return unknowns;
+}
 }  // namespace
 
 std::vector<CalibrationFinding> adoptedFindings(const CalibrationChoice& choice, const CalibrationData& data,
                                                 const LocalizationConfig& config)
 {
-  std::vector<CalibrationUnknown> unknowns = choice.errors;
-  unknowns.insert(unknowns.end(), choice.beside.begin(), choice.beside.end());
-  CalibrationResult errors = calibrate(data.problem, unknowns);
+  CalibrationResult errors = calibrate(data.problem, estimatedBy(choice));
   if (errors.status != SolveStatus::ok) return {};
   errors.errors.resize(choice.errors.size());
   std::vector<CalibrationFinding> adopted;
@@ -50,5 +56,24 @@ std::vector<CalibrationFinding> adoptedFindings(const CalibrationChoice& choice,
     adopted.push_back(finding);
   }
   return adopted;
+}
+
+std::vector<CalibrationFinding> bearingOffsetFindings(const CalibrationChoice& choice, const CalibrationData& data,
+                                                      const std::vector<CalibrationUnknown>& unknowns,
+                                                      const LocalizationConfig& config)
+{
+  std::vector<CalibrationUnknown> offsets, all;
+  std::copy_if(unknowns.begin(), unknowns.end(), std::back_inserter(offsets),
+               [](const CalibrationUnknown& unknown)
+               { return unknown.parameter == CalibrationParameter::bearing_offset; });
+  if (offsets.empty()) return {};
+  all = offsets;
+  for (const CalibrationUnknown& unknown : estimatedBy(choice)) all.push_back(unknown);
+  CalibrationResult errors = calibrate(data.problem, all);
+  if (errors.status != SolveStatus::ok) return {};
+  errors.errors.resize(offsets.size());
+  std::vector<CalibrationFinding> found = calibrationFindings(errors, data, config);
+  std::erase_if(found, [](const CalibrationFinding& finding) { return !finding.differs; });
+  return found;
 }
 }  // namespace mrpt_ext

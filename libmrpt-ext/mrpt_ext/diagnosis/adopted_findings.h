@@ -12,4 +12,11 @@ namespace mrpt_ext
 [[nodiscard]] std::vector<CalibrationFinding> adoptedFindings(const CalibrationChoice& choice,
                                                               const CalibrationData& data,
                                                               const LocalizationConfig& config);
+
+/// Offsets of the bearings, estimated beside what `choice` adopts, where they differ from the configured ones: nobody
+/// but the user can tell them from axes of the robot that are turned. `unknowns`: all that the recording could tell.
+[[nodiscard]] std::vector<CalibrationFinding> bearingOffsetFindings(const CalibrationChoice& choice,
+                                                                    const CalibrationData& data,
+                                                                    const std::vector<CalibrationUnknown>& unknowns,
+                                                                    const LocalizationConfig& config);
 }  // namespace mrpt_ext
