@@ -17,14 +17,13 @@ struct Outcome
   double squared = 0;
 };
 
-void runOne(const std::vector<std::string>& simulator, const std::vector<std::string>& localization, int seed,
+void runOne(const std::vector<std::string>& simulator, const std::vector<std::string>& localization, std::uint64_t seed,
             std::ostream& out, Outcome& outcome)
 {
-  const auto number = static_cast<std::uint64_t>(seed);
-  const FilterScenario scenario = playScenario("barriers", number, simulator, localization);
+  const FilterScenario scenario = playScenario("barriers", seed, simulator, localization);
   std::size_t wrong = 0;
   bool found = false;
-  for (const FilterSample& sample : runFilter(scenario, number))
+  for (const FilterSample& sample : runFilter(scenario, seed))
   {
     ++outcome.steps;
     found = sample.step.verdict == Verdict::ok && sample.distance() < kWrong;
@@ -44,7 +43,7 @@ void report(const std::string& name, const std::vector<std::string>& simulator,
             const std::vector<std::string>& localization, int runs, std::ostream& out)
 {
   Outcome all;
-  for (int seed = 1; seed <= runs; ++seed) runOne(simulator, localization, seed, out, all);
+  for (int i = 0; i < runs; ++i) runOne(simulator, localization, studySeed(i), out, all);
   const auto ok = static_cast<double>(std::max<std::size_t>(1, all.ok));
   out << std::fixed << std::setprecision(3) << "| " << name << " | " << runs << " | " << all.found << " | "
       << static_cast<double>(all.ok) / static_cast<double>(all.steps) << " | " << static_cast<double>(all.inside) / ok
