@@ -1,24 +1,18 @@
 #include "mrpt_ext/diagnosis/calibration_choice.h"
 
 #include <algorithm>
-#include <map>
 
 #include "mrpt_ext/diagnosis/bias_parameter.h"
-#include "mrpt_ext/diagnosis/noise_findings.h"
-#include "mrpt_ext/diagnosis/outlier_share.h"
+#include "mrpt_ext/diagnosis/noise_candidates.h"
 #include "mrpt_ext/diagnosis/partial_calibration.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr double kPays = 2;                                    // standard deviations, of an error and of a gain
-constexpr double kBeyondDoubt = 4;                             // standard deviations, of an error
-constexpr double kNoiseDiffers = 1.2;                          // of deviations, either way
-constexpr std::size_t kLeastNoiseReadings = 100;               // of a sensor, for its noise
-constexpr double kToldNoise = 0.5;                             // standard deviation of odometry's noise over the noise
-constexpr double kIndependent = 0.3;                           // autocorrelation of successive misfits
-constexpr double kLeastShare = 1e-3, kMostOutlierShare = 0.5;  // of outliers
+constexpr double kPays = 2;           // standard deviations, of an error and of a gain
+constexpr double kBeyondDoubt = 4;    // standard deviations, of an error
+constexpr double kLeastShare = 1e-3;  // of outliers
 
 enum class PartKind
 {
@@ -64,7 +58,8 @@ class ChoiceSearch
         unknowns_(unknowns),
         config_(config),
         middle_(middleOf(data.problem)),
-        before_(firstPart(data.problem, middle_))
+        before_(firstPart(data.problem, middle_)),
+        noise_(data, config, first_half_, middle_)
   {
     first_half_ = calibrate(before_, unknowns);
     if (first_half_.status == SolveStatus::ok) addParts();
@@ -74,20 +69,8 @@ class ChoiceSearch
   {
     const std::vector<double> configured = densitiesOf({}, first_half_);
     std::vector<double> best = densitiesOf(parts_, found_);
-    while (!parts_.empty())
+    while (const std::optional<std::size_t> worst = worstPart(best))
     {
-      std::optional<std::size_t> worst;
-      double least = 0;
-      for (std::size_t k = 0; k < parts_.size(); ++k)
-      {
-        const std::vector<double> without = densitiesOf(allBut(k), foundWithout(k));
-        const PredictiveGain gain = predictiveGain(data_.problem, middle_, best, without);
-        const double margin = (gain.std > 0 ? gain.gain / gain.std : 0) - neededGain(parts_[k]);
-        if (margin > least) continue;
-        least = margin;
-        worst = k;
-      }
-      if (!worst) break;
       takeOut(*worst);
       best = densitiesOf(parts_, found_);
     }
@@ -98,6 +81,20 @@ class ChoiceSearch
 
  private:
   void addParts()
+  {
+    addErrors();
+    found_ = fitOf(parts_);
+    for (std::size_t s = 0; s < data_.sensors.size(); ++s)
+    {
+      if (noise_.isOther(s, false)) parts_.push_back({PartKind::bearing_noise, {}, s});
+      if (noise_.isOther(s, true)) parts_.push_back({PartKind::range_noise, {}, s});
+      if (noise_.moreOutliers(s) > 0) parts_.push_back({PartKind::outliers, {}, s});
+    }
+    for (const MotionNoise noise : {position_noise, heading_noise})
+      if (noise_.isMore(noise)) parts_.push_back({PartKind::odometry_noise, {}, 0, noise});
+  }
+
+  void addErrors()
   {
     for (std::size_t k = 0; k < unknowns_.size(); ++k)
     {
@@ -116,80 +113,33 @@ class ChoiceSearch
     const auto tells_nothing = [&](const Part& part)
     { return !isOfLandmarks(part) && strengthOf(part, first_half_) <= kPays; };
     std::erase_if(parts_, tells_nothing);
-    found_ = fitOf(parts_);
-    for (std::size_t s = 0; s < data_.sensors.size(); ++s) addNoise(s);
-    // Never less by itself: the noise of odometry also stands for slips and for errors that last, which a prediction of
-    // the next reading hardly shows.
-    if (data_.problem.odometry.empty()) return;
-    for (const MotionNoise noise : {position_noise, heading_noise})
-      if (first_half_.odometry_scatter[noise] > kNoiseDiffers)
-        parts_.push_back({PartKind::odometry_noise, {}, 0, noise});
   }
 
-  void addNoise(std::size_t sensor)
+  /// The part that the second half is predicted best without, if it does not pay.
+  [[nodiscard]] std::optional<std::size_t> worstPart(const std::vector<double>& best) const
   {
-    const SensorScatter& scatter = first_half_.scatter[sensor];
-    const SensorConfig& now = configOf(config_.frames.sensors, data_.sensors[sensor]);
-    if (scatter.bearings >= kLeastNoiseReadings && mayChange(scatter.bearing, sensor, false) &&
-        areDeclaredAlike(data_.problem, sensor, false))
-      parts_.push_back({PartKind::bearing_noise, {}, sensor});
-    if (scatter.ranges >= kLeastNoiseReadings && mayChange(scatter.range, sensor, true) &&
-        areDeclaredAlike(data_.problem, sensor, true) && !(now.std_range_per_m > 0))
-      parts_.push_back({PartKind::range_noise, {}, sensor});
-    if (outliersOf(sensor) > kNoiseDiffers * now.clutter_probability)
-      parts_.push_back({PartKind::outliers, {}, sensor});
-  }
-
-  /// A smaller deviation needs errors that are independent, and nobody who stated a larger one: the prediction of the
-  /// next reading does not see errors that last, for which a configured deviation may stand.
-  [[nodiscard]] bool mayChange(double scatter, std::size_t sensor, bool is_range) const
-  {
-    const SensorConfig& now = configOf(config_.frames.sensors, data_.sensors[sensor]);
-    const bool is_configured = is_range ? now.std_range.has_value() : now.std_bearing.has_value();
-    return scatter > kNoiseDiffers ||
-           (scatter < 1 / kNoiseDiffers && !is_configured && correlation(sensor, is_range) < kIndependent);
-  }
-
-  /// Autocorrelation of successive misfits of one landmark, by one sensor.
-  [[nodiscard]] double correlation(std::size_t sensor, bool is_range) const
-  {
-    std::map<std::size_t, double> before;  // by landmark
-    double product = 0, power = 0;
-    for (std::size_t i = 0; i < first_half_.misfits.size(); ++i)
+    std::optional<std::size_t> worst;
+    double least = 0;
+    for (std::size_t k = 0; k < parts_.size(); ++k)
     {
-      const CalibrationReading& r = data_.problem.readings[i];
-      const double misfit = first_half_.misfits[i];
-      if (r.sensor != sensor || r.is_range != is_range || std::abs(misfit) > kOutlierMisfit) continue;
-      const auto [last, is_new] = before.try_emplace(data_.landmarks[i], misfit);
-      if (is_new) continue;
-      product += last->second * misfit;
-      power += square(misfit);
-      last->second = misfit;
+      const std::vector<double> without = densitiesOf(allBut(k), foundWithout(k));
+      const PredictiveGain gain = predictiveGain(data_.problem, middle_, best, without);
+      const double margin = (gain.std > 0 ? gain.gain / gain.std : 0) - neededGain(parts_[k]);
+      if (margin > least) continue;
+      least = margin;
+      worst = k;
     }
-    return power > 0 ? product / power : 1;
+    return worst;
   }
 
-  /// Deviations of odometry over the configured ones where a sensor errs by more than it states: predictions that are
-  /// too wide by a default that nobody stated would hide that.
+  /// Deviations of odometry over the configured ones that come with the noise of a sensor.
   [[nodiscard]] PerMotionNoise<double> odometryBeside(const Part& part, const CalibrationResult& found) const
   {
-    PerMotionNoise<double> scatter{1, 1};
     const SensorScatter& sensor = found.scatter[part.sensor];
-    const bool more = (part.kind == PartKind::bearing_noise && sensor.bearing > 1) ||
-                      (part.kind == PartKind::range_noise && sensor.range > 1);
-    if (!more || config_.odometry_noise_stated || data_.problem.odometry.empty()) return scatter;
-    for (const MotionNoise noise : {position_noise, heading_noise})
-      if (const double estimate = found.odometry_scatter[noise];
-          estimate < 1 / kNoiseDiffers && found.odometry_scatter_std[noise] < kToldNoise * estimate)
-        scatter[noise] = estimate;
-    return scatter;
-  }
-
-  [[nodiscard]] double outliersOf(std::size_t sensor) const
-  {
-    if (!data_.verified) return 0;  // a wrong pose has outliers, too
-    const OutlierShare outliers = outlierShare(data_, first_half_.misfits, sensor, middle_);
-    return outliers.matched < kLeastNoiseReadings ? 0 : std::min(outliers.share, kMostOutlierShare);
+    const double scatter = part.kind == PartKind::bearing_noise ? sensor.bearing
+                           : part.kind == PartKind::range_noise ? sensor.range
+                                                                : 1;
+    return noise_.odometryBeside(scatter, found);
   }
 
   [[nodiscard]] static double strengthOf(const Part& part, const CalibrationResult& found)
@@ -294,7 +244,7 @@ class ChoiceSearch
       const SensorScatter& scatter = found.scatter[part.sensor];
       if (part.kind == PartKind::bearing_noise) noise.bearing = scatter.bearing;
       if (part.kind == PartKind::range_noise) noise.range = scatter.range;
-      if (part.kind == PartKind::outliers) noise.outliers = outliersOf(part.sensor);
+      if (part.kind == PartKind::outliers) noise.outliers = noise_.moreOutliers(part.sensor);
       if (part.kind == PartKind::odometry_noise) model.odometry[part.odometry] = found.odometry_scatter[part.odometry];
       const PerMotionNoise<double> beside = odometryBeside(part, found);
       for (const MotionNoise n : {position_noise, heading_noise})
@@ -361,6 +311,7 @@ class ChoiceSearch
   CalibrationProblem before_;     // the first half
   CalibrationResult first_half_;  // with all unknowns
   CalibrationResult found_;       // with those of the parts
+  NoiseCandidates noise_;
   std::vector<Part> parts_;
 };
 }  // namespace

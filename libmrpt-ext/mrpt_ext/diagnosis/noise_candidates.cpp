@@ -1,0 +1,81 @@
+#include "mrpt_ext/diagnosis/noise_candidates.h"
+
+#include <algorithm>
+#include <map>
+
+#include "mrpt_ext/diagnosis/noise_findings.h"
+#include "mrpt_ext/diagnosis/outlier_share.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr double kNoiseDiffers = 1.2;             // of deviations, either way
+constexpr std::size_t kLeastNoiseReadings = 100;  // of a sensor, for its noise
+constexpr double kToldNoise = 0.5;                // standard deviation of odometry's noise over the noise
+constexpr double kIndependent = 0.3;              // autocorrelation of successive misfits
+constexpr double kMostOutlierShare = 0.5;
+}  // namespace
+
+const SensorConfig& NoiseCandidates::configured(std::size_t sensor) const
+{
+  return configOf(config_.frames.sensors, data_.sensors[sensor]);
+}
+
+bool NoiseCandidates::isOther(std::size_t sensor, bool is_range) const
+{
+  const SensorScatter& found = found_.scatter[sensor];
+  const SensorConfig& now = configured(sensor);
+  if ((is_range ? found.ranges : found.bearings) < kLeastNoiseReadings || (is_range && now.std_range_per_m > 0) ||
+      !areDeclaredAlike(data_.problem, sensor, is_range))
+    return false;
+  const double scatter = is_range ? found.range : found.bearing;
+  const bool is_configured = is_range ? now.std_range.has_value() : now.std_bearing.has_value();
+  return scatter > kNoiseDiffers ||
+         (scatter < 1 / kNoiseDiffers && !is_configured && correlation(sensor, is_range) < kIndependent);
+}
+
+/// Autocorrelation of successive misfits of one landmark, by one sensor.
+double NoiseCandidates::correlation(std::size_t sensor, bool is_range) const
+{
+  std::map<std::size_t, double> before;  // by landmark
+  double product = 0, power = 0;
+  for (std::size_t i = 0; i < found_.misfits.size(); ++i)
+  {
+    const CalibrationReading& r = data_.problem.readings[i];
+    const double misfit = found_.misfits[i];
+    if (r.sensor != sensor || r.is_range != is_range || std::abs(misfit) > kOutlierMisfit) continue;
+    const auto [last, is_new] = before.try_emplace(data_.landmarks[i], misfit);
+    if (is_new) continue;
+    product += last->second * misfit;
+    power += square(misfit);
+    last->second = misfit;
+  }
+  return power > 0 ? product / power : 1;
+}
+
+bool NoiseCandidates::isMore(MotionNoise noise) const
+{
+  return !data_.problem.odometry.empty() && found_.odometry_scatter[noise] > kNoiseDiffers;
+}
+
+double NoiseCandidates::moreOutliers(std::size_t sensor) const
+{
+  if (!data_.verified) return 0;  // a wrong pose has outliers, too
+  const OutlierShare outliers = outlierShare(data_, found_.misfits, sensor, end_);
+  if (outliers.matched < kLeastNoiseReadings) return 0;
+  const double share = std::min(outliers.share, kMostOutlierShare);
+  return share > kNoiseDiffers * configured(sensor).clutter_probability ? share : 0;
+}
+
+PerMotionNoise<double> NoiseCandidates::odometryBeside(double scatter, const CalibrationResult& found) const
+{
+  PerMotionNoise<double> odometry{1, 1};
+  if (scatter <= 1 || config_.odometry_noise_stated || data_.problem.odometry.empty()) return odometry;
+  for (const MotionNoise noise : {position_noise, heading_noise})
+    if (const double estimate = found.odometry_scatter[noise];
+        estimate < 1 / kNoiseDiffers && found.odometry_scatter_std[noise] < kToldNoise * estimate)
+      odometry[noise] = estimate;
+  return odometry;
+}
+}  // namespace mrpt_ext
