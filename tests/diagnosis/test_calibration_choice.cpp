@@ -27,7 +27,6 @@ CalibrationData recorded(const DrivePlan& plan, int seed)
 {
   RandomStream random(static_cast<std::uint64_t>(seed), 3);
   CalibrationData data{.problem = testing::recordedDrive(plan, random), .sensors = {"uwb"}, .identified = {true}};
-  for (const CalibrationReading& r : data.problem.readings) data.landmarks.push_back(r.landmark_number);
   for (std::size_t i = 0; i < plan.landmarks.size(); ++i) data.ids.push_back(static_cast<int>(10 + i));
   return data;
 }

@@ -17,7 +17,6 @@ CalibrationFinding bearingNoise(double factor, bool uneven = false, bool by_read
   plan.duration = 240;
   RandomStream random(4);
   CalibrationData data{.problem = testing::recordedDrive(plan, random), .sensors = {"eye"}, .identified = {true}};
-  data.landmarks.assign(data.problem.readings.size(), 0);
   for (CalibrationReading& r : data.problem.readings)
     r.std /= factor * (uneven && r.pose > data.problem.poses.size() / 2 ? 2 : 1);
   if (by_reading) data.problem.readings.front().std *= 1.01;

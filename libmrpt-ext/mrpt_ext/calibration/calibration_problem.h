@@ -48,15 +48,15 @@ struct CalibrationUnknown
 /// One number that a sensor measured of a known landmark.
 struct CalibrationReading
 {
-  std::size_t pose = 0;     ///< number of the pose of its stamp
-  std::size_t sensor = 0;   ///< number of the sensor
-  bool is_range = false;    ///< else a bearing
-  Vector2d landmark{0, 0};  ///< [m], world frame
-  std::size_t landmark_number = 0;
-  Pose2 T_robot_sensor;  ///< at the stamp
-  double height = 0;     ///< [m] of the landmark above the sensor; 0 for horizontal ranges
-  double value = 0;      ///< [rad] or [m]
-  double std = 0;        ///< likewise, as declared
+  std::size_t pose = 0;             ///< number of the pose of its stamp
+  std::size_t sensor = 0;           ///< number of the sensor
+  bool is_range = false;            ///< else a bearing
+  Vector2d landmark{0, 0};          ///< [m], world frame
+  std::size_t landmark_number = 0;  ///< in the map
+  Pose2 T_robot_sensor;             ///< at the stamp
+  double height = 0;                ///< [m] of the landmark above the sensor; 0 for horizontal ranges
+  double value = 0;                 ///< [rad] or [m]
+  double std = 0;                   ///< likewise, as declared
 };
 
 /// A pose of the trajectory, first guess.

@@ -139,17 +139,18 @@ bool moveToMeasurements(const CalibrationProblem& problem, const std::vector<Cal
 }
 
 /// `covariance` of the unknowns `numbers`, in the order of `errors`.
-Eigen::MatrixXd observableOnes(const std::optional<Eigen::MatrixXd>& covariance,
-                               const std::vector<std::size_t>& numbers, const std::vector<ParameterEstimate>& errors)
+Eigen::MatrixXd observableOnes(const Eigen::MatrixXd& covariance, const std::vector<std::size_t>& numbers,
+                               const std::vector<ParameterEstimate>& errors)
 {
   const auto size = static_cast<Eigen::Index>(errors.size());
   Eigen::MatrixXd all = Eigen::MatrixXd::Zero(size, size);
-  if (!covariance) return all;
-  for (std::size_t k = 0; k < numbers.size(); ++k)
-    for (std::size_t j = 0; j < numbers.size(); ++j)
-      if (errors[numbers[k]].observable && errors[numbers[j]].observable)
-        all(static_cast<Eigen::Index>(numbers[k]), static_cast<Eigen::Index>(numbers[j])) =
-            (*covariance)(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(j));
+  all(numbers, numbers) = covariance;
+  for (Eigen::Index k = 0; k < size; ++k)
+    if (!errors[static_cast<std::size_t>(k)].observable)
+    {
+      all.row(k).setZero();
+      all.col(k).setZero();
+    }
   return all;
 }
 
@@ -189,15 +190,15 @@ CalibrationResult calibrate(const CalibrationProblem& problem, const std::vector
   MovedRecording moved;
   if (!moveToMeasurements(problem, left, *adjuster, moved)) return result;
   if (moved.adjuster) adjuster.emplace(std::move(*moved.adjuster));
-  const std::optional<Eigen::VectorXd> stds = adjuster->standardDeviations();
-  if (!stds || !stds->allFinite()) return result;
+  const std::optional<TrajectoryAdjustment::Uncertainty> found = adjuster->uncertainty();
+  if (!found || !found->std.allFinite()) return result;
   for (std::size_t k = 0; k < left.size(); ++k)
   {
     const auto i = static_cast<Eigen::Index>(k);
-    const bool observable = (*stds)[i] <= largestUsefulStd(problem, left[k]);
-    result.errors[numbers[k]] = {left[k], observable, observable ? adjuster->model().errors()[i] : 0, (*stds)[i]};
+    const bool observable = found->std[i] <= largestUsefulStd(problem, left[k]);
+    result.errors[numbers[k]] = {left[k], observable, observable ? adjuster->model().errors()[i] : 0, found->std[i]};
   }
-  result.covariance = observableOnes(adjuster->covariance(), numbers, result.errors);
+  result.covariance = observableOnes(found->covariance, numbers, result.errors);
   result.scatter = adjuster->scatters();
   result.misfits = moved.measured ? inLoggedOrder(adjuster->misfits(), moved.measured->readings) : adjuster->misfits();
   result.odometry_scatter = adjuster->model().odometryScatter();

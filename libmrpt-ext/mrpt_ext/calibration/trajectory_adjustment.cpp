@@ -207,16 +207,19 @@ void TrajectoryAdjustment::estimateLandmarkStds(const ChainSolution& solution)
   const Eigen::VectorXd variances = Eigen::MatrixXd(solution.shared_information.inverse()).diagonal();
   for (std::size_t s = 0; s < scatters_.size(); ++s)
   {
-    double squares = 0, told = 0, least = 0;
+    double squares = 0, told = 0;
+    std::optional<CalibrationUnknown> one;
     for (std::size_t k = 0; k < unknowns.size(); ++k)
     {
       if (unknowns[k].parameter != CalibrationParameter::landmark_offset || unknowns[k].sensor != s) continue;
       const auto i = static_cast<Eigen::Index>(k);
       squares += square(model_.errors()[i]);
       told += std::max(1 - variances[i] / square(scatters_[s].landmark_offset_std), 0.0);
-      least = kLeastLandmarkStd * priorStd(problem_, unknowns[k]);
+      one = unknowns[k];
     }
-    if (told > kLeastTold) scatters_[s].landmark_offset_std = std::max(std::sqrt(squares / told), least);
+    if (told > kLeastTold)
+      scatters_[s].landmark_offset_std =
+          std::max(std::sqrt(squares / told), kLeastLandmarkStd * priorStd(problem_, *one));
   }
 }
 
@@ -336,14 +339,7 @@ Eigen::MatrixXd TrajectoryAdjustment::scoresByBlock(const ChainSolution& solutio
   return scores;
 }
 
-std::optional<Eigen::MatrixXd> TrajectoryAdjustment::covariance() const
-{
-  const std::optional<ChainSolution> solution = linearized().solve();
-  if (!solution) return std::nullopt;
-  return Eigen::MatrixXd(solution->shared_information.inverse());
-}
-
-std::optional<Eigen::VectorXd> TrajectoryAdjustment::standardDeviations() const
+std::optional<TrajectoryAdjustment::Uncertainty> TrajectoryAdjustment::uncertainty() const
 {
   const std::optional<ChainSolution> solution = linearized().solve();
   if (!solution) return std::nullopt;
@@ -360,6 +356,6 @@ std::optional<Eigen::VectorXd> TrajectoryAdjustment::standardDeviations() const
         spread.diagonal()[static_cast<Eigen::Index>(k)] += 1 / square(priorOf(unknown));
     variance = variance.cwiseMax((inverse * spread * inverse).diagonal());
   }
-  return Eigen::VectorXd(variance.cwiseMax(0).cwiseSqrt() / curvature);
+  return Uncertainty{inverse, variance.cwiseMax(0).cwiseSqrt() / curvature};
 }
 }  // namespace mrpt_ext

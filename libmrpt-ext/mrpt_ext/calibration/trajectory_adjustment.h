@@ -45,11 +45,15 @@ class TrajectoryAdjustment
   /// Estimates the scatters from the residuals; false when something is undetermined.
   [[nodiscard]] bool estimateScatters();
   [[nodiscard]] double cost() const;
-  /// Of the unknowns, by the normal equations.
-  [[nodiscard]] std::optional<Eigen::MatrixXd> covariance() const;
-  /// Standard deviations of the unknowns: the larger of normal equations and sandwich estimator over blocks of time.
-  /// What landmarks share is told by their number: their offsets are random, and a block of time shows all of them.
-  [[nodiscard]] std::optional<Eigen::VectorXd> standardDeviations() const;
+  /// Of the unknowns.
+  struct Uncertainty
+  {
+    Eigen::MatrixXd covariance;  ///< by the normal equations
+    /// The larger of normal equations and sandwich estimator over blocks of time. What landmarks share is told by their
+    /// number: their offsets are random, and a block of time shows all of them.
+    Eigen::VectorXd std;
+  };
+  [[nodiscard]] std::optional<Uncertainty> uncertainty() const;
 
   [[nodiscard]] const TrajectoryModel& model() const { return model_; }
   [[nodiscard]] const std::vector<SensorScatter>& scatters() const { return scatters_; }

@@ -62,13 +62,14 @@ std::vector<CalibrationFinding> bearingOffsetFindings(const CalibrationChoice& c
                                                       const std::vector<CalibrationUnknown>& unknowns,
                                                       const LocalizationConfig& config)
 {
-  std::vector<CalibrationUnknown> offsets, all;
+  std::vector<CalibrationUnknown> offsets;
   std::copy_if(unknowns.begin(), unknowns.end(), std::back_inserter(offsets),
                [](const CalibrationUnknown& unknown)
                { return unknown.parameter == CalibrationParameter::bearing_offset; });
   if (offsets.empty()) return {};
-  all = offsets;
-  for (const CalibrationUnknown& unknown : estimatedBy(choice)) all.push_back(unknown);
+  const std::vector<CalibrationUnknown> beside = estimatedBy(choice);
+  std::vector<CalibrationUnknown> all = offsets;
+  all.insert(all.end(), beside.begin(), beside.end());
   CalibrationResult errors = calibrate(data.problem, all);
   if (errors.status != SolveStatus::ok) return {};
   errors.errors.resize(offsets.size());

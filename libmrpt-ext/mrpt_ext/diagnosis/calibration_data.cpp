@@ -100,7 +100,6 @@ class CalibrationDataBuilder
       r.value = value;
       r.std = std;
       result_.problem.readings.push_back(r);
-      result_.landmarks.push_back(*landmark);
     };
     if (detection.bearing) add(false, *detection.bearing, detection.std_bearing);
     if (detection.range) add(true, *detection.range, detection.std_range);

@@ -22,7 +22,6 @@ struct CalibrationData
 {
   CalibrationProblem problem;
   std::vector<std::string> sensors;         ///< labels, by number
-  std::vector<std::size_t> landmarks;       ///< of the map, by reading
   std::vector<int> ids;                     ///< of the landmarks, by number in the map
   std::vector<bool> identified;             ///< by sensor: all its readings carry the id of their landmark
   std::vector<UnmatchedReading> unmatched;  ///< ordered by pose

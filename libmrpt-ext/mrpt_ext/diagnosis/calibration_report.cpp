@@ -263,7 +263,7 @@ std::vector<std::string> landmarkLines(const CalibrationResult& errors, const Ca
   std::map<std::size_t, Count> counts;
   for (std::size_t i = 0; i < errors.misfits.size(); ++i)
   {
-    Count& count = counts[data.landmarks[i]];
+    Count& count = counts[data.problem.readings[i].landmark_number];
     ++count.readings;
     count.outliers += std::abs(errors.misfits[i]) > kOutlierMisfit;
   }

@@ -5,6 +5,7 @@
 
 #include "mrpt_ext/diagnosis/calibration_trajectory.h"
 #include "mrpt_ext/diagnosis/noise_findings.h"
+#include "mrpt_ext/diagnosis/partial_calibration.h"
 
 namespace mrpt_ext
 {
@@ -16,7 +17,7 @@ constexpr double kShared = 3;  // standard deviations of what the landmarks of a
 /// their own offsets for that.
 CalibrationResult calibrateLog(const CalibrationData& data, const std::vector<CalibrationUnknown>& unknowns)
 {
-  CalibrationResult all = calibrate(data.problem, unknowns);
+  const CalibrationResult all = calibrate(data.problem, unknowns);
   std::set<std::size_t> of_landmarks, shares;  // sensors
   for (const ParameterEstimate& error : all.errors)
   {
@@ -29,17 +30,11 @@ CalibrationResult calibrateLog(const CalibrationData& data, const std::vector<Ca
     return isOfAllRanges(unknown.parameter) && of_landmarks.contains(unknown.sensor) &&
            !shares.contains(unknown.sensor);
   };
-  std::vector<CalibrationUnknown> told = unknowns;
-  std::erase_if(told, is_untold);
+  std::vector<std::size_t> told;
+  for (std::size_t k = 0; k < unknowns.size(); ++k)
+    if (!is_untold(unknowns[k])) told.push_back(k);
   if (all.status != SolveStatus::ok || told.size() == unknowns.size()) return all;
-  CalibrationResult result = calibrate(data.problem, told);
-  if (result.status != SolveStatus::ok) return all;
-  std::vector<ParameterEstimate> errors;
-  std::size_t next = 0;
-  for (const ParameterEstimate& error : all.errors)
-    errors.push_back(is_untold(error.unknown) ? error : result.errors[next++]);
-  result.errors = std::move(errors);
-  return result;
+  return calibrateSome(data.problem, unknowns, told, all);
 }
 }  // namespace
 

@@ -45,7 +45,7 @@ double NoiseCandidates::correlation(std::size_t sensor, bool is_range) const
     const CalibrationReading& r = data_.problem.readings[i];
     const double misfit = found_.misfits[i];
     if (r.sensor != sensor || r.is_range != is_range || std::abs(misfit) > kOutlierMisfit) continue;
-    const auto [last, is_new] = before.try_emplace(data_.landmarks[i], misfit);
+    const auto [last, is_new] = before.try_emplace(r.landmark_number, misfit);
     if (is_new) continue;
     product += last->second * misfit;
     power += square(misfit);

@@ -22,13 +22,8 @@ CalibrationResult calibrateSome(const CalibrationProblem& problem, const std::ve
   const std::vector<ParameterEstimate> errors = std::exchange(found.errors, otherwise.errors);
   const auto size = static_cast<Eigen::Index>(unknowns.size());
   const Eigen::MatrixXd covariance = std::exchange(found.covariance, Eigen::MatrixXd::Zero(size, size));
-  for (std::size_t a = 0; a < numbers.size(); ++a)
-  {
-    found.errors[numbers[a]] = errors[a];
-    for (std::size_t b = 0; b < numbers.size(); ++b)
-      found.covariance(static_cast<Eigen::Index>(numbers[a]), static_cast<Eigen::Index>(numbers[b])) =
-          covariance(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b));
-  }
+  found.covariance(numbers, numbers) = covariance;
+  for (std::size_t a = 0; a < numbers.size(); ++a) found.errors[numbers[a]] = errors[a];
   return found;
 }
 
