@@ -33,4 +33,23 @@ TEST(RobustLoss, WeightAndCurvatureAreItsDerivatives)
     EXPECT_NEAR(second, robust::curvature(square(e)), 1e-5) << e;
   }
 }
+TEST(RobustLoss, AMixtureTellsOutliers)
+{
+  const robust::Mixture mixture(1e-3);
+  EXPECT_EQ(mixture.loss(0), 0);
+  EXPECT_GT(mixture.weight(square(2.5)), 0.95);
+  EXPECT_LT(mixture.weight(square(5.0)), 0.01);
+  EXPECT_EQ(mixture.weight(1e6), 0);
+  EXPECT_EQ(mixture.curvature(1e6), 0);
+  EXPECT_TRUE(std::isfinite(mixture.loss(1e6)));
+  constexpr double kStep = 1e-4;
+  for (const double e : {1.0, 3.0, 4.0, 6.0})
+  {
+    const auto half_loss = [&](double x) { return mixture.loss(square(x)) / 2; };
+    const double slope = (half_loss(e + kStep) - half_loss(e - kStep)) / (2 * kStep);
+    const double second = (half_loss(e + kStep) - 2 * half_loss(e) + half_loss(e - kStep)) / square(kStep);
+    EXPECT_NEAR(slope, mixture.weight(square(e)) * e, 1e-6) << e;
+    EXPECT_NEAR(second, mixture.curvature(square(e)), 1e-5) << e;
+  }
+}
 }  // namespace mrpt_ext::test_robust_loss

@@ -281,6 +281,34 @@ TEST(CalibrationResult, OffsetsOfLandmarksAreFound)
   EXPECT_NEAR(found.scatter[0].landmark_offset_std, 0.12, 0.03);
 }
 
+TEST(CalibrationResult, LandmarksThatAreOutOfSightForAWhileKeepTheirOffsets)
+{
+  const int drives = testing::runsOfTest(8);
+  double in_deviations = 0, squares = 0;
+  for (int seed = 1; seed <= drives; ++seed)
+  {
+    RandomStream random(static_cast<std::uint64_t>(seed), 22);
+    DrivePlan plan;
+    plan.duration = 240;
+    plan.outliers = 0;
+    plan.hidden = 0.4;
+    for (std::size_t i = 0; i < plan.landmarks.size(); ++i) plan.landmark_offsets.push_back(0.05 * random.gaussian());
+    std::vector<CalibrationUnknown> unknowns{{Kind::distance_scale}, {Kind::delay}};
+    for (std::size_t i = 0; i < plan.landmarks.size(); ++i) unknowns.push_back({Kind::landmark_offset, 0, i});
+    const CalibrationResult found = calibrate(recordedDrive(plan, random), unknowns);
+    ASSERT_EQ(found.status, SolveStatus::ok);
+    for (std::size_t i = 0; i < plan.landmarks.size(); ++i)
+    {
+      const ParameterEstimate& error = found.errors[2 + i];
+      in_deviations += square((error.value - plan.landmark_offsets[i]) / error.std);
+      squares += square(error.value - plan.landmark_offsets[i]);
+    }
+  }
+  const auto count = static_cast<double>(5 * drives);
+  EXPECT_LT(std::sqrt(squares / count), 0.004);
+  EXPECT_LT(in_deviations / count, 1.5);
+}
+
 TEST(CalibrationResult, LandmarksThatDisagreeHardlyTellWhatTheyShare)
 {
   const int drives = testing::runsOfTest(12);

@@ -18,6 +18,7 @@ struct DrivePlan
   std::vector<Vector2d> landmarks{{-4, -3}, {4, -3.5}, {5, 3}, {-3, 4}, {0.5, 5}};
   double std_bearing = degToRad(0.7), std_range = 0.05;
   double outliers = 0.03;  // share
+  double hidden = 0;  // share of the ranges at x > 0 that are late by 0.25 to 1.5 m, landmark by landmark in bursts
   double std_distance_per_root_s = 0.01, std_turn_per_root_s = 0.01;
   double delay = 0, bearing_offset = 0, range_offset = 0, range_scale = 0;
   std::vector<double> landmark_offsets;  // [m] of ranges, by landmark, on top of the others; empty: none
@@ -49,6 +50,16 @@ inline Pose2 driveAt(const DrivePlan& plan, double time)
   return {x, y, std::atan2(std::cos(2 * s), std::cos(s))};
 }
 
+/// How late the next range to a landmark is that was `late` [m] before: bursts of twenty readings.
+inline double lateness(const DrivePlan& plan, const Pose2& robot, double& late, RandomStream& random)
+{
+  constexpr double kEnds = 0.05;
+  if (late > 0 && random.chance(kEnds)) late = 0;
+  if (late == 0 && robot.x > 0 && random.chance(kEnds * plan.hidden / (1 - plan.hidden)))
+    late = random.uniform(0.25, 1.5);
+  return late;
+}
+
 /// Readings are stamped `delay` late; odometry underestimates motion by its scale errors.
 inline CalibrationProblem recordedDrive(const DrivePlan& plan, RandomStream& random)
 {
@@ -72,6 +83,7 @@ inline CalibrationProblem recordedDrive(const DrivePlan& plan, RandomStream& ran
     before = now;
   }
   std::size_t next_landmark = 0;
+  std::vector<double> late(plan.landmarks.size(), 0);  // [m]
   for (int k = 0; k < plan.duration * plan.rate; ++k)
   {
     const double time = k / plan.rate;
@@ -107,6 +119,7 @@ inline CalibrationProblem recordedDrive(const DrivePlan& plan, RandomStream& ran
       r.value = (1 + plan.range_scale) * std::hypot(predictRange(seen_from, r.landmark, T_robot_sensor), plan.height) +
                 plan.range_offset + (plan.landmark_offsets.empty() ? 0 : plan.landmark_offsets[number]) +
                 r.std * random.gaussian() + (wrong ? random.uniform(0.5, 3) : 0);
+      if (plan.hidden > 0) r.value += lateness(plan, guess, late[number], random);
       problem.readings.push_back(r);
     }
   }

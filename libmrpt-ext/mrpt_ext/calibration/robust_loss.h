@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "mrpt_ext/geometry/angle.h"
 
@@ -31,5 +32,27 @@ inline constexpr double kCore = 6.25 / 16;  // quadratic up to this share of the
   const double u = excess(e2, kScale2);
   return u > 0 ? (1 + u - 4 * e2 / kScale2) / (square(1 + u) * (1 + u)) : 1;
 }
+
+/// Likelihood of a residual that is Gaussian or that of an outlier, which is as likely everywhere: minus twice its
+/// logarithm, above that of no residual.
+class Mixture
+{
+ public:
+  /// `outlier`: density of an outlier over that of a Gaussian residual of zero, times the odds of being one.
+  explicit Mixture(double outlier) : outlier_(outlier) {}
+
+  [[nodiscard]] double loss(double e2) const { return -2 * std::log((std::exp(-e2 / 2) + outlier_) / (1 + outlier_)); }
+  /// Probability of being no outlier: d loss / d e2.
+  [[nodiscard]] double weight(double e2) const { return 1 / (1 + outlier_ * std::exp(e2 / 2)); }
+  /// Second derivative of half the loss.
+  [[nodiscard]] double curvature(double e2) const
+  {
+    const double inlier = weight(e2);
+    return inlier > 0 ? inlier * (1 - (1 - inlier) * e2) : 0;
+  }
+
+ private:
+  double outlier_;
+};
 }  // namespace robust
 }  // namespace mrpt_ext

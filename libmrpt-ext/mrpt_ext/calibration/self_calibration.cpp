@@ -190,6 +190,8 @@ CalibrationResult calibrate(const CalibrationProblem& problem, const std::vector
   MovedRecording moved;
   if (!moveToMeasurements(problem, left, *adjuster, moved)) return result;
   if (moved.adjuster) adjuster.emplace(std::move(*moved.adjuster));
+  adjuster->tellOutliers();
+  if (!settle(*adjuster, kRounds)) return result;
   const std::optional<TrajectoryAdjustment::Uncertainty> found = adjuster->uncertainty();
   if (!found || !found->std.allFinite()) return result;
   for (std::size_t k = 0; k < left.size(); ++k)

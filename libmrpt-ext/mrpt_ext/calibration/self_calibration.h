@@ -33,11 +33,11 @@ struct CalibrationResult
 
 /// Self-calibration: systematic errors of a recording from the recording and the map alone. All poses and all unknowns
 /// are adjusted together: readings against their predictions, the motion between poses against odometry (Gauss-Newton,
-/// PoseChainSystem). Outliers hardly count (robust_loss.h, quadratic up to 2.5 standard deviations of a
-/// reading, 12.5 of odometry). The poses lie where the readings were measured, not at their stamps
-/// (measurement_times.h). The scatter of readings (median) and of odometry (its redundancy) is estimated too, so that
-/// the declared standard deviations of odometry need only be right to a factor of ten; those of readings are a lower
-/// bound. Delays are also started from up to 1 s early and late.
+/// PoseChainSystem). Outliers hardly count (robust_loss.h: at last a reading counts by its probability of
+/// being none; odometry up to 12.5 standard deviations). The poses lie where the readings were measured, not at their
+/// stamps (measurement_times.h). The scatter of readings (median) and of odometry (its redundancy) is estimated too, so
+/// that the declared standard deviations of odometry need only be right to a factor of ten; those of readings are a
+/// lower bound. Delays are also started from up to 1 s early and late.
 ///
 /// The standard deviation of a parameter is the larger of two: that of the normal equations with the scatters found,
 /// and that by which separate parts of the recording disagree (sandwich estimator over up to thirty blocks of time,

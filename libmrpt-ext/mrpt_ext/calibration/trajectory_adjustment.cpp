@@ -46,7 +46,10 @@ double scatterFrom(std::vector<double> sizes)
 }  // namespace
 
 TrajectoryAdjustment::TrajectoryAdjustment(const CalibrationProblem& problem, std::vector<CalibrationUnknown> unknowns)
-    : problem_(problem), model_(problem, std::move(unknowns)), scatters_(problem.sensors)
+    : problem_(problem),
+      model_(problem, std::move(unknowns)),
+      scatters_(problem.sensors),
+      told_landmarks_(problem.sensors, 0)
 {
   for (const TrajectoryPose& pose : problem.poses) poses_.push_back(pose.pose);
   for (const CalibrationReading& r : problem.readings)
@@ -72,6 +75,26 @@ double TrajectoryAdjustment::scatterOf(const CalibrationReading& r) const
 /// that followed them would make odometry appear wrong.
 double TrajectoryAdjustment::assumedScatterOf(const CalibrationReading& r) const { return std::max(1.0, scatterOf(r)); }
 
+ReadingLoss TrajectoryAdjustment::lossOf(const CalibrationReading& r, double residual) const
+{
+  const double scatter = assumedScatterOf(r);
+  return outliers_.lossOf(r, square(residual / scatter), scatter);
+}
+
+void TrajectoryAdjustment::tellOutliers()
+{
+  outliers_.tell(problem_);
+  estimateOutlierShares();
+}
+
+void TrajectoryAdjustment::estimateOutlierShares()
+{
+  std::vector<double> weights;
+  for (const CalibrationReading& r : problem_.readings)
+    weights.push_back(lossOf(r, model_.reading(r, poses_[r.pose]).residual).weight);
+  outliers_.estimateShares(problem_, weights);
+}
+
 void TrajectoryAdjustment::restart(const TrajectoryAdjustment& start, const Eigen::VectorXd& errors)
 {
   poses_ = start.poses_;
@@ -94,8 +117,7 @@ PoseChainSystem TrajectoryAdjustment::linearized() const
   for (const CalibrationReading& r : problem_.readings)
   {
     const ReadingResidual row = model_.reading(r, poses_[r.pose]);
-    const double scatter = assumedScatterOf(r),
-                 weight = robust::weight(square(row.residual / scatter)) / square(scatter);
+    const double weight = lossOf(r, row.residual).weight / square(assumedScatterOf(r));
     chain.addReading(r.pose, row.residual, row.own, row.shared, weight);
   }
   for (std::size_t k = 0; k < poses_.size(); ++k)
@@ -120,7 +142,7 @@ double TrajectoryAdjustment::cost() const
 {
   double cost = 0;
   for (const CalibrationReading& r : problem_.readings)
-    cost += robust::loss(square(model_.reading(r, poses_[r.pose]).residual / assumedScatterOf(r)));
+    cost += lossOf(r, model_.reading(r, poses_[r.pose]).residual).loss;
   for (std::size_t k = 1; k < poses_.size(); ++k)
     if (problem_.poses[k].since_previous)
       cost += robust::loss(model_.linkResidual(k, poses_[k - 1], poses_[k]).squaredNorm(), kSlip2);
@@ -168,7 +190,7 @@ bool TrajectoryAdjustment::estimateScatters()
   for (const CalibrationReading& r : problem_.readings)
   {
     const ReadingResidual row = model_.reading(r, poses_[r.pose]);
-    const double weight = robust::weight(square(row.residual / assumedScatterOf(r)));
+    const double weight = lossOf(r, row.residual).weight;
     const double explained = row.own.dot(row.own * solution->covariance[r.pose]) / square(assumedScatterOf(r));
     const double redundancy = std::max(1 - weight * explained, kLeastRedundancy);
     Residuals& residuals = (r.is_range ? ranges : bearings)[r.sensor];
@@ -195,6 +217,7 @@ bool TrajectoryAdjustment::estimateScatters()
   }
   model_.setOdometryScatter(scatter);
   estimateLandmarkStds(*solution);
+  if (outliers_.told()) estimateOutlierShares();
   return true;
 }
 
@@ -217,6 +240,7 @@ void TrajectoryAdjustment::estimateLandmarkStds(const ChainSolution& solution)
       told += std::max(1 - variances[i] / square(scatters_[s].landmark_offset_std), 0.0);
       one = unknowns[k];
     }
+    told_landmarks_[s] = told;
     if (told > kLeastTold)
       scatters_[s].landmark_offset_std =
           std::max(std::sqrt(squares / told), kLeastLandmarkStd * priorStd(problem_, *one));
@@ -321,11 +345,11 @@ Eigen::MatrixXd TrajectoryAdjustment::scoresByBlock(const ChainSolution& solutio
   for (const CalibrationReading& r : problem_.readings)
   {
     const ReadingResidual row = model_.reading(r, poses_[r.pose]);
-    const double scatter = assumedScatterOf(r), e2 = square(row.residual / scatter);
+    const ReadingLoss loss = lossOf(r, row.residual);
     const Eigen::RowVectorXd reduced = row.shared - row.own * pull_of(r.pose);
-    scores.row(block_of(r.pose)) += robust::weight(e2) * row.residual / square(scatter) * reduced;
-    weights += robust::weight(e2);
-    curvatures += robust::curvature(e2);
+    scores.row(block_of(r.pose)) += loss.weight * row.residual / square(assumedScatterOf(r)) * reduced;
+    weights += loss.weight;
+    curvatures += loss.curvature;
   }
   for (std::size_t k = 1; k < poses_.size(); ++k)
   {
@@ -353,7 +377,9 @@ std::optional<TrajectoryAdjustment::Uncertainty> TrajectoryAdjustment::uncertain
     for (std::size_t k = 0; k < model_.unknowns().size(); ++k)
       if (const CalibrationUnknown& unknown = model_.unknowns()[k];
           unknown.parameter == CalibrationParameter::landmark_offset)
-        spread.diagonal()[static_cast<Eigen::Index>(k)] += 1 / square(priorOf(unknown));
+        // Their deviation is told by few: Student's t instead of Gaussian, to second order.
+        spread.diagonal()[static_cast<Eigen::Index>(k)] +=
+            (1 + 2 / std::max(told_landmarks_[unknown.sensor], 1.0)) / square(priorOf(unknown));
     variance = variance.cwiseMax((inverse * spread * inverse).diagonal());
   }
   return Uncertainty{inverse, variance.cwiseMax(0).cwiseSqrt() / curvature};

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "mrpt_ext/calibration/block_tridiagonal_solver.h"
+#include "mrpt_ext/calibration/outlier_model.h"
 #include "mrpt_ext/calibration/trajectory_model.h"
 
 namespace mrpt_ext
@@ -42,6 +43,9 @@ class TrajectoryAdjustment
   /// Gauss-Newton steps until nothing moves, at most this many; a step that makes it worse is shortened. False when
   /// something is undetermined.
   [[nodiscard]] bool descend(int most_steps);
+  /// From now on a reading counts by its probability of being no outlier, at the share of outliers that the readings
+  /// show. To begin with that would trust what the first guess happens to fit.
+  void tellOutliers();
   /// Estimates the scatters from the residuals; false when something is undetermined.
   [[nodiscard]] bool estimateScatters();
   [[nodiscard]] double cost() const;
@@ -75,6 +79,9 @@ class TrajectoryAdjustment
  private:
   [[nodiscard]] double scatterOf(const CalibrationReading& reading) const;
   [[nodiscard]] double assumedScatterOf(const CalibrationReading& reading) const;
+  /// Of a residual over the declared deviation.
+  [[nodiscard]] ReadingLoss lossOf(const CalibrationReading& reading, double residual) const;
+  void estimateOutlierShares();
   [[nodiscard]] double priorOf(const CalibrationUnknown& unknown) const;
   /// By how much the offsets of a sensor's landmarks differ: a variance component (restricted maximum likelihood).
   void estimateLandmarkStds(const ChainSolution& solution);
@@ -95,6 +102,8 @@ class TrajectoryAdjustment
   TrajectoryModel model_;
   std::vector<Pose2> poses_;
   std::vector<SensorScatter> scatters_;
+  std::vector<double> told_landmarks_;  // number of landmarks' offsets that readings tell, by sensor
+  OutlierModel outliers_;
   PerMotionNoise<SecantSearch> search_;  // of the scatters of odometry
   PerMotionNoise<double> odometry_redundancy_{0, 0};
   int steps_ = 0;
