@@ -33,6 +33,7 @@ TEST(RobustLoss, WeightAndCurvatureAreItsDerivatives)
     EXPECT_NEAR(second, robust::curvature(square(e)), 1e-5) << e;
   }
 }
+
 TEST(RobustLoss, AMixtureTellsOutliers)
 {
   const robust::Mixture mixture(1e-3);

@@ -12,11 +12,18 @@ namespace
 constexpr double kLeastOutliers = 1e-3, kMostOutliers = 0.5;  // shares
 }  // namespace
 
+std::vector<double> longestRanges(const CalibrationProblem& problem)
+{
+  std::vector<double> longest(problem.sensors, 1);
+  for (const CalibrationReading& r : problem.readings)
+    if (r.is_range) longest[r.sensor] = std::max(longest[r.sensor], r.value);
+  return longest;
+}
+
 void OutlierModel::tell(const CalibrationProblem& problem)
 {
-  by_sensor_.assign(problem.sensors, {});
-  for (const CalibrationReading& r : problem.readings)
-    if (double& span = by_sensor_[r.sensor].ranges.span; r.is_range) span = std::max(span, r.value);
+  by_sensor_.clear();
+  for (const double longest : longestRanges(problem)) by_sensor_.push_back({.ranges = {.span = longest}});
 }
 
 ReadingLoss OutlierModel::lossOf(const CalibrationReading& r, double e2, double scatter) const

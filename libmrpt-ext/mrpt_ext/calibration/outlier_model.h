@@ -6,6 +6,9 @@
 
 namespace mrpt_ext
 {
+/// Longest range of each sensor, at least 1 [m]: its outliers are as likely anywhere up to there.
+[[nodiscard]] std::vector<double> longestRanges(const CalibrationProblem& problem);
+
 /// How a reading counts: its loss, the weight in the normal equations (d loss / d e2), and the second derivative of
 /// half the loss.
 struct ReadingLoss
@@ -30,11 +33,11 @@ class OutlierModel
  private:
   struct Kind
   {
-    double share = 0.05, span = 1;  // span: [m] or [rad]
+    double share = 0.05, span = kTwoPi;  // span: [m] or [rad]
   };
   struct Sensor
   {
-    Kind bearings{.span = kTwoPi}, ranges;
+    Kind bearings, ranges;
   };
   std::vector<Sensor> by_sensor_;
 };

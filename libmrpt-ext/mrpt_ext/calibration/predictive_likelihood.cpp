@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "mrpt_ext/calibration/outlier_model.h"
 #include "mrpt_ext/calibration/trajectory_model.h"
 #include "mrpt_ext/geometry/log_probability.h"
 
@@ -20,14 +21,6 @@ std::vector<CalibrationUnknown> unknownsOf(const RecordingModel& model)
   std::vector<CalibrationUnknown> unknowns;
   for (const AssumedError& error : model.errors) unknowns.push_back(error.unknown);
   return unknowns;
-}
-
-std::vector<double> longestRanges(const CalibrationProblem& problem)
-{
-  std::vector<double> longest(problem.sensors, 1);
-  for (const CalibrationReading& r : problem.readings)
-    if (r.is_range) longest[r.sensor] = std::max(longest[r.sensor], r.value);
-  return longest;
 }
 
 class PredictionFilter
