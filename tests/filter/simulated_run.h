@@ -96,6 +96,18 @@ inline void addFalseDetections(const SimulatedRobot& robot, const LandmarkTable&
   }
 }
 
+/// A filter that knows the pose to 3 cm and 0.7 degrees.
+inline ParticleSet particlesAt(const Pose2& pose, RandomStream& random)
+{
+  ParticleSet particles(Vector2d(5, 5));
+  for (int i = 0; i < 300; ++i)
+    particles.add({pose.x + 0.03 * random.gaussian(), pose.y + 0.03 * random.gaussian(),
+                   pose.phi + degToRad(0.7) * random.gaussian()},
+                  0);
+  normalizeWeights(particles);
+  return particles;
+}
+
 inline double distance(const Pose2& a, const Pose2& b) { return (a.position() - b.position()).norm(); }
 
 /// A source without hypotheses.

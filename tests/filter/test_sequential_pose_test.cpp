@@ -11,17 +11,6 @@ namespace
 {
 const PoseRegion kRegion{{0, 0}, {10, 10}};
 
-ParticleSet particlesAt(const Pose2& pose, RandomStream& random)
-{
-  ParticleSet particles(Vector2d(5, 5));
-  for (int i = 0; i < 300; ++i)
-    particles.add({pose.x + 0.03 * random.gaussian(), pose.y + 0.03 * random.gaussian(),
-                   pose.phi + degToRad(0.7) * random.gaussian()},
-                  0);
-  normalizeWeights(particles);
-  return particles;
-}
-
 /// Log odds of a pose `off` the true one after each of `steps` frames of a drive.
 std::vector<double> oddsAlong(const SimulatedRobot& robot, const Pose2& off, int steps, std::uint64_t seed)
 {

@@ -7,6 +7,7 @@
 #include "mrpt_ext/filter/integrity/sensor_monitors.h"
 #include "mrpt_ext/likelihood/detection_density.h"
 #include "mrpt_ext/likelihood/facing_likelihood.h"
+#include "mrpt_ext/likelihood/missed_detections.h"
 #include "mrpt_ext/likelihood/reading_scorer.h"
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
 
@@ -93,6 +94,7 @@ SequentialPoseTest::SequentialPoseTest(const MotionModel& motion, const Landmark
     : decorrelator_(motion, map),
       null_model_(motion, defaultMaxRange(map)),
       point_null_model_(motion, defaultMaxRange(map)),
+      missed_(map.size()),
       spot_(motion, decorrelationDistance(map))
 {
 }
@@ -199,6 +201,7 @@ void SequentialPoseTest::test(const std::vector<Reading>& readings, const Landma
       const double log_ratio = normalizeWeights(particles).log_sum - without_map.log_density;
       log_odds_ = std::min(log_odds_ + counted(part, landmark, log_ratio, {first, share_of_new}), kMaxLogOdds);
     }
+    if (first && scoresMissedDetections(reading)) log_odds_ += missed_.count(reading, map, particles);
   }
 }
 

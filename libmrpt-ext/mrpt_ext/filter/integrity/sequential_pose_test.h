@@ -6,6 +6,7 @@
 
 #include "mrpt_ext/filter/integrity/independent_detections.h"
 #include "mrpt_ext/filter/integrity/landmark_evidence.h"
+#include "mrpt_ext/filter/integrity/missed_landmarks.h"
 #include "mrpt_ext/filter/integrity/null_model.h"
 #include "mrpt_ext/filter/integrity/point_null_model.h"
 #include "mrpt_ext/filter/integrity/seen_landmarks.h"
@@ -27,7 +28,8 @@ namespace mrpt_ext
 /// point_null_model.h). Under the null
 /// hypothesis the odds exceed 1/a with probability a at most, at any time (Ville's inequality); at the right pose they
 /// grow with every independent detection. Detections that repeat themselves at one spot neither prove nor refute
-/// (spot_evidence.h).
+/// (spot_evidence.h). Landmarks that the pose expects and nothing shows count as well, where detections are anonymous
+/// (missed_landmarks.h).
 ///
 /// Beside chance there are the rivals of landmark_evidence.h, which fit one landmark as well. Against those one
 /// landmark alone proves nothing, however often it is seen; once the pose is verified they are refuted, and each
@@ -70,6 +72,7 @@ class SequentialPoseTest
   {
     log_odds_ = std::clamp(log_odds_, 0.0, kAcceptLogOdds / 2);
     seen_.clear();
+    missed_.clear();
     by_landmark_.restart(false);
     rivals_refuted_ = heading_seen_ = false;
   }
@@ -102,6 +105,7 @@ class SequentialPoseTest
   NullModel null_model_;             // of anonymous bearings
   PointNullModel point_null_model_;  // of those with ranges
   SeenLandmarks seen_;
+  MissedLandmarks missed_;
   SpotEvidence spot_;
   LandmarkEvidence by_landmark_{kMaxLogOdds};
   bool rivals_refuted_ = false, heading_measured_ = false;
