@@ -1,5 +1,6 @@
 #include <cmath>
 #include <iomanip>
+#include <sstream>
 
 #include "filter_scenario.h"
 #include "mrpt_ext/evaluation/consistency.h"
@@ -25,16 +26,23 @@ bool isWrong(const FilterSample& sample)
   return sample.distance() > kFarOff && sample.positionNees() > square(kFarOffDeviations);
 }
 
-/// Returns whether the run was ok at a wrong place.
-bool addRun(const std::vector<FilterSample>& samples, OdometryTally& tally)
+/// What is told of a single run.
+struct RunOutcome
+{
+  bool lost_for_good = false, wrong = false;
+  std::size_t frames_at_end = 0;  ///< with landmarks in view
+};
+
+RunOutcome addRun(const std::vector<FilterSample>& samples, OdometryTally& tally)
 {
   ++tally.runs;
-  bool found_at_end = false, wrong = false;
+  RunOutcome outcome{.lost_for_good = true};
   for (const FilterSample& sample : samples)
   {
     ++tally.steps;
     const bool at_end = sample.time > samples.back().time - kEnd;
-    found_at_end = found_at_end || (at_end && sample.distance() < kFoundAgainWithin);
+    outcome.frames_at_end += at_end ? 1 : 0;
+    if (at_end && sample.distance() < kFoundAgainWithin) outcome.lost_for_good = false;
     if (sample.step.verdict != Verdict::ok) continue;
     ++tally.ok;
     tally.squared += square(sample.distance());
@@ -42,11 +50,11 @@ bool addRun(const std::vector<FilterSample>& samples, OdometryTally& tally)
     tally.inside_heading +=
         square(sample.error.z()) < chiSquareQuantile(1, 0.95) * sample.best().pose.covariance(2, 2) ? 1 : 0;
     tally.wrong += isWrong(sample) ? 1 : 0;
-    wrong = wrong || isWrong(sample);
+    outcome.wrong = outcome.wrong || isWrong(sample);
   }
-  tally.lost_for_good += found_at_end ? 0 : 1;
-  tally.wrong_runs += wrong ? 1 : 0;
-  return wrong;
+  tally.lost_for_good += outcome.lost_for_good ? 1 : 0;
+  tally.wrong_runs += outcome.wrong ? 1 : 0;
+  return outcome;
 }
 
 void printRow(std::ostream& out, const std::string& name, const OdometryTally& tally)
@@ -71,16 +79,20 @@ void runBadOdometry(std::ostream& out)
   for (const std::string identity : {"known", "anonymous"})
   {
     OdometryTally even, odd;
-    std::string wrong_seeds;
+    std::ostringstream remarks;
     for (int k = 0; k < runs; ++k)
     {
       const std::uint64_t seed = studySeed(k);
       const FilterScenario scenario = playScenario("bad-odometry", seed, {"Sensor_camera.identity=" + identity});
-      if (addRun(runFilter(scenario, seed), seed % 2 == 0 ? even : odd)) wrong_seeds += ' ' + std::to_string(seed);
+      const RunOutcome outcome = addRun(runFilter(scenario, seed), seed % 2 == 0 ? even : odd);
+      if (outcome.wrong) remarks << "| seed " << seed << ": wrong |\n";
+      if (outcome.lost_for_good)
+        remarks << "| seed " << seed << ": lost, with landmarks in view in " << outcome.frames_at_end
+                << " frames of the end |\n";
     }
     printRow(out, identity + ", even", even);
     printRow(out, identity + ", odd", odd);
-    if (!wrong_seeds.empty()) out << "| wrong in seeds" << wrong_seeds << " |\n";
+    out << remarks.str();
   }
 }
 
