@@ -109,6 +109,14 @@ TEST(MissedLandmarks, StayFiniteWhereDetectionIsCertain)
   EXPECT_TRUE(std::isfinite(count(missed, detectionsAt({1}, 1))));
 }
 
+TEST(MissedLandmarks, StayFiniteWhereAThousandAreMissed)
+{
+  const LandmarkTable map(std::vector<Landmark>(1000, {.position = {3, 0, 0}}));
+  MissedLandmarks missed(map.size());
+  const double log_ratio = missed.count(detectionsAt({kPi / 2}), map, robotAtOrigin());
+  EXPECT_NEAR(log_ratio, 1000 * std::log(1 - kDetection), 1e-6);
+}
+
 TEST(MissedLandmarks, AReadingWithoutDetectionsTellsNothing)
 {
   MissedLandmarks missed(4);

@@ -62,7 +62,7 @@ double MissedLandmarks::count(const Reading& reading, const LandmarkTable& map, 
   const double declared = std::min(*reading.model.detection_probability, kMostDetection);
   const PoseBatch poses = particles.poses();
   std::vector<History> now(histories_.size());
-  double likelihood = 0;
+  std::vector<double> log_missed_by_draw;
   for (const std::size_t draw : draws)
   {
     double log_missed = 0;
@@ -76,13 +76,16 @@ double MissedLandmarks::count(const Reading& reading, const LandmarkTable& map, 
       const double p = (kPriorReadings * declared + history.seen) / (kPriorReadings + history.seen + history.missed);
       log_missed += std::log(1 - std::min(p, declared) * expected.visibility);
     }
-    likelihood += share * std::exp(log_missed);
+    log_missed_by_draw.push_back(log_missed);
   }
   for (std::size_t j = 0; j < now.size(); ++j)
   {
     histories_[j].seen += now[j].seen;
     histories_[j].missed += now[j].missed;
   }
-  return std::log(likelihood);
+  const double most = *std::max_element(log_missed_by_draw.begin(), log_missed_by_draw.end());
+  double likelihood = 0;  // relative to the most likely draw, so that it is never zero
+  for (const double log_missed : log_missed_by_draw) likelihood += share * std::exp(log_missed - most);
+  return most + std::log(likelihood);
 }
 }  // namespace mrpt_ext
