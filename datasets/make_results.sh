@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # Writes datasets/RESULTS.md: all methods over all recordings that are there, from an unknown start.
 #   make_results.sh FOLDER_OF_RECORDINGS OUT [TRIALS]
-# FOLDER_OF_RECORDINGS holds mrclam/, plaza/, labyrinth_uwb/, cuhksz_uwb_planar/ and roh_angulation/, what is not there is
-# left out; MRPT's UWB demo comes with mrpt-common. TRIALS (20): random seeds per recording, run on all cores. Goes on
-# where it stopped when it is called again.
+# FOLDER_OF_RECORDINGS holds mrclam/, plaza/, labyrinth_uwb/, cuhksz_uwb_planar/, lost_in_the_woods/, carpark/ and
+# roh_angulation/, what is not there is left out; MRPT's UWB demo comes with mrpt-common. TRIALS (20): random seeds per
+# recording, run on all cores. Goes on where it stopped when it is called again.
 set -euo pipefail
 if [ $# -lt 2 ]; then
-  sed -n '2,7s/^# \{0,1\}//p' "$0" >&2
+  sed -n '2,8s/^# \{0,1\}//p' "$0" >&2
   exit 2
 fi
 recordings=$(realpath "$1") trials=${3:-20}
@@ -39,9 +39,21 @@ demo=/usr/share/mrpt/datasets/uwb_ro-localization_demo.rawlog
 study plaza1 plaza "$trials" plaza "$recordings/plaza"
 study labyrinth labyrinth "$trials" labyrinth "$recordings/labyrinth_uwb"
 study cuhksz-fast cuhksz "$trials" cuhksz "$recordings/cuhksz_uwb_planar"
+# variants NAME INI FORMAT INPUT [options]: with names, without, bearings, bearings without names.
+variants() {
+  local name=$1 ini=$2 format=$3 input=$4
+  shift 4
+  study "$name" "$ini" "$trials" "$format" "$input" "$@"
+  study "$name-anonymous" "$ini" "$trials" "$format" "$input" "$@" --identity anonymous
+  study "$name-bearings" "$ini" "$trials" "$format" "$input" "$@" --measurements bearing
+  study "$name-anonymous-bearings" "$ini" "$trials" "$format" "$input" "$@" --identity anonymous --measurements bearing
+}
 for robot in 1 2 3 4 5; do
-  study "mrclam6-robot$robot" mrclam "$trials" mrclam "$recordings/mrclam/MRCLAM_Dataset6" --robot "$robot"
+  variants "mrclam6-robot$robot" mrclam mrclam "$recordings/mrclam/MRCLAM_Dataset6" --robot "$robot"
 done
+variants lost-in-the-woods csv csv "$recordings/lost_in_the_woods"
+study carpark csv "$trials" csv "$recordings"/carpark/{landmarks,odometry,detections}.csv \
+  "$recordings/carpark/ground_truth.tum"
 # Independent frames use no random numbers: one trial is enough.
 for set in 1 2 3 5 6; do
   study "mrclam$set-snapshots" mrclam-snapshots 1 mrclam-snapshots "$recordings/mrclam/MRCLAM_Dataset$set"

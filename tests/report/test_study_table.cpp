@@ -16,6 +16,8 @@ FinishedTrial trialOf(double rmse, std::optional<bool> success, Verdict verdict)
   trial.position_median_m = {{"particle_filter", rmse / 2}};
   trial.position_p95_m = {{"particle_filter", 2 * rmse}};
   trial.heading_rmse_deg = {{"particle_filter", std::nullopt}};
+  trial.ok_share = {{"particle_filter", 0.9}};
+  trial.coverage_95 = {{"particle_filter", 0.95}};
   return trial;
 }
 
@@ -38,7 +40,7 @@ std::vector<FinishedRun> twoRuns()
 TEST(StudyTable, MarkdownHoldsMediansOverTheTrials)
 {
   const std::string table = studyMarkdown(twoRuns());
-  EXPECT_NE(table.find("| room | first | particle_filter | 3 | 2 | 1 | 2.0 | 0.200 | 0.100 | 0.400 | - |\n"),
+  EXPECT_NE(table.find("| room | first | particle_filter | 3 | 2 | 1 | 2.0 | 0.200 | 0.100 | 0.400 | - | 0.900 | 0.950 |\n"),
             std::string::npos)
       << table;
   EXPECT_EQ(table.find("running_fix"), std::string::npos) << "it has no error";
@@ -47,9 +49,9 @@ TEST(StudyTable, MarkdownHoldsMediansOverTheTrials)
 TEST(StudyTable, CsvNamesTheSettingsThatDiffer)
 {
   EXPECT_EQ(studyCsv(twoRuns()),
-            "A.particles,run,log,method,trials,successes,lost,converged_s,rmse_m,median_m,p95_m,heading_rmse_deg\n"
-            "100,room,first,particle_filter,3,2,1,2.0,0.200,0.100,0.400,\n"
-            "\"a, b\",room 2,first,particle_filter,2,2,0,2.0,0.200,0.100,0.400,\n");
+            "A.particles,run,log,method,trials,successes,lost,converged_s,rmse_m,median_m,p95_m,heading_rmse_deg,ok_share,coverage_95\n"
+            "100,room,first,particle_filter,3,2,1,2.0,0.200,0.100,0.400,,0.900,0.950\n"
+            "\"a, b\",room 2,first,particle_filter,2,2,0,2.0,0.200,0.100,0.400,,0.900,0.950\n");
 }
 
 TEST(StudyTable, AStudyWithoutASuccessHasItsRow)
@@ -61,6 +63,6 @@ TEST(StudyTable, AStudyWithoutASuccessHasItsRow)
     trial.score.converged_at_s.reset();
     trial.position_rmse_m = trial.position_median_m = trial.position_p95_m = {};
   }
-  EXPECT_NE(studyCsv(runs).find("\"a, b\",room 2,first,particle_filter,2,0,0,,,,,\n"), std::string::npos);
+  EXPECT_NE(studyCsv(runs).find("\"a, b\",room 2,first,particle_filter,2,0,0,,,,,,0.900,0.950\n"), std::string::npos);
 }
 }  // namespace mrpt_ext::test_study_table

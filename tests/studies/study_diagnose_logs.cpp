@@ -95,6 +95,7 @@ class UncalibratedLog
             {"bias_bearing_deg", radToDeg(camera.bias_bearing)},
             {"bias_range_m", camera.bias_range},
             {"scale_range", camera.scale_range},
+            {"landmark_bias_range_m", 0},  // root mean square over the landmarks
             {"std_bearing_deg", radToDeg(camera.std_bearing)},
             {"std_range_m", camera.std_range},
             {"clutter_probability", camera.clutter_per_reading * readings_ / detections_},

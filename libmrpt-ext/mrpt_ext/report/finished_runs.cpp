@@ -44,6 +44,8 @@ FinishedTrial trialOf(const Json& summary)
     trial.position_p95_m[method.name] = method.position_error_m.p95;
     trial.heading_rmse_deg[method.name] = method.heading_error_deg.rmse;
   }
+  trial.ok_share["particle_filter"] = score.verdict_shares.ok;
+  trial.coverage_95["particle_filter"] = score.filter.coverage_95;
   return trial;
 }
 

@@ -16,6 +16,7 @@ struct FinishedTrial
 {
   TrialScore score;
   NumberByMethod position_rmse_m, position_median_m, position_p95_m, heading_rmse_deg;
+  NumberByMethod ok_share, coverage_95;  ///< of the particle filter alone: share of the time, see FilterScore
 };
 
 /// All trials of one configuration on one log, from one or more folders.

@@ -16,7 +16,8 @@ std::string text(const OptionalNumber& number, int decimals, const std::string& 
   return number ? fixedText(*number, decimals) : none;
 }
 
-/// Name, log, method, trials, successes, lost, converged, RMSE, median, 95 %, heading RMSE of a method.
+/// Name, log, method, trials, successes, lost, converged, RMSE, median, 95 %, heading RMSE, share of `ok` and coverage
+/// of a method.
 std::vector<std::string> cellsOf(const FinishedRun& run, const std::string& method, const std::string& none)
 {
   const auto median_of = [&](NumberByMethod FinishedTrial::*number) { return median(valuesOf(run, method, number)); };
@@ -32,7 +33,9 @@ std::vector<std::string> cellsOf(const FinishedRun& run, const std::string& meth
           text(median_of(&FinishedTrial::position_rmse_m), 3, none),
           text(median_of(&FinishedTrial::position_median_m), 3, none),
           text(median_of(&FinishedTrial::position_p95_m), 3, none),
-          text(median_of(&FinishedTrial::heading_rmse_deg), 2, none)};
+          text(median_of(&FinishedTrial::heading_rmse_deg), 2, none),
+          text(median_of(&FinishedTrial::ok_share), 3, none),
+          text(median_of(&FinishedTrial::coverage_95), 3, none)};
 }
 
 /// Methods with an error, and the filter, whose successes are counted: a study that fails has its row too.
@@ -62,9 +65,8 @@ std::string studyMarkdown(const std::vector<FinishedRun>& runs)
 {
   std::string table =
       "| run | log | method | trials | successes | lost | converged after s | RMSE m | median m | 95 % m | heading "
-      "RMSE deg "
-      "|\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|\n";
+      "RMSE deg | `ok` | truth in 95 % region |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (const FinishedRun& run : runs)
     for (const std::string& method : judgedMethods(run))
     {
@@ -79,7 +81,7 @@ std::string studyCsv(const std::vector<FinishedRun>& runs)
   const std::vector<std::string> settings = varied(runs);
   std::string table;
   for (const std::string& name : settings) table += textField(name) + ",";
-  table += "run,log,method,trials,successes,lost,converged_s,rmse_m,median_m,p95_m,heading_rmse_deg\n";
+  table += "run,log,method,trials,successes,lost,converged_s,rmse_m,median_m,p95_m,heading_rmse_deg,ok_share,coverage_95\n";
   for (const FinishedRun& run : runs)
     for (const std::string& method : judgedMethods(run))
     {
