@@ -21,12 +21,12 @@ struct LastingErrors
   double range_offset = 0;    // [m]
   double bearing_offset = 0;  // [rad]
   Vector2d lever{0, 0};       // [m]
-  double lever_std = 0;       // [m] as it is given
-  Vector2d followed{0, 0};    // [m] the point that odometry follows, from the robot's
-  double delay = 0;           // [s]
-  double delay_std = 0;       // [s] as it is given
-  double turn_scale = 0;      // of odometry
-  double drift = 0;           // [rad/s]
+  std::optional<double> lever_std = 0;  // [m] as it is given
+  Vector2d followed{0, 0};              // [m] the point that odometry follows, from the robot's
+  double delay = 0;                     // [s]
+  double delay_std = 0;                 // [s] as it is given
+  double turn_scale = 0;                // of odometry
+  double drift = 0;                     // [rad/s]
 };
 
 struct Statistics
@@ -234,6 +234,17 @@ TEST(ConsiderCovariance, CoversALeverArm)
     EXPECT_LT(all.covered_as_stated / all.steps, 0.5);
     EXPECT_GT(all.covered / all.steps, 0.90);
   }
+}
+
+// Nobody says how well places are known: less than where it is stated to be 5 cm once turns tell that they agree.
+TEST(ConsiderCovariance, ALeverArmOfUnknownAccuracyIsCoveredWhetherItIsRightOrWrong)
+{
+  const Statistics wrong = runs({.lever = {0.05, 0.05}, .lever_std = std::nullopt});
+  const Statistics right = runs({.lever_std = std::nullopt}), stated = runs({.lever_std = 0.05});
+  if (testing::isShort()) return;  // too few runs for the bounds
+  EXPECT_GT(wrong.covered / wrong.steps, 0.90);
+  EXPECT_GT(right.covered / right.steps, 0.95);
+  EXPECT_LT(right.variance - right.stated_variance, 0.5 * (stated.variance - stated.stated_variance));
 }
 
 // Turns tell where the sensor is from the point that odometry follows, and nothing whether that is the robot's.

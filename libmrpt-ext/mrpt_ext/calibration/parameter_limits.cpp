@@ -20,7 +20,7 @@ double typical(const CalibrationProblem& problem, std::size_t sensor, double Cal
 
 double leverArmStd(const CalibrationProblem& problem, std::size_t sensor)
 {
-  return sensor < problem.lever_arm_std.size() ? problem.lever_arm_std[sensor] : SensorModel{}.lever_arm_std;
+  return sensor < problem.lever_arm_std.size() ? problem.lever_arm_std[sensor] : kAssumedLeverArmStd;
 }
 }  // namespace
 

@@ -195,8 +195,8 @@ KeyTable sensorKeys()
       .number(
           "lever_arm_std_m", "m", sensor.lever_arm_std, {0, 1},
           "Standard deviation of its stated position on the robot, along each axis. What readings and turns have "
-          "not told of it is part of the stated covariance; the estimate is not corrected. 0: nothing is assumed, only "
-          "what the readings show is stated.")
+          "not told of it is part of the stated covariance; the estimate is not corrected. Not set: 0.05 until turns "
+          "tell how well such positions were stated. 0: nothing is assumed, only what the readings show is stated.")
       .number("lever_arm_x_m", "m", sensor.lever_arm.x(), ranges::kAny,
               "How much further forward on the robot it is than the log says.")
       .number("lever_arm_y_m", "m", sensor.lever_arm.y(), ranges::kAny,

@@ -66,7 +66,7 @@ SensorConfigs sensorConfigs(const Settings& settings)
     c.clutter_probability = settings.number(section, "clutter_probability");
     c.detection_probability = settings.optionalNumber(section, "detection_probability");
     c.lever_arm = {settings.number(section, "lever_arm_x_m"), settings.number(section, "lever_arm_y_m")};
-    c.lever_arm_std = settings.number(section, "lever_arm_std_m");
+    c.lever_arm_std = settings.optionalNumber(section, "lever_arm_std_m");
     c.delay_std = settings.number(section, "delay_std_s");
     c.association = settings.choice(section, "association", identityLevels());
     c.reflectors = reflectorOptions(settings, section);

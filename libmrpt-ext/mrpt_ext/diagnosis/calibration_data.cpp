@@ -28,7 +28,8 @@ class CalibrationDataBuilder
     result_.identified.assign(result_.sensors.size(), true);
     for (std::size_t i = 0; i < input.context.map.size(); ++i) result_.ids.push_back(input.context.map[i].id);
     for (const std::string& label : result_.sensors)
-      result_.problem.lever_arm_std.push_back(configOf(input.config.frames.sensors, label).lever_arm_std);
+      result_.problem.lever_arm_std.push_back(
+          configOf(input.config.frames.sensors, label).lever_arm_std.value_or(kAssumedLeverArmStd));
   }
 
   void add(const Frame& frame, const PoseEstimate& estimate)

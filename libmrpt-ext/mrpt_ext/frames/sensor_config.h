@@ -33,9 +33,9 @@ struct SensorConfig
   std::optional<double> field_of_view, max_range;  ///< [rad], [m]
   double clutter_probability = 0.05;
   std::optional<double> detection_probability;
-  Vector2d lever_arm{0, 0};                            ///< [m] true minus logged position on the robot, in robot axes
-  double lever_arm_std = SensorModel{}.lever_arm_std;  ///< [m]
-  double delay_std = SensorModel{}.delay_std;          ///< [s]
+  Vector2d lever_arm{0, 0};                    ///< [m] true minus logged position on the robot, in robot axes
+  std::optional<double> lever_arm_std;         ///< [m]
+  double delay_std = SensorModel{}.delay_std;  ///< [s]
   IdentityLevel association = IdentityLevel::known;
   std::optional<ReflectorOptions> reflectors;  ///< to extract from its laser scans; absent: scans are not used
   bool ignore = false;

@@ -24,6 +24,9 @@ struct Detection
   std::optional<Facing> facing = std::nullopt;
 };
 
+/// [m] Assumed standard deviation of a sensor's position on the robot, where none is given.
+inline constexpr double kAssumedLeverArmStd = 0.05;
+
 /// What the likelihood needs to know about a sensor.
 struct SensorModel
 {
@@ -32,7 +35,7 @@ struct SensorModel
   double clutter_probability = 0.05;            ///< share of detections that come from no mapped landmark
   std::optional<double> detection_probability;  ///< of a landmark in view; absent: missed detections are not scored
   bool has_field_of_view = false;               ///< true when declared by the log or the configuration
-  double lever_arm_std = 0.05;                  ///< [m] of the stated position on the robot, along each axis
+  std::optional<double> lever_arm_std;          ///< [m] of the stated position on the robot, along each axis, if given
   double delay_std = 0.05;                      ///< [s] of the times of its readings, all alike
 };
 

@@ -142,7 +142,10 @@ void ConsiderCovariance::addRows(const Reading& reading, LinearStep& step)
 {
   const std::size_t sensor = indexOf(reading.sensor);
   sensor_stds_.resize(sensors_.size());
-  sensor_stds_[sensor] = {.lever_arm = reading.model.lever_arm_std, .delay = reading.model.delay_std};
+  const std::optional<double> lever_arm = reading.model.lever_arm_std;
+  sensor_stds_[sensor] = {.lever_arm = lever_arm.value_or(kAssumedLeverArmStd),
+                          .lever_arm_is_assumed = !lever_arm,
+                          .delay = reading.model.delay_std};
   for (const Detection& detection : reading.detections)
   {
     const Association found = associate(detection, reading, map_, step.predicted, biases_, default_max_range_);

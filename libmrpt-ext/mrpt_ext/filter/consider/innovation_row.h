@@ -39,8 +39,9 @@ struct InnovationRow
 /// Standard deviations of what is stated of a sensor, the same for all of its readings.
 struct SensorStds
 {
-  double lever_arm = 0;  ///< [m] along each axis
-  double delay = 0;      ///< [s]
+  double lever_arm = 0;               ///< [m] along each axis
+  bool lever_arm_is_assumed = false;  ///< nobody stated it
+  double delay = 0;                   ///< [s]
 };
 
 /// One step of a linearised filter: from an error e of the estimate, those of the motion and of the measurements

@@ -54,4 +54,20 @@ RelevantParameters Relevance::posterior(const LinearEvidence& evidence) const
   all.mean = all.covariance * evidence.weighted;
   return all;
 }
+
+LinearEvidence Relevance::marginal(const LinearEvidence& evidence, const std::vector<Eigen::Index>& parameters) const
+{
+  LinearEvidence alone{evidence.information(parameters, parameters), evidence.weighted(parameters)};
+  std::vector<Eigen::Index> others = relevant();
+  std::erase_if(others,
+                [&](Eigen::Index k) { return std::find(parameters.begin(), parameters.end(), k) != parameters.end(); });
+  if (others.empty()) return alone;
+  Eigen::MatrixXd information = evidence.information(others, others);
+  information.diagonal() += Eigen::VectorXd(variances_(others).cwiseInverse());
+  const Eigen::MatrixXd shared = evidence.information(others, parameters);
+  const Eigen::LLT<Eigen::MatrixXd> solver(information);
+  alone.information -= shared.transpose() * solver.solve(shared);
+  alone.weighted -= shared.transpose() * solver.solve(Eigen::VectorXd(evidence.weighted(others)));
+  return alone;
+}
 }  // namespace mrpt_ext

@@ -38,6 +38,9 @@ class Relevance
   /// Determines the priors of some parameters, in turn, given those of the others as they were found before.
   void update(const LinearEvidence& evidence, const PriorStds& prior);
   [[nodiscard]] RelevantParameters posterior(const LinearEvidence& evidence) const;
+  /// What the data tell of some parameters alone, with the others as their priors say.
+  [[nodiscard]] LinearEvidence marginal(const LinearEvidence& evidence,
+                                        const std::vector<Eigen::Index>& parameters) const;
 
  private:
   [[nodiscard]] std::vector<Eigen::Index> relevant() const;

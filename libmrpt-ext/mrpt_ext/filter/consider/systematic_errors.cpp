@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "mrpt_ext/filter/consider/place_variance.h"
+
 namespace mrpt_ext
 {
 namespace
@@ -138,6 +140,23 @@ void SystematicErrors::share(const LinearStep& step)
   }
 }
 
+bool SystematicErrors::hasAssumedPlaces() const
+{
+  return std::any_of(sensor_stds_.begin(), sensor_stds_.end(),
+                     [](const SensorStds& stds) { return stds.lever_arm_is_assumed; });
+}
+
+std::vector<Eigen::Index> SystematicErrors::assumedPlaces() const
+{
+  std::vector<Eigen::Index> places;
+  if (!hasAssumedPlaces()) return places;
+  places = {centre_x_error, centre_y_error};
+  for (std::size_t sensor = 0; sensor < sensor_stds_.size() && firstOf(sensor + 1) <= response_.cols(); ++sensor)
+    if (sensor_stds_[sensor].lever_arm_is_assumed)
+      for (const Eigen::Index axis : {lever_x_error, lever_y_error}) places.push_back(firstOf(sensor) + axis);
+  return places;
+}
+
 PriorStds SystematicErrors::prior() const
 {
   const Eigen::Index parameters = response_.cols();
@@ -155,6 +174,9 @@ PriorStds SystematicErrors::prior() const
     prior.least[delay] = given.delay;
     prior.most[delay] = std::max(prior.most[delay], given.delay);
   }
+  const std::vector<Eigen::Index> assumed = assumedPlaces();
+  prior.least(assumed).setConstant(place_std_);
+  prior.most(assumed).setConstant(place_std_);
   return prior;
 }
 
@@ -237,7 +259,7 @@ void SystematicErrors::estimate()
     const double by_noise = before.covariance(k, k) * by_noise_[k];
     if (by_noise != 0) evidence.weighted[k] -= std::clamp(before.mean[k] / by_noise, 0.0, 1.0) * by_noise_[k];
   }
-  const PriorStds prior = this->prior();
+  PriorStds prior = this->prior();
   // What has a prior of its own needs no evidence.
   significant_ = (prior.least.array() > 0)
                      .select(Eigen::ArrayXd::Ones(prior.least.size()), significantShare(evidence, prior.most))
@@ -248,6 +270,11 @@ void SystematicErrors::estimate()
   const Eigen::VectorXd scale = worth.cwiseSqrt();
   evidence.information = scale.asDiagonal() * evidence.information * scale.asDiagonal();
   evidence.weighted = evidence.weighted.cwiseProduct(worth);
+  if (hasAssumedPlaces())
+  {
+    place_std_ = std::sqrt(placeVariance(relevance_.marginal(evidence, assumedPlaces()), kAssumedLeverArmStd));
+    prior = this->prior();
+  }
   relevance_.update(evidence, prior);
   known_ = relevance_.posterior(evidence);
 }

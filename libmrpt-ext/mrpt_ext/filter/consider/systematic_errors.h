@@ -21,10 +21,11 @@ namespace mrpt_ext
 /// (relevance.h), but for lever arms and delays: how well the place of a sensor on the robot and the time of its
 /// readings are known is given (SensorModel), and what the innovations have not told of them, because the robot has
 /// hardly turned or changed its speed, is stated. Turns tell where a sensor is from the point that odometry follows;
-/// where the point whose pose is asked for is from that one is known no better than the places of the sensors. The
-/// estimate itself is left as it is: what the parameters, and what is not known of them, do to it is added to its
-/// covariance. Correcting the readings by them would help where a sensor is mounted elsewhere than stated, but errors
-/// of other kinds pass for these ones, too.
+/// where the point whose pose is asked for is from that one is known no better than the places of the sensors. Where
+/// nobody says how well these are known, those that are told tell it (place_variance.h). The estimate itself is left as
+/// it is: what the parameters, and what is not known of them, do to it is added to its covariance. Correcting the
+/// readings by them would help where a sensor is mounted elsewhere than stated, but errors of other kinds pass for
+/// these ones, too.
 class SystematicErrors
 {
  public:
@@ -47,6 +48,8 @@ class SystematicErrors
   void resize(const LinearStep& step);
   void resize(Eigen::Index parameters);
   void share(const LinearStep& step);
+  [[nodiscard]] bool hasAssumedPlaces() const;
+  [[nodiscard]] std::vector<Eigen::Index> assumedPlaces() const;
   [[nodiscard]] PriorStds prior() const;
   void predict(const LinearStep& step);
   [[nodiscard]] Eigen::MatrixXd measurementDerivatives(const LinearStep& step) const;
@@ -62,6 +65,7 @@ class SystematicErrors
   RelevantParameters known_;
   Eigen::VectorXd significant_;  // share of what each adds
   Relevance relevance_;
+  double place_std_ = kAssumedLeverArmStd;  // [m] of places on the robot that nobody states one of
   ScoreVariance score_variance_;
   VelocityNoise velocity_;
 };
