@@ -52,8 +52,7 @@ for robot in 1 2 3 4 5; do
   variants "mrclam6-robot$robot" mrclam mrclam "$recordings/mrclam/MRCLAM_Dataset6" --robot "$robot"
 done
 variants lost-in-the-woods csv csv "$recordings/lost_in_the_woods"
-study carpark csv "$trials" csv "$recordings"/carpark/{landmarks,odometry,detections}.csv \
-  "$recordings/carpark/ground_truth.tum"
+study carpark csv "$trials" csv "$recordings/carpark"
 # Independent frames use no random numbers: one trial is enough.
 for set in 1 2 3 5 6; do
   study "mrclam$set-snapshots" mrclam-snapshots 1 mrclam-snapshots "$recordings/mrclam/MRCLAM_Dataset$set"

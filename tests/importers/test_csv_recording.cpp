@@ -44,6 +44,26 @@ TEST(CsvRecording, OdometryIsOptional)
   EXPECT_TRUE(hasNote(recording, "no odometry.csv"));
 }
 
+// As in the folder of the Car Park recording: the detections that were made of the scans are there, too.
+TEST(CsvRecording, ScansBesideDetectionsNeedTheBearingsOfTheirBeams)
+{
+  const DamagedCopy copy("csv");
+  const std::string scans = "t,r0,r1,i0,i1\n0.5,8.1,3.25,120,9000\n";
+  copy.replace("scans.csv", scans);
+  const Recording without = importFolder(copy.path());
+  EXPECT_TRUE(recordsOf<RangeScan>(without).empty());
+  EXPECT_EQ(recordsOf<Reading>(without).size(), 3U);
+  EXPECT_TRUE(hasNote(without, "scans.csv: left out"));
+
+  copy.replace("sensors.csv",
+               "sensor,x,y,z,yaw_deg,first_bearing_deg,last_bearing_deg\nomni,0,0,0,0,,\nstereo,0,0,0,0,,\n"
+               "laser,0,0,0,0,-90,90\n");
+  EXPECT_EQ(recordsOf<RangeScan>(importFolder(copy.path())).size(), 1U);
+  std::filesystem::remove(copy.path() / "sensors.csv");
+  std::filesystem::remove(copy.path() / "detections.csv");
+  EXPECT_INPUT_ERROR(importFolder(copy.path()), "scans.csv:2: a scan of sensor 'laser', expected its row");
+}
+
 TEST(CsvRecording, VelocitiesAreIntegratedAndPosesTakenAsTheyAre)
 {
   const auto arcs = recordsOf<OdometryRecord>(importFolder(testing::sampleFolder("csv")));

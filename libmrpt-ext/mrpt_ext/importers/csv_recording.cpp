@@ -293,7 +293,11 @@ Recording importCsv(const CsvFiles& files)
     addOdometry(recording, files);
   const auto sensors = files.sensors.empty() ? std::map<std::string, SensorPose>() : readSensorPoses(files.sensors);
   if (!files.detections.empty()) addReadings(recording, files.detections);
-  if (!files.scans.empty()) addScans(recording, files.scans, sensors);
+  const bool are_scans_described = !files.sensors.empty() || files.detections.empty();
+  if (!files.scans.empty() && are_scans_described) addScans(recording, files.scans, sensors);
+  if (!files.scans.empty() && !are_scans_described)
+    recording.notes.push_back(files.scans.filename().string() +
+                              ": left out, there are detections, and no sensors.csv says where its beams point");
   if (files.sensors.empty())
     recording.notes.emplace_back("no sensors.csv: all sensors are at the robot's origin and face forward");
   else

@@ -24,7 +24,9 @@ struct CsvFiles
   /// `other_yaw_deg,other_std_yaw_deg,other_weight`, the attitude that explains the image as well, with its
   /// probability.
   std::filesystem::path detections;
-  std::filesystem::path scans;  ///< laser scans, see scan_table.h; empty: none. Without detections they are enough
+  /// Laser scans, see scan_table.h; empty: none. Without detections they are enough; beside detections they are left
+  /// out, with a note, where `sensors` is empty and nothing says where their beams point.
+  std::filesystem::path scans;
   /// TUM file, see tum.h; empty: no truth.
   std::filesystem::path ground_truth;
   /// `sensor,x,y,z,yaw_deg`, see sensor_poses.h; empty: all sensors sit at the robot's origin and look forward.
