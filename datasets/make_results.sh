@@ -34,11 +34,14 @@ study() {
   run "$name" "$ini" "$count" "$log.rawlog" --map "${log}_map.csv" --ground-truth "${log}_ground_truth.tum"
 }
 
-demo=/usr/share/mrpt/datasets/uwb_ro-localization_demo.rawlog
-[ ! -e "$demo" ] || run mrpt-uwb-demo mrpt-uwb-demo "$trials"
-study plaza1 plaza "$trials" plaza "$recordings/plaza"
-study labyrinth labyrinth "$trials" labyrinth "$recordings/labyrinth_uwb"
-study cuhksz-fast cuhksz "$trials" cuhksz "$recordings/cuhksz_uwb_planar"
+# images NAME INI OF_IMAGES TRIALS: the same over a shipped drive, from its images.
+images() {
+  local name=$1 ini=$2 log=$out/logs/$1
+  mkdir -p "$out/logs"
+  [ -e "$log.rawlog" ] || images2rawlog "$root/ini/images2rawlog/$3.ini" -i "$root/datasets/$name" -q -o "$log.rawlog" \
+    2>"$log.warnings"
+  run "$name" "$ini" "$4" "$log.rawlog" --map "${log}_map.csv" --ground-truth "${log}_ground_truth.tum"
+}
 # variants NAME INI FORMAT INPUT [options]: with names, without, bearings, bearings without names.
 variants() {
   local name=$1 ini=$2 format=$3 input=$4
@@ -48,6 +51,19 @@ variants() {
   study "$name-bearings" "$ini" "$trials" "$format" "$input" "$@" --measurements bearing
   study "$name-anonymous-bearings" "$ini" "$trials" "$format" "$input" "$@" --identity anonymous --measurements bearing
 }
+
+for name in room half-field goal-corners; do
+  run "$name" "$name" "$trials"
+done
+images conic-mirror conic-mirror conic-mirror 1
+images movis-field movis movis "$trials"
+images stereo-goal stereo-goal stereo "$trials"
+images tags tags tags "$trials"
+demo=/usr/share/mrpt/datasets/uwb_ro-localization_demo.rawlog
+[ ! -e "$demo" ] || run mrpt-uwb-demo mrpt-uwb-demo "$trials"
+study plaza1 plaza "$trials" plaza "$recordings/plaza"
+study labyrinth labyrinth "$trials" labyrinth "$recordings/labyrinth_uwb"
+study cuhksz-fast cuhksz "$trials" cuhksz "$recordings/cuhksz_uwb_planar"
 for robot in 1 2 3 4 5; do
   variants "mrclam6-robot$robot" mrclam mrclam "$recordings/mrclam/MRCLAM_Dataset6" --robot "$robot"
 done
