@@ -140,20 +140,13 @@ void SystematicErrors::share(const LinearStep& step)
   }
 }
 
-bool SystematicErrors::hasAssumedPlaces() const
-{
-  return std::any_of(sensor_stds_.begin(), sensor_stds_.end(),
-                     [](const SensorStds& stds) { return stds.lever_arm_is_assumed; });
-}
-
 std::vector<Eigen::Index> SystematicErrors::assumedPlaces() const
 {
   std::vector<Eigen::Index> places;
-  if (!hasAssumedPlaces()) return places;
-  places = {centre_x_error, centre_y_error};
   for (std::size_t sensor = 0; sensor < sensor_stds_.size() && firstOf(sensor + 1) <= response_.cols(); ++sensor)
     if (sensor_stds_[sensor].lever_arm_is_assumed)
       for (const Eigen::Index axis : {lever_x_error, lever_y_error}) places.push_back(firstOf(sensor) + axis);
+  if (!places.empty()) places.insert(places.end(), {centre_x_error, centre_y_error});
   return places;
 }
 
@@ -259,24 +252,20 @@ void SystematicErrors::estimate()
     const double by_noise = before.covariance(k, k) * by_noise_[k];
     if (by_noise != 0) evidence.weighted[k] -= std::clamp(before.mean[k] / by_noise, 0.0, 1.0) * by_noise_[k];
   }
-  PriorStds prior = this->prior();
+  // How well they are known: by errors of readings that last.
+  const Eigen::VectorXd worth = score_variance_.worth(weighted_.size());
+  const Eigen::VectorXd scale = worth.cwiseSqrt();
+  const LinearEvidence lasting{scale.asDiagonal() * evidence.information * scale.asDiagonal(),
+                               evidence.weighted.cwiseProduct(worth)};
+  if (const std::vector<Eigen::Index> places = assumedPlaces(); !places.empty())
+    place_std_ = std::sqrt(placeVariance(relevance_.marginal(lasting, places), kAssumedLeverArmStd));
+  const PriorStds prior = this->prior();
   // What has a prior of its own needs no evidence.
   significant_ = (prior.least.array() > 0)
                      .select(Eigen::ArrayXd::Ones(prior.least.size()), significantShare(evidence, prior.most))
                      .matrix();
-
-  // How well they are known: by errors of readings that last.
-  const Eigen::VectorXd worth = score_variance_.worth(weighted_.size());
-  const Eigen::VectorXd scale = worth.cwiseSqrt();
-  evidence.information = scale.asDiagonal() * evidence.information * scale.asDiagonal();
-  evidence.weighted = evidence.weighted.cwiseProduct(worth);
-  if (hasAssumedPlaces())
-  {
-    place_std_ = std::sqrt(placeVariance(relevance_.marginal(evidence, assumedPlaces()), kAssumedLeverArmStd));
-    prior = this->prior();
-  }
-  relevance_.update(evidence, prior);
-  known_ = relevance_.posterior(evidence);
+  relevance_.update(lasting, prior);
+  known_ = relevance_.posterior(lasting);
 }
 
 KalmanMatrix SystematicErrors::added() const

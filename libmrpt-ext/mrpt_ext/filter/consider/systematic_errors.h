@@ -48,7 +48,7 @@ class SystematicErrors
   void resize(const LinearStep& step);
   void resize(Eigen::Index parameters);
   void share(const LinearStep& step);
-  [[nodiscard]] bool hasAssumedPlaces() const;
+  /// Lever arms whose deviation nobody states, and the place of the robot's point beside them.
   [[nodiscard]] std::vector<Eigen::Index> assumedPlaces() const;
   [[nodiscard]] PriorStds prior() const;
   void predict(const LinearStep& step);
@@ -65,7 +65,7 @@ class SystematicErrors
   RelevantParameters known_;
   Eigen::VectorXd significant_;  // share of what each adds
   Relevance relevance_;
-  double place_std_ = kAssumedLeverArmStd;  // [m] of places on the robot that nobody states one of
+  double place_std_ = kAssumedLeverArmStd;  // [m] deviation of the places on the robot for which none is stated
   ScoreVariance score_variance_;
   VelocityNoise velocity_;
 };
