@@ -84,7 +84,8 @@ localization-report "${folders[@]}" -o "$out/report.html" --table "$out/table.md
   echo "(\`converged_within_m\` of the configuration); independent frames count all. \`successes\` are trials that"
   echo "converged in time and stayed converged. \`successes\`, \`lost\` and the time to converge refer to the particle filter, in"
   echo "the rows of other methods too. Closed forms give a pose for some frames only; an oracle uses the ground truth to choose"
-  echo "among its candidates."
+  echo "among its candidates. \`ok\` is the share of the time with this verdict; the last column, the share of these estimates"
+  echo "whose truth lies in the stated 95 % region. State $(git -C "$root" rev-parse --short HEAD)."
   echo
   cat "$out/table.md"
 } >"$root/datasets/RESULTS.md"
