@@ -40,8 +40,9 @@ std::vector<FinishedRun> twoRuns()
 TEST(StudyTable, MarkdownHoldsMediansOverTheTrials)
 {
   const std::string table = studyMarkdown(twoRuns());
-  EXPECT_NE(table.find("| room | first | particle_filter | 3 | 2 | 1 | 2.0 | 0.200 | 0.100 | 0.400 | - | 0.900 | 0.950 |\n"),
-            std::string::npos)
+  EXPECT_NE(
+      table.find("| room | first | particle_filter | 3 | 2 | 1 | 2.0 | 0.200 | 0.100 | 0.400 | - | 0.900 | 0.950 |\n"),
+      std::string::npos)
       << table;
   EXPECT_EQ(table.find("running_fix"), std::string::npos) << "it has no error";
 }
@@ -49,7 +50,8 @@ TEST(StudyTable, MarkdownHoldsMediansOverTheTrials)
 TEST(StudyTable, CsvNamesTheSettingsThatDiffer)
 {
   EXPECT_EQ(studyCsv(twoRuns()),
-            "A.particles,run,log,method,trials,successes,lost,converged_s,rmse_m,median_m,p95_m,heading_rmse_deg,ok_share,coverage_95\n"
+            "A.particles,run,log,method,trials,successes,lost,converged_s,rmse_m,median_m,p95_m,heading_rmse_deg,ok_"
+            "share,coverage_95\n"
             "100,room,first,particle_filter,3,2,1,2.0,0.200,0.100,0.400,,0.900,0.950\n"
             "\"a, b\",room 2,first,particle_filter,2,2,0,2.0,0.200,0.100,0.400,,0.900,0.950\n");
 }

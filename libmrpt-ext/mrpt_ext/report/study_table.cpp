@@ -81,7 +81,8 @@ std::string studyCsv(const std::vector<FinishedRun>& runs)
   const std::vector<std::string> settings = varied(runs);
   std::string table;
   for (const std::string& name : settings) table += textField(name) + ",";
-  table += "run,log,method,trials,successes,lost,converged_s,rmse_m,median_m,p95_m,heading_rmse_deg,ok_share,coverage_95\n";
+  table +=
+      "run,log,method,trials,successes,lost,converged_s,rmse_m,median_m,p95_m,heading_rmse_deg,ok_share,coverage_95\n";
   for (const FinishedRun& run : runs)
     for (const std::string& method : judgedMethods(run))
     {
