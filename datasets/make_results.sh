@@ -24,6 +24,11 @@ run() {
   [ "$status" -eq 0 ] || [ "$status" -eq 3 ] || exit "$status"
   folders+=("$folder")
 }
+# run_log NAME INI TRIALS: the same over the log of this name.
+run_log() {
+  local log=$out/logs/$1
+  run "$@" "$log.rawlog" --map "${log}_map.csv" --ground-truth "${log}_ground_truth.tum"
+}
 # study NAME INI TRIALS FORMAT INPUT [options]: the same over an imported recording, when it is there.
 study() {
   local name=$1 ini=$2 count=$3 format=$4 input=$5 log=$out/logs/$1
@@ -31,7 +36,7 @@ study() {
   [ -e "$input" ] || return 0
   mkdir -p "$out/logs"
   [ -e "$log.rawlog" ] || dataset2rawlog "$format" "$input" "$@" -q -o "$log.rawlog" 2>"$log.warnings"
-  run "$name" "$ini" "$count" "$log.rawlog" --map "${log}_map.csv" --ground-truth "${log}_ground_truth.tum"
+  run_log "$name" "$ini" "$count"
 }
 
 # images NAME INI OF_IMAGES TRIALS: the same over a shipped drive, from its images.
@@ -40,7 +45,7 @@ images() {
   mkdir -p "$out/logs"
   [ -e "$log.rawlog" ] || images2rawlog "$root/ini/images2rawlog/$3.ini" -i "$root/datasets/$name" -q -o "$log.rawlog" \
     2>"$log.warnings"
-  run "$name" "$ini" "$4" "$log.rawlog" --map "${log}_map.csv" --ground-truth "${log}_ground_truth.tum"
+  run_log "$name" "$ini" "$4"
 }
 # variants NAME INI FORMAT INPUT [options]: with names, without, bearings, bearings without names.
 variants() {

@@ -3,9 +3,9 @@
 #include <Eigen/Cholesky>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "mrpt_ext/geometry/angle.h"
+#include "mrpt_ext/geometry/log_probability.h"
 
 namespace mrpt_ext
 {
@@ -29,20 +29,14 @@ double logMarginal(const LinearEvidence& evidence, double variance)
 
 double placeVariance(const LinearEvidence& evidence, double assumed_std)
 {
-  double best = -std::numeric_limits<double>::infinity(), weights = 0, sum = 0;
-  std::array<double, kScales.size()> logs{};
-  for (std::size_t k = 0; k < kScales.size(); ++k)
+  double log_weights = kLogZero, log_squares = kLogZero;
+  for (const double scale : kScales)
   {
-    logs[k] = logMarginal(evidence, square(kScales[k] * assumed_std));
-    if (logs[k] > best) best = logs[k];
+    const double log_weight = logMarginal(evidence, square(scale * assumed_std));
+    if (!std::isfinite(log_weight)) continue;
+    log_weights = logSum(log_weights, log_weight);
+    log_squares = logSum(log_squares, log_weight + 2 * std::log(scale));
   }
-  for (std::size_t k = 0; k < kScales.size(); ++k)
-  {
-    const double weight = std::exp(logs[k] - best);
-    if (!(weight > 0)) continue;
-    weights += weight;
-    sum += weight * square(kScales[k]);
-  }
-  return square(assumed_std) * (weights > 0 ? sum / weights : 1);
+  return square(assumed_std) * (std::isfinite(log_weights) ? std::exp(log_squares - log_weights) : 1);
 }
 }  // namespace mrpt_ext
