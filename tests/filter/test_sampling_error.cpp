@@ -24,6 +24,12 @@ TEST(SamplingError, EnlargesTheCovarianceOfASmallSample)
   EXPECT_NEAR(corrected(error, 1, 0), 5.0 / 3, 1e-12) << "four particles at least";
 }
 
+TEST(SamplingError, CannotCorrectTheCovarianceOfThreeParticles)
+{
+  EXPECT_FALSE(SamplingError::corrects(3.9));
+  EXPECT_TRUE(SamplingError::corrects(4));
+}
+
 TEST(SamplingError, AccumulatesTheRemainingSamplingVariance)
 {
   SamplingError error;

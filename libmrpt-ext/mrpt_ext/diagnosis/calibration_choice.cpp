@@ -91,7 +91,7 @@ class ChoiceSearch
       if (noise_.moreOutliers(s) > 0) parts_.push_back({PartKind::outliers, {}, s});
     }
     for (const MotionNoise noise : {position_noise, heading_noise})
-      if (noise_.isMore(noise)) parts_.push_back({PartKind::odometry_noise, {}, 0, noise});
+      if (noise_.isOther(noise)) parts_.push_back({PartKind::odometry_noise, {}, 0, noise});
   }
 
   void addErrors()

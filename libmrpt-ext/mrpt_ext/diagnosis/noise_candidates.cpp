@@ -54,9 +54,17 @@ double NoiseCandidates::correlation(std::size_t sensor, bool is_range) const
   return power > 0 ? product / power : 1;
 }
 
-bool NoiseCandidates::isMore(MotionNoise noise) const
+bool NoiseCandidates::isOther(MotionNoise noise) const
 {
-  return !data_.problem.odometry.empty() && found_.odometry_scatter[noise] > kNoiseDiffers;
+  if (data_.problem.odometry.empty()) return false;
+  return found_.odometry_scatter[noise] > kNoiseDiffers || isLess(noise, found_);
+}
+
+bool NoiseCandidates::isLess(MotionNoise noise, const CalibrationResult& found) const
+{
+  const double scatter = found.odometry_scatter[noise];
+  return !config_.odometry_noise_stated && scatter < 1 / kNoiseDiffers &&
+         found.odometry_scatter_std[noise] < kToldNoise * scatter;
 }
 
 double NoiseCandidates::moreOutliers(std::size_t sensor) const
@@ -71,11 +79,9 @@ double NoiseCandidates::moreOutliers(std::size_t sensor) const
 PerMotionNoise<double> NoiseCandidates::odometryBeside(double scatter, const CalibrationResult& found) const
 {
   PerMotionNoise<double> odometry{1, 1};
-  if (scatter <= 1 || config_.odometry_noise_stated || data_.problem.odometry.empty()) return odometry;
+  if (scatter <= 1 || data_.problem.odometry.empty()) return odometry;
   for (const MotionNoise noise : {position_noise, heading_noise})
-    if (const double estimate = found.odometry_scatter[noise];
-        estimate < 1 / kNoiseDiffers && found.odometry_scatter_std[noise] < kToldNoise * estimate)
-      odometry[noise] = estimate;
+    if (isLess(noise, found)) odometry[noise] = found.odometry_scatter[noise];
   return odometry;
 }
 }  // namespace mrpt_ext

@@ -22,9 +22,8 @@ class NoiseCandidates
   /// see errors that last, for which a configured deviation may stand.
   [[nodiscard]] bool isOther(std::size_t sensor, bool is_range) const;
 
-  /// Never less by itself: the noise of odometry also stands for slips and for errors that last, which a prediction of
-  /// the next reading hardly shows.
-  [[nodiscard]] bool isMore(MotionNoise noise) const;
+  /// True where the noise of odometry may be another: less only where that of `config` is a default.
+  [[nodiscard]] bool isOther(MotionNoise noise) const;
 
   /// Share of outliers, where it is more than configured; else 0.
   [[nodiscard]] double moreOutliers(std::size_t sensor) const;
@@ -34,6 +33,7 @@ class NoiseCandidates
   [[nodiscard]] PerMotionNoise<double> odometryBeside(double scatter, const CalibrationResult& found) const;
 
  private:
+  [[nodiscard]] bool isLess(MotionNoise noise, const CalibrationResult& found) const;
   [[nodiscard]] double correlation(std::size_t sensor, bool is_range) const;
   [[nodiscard]] const SensorConfig& configured(std::size_t sensor) const;
 

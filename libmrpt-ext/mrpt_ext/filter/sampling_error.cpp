@@ -11,6 +11,8 @@ namespace
 constexpr double kMinEffectiveParticles = 4;  // particles
 }  // namespace
 
+bool SamplingError::corrects(double effective) { return effective >= kMinEffectiveParticles; }
+
 double SamplingError::remainder(const Matrix3d& before, const Matrix3d& predicted, const Matrix3d& after)
 {
   // An error e of the predicted mean is one of P M^-1 e after the measurement (M, P: covariance before and after it).

@@ -10,6 +10,9 @@ namespace mrpt_ext
 class SamplingError
 {
  public:
+  /// False where so few particles are effective that their covariance tells nothing.
+  [[nodiscard]] static bool corrects(double effective);
+
   /// Share of the mean's sampling variance that remains after a step; the variance is relative to the covariance of its
   /// time. Covariances: `before` the step, `predicted` by the motion, `after` the measurement.
   [[nodiscard]] static double remainder(const Matrix3d& before, const Matrix3d& predicted, const Matrix3d& after);
