@@ -13,7 +13,7 @@ namespace
 constexpr double kNoiseDiffers = 1.2;             // of deviations, either way
 constexpr std::size_t kLeastNoiseReadings = 100;  // of a sensor, for its noise
 constexpr double kToldNoise = 0.5;                // standard deviation of odometry's noise over the noise
-constexpr double kIndependent = 0.3;              // autocorrelation of successive misfits
+constexpr double kCorrelated = 2;                 // standard deviations of an autocorrelation
 constexpr double kMostOutlierShare = 0.5;
 }  // namespace
 
@@ -32,14 +32,15 @@ bool NoiseCandidates::isOther(std::size_t sensor, bool is_range) const
   const double scatter = is_range ? found.range : found.bearing;
   const bool is_configured = is_range ? now.std_range.has_value() : now.std_bearing.has_value();
   return scatter > kNoiseDiffers ||
-         (scatter < 1 / kNoiseDiffers && !is_configured && correlation(sensor, is_range) < kIndependent);
+         (scatter < 1 / kNoiseDiffers && !is_configured && !haveLastingErrors(sensor, is_range));
 }
 
-/// Autocorrelation of successive misfits of one landmark, by one sensor.
-double NoiseCandidates::correlation(std::size_t sensor, bool is_range) const
+/// True where successive misfits of one landmark, by one sensor, are correlated. Those of independent errors are not,
+/// or negatively, since the trajectory took up a part of each; of errors that last it took up most.
+bool NoiseCandidates::haveLastingErrors(std::size_t sensor, bool is_range) const
 {
   std::map<std::size_t, double> before;  // by landmark
-  double product = 0, power = 0;
+  double product = 0, power = 0, pairs = 0;
   for (std::size_t i = 0; i < found_.misfits.size(); ++i)
   {
     const CalibrationReading& r = data_.problem.readings[i];
@@ -49,9 +50,10 @@ double NoiseCandidates::correlation(std::size_t sensor, bool is_range) const
     if (is_new) continue;
     product += last->second * misfit;
     power += square(misfit);
+    ++pairs;
     last->second = misfit;
   }
-  return power > 0 ? product / power : 1;
+  return product * std::sqrt(pairs) > kCorrelated * power || power == 0;
 }
 
 bool NoiseCandidates::isOther(MotionNoise noise) const
