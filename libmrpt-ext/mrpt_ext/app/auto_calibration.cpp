@@ -60,6 +60,17 @@ std::vector<CalibratedValue> leverArmStds(const std::vector<CalibrationFinding>&
       stds.push_back({section, "lever_arm_std_m", fixedText(std::sqrt(sum / 2), 3), std::sqrt(sum) / 2});
   return stds;
 }
+
+/// Mean log density of a reading that ranges gain which are other than configured: depths, or none.
+double gainOfDepths(const CalibrationData& data)
+{
+  double gain = 0;
+  for (const DepthHypothesis& hypothesis : data.depths)
+    if (hypothesis.likelier != hypothesis.configured) gain += hypothesis.gain.gain;
+  return gain / static_cast<double>(data.problem.readings.size());
+}
+
+std::string deviationText(double std) { return std > 0 ? formatted("  ; +- %.2g", std) : ""; }
 }  // namespace
 
 bool isAutoCalibrated(const LocalizationInput& input)
@@ -78,9 +89,10 @@ std::optional<AutoCalibration> autoCalibration(const Settings& settings, const L
   const CalibrationData data = collectCalibrationData(input, pass.trajectory);
   const std::vector<CalibrationUnknown> unknowns = calibrationUnknowns(input, data);
   const CalibrationChoice choice = chooseCalibration(data, unknowns, input.config);
-  if (choice.empty()) return std::nullopt;
+  const double gain_of_depths = gainOfDepths(data);
+  if (choice.empty() && gain_of_depths == 0) return std::nullopt;
   AutoCalibration result{settings, {.before = pass.row, .log_density_after = choice.calibrated}};
-  result.adopted.before.log_density = choice.configured;
+  result.adopted.before.log_density = choice.configured - gain_of_depths;
   const std::vector<CalibrationFinding> adopted = adoptedFindings(choice, data, input.config);
   for (const CalibrationFinding& finding : adopted)
     result.adopted.values.push_back({finding.line.section, finding.line.key, finding.line.value, finding.std});
@@ -98,7 +110,7 @@ std::string calibrationIni(const AdoptedCalibration& adopted)
 {
   std::vector<IniAssignment> lines;
   for (const CalibratedValue& value : adopted.values)
-    lines.push_back({value.section, value.key, formatted("%s  ; +- %.2g", value.value.c_str(), value.std)});
+    lines.push_back({value.section, value.key, value.value + deviationText(value.std)});
   for (const CalibratedValue& value : adopted.told)
     lines.push_back(
         {value.section, "; " + value.key,

@@ -45,7 +45,7 @@ std::vector<CalibrationFinding> adoptedFindings(const CalibrationChoice& choice,
   errors.errors.resize(choice.errors.size());
   std::vector<CalibrationFinding> adopted;
   for (const CalibrationFinding& finding : calibrationFindings(errors, data, config))
-    if (finding.why_not_observable.empty()) adopted.push_back(finding);
+    if (finding.why_not_observable.empty() && (finding.differs || !finding.is_flag)) adopted.push_back(finding);
   for (CalibrationFinding& finding : noiseFindings(errors, data, config))
   {
     if (!finding.why_not_observable.empty() || !(finding.estimate > 0) ||
@@ -74,7 +74,7 @@ std::vector<CalibrationFinding> bearingOffsetFindings(const CalibrationChoice& c
   if (errors.status != SolveStatus::ok) return {};
   errors.errors.resize(offsets.size());
   std::vector<CalibrationFinding> found = calibrationFindings(errors, data, config);
-  std::erase_if(found, [](const CalibrationFinding& finding) { return !finding.differs; });
+  std::erase_if(found, [](const CalibrationFinding& finding) { return finding.is_flag || !finding.differs; });
   return found;
 }
 }  // namespace mrpt_ext

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "mrpt_ext/diagnosis/bias_parameter.h"
+#include "mrpt_ext/diagnosis/configured_model.h"
 #include "mrpt_ext/diagnosis/noise_candidates.h"
 #include "mrpt_ext/diagnosis/partial_calibration.h"
 
@@ -46,9 +46,6 @@ bool belongTogether(const CalibrationUnknown& a, const CalibrationUnknown& b)
   return a.sensor == b.sensor && (of_ranges || (isOfLandmark(a) && isOfLandmark(b)));
 }
 
-/// The pose in the middle of the readings.
-std::size_t middleOf(const CalibrationProblem& problem) { return problem.readings[problem.readings.size() / 2].pose; }
-
 class ChoiceSearch
 {
  public:
@@ -75,8 +72,9 @@ class ChoiceSearch
       best = densitiesOf(parts_, found_);
     }
     CalibrationChoice chosen = choice(configured, best);
-    if (!(chosen.calibrated > chosen.configured)) return {};
-    return chosen;
+    if (chosen.calibrated > chosen.configured) return chosen;
+    parts_.clear();
+    return choice(configured, configured);
   }
 
  private:
@@ -211,32 +209,9 @@ class ChoiceSearch
     return rest;
   }
 
-  [[nodiscard]] RecordingModel configuredModel() const
-  {
-    RecordingModel model;
-    for (const CalibrationUnknown& unknown : unknowns_)
-    {
-      AssumedError error{.unknown = unknown};
-      double variance = 0, walk = 0;
-      for (const BiasState& bias : config_.biases)
-      {
-        if (!isTheSame(bias, unknown, data_.sensors[unknown.sensor])) continue;
-        error.mean += bias.mean;
-        variance += square(bias.std);
-        walk += square(bias.std_per_sqrt_s);
-      }
-      error.std = std::sqrt(variance);
-      error.std_per_sqrt_s = std::sqrt(walk);
-      model.errors.push_back(error);
-    }
-    for (const std::string& label : data_.sensors)
-      model.sensors.push_back({.outliers = configOf(config_.frames.sensors, label).clutter_probability});
-    return model;
-  }
-
   [[nodiscard]] std::vector<double> densitiesOf(const std::vector<Part>& parts, const CalibrationResult& found) const
   {
-    RecordingModel model = configuredModel();
+    RecordingModel model = configuredModel(data_, unknowns_, config_);
     for (const Part& part : parts)
     {
       for (const std::size_t k : part.errors) model.errors[k].mean = found.errors[k].value;
@@ -250,8 +225,7 @@ class ChoiceSearch
       for (const MotionNoise n : {position_noise, heading_noise})
         if (beside[n] < 1) model.odometry[n] = beside[n];
     }
-    std::erase_if(model.errors, [](const AssumedError& error)
-                  { return error.mean == 0 && error.std == 0 && error.std_per_sqrt_s == 0; });
+    std::erase_if(model.errors, isNone);
     // Errors that are estimated on the way need the first half to settle.
     const bool settles =
         std::any_of(model.errors.begin(), model.errors.end(),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "mrpt_ext/diagnosis/configured_model.h"
 #include "mrpt_ext/diagnosis/detection_association.h"
 #include "mrpt_ext/diagnosis/link_noise.h"
 
@@ -132,6 +133,13 @@ std::set<std::size_t> radiosOf(const CalibrationData& data, std::size_t sensor)
   if (radios.size() > kMostRadios || ranges < kLeastRanges * radios.size()) radios.clear();
   return radios;
 }
+
+std::vector<bool> areDepths(const CalibrationData& data, const SensorConfigs& sensors)
+{
+  std::vector<bool> depths;
+  for (const std::string& label : data.sensors) depths.push_back(configOf(sensors, label).range_along_axis);
+  return depths;
+}
 }  // namespace
 
 CalibrationData collectCalibrationData(const LocalizationInput& input, const std::vector<PoseEstimate>& trajectory)
@@ -153,6 +161,10 @@ CalibrationData collectCalibrationData(const LocalizationInput& input, const std
   CalibrationData data = builder.take();
   data.verified = std::any_of(trajectory.begin(), trajectory.end(),
                               [](const PoseEstimate& point) { return point.verdict == Verdict::ok; });
+  const std::vector<CalibrationUnknown> unknowns = calibrationUnknowns(input, data);
+  RecordingModel model = configuredModel(data, unknowns, input.config);
+  model.errors.clear();
+  data.depths = chooseDepths(data.problem, areDepths(data, input.config.frames.sensors), unknowns, model);
   return data;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mrpt_ext/calibration/calibration_problem.h"
+#include "mrpt_ext/diagnosis/depth_hypothesis.h"
 #include "mrpt_ext/evaluation/run_record.h"
 #include "mrpt_ext/experiment/localization_input.h"
 
@@ -25,13 +26,14 @@ struct CalibrationData
   std::vector<int> ids;                     ///< of the landmarks, by number in the map
   std::vector<bool> identified;             ///< by sensor: all its readings carry the id of their landmark
   std::vector<UnmatchedReading> unmatched;  ///< ordered by pose
+  std::vector<DepthHypothesis> depths;      ///< of the sensors for which this is a question, ranges as is likelier
   std::size_t ambiguous = 0;                ///< detections left out because several landmarks are near
   bool verified = false;                    ///< at least one estimate of the trajectory was `ok`
 };
 
 /// One pose per stamp near an estimate of `trajectory`, and more in between where odometry bridges a gap, for the first
-/// 100 000 readings. Anonymous detections are associated with the only landmark within their gate. Never uses the
-/// truth.
+/// 100 000 readings. Anonymous detections are associated with the only landmark within their gate. What is
+/// configured as the range and was the depth, or the other way round, is converted. Never uses the truth.
 [[nodiscard]] CalibrationData collectCalibrationData(const LocalizationInput& input,
                                                      const std::vector<PoseEstimate>& trajectory);
 

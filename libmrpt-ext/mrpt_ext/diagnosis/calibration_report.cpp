@@ -223,6 +223,28 @@ std::optional<CalibrationFinding> landmarkOffsets(const CalibrationResult& error
   found.differs = in_deviations > count + kSignificant * std::sqrt(2 * count);
   return found;
 }
+
+CalibrationFinding depthFinding(const DepthHypothesis& hypothesis, const std::string& label)
+{
+  const bool is_told = hypothesis.gain.gain > kSignificant * hypothesis.gain.std;
+  return {.what = label + ": ranges are depths along its axis",
+          .configured = hypothesis.configured ? 1.0 : 0,
+          .estimate = hypothesis.likelier ? 1.0 : 0,
+          .is_flag = true,
+          .why_not_observable = is_told ? "" : "either predicts the log as well",
+          .line = {"Sensor_" + label, "range_along_axis", hypothesis.likelier ? "true" : "false"},
+          .differs = hypothesis.likelier != hypothesis.configured};
+}
+
+/// Value of a finding with its standard deviation, and the configured one.
+std::pair<std::string, std::string> valuesOf(const CalibrationFinding& found)
+{
+  const auto flag = [](double value) { return value != 0 ? "yes" : "no"; };
+  if (found.is_flag) return {flag(found.estimate), flag(found.configured)};
+  const std::string unit = found.unit.empty() ? "" : " " + found.unit;
+  return {fixedText(found.estimate, found.decimals) + " +- " + fixedText(found.std, found.decimals) + unit,
+          fixedText(found.configured, found.decimals) + unit};
+}
 }  // namespace
 
 void settleLine(CalibrationFinding& found, bool differs)
@@ -248,6 +270,8 @@ std::vector<CalibrationFinding> calibrationFindings(const CalibrationResult& err
                     shared[j].unknown.sensor == shared[k].unknown.sensor && differs(findings[j]));
     settleLine(findings[k], set);
   }
+  for (const DepthHypothesis& hypothesis : data.depths)
+    findings.push_back(depthFinding(hypothesis, data.sensors[hypothesis.sensor]));
   for (std::size_t s = 0; s < data.sensors.size(); ++s)
     if (const auto found = landmarkOffsets(errors, s, data, config)) findings.push_back(*found);
   return findings;
@@ -286,10 +310,8 @@ std::vector<std::string> findingsTable(const std::vector<CalibrationFinding>& fi
   std::vector<std::vector<std::string>> rows{{"", "estimated", "configured", ""}};
   for (const CalibrationFinding& f : findings)
   {
-    const std::string unit = f.unit.empty() ? "" : " " + f.unit;
-    const std::string estimate = fixedText(f.estimate, f.decimals) + " +- " + fixedText(f.std, f.decimals) + unit;
-    rows.push_back({f.what, f.why_not_observable.empty() ? estimate : "not observable",
-                    fixedText(f.configured, f.decimals) + unit,
+    const auto [estimate, now] = valuesOf(f);
+    rows.push_back({f.what, f.why_not_observable.empty() ? estimate : "not observable", now,
                     !f.why_not_observable.empty() ? f.why_not_observable
                     : f.differs                   ? "set [" + f.line.section + "] " + f.line.key + " = " + f.line.value
                     : !f.remark.empty()           ? f.remark

@@ -20,6 +20,7 @@ struct CalibrationFinding
   double estimate = 0;  ///< from the log
   double std = 0;       ///< of the estimate
   int decimals = 3;
+  bool is_flag = false;            ///< values are 0: no, or 1: yes
   std::string why_not_observable;  ///< empty: observable
   IniAssignment line;              ///< that sets the estimate
   bool differs = false;            ///< significantly: the line should be set

@@ -4,6 +4,8 @@
 
 namespace mrpt_ext
 {
+std::size_t middleOf(const CalibrationProblem& problem) { return problem.readings[problem.readings.size() / 2].pose; }
+
 CalibrationProblem firstPart(const CalibrationProblem& problem, std::size_t end)
 {
   CalibrationProblem part = problem;

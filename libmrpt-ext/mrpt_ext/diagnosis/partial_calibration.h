@@ -6,6 +6,9 @@
 
 namespace mrpt_ext
 {
+/// Number of the pose in the middle of the readings.
+[[nodiscard]] std::size_t middleOf(const CalibrationProblem& problem);
+
 /// The poses up to `end`, and their readings.
 [[nodiscard]] CalibrationProblem firstPart(const CalibrationProblem& problem, std::size_t end);
 

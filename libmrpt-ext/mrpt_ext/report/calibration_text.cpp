@@ -29,7 +29,7 @@ std::vector<Cells> calibrationRows(const RunContext& context, const RunScore& sc
           calibrationCells("calibrated", calibratedRow(context, score))};
 }
 
-std::string deviationText(const CalibratedValue& value) { return formatted("%.2g", value.std); }
+std::string deviationText(const CalibratedValue& value) { return value.std > 0 ? formatted("%.2g", value.std) : ""; }
 }  // namespace
 
 CalibrationRow calibratedRow(const RunContext& context, const RunScore& score)
@@ -45,7 +45,8 @@ std::string calibrationText(const RunContext& context, const RunScore& score)
   if (!context.calibration) return {};
   std::string text = "calibrated from the log, without the truth (auto_calibrate = false runs as configured):\n";
   for (const CalibratedValue& value : context.calibration->values)
-    text += "  [" + value.section + "] " + value.key + " = " + value.value + " +- " + deviationText(value) + '\n';
+    text += "  [" + value.section + "] " + value.key + " = " + value.value +
+            (value.std > 0 ? " +- " + deviationText(value) : "") + '\n';
   std::vector<Cells> rows = calibrationRows(context, score);
   rows.insert(rows.begin(), kCalibrationTitles);
   for (const Cells& row : rows)

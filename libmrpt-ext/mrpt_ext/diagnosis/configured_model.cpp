@@ -1,0 +1,34 @@
+#include "mrpt_ext/diagnosis/configured_model.h"
+
+#include <cmath>
+
+#include "mrpt_ext/diagnosis/bias_parameter.h"
+
+namespace mrpt_ext
+{
+RecordingModel configuredModel(const CalibrationData& data, const std::vector<CalibrationUnknown>& unknowns,
+                               const LocalizationConfig& config)
+{
+  RecordingModel model;
+  for (const CalibrationUnknown& unknown : unknowns)
+  {
+    AssumedError error{.unknown = unknown};
+    double variance = 0, walk = 0;
+    for (const BiasState& bias : config.biases)
+    {
+      if (!isTheSame(bias, unknown, data.sensors[unknown.sensor])) continue;
+      error.mean += bias.mean;
+      variance += square(bias.std);
+      walk += square(bias.std_per_sqrt_s);
+    }
+    error.std = std::sqrt(variance);
+    error.std_per_sqrt_s = std::sqrt(walk);
+    model.errors.push_back(error);
+  }
+  for (const std::string& label : data.sensors)
+    model.sensors.push_back({.outliers = configOf(config.frames.sensors, label).clutter_probability});
+  return model;
+}
+
+bool isNone(const AssumedError& error) { return error.mean == 0 && error.std == 0 && error.std_per_sqrt_s == 0; }
+}  // namespace mrpt_ext

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "mrpt_ext/calibration/calibration_problem.h"
+#include "mrpt_ext/calibration/predictive_likelihood.h"
+
+namespace mrpt_ext
+{
+/// Whether the ranges of a sensor are depths along its forward axis: cameras measure either, and which one is seldom
+/// stated. Sensors that see to the side cannot measure depths; theirs are not in question.
+struct DepthHypothesis
+{
+  std::size_t sensor = 0;
+  bool configured = false, likelier = false;
+  PredictiveGain gain;  ///< of the likelier hypothesis over the other
+};
+
+/// One per sensor that measures bearings and ranges in a narrow field of view. `problem`: ranges by `is_depth`, what is
+/// configured for each sensor; they are replaced where the other hypothesis predicts the second half of the recording
+/// significantly better. With either, `unknowns` and noise are those that the first half tells with it: a wrong scale
+/// would look like the wrong kind of range. `model`: what is assumed of outliers, and of errors without those.
+[[nodiscard]] std::vector<DepthHypothesis> chooseDepths(CalibrationProblem& problem, const std::vector<bool>& is_depth,
+                                                        const std::vector<CalibrationUnknown>& unknowns,
+                                                        const RecordingModel& model);
+}  // namespace mrpt_ext
