@@ -37,6 +37,11 @@ enum class CalibrationParameter
   return parameter == CalibrationParameter::range_offset || parameter == CalibrationParameter::range_scale;
 }
 
+[[nodiscard]] constexpr bool isLeverArm(CalibrationParameter parameter)
+{
+  return parameter == CalibrationParameter::lever_arm_x || parameter == CalibrationParameter::lever_arm_y;
+}
+
 /// A parameter to estimate; the sensor counts for parameters of a sensor only, the landmark for landmark_offset.
 struct CalibrationUnknown
 {

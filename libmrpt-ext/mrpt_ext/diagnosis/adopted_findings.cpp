@@ -35,6 +35,17 @@ std::vector<CalibrationUnknown> estimatedBy(const CalibrationChoice& choice)
   unknowns.insert(unknowns.end(), choice.beside.begin(), choice.beside.end());
   return unknowns;
 }
+
+/// Lever arms that differ, of those estimated beside the first `chosen` errors.
+std::vector<CalibrationFinding> placeFindings(CalibrationResult errors, std::size_t chosen, const CalibrationData& data,
+                                              const LocalizationConfig& config)
+{
+  errors.errors.erase(errors.errors.begin(), errors.errors.begin() + static_cast<std::ptrdiff_t>(chosen));
+  std::erase_if(errors.errors, [](const ParameterEstimate& error) { return !isLeverArm(error.unknown.parameter); });
+  std::vector<CalibrationFinding> places = calibrationFindings(errors, data, config);
+  std::erase_if(places, [](const CalibrationFinding& finding) { return finding.is_flag || !finding.differs; });
+  return places;
+}
 }  // namespace
 
 std::vector<CalibrationFinding> adoptedFindings(const CalibrationChoice& choice, const CalibrationData& data,
@@ -42,8 +53,8 @@ std::vector<CalibrationFinding> adoptedFindings(const CalibrationChoice& choice,
 {
   CalibrationResult errors = calibrate(data.problem, estimatedBy(choice));
   if (errors.status != SolveStatus::ok) return {};
+  std::vector<CalibrationFinding> adopted = placeFindings(errors, choice.errors.size(), data, config);
   errors.errors.resize(choice.errors.size());
-  std::vector<CalibrationFinding> adopted;
   for (const CalibrationFinding& finding : calibrationFindings(errors, data, config))
     if (finding.why_not_observable.empty() && (finding.differs || !finding.is_flag)) adopted.push_back(finding);
   for (CalibrationFinding& finding : noiseFindings(errors, data, config))

@@ -39,6 +39,8 @@ bool isOfLandmark(const CalibrationUnknown& unknown)
   return unknown.parameter == CalibrationParameter::landmark_offset;
 }
 
+bool isOfPlace(const CalibrationUnknown& unknown) { return isLeverArm(unknown.parameter); }
+
 /// Errors that are only told together.
 bool belongTogether(const CalibrationUnknown& a, const CalibrationUnknown& b)
 {
@@ -160,8 +162,9 @@ class ChoiceSearch
     return !part.errors.empty() && isOfLandmark(unknowns_[part.errors.front()]);
   }
 
-  /// Numbers of the offsets of landmarks that are estimated beside `parts`: what the landmarks of a sensor share is
-  /// only known as well as they agree.
+  /// Numbers of what is estimated beside `parts` where ranges of a sensor err: offsets of its landmarks, which share
+  /// only what they agree on, and its place, since whoever sees ahead takes ranges that are too long for a sensor that
+  /// is further back.
   [[nodiscard]] std::vector<std::size_t> besides(const std::vector<Part>& parts) const
   {
     const auto has = [&](std::size_t sensor, const auto& is_it)
@@ -172,9 +175,10 @@ class ChoiceSearch
     };
     std::vector<std::size_t> numbers;
     for (std::size_t k = 0; k < unknowns_.size(); ++k)
-      if (const std::size_t sensor = unknowns_[k].sensor;
-          isOfLandmark(unknowns_[k]) && has(sensor, isShared) && !has(sensor, isOfLandmark))
-        numbers.push_back(k);
+      for (const auto& is_it : {isOfLandmark, isOfPlace})
+        if (const std::size_t sensor = unknowns_[k].sensor;
+            is_it(unknowns_[k]) && has(sensor, isShared) && !has(sensor, is_it))
+          numbers.push_back(k);
     return numbers;
   }
 

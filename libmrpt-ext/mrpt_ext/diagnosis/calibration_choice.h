@@ -21,7 +21,7 @@ struct NoiseChoice
 struct CalibrationChoice
 {
   std::vector<CalibrationUnknown> errors;
-  std::vector<CalibrationUnknown> beside;  ///< to be estimated with them, and not adopted: what landmarks differ by
+  std::vector<CalibrationUnknown> beside;  ///< to be estimated with them; lever arms are adopted where they differ
   NoiseChoice noise;
   /// Mean log density of a reading of the second half: as configured, and with what was estimated from the first. A
   /// reading that no landmark is near adds the log probability of an outlier.
