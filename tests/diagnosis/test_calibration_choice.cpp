@@ -115,6 +115,76 @@ TEST(CalibrationChoice, NoiseOfASensorIsNotHiddenByADefaultOfOdometry)
   EXPECT_GT(choice.calibrated, choice.configured);
 }
 
+TEST(CalibrationChoice, ADefaultOfOdometryThatIsTooLargeIsLowered)
+{
+  DrivePlan plan = radios();
+  plan.bearings = true;
+  CalibrationData data = recorded(plan, 1);
+  for (TrajectoryPose& pose : data.problem.poses)
+    if (pose.since_previous)
+      for (Matrix3d& covariance : *pose.since_previous) covariance *= square(3.0);
+  LocalizationConfig config;
+  const std::vector<CalibrationUnknown> unknowns{{Kind::distance_scale}, {Kind::delay}};
+  EXPECT_TRUE(chooseCalibration(data, unknowns, config).empty()) << "stated noise stands for slips, too";
+  config.odometry_noise_stated = false;
+  const CalibrationChoice choice = chooseCalibration(data, unknowns, config);
+  EXPECT_TRUE(choice.noise.odometry[position_noise]);
+  EXPECT_TRUE(choice.noise.odometry[heading_noise]);
+  EXPECT_FALSE(choice.noise.bearings[0]);
+  for (const CalibrationFinding& finding : adoptedFindings(choice, data, config))
+    EXPECT_NEAR(finding.estimate, finding.configured / 3, 0.2 * finding.configured / 3) << finding.what;
+}
+
+TEST(CalibrationChoice, NoiseThatNobodyStatedIsLoweredUnlessErrorsLast)
+{
+  DrivePlan plan = radios();
+  plan.outliers = 0;
+  plan.std_distance_per_root_s = plan.std_turn_per_root_s = 0.002;
+  for (const bool lasts : {false, true})
+  {
+    CalibrationData data = recorded(plan, 1);
+    RandomStream random(2, 3);
+    std::vector<double> lasting(plan.landmarks.size(), 0);  // [m] by landmark
+    for (CalibrationReading& r : data.problem.readings)
+    {
+      double& error = lasting[r.landmark_number];
+      error += 0.2 * (plan.std_range * random.gaussian() - error);
+      if (lasts) r.value += 2 * error;
+      r.std *= 2;
+    }
+    EXPECT_EQ(chooseCalibration(data, {{Kind::distance_scale}}, {}).noise.ranges[0], !lasts);
+  }
+}
+
+TEST(CalibrationChoice, ThePlaceOfASensorIsAdoptedWithItsRangeOffset)
+{
+  DrivePlan plan = radios();
+  plan.bearings = true;
+  plan.landmarks_seen = 5;
+  plan.field_of_view = degToRad(70.0);
+  plan.range_offset = 0.2;
+  for (const double forward : {0.1, 0.0})
+  {
+    plan.lever_arm = {forward, 0};
+    const CalibrationData data = recorded(plan, 1);
+    const std::vector<CalibrationUnknown> unknowns{
+        {Kind::range_offset}, {Kind::range_scale}, {Kind::lever_arm_x}, {Kind::lever_arm_y}};
+    const CalibrationChoice choice = chooseCalibration(data, unknowns, {});
+    EXPECT_TRUE(has(choice, Kind::range_offset));
+    const std::vector<CalibrationFinding> adopted = adoptedFindings(choice, data, {});
+    const auto place =
+        std::find_if(adopted.begin(), adopted.end(),
+                     [](const CalibrationFinding& finding) { return finding.line.key == "lever_arm_x_m"; });
+    ASSERT_EQ(place != adopted.end(), forward > 0);
+    if (forward > 0)
+    {
+      EXPECT_NEAR(place->estimate, forward, 4 * place->std);
+      EXPECT_EQ(adopted.back().line.key, "lever_arm_std_m");
+      EXPECT_NEAR(adopted.back().estimate, place->estimate / std::sqrt(2.0), 1e-9);
+    }
+  }
+}
+
 TEST(CalibrationChoice, AnOffsetOfBearingsIsToldBesideWhatIsAdopted)
 {
   DrivePlan plan;

@@ -98,6 +98,7 @@ class UncalibratedLog
             {"landmark_bias_range_m", 0},  // root mean square over the landmarks
             {"std_bearing_deg", radToDeg(camera.std_bearing)},
             {"std_range_m", camera.std_range},
+            {"range_along_axis", 0},
             {"clutter_probability", camera.clutter_per_reading * readings_ / detections_},
             {"std_xy_per_m", noise * stated.std_xy_per_m},
             {"std_phi_deg_per_deg", noise * stated.std_phi_per_deg},
@@ -131,7 +132,7 @@ void addLine(const CalibrationFinding& finding, double truth, LineTally& tally)
   tally.within += std::abs(error) <= kWithin * finding.std ? 1 : 0;
   tally.errors += square(error);
   tally.deviations += square(finding.std);
-  tally.misfits += square(error / finding.std);
+  tally.misfits += error == 0 ? 0 : square(error / finding.std);  // a yes or no has no deviation
   if (!finding.differs) return;
   ++tally.set;
   tally.improved += improves(finding, truth) ? 1 : 0;
@@ -159,6 +160,7 @@ bool addLog(std::uint64_t seed, Tallies& tallies, std::ostream* lines)
       chooseCalibration(diagnosis.data, calibrationUnknowns(input, diagnosis.data), input.config);
   for (const CalibrationFinding& finding : adoptedFindings(choice, diagnosis.data, input.config))
   {
+    if (!truth.contains(finding.line.key)) continue;  // how well places are stated
     LineTally& tally = tallies[finding.line.key];
     ++tally.adopted;
     tally.adopted_improved += improves(finding, truth.at(finding.line.key)) ? 1 : 0;

@@ -14,7 +14,9 @@ struct DrivePlan
   double duration = 120, rate = 5;  // [s], poses per second
   double speed = 0.4, weave = 0.6;  // [m/s], [rad/s] largest turn rate
   bool bearings = true, ranges = true;
-  int landmarks_seen = 3;  // per reading, in turn
+  int landmarks_seen = 3;     // per reading, in turn
+  double field_of_view = 10;  // [rad] around ahead
+  bool depths = false;        // ranges are distances along the axis of the sensor
   std::vector<Vector2d> landmarks{{-4, -3}, {4, -3.5}, {5, 3}, {-3, 4}, {0.5, 5}};
   double std_bearing = degToRad(0.7), std_range = 0.05;
   double outliers = 0.03;  // share
@@ -105,20 +107,23 @@ inline CalibrationProblem recordedDrive(const DrivePlan& plan, RandomStream& ran
       const std::size_t number = next_landmark++ % plan.landmarks.size();
       CalibrationReading r{
           .pose = problem.poses.size() - 1, .landmark = plan.landmarks[number], .landmark_number = number};
+      const double bearing = predictBearing(seen_from, r.landmark, T_robot_sensor);
+      if (std::abs(bearing) > plan.field_of_view / 2) continue;
       const bool wrong = random.chance(plan.outliers);
       if (plan.bearings)
       {
         r.std = plan.std_bearing;
-        r.value = wrap(predictBearing(seen_from, r.landmark, T_robot_sensor) + plan.bearing_offset +
-                       r.std * random.gaussian() + (wrong ? random.uniform(0.2, 2) : 0));
+        r.value =
+            wrap(bearing + plan.bearing_offset + r.std * random.gaussian() + (wrong ? random.uniform(0.2, 2) : 0));
         problem.readings.push_back(r);
       }
       if (!plan.ranges) continue;
       r.is_range = true;
       r.std = plan.std_range;
-      r.value = (1 + plan.range_scale) * std::hypot(predictRange(seen_from, r.landmark, T_robot_sensor), plan.height) +
-                plan.range_offset + (plan.landmark_offsets.empty() ? 0 : plan.landmark_offsets[number]) +
-                r.std * random.gaussian() + (wrong ? random.uniform(0.5, 3) : 0);
+      const double slant = std::hypot(predictRange(seen_from, r.landmark, T_robot_sensor), plan.height);
+      r.value = (1 + plan.range_scale) * slant * (plan.depths ? std::cos(bearing) : 1) + plan.range_offset +
+                (plan.landmark_offsets.empty() ? 0 : plan.landmark_offsets[number]) + r.std * random.gaussian() +
+                (wrong ? random.uniform(0.5, 3) : 0);
       if (plan.hidden > 0) r.value += lateness(plan, guess, late[number], random);
       problem.readings.push_back(r);
     }

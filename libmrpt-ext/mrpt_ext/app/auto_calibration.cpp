@@ -1,16 +1,12 @@
 #include "mrpt_ext/app/auto_calibration.h"
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 
 #include "mrpt_ext/app/progress_line.h"
 #include "mrpt_ext/diagnosis/adopted_findings.h"
 #include "mrpt_ext/diagnosis/calibration_trajectory.h"
 #include "mrpt_ext/evaluation/run_scoring.h"
 #include "mrpt_ext/experiment/trial_runner.h"
-#include "mrpt_ext/files/number_format.h"
-#include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/geometry/formatted.h"
 
 namespace mrpt_ext
@@ -18,7 +14,7 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kLeastDuration = 60;  // [s]
-const std::string kFilterName = "particle_filter", kSensorSection = "Sensor_";
+const std::string kFilterName = "particle_filter";
 
 struct FirstPass
 {
@@ -44,21 +40,6 @@ FirstPass firstPass(const LocalizationInput& input, bool show_progress)
               .shares = score.verdict_shares,
               .position_rmse_m = score.methods.front().position_error_m.rmse};
   return pass;
-}
-
-/// How well the places of sensors on the robot were stated that turned out to be others: turns tell a sensor from the
-/// point that odometry follows, and not which of the two is where the robot's point is. Nothing where it is configured.
-std::vector<CalibratedValue> leverArmStds(const std::vector<CalibrationFinding>& adopted, const SensorConfigs& sensors)
-{
-  std::map<std::string, double> squares;  // [m^2] of a section, both axes
-  for (const CalibrationFinding& finding : adopted)
-    if (finding.line.key == "lever_arm_x_m" || finding.line.key == "lever_arm_y_m")
-      squares[finding.line.section] += square(finding.estimate - finding.configured);
-  std::vector<CalibratedValue> stds;
-  for (const auto& [section, sum] : squares)
-    if (!configOf(sensors, section.substr(kSensorSection.size())).lever_arm_std)
-      stds.push_back({section, "lever_arm_std_m", fixedText(std::sqrt(sum / 2), 3), std::sqrt(sum) / 2});
-  return stds;
 }
 
 /// Mean log density of a reading that ranges gain which are other than configured: depths, or none.
@@ -93,11 +74,8 @@ std::optional<AutoCalibration> autoCalibration(const Settings& settings, const L
   if (choice.empty() && gain_of_depths == 0) return std::nullopt;
   AutoCalibration result{settings, {.before = pass.row, .log_density_after = choice.calibrated}};
   result.adopted.before.log_density = choice.configured - gain_of_depths;
-  const std::vector<CalibrationFinding> adopted = adoptedFindings(choice, data, input.config);
-  for (const CalibrationFinding& finding : adopted)
+  for (const CalibrationFinding& finding : adoptedFindings(choice, data, input.config))
     result.adopted.values.push_back({finding.line.section, finding.line.key, finding.line.value, finding.std});
-  for (const CalibratedValue& value : leverArmStds(adopted, input.config.frames.sensors))
-    result.adopted.values.push_back(value);
   for (const CalibratedValue& value : result.adopted.values)
     result.settings.set(value.section, value.key, value.value, "auto_calibrate");
   if (result.adopted.values.empty()) return std::nullopt;

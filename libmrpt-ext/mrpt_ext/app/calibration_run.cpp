@@ -5,6 +5,7 @@
 #include "mrpt_ext/app/calibrated_file.h"
 #include "mrpt_ext/app/exit_codes.h"
 #include "mrpt_ext/diagnosis/log_diagnosis.h"
+#include "mrpt_ext/diagnosis/place_deviation.h"
 #include "mrpt_ext/experiment/clock_check.h"
 #include "mrpt_ext/files/atomic_file.h"
 #include "mrpt_ext/files/number_format.h"
@@ -37,11 +38,12 @@ std::string headline(const LocalizationInput& input, const CalibrationData& data
   return text + "; the truth was not used";
 }
 
-std::vector<IniAssignment> linesToSet(const std::vector<CalibrationFinding>& findings)
+std::vector<IniAssignment> linesToSet(std::vector<CalibrationFinding> findings, const SensorConfigs& sensors)
 {
+  std::erase_if(findings, [](const CalibrationFinding& finding) { return !finding.differs; });
   std::vector<IniAssignment> lines;
-  for (const CalibrationFinding& finding : findings)
-    if (finding.differs) lines.push_back(finding.line);
+  for (const CalibrationFinding& finding : findings) lines.push_back(finding.line);
+  for (const CalibrationFinding& finding : placeDeviations(findings, sensors)) lines.push_back(finding.line);
   return lines;
 }
 }  // namespace
@@ -61,7 +63,7 @@ int runCalibration(Settings settings, const CalibrationRequest& request, std::os
     out << "calibration not possible: " << whyImpossible(found.errors.status, found.trajectory) << '\n';
     return kExitDone;
   }
-  const std::vector<IniAssignment> lines = linesToSet(found.findings);
+  const std::vector<IniAssignment> lines = linesToSet(found.findings, input.config.frames.sensors);
   if (request.quiet)
   {
     for (const IniAssignment& line : lines)

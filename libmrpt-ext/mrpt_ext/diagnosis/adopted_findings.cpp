@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "mrpt_ext/diagnosis/noise_findings.h"
+#include "mrpt_ext/diagnosis/place_deviation.h"
 #include "mrpt_ext/files/number_format.h"
 
 namespace mrpt_ext
@@ -66,6 +67,8 @@ std::vector<CalibrationFinding> adoptedFindings(const CalibrationChoice& choice,
     finding.line.value = fixedText(finding.estimate, finding.decimals);
     adopted.push_back(finding);
   }
+  for (CalibrationFinding& finding : placeDeviations(adopted, config.frames.sensors))
+    adopted.push_back(std::move(finding));
   return adopted;
 }
 

@@ -31,13 +31,12 @@ bool NoiseCandidates::isOther(std::size_t sensor, bool is_range) const
     return false;
   const double scatter = is_range ? found.range : found.bearing;
   const bool is_configured = is_range ? now.std_range.has_value() : now.std_bearing.has_value();
-  return scatter > kNoiseDiffers ||
-         (scatter < 1 / kNoiseDiffers && !is_configured && !haveLastingErrors(sensor, is_range));
+  return scatter > kNoiseDiffers || (scatter < 1 / kNoiseDiffers && !is_configured && !areCorrelated(sensor, is_range));
 }
 
 /// True where successive misfits of one landmark, by one sensor, are correlated. Those of independent errors are not,
 /// or negatively, since the trajectory took up a part of each; of errors that last it took up most.
-bool NoiseCandidates::haveLastingErrors(std::size_t sensor, bool is_range) const
+bool NoiseCandidates::areCorrelated(std::size_t sensor, bool is_range) const
 {
   std::map<std::size_t, double> before;  // by landmark
   double product = 0, power = 0, pairs = 0;

@@ -34,7 +34,7 @@ class NoiseCandidates
 
  private:
   [[nodiscard]] bool isLess(MotionNoise noise, const CalibrationResult& found) const;
-  [[nodiscard]] bool haveLastingErrors(std::size_t sensor, bool is_range) const;
+  [[nodiscard]] bool areCorrelated(std::size_t sensor, bool is_range) const;
   [[nodiscard]] const SensorConfig& configured(std::size_t sensor) const;
 
   const CalibrationData& data_;
