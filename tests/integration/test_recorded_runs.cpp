@@ -97,7 +97,8 @@ TEST(RecordedRun, UwbDemo)
       testing::summaryOf(testing::localized(folder.path(), "mrpt-uwb-demo", {"--repeat", "3", "--jobs", "2"}));
   EXPECT_EQ(summary.at("trials"), 3);
   EXPECT_EQ(summary.at("success_rate"), 1.0);
-  EXPECT_LE(testing::positionRmse(summary), 0.20);
+  EXPECT_LE(testing::positionRmse(summary), 0.15);
+  EXPECT_GE(summary.at("filter").at("coverage_95"), 0.9);
   EXPECT_GT(summary.at("methods").at("range_least_squares").at("estimates"), 0);
   EXPECT_GT(summary.at("methods").at("running_fix").at("estimates"), 0);
   const auto& landmarks = summary.at("landmarks");
