@@ -238,7 +238,8 @@ FilterStep ParticleFilter::estimate(const Frame& frame, Recovery::Kind injected)
   integrity_.update(observation_model_.countInliers(frame, particles_, isTracking()), stated);
 
   // Hypotheses that are injected into a verified mode leave it few effective particles, for this frame only.
-  const bool thinned = injected == Recovery::Kind::verify && integrity_.verified() && SamplingError::corrects(effective);
+  const bool thinned =
+      injected == Recovery::Kind::verify && integrity_.verified() && SamplingError::corrects(effective);
   const VerdictWithReason verdict = integrity_.verdict(
       stated, thinned ? std::numeric_limits<double>::infinity() : sampling_error_.effectiveAncestors());
   step.verdict = verdict.verdict;
