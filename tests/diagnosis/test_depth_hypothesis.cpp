@@ -59,6 +59,7 @@ TEST(DepthHypothesis, DepthsAreToldFromRangesAndConverted)
   EXPECT_FALSE(depths.front().configured);
   EXPECT_TRUE(depths.front().likelier);
   EXPECT_GT(depths.front().gain.gain, 3 * depths.front().gain.std);
+  EXPECT_TRUE(depths.front().told);
   for (std::size_t i = 1; i < logged.readings.size(); i += 2)
     EXPECT_NEAR(problem.readings[i].value, logged.readings[i].value / std::cos(logged.readings[i - 1].value), 1e-12);
 }
@@ -70,7 +71,8 @@ TEST(DepthHypothesis, RangesOfAWrongScaleAreNoDepths)
   const std::vector<DepthHypothesis> depths = chosen(problem, false);
   ASSERT_EQ(depths.size(), 1U);
   EXPECT_FALSE(depths.front().likelier);
-  EXPECT_GT(depths.front().gain.gain, 3 * depths.front().gain.std);
+  EXPECT_TRUE(depths.front().told);
+  EXPECT_LT(depths.front().gain.gain, -3 * depths.front().gain.std);
   EXPECT_EQ(difference(problem, logged), 0);
 }
 
@@ -106,6 +108,6 @@ TEST(DepthHypothesis, TooFewReadingsTellNothing)
   const std::vector<DepthHypothesis> depths = chosen(problem, false);
   ASSERT_EQ(depths.size(), 1U);
   EXPECT_FALSE(depths.front().likelier);
-  EXPECT_LE(depths.front().gain.gain, 3 * depths.front().gain.std);
+  EXPECT_FALSE(depths.front().told);
 }
 }  // namespace mrpt_ext::test_depth_hypothesis

@@ -43,7 +43,19 @@ class CalibrationDataBuilder
       for (const Detection& detection : reading.detections) addDetection(detection, reading, robot);
   }
   [[nodiscard]] bool isFull() const { return result_.problem.readings.size() >= kMostReadings; }
-  [[nodiscard]] CalibrationData take() { return std::move(result_); }
+  /// With the ambiguous detections where most are.
+  [[nodiscard]] CalibrationData take()
+  {
+    std::vector<CalibrationReading>& readings = result_.problem.readings;
+    if (mixtures_.size() > readings.size())
+    {
+      readings.insert(readings.end(), mixtures_.begin(), mixtures_.end());
+      std::stable_sort(readings.begin(), readings.end(),
+                       [](const CalibrationReading& a, const CalibrationReading& b) { return a.pose < b.pose; });
+      result_.ambiguous -= mixtures_.size() / 2;
+    }
+    return std::move(result_);
+  }
 
  private:
   [[nodiscard]] OdometryMotion moved(double from, double to) const
@@ -85,26 +97,45 @@ class CalibrationDataBuilder
       if (match.none)
         addUnmatched(detection, sensor);
       else
-        ++result_.ambiguous;
+        addAmbiguous(detection, reading, robot, sensor);
       return;
     }
     if (detection.id == kNoId) result_.identified[sensor] = false;
-    const Vector3d position = map[*landmark].position;
-    CalibrationReading r{.pose = result_.problem.poses.size() - 1,
-                         .sensor = sensor,
-                         .landmark = position.head<2>(),
-                         .landmark_number = *landmark,
-                         .T_robot_sensor = reading.T_robot_sensor,
-                         .height = reading.horizontal_range ? 0 : position.z() - reading.sensor_height};
-    const auto add = [&](bool is_range, double value, double std)
-    {
-      r.is_range = is_range;
-      r.value = value;
-      r.std = std;
-      result_.problem.readings.push_back(r);
-    };
-    if (detection.bearing) add(false, *detection.bearing, detection.std_bearing);
-    if (detection.range) add(true, *detection.range, detection.std_range);
+    const CalibrationReading r = readingOf(*landmark, reading, sensor);
+    if (detection.bearing) add(result_.problem.readings, r, false, *detection.bearing, detection.std_bearing);
+    if (detection.range) add(result_.problem.readings, r, true, *detection.range, detection.std_range);
+  }
+
+  void addAmbiguous(const Detection& detection, const Reading& reading, const GaussianPose& robot, std::size_t sensor)
+  {
+    ++result_.ambiguous;
+    const std::optional<LandmarkMixture> mixture = mixtureOf(detection, reading, input_.context.map, robot);
+    if (!mixture) return;
+    CalibrationReading r = readingOf(mixture->likeliest, reading, sensor);
+    r.landmark = mixture->mean;
+    add(mixtures_, r, false, *detection.bearing, mixture->std_bearing);
+    add(mixtures_, r, true, *detection.range, mixture->std_range);
+  }
+
+  /// Of a landmark, without what was measured.
+  [[nodiscard]] CalibrationReading readingOf(std::size_t landmark, const Reading& reading, std::size_t sensor) const
+  {
+    const Vector3d position = input_.context.map[landmark].position;
+    return {.pose = result_.problem.poses.size() - 1,
+            .sensor = sensor,
+            .landmark = position.head<2>(),
+            .landmark_number = landmark,
+            .T_robot_sensor = reading.T_robot_sensor,
+            .height = reading.horizontal_range ? 0 : position.z() - reading.sensor_height};
+  }
+
+  static void add(std::vector<CalibrationReading>& readings, CalibrationReading r, bool is_range, double value,
+                  double std)
+  {
+    r.is_range = is_range;
+    r.value = value;
+    r.std = std;
+    readings.push_back(r);
   }
 
   void addUnmatched(const Detection& detection, std::size_t sensor)
@@ -117,6 +148,7 @@ class CalibrationDataBuilder
   const LocalizationInput& input_;
   LinkNoise noise_;
   CalibrationData result_;
+  std::vector<CalibrationReading> mixtures_;  // of detections that one of several landmarks may have caused
 };
 
 /// Landmarks that the sensor ranges to; none where they are too many to have an offset each.

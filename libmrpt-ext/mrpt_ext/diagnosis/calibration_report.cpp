@@ -226,12 +226,11 @@ std::optional<CalibrationFinding> landmarkOffsets(const CalibrationResult& error
 
 CalibrationFinding depthFinding(const DepthHypothesis& hypothesis, const std::string& label)
 {
-  const bool is_told = hypothesis.gain.gain > kSignificant * hypothesis.gain.std;
   return {.what = label + ": ranges are depths along its axis",
           .configured = hypothesis.configured ? 1.0 : 0,
           .estimate = hypothesis.likelier ? 1.0 : 0,
           .is_flag = true,
-          .why_not_observable = is_told ? "" : "either predicts the log as well",
+          .why_not_observable = hypothesis.told ? "" : "either predicts the log as well",
           .line = {"Sensor_" + label, "range_along_axis", hypothesis.likelier ? "true" : "false"},
           .differs = hypothesis.likelier != hypothesis.configured};
 }

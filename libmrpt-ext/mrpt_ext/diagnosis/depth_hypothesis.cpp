@@ -9,8 +9,8 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kSignificantGain = 3;  // standard deviations
-constexpr double kNarrowField = 0.3;    // least cosine of a bearing
+constexpr double kToldGain = 2;       // standard deviations of a gain
+constexpr double kNarrowField = 0.3;  // least cosine of a bearing
 
 /// Cosines of the bearings that the sensor's ranges were measured with, by reading; 0: no range with a bearing.
 std::vector<double> depthShares(const CalibrationProblem& problem, std::size_t sensor)
@@ -63,18 +63,14 @@ std::optional<DepthHypothesis> chooseDepth(CalibrationProblem& problem, std::siz
   const std::size_t middle = middleOf(problem);
   const std::vector<double> before = densitiesOf(problem, middle, unknowns, model);
   std::vector<double> after = densitiesOf(other, middle, unknowns, model);
-  DepthHypothesis hypothesis{sensor, is_depth, is_depth, {}};
+  DepthHypothesis hypothesis{.sensor = sensor, .configured = is_depth, .likelier = is_depth};
   if (before.empty() || after.empty()) return hypothesis;
   for (std::size_t i = 0; i < shares.size(); ++i)  // densities of what was measured
     if (shares[i] > 0) after[i] += is_depth ? std::log(shares[i]) : -std::log(shares[i]);
   hypothesis.gain = predictiveGain(problem, middle, after, before);
-  if (hypothesis.gain.gain > kSignificantGain * hypothesis.gain.std)
-  {
-    hypothesis.likelier = !is_depth;
-    problem = std::move(other);
-  }
-  else
-    hypothesis.gain.gain = -hypothesis.gain.gain;
+  hypothesis.told = std::abs(hypothesis.gain.gain) > kToldGain * hypothesis.gain.std;
+  hypothesis.likelier = is_depth != (hypothesis.told && hypothesis.gain.gain > 0);
+  if (hypothesis.likelier != is_depth) problem = std::move(other);
   return hypothesis;
 }
 }  // namespace

@@ -12,8 +12,9 @@ namespace mrpt_ext
 struct DepthHypothesis
 {
   std::size_t sensor = 0;
-  bool configured = false, likelier = false;
-  PredictiveGain gain;  ///< of the likelier hypothesis over the other
+  bool configured = false, likelier = false;  ///< likelier: as configured, unless the other is told
+  bool told = false;                          ///< which one it is: by two standard deviations of the gain
+  PredictiveGain gain;                        ///< of what is not configured over what is
 };
 
 /// One per sensor that measures bearings and ranges in a narrow field of view. `problem`: ranges by `is_depth`, what is

@@ -53,4 +53,39 @@ DetectionMatch matchOf(const Detection& detection, const Reading& reading, const
   if (best < kInnerGate2 && second >= kOuterGate2) return {nearest};
   return {std::nullopt, best >= kOuterGate2};
 }
+
+std::optional<LandmarkMixture> mixtureOf(const Detection& detection, const Reading& reading, const LandmarkTable& map,
+                                         const GaussianPose& robot)
+{
+  if (!detection.bearing || !detection.range) return std::nullopt;
+  LandmarkMixture mixture;
+  std::vector<std::pair<std::size_t, double>> near;  // with the weight
+  double sum = 0, largest = 0;
+  for (std::size_t j = 0; j < map.size(); ++j)
+  {
+    if (!detection.category.empty() && map[j].category != detection.category) continue;
+    const double distance = squaredDistance(detection, reading, map[j], robot);
+    if (distance >= kInnerGate2) continue;
+    const double weight = std::exp(-0.5 * distance);
+    near.emplace_back(j, weight);
+    sum += weight;
+    mixture.mean += weight * map[j].position.head<2>();
+    if (weight > largest) mixture.likeliest = j;
+    largest = std::max(largest, weight);
+  }
+  if (near.empty()) return std::nullopt;
+  mixture.mean /= sum;
+  double bearing = square(detection.std_bearing), range = square(detection.std_range);
+  const double to_mean = predictBearing(robot.mean, mixture.mean, reading.T_robot_sensor),
+               distance_to_mean = predictRange(robot.mean, mixture.mean, reading.T_robot_sensor);
+  for (const auto& [j, weight] : near)
+  {
+    const Vector2d position = map[j].position.head<2>();
+    bearing += weight / sum * square(wrap(predictBearing(robot.mean, position, reading.T_robot_sensor) - to_mean));
+    range += weight / sum * square(predictRange(robot.mean, position, reading.T_robot_sensor) - distance_to_mean);
+  }
+  mixture.std_bearing = std::sqrt(bearing);
+  mixture.std_range = std::sqrt(range);
+  return mixture;
+}
 }  // namespace mrpt_ext
