@@ -32,8 +32,9 @@ struct CalibrationData
 };
 
 /// One pose per stamp near an estimate of `trajectory`, and more in between where odometry bridges a gap, for the first
-/// 100 000 readings. Anonymous detections are associated with the only landmark within their gate. What is
-/// configured as the range and was the depth, or the other way round, is converted. Never uses the truth.
+/// 100 000 readings. Anonymous detections are associated with the only landmark within their gate; where most
+/// have several, which stand close together, with a mixture of these. What is configured as the range and was the
+/// depth, or the other way round, is converted. Never uses the truth.
 [[nodiscard]] CalibrationData collectCalibrationData(const LocalizationInput& input,
                                                      const std::vector<PoseEstimate>& trajectory);
 
