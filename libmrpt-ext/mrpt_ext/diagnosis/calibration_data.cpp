@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "mrpt_ext/diagnosis/commanded_odometry.h"
 #include "mrpt_ext/diagnosis/configured_model.h"
 #include "mrpt_ext/diagnosis/detection_association.h"
 #include "mrpt_ext/diagnosis/link_noise.h"
@@ -193,6 +194,7 @@ CalibrationData collectCalibrationData(const LocalizationInput& input, const std
   CalibrationData data = builder.take();
   data.verified = std::any_of(trajectory.begin(), trajectory.end(),
                               [](const PoseEstimate& point) { return point.verdict == Verdict::ok; });
+  data.commanded = isCommanded(data.problem.odometry);
   const std::vector<CalibrationUnknown> unknowns = calibrationUnknowns(input, data);
   RecordingModel model = configuredModel(data, unknowns, input.config);
   model.errors.clear();

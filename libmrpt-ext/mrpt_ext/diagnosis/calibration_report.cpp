@@ -43,8 +43,8 @@ std::string whyNotObservable(CalibrationParameter kind)
 class Translator
 {
  public:
-  Translator(const CalibrationResult& errors, const std::vector<std::string>& sensors, const LocalizationConfig& config)
-      : errors_(errors), sensors_(sensors), config_(config)
+  Translator(const CalibrationResult& errors, const CalibrationData& data, const LocalizationConfig& config)
+      : errors_(errors), sensors_(data.sensors), commanded_(data.commanded), config_(config)
   {
   }
 
@@ -172,7 +172,7 @@ class Translator
   [[nodiscard]] CalibrationFinding delay(const ParameterEstimate& error, const std::string& label,
                                          const SensorConfig& now) const
   {
-    const bool odometry_is_late = config_.frames.odometry.delay != 0 && sensors_.size() == 1;
+    const bool odometry_is_late = (commanded_ || config_.frames.odometry.delay != 0) && sensors_.size() == 1;
     CalibrationFinding found{.what = odometry_is_late ? "odometry: latency" : label + ": delay against odometry",
                              .unit = "s",
                              .line = odometry_is_late ? IniAssignment{kMotion, "odometry_delay_s", ""}
@@ -183,6 +183,7 @@ class Translator
 
   const CalibrationResult& errors_;
   const std::vector<std::string>& sensors_;
+  bool commanded_;
   const LocalizationConfig& config_;
 };
 
@@ -255,7 +256,7 @@ void settleLine(CalibrationFinding& found, bool differs)
 std::vector<CalibrationFinding> calibrationFindings(const CalibrationResult& errors, const CalibrationData& data,
                                                     const LocalizationConfig& config)
 {
-  const Translator translator(errors, data.sensors, config);
+  const Translator translator(errors, data, config);
   std::vector<CalibrationFinding> findings;
   std::vector<ParameterEstimate> shared;  // by all landmarks
   for (const ParameterEstimate& error : errors.errors)

@@ -29,9 +29,9 @@ struct CalibrationFinding
 
 /// The errors that were found on top of the configured corrections, as values of the configuration. Where [Bias] or
 /// [Sensor_<label>] states the mean of an estimated error, that mean is reported. Only the difference of two clocks is
-/// observable: it is attributed to odometry where the configuration does so and there is one sensor, else to the
-/// sensor. A value differs when it is more than three standard deviations from the configured one; offset and scale of
-/// a range are set together. Offsets of the landmarks are one finding: their root mean square.
+/// observable: it is attributed to odometry where that is commanded, or the configuration does so, and there is one
+/// sensor; else to the sensor. A value differs when it is more than three standard deviations from the configured one;
+/// offset and scale of a range are set together. Offsets of the landmarks are one finding: their root mean square.
 [[nodiscard]] std::vector<CalibrationFinding> calibrationFindings(const CalibrationResult& errors,
                                                                   const CalibrationData& data,
                                                                   const LocalizationConfig& config);
