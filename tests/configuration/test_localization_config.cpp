@@ -218,7 +218,9 @@ TEST(LocalizationConfig, ListsOfWords)
 TEST(LocalizationConfig, KnowsWhetherAnybodyStatedTheNoiseOfOdometry)
 {
   EXPECT_FALSE(configOf("[LocalizationExperiment]\nparticles_count = 100\n").odometry_noise_stated);
-  EXPECT_TRUE(configOf("[MotionModel]\nstd_xy_per_m = 0.05\n").odometry_noise_stated);
+  EXPECT_TRUE(configOf("[MotionModel]\nstd_xy_per_m = 0.04\n").odometry_noise_stated);
+  EXPECT_FALSE(configOf("[MotionModel]\nstd_xy_per_m = 0.05\nstd_phi_deg_per_m = 1\n").odometry_noise_stated)
+      << "the defaults, as in the configuration that a run leaves";
   const auto built_in = [](const std::vector<std::string>& overrides)
   {
     return localizationConfig(

@@ -67,7 +67,9 @@ std::optional<AutoCalibration> autoCalibration(const Settings& settings, const L
                                                bool show_progress)
 {
   const FirstPass pass = firstPass(input, show_progress);
-  const CalibrationData data = collectCalibrationData(input, pass.trajectory);
+  CalibrationData data = collectCalibrationData(input, pass.trajectory);
+  if (const auto other = withLikelierDepths(input, data))
+    lookAgain(*other, firstPass(*other, show_progress).trajectory, data);
   const std::vector<CalibrationUnknown> unknowns = calibrationUnknowns(input, data);
   const CalibrationChoice choice = chooseCalibration(data, unknowns, input.config);
   const double gain_of_depths = gainOfDepths(data);

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "mrpt_ext/configuration/bias_config.h"
 #include "mrpt_ext/configuration/default_configuration.h"
 #include "mrpt_ext/configuration/localization_choices.h"
+#include "mrpt_ext/configuration/localization_keys.h"
 #include "mrpt_ext/configuration/sensor_sections.h"
 #include "mrpt_ext/geometry/input_error.h"
 
@@ -26,15 +28,25 @@ MotionModel motionModel(const Settings& settings)
           .std_phi_per_s = settings.radians(kMotion, "std_phi_deg_per_sqrt_s")};
 }
 
-/// False where the noise of odometry comes from the table of keys or from the built-in configuration.
+bool haveSameNoise(const MotionModel& a, const MotionModel& b)
+{
+  constexpr double kRounding = 1e-9;
+  constexpr std::array kNoise{&MotionModel::std_xy_per_m, &MotionModel::std_phi_per_deg, &MotionModel::std_phi_per_m,
+                              &MotionModel::std_xy_per_s, &MotionModel::std_phi_per_s};
+  return std::all_of(kNoise.begin(), kNoise.end(),
+                     [&](const auto member) { return std::abs(a.*member - b.*member) < kRounding; });
+}
+
+/// False for that of the table of keys or of the built-in configuration, also where a file repeats it, as the one that
+/// a run leaves does.
 bool isOdometryNoiseStated(const Settings& settings)
 {
-  const bool built_in = settings.file() == kDefaultConfigurationName;
-  const auto is_stated = [&](const char* key)
-  { return built_in ? settings.isOverridden(kMotion, key) : settings.isSet(kMotion, key); };
-  constexpr std::array kKeys{"std_xy_per_m", "std_phi_deg_per_deg", "std_phi_deg_per_m", "std_xy_per_sqrt_s",
-                             "std_phi_deg_per_sqrt_s"};
-  return std::any_of(kKeys.begin(), kKeys.end(), is_stated);
+  const auto is_that_of = [&](std::string_view text)
+  {
+    const Settings other = Settings::parse(std::string(text), kDefaultConfigurationName, localizationKeys());
+    return haveSameNoise(motionModel(settings), motionModel(other));
+  };
+  return !is_that_of("") && !is_that_of(defaultConfiguration());
 }
 
 PoseRegion poseRegion(const Settings& settings, const LandmarkTable& map)

@@ -215,7 +215,7 @@ class ChoiceSearch
 
   [[nodiscard]] std::vector<double> densitiesOf(const std::vector<Part>& parts, const CalibrationResult& found) const
   {
-    RecordingModel model = configuredModel(data_, unknowns_, config_);
+    RecordingModel model = configuredModel(data_.sensors, unknowns_, config_);
     for (const Part& part : parts)
     {
       for (const std::size_t k : part.errors) model.errors[k].mean = found.errors[k].value;

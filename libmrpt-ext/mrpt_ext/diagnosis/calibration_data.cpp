@@ -196,10 +196,33 @@ CalibrationData collectCalibrationData(const LocalizationInput& input, const std
                               [](const PoseEstimate& point) { return point.verdict == Verdict::ok; });
   data.commanded = isCommanded(data.problem.odometry);
   const std::vector<CalibrationUnknown> unknowns = calibrationUnknowns(input, data);
-  RecordingModel model = configuredModel(data, unknowns, input.config);
+  RecordingModel model = configuredModel(data.sensors, unknowns, input.config);
   model.errors.clear();
   data.depths = chooseDepths(data.problem, areDepths(data, input.config.frames.sensors), unknowns, model);
   return data;
+}
+
+std::optional<LocalizationInput> withLikelierDepths(const LocalizationInput& input, const CalibrationData& data)
+{
+  std::optional<LocalizationInput> other;
+  for (const DepthHypothesis& depths : data.depths)
+  {
+    if (depths.likelier == depths.configured) continue;
+    if (!other) other = input;
+    const std::string& label = data.sensors[depths.sensor];
+    SensorConfig config = configOf(input.config.frames.sensors, label);
+    config.range_along_axis = depths.likelier;
+    other->config.frames.sensors[label] = config;
+  }
+  return other;
+}
+
+void lookAgain(const LocalizationInput& likelier, const std::vector<PoseEstimate>& trajectory, CalibrationData& data)
+{
+  CalibrationData again = collectCalibrationData(likelier, trajectory);
+  if (withLikelierDepths(likelier, again)) return;
+  again.depths = std::move(data.depths);
+  data = std::move(again);
 }
 
 std::vector<CalibrationUnknown> calibrationUnknowns(const LocalizationInput& input, const CalibrationData& data)

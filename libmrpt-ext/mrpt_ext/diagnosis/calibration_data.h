@@ -39,6 +39,14 @@ struct CalibrationData
 [[nodiscard]] CalibrationData collectCalibrationData(const LocalizationInput& input,
                                                      const std::vector<PoseEstimate>& trajectory);
 
+/// The same input with ranges of the likelier kind; nothing where all are as configured.
+[[nodiscard]] std::optional<LocalizationInput> withLikelierDepths(const LocalizationInput& input,
+                                                                  const CalibrationData& data);
+
+/// Replaces `data` by what is collected from `likelier`, withLikelierDepths(), and its trajectory: what was associated
+/// and tracked with ranges of the other kind. Unless the kind is in doubt then.
+void lookAgain(const LocalizationInput& likelier, const std::vector<PoseEstimate>& trajectory, CalibrationData& data);
+
 /// The errors that this log could tell. An offset per landmark for identified ranges without bearings: radios have a
 /// delay of their own.
 [[nodiscard]] std::vector<CalibrationUnknown> calibrationUnknowns(const LocalizationInput& input,

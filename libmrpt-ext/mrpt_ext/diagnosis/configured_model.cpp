@@ -6,7 +6,7 @@
 
 namespace mrpt_ext
 {
-RecordingModel configuredModel(const CalibrationData& data, const std::vector<CalibrationUnknown>& unknowns,
+RecordingModel configuredModel(const std::vector<std::string>& sensors, const std::vector<CalibrationUnknown>& unknowns,
                                const LocalizationConfig& config)
 {
   RecordingModel model;
@@ -16,7 +16,7 @@ RecordingModel configuredModel(const CalibrationData& data, const std::vector<Ca
     double variance = 0, walk = 0;
     for (const BiasState& bias : config.biases)
     {
-      if (!isTheSame(bias, unknown, data.sensors[unknown.sensor])) continue;
+      if (!isTheSame(bias, unknown, sensors[unknown.sensor])) continue;
       error.mean += bias.mean;
       variance += square(bias.std);
       walk += square(bias.std_per_sqrt_s);
@@ -25,7 +25,7 @@ RecordingModel configuredModel(const CalibrationData& data, const std::vector<Ca
     error.std_per_sqrt_s = std::sqrt(walk);
     model.errors.push_back(error);
   }
-  for (const std::string& label : data.sensors)
+  for (const std::string& label : sensors)
     model.sensors.push_back({.outliers = configOf(config.frames.sensors, label).clutter_probability});
   return model;
 }

@@ -43,6 +43,11 @@ LogDiagnosis diagnoseLog(const LocalizationInput& input)
   LogDiagnosis diagnosis;
   diagnosis.trajectory = calibrationTrajectory(input, input.config.seed);
   diagnosis.data = collectCalibrationData(input, diagnosis.trajectory);
+  if (const auto other = withLikelierDepths(input, diagnosis.data))
+  {
+    diagnosis.trajectory = calibrationTrajectory(*other, other->config.seed);
+    lookAgain(*other, diagnosis.trajectory, diagnosis.data);
+  }
   const CalibrationData& data = diagnosis.data;
   diagnosis.errors = calibrateLog(data, calibrationUnknowns(input, data));
   if (diagnosis.errors.status != SolveStatus::ok) return diagnosis;

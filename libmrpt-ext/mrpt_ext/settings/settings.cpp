@@ -136,12 +136,6 @@ bool Settings::isSet(const std::string& section, const std::string& key) const
   return ini_.find(section, key) != nullptr;
 }
 
-bool Settings::isOverridden(const std::string& section, const std::string& key) const
-{
-  const IniEntry* entry = ini_.find(section, key);
-  return entry != nullptr && entry->line == 0;
-}
-
 bool Settings::hasValue(const std::string& section, const std::string& key) const
 {
   const auto value = effective(section, key);

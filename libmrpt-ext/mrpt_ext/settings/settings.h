@@ -37,8 +37,6 @@ class Settings
 
   /// True if the file or --set gives the key a value.
   [[nodiscard]] bool isSet(const std::string& section, const std::string& key) const;
-  /// True if an option or code gives the key a value, instead of the file.
-  [[nodiscard]] bool isOverridden(const std::string& section, const std::string& key) const;
   /// True if there is an effective value that is not empty.
   [[nodiscard]] bool hasValue(const std::string& section, const std::string& key) const;
   [[nodiscard]] bool hasSection(const std::string& section) const { return ini_.find(section) != nullptr; }
