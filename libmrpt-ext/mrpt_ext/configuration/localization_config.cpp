@@ -7,7 +7,6 @@
 #include "mrpt_ext/configuration/bias_config.h"
 #include "mrpt_ext/configuration/default_configuration.h"
 #include "mrpt_ext/configuration/localization_choices.h"
-#include "mrpt_ext/configuration/localization_keys.h"
 #include "mrpt_ext/configuration/sensor_sections.h"
 #include "mrpt_ext/geometry/input_error.h"
 
@@ -43,7 +42,7 @@ bool isOdometryNoiseStated(const Settings& settings)
 {
   const auto is_that_of = [&](std::string_view text)
   {
-    const Settings other = Settings::parse(std::string(text), kDefaultConfigurationName, localizationKeys());
+    const Settings other = Settings::parse(std::string(text), kDefaultConfigurationName, settings.table());
     return haveSameNoise(motionModel(settings), motionModel(other));
   };
   return !is_that_of("") && !is_that_of(defaultConfiguration());
