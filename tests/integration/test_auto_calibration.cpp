@@ -104,6 +104,25 @@ TEST(AutoCalibration, LeavesAGoodLogAsItIs)
   EXPECT_FALSE(std::filesystem::exists(calibrated / "calibration.ini"));
 }
 
+TEST(AutoCalibration, RangesThatAreTakenForDepthsAreToldAndTrackedAgain)
+{
+  const testing::ScratchFolder folder;
+  const testing::LogFiles log =
+      testing::simulated(folder.path(), "half-field",
+                         {"--set", "Simulation.duration_s=150", "--set", "Sensor_stereo.field_of_view_deg=90"});
+  const auto calibrated = run(folder.path() / "calibrated", log,
+                              joined(kCalibrated, {"--set", "Sensor_stereo.range_along_axis=true"})),
+             plain = run(folder.path() / "plain", log, kAsConfigured);
+  const Json summary = testing::summaryOf(calibrated);
+  ASSERT_FALSE(summary.at("calibration").is_null());
+  EXPECT_NE(readTextFile(calibrated / "calibration.ini").find("range_along_axis = false\n"), std::string::npos)
+      << summary.at("calibration");
+  const Json& rows = summary.at("calibration").at("rows");
+  EXPECT_GT(rows.at("after").at("log_density"), rows.at("before").at("log_density"));
+  EXPECT_LT(testing::positionRmse(summary), rows.at("before").at("position_rmse_m"));
+  EXPECT_LT(testing::positionRmse(summary), 1.2 * testing::positionRmse(testing::summaryOf(plain)));
+}
+
 TEST(AutoCalibration, IsNotForShortLogs)
 {
   const testing::ScratchFolder folder;

@@ -7,7 +7,6 @@
 #include "mrpt_ext/diagnosis/calibration_trajectory.h"
 #include "mrpt_ext/evaluation/run_scoring.h"
 #include "mrpt_ext/experiment/trial_runner.h"
-#include "mrpt_ext/geometry/formatted.h"
 
 namespace mrpt_ext
 {
@@ -42,16 +41,14 @@ FirstPass firstPass(const LocalizationInput& input, bool show_progress)
   return pass;
 }
 
-/// Mean log density of a reading that ranges gain which are other than configured: depths, or none.
+/// What the mean log density of a reading gains by ranges of the likelier kind.
 double gainOfDepths(const CalibrationData& data)
 {
   double gain = 0;
   for (const DepthHypothesis& hypothesis : data.depths)
-    if (hypothesis.likelier != hypothesis.configured) gain += hypothesis.gain.gain;
+    if (hypothesis.differs()) gain += hypothesis.gain.gain;
   return gain / static_cast<double>(data.problem.readings.size());
 }
-
-std::string deviationText(double std) { return std > 0 ? formatted("  ; +- %.2g", std) : ""; }
 }  // namespace
 
 bool isAutoCalibrated(const LocalizationInput& input)
@@ -68,14 +65,13 @@ std::optional<AutoCalibration> autoCalibration(const Settings& settings, const L
 {
   const FirstPass pass = firstPass(input, show_progress);
   CalibrationData data = collectCalibrationData(input, pass.trajectory);
-  if (const auto other = withLikelierDepths(input, data))
-    lookAgain(*other, firstPass(*other, show_progress).trajectory, data);
+  const std::optional<LocalizationInput> likelier = withLikelierDepths(input, data);
+  if (likelier) lookAgain(*likelier, firstPass(*likelier, show_progress).trajectory, data);
   const std::vector<CalibrationUnknown> unknowns = calibrationUnknowns(input, data);
   const CalibrationChoice choice = chooseCalibration(data, unknowns, input.config);
-  const double gain_of_depths = gainOfDepths(data);
-  if (choice.empty() && gain_of_depths == 0) return std::nullopt;
+  if (choice.empty() && !likelier) return std::nullopt;
   AutoCalibration result{settings, {.before = pass.row, .log_density_after = choice.calibrated}};
-  result.adopted.before.log_density = choice.configured - gain_of_depths;
+  result.adopted.before.log_density = choice.configured - gainOfDepths(data);
   for (const CalibrationFinding& finding : adoptedFindings(choice, data, input.config))
     result.adopted.values.push_back({finding.line.section, finding.line.key, finding.line.value, finding.std});
   for (const CalibratedValue& value : result.adopted.values)
@@ -90,11 +86,10 @@ std::string calibrationIni(const AdoptedCalibration& adopted)
 {
   std::vector<IniAssignment> lines;
   for (const CalibratedValue& value : adopted.values)
-    lines.push_back({value.section, value.key, value.value + deviationText(value.std)});
+    lines.push_back({value.section, value.key, withDeviation(value, "  ; ")});
   for (const CalibratedValue& value : adopted.told)
-    lines.push_back(
-        {value.section, "; " + value.key,
-         formatted("%s  ; +- %.2g, not adopted: it turns the axes of the heading", value.value.c_str(), value.std)});
+    lines.push_back({value.section, "; " + value.key,
+                     withDeviation(value, "  ; ") + ", not adopted: it turns the axes of the heading"});
   return withValues("; Found in the log by auto_calibrate. To keep it, copy the lines into your configuration.\n",
                     lines);
 }

@@ -36,16 +36,14 @@ bool haveSameNoise(const MotionModel& a, const MotionModel& b)
                      [&](const auto member) { return std::abs(a.*member - b.*member) < kRounding; });
 }
 
-/// False for that of the table of keys or of the built-in configuration, also where a file repeats it, as the one that
-/// a run leaves does.
+/// False for the default of MotionModel and that of the built-in configuration, also where a file repeats it, as the
+/// one that a run leaves does.
 bool isOdometryNoiseStated(const Settings& settings)
 {
-  const auto is_that_of = [&](std::string_view text)
-  {
-    const Settings other = Settings::parse(std::string(text), kDefaultConfigurationName, settings.table());
-    return haveSameNoise(motionModel(settings), motionModel(other));
-  };
-  return !is_that_of("") && !is_that_of(defaultConfiguration());
+  const MotionModel stated = motionModel(settings);
+  const Settings built_in =
+      Settings::parse(std::string(defaultConfiguration()), kDefaultConfigurationName, settings.table());
+  return !haveSameNoise(stated, {}) && !haveSameNoise(stated, motionModel(built_in));
 }
 
 PoseRegion poseRegion(const Settings& settings, const LandmarkTable& map)

@@ -44,7 +44,7 @@ std::vector<CalibrationFinding> placeFindings(CalibrationResult errors, std::siz
   errors.errors.erase(errors.errors.begin(), errors.errors.begin() + static_cast<std::ptrdiff_t>(chosen));
   std::erase_if(errors.errors, [](const ParameterEstimate& error) { return !isLeverArm(error.unknown.parameter); });
   std::vector<CalibrationFinding> places = calibrationFindings(errors, data, config);
-  std::erase_if(places, [](const CalibrationFinding& finding) { return finding.is_flag || !finding.differs; });
+  std::erase_if(places, [](const CalibrationFinding& finding) { return !finding.differs; });
   return places;
 }
 }  // namespace
@@ -57,7 +57,9 @@ std::vector<CalibrationFinding> adoptedFindings(const CalibrationChoice& choice,
   std::vector<CalibrationFinding> adopted = placeFindings(errors, choice.errors.size(), data, config);
   errors.errors.resize(choice.errors.size());
   for (const CalibrationFinding& finding : calibrationFindings(errors, data, config))
-    if (finding.why_not_observable.empty() && (finding.differs || !finding.is_flag)) adopted.push_back(finding);
+    if (finding.why_not_observable.empty()) adopted.push_back(finding);
+  for (const CalibrationFinding& finding : depthFindings(data))
+    if (finding.differs) adopted.push_back(finding);
   for (CalibrationFinding& finding : noiseFindings(errors, data, config))
   {
     if (!finding.why_not_observable.empty() || !(finding.estimate > 0) ||
@@ -88,7 +90,7 @@ std::vector<CalibrationFinding> bearingOffsetFindings(const CalibrationChoice& c
   if (errors.status != SolveStatus::ok) return {};
   errors.errors.resize(offsets.size());
   std::vector<CalibrationFinding> found = calibrationFindings(errors, data, config);
-  std::erase_if(found, [](const CalibrationFinding& finding) { return finding.is_flag || !finding.differs; });
+  std::erase_if(found, [](const CalibrationFinding& finding) { return !finding.differs; });
   return found;
 }
 }  // namespace mrpt_ext

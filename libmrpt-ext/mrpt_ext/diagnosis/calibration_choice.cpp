@@ -163,8 +163,7 @@ class ChoiceSearch
   }
 
   /// Numbers of what is estimated beside `parts` where ranges of a sensor err: offsets of its landmarks, which share
-  /// only what they agree on, and its place, since whoever sees ahead takes ranges that are too long for a sensor that
-  /// is further back.
+  /// only what they agree on, and its place, since ranges to what is ahead are too long for a sensor further back, too.
   [[nodiscard]] std::vector<std::size_t> besides(const std::vector<Part>& parts) const
   {
     const auto has = [&](std::size_t sensor, const auto& is_it)
@@ -229,7 +228,8 @@ class ChoiceSearch
       for (const MotionNoise n : {position_noise, heading_noise})
         if (beside[n] < 1) model.odometry[n] = beside[n];
     }
-    std::erase_if(model.errors, isNone);
+    std::erase_if(model.errors, [](const AssumedError& error)
+                  { return error.mean == 0 && error.std == 0 && error.std_per_sqrt_s == 0; });
     // Errors that are estimated on the way need the first half to settle.
     const bool settles =
         std::any_of(model.errors.begin(), model.errors.end(),

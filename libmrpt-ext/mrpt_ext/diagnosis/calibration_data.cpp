@@ -1,6 +1,7 @@
 #include "mrpt_ext/diagnosis/calibration_data.h"
 
 #include <algorithm>
+#include <functional>
 #include <set>
 
 #include "mrpt_ext/diagnosis/commanded_odometry.h"
@@ -43,7 +44,10 @@ class CalibrationDataBuilder
     for (const Reading& reading : frame.readings)
       for (const Detection& detection : reading.detections) addDetection(detection, reading, robot);
   }
-  [[nodiscard]] bool isFull() const { return result_.problem.readings.size() >= kMostReadings; }
+  [[nodiscard]] bool isFull() const
+  {
+    return std::max(result_.problem.readings.size(), mixtures_.size()) >= kMostReadings;
+  }
   /// With the ambiguous detections where most are.
   [[nodiscard]] CalibrationData take()
   {
@@ -195,10 +199,8 @@ CalibrationData collectCalibrationData(const LocalizationInput& input, const std
   data.verified = std::any_of(trajectory.begin(), trajectory.end(),
                               [](const PoseEstimate& point) { return point.verdict == Verdict::ok; });
   data.commanded = isCommanded(data.problem.odometry);
-  const std::vector<CalibrationUnknown> unknowns = calibrationUnknowns(input, data);
-  RecordingModel model = configuredModel(data.sensors, unknowns, input.config);
-  model.errors.clear();
-  data.depths = chooseDepths(data.problem, areDepths(data, input.config.frames.sensors), unknowns, model);
+  data.depths = chooseDepths(data.problem, areDepths(data, input.config.frames.sensors),
+                             calibrationUnknowns(input, data), configuredModel(data.sensors, {}, input.config));
   return data;
 }
 
@@ -207,7 +209,7 @@ std::optional<LocalizationInput> withLikelierDepths(const LocalizationInput& inp
   std::optional<LocalizationInput> other;
   for (const DepthHypothesis& depths : data.depths)
   {
-    if (depths.likelier == depths.configured) continue;
+    if (!depths.differs()) continue;
     if (!other) other = input;
     const std::string& label = data.sensors[depths.sensor];
     SensorConfig config = configOf(input.config.frames.sensors, label);
@@ -217,12 +219,13 @@ std::optional<LocalizationInput> withLikelierDepths(const LocalizationInput& inp
   return other;
 }
 
-void lookAgain(const LocalizationInput& likelier, const std::vector<PoseEstimate>& trajectory, CalibrationData& data)
+bool lookAgain(const LocalizationInput& likelier, const std::vector<PoseEstimate>& trajectory, CalibrationData& data)
 {
   CalibrationData again = collectCalibrationData(likelier, trajectory);
-  if (withLikelierDepths(likelier, again)) return;
+  if (std::any_of(again.depths.begin(), again.depths.end(), std::mem_fn(&DepthHypothesis::differs))) return false;
   again.depths = std::move(data.depths);
   data = std::move(again);
+  return true;
 }
 
 std::vector<CalibrationUnknown> calibrationUnknowns(const LocalizationInput& input, const CalibrationData& data)

@@ -44,8 +44,8 @@ struct CalibrationData
                                                                   const CalibrationData& data);
 
 /// Replaces `data` by what is collected from `likelier`, withLikelierDepths(), and its trajectory: what was associated
-/// and tracked with ranges of the other kind. Unless the kind is in doubt then.
-void lookAgain(const LocalizationInput& likelier, const std::vector<PoseEstimate>& trajectory, CalibrationData& data);
+/// and tracked with ranges of the other kind. False, and nothing done, where the kind is in doubt then.
+bool lookAgain(const LocalizationInput& likelier, const std::vector<PoseEstimate>& trajectory, CalibrationData& data);
 
 /// The errors that this log could tell. An offset per landmark for identified ranges without bearings: radios have a
 /// delay of their own.

@@ -233,7 +233,7 @@ CalibrationFinding depthFinding(const DepthHypothesis& hypothesis, const std::st
           .is_flag = true,
           .why_not_observable = hypothesis.told ? "" : "either predicts the log as well",
           .line = {"Sensor_" + label, "range_along_axis", hypothesis.likelier ? "true" : "false"},
-          .differs = hypothesis.likelier != hypothesis.configured};
+          .differs = hypothesis.differs()};
 }
 
 /// Value of a finding with its standard deviation, and the configured one.
@@ -270,10 +270,16 @@ std::vector<CalibrationFinding> calibrationFindings(const CalibrationResult& err
                     shared[j].unknown.sensor == shared[k].unknown.sensor && differs(findings[j]));
     settleLine(findings[k], set);
   }
-  for (const DepthHypothesis& hypothesis : data.depths)
-    findings.push_back(depthFinding(hypothesis, data.sensors[hypothesis.sensor]));
   for (std::size_t s = 0; s < data.sensors.size(); ++s)
     if (const auto found = landmarkOffsets(errors, s, data, config)) findings.push_back(*found);
+  return findings;
+}
+
+std::vector<CalibrationFinding> depthFindings(const CalibrationData& data)
+{
+  std::vector<CalibrationFinding> findings;
+  for (const DepthHypothesis& hypothesis : data.depths)
+    findings.push_back(depthFinding(hypothesis, data.sensors[hypothesis.sensor]));
   return findings;
 }
 

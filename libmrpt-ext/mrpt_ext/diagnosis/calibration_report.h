@@ -36,6 +36,9 @@ struct CalibrationFinding
                                                                   const CalibrationData& data,
                                                                   const LocalizationConfig& config);
 
+/// Whether ranges are depths, for the sensors for which this is a question.
+[[nodiscard]] std::vector<CalibrationFinding> depthFindings(const CalibrationData& data);
+
 /// Completes the line that sets the estimate; `differs`: it should be set, where the log determines it.
 void settleLine(CalibrationFinding& found, bool differs);
 

@@ -1,5 +1,6 @@
 #include "mrpt_ext/diagnosis/commanded_odometry.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 

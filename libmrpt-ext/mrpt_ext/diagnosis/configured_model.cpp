@@ -29,6 +29,4 @@ RecordingModel configuredModel(const std::vector<std::string>& sensors, const st
     model.sensors.push_back({.outliers = configOf(config.frames.sensors, label).clutter_probability});
   return model;
 }
-
-bool isNone(const AssumedError& error) { return error.mean == 0 && error.std == 0 && error.std_per_sqrt_s == 0; }
 }  // namespace mrpt_ext

@@ -13,7 +13,4 @@ namespace mrpt_ext
 [[nodiscard]] RecordingModel configuredModel(const std::vector<std::string>& sensors,
                                              const std::vector<CalibrationUnknown>& unknowns,
                                              const LocalizationConfig& config);
-
-/// True for an error that is assumed to be zero.
-[[nodiscard]] bool isNone(const AssumedError& error);
 }  // namespace mrpt_ext

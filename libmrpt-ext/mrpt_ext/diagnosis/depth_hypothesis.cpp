@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "mrpt_ext/diagnosis/partial_calibration.h"
 
@@ -12,18 +13,19 @@ namespace
 constexpr double kToldGain = 2;       // standard deviations of a gain
 constexpr double kNarrowField = 0.3;  // least cosine of a bearing
 
-/// Cosines of the bearings that the sensor's ranges were measured with, by reading; 0: no range with a bearing.
-std::vector<double> depthShares(const CalibrationProblem& problem, std::size_t sensor)
+/// What turns the sensor's ranges into those of the other kind, by reading: the cosine of the bearing that they were
+/// measured with, or its inverse; nothing where there is none.
+std::vector<std::optional<double>> factorsToOther(const CalibrationProblem& problem, std::size_t sensor, bool is_depth)
 {
-  std::vector<double> shares(problem.readings.size(), 0);
-  for (std::size_t i = 1; i < shares.size(); ++i)
+  std::vector<std::optional<double>> factors(problem.readings.size());
+  for (std::size_t i = 1; i < factors.size(); ++i)
   {
     const CalibrationReading &range = problem.readings[i], &bearing = problem.readings[i - 1];
     if (range.sensor == sensor && bearing.sensor == sensor && range.is_range && !bearing.is_range &&
         range.pose == bearing.pose && range.landmark_number == bearing.landmark_number)
-      shares[i] = std::cos(bearing.value);
+      factors[i] = is_depth ? std::cos(bearing.value) : 1 / std::cos(bearing.value);
   }
-  return shares;
+  return factors;
 }
 
 bool isNarrow(const CalibrationProblem& problem, std::size_t sensor)
@@ -54,23 +56,24 @@ std::vector<double> densitiesOf(const CalibrationProblem& problem, std::size_t m
 std::optional<DepthHypothesis> chooseDepth(CalibrationProblem& problem, std::size_t sensor, bool is_depth,
                                            const std::vector<CalibrationUnknown>& unknowns, const RecordingModel& model)
 {
-  const std::vector<double> shares = depthShares(problem, sensor);
-  if (!isNarrow(problem, sensor) || std::none_of(shares.begin(), shares.end(), [](double c) { return c > 0; }))
+  if (!isNarrow(problem, sensor)) return std::nullopt;
+  const std::vector<std::optional<double>> factors = factorsToOther(problem, sensor, is_depth);
+  if (std::none_of(factors.begin(), factors.end(), [](const auto& factor) { return factor.has_value(); }))
     return std::nullopt;
   CalibrationProblem other = problem;
-  for (std::size_t i = 0; i < shares.size(); ++i)
-    if (shares[i] > 0) other.readings[i].value *= is_depth ? shares[i] : 1 / shares[i];
+  for (std::size_t i = 0; i < factors.size(); ++i)
+    if (factors[i]) other.readings[i].value *= *factors[i];
   const std::size_t middle = middleOf(problem);
   const std::vector<double> before = densitiesOf(problem, middle, unknowns, model);
   std::vector<double> after = densitiesOf(other, middle, unknowns, model);
   DepthHypothesis hypothesis{.sensor = sensor, .configured = is_depth, .likelier = is_depth};
   if (before.empty() || after.empty()) return hypothesis;
-  for (std::size_t i = 0; i < shares.size(); ++i)  // densities of what was measured
-    if (shares[i] > 0) after[i] += is_depth ? std::log(shares[i]) : -std::log(shares[i]);
+  for (std::size_t i = 0; i < factors.size(); ++i)  // densities of what was measured
+    if (factors[i]) after[i] += std::log(*factors[i]);
   hypothesis.gain = predictiveGain(problem, middle, after, before);
   hypothesis.told = std::abs(hypothesis.gain.gain) > kToldGain * hypothesis.gain.std;
   hypothesis.likelier = is_depth != (hypothesis.told && hypothesis.gain.gain > 0);
-  if (hypothesis.likelier != is_depth) problem = std::move(other);
+  if (hypothesis.differs()) problem = std::move(other);
   return hypothesis;
 }
 }  // namespace

@@ -15,12 +15,13 @@ struct DepthHypothesis
   bool configured = false, likelier = false;  ///< likelier: as configured, unless the other is told
   bool told = false;                          ///< which one it is: by two standard deviations of the gain
   PredictiveGain gain;                        ///< of what is not configured over what is
+  [[nodiscard]] bool differs() const { return likelier != configured; }
 };
 
 /// One per sensor that measures bearings and ranges in a narrow field of view. `problem`: ranges by `is_depth`, what is
 /// configured for each sensor; they are replaced where the other hypothesis predicts the second half of the recording
 /// significantly better. With either, `unknowns` and noise are those that the first half tells with it: a wrong scale
-/// would look like the wrong kind of range. `model`: what is assumed of outliers, and of errors without those.
+/// would look like the wrong kind of range. `model`: what is assumed of outliers.
 [[nodiscard]] std::vector<DepthHypothesis> chooseDepths(CalibrationProblem& problem, const std::vector<bool>& is_depth,
                                                         const std::vector<CalibrationUnknown>& unknowns,
                                                         const RecordingModel& model);

@@ -1,6 +1,10 @@
 #include "mrpt_ext/diagnosis/detection_association.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "mrpt_ext/geometry/measurement_jacobian.h"
 
@@ -29,6 +33,16 @@ double squaredDistance(const Detection& detection, const Reading& reading, const
   }
   return sum;
 }
+
+/// Calls `take` with the number and the squared distance of every landmark of the category.
+template <typename Take>
+void forEachCandidate(const Detection& detection, const Reading& reading, const LandmarkTable& map,
+                      const GaussianPose& robot, const Take& take)
+{
+  for (std::size_t j = 0; j < map.size(); ++j)
+    if (detection.category.empty() || map[j].category == detection.category)
+      take(j, squaredDistance(detection, reading, map[j], robot));
+}
 }  // namespace
 
 DetectionMatch matchOf(const Detection& detection, const Reading& reading, const LandmarkTable& map,
@@ -37,19 +51,18 @@ DetectionMatch matchOf(const Detection& detection, const Reading& reading, const
   if (detection.id != kNoId) return {map.indexOf(detection.id)};
   double best = std::numeric_limits<double>::infinity(), second = best;
   std::size_t nearest = 0;
-  for (std::size_t j = 0; j < map.size(); ++j)
-  {
-    if (!detection.category.empty() && map[j].category != detection.category) continue;
-    const double distance = squaredDistance(detection, reading, map[j], robot);
-    if (distance < best)
-    {
-      second = best;
-      best = distance;
-      nearest = j;
-    }
-    else
-      second = std::min(second, distance);
-  }
+  forEachCandidate(detection, reading, map, robot,
+                   [&](std::size_t j, double distance)
+                   {
+                     if (distance < best)
+                     {
+                       second = best;
+                       best = distance;
+                       nearest = j;
+                     }
+                     else
+                       second = std::min(second, distance);
+                   });
   if (best < kInnerGate2 && second >= kOuterGate2) return {nearest};
   return {std::nullopt, best >= kOuterGate2};
 }
@@ -58,27 +71,25 @@ std::optional<LandmarkMixture> mixtureOf(const Detection& detection, const Readi
                                          const GaussianPose& robot)
 {
   if (!detection.bearing || !detection.range) return std::nullopt;
-  LandmarkMixture mixture;
-  std::vector<std::pair<std::size_t, double>> near;  // with the weight
-  double sum = 0, largest = 0;
-  for (std::size_t j = 0; j < map.size(); ++j)
+  std::vector<std::pair<double, std::size_t>> near;  // weight and number
+  forEachCandidate(detection, reading, map, robot,
+                   [&](std::size_t j, double distance)
+                   {
+                     if (distance < kInnerGate2) near.emplace_back(std::exp(-0.5 * distance), j);
+                   });
+  if (near.empty()) return std::nullopt;
+  LandmarkMixture mixture{.likeliest = std::max_element(near.begin(), near.end())->second};
+  double sum = 0;
+  for (const auto& [weight, j] : near)
   {
-    if (!detection.category.empty() && map[j].category != detection.category) continue;
-    const double distance = squaredDistance(detection, reading, map[j], robot);
-    if (distance >= kInnerGate2) continue;
-    const double weight = std::exp(-0.5 * distance);
-    near.emplace_back(j, weight);
     sum += weight;
     mixture.mean += weight * map[j].position.head<2>();
-    if (weight > largest) mixture.likeliest = j;
-    largest = std::max(largest, weight);
   }
-  if (near.empty()) return std::nullopt;
   mixture.mean /= sum;
   double bearing = square(detection.std_bearing), range = square(detection.std_range);
   const double to_mean = predictBearing(robot.mean, mixture.mean, reading.T_robot_sensor),
                distance_to_mean = predictRange(robot.mean, mixture.mean, reading.T_robot_sensor);
-  for (const auto& [j, weight] : near)
+  for (const auto& [weight, j] : near)
   {
     const Vector2d position = map[j].position.head<2>();
     bearing += weight / sum * square(wrap(predictBearing(robot.mean, position, reading.T_robot_sensor) - to_mean));

@@ -18,6 +18,7 @@ struct DetectionMatch
 /// the next one outside seven).
 [[nodiscard]] DetectionMatch matchOf(const Detection& detection, const Reading& reading, const LandmarkTable& map,
                                      const GaussianPose& robot);
+
 /// One of several landmarks that stand close together, whichever it is.
 struct LandmarkMixture
 {

@@ -45,13 +45,14 @@ LogDiagnosis diagnoseLog(const LocalizationInput& input)
   diagnosis.data = collectCalibrationData(input, diagnosis.trajectory);
   if (const auto other = withLikelierDepths(input, diagnosis.data))
   {
-    diagnosis.trajectory = calibrationTrajectory(*other, other->config.seed);
-    lookAgain(*other, diagnosis.trajectory, diagnosis.data);
+    std::vector<PoseEstimate> trajectory = calibrationTrajectory(*other, other->config.seed);
+    if (lookAgain(*other, trajectory, diagnosis.data)) diagnosis.trajectory = std::move(trajectory);
   }
   const CalibrationData& data = diagnosis.data;
   diagnosis.errors = calibrateLog(data, calibrationUnknowns(input, data));
   if (diagnosis.errors.status != SolveStatus::ok) return diagnosis;
   diagnosis.findings = calibrationFindings(diagnosis.errors, data, input.config);
+  for (CalibrationFinding& finding : depthFindings(data)) diagnosis.findings.push_back(std::move(finding));
   for (CalibrationFinding& finding : noiseFindings(diagnosis.errors, data, input.config))
     diagnosis.findings.push_back(std::move(finding));
   return diagnosis;

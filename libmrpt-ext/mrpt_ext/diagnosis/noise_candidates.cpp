@@ -34,8 +34,8 @@ bool NoiseCandidates::isOther(std::size_t sensor, bool is_range) const
   return scatter > kNoiseDiffers || (scatter < 1 / kNoiseDiffers && !is_configured && !areCorrelated(sensor, is_range));
 }
 
-/// True where successive misfits of one landmark, by one sensor, are correlated. Those of independent errors are not,
-/// or negatively, since the trajectory took up a part of each; of errors that last it took up most.
+/// True where successive misfits of one landmark, by one sensor, are correlated: its errors last, or odometry errs by
+/// more than readings of the stated deviation correct. Either way they tell less than they seem to.
 bool NoiseCandidates::areCorrelated(std::size_t sensor, bool is_range) const
 {
   std::map<std::size_t, double> before;  // by landmark

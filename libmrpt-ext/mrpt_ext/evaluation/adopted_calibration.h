@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mrpt_ext/evaluation/verdict_history.h"
+#include "mrpt_ext/geometry/formatted.h"
 
 namespace mrpt_ext
 {
@@ -12,8 +13,21 @@ namespace mrpt_ext
 struct CalibratedValue
 {
   std::string section, key, value;  ///< as in an .ini
-  double std = 0;                   ///< of the estimate, in the unit of the key
+  double std = 0;                   ///< of the estimate, in the unit of the key; 0: none
 };
+
+/// "0.12", or nothing without a deviation.
+[[nodiscard]] inline std::string deviationText(const CalibratedValue& value)
+{
+  return value.std > 0 ? formatted("%.2g", value.std) : "";
+}
+
+/// The value, and after `separator` "+- 0.12" where it has a deviation.
+[[nodiscard]] inline std::string withDeviation(const CalibratedValue& value, const std::string& separator)
+{
+  const std::string deviation = deviationText(value);
+  return deviation.empty() ? value.value : value.value + separator + "+- " + deviation;
+}
 
 /// A run with one configuration, by its own evidence; the error is for the reader alone.
 struct CalibrationRow

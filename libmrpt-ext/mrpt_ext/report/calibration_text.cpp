@@ -28,8 +28,6 @@ std::vector<Cells> calibrationRows(const RunContext& context, const RunScore& sc
   return {calibrationCells("as configured", context.calibration->before),
           calibrationCells("calibrated", calibratedRow(context, score))};
 }
-
-std::string deviationText(const CalibratedValue& value) { return value.std > 0 ? formatted("%.2g", value.std) : ""; }
 }  // namespace
 
 CalibrationRow calibratedRow(const RunContext& context, const RunScore& score)
@@ -45,8 +43,7 @@ std::string calibrationText(const RunContext& context, const RunScore& score)
   if (!context.calibration) return {};
   std::string text = "calibrated from the log, without the truth (auto_calibrate = false runs as configured):\n";
   for (const CalibratedValue& value : context.calibration->values)
-    text += "  [" + value.section + "] " + value.key + " = " + value.value +
-            (value.std > 0 ? " +- " + deviationText(value) : "") + '\n';
+    text += "  [" + value.section + "] " + value.key + " = " + withDeviation(value, " ") + '\n';
   std::vector<Cells> rows = calibrationRows(context, score);
   rows.insert(rows.begin(), kCalibrationTitles);
   for (const Cells& row : rows)

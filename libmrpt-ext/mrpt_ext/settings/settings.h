@@ -35,6 +35,7 @@ class Settings
   /// "--map my.csv"; it begins every message about this value.
   void set(const std::string& section, const std::string& key, const std::string& value, const std::string& origin);
 
+  /// The keys that it was checked against.
   [[nodiscard]] const KeyTable& table() const { return table_; }
   /// True if the file or --set gives the key a value.
   [[nodiscard]] bool isSet(const std::string& section, const std::string& key) const;
