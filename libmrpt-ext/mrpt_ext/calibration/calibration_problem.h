@@ -18,6 +18,8 @@ enum class CalibrationParameter
   range_offset,    ///< [m] measured = (1 + scale) true + offset
   range_scale,
   landmark_offset,  ///< [m] the same for one landmark, on top of range_offset: radios have a delay of their own
+  landmark_x,       ///< [m] true minus stated position of a landmark in the map, along its x axis
+  landmark_y,       ///< [m] the same along its y axis
   range_height,     ///< [m^2] measured^2 = true^2 + this: the squared height that map and sensor do not state
   distance_scale,   ///< true distance = (1 + scale) distance by odometry
   rotation_scale,   ///< true rotation = (1 + scale) rotation by odometry + veer * distance + drift * time
@@ -42,7 +44,20 @@ enum class CalibrationParameter
   return parameter == CalibrationParameter::lever_arm_x || parameter == CalibrationParameter::lever_arm_y;
 }
 
-/// A parameter to estimate; the sensor counts for parameters of a sensor only, the landmark for landmark_offset.
+/// True for a coordinate of one landmark: an error of the map, whatever sensor sees it.
+[[nodiscard]] constexpr bool isOfMap(CalibrationParameter parameter)
+{
+  return parameter == CalibrationParameter::landmark_x || parameter == CalibrationParameter::landmark_y;
+}
+
+/// True for what each landmark has by itself.
+[[nodiscard]] constexpr bool isOfLandmark(CalibrationParameter parameter)
+{
+  return parameter == CalibrationParameter::landmark_offset || isOfMap(parameter);
+}
+
+/// A parameter to estimate; the sensor counts for parameters of a sensor only, the landmark for those of one. Errors of
+/// the map carry the sensor that tells them.
 struct CalibrationUnknown
 {
   CalibrationParameter parameter = CalibrationParameter::delay;
@@ -95,5 +110,6 @@ struct SensorScatter
   /// Number of residuals less what the adjustment took up: the information about the scatter.
   double bearing_redundancy = 0, range_redundancy = 0;
   double landmark_offset_std = 0;  ///< [m] by which its landmarks' offsets differ; 0: none to estimate
+  double landmark_place_std = 0;  ///< [m] by which they stand beside their places in the map, along each axis; likewise
 };
 }  // namespace mrpt_ext

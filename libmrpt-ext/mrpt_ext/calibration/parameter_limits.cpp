@@ -34,6 +34,8 @@ double priorStd(const CalibrationProblem& problem, const CalibrationUnknown& unk
     case CalibrationParameter::range_offset:
       return 30;
     case CalibrationParameter::landmark_offset:
+    case CalibrationParameter::landmark_x:
+    case CalibrationParameter::landmark_y:
       return typical(problem, unknown.sensor, &CalibrationReading::std);
     case CalibrationParameter::distance_scale:
     case CalibrationParameter::rotation_scale:
@@ -60,6 +62,8 @@ double largestUsefulStd(const CalibrationProblem& problem, const CalibrationUnkn
       return degToRad(3.0);
     case CalibrationParameter::range_offset:
     case CalibrationParameter::landmark_offset:
+    case CalibrationParameter::landmark_x:
+    case CalibrationParameter::landmark_y:
       return 0.05 * typical(problem, unknown.sensor, &CalibrationReading::value);
     case CalibrationParameter::range_scale:
     case CalibrationParameter::veer:

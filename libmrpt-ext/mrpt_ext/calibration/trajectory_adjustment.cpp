@@ -46,24 +46,24 @@ double scatterFrom(std::vector<double> sizes)
 }  // namespace
 
 TrajectoryAdjustment::TrajectoryAdjustment(const CalibrationProblem& problem, std::vector<CalibrationUnknown> unknowns)
-    : problem_(problem),
-      model_(problem, std::move(unknowns)),
-      scatters_(problem.sensors),
-      told_landmarks_(problem.sensors, 0)
+    : problem_(problem), model_(problem, std::move(unknowns)), scatters_(problem.sensors)
 {
   for (const TrajectoryPose& pose : problem.poses) poses_.push_back(pose.pose);
   for (const CalibrationReading& r : problem.readings)
     ++(r.is_range ? scatters_[r.sensor].ranges : scatters_[r.sensor].bearings);
   for (const CalibrationUnknown& unknown : model_.unknowns())
-    if (unknown.parameter == CalibrationParameter::landmark_offset &&
-        scatters_[unknown.sensor].landmark_offset_std == 0)
-      scatters_[unknown.sensor].landmark_offset_std = priorStd(problem, unknown);
+    if (isOfLandmark(unknown.parameter)) landmark_errors_[landmarkErrorsOf(unknown)].std = priorStd(problem, unknown);
+}
+
+TrajectoryAdjustment::LandmarkErrors TrajectoryAdjustment::landmarkErrorsOf(const CalibrationUnknown& unknown)
+{
+  return {unknown.sensor, isOfMap(unknown.parameter)};
 }
 
 double TrajectoryAdjustment::priorOf(const CalibrationUnknown& unknown) const
 {
-  return unknown.parameter == CalibrationParameter::landmark_offset ? scatters_[unknown.sensor].landmark_offset_std
-                                                                    : priorStd(problem_, unknown);
+  return isOfLandmark(unknown.parameter) ? landmark_errors_.at(landmarkErrorsOf(unknown)).std
+                                         : priorStd(problem_, unknown);
 }
 
 double TrajectoryAdjustment::scatterOf(const CalibrationReading& r) const
@@ -99,6 +99,7 @@ void TrajectoryAdjustment::restart(const TrajectoryAdjustment& start, const Eige
 {
   poses_ = start.poses_;
   scatters_ = start.scatters_;
+  landmark_errors_ = start.landmark_errors_;
   model_.setOdometryScatter(start.model_.odometryScatter());
   model_.setErrors(errors);
 }
@@ -106,6 +107,7 @@ void TrajectoryAdjustment::restart(const TrajectoryAdjustment& start, const Eige
 void TrajectoryAdjustment::continueFrom(const TrajectoryAdjustment& start)
 {
   scatters_ = start.scatters_;
+  landmark_errors_ = start.landmark_errors_;
   model_.setOdometryScatter(start.model_.odometryScatter());
   steps_ = start.steps_;
   model_.setErrors(start.model_.errors());
@@ -224,26 +226,22 @@ bool TrajectoryAdjustment::estimateScatters()
 void TrajectoryAdjustment::estimateLandmarkStds(const ChainSolution& solution)
 {
   const std::vector<CalibrationUnknown>& unknowns = model_.unknowns();
-  if (std::none_of(unknowns.begin(), unknowns.end(),
-                   [](const CalibrationUnknown& t) { return t.parameter == CalibrationParameter::landmark_offset; }))
-    return;
+  std::map<LandmarkErrors, double> squares, told, least;
   const Eigen::VectorXd variances = Eigen::MatrixXd(solution.shared_information.inverse()).diagonal();
-  for (std::size_t s = 0; s < scatters_.size(); ++s)
+  for (std::size_t k = 0; k < unknowns.size(); ++k)
   {
-    double squares = 0, told = 0;
-    std::optional<CalibrationUnknown> one;
-    for (std::size_t k = 0; k < unknowns.size(); ++k)
-    {
-      if (unknowns[k].parameter != CalibrationParameter::landmark_offset || unknowns[k].sensor != s) continue;
-      const auto i = static_cast<Eigen::Index>(k);
-      squares += square(model_.errors()[i]);
-      told += std::max(1 - variances[i] / square(scatters_[s].landmark_offset_std), 0.0);
-      one = unknowns[k];
-    }
-    told_landmarks_[s] = told;
-    if (told > kLeastTold)
-      scatters_[s].landmark_offset_std =
-          std::max(std::sqrt(squares / told), kLeastLandmarkStd * priorStd(problem_, *one));
+    if (!isOfLandmark(unknowns[k].parameter)) continue;
+    const LandmarkErrors of = landmarkErrorsOf(unknowns[k]);
+    const auto i = static_cast<Eigen::Index>(k);
+    squares[of] += square(model_.errors()[i]);
+    told[of] += std::max(1 - variances[i] / square(landmark_errors_[of].std), 0.0);
+    least[of] = kLeastLandmarkStd * priorStd(problem_, unknowns[k]);
+  }
+  for (auto& [of, errors] : landmark_errors_)
+  {
+    errors.told = told[of];
+    if (errors.told > kLeastTold) errors.std = std::max(std::sqrt(squares[of] / errors.told), least[of]);
+    (of.of_map ? scatters_[of.sensor].landmark_place_std : scatters_[of.sensor].landmark_offset_std) = errors.std;
   }
 }
 
@@ -375,11 +373,10 @@ std::optional<TrajectoryAdjustment::Uncertainty> TrajectoryAdjustment::uncertain
   {
     Eigen::MatrixXd spread = blocks / (blocks - 1) * scores.transpose() * scores;
     for (std::size_t k = 0; k < model_.unknowns().size(); ++k)
-      if (const CalibrationUnknown& unknown = model_.unknowns()[k];
-          unknown.parameter == CalibrationParameter::landmark_offset)
+      if (const CalibrationUnknown& unknown = model_.unknowns()[k]; isOfLandmark(unknown.parameter))
         // Their deviation is told by few: Student's t instead of Gaussian, to second order.
         spread.diagonal()[static_cast<Eigen::Index>(k)] +=
-            (1 + 2 / std::max(told_landmarks_[unknown.sensor], 1.0)) / square(priorOf(unknown));
+            (1 + 2 / std::max(landmark_errors_.at(landmarkErrorsOf(unknown)).told, 1.0)) / square(priorOf(unknown));
     variance = variance.cwiseMax((inverse * spread * inverse).diagonal());
   }
   return Uncertainty{inverse, variance.cwiseMax(0).cwiseSqrt() / curvature};

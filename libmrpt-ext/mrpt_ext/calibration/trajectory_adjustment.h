@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <map>
 #include <optional>
 
 #include "mrpt_ext/calibration/block_tridiagonal_solver.h"
@@ -83,7 +84,20 @@ class TrajectoryAdjustment
   [[nodiscard]] ReadingLoss lossOf(const CalibrationReading& reading, double residual) const;
   void estimateOutlierShares();
   [[nodiscard]] double priorOf(const CalibrationUnknown& unknown) const;
-  /// By how much the offsets of a sensor's landmarks differ: a variance component (restricted maximum likelihood).
+  /// Errors that landmarks have by themselves, of one kind.
+  struct LandmarkErrors
+  {
+    std::size_t sensor = 0;
+    bool of_map = false;  // else their offsets
+    auto operator<=>(const LandmarkErrors&) const = default;
+  };
+  struct LandmarkVariance
+  {
+    double std = 0;   // [m]
+    double told = 0;  // number of them that readings tell
+  };
+  [[nodiscard]] static LandmarkErrors landmarkErrorsOf(const CalibrationUnknown& unknown);
+  /// By how much the errors of landmarks differ: a variance component (restricted maximum likelihood).
   void estimateLandmarkStds(const ChainSolution& solution);
   [[nodiscard]] PoseChainSystem linearized() const;
   /// What each noise of odometry has in the squared residual of each link, and in its redundancy: a column per link.
@@ -102,7 +116,7 @@ class TrajectoryAdjustment
   TrajectoryModel model_;
   std::vector<Pose2> poses_;
   std::vector<SensorScatter> scatters_;
-  std::vector<double> told_landmarks_;  // number of landmarks' offsets that readings tell, by sensor
+  std::map<LandmarkErrors, LandmarkVariance> landmark_errors_;
   OutlierModel outliers_;
   PerMotionNoise<SecantSearch> search_;  // of the scatters of odometry
   PerMotionNoise<double> odometry_redundancy_{0, 0};

@@ -14,6 +14,12 @@ namespace
 constexpr double kDelayChange = 0.15;
 constexpr double kLeastLink = 1e-4;  // [m], [rad] smallest standard deviation of odometry per link
 
+/// Number of a landmark's unknown, -1: none.
+int termOf(const std::vector<int>& terms, std::size_t landmark)
+{
+  return landmark < terms.size() ? terms[landmark] : -1;
+}
+
 Pose2 differenceOf(const Pose2& plus, const Pose2& minus, double by)
 {
   return {(plus.x - minus.x) / by, (plus.y - minus.y) / by, wrap(plus.phi - minus.phi) / by};
@@ -31,11 +37,13 @@ TrajectoryModel::TrajectoryModel(const CalibrationProblem& problem, std::vector<
   {
     const CalibrationParameter kind = unknowns_[k].parameter;
     SensorTerms unused, &sensor = isOfOdometry(kind) ? unused : of_sensor_[unknowns_[k].sensor];
-    if (kind == CalibrationParameter::landmark_offset)
+    if (isOfLandmark(kind))
     {
-      std::vector<int>& offsets = sensor.landmark_offsets;
-      offsets.resize(std::max(offsets.size(), unknowns_[k].landmark + 1), -1);
-      offsets[unknowns_[k].landmark] = static_cast<int>(k);
+      std::vector<int>& numbers = kind == CalibrationParameter::landmark_offset ? sensor.landmark_offsets
+                                  : kind == CalibrationParameter::landmark_x    ? landmark_x_
+                                                                                : landmark_y_;
+      numbers.resize(std::max(numbers.size(), unknowns_[k].landmark + 1), -1);
+      numbers[unknowns_[k].landmark] = static_cast<int>(k);
       continue;
     }
     int& number = kind == CalibrationParameter::delay            ? sensor.delay
@@ -82,11 +90,6 @@ Pose2 TrajectoryModel::predictOdometry(std::size_t k, const Pose2& moved) const
 
 Pose2 TrajectoryModel::backBy(double time, double late) const { return between(path_.at(time), path_.at(time - late)); }
 
-int TrajectoryModel::landmarkOffset(const SensorTerms& terms, const CalibrationReading& reading)
-{
-  return reading.landmark_number < terms.landmark_offsets.size() ? terms.landmark_offsets[reading.landmark_number] : -1;
-}
-
 ReadingResidual TrajectoryModel::reading(const CalibrationReading& r, const Pose2& pose) const
 {
   const SensorTerms& terms = of_sensor_[r.sensor];
@@ -97,24 +100,26 @@ ReadingResidual TrajectoryModel::reading(const CalibrationReading& r, const Pose
   const Pose2 T_robot_sensor{r.T_robot_sensor.x + valueOf(terms.lever_arm_x),
                              r.T_robot_sensor.y + valueOf(terms.lever_arm_y), r.T_robot_sensor.phi};
   const Vector2d offset = T_robot_sensor.position();
+  const int place_x = termOf(landmark_x_, r.landmark_number), place_y = termOf(landmark_y_, r.landmark_number);
+  const Vector2d landmark = r.landmark + Vector2d(valueOf(place_x), valueOf(place_y));
   ReadingResidual row{.own = {}, .shared = Eigen::RowVectorXd::Zero(values_.size())};
   JacobianRow by_then;
   double predicted = 0;
   if (r.is_range)
   {
-    const double flat = predictRange(then, r.landmark, T_robot_sensor), slant = std::hypot(flat, r.height);
+    const double flat = predictRange(then, landmark, T_robot_sensor), slant = std::hypot(flat, r.height);
     const double scale = 1 + valueOf(terms.range_scale);
-    const int of_landmark = landmarkOffset(terms, r);
+    const int of_landmark = termOf(terms.landmark_offsets, r.landmark_number);
     predicted = scale * slant + valueOf(terms.range_offset) + valueOf(of_landmark);
-    by_then = (slant > 0 ? scale * flat / slant : 0) * rangeJacobian(then, r.landmark, offset);
+    by_then = (slant > 0 ? scale * flat / slant : 0) * rangeJacobian(then, landmark, offset);
     if (terms.range_scale >= 0) row.shared[terms.range_scale] = slant;
     if (terms.range_offset >= 0) row.shared[terms.range_offset] = 1;
     if (of_landmark >= 0) row.shared[of_landmark] = 1;
   }
   else
   {
-    predicted = predictBearing(then, r.landmark, T_robot_sensor) + valueOf(terms.bearing_offset);
-    by_then = bearingJacobian(then, r.landmark, offset);
+    predicted = predictBearing(then, landmark, T_robot_sensor) + valueOf(terms.bearing_offset);
+    by_then = bearingJacobian(then, landmark, offset);
     if (terms.bearing_offset >= 0) row.shared[terms.bearing_offset] = 1;
   }
   row.residual = (r.is_range ? r.value - predicted : wrap(r.value - predicted)) / r.std;
@@ -123,6 +128,9 @@ ReadingResidual TrajectoryModel::reading(const CalibrationReading& r, const Pose
   const Eigen::RowVector2d by_lever_arm = by_then.head<2>() * rotation(then.phi);
   if (terms.lever_arm_x >= 0) row.shared[terms.lever_arm_x] = by_lever_arm.x();
   if (terms.lever_arm_y >= 0) row.shared[terms.lever_arm_y] = by_lever_arm.y();
+  // A landmark that stands elsewhere is seen as from a robot that stands elsewhere, the other way.
+  if (place_x >= 0) row.shared[place_x] = -by_then.x();
+  if (place_y >= 0) row.shared[place_y] = -by_then.y();
   if (terms.delay >= 0)
   {
     const Pose2 by_delay =

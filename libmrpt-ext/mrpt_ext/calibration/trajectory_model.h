@@ -65,7 +65,6 @@ class TrajectoryModel
     std::vector<int> landmark_offsets;  // by landmark, up to the last that has one
   };
   [[nodiscard]] double valueOf(int term) const { return term < 0 ? 0 : values_[term]; }
-  [[nodiscard]] static int landmarkOffset(const SensorTerms& terms, const CalibrationReading& reading);
   /// Odometry that a motion between pose `k - 1` and pose `k` should give.
   [[nodiscard]] Pose2 predictOdometry(std::size_t k, const Pose2& moved) const;
   [[nodiscard]] double durationOf(std::size_t k) const { return problem_.poses[k].time - problem_.poses[k - 1].time; }
@@ -75,6 +74,7 @@ class TrajectoryModel
   const CalibrationProblem& problem_;
   std::vector<CalibrationUnknown> unknowns_;
   std::vector<SensorTerms> of_sensor_;
+  std::vector<int> landmark_x_, landmark_y_;                                // by landmark, up to the last that has one
   int distance_scale_ = -1, rotation_scale_ = -1, veer_ = -1, drift_ = -1;  // numbers of their unknowns
   OdometryPath path_;
   PerMotionNoise<double> odometry_scatter_{1, 1};

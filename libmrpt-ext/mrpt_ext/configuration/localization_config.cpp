@@ -184,6 +184,8 @@ LocalizationConfig localizationConfig(const Settings& settings, const LandmarkTa
   config.final_scene = settings.flag(kExperimentSection, "save_final_scene");
   config.max_detections = static_cast<std::size_t>(settings.integer(kExperimentSection, "max_detections"));
   config.max_landmarks = static_cast<std::size_t>(settings.integer(kExperimentSection, "max_landmarks"));
+  config.landmark_shift_x = landmarkValues(settings, kExperimentSection, kShiftKeys[0]);
+  config.landmark_shift_y = landmarkValues(settings, kExperimentSection, kShiftKeys[1]);
   config.scene_every = static_cast<std::size_t>(settings.integer(kExperimentSection, "save_scene_every"));
   return config;
 }

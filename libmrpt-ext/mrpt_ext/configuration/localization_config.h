@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,9 @@
 namespace mrpt_ext
 {
 inline const std::string kExperimentSection = "LocalizationExperiment";  ///< of the .ini file
+
+/// Keys of it with corrections of landmarks' places, along x and y.
+inline const std::array<std::string, 2> kShiftKeys{"landmark_shift_x_m", "landmark_shift_y_m"};
 
 inline constexpr double kRegionMargin = 3;             ///< [m] around the landmarks: where the robot may be
 inline constexpr double kStepBudgetMs = 50;            ///< [ms] of a step of the particle filter
@@ -47,6 +51,8 @@ struct LocalizationConfig
   std::size_t scene_every = 0;          ///< a scene of every N-th frame; 0: none
   std::size_t max_detections = 2000;    ///< of a frame
   std::size_t max_landmarks = 100'000;  ///< of the map
+  /// [m] corrections of landmarks' places in the map, which configuredMap() has made.
+  LandmarkValues landmark_shift_x, landmark_shift_y;
 };
 
 /// Reads the configuration; the map is needed for the default box of possible positions. Throws InputError

@@ -110,7 +110,12 @@ KeyTable methodKeys()
       .integer("max_detections", "", config.max_detections, ranges::kCount,
                "Most detections of a frame. A frame with more is an error: memory and time grow with them.")
       .integer("max_landmarks", "", config.max_landmarks, ranges::kCount,
-               "Most landmarks of the map. A map with more is an error: memory and time grow with them.");
+               "Most landmarks of the map. A map with more is an error: memory and time grow with them.")
+      .text(
+          "landmark_shift_x_m", "m", "",
+          "Corrections of landmarks' places in the map, along x. Pairs id:shift such as 3:-0.31 4:0.05, for those that "
+          "were surveyed wrongly.")
+      .text("landmark_shift_y_m", "m", "", "See landmark_shift_x_m.");
 }
 
 KeyTable motionKeys()

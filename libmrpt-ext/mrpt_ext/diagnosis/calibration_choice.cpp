@@ -11,6 +11,7 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kPays = 2;           // standard deviations, of an error and of a gain
+constexpr double kSurveyed = 3;       // standard deviations of a gain, of errors of the map
 constexpr double kBeyondDoubt = 4;    // standard deviations, of an error
 constexpr double kLeastShare = 1e-3;  // of outliers
 
@@ -34,10 +35,14 @@ struct Part
 
 bool isShared(const CalibrationUnknown& unknown) { return isOfAllRanges(unknown.parameter); }
 
-bool isOfLandmark(const CalibrationUnknown& unknown)
+bool isLandmarkOffset(const CalibrationUnknown& unknown)
 {
   return unknown.parameter == CalibrationParameter::landmark_offset;
 }
+
+bool isOfLandmark(const CalibrationUnknown& unknown) { return mrpt_ext::isOfLandmark(unknown.parameter); }
+
+bool isMapError(const CalibrationUnknown& unknown) { return isOfMap(unknown.parameter); }
 
 bool isOfPlace(const CalibrationUnknown& unknown) { return isLeverArm(unknown.parameter); }
 
@@ -45,7 +50,8 @@ bool isOfPlace(const CalibrationUnknown& unknown) { return isLeverArm(unknown.pa
 bool belongTogether(const CalibrationUnknown& a, const CalibrationUnknown& b)
 {
   const bool of_ranges = isOfAllRanges(a.parameter) && isOfAllRanges(b.parameter);
-  return a.sensor == b.sensor && (of_ranges || (isOfLandmark(a) && isOfLandmark(b)));
+  return a.sensor == b.sensor && (of_ranges || (isLandmarkOffset(a) && isLandmarkOffset(b)) ||
+                                  (isMapError(a) && isMapError(b) && a.landmark == b.landmark));
 }
 
 class ChoiceSearch
@@ -68,6 +74,7 @@ class ChoiceSearch
   {
     const std::vector<double> configured = densitiesOf({}, first_half_);
     std::vector<double> best = densitiesOf(parts_, found_);
+    if (!mapErrorsPay(best)) best = densitiesOf(parts_, found_);
     while (const std::optional<std::size_t> worst = worstPart(best))
     {
       takeOut(*worst);
@@ -115,6 +122,22 @@ class ChoiceSearch
     std::erase_if(parts_, tells_nothing);
   }
 
+  /// All errors of the map together; they are taken out at once where they do not pay. Places of good surveys, which
+  /// are most, are not looked at one by one.
+  [[nodiscard]] bool mapErrorsPay(const std::vector<double>& best)
+  {
+    const std::vector<Part> parts = parts_;
+    const CalibrationResult found = found_;
+    std::erase_if(parts_, [this](const Part& part) { return isOfMap(part); });
+    if (parts_.size() == parts.size()) return true;
+    found_ = fitOf(parts_);
+    const PredictiveGain gain = predictiveGain(data_.problem, middle_, best, densitiesOf(parts_, found_));
+    if (!(gain.gain > kSurveyed * gain.std)) return false;
+    parts_ = parts;
+    found_ = found;
+    return true;
+  }
+
   /// The part that the second half is predicted best without, if it does not pay.
   [[nodiscard]] std::optional<std::size_t> worstPart(const std::vector<double>& best) const
   {
@@ -154,7 +177,13 @@ class ChoiceSearch
   /// Standard deviations of the gain: what the first half tells beyond doubt has only to improve the prediction.
   [[nodiscard]] double neededGain(const Part& part) const
   {
+    if (isOfMap(part)) return kSurveyed;
     return !isOfLandmarks(part) && strengthOf(part, first_half_) > kBeyondDoubt ? 0 : kPays;
+  }
+
+  [[nodiscard]] bool isOfMap(const Part& part) const
+  {
+    return !part.errors.empty() && mrpt_ext::isOfMap(unknowns_[part.errors.front()].parameter);
   }
 
   [[nodiscard]] bool isOfLandmarks(const Part& part) const
@@ -174,7 +203,7 @@ class ChoiceSearch
     };
     std::vector<std::size_t> numbers;
     for (std::size_t k = 0; k < unknowns_.size(); ++k)
-      for (const auto& is_it : {isOfLandmark, isOfPlace})
+      for (const auto& is_it : {isLandmarkOffset, isMapError, isOfPlace})
         if (const std::size_t sensor = unknowns_[k].sensor;
             is_it(unknowns_[k]) && has(sensor, isShared) && !has(sensor, is_it))
           numbers.push_back(k);

@@ -16,6 +16,7 @@ namespace
 constexpr double kStep = 1;          // [s] longest time between two poses
 constexpr double kLongestGap = 180;  // [s] that odometry bridges
 constexpr std::size_t kMostReadings = 100'000;
+constexpr std::size_t kMostPlaced = 12;                     // landmarks, for errors of the map
 constexpr std::size_t kMostRadios = 50, kLeastRanges = 20;  // ranges: per radio, on average
 
 class CalibrationDataBuilder
@@ -233,7 +234,7 @@ std::vector<CalibrationUnknown> calibrationUnknowns(const LocalizationInput& inp
   using enum CalibrationParameter;
   const bool moving = !input.config.frames.independent && !data.problem.odometry.empty() &&
                       input.config.filter.motion.type != MotionType::random_walk;
-  std::set<std::size_t> bearings, ranges;
+  std::set<std::size_t> bearings, ranges, placed;
   for (const CalibrationReading& r : data.problem.readings) (r.is_range ? ranges : bearings).insert(r.sensor);
   std::vector<CalibrationUnknown> unknowns;
   if (moving) unknowns = {{distance_scale}, {rotation_scale}, {veer}, {drift}};
@@ -251,7 +252,13 @@ std::vector<CalibrationUnknown> calibrationUnknowns(const LocalizationInput& inp
     unknowns.push_back({range_offset, s});
     unknowns.push_back({range_scale, s});
     if (bearings.count(s) > 0 || !data.identified[s]) continue;
-    for (const std::size_t landmark : radiosOf(data, s)) unknowns.push_back({landmark_offset, s, landmark});
+    for (const std::size_t landmark : radiosOf(data, s))
+    {
+      unknowns.push_back({landmark_offset, s, landmark});
+      if (radiosOf(data, s).size() > kMostPlaced || !placed.insert(landmark).second) continue;
+      unknowns.push_back({landmark_x, s, landmark});
+      unknowns.push_back({landmark_y, s, landmark});
+    }
   }
   return unknowns;
 }

@@ -192,29 +192,32 @@ bool differs(const CalibrationFinding& found)
   return found.why_not_observable.empty() && std::abs(found.estimate - found.configured) > kSignificant * found.std;
 }
 
-/// Offsets of the landmarks of a sensor, all in one line; nothing without such unknowns. They differ when they are
-/// more, in their own deviations, than chance makes of so many.
-std::optional<CalibrationFinding> landmarkOffsets(const CalibrationResult& errors, std::size_t sensor,
-                                                  const CalibrationData& data, const LocalizationConfig& config)
+/// What each landmark has by itself: how it is stated, by id.
+struct OfLandmarks
 {
-  const SensorConfig& now = configOf(config.frames.sensors, data.sensors[sensor]);
-  CalibrationFinding found{.what = data.sensors[sensor] + ": range offsets of its landmarks",
-                           .unit = "m",
-                           .line = {"Sensor_" + data.sensors[sensor], "landmark_bias_range_m", ""}};
-  LandmarkValues values = now.landmark_bias_range;
+  CalibrationParameter parameter = CalibrationParameter::landmark_offset;
+  LandmarkValues configured;
+  double scale = 1;  // of a value over the error
+};
+
+/// Errors that a sensor's landmarks have by themselves, all in one line; nothing without such unknowns. They differ
+/// when they are more, in their own deviations, than chance makes of so many.
+std::optional<CalibrationFinding> ofLandmarks(CalibrationFinding found, OfLandmarks stated,
+                                              const CalibrationResult& errors, std::size_t sensor,
+                                              const CalibrationData& data)
+{
+  LandmarkValues& values = stated.configured;
   double count = 0, in_deviations = 0;
   for (const ParameterEstimate& error : errors.errors)
   {
-    if (error.unknown.parameter != CalibrationParameter::landmark_offset || error.unknown.sensor != sensor) continue;
-    const int id = data.ids[error.unknown.landmark];
-    const double configured = valueOf(now.landmark_bias_range, id);
-    const double value = configured + now.scale_range * error.value, std = now.scale_range * error.std;
+    if (error.unknown.parameter != stated.parameter || error.unknown.sensor != sensor) continue;
+    double& value = values[data.ids[error.unknown.landmark]];
     ++count;
-    found.configured += square(configured);
+    found.configured += square(value);
+    value += stated.scale * error.value;
     found.estimate += square(value);
-    found.std += square(std);
+    found.std += square(stated.scale * error.std);
     if (error.std > 0) in_deviations += square(error.value / error.std);
-    values[id] = value;
   }
   if (count == 0) return std::nullopt;
   for (const auto& [id, value] : values)
@@ -223,6 +226,27 @@ std::optional<CalibrationFinding> landmarkOffsets(const CalibrationResult& error
   for (double* sum : {&found.configured, &found.estimate, &found.std}) *sum = std::sqrt(*sum / count);
   found.differs = in_deviations > count + kSignificant * std::sqrt(2 * count);
   return found;
+}
+
+std::vector<CalibrationFinding> landmarkFindings(const CalibrationResult& errors, std::size_t sensor,
+                                                 const CalibrationData& data, const LocalizationConfig& config)
+{
+  using enum CalibrationParameter;
+  const std::string& label = data.sensors[sensor];
+  const SensorConfig& now = configOf(config.frames.sensors, label);
+  std::vector<CalibrationFinding> findings;
+  const auto add = [&](const std::string& what, const IniAssignment& line, const OfLandmarks& stated)
+  {
+    if (const auto found = ofLandmarks({.what = what, .unit = "m", .line = line}, stated, errors, sensor, data))
+      findings.push_back(*found);
+  };
+  add(label + ": range offsets of its landmarks", {"Sensor_" + label, "landmark_bias_range_m", ""},
+      {landmark_offset, now.landmark_bias_range, now.scale_range});
+  add("map: landmarks beside their places, x", {kExperimentSection, kShiftKeys[0], ""},
+      {landmark_x, config.landmark_shift_x});
+  add("map: landmarks beside their places, y", {kExperimentSection, kShiftKeys[1], ""},
+      {landmark_y, config.landmark_shift_y});
+  return findings;
 }
 
 CalibrationFinding depthFinding(const DepthHypothesis& hypothesis, const std::string& label)
@@ -260,7 +284,7 @@ std::vector<CalibrationFinding> calibrationFindings(const CalibrationResult& err
   std::vector<CalibrationFinding> findings;
   std::vector<ParameterEstimate> shared;  // by all landmarks
   for (const ParameterEstimate& error : errors.errors)
-    if (error.unknown.parameter != CalibrationParameter::landmark_offset) shared.push_back(error);
+    if (!isOfLandmark(error.unknown.parameter)) shared.push_back(error);
   for (const ParameterEstimate& error : shared) findings.push_back(translator.finding(error));
   for (std::size_t k = 0; k < findings.size(); ++k)
   {
@@ -271,7 +295,7 @@ std::vector<CalibrationFinding> calibrationFindings(const CalibrationResult& err
     settleLine(findings[k], set);
   }
   for (std::size_t s = 0; s < data.sensors.size(); ++s)
-    if (const auto found = landmarkOffsets(errors, s, data, config)) findings.push_back(*found);
+    for (const CalibrationFinding& found : landmarkFindings(errors, s, data, config)) findings.push_back(found);
   return findings;
 }
 

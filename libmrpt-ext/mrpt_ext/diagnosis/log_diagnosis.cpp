@@ -21,7 +21,7 @@ CalibrationResult calibrateLog(const CalibrationData& data, const std::vector<Ca
   std::set<std::size_t> of_landmarks, shares;  // sensors
   for (const ParameterEstimate& error : all.errors)
   {
-    if (error.unknown.parameter == CalibrationParameter::landmark_offset) of_landmarks.insert(error.unknown.sensor);
+    if (isOfLandmark(error.unknown.parameter)) of_landmarks.insert(error.unknown.sensor);
     if (isOfAllRanges(error.unknown.parameter) && std::abs(error.value) > kShared * error.std)
       shares.insert(error.unknown.sensor);
   }

@@ -1,5 +1,6 @@
 #include "mrpt_ext/diagnosis/place_deviation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -26,8 +27,8 @@ std::vector<CalibrationFinding> placeDeviations(const std::vector<CalibrationFin
     CalibrationFinding found{.what = label + ": deviation of stated places",
                              .unit = "m",
                              .configured = kAssumedLeverArmStd,
-                             .estimate = std::sqrt(sum / 2),
-                             .std = std::sqrt(sum) / 2,
+                             .estimate = std::min(std::sqrt(sum / 2), kAssumedLeverArmStd),
+                             .std = std::min(std::sqrt(sum), kAssumedLeverArmStd) / 2,
                              .line = {section, "lever_arm_std_m", ""}};
     settleLine(found, true);
     deviations.push_back(found);

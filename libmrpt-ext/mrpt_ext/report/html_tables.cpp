@@ -161,7 +161,7 @@ std::string spellTable(const RunScore& score)
                      escapeHtml(spell.reason)});
   if (rows.empty()) return {};
   if (spells.others > 0) rows += htmlRow({std::to_string(spells.others) + " shorter ones", "", ""});
-  return htmlTable({"from start of log", "verdict", "reason at its first frame"}, rows, "spells");
+  return htmlTable({"from start of log", "verdict", "reason that held longest"}, rows, "spells");
 }
 
 std::string provenanceTable(const RunContext& context, const RunScore& score)

@@ -20,8 +20,9 @@ std::string successText(const RunScore& score, const TrialScore& trial)
   if (!trial.success)
     return "success is not known: the truth begins more than " + numberText(score.limits.max_convergence_s, 0) +
            " s after the log." + judged_at;
-  return (*trial.success ? "success." : "no success: converged too late, or later outside for more than 10 s.") +
-         judged_at;
+  if (*trial.success) return "success." + judged_at;
+  const bool late = *trial.converged_at_s > score.limits.max_convergence_s;
+  return (late ? "no success: converged too late." : "no success: later outside for more than 10 s.") + judged_at;
 }
 
 constexpr double kStampInterval = 1;  // [s] between the stamps at which errors are known
@@ -58,8 +59,8 @@ std::string trialText(const RunScore& score)
     return *score.judged_method + " never stayed within " + limits +
            " for 5 s: no errors after convergence (whole run: RMSE " + magnitudeText(whole) + " m).";
   }
-  return *score.judged_method + " converged after " + numberText(trial.converged_at_s, 1) + " s (from then on within " +
-         limits + " of the truth); " + successText(score, trial) + laterOkText(score, *trial.converged_at_s);
+  return *score.judged_method + " converged after " + numberText(trial.converged_at_s, 1) + " s (within " + limits +
+         " of the truth); " + successText(score, trial) + laterOkText(score, *trial.converged_at_s);
 }
 
 std::string trialsText(const RunScore& score)
