@@ -33,6 +33,7 @@ TEST(ConfiguredMap, HasItsLandmarksWhereTheConfigurationCorrectsThemToBe)
   ASSERT_EQ(map.size(), 2U);
   EXPECT_EQ(map[0].position, Vector3d(1, 2.125, 0.5));
   EXPECT_EQ(map[1].position, Vector3d(-2.75, 3.5, 0));
+  EXPECT_EQ(correctedMap(settings, map)[1].position, Vector3d(-2.5, 3, 0));
   const LocalizationConfig config = localizationConfig(settings, map);
   EXPECT_EQ(config.landmark_shift_x, (LandmarkValues{{7, 0.25}}));
   EXPECT_EQ(config.landmark_shift_y, (LandmarkValues{{4, 0.125}, {7, -0.5}}));

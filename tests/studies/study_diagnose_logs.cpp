@@ -95,7 +95,9 @@ class UncalibratedLog
             {"bias_bearing_deg", radToDeg(camera.bias_bearing)},
             {"bias_range_m", camera.bias_range},
             {"scale_range", camera.scale_range},
-            {"landmark_bias_range_m", 0},  // root mean square over the landmarks
+            {"landmark_bias_range_m", 0},  // root mean square over the landmarks, as the next two
+            {"landmark_shift_x_m", 0},
+            {"landmark_shift_y_m", 0},
             {"std_bearing_deg", radToDeg(camera.std_bearing)},
             {"std_range_m", camera.std_range},
             {"range_along_axis", 0},

@@ -41,14 +41,14 @@ struct CalibrationResult
 ///
 /// The standard deviation of a parameter is the larger of two: that of the normal equations with the scatters found,
 /// and that by which separate parts of the recording disagree (sandwich estimator over up to thirty blocks of time,
-/// which counts correlated errors for what they are). Offsets of single landmarks are random with a deviation that is
-/// estimated too (restricted maximum likelihood): what all landmarks share is told as well as they agree. A parameter
-/// is observable when its standard deviation is small enough to be of use (delay 0.1 s, bearing offset 3 deg, range
-/// offset a twentieth of the typical range, range scale 0.05, odometry scales 0.1, veer 0.05 rad/m, drift 1 deg/s,
-/// lever arms half of what was not known; parameter_limits.h). One that is not stays in the adjustment with its prior.
-/// A robot that does not move by more than the error of its odometry makes no delay and no parameter of odometry
-/// observable. Status: `too_few` below 20 readings or 3 per unknown, `degenerate` when poses stay undetermined,
-/// `bad_input`.
+/// which counts correlated errors for what they are). Offsets of single landmarks, and their places in the map, are
+/// random with a deviation that is estimated too (restricted maximum likelihood): what all landmarks share is told as
+/// well as they agree. A parameter is observable when its standard deviation is small enough to be of use (delay 0.1 s,
+/// bearing offset 3 deg, range offset and place of a landmark a twentieth of the typical range, range scale 0.05,
+/// odometry scales 0.1, veer 0.05 rad/m, drift 1 deg/s, lever arms half of what was not known; parameter_limits.h). One
+/// that is not stays in the adjustment with its prior. A robot that does not move by more than the error of its
+/// odometry makes no delay and no parameter of odometry observable. Status: `too_few` below 20 readings or 3 per
+/// unknown, `degenerate` when poses stay undetermined, `bad_input`.
 [[nodiscard]] CalibrationResult calibrate(const CalibrationProblem& problem,
                                           const std::vector<CalibrationUnknown>& unknowns);
 }  // namespace mrpt_ext

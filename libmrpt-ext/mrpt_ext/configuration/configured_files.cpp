@@ -15,10 +15,7 @@ std::filesystem::path requiredPath(const Settings& settings, const std::string& 
                            option);
 }
 
-namespace
-{
-/// The map with its landmarks where the configuration corrects them to be.
-LandmarkTable shifted(const Settings& settings, const LandmarkTable& map)
+LandmarkTable correctedMap(const Settings& settings, const LandmarkTable& map)
 {
   std::vector<Landmark> landmarks = map.all();
   for (Eigen::Index axis = 0; axis < 2; ++axis)
@@ -35,7 +32,6 @@ LandmarkTable shifted(const Settings& settings, const LandmarkTable& map)
   }
   return LandmarkTable(std::move(landmarks));
 }
-}  // namespace
 
 LandmarkTable configuredMap(const Settings& settings)
 {
@@ -43,6 +39,6 @@ LandmarkTable configuredMap(const Settings& settings)
   const auto most = static_cast<std::size_t>(settings.integer(kExperimentSection, "max_landmarks"));
   LandmarkTable map = readLandmarkMapFile(path, {most, "[" + kExperimentSection + "] max_landmarks"});
   if (map.empty()) throw configurationError(path.string() + ": holds no landmark, at least one is needed");
-  return shifted(settings, map);
+  return correctedMap(settings, map);
 }
 }  // namespace mrpt_ext

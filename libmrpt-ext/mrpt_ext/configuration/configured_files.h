@@ -15,6 +15,10 @@ inline const std::string kMapSection = "MetricMap_landmarkMap2D_00_creationOpts"
 [[nodiscard]] std::filesystem::path requiredPath(const Settings& settings, const std::string& section,
                                                  const std::string& key, const std::string& option);
 
-/// The map that a configuration names, within its limit. Throws InputError, also when it holds no landmark.
+/// `map` with its landmarks where the configuration corrects them to be (kShiftKeys). Throws InputError for a landmark
+/// that is not there.
+[[nodiscard]] LandmarkTable correctedMap(const Settings& settings, const LandmarkTable& map);
+
+/// The map that a configuration names, within its limit, corrected. Throws InputError, also when it holds no landmark.
 [[nodiscard]] LandmarkTable configuredMap(const Settings& settings);
 }  // namespace mrpt_ext

@@ -132,7 +132,7 @@ class ChoiceSearch
     if (parts_.size() == parts.size()) return true;
     found_ = fitOf(parts_);
     const PredictiveGain gain = predictiveGain(data_.problem, middle_, best, densitiesOf(parts_, found_));
-    if (!(gain.gain > kSurveyed * gain.std)) return false;
+    if (!(gain.gain > kPays * gain.std)) return false;
     parts_ = parts;
     found_ = found;
     return true;

@@ -40,7 +40,8 @@ OnlineOptions onlineOptions(const LocalizationConfig& config)
 OnlineLocalizer OnlineLocalizer::fromIni(const std::filesystem::path& ini, const std::filesystem::path& map)
 {
   const Settings settings = Settings::load(ini, localizationKeys());
-  const LandmarkTable landmarks = map.empty() ? configuredMap(settings) : readLandmarkMapFile(map);
+  const LandmarkTable landmarks =
+      map.empty() ? configuredMap(settings) : correctedMap(settings, readLandmarkMapFile(map));
   return {onlineOptions(localizationConfig(settings, landmarks)), landmarks};
 }
 
