@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <tuple>
 
 #include "mrpt_ext/calibration/block_tridiagonal_solver.h"
 #include "mrpt_ext/calibration/outlier_model.h"
@@ -89,7 +90,10 @@ class TrajectoryAdjustment
   {
     std::size_t sensor = 0;
     bool of_map = false;  // else their offsets
-    auto operator<=>(const LandmarkErrors&) const = default;
+    bool operator<(const LandmarkErrors& other) const
+    {
+      return std::tie(sensor, of_map) < std::tie(other.sensor, other.of_map);
+    }
   };
   struct LandmarkVariance
   {
