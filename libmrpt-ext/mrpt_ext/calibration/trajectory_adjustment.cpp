@@ -225,6 +225,7 @@ bool TrajectoryAdjustment::estimateScatters()
 
 void TrajectoryAdjustment::estimateLandmarkStds(const ChainSolution& solution)
 {
+  if (landmark_errors_.empty()) return;
   const std::vector<CalibrationUnknown>& unknowns = model_.unknowns();
   std::map<LandmarkErrors, double> squares, told, least;
   const Eigen::VectorXd variances = Eigen::MatrixXd(solution.shared_information.inverse()).diagonal();

@@ -74,7 +74,7 @@ class ChoiceSearch
   {
     const std::vector<double> configured = densitiesOf({}, first_half_);
     std::vector<double> best = densitiesOf(parts_, found_);
-    if (!mapErrorsPay(best)) best = densitiesOf(parts_, found_);
+    dropErrorsOfMap(best);
     while (const std::optional<std::size_t> worst = worstPart(best))
     {
       takeOut(*worst);
@@ -122,20 +122,20 @@ class ChoiceSearch
     std::erase_if(parts_, tells_nothing);
   }
 
-  /// All errors of the map together; they are taken out at once where they do not pay. Places of good surveys, which
-  /// are most, are not looked at one by one.
-  [[nodiscard]] bool mapErrorsPay(const std::vector<double>& best)
+  /// Takes out all errors of the map at once where together they do not pay; `best`: densities with what stays. Places
+  /// of good surveys, which are most, are not looked at one by one.
+  void dropErrorsOfMap(std::vector<double>& best)
   {
-    const std::vector<Part> parts = parts_;
-    const CalibrationResult found = found_;
-    std::erase_if(parts_, [this](const Part& part) { return isOfMap(part); });
-    if (parts_.size() == parts.size()) return true;
-    found_ = fitOf(parts_);
-    const PredictiveGain gain = predictiveGain(data_.problem, middle_, best, densitiesOf(parts_, found_));
-    if (!(gain.gain > kPays * gain.std)) return false;
-    parts_ = parts;
-    found_ = found;
-    return true;
+    std::vector<Part> others = parts_;
+    std::erase_if(others, [this](const Part& part) { return isOfMap(part); });
+    if (others.size() == parts_.size()) return;
+    CalibrationResult found = fitOf(others);
+    std::vector<double> without = densitiesOf(others, found);
+    const PredictiveGain gain = predictiveGain(data_.problem, middle_, best, without);
+    if (gain.gain > kPays * gain.std) return;
+    parts_ = std::move(others);
+    found_ = std::move(found);
+    best = std::move(without);
   }
 
   /// The part that the second half is predicted best without, if it does not pay.

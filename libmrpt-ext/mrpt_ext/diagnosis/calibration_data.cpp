@@ -252,10 +252,11 @@ std::vector<CalibrationUnknown> calibrationUnknowns(const LocalizationInput& inp
     unknowns.push_back({range_offset, s});
     unknowns.push_back({range_scale, s});
     if (bearings.count(s) > 0 || !data.identified[s]) continue;
-    for (const std::size_t landmark : radiosOf(data, s))
+    const std::set<std::size_t> radios = radiosOf(data, s);
+    for (const std::size_t landmark : radios)
     {
       unknowns.push_back({landmark_offset, s, landmark});
-      if (radiosOf(data, s).size() > kMostPlaced || !placed.insert(landmark).second) continue;
+      if (radios.size() > kMostPlaced || !placed.insert(landmark).second) continue;
       unknowns.push_back({landmark_x, s, landmark});
       unknowns.push_back({landmark_y, s, landmark});
     }
