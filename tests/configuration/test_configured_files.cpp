@@ -8,27 +8,27 @@
 #include "mrpt_ext/configuration/localization_config.h"
 #include "mrpt_ext/configuration/localization_keys.h"
 #include "mrpt_ext/geometry/input_error.h"
+#include "scratch_folder.h"
 
 namespace mrpt_ext::test_configured_files
 {
 namespace
 {
-const std::filesystem::path kFolder = std::filesystem::temp_directory_path() / "test_configured_files";
-
 /// [LocalizationExperiment] with `lines`, beside a map of two landmarks.
-Settings settingsWith(const std::string& lines)
+Settings settingsWith(const std::filesystem::path& folder, const std::string& lines)
 {
-  std::filesystem::create_directories(kFolder);
-  std::ofstream(kFolder / "map.csv") << "id,x,y,z,category\n4,1,2,0.5,\n7,-3,4,0,\n";
+  std::ofstream(folder / "map.csv") << "id,x,y,z,category\n4,1,2,0.5,\n7,-3,4,0,\n";
   return Settings::parse(
       "[LocalizationExperiment]\n" + lines + "\n[MetricMap_landmarkMap2D_00_creationOpts]\nlandmarks_file = map.csv\n",
-      kFolder / "a.ini", localizationKeys());
+      folder / "a.ini", localizationKeys());
 }
 }  // namespace
 
 TEST(ConfiguredMap, HasItsLandmarksWhereTheConfigurationCorrectsThemToBe)
 {
-  const Settings settings = settingsWith("landmark_shift_x_m = 7:0.25\nlandmark_shift_y_m = 7:-0.5 4:0.125");
+  const testing::ScratchFolder folder;
+  const Settings settings =
+      settingsWith(folder.path(), "landmark_shift_x_m = 7:0.25\nlandmark_shift_y_m = 7:-0.5 4:0.125");
   const LandmarkTable map = configuredMap(settings);
   ASSERT_EQ(map.size(), 2U);
   EXPECT_EQ(map[0].position, Vector3d(1, 2.125, 0.5));
@@ -41,9 +41,10 @@ TEST(ConfiguredMap, HasItsLandmarksWhereTheConfigurationCorrectsThemToBe)
 
 TEST(ConfiguredMap, OfALandmarkThatIsNotThereIsAnErrorWithItsLine)
 {
+  const testing::ScratchFolder folder;
   try
   {
-    (void)configuredMap(settingsWith("random_seed = 2\nlandmark_shift_y_m = 5:0.1"));
+    (void)configuredMap(settingsWith(folder.path(), "random_seed = 2\nlandmark_shift_y_m = 5:0.1"));
     FAIL() << "no error";
   }
   catch (const InputError& error)
