@@ -80,6 +80,7 @@ TEST(KeyDefaults, OfTheMotionModelAreThoseOfItsStruct)
   const OdometryCorrection odometry = config.frames.odometry, none;
   EXPECT_EQ(odometry.scale, none.scale);
   EXPECT_EQ(odometry.rotation_scale, none.rotation_scale);
+  EXPECT_EQ(odometry.yaw, none.yaw);
   EXPECT_EQ(odometry.turn_per_m, none.turn_per_m);
   EXPECT_EQ(odometry.turn_per_s, none.turn_per_s);
   EXPECT_EQ(odometry.delay, none.delay);
@@ -132,6 +133,7 @@ TEST(KeyDefaults, OfASensorAreThoseOfItsConfig)
   EXPECT_EQ(read.lever_arm, plain.lever_arm);
   EXPECT_EQ(read.lever_arm_std, plain.lever_arm_std);
   EXPECT_EQ(read.delay_std, plain.delay_std);
+  EXPECT_EQ(read.yaw_std, plain.yaw_std);
   EXPECT_EQ(read.association, plain.association);
   EXPECT_EQ(read.reflectors.has_value(), plain.reflectors.has_value());
   EXPECT_EQ(read.ignore, plain.ignore);

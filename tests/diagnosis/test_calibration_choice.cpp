@@ -222,21 +222,74 @@ TEST(CalibrationChoice, ThePlaceOfASensorIsAdoptedWithItsRangeOffset)
   }
 }
 
-TEST(CalibrationChoice, AnOffsetOfBearingsIsToldBesideWhatIsAdopted)
+struct TurnedCamera
+{
+  double offset_deg = 2;
+  bool is_alone = true;  // else another one looks where it is said to
+  Vector2d lever_arm{0, 0};
+};
+
+std::vector<CalibrationFinding> adoptedWith(const TurnedCamera& camera)
 {
   DrivePlan plan;
   plan.duration = 240;
-  plan.bearing_offset = degToRad(2.0);
-  plan.delay = 0.2;
-  const CalibrationData data = recorded(plan, 1);
-  const std::vector<CalibrationUnknown> unknowns{{Kind::distance_scale}, {Kind::delay}, {Kind::bearing_offset}};
-  const CalibrationChoice choice = chooseCalibration(data, unknowns, {});
-  EXPECT_TRUE(has(choice, Kind::delay));
-  EXPECT_FALSE(has(choice, Kind::bearing_offset));
-  const std::vector<CalibrationFinding> told = bearingOffsetFindings(choice, data, unknowns, {});
-  ASSERT_EQ(told.size(), 1U);
-  EXPECT_EQ(told.front().line.section + '.' + told.front().line.key, "Sensor_uwb.bias_bearing_deg");
-  EXPECT_NEAR(told.front().estimate, 2, 4 * told.front().std);
+  plan.bearing_offset = degToRad(camera.offset_deg);
+  plan.lever_arm = camera.lever_arm;
+  CalibrationData data = recorded(plan, 1);
+  data.sensors = {"camera", "other"};
+  data.identified = {true, true};
+  data.problem.sensors = 2;
+  for (CalibrationReading& r : data.problem.readings)
+    if (r.sensor = camera.is_alone ? 0 : r.pose % 2; r.sensor > 0 && !r.is_range)
+      r.value = wrap(r.value - plan.bearing_offset);
+  std::vector<CalibrationUnknown> unknowns{{Kind::bearing_offset, 0}, {Kind::bearing_offset, 1}};
+  if (!camera.lever_arm.isZero()) unknowns = {{Kind::lever_arm_x}, {Kind::lever_arm_y}, {Kind::bearing_offset}};
+  LocalizationConfig config;
+  config.frames.odometry.yaw = degToRad(1.0);
+  config.frames.sensors["camera"].bias_bearing = degToRad(-1.0);
+  return adoptedFindings(chooseCalibration(data, unknowns, config), data, config);
+}
+
+std::vector<std::string> linesOf(const std::vector<CalibrationFinding>& findings)
+{
+  std::vector<std::string> lines;
+  for (const CalibrationFinding& finding : findings) lines.push_back(finding.line.section + '.' + finding.line.key);
+  return lines;
+}
+
+TEST(CalibrationChoice, AnOffsetOfAllBearingsTurnsOdometry)
+{
+  const std::vector<CalibrationFinding> adopted = adoptedWith({});
+  ASSERT_EQ(linesOf(adopted), (std::vector<std::string>{"MotionModel.odometry_yaw_deg", "Sensor_camera.yaw_std_deg"}));
+  EXPECT_NEAR(adopted[0].estimate, 1 + 2, 4 * adopted[0].std);
+  EXPECT_NEAR(adopted[1].estimate, (adopted[0].estimate - 1) / std::sqrt(2.0), 1e-9);
+}
+
+TEST(CalibrationChoice, AnOffsetOfOneOfTwoSensorsIsItsOwn)
+{
+  const std::vector<CalibrationFinding> adopted = adoptedWith({.is_alone = false});
+  ASSERT_EQ(linesOf(adopted),
+            (std::vector<std::string>{"Sensor_camera.bias_bearing_deg", "Sensor_camera.yaw_std_deg"}));
+  EXPECT_NEAR(adopted[0].estimate, -1 + 2, 4 * adopted[0].std);
+  EXPECT_NEAR(adopted[1].estimate, (adopted[0].estimate + 1) / std::sqrt(2.0), 1e-9);
+}
+
+TEST(CalibrationChoice, ASensorThatLooksFarToTheSideWasNotStated)
+{
+  const std::vector<CalibrationFinding> adopted = adoptedWith({.offset_deg = 30});
+  ASSERT_EQ(linesOf(adopted),
+            (std::vector<std::string>{"Sensor_camera.bias_bearing_deg", "Sensor_camera.yaw_std_deg"}));
+  EXPECT_EQ(adopted[1].estimate, 5);
+}
+
+TEST(CalibrationChoice, ALeverArmTurnsWithOdometry)
+{
+  const Vector2d lever_arm{0.4, -0.2};
+  const std::vector<CalibrationFinding> adopted = adoptedWith({.offset_deg = 8, .lever_arm = lever_arm});
+  ASSERT_EQ(adopted.size(), 5U);
+  const Vector2d turned = rotation(degToRad(8.0)) * lever_arm;
+  EXPECT_NEAR(adopted[0].estimate, turned.x(), 4 * adopted[0].std);
+  EXPECT_NEAR(adopted[1].estimate, turned.y(), 4 * adopted[1].std);
 }
 
 TEST(CalibrationChoice, NothingIsAdoptedWhereNothingIsWrong)

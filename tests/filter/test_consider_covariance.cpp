@@ -273,6 +273,17 @@ TEST(ConsiderCovariance, StatesADelayThatNothingTells)
   EXPECT_LT(std::sqrt(addedOnAStraightWay(0.01, false, {.lever_arm_std = 0, .delay_std = 0})(0, 0)), 0.01);
 }
 
+// No reading and no motion tells which way the axes point that the heading refers to.
+TEST(ConsiderCovariance, StatesTheDirectionsOfSensorsAsTheyAreKnown)
+{
+  const SensorModel exact{.lever_arm_std = 0, .delay_std = 0};
+  SensorModel turned = exact;
+  turned.yaw_std = degToRad(2.0);
+  const Matrix3d added = addedOnAStraightWay(0.01, false, turned) - addedOnAStraightWay(0.01, false, exact);
+  EXPECT_NEAR(std::sqrt(added(2, 2)), degToRad(2.0), 1e-9);
+  EXPECT_NEAR((added.topLeftCorner<2, 2>().norm()), 0, 1e-12);
+}
+
 TEST(ConsiderCovariance, AnExactStartOwesNothingToTheReadings)
 {
   const Matrix3d added = addedOnAStraightWay(0.001, true, kLeverArm);

@@ -193,7 +193,7 @@ TEST(SensorConfig, TheSensorModelIsReplacedWhereConfigured)
   UnusableDetections unusable;
   const SensorConfigs configs = configsOf(
       "field_of_view_deg = 90\nmax_range_m = 8\nclutter_probability = 0.2\ndetection_probability = "
-      "0.7\nlever_arm_std_m = 0.02\ndelay_std_s = 0.01\n");
+      "0.7\nlever_arm_std_m = 0.02\ndelay_std_s = 0.01\nyaw_std_deg = 2\n");
   const SensorModel model = configured(readingOf({}), configs, kMap, unusable).model;
   EXPECT_NEAR(model.field_of_view, kPi / 2, 1e-12);
   EXPECT_TRUE(model.has_field_of_view);
@@ -202,6 +202,7 @@ TEST(SensorConfig, TheSensorModelIsReplacedWhereConfigured)
   EXPECT_EQ(model.detection_probability, 0.7);
   EXPECT_EQ(model.lever_arm_std, 0.02);
   EXPECT_EQ(model.delay_std, 0.01);
+  EXPECT_NEAR(model.yaw_std, degToRad(2.0), 1e-12);
   EXPECT_FALSE(configured(readingOf({}), {}, kMap, unusable).model.has_field_of_view);
 }
 

@@ -97,6 +97,15 @@ TEST(OdometryPath, ScalesDistancesAndRotationsIndependently)
   EXPECT_NEAR(OdometryPath(square, {.rotation_scale = 2}).between(0, 2).path_length, 2, 1e-12);
 }
 
+TEST(OdometryPath, AnXAxisFurtherLeftMovesTheRobotToItsLeft)
+{
+  const std::vector<OdometryRecord> square{{0, {0, 0, 0}}, {1, {1, 0, kPi / 2}}, {2, {1, 1, kPi}}};
+  const OdometryPath path(square, {.scale = 2, .yaw = kPi / 2});
+  expectPose(path.at(1), {0, 2, kPi / 2});
+  expectPose(path.at(2), {-2, 2, kPi});
+  EXPECT_NEAR(path.between(0, 2).path_length, 4, 1e-12);
+}
+
 TEST(OdometryPath, TurnPerMetreGrowsWithTheDistance)
 {
   const std::vector<OdometryRecord> straight{{0, {0, 0, 0}}, {1, {2, 0, 0}}, {2, {2, 0, 0}}, {3, {3, 0, 0}}};

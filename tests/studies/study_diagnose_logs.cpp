@@ -93,6 +93,7 @@ class UncalibratedLog
             {"lever_arm_x_m", camera.lever_arm.x()},
             {"lever_arm_y_m", camera.lever_arm.y()},
             {"bias_bearing_deg", radToDeg(camera.bias_bearing)},
+            {"odometry_yaw_deg", radToDeg(camera.bias_bearing)},  // in place of it, where it is adopted
             {"bias_range_m", camera.bias_range},
             {"scale_range", camera.scale_range},
             {"landmark_bias_range_m", 0},  // root mean square over the landmarks, as the next two

@@ -77,8 +77,6 @@ std::optional<AutoCalibration> autoCalibration(const Settings& settings, const L
   for (const CalibratedValue& value : result.adopted.values)
     result.settings.set(value.section, value.key, value.value, "auto_calibrate");
   if (result.adopted.values.empty()) return std::nullopt;
-  for (const CalibrationFinding& finding : bearingOffsetFindings(choice, data, unknowns, input.config))
-    result.adopted.told.push_back({finding.line.section, finding.line.key, finding.line.value, finding.std});
   return result;
 }
 
@@ -87,9 +85,6 @@ std::string calibrationIni(const AdoptedCalibration& adopted)
   std::vector<IniAssignment> lines;
   for (const CalibratedValue& value : adopted.values)
     lines.push_back({value.section, value.key, withDeviation(value, "  ; ")});
-  for (const CalibratedValue& value : adopted.told)
-    lines.push_back({value.section, "; " + value.key,
-                     withDeviation(value, "  ; ") + ", not adopted: it turns the axes of the heading"});
   return withValues("; Found in the log by auto_calibrate. To keep it, copy the lines into your configuration.\n",
                     lines);
 }

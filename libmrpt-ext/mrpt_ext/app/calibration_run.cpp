@@ -38,12 +38,13 @@ std::string headline(const LocalizationInput& input, const CalibrationData& data
   return text + "; the truth was not used";
 }
 
-std::vector<IniAssignment> linesToSet(std::vector<CalibrationFinding> findings, const SensorConfigs& sensors)
+std::vector<IniAssignment> linesToSet(std::vector<CalibrationFinding> findings, const CalibrationData& data,
+                                      const SensorConfigs& sensors)
 {
   std::erase_if(findings, [](const CalibrationFinding& finding) { return !finding.differs; });
   std::vector<IniAssignment> lines;
   for (const CalibrationFinding& finding : findings) lines.push_back(finding.line);
-  for (const CalibrationFinding& finding : placeDeviations(findings, sensors)) lines.push_back(finding.line);
+  for (const CalibrationFinding& finding : placeDeviations(findings, data, sensors)) lines.push_back(finding.line);
   return lines;
 }
 }  // namespace
@@ -63,7 +64,7 @@ int runCalibration(Settings settings, const CalibrationRequest& request, std::os
     out << "calibration not possible: " << whyImpossible(found.errors.status, found.trajectory) << '\n';
     return kExitDone;
   }
-  const std::vector<IniAssignment> lines = linesToSet(found.findings, input.config.frames.sensors);
+  const std::vector<IniAssignment> lines = linesToSet(found.findings, found.data, input.config.frames.sensors);
   if (request.quiet)
   {
     for (const IniAssignment& line : lines)

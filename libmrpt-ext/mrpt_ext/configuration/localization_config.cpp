@@ -166,6 +166,7 @@ LocalizationConfig localizationConfig(const Settings& settings, const LandmarkTa
                    .independent = settings.flag(kExperimentSection, "independent_frames"),
                    .odometry = {.scale = settings.number(kMotion, "odometry_scale"),
                                 .rotation_scale = settings.number(kMotion, "odometry_rotation_scale"),
+                                .yaw = settings.radians(kMotion, "odometry_yaw_deg"),
                                 .turn_per_m = settings.radians(kMotion, "odometry_turn_per_m_deg"),
                                 .turn_per_s = settings.radians(kMotion, "odometry_turn_per_s_deg"),
                                 .delay = settings.number(kMotion, "odometry_delay_s")},

@@ -145,6 +145,9 @@ KeyTable motionKeys()
       .number("odometry_scale", "", odometry.scale, ranges::kPositive,
               "Factor on the measured distance (not on turns).")
       .number("odometry_rotation_scale", "", odometry.rotation_scale, ranges::kPositive, "Factor on measured turns.")
+      .degrees("odometry_yaw_deg", "deg", odometry.yaw, {-360, 360},
+               "How far the x axis of odometry is turned on the robot, to the left. Where the robot drives straight "
+               "ahead by odometry it goes that much to the left.")
       .degrees("odometry_turn_per_m_deg", "deg", odometry.turn_per_m, ranges::kAny,
                "Turn to the left per metre that odometry misses (veer).")
       .degrees("odometry_turn_per_s_deg", "deg/s", odometry.turn_per_s, ranges::kAny,
@@ -202,6 +205,10 @@ KeyTable sensorKeys()
           "Standard deviation of its stated position on the robot, along each axis. What readings and turns have "
           "not told of it is part of the stated covariance; the estimate is not corrected. Not set: 0.05 until turns "
           "tell how well such positions were stated. 0: nothing is assumed, only what the readings show is stated.")
+      .degrees(
+          "yaw_std_deg", "deg", sensor.yaw_std, {0, 90},
+          "Standard deviation of its stated direction on the robot. No reading tells which way the robot's own axes "
+          "point: it is part of the stated covariance of the heading. 0: nothing is assumed.")
       .number("lever_arm_x_m", "m", sensor.lever_arm.x(), ranges::kAny,
               "How much further forward on the robot it is than the log says.")
       .number("lever_arm_y_m", "m", sensor.lever_arm.y(), ranges::kAny,

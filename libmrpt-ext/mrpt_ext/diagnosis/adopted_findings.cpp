@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <set>
+#include <string>
 
 #include "mrpt_ext/diagnosis/noise_findings.h"
 #include "mrpt_ext/diagnosis/place_deviation.h"
@@ -12,6 +13,8 @@ namespace mrpt_ext
 {
 namespace
 {
+constexpr double kMostTurned = 10;  // [deg] that the axes of odometry may be
+
 /// Decimals that keep two significant digits of a value, at least `decimals`.
 int decimalsFor(double value, int decimals)
 {
@@ -47,6 +50,61 @@ std::vector<CalibrationFinding> placeFindings(CalibrationResult errors, std::siz
   std::erase_if(places, [](const CalibrationFinding& finding) { return !finding.differs; });
   return places;
 }
+/// The finding of a key of a section; nothing where it is not among them.
+CalibrationFinding* findingOf(std::vector<CalibrationFinding>& findings, const std::string& section,
+                              const std::string& key)
+{
+  const auto found = std::find_if(findings.begin(), findings.end(),
+                                  [&](const CalibrationFinding& finding)
+                                  { return finding.line.section == section && finding.line.key == key; });
+  return found == findings.end() ? nullptr : &*found;
+}
+
+/// A lever arm that was told in axes of odometry, in those of the robot, on which these are turned by `yaw`; `place`:
+/// of the sensor, as configured.
+void turnLeverArm(std::vector<CalibrationFinding>& adopted, const std::string& section, const Vector2d& place,
+                  double yaw)
+{
+  CalibrationFinding* const axes[] = {findingOf(adopted, section, "lever_arm_x_m"),
+                                      findingOf(adopted, section, "lever_arm_y_m")};
+  Vector2d told = place;
+  for (int k = 0; k < 2; ++k)
+    if (axes[k]) told[k] += axes[k]->estimate - axes[k]->configured;
+  const Vector2d turned = rotation(yaw) * told - place;
+  for (int k = 0; k < 2; ++k)
+  {
+    if (!axes[k]) continue;
+    axes[k]->estimate = axes[k]->configured + turned[k];
+    settleLine(*axes[k], true);
+  }
+}
+
+/// Bearings tell the axes of a sensor from those of odometry, and not which of the two are the robot's: the heading
+/// stays what the readings of an only sensor of bearings say, so odometry is turned in place of an offset of theirs,
+/// unless it is so large that the direction of the sensor was not stated at all.
+void turnOdometry(std::vector<CalibrationFinding>& adopted, const CalibrationData& data,
+                  const LocalizationConfig& config)
+{
+  const std::set<std::string> sensors = sensorsWithBearings(data);
+  if (sensors.size() != 1) return;
+  const std::string &label = *sensors.begin(), section = "Sensor_" + label;
+  CalibrationFinding* const found = findingOf(adopted, section, "bias_bearing_deg");
+  if (!found) return;
+  const double scale = configOf(config.frames.sensors, label).scale_bearing;
+  const double offset = (found->estimate - found->configured) / scale, before = radToDeg(config.frames.odometry.yaw);
+  if (std::abs(offset) > kMostTurned) return;
+  *found = {.what = "odometry: x axis further left than that of " + label,
+            .unit = "deg",
+            .configured = before,
+            .estimate = before + offset,
+            .std = found->std / scale,
+            .decimals = found->decimals,
+            .line = {"MotionModel", "odometry_yaw_deg", ""}};
+  settleLine(*found, true);
+  const auto reading = std::find_if(data.problem.readings.begin(), data.problem.readings.end(),
+                                    [&](const CalibrationReading& r) { return data.sensors[r.sensor] == label; });
+  turnLeverArm(adopted, section, reading->T_robot_sensor.position(), degToRad(offset));
+}
 }  // namespace
 
 std::vector<CalibrationFinding> adoptedFindings(const CalibrationChoice& choice, const CalibrationData& data,
@@ -58,6 +116,7 @@ std::vector<CalibrationFinding> adoptedFindings(const CalibrationChoice& choice,
   errors.errors.resize(choice.errors.size());
   for (const CalibrationFinding& finding : calibrationFindings(errors, data, config))
     if (finding.why_not_observable.empty()) adopted.push_back(finding);
+  turnOdometry(adopted, data, config);
   for (const CalibrationFinding& finding : depthFindings(data))
     if (finding.differs) adopted.push_back(finding);
   for (CalibrationFinding& finding : noiseFindings(errors, data, config))
@@ -69,28 +128,8 @@ std::vector<CalibrationFinding> adoptedFindings(const CalibrationChoice& choice,
     finding.line.value = fixedText(finding.estimate, finding.decimals);
     adopted.push_back(finding);
   }
-  for (CalibrationFinding& finding : placeDeviations(adopted, config.frames.sensors))
+  for (CalibrationFinding& finding : placeDeviations(adopted, data, config.frames.sensors))
     adopted.push_back(std::move(finding));
   return adopted;
-}
-
-std::vector<CalibrationFinding> bearingOffsetFindings(const CalibrationChoice& choice, const CalibrationData& data,
-                                                      const std::vector<CalibrationUnknown>& unknowns,
-                                                      const LocalizationConfig& config)
-{
-  std::vector<CalibrationUnknown> offsets;
-  std::copy_if(unknowns.begin(), unknowns.end(), std::back_inserter(offsets),
-               [](const CalibrationUnknown& unknown)
-               { return unknown.parameter == CalibrationParameter::bearing_offset; });
-  if (offsets.empty()) return {};
-  const std::vector<CalibrationUnknown> beside = estimatedBy(choice);
-  std::vector<CalibrationUnknown> all = offsets;
-  all.insert(all.end(), beside.begin(), beside.end());
-  CalibrationResult errors = calibrate(data.problem, all);
-  if (errors.status != SolveStatus::ok) return {};
-  errors.errors.resize(offsets.size());
-  std::vector<CalibrationFinding> found = calibrationFindings(errors, data, config);
-  std::erase_if(found, [](const CalibrationFinding& finding) { return !finding.differs; });
-  return found;
 }
 }  // namespace mrpt_ext

@@ -106,8 +106,7 @@ class ChoiceSearch
     for (std::size_t k = 0; k < unknowns_.size(); ++k)
     {
       const ParameterEstimate& error = first_half_.errors[k];
-      // An offset of all bearings turns the axes that the heading refers to: told by a hint, left to the user.
-      if (!error.observable || unknowns_[k].parameter == CalibrationParameter::bearing_offset) continue;
+      if (!error.observable) continue;
       const auto partner = std::find_if(
           parts_.begin(), parts_.end(),
           [&](const Part& part)

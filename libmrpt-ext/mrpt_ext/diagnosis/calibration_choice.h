@@ -33,8 +33,7 @@ struct CalibrationChoice
 /// second half better than without it (calibration/predictive_likelihood.h): by two standard deviations of the gain,
 /// unless the first half tells the error by four of its own. Starts with everything that the first half shows, and
 /// takes out what does not pay, the worst first; the others are then estimated anew. Errors that the filters estimate
-/// anyway stay uncertain in the comparison. Offsets of bearings are never adopted: they turn the robot's own axes, and
-/// only odometry tells them, whose axes may be turned as well.
+/// anyway stay uncertain in the comparison.
 [[nodiscard]] CalibrationChoice chooseCalibration(const CalibrationData& data,
                                                   const std::vector<CalibrationUnknown>& unknowns,
                                                   const LocalizationConfig& config);

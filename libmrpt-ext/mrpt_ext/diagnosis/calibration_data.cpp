@@ -180,6 +180,14 @@ std::vector<bool> areDepths(const CalibrationData& data, const SensorConfigs& se
 }
 }  // namespace
 
+std::set<std::string> sensorsWithBearings(const CalibrationData& data)
+{
+  std::set<std::string> labels;
+  for (const CalibrationReading& r : data.problem.readings)
+    if (!r.is_range) labels.insert(data.sensors[r.sensor]);
+  return labels;
+}
+
 CalibrationData collectCalibrationData(const LocalizationInput& input, const std::vector<PoseEstimate>& trajectory)
 {
   constexpr double kRounding = 1e-6;  // [s]

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,9 @@ struct CalibrationData
   bool commanded = false;                   ///< odometry is integrated from commands
   bool verified = false;                    ///< at least one estimate of the trajectory was `ok`
 };
+
+/// Labels of the sensors that measure bearings.
+[[nodiscard]] std::set<std::string> sensorsWithBearings(const CalibrationData& data);
 
 /// One pose per stamp near an estimate of `trajectory`, and more in between where odometry bridges a gap, for the first
 /// 100 000 readings. Anonymous detections are associated with the only landmark within their gate; where most

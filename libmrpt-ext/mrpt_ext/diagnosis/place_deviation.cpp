@@ -10,29 +10,53 @@ namespace mrpt_ext
 namespace
 {
 const std::string kSensorSection = "Sensor_";
+constexpr double kAssumedYawStd = 5;  // [deg]
+
+/// What lines of one section correct: sum of squares.
+using Corrections = std::map<std::string, double>;
+
+CalibrationFinding leverArmDeviation(const std::string& label, double squares)
+{
+  return {.what = label + ": deviation of stated places",
+          .unit = "m",
+          .configured = kAssumedLeverArmStd,
+          .estimate = std::min(std::sqrt(squares / 2), kAssumedLeverArmStd),
+          .std = std::min(std::sqrt(squares), kAssumedLeverArmStd) / 2,
+          .line = {kSensorSection + label, "lever_arm_std_m", ""}};
 }
 
-std::vector<CalibrationFinding> placeDeviations(const std::vector<CalibrationFinding>& set,
+CalibrationFinding yawDeviation(const std::string& label, double square)
+{
+  return {.what = label + ": deviation of stated directions",
+          .unit = "deg",
+          .configured = 0,
+          .estimate = std::min(std::sqrt(square / 2), kAssumedYawStd),
+          .std = std::min(std::sqrt(square), kAssumedYawStd) / 2,
+          .decimals = 2,
+          .line = {kSensorSection + label, "yaw_std_deg", ""}};
+}
+}  // namespace
+
+std::vector<CalibrationFinding> placeDeviations(const std::vector<CalibrationFinding>& set, const CalibrationData& data,
                                                 const SensorConfigs& sensors)
 {
-  std::map<std::string, double> squares;  // [m^2] of a section, both axes
+  Corrections places, directions;  // [m^2] along both axes, [deg^2]; by label
   for (const CalibrationFinding& finding : set)
-    if (finding.line.key == "lever_arm_x_m" || finding.line.key == "lever_arm_y_m")
-      squares[finding.line.section] += square(finding.estimate - finding.configured);
-  std::vector<CalibrationFinding> deviations;
-  for (const auto& [section, sum] : squares)
   {
-    const std::string label = section.substr(kSensorSection.size());
-    if (configOf(sensors, label).lever_arm_std) continue;
-    CalibrationFinding found{.what = label + ": deviation of stated places",
-                             .unit = "m",
-                             .configured = kAssumedLeverArmStd,
-                             .estimate = std::min(std::sqrt(sum / 2), kAssumedLeverArmStd),
-                             .std = std::min(std::sqrt(sum), kAssumedLeverArmStd) / 2,
-                             .line = {section, "lever_arm_std_m", ""}};
-    settleLine(found, true);
-    deviations.push_back(found);
+    const std::string& key = finding.line.key;
+    const double squared = square(finding.estimate - finding.configured);
+    if (key == "lever_arm_x_m" || key == "lever_arm_y_m")
+      places[finding.line.section.substr(kSensorSection.size())] += squared;
+    if (key == "bias_bearing_deg") directions[finding.line.section.substr(kSensorSection.size())] += squared;
+    if (key == "odometry_yaw_deg")
+      for (const std::string& label : sensorsWithBearings(data)) directions[label] += squared;
   }
+  std::vector<CalibrationFinding> deviations;
+  for (const auto& [label, squares] : places)
+    if (!configOf(sensors, label).lever_arm_std) deviations.push_back(leverArmDeviation(label, squares));
+  for (const auto& [label, squared] : directions)
+    if (configOf(sensors, label).yaw_std == 0) deviations.push_back(yawDeviation(label, squared));
+  for (CalibrationFinding& found : deviations) settleLine(found, true);
   return deviations;
 }
 }  // namespace mrpt_ext

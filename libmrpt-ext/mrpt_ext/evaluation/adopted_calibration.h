@@ -42,7 +42,6 @@ struct CalibrationRow
 struct AdoptedCalibration
 {
   std::vector<CalibratedValue> values;
-  std::vector<CalibratedValue> told;        ///< by the log as well, left to the user: offsets of bearings
   CalibrationRow before;                    ///< as configured: the first pass
   std::optional<double> log_density_after;  ///< with values from the first half of the log
 };

@@ -36,6 +36,7 @@ struct SensorModel
   std::optional<double> detection_probability;  ///< of a landmark in view; absent: missed detections are not scored
   bool has_field_of_view = false;               ///< true when declared by the log or the configuration
   std::optional<double> lever_arm_std;          ///< [m] of the stated position on the robot, along each axis, if given
+  double yaw_std = 0;                           ///< [rad] of the stated direction on the robot
   double delay_std = 0.05;                      ///< [s] of the times of its readings, all alike
 };
 

@@ -34,8 +34,9 @@ void OdometryPath::add(const OdometryRecord& record)
     return;
   }
   Pose2 step = mrpt_ext::between(before.pose, record.pose);
-  step.x *= correction_.scale;
-  step.y *= correction_.scale;
+  const Vector2d moved = correction_.scale * rotation(correction_.yaw) * step.position();
+  step.x = moved.x();
+  step.y = moved.y();
   step.phi = correction_.rotation_scale * step.phi + correction_.turn_per_m * step.position().norm() +
              correction_.turn_per_s * (record.time - before.time);
   length_.push_back(length_.back() + step.position().norm());

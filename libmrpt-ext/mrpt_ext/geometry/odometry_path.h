@@ -14,6 +14,7 @@ struct OdometryCorrection
 {
   double scale = 1;           ///< factor on distances
   double rotation_scale = 1;  ///< factor on rotations
+  double yaw = 0;             ///< [rad] of the x axis of odometry on the robot, to the left
   double turn_per_m = 0;      ///< [rad/m] added to the heading per metre driven
   double turn_per_s = 0;      ///< [rad/s] added to the heading per second
   double delay = 0;           ///< [s] added to the stamps

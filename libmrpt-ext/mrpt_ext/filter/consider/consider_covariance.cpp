@@ -107,6 +107,10 @@ void ConsiderCovariance::state()
   const Matrix3d lasting = persistent_.added().topLeftCorner<3, 3>();
   if (!systematic.allFinite() || !lasting.allFinite()) return restart();
   added_ = positivePart(lasting) + systematic;
+  // The axes that the heading refers to are known no better than those of the sensors.
+  double yaw = 0;
+  for (const SensorStds& given : sensor_stds_) yaw = std::max(yaw, given.yaw);
+  added_(2, 2) += square(yaw);
   assumed_ = systematic_.assumed().topLeftCorner<3, 3>();
 }
 
@@ -145,7 +149,8 @@ void ConsiderCovariance::addRows(const Reading& reading, LinearStep& step)
   const std::optional<double> lever_arm = reading.model.lever_arm_std;
   sensor_stds_[sensor] = {.lever_arm = lever_arm.value_or(kAssumedLeverArmStd),
                           .lever_arm_is_assumed = !lever_arm,
-                          .delay = reading.model.delay_std};
+                          .delay = reading.model.delay_std,
+                          .yaw = reading.model.yaw_std};
   for (const Detection& detection : reading.detections)
   {
     const Association found = associate(detection, reading, map_, step.predicted, biases_, default_max_range_);

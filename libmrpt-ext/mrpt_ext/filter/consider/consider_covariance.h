@@ -14,7 +14,8 @@ namespace mrpt_ext
 /// What errors that last add to the covariance that a filter states, which takes all errors for white: those of single
 /// landmarks (PersistentErrors), and those of sensors and odometry (SystematicErrors); and how much more than stated
 /// odometry errs from motion to motion (ExcessNoise). All comes from the innovations, of which white ones that are as
-/// large as stated add nothing, but for the lever arms and delays that are assumed until motion tells them.
+/// large as stated add nothing, but for the lever arms and delays that are assumed until motion tells them, and for
+/// what is not known of the sensors' axes, which no motion tells.
 ///
 /// It follows a filter of any kind from outside, as the Kalman filter that would have stated the same.
 class ConsiderCovariance

@@ -42,6 +42,7 @@ struct SensorStds
   double lever_arm = 0;               ///< [m] along each axis
   bool lever_arm_is_assumed = false;  ///< nobody stated it
   double delay = 0;                   ///< [s]
+  double yaw = 0;                     ///< [rad]
 };
 
 /// One step of a linearised filter: from an error e of the estimate, those of the motion and of the measurements
