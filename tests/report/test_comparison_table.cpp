@@ -110,6 +110,9 @@ TEST(ComparisonTable, TellsHowLateEstimatesCame)
   RunScore score = syntheticScore();
   EXPECT_NE(comparisonTable(score).find("5 estimates of the particle filter came late, by up to 3 steps"),
             std::string::npos);
+  score.filter.late_estimates = score.filter.most_steps_late = 1;
+  EXPECT_NE(comparisonTable(score).find("1 estimate of the particle filter came late, by up to 1 step:"),
+            std::string::npos);
   score.filter.late_estimates = 0;
   EXPECT_EQ(comparisonTable(score).find("came late"), std::string::npos);
 }

@@ -29,7 +29,7 @@ TEST(VerdictText, TellsSharesAndTheLongestSpellsInOrderOfTime)
             "         0.0 to 2.0 s ambiguous: 3 modes\n"
             "         20.1 to 24.0 s lost: few inliers\n"
             "         25.0 to 26.0 s ambiguous: 2 modes\n"
-            "         and 1 shorter stretches without `ok`, see report.html\n"
+            "         and 1 shorter spell without `ok`, see report.html\n"
             "what to do: section \"What to do\" of apps/landmark-localization/README.md\n");
 }
 

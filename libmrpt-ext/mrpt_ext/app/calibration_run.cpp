@@ -1,5 +1,7 @@
 #include "mrpt_ext/app/calibration_run.h"
 
+#include <algorithm>
+#include <functional>
 #include <ostream>
 
 #include "mrpt_ext/app/calibrated_file.h"
@@ -30,7 +32,10 @@ std::string headline(const LocalizationInput& input, const CalibrationData& data
                      const std::vector<PoseEstimate>& trajectory)
 {
   const auto frames = static_cast<double>(input.log.frames);
-  std::string text = "data     " + std::to_string(data.problem.readings.size()) + " bearings and ranges in " +
+  const std::vector<CalibrationReading>& readings = data.problem.readings;
+  const auto ranges = static_cast<std::size_t>(
+      std::count_if(readings.begin(), readings.end(), std::mem_fn(&CalibrationReading::is_range)));
+  std::string text = "data     " + readingsText(readings.size() - ranges, ranges) + " in " +
                      fixedText(input.context.duration_s, 1) + " s, where the pose was unique (" +
                      fixedText(100 * static_cast<double>(trajectory.size()) / frames, 0) + " % of the frames)";
   if (data.ambiguous > 0)

@@ -271,6 +271,13 @@ std::pair<std::string, std::string> valuesOf(const CalibrationFinding& found)
 }
 }  // namespace
 
+std::string readingsText(std::size_t bearings, std::size_t ranges)
+{
+  return std::to_string(bearings + ranges) + (ranges == 0     ? " bearings"
+                                              : bearings == 0 ? " ranges"
+                                                              : " bearings and ranges");
+}
+
 void settleLine(CalibrationFinding& found, bool differs)
 {
   found.differs = differs && found.why_not_observable.empty();
@@ -312,13 +319,14 @@ std::vector<std::string> landmarkLines(const CalibrationResult& errors, const Ca
 {
   struct Count
   {
-    std::size_t readings = 0, outliers = 0;
+    std::size_t bearings = 0, ranges = 0, outliers = 0;
   };
   std::map<std::size_t, Count> counts;
   for (std::size_t i = 0; i < errors.misfits.size(); ++i)
   {
-    Count& count = counts[data.problem.readings[i].landmark_number];
-    ++count.readings;
+    const CalibrationReading& r = data.problem.readings[i];
+    Count& count = counts[r.landmark_number];
+    ++(r.is_range ? count.ranges : count.bearings);
     count.outliers += std::abs(errors.misfits[i]) > kOutlierMisfit;
   }
   std::vector<std::string> lines;
@@ -328,8 +336,8 @@ std::vector<std::string> landmarkLines(const CalibrationResult& errors, const Ca
     const std::string name = of.id != kNoId
                                  ? std::to_string(of.id)
                                  : "at " + fixedText(of.position.x(), 2) + " " + fixedText(of.position.y(), 2);
-    const double share = static_cast<double>(count.outliers) / static_cast<double>(count.readings);
-    lines.push_back("landmark " + name + ": " + std::to_string(count.readings) + " bearings and ranges, " +
+    const double share = static_cast<double>(count.outliers) / static_cast<double>(count.bearings + count.ranges);
+    lines.push_back("landmark " + name + ": " + readingsText(count.bearings, count.ranges) + ", " +
                     fixedText(100 * share, 1) + " % outliers");
   }
   return lines;

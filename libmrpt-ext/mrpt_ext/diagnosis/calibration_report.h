@@ -42,6 +42,9 @@ struct CalibrationFinding
 /// Completes the line that sets the estimate; `differs`: it should be set, where the log determines it.
 void settleLine(CalibrationFinding& found, bool differs);
 
+/// "58 bearings and ranges", "58 ranges": both together.
+[[nodiscard]] std::string readingsText(std::size_t bearings, std::size_t ranges);
+
 /// Shares of outliers by landmark, one line each.
 [[nodiscard]] std::vector<std::string> landmarkLines(const CalibrationResult& errors, const CalibrationData& data,
                                                      const LandmarkTable& map);

@@ -81,8 +81,8 @@ std::string legend(const RunScore& score, const MethodScore* best)
 std::string latenessText(const FilterScore& filter)
 {
   if (filter.late_estimates.value_or(0) == 0) return {};
-  return countText(filter.late_estimates) + " estimates of the particle filter came late, by up to " +
-         countText(filter.most_steps_late) + " steps: their work exceeded step_budget_ms";
+  return countedText(filter.late_estimates, "estimate") + " of the particle filter came late, by up to " +
+         countedText(filter.most_steps_late, "step") + ": the work exceeded step_budget_ms";
 }
 
 /// Limit and comparisons in words.

@@ -107,6 +107,11 @@ std::string countText(const OptionalNumber& number)
   return exists(number) ? fixedText(*number, *number == std::floor(*number) ? 0 : 1) : kNoNumber;
 }
 
+std::string countedText(const OptionalNumber& number, const std::string& what)
+{
+  return countText(number) + ' ' + what + (number == 1 ? "" : "s");
+}
+
 const MethodScore* bestMethod(const RunScore& score)
 {
   const MethodScore* best = nullptr;

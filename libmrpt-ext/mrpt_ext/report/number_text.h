@@ -18,6 +18,8 @@ inline constexpr const char* kNoNumber = "-";
 [[nodiscard]] std::string percentText(const OptionalNumber& share);
 /// A count, with a decimal only when it is a median between two counts.
 [[nodiscard]] std::string countText(const OptionalNumber& number);
+/// "1 estimate", "2 estimates".
+[[nodiscard]] std::string countedText(const OptionalNumber& number, const std::string& what);
 
 /// The method with the lowest position RMSE, without oracles; null without any RMSE.
 [[nodiscard]] const MethodScore* bestMethod(const RunScore& score);

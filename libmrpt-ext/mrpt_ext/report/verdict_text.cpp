@@ -58,7 +58,8 @@ std::string verdictHistoryText(const RunScore& score)
     text += indent + spanText(spell) + " " + toString(spell.verdict) +
             (spell.reason.empty() ? "" : ": " + spell.reason) + '\n';
   if (spells.others > 0)
-    text += indent + "and " + std::to_string(spells.others) + " shorter stretches without `ok`, see report.html\n";
+    text += indent + "and " + countedText(static_cast<double>(spells.others), "shorter spell") +
+            " without `ok`, see report.html\n";
   for (const std::string& hint : score.hints) text += "hint     " + hint + '\n';
   if (needsAdvice(score)) text += std::string("what to do: ") + kAdviceSection + '\n';
   return text;

@@ -107,11 +107,16 @@ void ConsiderCovariance::state()
   const Matrix3d lasting = persistent_.added().topLeftCorner<3, 3>();
   if (!systematic.allFinite() || !lasting.allFinite()) return restart();
   added_ = positivePart(lasting) + systematic;
-  // The axes that the heading refers to are known no better than those of the sensors.
-  double yaw = 0;
-  for (const SensorStds& given : sensor_stds_) yaw = std::max(yaw, given.yaw);
-  added_(2, 2) += square(yaw);
+  added_(2, 2) += square(yawStd());
   assumed_ = systematic_.assumed().topLeftCorner<3, 3>();
+}
+
+// The axes that the heading refers to are known no better than those of the sensors.
+double ConsiderCovariance::yawStd() const
+{
+  double largest = 0;
+  for (const SensorStds& given : sensor_stds_) largest = std::max(largest, given.yaw);
+  return largest;
 }
 
 std::string ConsiderCovariance::finding(const Matrix3d& stated) const
@@ -119,13 +124,17 @@ std::string ConsiderCovariance::finding(const Matrix3d& stated) const
   const double before = stated.topLeftCorner<2, 2>().trace(), more = added_.topLeftCorner<2, 2>().trace();
   const bool mostly_assumed = assumed_.topLeftCorner<2, 2>().trace() > 0.5 * more;
   std::string text;
+  const auto add = [&](const std::string& sentence) { text += (text.empty() ? "" : "; ") + sentence; };
   if (std::sqrt(before + more) > kRemarkable * std::sqrt(before))
-    text = formatted("%s: standard deviation %.3f m instead of %.3f m",
-                     mostly_assumed ? "lever_arm_std_m, delay_std_s" : "errors that last", std::sqrt(before + more),
-                     std::sqrt(before));
+    add(formatted("%s: standard deviation %.3f m instead of %.3f m",
+                  mostly_assumed ? "lever_arm_std_m, delay_std_s" : "errors that last", std::sqrt(before + more),
+                  std::sqrt(before)));
+  const double without = std::sqrt(stated(2, 2) + added_(2, 2) - square(yawStd())),
+               with = std::hypot(without, yawStd());
+  if (with > kRemarkable * without)
+    add(formatted("yaw_std_deg: standard deviation %.1f deg instead of %.1f deg", radToDeg(with), radToDeg(without)));
   const double noise = std::sqrt(*std::max_element(noise_.factors().begin(), noise_.factors().end()));
-  if (noise > kRemarkable)
-    text += (text.empty() ? "" : "; ") + formatted("odometry errs %.1f times as much as stated", noise);
+  if (noise > kRemarkable) add(formatted("odometry errs %.1f times as much as stated", noise));
   return text;
 }
 

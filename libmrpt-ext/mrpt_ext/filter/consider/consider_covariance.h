@@ -36,13 +36,14 @@ class ConsiderCovariance
   /// To be added to the stated covariance of the pose; positive semidefinite.
   [[nodiscard]] Matrix3d added() const { return added_; }
   /// "errors that last: standard deviation 0.024 m instead of 0.012 m", "lever_arm_std_m, delay_std_s: standard
-  /// deviation ..." where that is mostly assumed, "odometry errs 2.1 times as much as stated"; empty where either adds
-  /// less than a half.
+  /// deviation ..." where that is mostly assumed, "yaw_std_deg: standard deviation 2.1 deg instead of 0.4 deg",
+  /// "odometry errs 2.1 times as much as stated"; empty where each adds less than a half.
   [[nodiscard]] std::string finding(const Matrix3d& stated) const;
 
  private:
   void update(const LinearStep& step);
   void state();
+  [[nodiscard]] double yawStd() const;
   [[nodiscard]] LinearStep linearise(const KalmanState& before, const Frame& frame);
   void addRows(const Reading& reading, LinearStep& step);
   [[nodiscard]] std::size_t indexOf(const std::string& sensor);
