@@ -226,7 +226,8 @@ struct TurnedCamera
 {
   double offset_deg = 2;
   bool is_alone = true;  // else another one looks where it is said to
-  Vector2d lever_arm{0, 0};
+  bool compass = false;
+  Vector2d stated_place{0, 0}, lever_arm{0, 0};
 };
 
 std::vector<CalibrationFinding> adoptedWith(const TurnedCamera& camera)
@@ -234,19 +235,24 @@ std::vector<CalibrationFinding> adoptedWith(const TurnedCamera& camera)
   DrivePlan plan;
   plan.duration = 240;
   plan.bearing_offset = degToRad(camera.offset_deg);
-  plan.lever_arm = camera.lever_arm;
+  plan.lever_arm = camera.stated_place + camera.lever_arm;
   CalibrationData data = recorded(plan, 1);
   data.sensors = {"camera", "other"};
   data.identified = {true, true};
   data.problem.sensors = 2;
+  data.compass = camera.compass;
   for (CalibrationReading& r : data.problem.readings)
+  {
+    r.T_robot_sensor = {camera.stated_place.x() + 1e-15, camera.stated_place.y(), 0};  // odometry moves it by rounding
     if (r.sensor = camera.is_alone ? 0 : r.pose % 2; r.sensor > 0 && !r.is_range)
       r.value = wrap(r.value - plan.bearing_offset);
+  }
   std::vector<CalibrationUnknown> unknowns{{Kind::bearing_offset, 0}, {Kind::bearing_offset, 1}};
-  if (!camera.lever_arm.isZero()) unknowns = {{Kind::lever_arm_x}, {Kind::lever_arm_y}, {Kind::bearing_offset}};
+  if (!camera.lever_arm.isZero()) unknowns = {{Kind::bearing_offset}, {Kind::lever_arm_x}, {Kind::lever_arm_y}};
   LocalizationConfig config;
   config.frames.odometry.yaw = degToRad(1.0);
-  config.frames.sensors["camera"].bias_bearing = degToRad(-1.0);
+  config.frames.sensors["camera"].bias_bearing = degToRad(-2.0);
+  config.frames.sensors["camera"].scale_bearing = 2;
   return adoptedFindings(chooseCalibration(data, unknowns, config), data, config);
 }
 
@@ -257,7 +263,7 @@ std::vector<std::string> linesOf(const std::vector<CalibrationFinding>& findings
   return lines;
 }
 
-TEST(CalibrationChoice, AnOffsetOfAllBearingsTurnsOdometry)
+TEST(CalibrationChoice, AnOffsetOfBearingsTurnsOdometryWhereTheSensorIsTheRobot)
 {
   const std::vector<CalibrationFinding> adopted = adoptedWith({});
   ASSERT_EQ(linesOf(adopted), (std::vector<std::string>{"MotionModel.odometry_yaw_deg", "Sensor_camera.yaw_std_deg"}));
@@ -265,31 +271,26 @@ TEST(CalibrationChoice, AnOffsetOfAllBearingsTurnsOdometry)
   EXPECT_NEAR(adopted[1].estimate, (adopted[0].estimate - 1) / std::sqrt(2.0), 1e-9);
 }
 
-TEST(CalibrationChoice, AnOffsetOfOneOfTwoSensorsIsItsOwn)
+TEST(CalibrationChoice, ARobotWithAxesOfItsOwnHasATurnedSensor)
 {
-  const std::vector<CalibrationFinding> adopted = adoptedWith({.is_alone = false});
-  ASSERT_EQ(linesOf(adopted),
-            (std::vector<std::string>{"Sensor_camera.bias_bearing_deg", "Sensor_camera.yaw_std_deg"}));
-  EXPECT_NEAR(adopted[0].estimate, -1 + 2, 4 * adopted[0].std);
-  EXPECT_NEAR(adopted[1].estimate, (adopted[0].estimate + 1) / std::sqrt(2.0), 1e-9);
+  const std::vector<std::string> lines{"Sensor_camera.bias_bearing_deg", "Sensor_camera.yaw_std_deg"};
+  for (const TurnedCamera& camera :
+       {TurnedCamera{.is_alone = false}, {.compass = true}, {.stated_place = {0.4, 0}}, {.offset_deg = 30}})
+  {
+    const std::vector<CalibrationFinding> adopted = adoptedWith(camera);
+    ASSERT_EQ(linesOf(adopted), lines);
+    EXPECT_NEAR(adopted[0].estimate, -2 + 2 * camera.offset_deg, 4 * adopted[0].std);
+    EXPECT_NEAR(adopted[1].estimate, std::min((adopted[0].estimate + 2) / std::sqrt(2.0), 5.0), 1e-9);
+  }
 }
 
-TEST(CalibrationChoice, ASensorThatLooksFarToTheSideWasNotStated)
+TEST(CalibrationChoice, ALeverArmThatIsFoundIsOfARobotWithAxesOfItsOwn)
 {
-  const std::vector<CalibrationFinding> adopted = adoptedWith({.offset_deg = 30});
-  ASSERT_EQ(linesOf(adopted),
-            (std::vector<std::string>{"Sensor_camera.bias_bearing_deg", "Sensor_camera.yaw_std_deg"}));
-  EXPECT_EQ(adopted[1].estimate, 5);
-}
-
-TEST(CalibrationChoice, ALeverArmTurnsWithOdometry)
-{
-  const Vector2d lever_arm{0.4, -0.2};
-  const std::vector<CalibrationFinding> adopted = adoptedWith({.offset_deg = 8, .lever_arm = lever_arm});
+  const std::vector<CalibrationFinding> adopted = adoptedWith({.lever_arm = {0.4, -0.2}});
   ASSERT_EQ(adopted.size(), 5U);
-  const Vector2d turned = rotation(degToRad(8.0)) * lever_arm;
-  EXPECT_NEAR(adopted[0].estimate, turned.x(), 4 * adopted[0].std);
-  EXPECT_NEAR(adopted[1].estimate, turned.y(), 4 * adopted[1].std);
+  EXPECT_EQ(adopted[0].line.key, "bias_bearing_deg");
+  EXPECT_NEAR(adopted[1].estimate, 0.4, 4 * adopted[1].std);
+  EXPECT_NEAR(adopted[2].estimate, -0.2, 4 * adopted[2].std);
 }
 
 TEST(CalibrationChoice, NothingIsAdoptedWhereNothingIsWrong)

@@ -208,7 +208,8 @@ KeyTable sensorKeys()
       .degrees(
           "yaw_std_deg", "deg", sensor.yaw_std, {0, 90},
           "Standard deviation of its stated direction on the robot. No reading tells which way the robot's own axes "
-          "point: it is part of the stated covariance of the heading. 0: nothing is assumed.")
+          "point: it is part of the stated covariance of the heading. Not set: 0, until auto_calibrate adopts an "
+          "offset of bearings.")
       .number("lever_arm_x_m", "m", sensor.lever_arm.x(), ranges::kAny,
               "How much further forward on the robot it is than the log says.")
       .number("lever_arm_y_m", "m", sensor.lever_arm.y(), ranges::kAny,

@@ -67,7 +67,7 @@ SensorConfigs sensorConfigs(const Settings& settings)
     c.detection_probability = settings.optionalNumber(section, "detection_probability");
     c.lever_arm = {settings.number(section, "lever_arm_x_m"), settings.number(section, "lever_arm_y_m")};
     c.lever_arm_std = settings.optionalNumber(section, "lever_arm_std_m");
-    c.yaw_std = settings.radians(section, "yaw_std_deg");
+    c.yaw_std = settings.optionalRadians(section, "yaw_std_deg");
     c.delay_std = settings.number(section, "delay_std_s");
     c.association = settings.choice(section, "association", identityLevels());
     c.reflectors = reflectorOptions(settings, section);

@@ -14,6 +14,7 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kMostTurned = 10;  // [deg] that the axes of odometry may be
+constexpr double kRounding = 1e-6;  // [m], [rad]
 
 /// Decimals that keep two significant digits of a value, at least `decimals`.
 int decimalsFor(double value, int decimals)
@@ -50,46 +51,34 @@ std::vector<CalibrationFinding> placeFindings(CalibrationResult errors, std::siz
   std::erase_if(places, [](const CalibrationFinding& finding) { return !finding.differs; });
   return places;
 }
-/// The finding of a key of a section; nothing where it is not among them.
-CalibrationFinding* findingOf(std::vector<CalibrationFinding>& findings, const std::string& section,
-                              const std::string& key)
+
+bool isLeverArmLine(const CalibrationFinding& finding)
 {
-  const auto found = std::find_if(findings.begin(), findings.end(),
-                                  [&](const CalibrationFinding& finding)
-                                  { return finding.line.section == section && finding.line.key == key; });
-  return found == findings.end() ? nullptr : &*found;
+  return finding.line.key == "lever_arm_x_m" || finding.line.key == "lever_arm_y_m";
 }
 
-/// A lever arm that was told in axes of odometry, in those of the robot, on which these are turned by `yaw`; `place`:
-/// of the sensor, as configured.
-void turnLeverArm(std::vector<CalibrationFinding>& adopted, const std::string& section, const Vector2d& place,
-                  double yaw)
+/// True when nothing in a recording depends on axes of the robot but the only sensor of bearings: it is the robot.
+bool isSensorTheRobot(const std::vector<CalibrationFinding>& adopted, const CalibrationData& data)
 {
-  CalibrationFinding* const axes[] = {findingOf(adopted, section, "lever_arm_x_m"),
-                                      findingOf(adopted, section, "lever_arm_y_m")};
-  Vector2d told = place;
-  for (int k = 0; k < 2; ++k)
-    if (axes[k]) told[k] += axes[k]->estimate - axes[k]->configured;
-  const Vector2d turned = rotation(yaw) * told - place;
-  for (int k = 0; k < 2; ++k)
-  {
-    if (!axes[k]) continue;
-    axes[k]->estimate = axes[k]->configured + turned[k];
-    settleLine(*axes[k], true);
-  }
+  const std::vector<CalibrationReading>& readings = data.problem.readings;
+  const auto at_origin = [](const CalibrationReading& r)
+  { return r.T_robot_sensor.position().norm() + std::abs(r.T_robot_sensor.phi) < kRounding; };
+  return !data.compass && sensorsWithBearings(data).size() == 1 &&
+         std::all_of(readings.begin(), readings.end(), at_origin) &&
+         std::none_of(adopted.begin(), adopted.end(), isLeverArmLine);
 }
 
-/// Bearings tell the axes of a sensor from those of odometry, and not which of the two are the robot's: the heading
-/// stays what the readings of an only sensor of bearings say, so odometry is turned in place of an offset of theirs,
-/// unless it is so large that the direction of the sensor was not stated at all.
-void turnOdometry(std::vector<CalibrationFinding>& adopted, const CalibrationData& data,
-                  const LocalizationConfig& config)
+/// Bearings tell the axes of a sensor from those of odometry, and not which of the two are the robot's. A robot drives
+/// along its own, so the sensor is turned, unless it is the robot: then odometry is.
+void attributeBearingOffset(std::vector<CalibrationFinding>& adopted, const CalibrationData& data,
+                            const LocalizationConfig& config)
 {
-  const std::set<std::string> sensors = sensorsWithBearings(data);
-  if (sensors.size() != 1) return;
-  const std::string &label = *sensors.begin(), section = "Sensor_" + label;
-  CalibrationFinding* const found = findingOf(adopted, section, "bias_bearing_deg");
-  if (!found) return;
+  if (!isSensorTheRobot(adopted, data)) return;
+  const auto found =
+      std::find_if(adopted.begin(), adopted.end(),
+                   [](const CalibrationFinding& finding) { return finding.line.key == "bias_bearing_deg"; });
+  if (found == adopted.end()) return;
+  const std::string label = *sensorsWithBearings(data).begin();
   const double scale = configOf(config.frames.sensors, label).scale_bearing;
   const double offset = (found->estimate - found->configured) / scale, before = radToDeg(config.frames.odometry.yaw);
   if (std::abs(offset) > kMostTurned) return;
@@ -101,9 +90,6 @@ void turnOdometry(std::vector<CalibrationFinding>& adopted, const CalibrationDat
             .decimals = found->decimals,
             .line = {"MotionModel", "odometry_yaw_deg", ""}};
   settleLine(*found, true);
-  const auto reading = std::find_if(data.problem.readings.begin(), data.problem.readings.end(),
-                                    [&](const CalibrationReading& r) { return data.sensors[r.sensor] == label; });
-  turnLeverArm(adopted, section, reading->T_robot_sensor.position(), degToRad(offset));
 }
 }  // namespace
 
@@ -116,7 +102,7 @@ std::vector<CalibrationFinding> adoptedFindings(const CalibrationChoice& choice,
   errors.errors.resize(choice.errors.size());
   for (const CalibrationFinding& finding : calibrationFindings(errors, data, config))
     if (finding.why_not_observable.empty()) adopted.push_back(finding);
-  turnOdometry(adopted, data, config);
+  attributeBearingOffset(adopted, data, config);
   for (const CalibrationFinding& finding : depthFindings(data))
     if (finding.differs) adopted.push_back(finding);
   for (CalibrationFinding& finding : noiseFindings(errors, data, config))

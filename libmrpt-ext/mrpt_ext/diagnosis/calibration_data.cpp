@@ -38,6 +38,7 @@ class CalibrationDataBuilder
 
   void add(const Frame& frame, const PoseEstimate& estimate)
   {
+    result_.compass = result_.compass || frame.compass.has_value();
     GaussianPose robot = estimate.pose;
     robot.mean = compose(robot.mean, moved(estimate.time, frame.time).increment);
     bridgeTo(frame.time);

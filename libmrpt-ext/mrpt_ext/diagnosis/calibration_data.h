@@ -29,6 +29,7 @@ struct CalibrationData
   std::vector<UnmatchedReading> unmatched;  ///< ordered by pose
   std::vector<DepthHypothesis> depths;      ///< of the sensors for which this is a question, ranges as is likelier
   std::size_t ambiguous = 0;                ///< detections left out because several landmarks are near
+  bool compass = false;                     ///< a compass measures the heading
   bool commanded = false;                   ///< odometry is integrated from commands
   bool verified = false;                    ///< at least one estimate of the trajectory was `ok`
 };

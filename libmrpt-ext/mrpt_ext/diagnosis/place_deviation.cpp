@@ -25,13 +25,13 @@ CalibrationFinding leverArmDeviation(const std::string& label, double squares)
           .line = {kSensorSection + label, "lever_arm_std_m", ""}};
 }
 
-CalibrationFinding yawDeviation(const std::string& label, double square)
+CalibrationFinding yawDeviation(const std::string& label, double squared)
 {
   return {.what = label + ": deviation of stated directions",
           .unit = "deg",
           .configured = 0,
-          .estimate = std::min(std::sqrt(square / 2), kAssumedYawStd),
-          .std = std::min(std::sqrt(square), kAssumedYawStd) / 2,
+          .estimate = std::min(std::sqrt(squared / 2), kAssumedYawStd),
+          .std = std::min(std::sqrt(squared), kAssumedYawStd) / 2,
           .decimals = 2,
           .line = {kSensorSection + label, "yaw_std_deg", ""}};
 }
@@ -55,7 +55,7 @@ std::vector<CalibrationFinding> placeDeviations(const std::vector<CalibrationFin
   for (const auto& [label, squares] : places)
     if (!configOf(sensors, label).lever_arm_std) deviations.push_back(leverArmDeviation(label, squares));
   for (const auto& [label, squared] : directions)
-    if (configOf(sensors, label).yaw_std == 0) deviations.push_back(yawDeviation(label, squared));
+    if (!configOf(sensors, label).yaw_std) deviations.push_back(yawDeviation(label, squared));
   for (CalibrationFinding& found : deviations) settleLine(found, true);
   return deviations;
 }

@@ -26,7 +26,7 @@ SensorModel configured(SensorModel model, const SensorConfig& config)
   model.clutter_probability = config.clutter_probability;
   model.detection_probability = config.detection_probability;
   model.lever_arm_std = config.lever_arm_std;
-  model.yaw_std = config.yaw_std;
+  model.yaw_std = config.yaw_std.value_or(0);
   model.delay_std = config.delay_std;
   return model;
 }

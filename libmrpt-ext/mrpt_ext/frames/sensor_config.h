@@ -35,7 +35,7 @@ struct SensorConfig
   std::optional<double> detection_probability;
   Vector2d lever_arm{0, 0};                    ///< [m] true minus logged position on the robot, in robot axes
   std::optional<double> lever_arm_std;         ///< [m]
-  double yaw_std = 0;                          ///< [rad] of the stated direction on the robot
+  std::optional<double> yaw_std;               ///< [rad] of the stated direction on the robot
   double delay_std = SensorModel{}.delay_std;  ///< [s]
   IdentityLevel association = IdentityLevel::known;
   std::optional<ReflectorOptions> reflectors;  ///< to extract from its laser scans; absent: scans are not used

@@ -1,7 +1,5 @@
 #include "mrpt_ext/report/comparison_text.h"
 
-#include <algorithm>
-
 #include "mrpt_ext/evaluation/odometry_alignment.h"
 #include "mrpt_ext/report/number_text.h"
 
@@ -10,7 +8,6 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kSame = 0.05;  // relative difference of RMSE
-constexpr double kBelow = 0.9;  // of the bound, for which chance is no reason
 
 std::string costText(const OptionalNumber& ratio)
 {
@@ -44,16 +41,10 @@ std::string limitText(const RunScore& score)
   if (!score.limit.position_rmse_m || !score.judged_method) return {};
   std::string text = "posterior Cramer-Rao bound: position RMSE " + magnitudeText(score.limit.position_rmse_m) +
                      " m, heading " + numberText(score.limit.heading_rmse_deg, 2) + " deg";
-  double least = 1;
   for (const MethodScore& method : score.methods)
-  {
-    if (!method.continuous || method.oracle || method.name == kOdometryMethod || !method.position_error_m.rmse)
-      continue;
-    const double ratio = *method.position_error_m.rmse / *score.limit.position_rmse_m;
-    text += "; " + method.name + " " + numberText(ratio, 2) + " times the bound";
-    least = std::min(least, ratio);
-  }
-  if (least < kBelow) text += " (less than 1: readings and odometry err less than stated, on this log)";
+    if (method.continuous && !method.oracle && method.name != kOdometryMethod && method.position_error_m.rmse)
+      text += "; " + method.name + " " + numberText(*method.position_error_m.rmse / *score.limit.position_rmse_m, 2) +
+              " times the bound";
   return text;
 }
 }  // namespace mrpt_ext

@@ -91,6 +91,7 @@ void ConsiderCovariance::restart()
   noise_.restart();
   added_.setZero();
   assumed_.setZero();
+  yaw_std_ = 0;
 }
 
 void ConsiderCovariance::update(const LinearStep& step)
@@ -107,16 +108,11 @@ void ConsiderCovariance::state()
   const Matrix3d lasting = persistent_.added().topLeftCorner<3, 3>();
   if (!systematic.allFinite() || !lasting.allFinite()) return restart();
   added_ = positivePart(lasting) + systematic;
-  added_(2, 2) += square(yawStd());
+  // The axes that the heading refers to are known no better than those of the sensors.
+  yaw_std_ = 0;
+  for (const SensorStds& given : sensor_stds_) yaw_std_ = std::max(yaw_std_, given.yaw);
+  added_(2, 2) += square(yaw_std_);
   assumed_ = systematic_.assumed().topLeftCorner<3, 3>();
-}
-
-// The axes that the heading refers to are known no better than those of the sensors.
-double ConsiderCovariance::yawStd() const
-{
-  double largest = 0;
-  for (const SensorStds& given : sensor_stds_) largest = std::max(largest, given.yaw);
-  return largest;
 }
 
 std::string ConsiderCovariance::finding(const Matrix3d& stated) const
@@ -129,8 +125,7 @@ std::string ConsiderCovariance::finding(const Matrix3d& stated) const
     add(formatted("%s: standard deviation %.3f m instead of %.3f m",
                   mostly_assumed ? "lever_arm_std_m, delay_std_s" : "errors that last", std::sqrt(before + more),
                   std::sqrt(before)));
-  const double without = std::sqrt(stated(2, 2) + added_(2, 2) - square(yawStd())),
-               with = std::hypot(without, yawStd());
+  const double with = std::sqrt(stated(2, 2) + added_(2, 2)), without = std::sqrt(square(with) - square(yaw_std_));
   if (with > kRemarkable * without)
     add(formatted("yaw_std_deg: standard deviation %.1f deg instead of %.1f deg", radToDeg(with), radToDeg(without)));
   const double noise = std::sqrt(*std::max_element(noise_.factors().begin(), noise_.factors().end()));

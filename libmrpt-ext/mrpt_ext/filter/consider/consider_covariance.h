@@ -43,7 +43,6 @@ class ConsiderCovariance
  private:
   void update(const LinearStep& step);
   void state();
-  [[nodiscard]] double yawStd() const;
   [[nodiscard]] LinearStep linearise(const KalmanState& before, const Frame& frame);
   void addRows(const Reading& reading, LinearStep& step);
   [[nodiscard]] std::size_t indexOf(const std::string& sensor);
@@ -60,5 +59,6 @@ class ConsiderCovariance
   std::optional<KalmanState> stated_;  // after the last frame
   Matrix3d added_ = Matrix3d::Zero();
   Matrix3d assumed_ = Matrix3d::Zero();  // of that, by lever arms and delays
+  double yaw_std_ = 0;                   // [rad] of that, of the axes of the sensors
 };
 }  // namespace mrpt_ext
