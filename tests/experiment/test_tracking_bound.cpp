@@ -96,6 +96,15 @@ TEST(TrackingBound, OutliersHaveNoInformation)
   EXPECT_EQ(boundOf(input).stamps.back().position_variance, honest);
 }
 
+TEST(TrackingBound, ThereIsNoneWhereASensorErrsMoreThanItsNoise)
+{
+  BoundInput input = standingRobot();
+  for (Frame& frame : input.frames)
+    for (Detection& detection : frame.readings[0].detections) detection.bearing = wrap(*detection.bearing + 0.2);
+  EXPECT_EQ(boundOf(input).why_none, "most detections do not fit the true poses");
+  EXPECT_TRUE(boundOf(input).stamps.empty());
+}
+
 TEST(TrackingBound, AKnownStartAndOdometryCount)
 {
   BoundInput input = standingRobot();

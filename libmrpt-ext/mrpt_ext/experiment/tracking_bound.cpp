@@ -15,6 +15,13 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kOutlierGate = 5;  // standard deviations
+constexpr double kMostOutliers = 0.5;
+
+/// Detections of landmarks of the map, and those that do not fit the true pose.
+struct FitToTruth
+{
+  double detections = 0, outliers = 0;
+};
 
 bool isOutlier(const DetectionRows& rows)
 {
@@ -45,7 +52,7 @@ void addFacing(Matrix3d& information, const Detection& detection, const Reading&
     addInformation(information, *nearest);
 }
 
-Matrix3d informationOf(const Frame& frame, const LandmarkTable& map, const Pose2& truth)
+Matrix3d informationOf(const Frame& frame, const LandmarkTable& map, const Pose2& truth, FitToTruth& fit)
 {
   const KalmanState state = startingState({truth, Matrix3d::Zero()}, {});
   Matrix3d information = Matrix3d::Zero();
@@ -55,7 +62,12 @@ Matrix3d informationOf(const Frame& frame, const LandmarkTable& map, const Pose2
       const auto landmark = map.indexOf(detection.id);
       if (!landmark) continue;
       const DetectionRows rows = linearise(detection, reading, map[*landmark], state.mean, {});
-      if (isOutlier(rows)) continue;
+      ++fit.detections;
+      if (isOutlier(rows))
+      {
+        ++fit.outliers;
+        continue;
+      }
       for (int r = 0; r < rows.count; ++r) addInformation(information, rows.rows[static_cast<std::size_t>(r)]);
       addFacing(information, detection, reading, map, state);
     }
@@ -96,11 +108,13 @@ class BoundAlongTruth
       step.increment = motion.increment;
       step.odometry_covariance = incrementCovariance(filter_.motion, motion);
     }
-    if (frame) step.measurement_information = informationOf(*frame, context_.map, truth->pose);
+    if (frame) step.measurement_information = informationOf(*frame, context_.map, truth->pose, fit_);
     before_ = truth->pose;
     time_before_ = time;
     return bound_->advance(step);
   }
+
+  [[nodiscard]] const FitToTruth& fit() const { return fit_; }
 
  private:
   const RunContext& context_;
@@ -109,6 +123,7 @@ class BoundAlongTruth
   std::optional<BoundRecursion> bound_;
   Pose2 before_;
   double time_before_ = 0;
+  FitToTruth fit_;
 };
 
 /// The bound at the stamps that lie between the frames; at one time the frame comes first. False where the truth ends.
@@ -144,6 +159,8 @@ TrackingBound trackingBound(const RunContext& context, const ParticleFilterOptio
   }
   known = known && addStamps(result, bound, stamp, stamps.end(), std::numeric_limits<double>::infinity());
   if (!known) return {{}, "the truth has no pose or no heading for some frames"};
+  if (bound.fit().outliers > kMostOutliers * bound.fit().detections)
+    return {{}, "most detections do not fit the true poses"};
   return result;
 }
 

@@ -26,8 +26,9 @@ struct TrackingBound
 /// the box of possible poses where the start is unknown), noise of odometry along the true trajectory, standard
 /// deviations of the detections and of the map. Systematic errors count as known, which lowers the bound where they
 /// must be estimated. Detections more than five standard deviations from the prediction at the true pose are outliers
-/// without information. Needs a true pose with heading at every frame, and only identified detections: the true
-/// associations of anonymous ones are not known.
+/// without information; there is no bound where most are, as with an offset of a sensor that is not configured. Needs a
+/// true pose with heading at every frame, and only identified detections: the true associations of anonymous ones are
+/// not known.
 [[nodiscard]] TrackingBound trackingBound(const RunContext& context, const ParticleFilterOptions& filter,
                                           const OdometryPath& odometry, const FrameStream& frames);
 
