@@ -52,20 +52,15 @@ std::vector<CalibrationFinding> placeFindings(CalibrationResult errors, std::siz
   return places;
 }
 
-bool isLeverArmLine(const CalibrationFinding& finding)
-{
-  return finding.line.key == "lever_arm_x_m" || finding.line.key == "lever_arm_y_m";
-}
-
-/// True when nothing in a recording depends on axes of the robot but the only sensor of bearings: it is the robot.
-bool isSensorTheRobot(const std::vector<CalibrationFinding>& adopted, const CalibrationData& data)
+/// True when something in a recording depends on axes of the robot beside those of its only sensor of bearings.
+bool hasOwnAxes(const CalibrationData& data, const std::vector<CalibrationFinding>& adopted)
 {
   const std::vector<CalibrationReading>& readings = data.problem.readings;
-  const auto at_origin = [](const CalibrationReading& r)
-  { return r.T_robot_sensor.position().norm() + std::abs(r.T_robot_sensor.phi) < kRounding; };
-  return !data.compass && sensorsWithBearings(data).size() == 1 &&
-         std::all_of(readings.begin(), readings.end(), at_origin) &&
-         std::none_of(adopted.begin(), adopted.end(), isLeverArmLine);
+  const auto is_placed = [](const CalibrationReading& r)
+  { return r.T_robot_sensor.position().norm() + std::abs(r.T_robot_sensor.phi) >= kRounding; };
+  return data.compass || sensorsWithBearings(data).size() != 1 ||
+         std::any_of(readings.begin(), readings.end(), is_placed) ||
+         std::any_of(adopted.begin(), adopted.end(), isOfLeverArm);
 }
 
 /// Bearings tell the axes of a sensor from those of odometry, and not which of the two are the robot's. A robot drives
@@ -73,11 +68,10 @@ bool isSensorTheRobot(const std::vector<CalibrationFinding>& adopted, const Cali
 void attributeBearingOffset(std::vector<CalibrationFinding>& adopted, const CalibrationData& data,
                             const LocalizationConfig& config)
 {
-  if (!isSensorTheRobot(adopted, data)) return;
   const auto found =
       std::find_if(adopted.begin(), adopted.end(),
                    [](const CalibrationFinding& finding) { return finding.line.key == "bias_bearing_deg"; });
-  if (found == adopted.end()) return;
+  if (found == adopted.end() || hasOwnAxes(data, adopted)) return;
   const std::string label = *sensorsWithBearings(data).begin();
   const double scale = configOf(config.frames.sensors, label).scale_bearing;
   const double offset = (found->estimate - found->configured) / scale, before = radToDeg(config.frames.odometry.yaw);

@@ -37,18 +37,22 @@ CalibrationFinding yawDeviation(const std::string& label, double squared)
 }
 }  // namespace
 
+bool isOfLeverArm(const CalibrationFinding& finding)
+{
+  return finding.line.key == "lever_arm_x_m" || finding.line.key == "lever_arm_y_m";
+}
+
 std::vector<CalibrationFinding> placeDeviations(const std::vector<CalibrationFinding>& set, const CalibrationData& data,
                                                 const SensorConfigs& sensors)
 {
   Corrections places, directions;  // [m^2] along both axes, [deg^2]; by label
   for (const CalibrationFinding& finding : set)
   {
-    const std::string& key = finding.line.key;
     const double squared = square(finding.estimate - finding.configured);
-    if (key == "lever_arm_x_m" || key == "lever_arm_y_m")
-      places[finding.line.section.substr(kSensorSection.size())] += squared;
-    if (key == "bias_bearing_deg") directions[finding.line.section.substr(kSensorSection.size())] += squared;
-    if (key == "odometry_yaw_deg")
+    const auto own = [&] { return finding.line.section.substr(kSensorSection.size()); };
+    if (isOfLeverArm(finding)) places[own()] += squared;
+    if (finding.line.key == "bias_bearing_deg") directions[own()] += squared;
+    if (finding.line.key == "odometry_yaw_deg")
       for (const std::string& label : sensorsWithBearings(data)) directions[label] += squared;
   }
   std::vector<CalibrationFinding> deviations;

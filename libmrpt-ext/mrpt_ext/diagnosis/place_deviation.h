@@ -7,6 +7,9 @@
 
 namespace mrpt_ext
 {
+/// True for a line of `set` that moves a sensor on the robot: lever_arm_x_m or lever_arm_y_m.
+[[nodiscard]] bool isOfLeverArm(const CalibrationFinding& finding);
+
 /// How well the places of sensors on the robot were stated which lines of `set` correct: lever_arm_std_m and
 /// yaw_std_deg, by section. Turns tell a sensor from the point that odometry follows, and bearings its axes from those
 /// of odometry, and neither which of the two is where the robot's are. At most the assumed deviations, 5 cm and 5
