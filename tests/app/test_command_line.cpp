@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "error_message.h"
 #include "mrpt_ext/geometry/input_error.h"
-#include "scratch_folder.h"
 
 namespace mrpt_ext::test_command_line
 {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "error_message.h"
 #include "mrpt_ext/configuration/default_configuration.h"
 #include "mrpt_ext/configuration/localization_keys.h"
 #include "mrpt_ext/geometry/input_error.h"
@@ -23,16 +24,7 @@ LocalizationConfig configOf(const std::string& text)
 
 std::string errorOf(const std::string& text)
 {
-  try
-  {
-    (void)configOf(text);
-  }
-  catch (const InputError& error)
-  {
-    EXPECT_EQ(error.kind(), InputError::Kind::configuration);
-    return error.what();
-  }
-  return "no error";
+  return testing::configurationErrorOf([&] { (void)configOf(text); });
 }
 }  // namespace
 

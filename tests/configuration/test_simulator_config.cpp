@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "error_message.h"
 #include "mrpt_ext/configuration/simulator_keys.h"
 
 namespace mrpt_ext::test_simulator_config
@@ -14,15 +15,7 @@ Scenario read(const std::string& text) { return readScenario(Settings::parse(tex
 
 std::string errorOf(const std::string& text)
 {
-  try
-  {
-    (void)read(text);
-  }
-  catch (const InputError& error)
-  {
-    return error.what();
-  }
-  return "no error";
+  return testing::configurationErrorOf([&] { (void)read(text); });
 }
 }  // namespace
 

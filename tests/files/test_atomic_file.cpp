@@ -5,6 +5,7 @@
 
 #include <csignal>
 
+#include "error_message.h"
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "scratch_folder.h"

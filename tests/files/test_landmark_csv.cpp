@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "error_message.h"
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/geometry/input_error.h"

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "error_message.h"
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "scratch_folder.h"

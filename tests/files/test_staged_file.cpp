@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "error_message.h"
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "scratch_folder.h"

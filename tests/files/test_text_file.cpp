@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include "error_message.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "scratch_folder.h"
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "error_message.h"
 #include "scratch_folder.h"
 
 namespace mrpt_ext::test_text_table

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "error_message.h"
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "scratch_folder.h"

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "error_message.h"
 #include "mrpt_ext/configuration/localization_keys.h"
 #include "mrpt_ext/geometry/input_error.h"
 
@@ -10,6 +11,8 @@ namespace mrpt_ext::test_sensor_config
 {
 namespace
 {
+using testing::configurationErrorOf;
+
 const LandmarkTable kMap({{.id = 1, .position = {2, 0, 2}, .category = "red"}, {.id = 2, .position = {0, 5, 0}}});
 
 SensorConfigs configsOf(const std::string& keys)
@@ -31,21 +34,6 @@ Detection configuredDetection(Detection detection, const std::string& keys)
   const Reading reading = configured(readingOf({std::move(detection)}), configsOf(keys), kMap, unusable);
   EXPECT_TRUE(unusable.empty());
   return reading.detections.at(0);
-}
-
-template <typename Call>
-std::string errorOf(Call&& call)
-{
-  try
-  {
-    call();
-  }
-  catch (const InputError& error)
-  {
-    EXPECT_EQ(error.kind(), InputError::Kind::configuration);
-    return error.what();
-  }
-  return "no error";
 }
 
 const Detection kBoth{.id = 1, .bearing = 0.5, .range = 4, .std_bearing = 0.02, .std_range = 0.1};
@@ -88,7 +76,8 @@ TEST(SensorConfig, ScansThatAreNotUsedAreCounted)
   EXPECT_FALSE(configured(dark, configsOf("extract = reflectors\nintensity_above = 50\n"), kMap, unusable));
   EXPECT_EQ(unusable, (UnusableDetections{{"eye: laser scan, extract is not set", 1},
                                           {"eye: laser scan without intensities", 1}}));
-  EXPECT_NE(errorOf([] { configsOf("extract = reflectors\n"); }).find("set intensity_above"), std::string::npos);
+  EXPECT_NE(configurationErrorOf([] { configsOf("extract = reflectors\n"); }).find("set intensity_above"),
+            std::string::npos);
 }
 
 TEST(SensorConfig, WithoutASectionEverythingIsAsLogged)
@@ -134,10 +123,10 @@ TEST(SensorConfig, ALandmarkMayHaveABiasOfItsOwn)
   Detection other = kBoth;
   other.id = 2;
   EXPECT_NEAR(*configuredDetection(other, keys).range, 4 - 0.25, 1e-12);
-  EXPECT_EQ(errorOf([] { (void)configsOf("landmark_bias_range_m = 1:0.1 1:0.2\n"); }),
+  EXPECT_EQ(configurationErrorOf([] { (void)configsOf("landmark_bias_range_m = 1:0.1 1:0.2\n"); }),
             "/a/b.ini:2: landmark_bias_range_m = 1:0.1 1:0.2: landmark 1 occurs twice, expected it once");
   for (const char* wrong : {"1", "1:x", "a:1", "1:0.1,2:0.2"})
-    EXPECT_NE(errorOf([&] { (void)configsOf(std::string("landmark_bias_range_m = ") + wrong + "\n"); })
+    EXPECT_NE(configurationErrorOf([&] { (void)configsOf(std::string("landmark_bias_range_m = ") + wrong + "\n"); })
                   .find("expected id:value pairs"),
               std::string::npos)
         << wrong;
@@ -176,14 +165,14 @@ TEST(SensorConfig, AMissingStdIsAnErrorThatNamesTheKey)
   UnusableDetections unusable;
   const auto take = [&](const Detection& detection)
   { (void)configured(readingOf({detection}), configsOf(""), kMap, unusable); };
-  EXPECT_EQ(errorOf([&] { take({.id = 1, .bearing = 0.5}); }),
+  EXPECT_EQ(configurationErrorOf([&] { take({.id = 1, .bearing = 0.5}); }),
             "sensor 'eye' logs bearings without a standard deviation, set [Sensor_eye] std_bearing_deg");
-  EXPECT_EQ(errorOf([&] { take({.id = 1, .range = 4}); }),
+  EXPECT_EQ(configurationErrorOf([&] { take({.id = 1, .range = 4}); }),
             "sensor 'eye' logs ranges without a standard deviation, set [Sensor_eye] std_range_m");
-  EXPECT_EQ(errorOf([&] { (void)configured(CompassRecord{.sensor = "eye"}, configsOf("")); }),
+  EXPECT_EQ(configurationErrorOf([&] { (void)configured(CompassRecord{.sensor = "eye"}, configsOf("")); }),
             "sensor 'eye' logs headings without a standard deviation, set [Sensor_eye] std_heading_deg");
   RunningFixReading fix{.sensor = "eye", .first_range = 1, .first_std = 0.1, .second_range = 2};
-  EXPECT_EQ(errorOf([&] { (void)configured(fix, configsOf(""), kMap, unusable); }),
+  EXPECT_EQ(configurationErrorOf([&] { (void)configured(fix, configsOf(""), kMap, unusable); }),
             "sensor 'eye' logs ranges without a standard deviation, set [Sensor_eye] std_range_m");
   EXPECT_NEAR(configuredDetection({.id = 1, .range = 4}, "std_range_per_m = 0.05\n").std_range, 0.2, 1e-12);
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "error_message.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "scratch_folder.h"
 

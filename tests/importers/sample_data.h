@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "error_message.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/geometry/recording.h"
 #include "scratch_folder.h"

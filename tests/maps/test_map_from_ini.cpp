@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "error_message.h"
 #include "mrpt_ext/files/landmark_csv.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/maps/CLandmarkMap2D.h"
@@ -46,15 +47,7 @@ class MapFromIni : public ::testing::Test
 
   static std::string messageOf(const std::string& file, const std::string& more)
   {
-    try
-    {
-      build(file, more);
-    }
-    catch (const std::exception& error)
-    {
-      return error.what();
-    }
-    return "no error";
+    return testing::messageOf<std::exception>([&] { build(file, more); });
   }
 
   const std::filesystem::path folder_ =

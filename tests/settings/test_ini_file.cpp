@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "error_message.h"
 #include "mrpt_ext/geometry/input_error.h"
 
 namespace mrpt_ext::test_ini_file
@@ -10,16 +11,7 @@ namespace
 {
 std::string errorOf(const std::string& text)
 {
-  try
-  {
-    (void)IniFile::parse(text, "my.ini");
-  }
-  catch (const InputError& error)
-  {
-    EXPECT_EQ(error.kind(), InputError::Kind::configuration);
-    return error.what();
-  }
-  return "no error";
+  return testing::configurationErrorOf([&] { (void)IniFile::parse(text, "my.ini"); });
 }
 }  // namespace
 

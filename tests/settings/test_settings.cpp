@@ -5,9 +5,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "error_message.h"
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/settings/key_section.h"
-#include "scratch_folder.h"
 
 namespace mrpt_ext::test_settings
 {
@@ -49,16 +49,7 @@ Settings parse(const std::string& text, const std::vector<std::string>& override
 
 std::string errorOf(const std::string& text, const std::vector<std::string>& overrides = {})
 {
-  try
-  {
-    (void)parse(text, overrides);
-  }
-  catch (const InputError& error)
-  {
-    EXPECT_EQ(error.kind(), InputError::Kind::configuration);
-    return error.what();
-  }
-  return "no error";
+  return testing::configurationErrorOf([&] { (void)parse(text, overrides); });
 }
 }  // namespace
 

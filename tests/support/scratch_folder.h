@@ -42,19 +42,4 @@ class ScratchFolder
  private:
   std::filesystem::path path_;
 };
-
-/// The message of the Error that `action` throws; a note when it throws nothing.
-template <typename Error, typename Action>
-std::string messageOf(Action&& action)
-{
-  try
-  {
-    action();
-  }
-  catch (const Error& error)
-  {
-    return error.what();
-  }
-  return "(nothing was thrown)";
-}
 }  // namespace mrpt_ext::testing
