@@ -52,6 +52,16 @@ TEST(PredictiveLikelihood, ErrorsThatAreThereImproveThePrediction)
   }
 }
 
+TEST(PredictiveLikelihood, AnOffsetOfBearingsPaysWhereTheHeadingsTookItUp)
+{
+  for (const double offset : {-2.6, 1.0, 3.1})
+  {
+    CalibrationProblem problem = driven({.bearing_offset = offset}, 6);
+    for (TrajectoryPose& pose : problem.poses) pose.pose.phi = wrap(pose.pose.phi - offset);
+    EXPECT_TRUE(isSignificant(gainOf(problem, model({{{Kind::bearing_offset}, offset}}), model()))) << offset;
+  }
+}
+
 TEST(PredictiveLikelihood, ErrorsThatAreNotThereDoNotPay)
 {
   for (std::uint64_t seed = 1; seed <= 5; ++seed)

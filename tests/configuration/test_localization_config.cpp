@@ -139,6 +139,9 @@ TEST(LocalizationConfig, TheBoxIsTheMapWithAMarginUnlessGiven)
   EXPECT_EQ(given.filter.region.low, Vector2d(1, -4));
   EXPECT_EQ(given.filter.region.high, Vector2d(9, 2));
   EXPECT_EQ(given.running_fix.region.low, given.filter.region.low);
+  EXPECT_FALSE(given.region_assumed);
+  EXPECT_FALSE(configOf("[LocalizationExperiment]\ninit_PDF_margin_m = 3\n").region_assumed);
+  EXPECT_TRUE(configOf("").region_assumed);
 }
 
 TEST(LocalizationConfig, ContradictoryBoundsAreAnError)

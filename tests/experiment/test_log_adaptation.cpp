@@ -37,6 +37,35 @@ TEST(LogAdaptation, ALogWithOdometryIsTakenAsConfigured)
   EXPECT_TRUE(config.filter.heading_observable);
 }
 
+TEST(LogAdaptation, AnAssumedBoxIsAsLargeAsTheDetectionsReach)
+{
+  AvailableMeasurements available = logWith({.id = 1, .range = 10, .std_range = 0.1}, {});
+  available.odometry = true;
+  for (const bool assumed : {true, false})
+  {
+    LocalizationConfig config;
+    config.region_assumed = assumed;
+    config.filter.region = {.low = {-3, -3}, .high = {9, 4}};
+    std::vector<std::string> notes;
+    adaptToLog(config, available, kDuration, notes);
+    const Vector2d margins = -config.filter.region.low;
+    if (assumed)
+    {
+      EXPECT_GE(margins.minCoeff(), 10);
+      EXPECT_LT(margins.maxCoeff(), 11);
+      EXPECT_EQ(config.filter.region.high, Vector2d(6, 1) + margins);
+      EXPECT_EQ(config.running_fix.region.low, config.filter.region.low);
+      ASSERT_EQ(notes.size(), 1U);
+      EXPECT_NE(notes.front().find("init_PDF_margin_m"), std::string::npos);
+    }
+    else
+    {
+      EXPECT_EQ(margins, Vector2d(3, 3));
+      EXPECT_TRUE(notes.empty());
+    }
+  }
+}
+
 TEST(LogAdaptation, WithoutOdometryTheMotionIsARandomWalkAndTheUserIsTold)
 {
   LocalizationConfig config;

@@ -12,6 +12,7 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kStartStd = 0.5, kStartStdPhi = 0.3;  // [m], [rad] of the first guess
+constexpr double kMostMisfit = 10;                     // standard deviations of a reading that count at the start
 constexpr double kLeastInliers = 0.5;                  // mean over the last readings; below, the filter starts again
 constexpr double kInlierMemory = 20;                   // readings of that mean
 constexpr Eigen::Index kTimeBlocks = 20, kLeastTimeBlocks = 8;
@@ -42,21 +43,23 @@ class PredictionFilter
     model_.setErrors(errors_);
   }
 
-  /// At the first guess of pose `k`.
-  void start(std::size_t k)
+  /// At the first guess of pose `k`, whose heading took up an offset of bearings: turned by that offset which its
+  /// readings, from `reading` on, fit best with.
+  void start(std::size_t k, std::size_t reading)
   {
     pose_ = problem_.poses[k].pose;
+    pose_.phi = wrap(pose_.phi + startTurn(k, reading));
     covariance_.topRows<3>().setZero();
     covariance_.leftCols<3>().setZero();
     covariance_.diagonal().head<3>() << square(kStartStd), square(kStartStd), square(kStartStdPhi);
     inliers_ = 1;
   }
 
-  /// From pose `k - 1` to pose `k`.
-  void moveTo(std::size_t k)
+  /// From pose `k - 1` to pose `k`, whose readings begin with `reading`.
+  void moveTo(std::size_t k, std::size_t reading)
   {
     const bool tied = problem_.poses[k].since_previous.has_value();
-    if (!tied || inliers_ < kLeastInliers) return start(k);
+    if (!tied || inliers_ < kLeastInliers) return start(k, reading);
     const MotionPrediction motion = model_.motion(k);
     const Matrix2d to_map = rotation(pose_.phi);
     const Vector2d step = to_map * motion.moved.position();
@@ -98,6 +101,24 @@ class PredictionFilter
   }
 
  private:
+  [[nodiscard]] double startTurn(std::size_t k, std::size_t reading) const
+  {
+    const auto misfit = [&](double turn)
+    {
+      const Pose2 turned{pose_.x, pose_.y, wrap(pose_.phi + turn)};
+      double sum = 0;
+      for (std::size_t i = reading; i < problem_.readings.size() && problem_.readings[i].pose == k; ++i)
+        sum += std::min(std::abs(model_.reading(problem_.readings[i], turned).residual), kMostMisfit);
+      return sum;
+    };
+    double best = 0;
+    for (Eigen::Index i = 0; i < errors_.size(); ++i)
+      if (assumed_.errors[static_cast<std::size_t>(i)].unknown.parameter == CalibrationParameter::bearing_offset &&
+          misfit(errors_[i]) < misfit(best))
+        best = errors_[i];
+    return best;
+  }
+
   void update(const Eigen::VectorXd& gain, const Eigen::VectorXd& spread, double residual)
   {
     covariance_ -= gain * spread.transpose();
@@ -129,9 +150,9 @@ std::vector<double> predictiveLogDensities(const CalibrationProblem& problem, co
   for (std::size_t k = first; k < problem.poses.size(); ++k)
   {
     if (k == first)
-      filter.start(k);
+      filter.start(k, next);
     else
-      filter.moveTo(k);
+      filter.moveTo(k, next);
     for (; next < densities.size() && problem.readings[next].pose == k; ++next)
       densities[next] = filter.take(problem.readings[next]);
   }

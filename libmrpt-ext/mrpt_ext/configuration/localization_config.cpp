@@ -46,10 +46,20 @@ bool isOdometryNoiseStated(const Settings& settings)
   return !haveSameNoise(stated, {}) && !haveSameNoise(stated, motionModel(built_in));
 }
 
+constexpr std::array kRegionKeys{"init_PDF_margin_m", "init_PDF_min_x", "init_PDF_max_x", "init_PDF_min_y",
+                                 "init_PDF_max_y"};
+
+/// True where the box of possible positions follows from the map alone.
+bool isRegionAssumed(const Settings& settings)
+{
+  return std::none_of(kRegionKeys.begin(), kRegionKeys.end(),
+                      [&](const char* key) { return settings.optionalNumber(kExperimentSection, key).has_value(); });
+}
+
 PoseRegion poseRegion(const Settings& settings, const LandmarkTable& map)
 {
   const auto [low, high] = map.boundingBox();
-  const double margin = settings.number(kExperimentSection, "init_PDF_margin_m");
+  const double margin = settings.optionalNumber(kExperimentSection, kRegionKeys[0]).value_or(kRegionMargin);
   PoseRegion region;
   const auto bound = [&](const char* key, double fallback)
   { return settings.optionalNumber(kExperimentSection, key).value_or(fallback); };
@@ -156,6 +166,7 @@ LocalizationConfig localizationConfig(const Settings& settings, const LandmarkTa
   config.filter = filterOptions(settings, map, config.limits);
   config.odometry_noise_stated = isOdometryNoiseStated(settings);
   config.filter.biases = config.biases;
+  config.region_assumed = isRegionAssumed(settings);
   config.running_fix = runningFixOptions(settings, config.filter, config.limits);
   config.engine = settings.choice(kExperimentSection, "filter_engine", filterEngines());
   config.mrpt_algorithm = settings.choice("PF_options", "PF_algorithm", mrptAlgorithms());

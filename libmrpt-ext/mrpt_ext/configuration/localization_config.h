@@ -33,6 +33,7 @@ struct LocalizationConfig
   int repetitions = 1;
   BiasModel biases;  ///< systematic errors that the filters estimate beside the pose
   ParticleFilterOptions filter;
+  bool region_assumed = false;        ///< the box of possible positions is the map with kRegionMargin
   bool odometry_noise_stated = true;  ///< false: that of filter.motion is a default
   FilterEngine engine = FilterEngine::batch;
   int mrpt_algorithm = 0;  ///< PF_algorithm of the mrpt engine

@@ -13,10 +13,29 @@ double stationaryStd(double walk, double information)
   return information > 0 ? std::pow(walk / information, 0.25) : std::numeric_limits<double>::infinity();
 }
 
+namespace
+{
+void widenRegion(LocalizationConfig& config, const DetectionReach& reach, std::vector<std::string>& notes)
+{
+  PoseRegion& region = config.filter.region;
+  const Vector2d map = region.high - region.low - Vector2d::Constant(2 * kRegionMargin);
+  const double margin = reach.metres(map.norm()).value_or(0);
+  if (!config.region_assumed || !(margin > kRegionMargin)) return;
+  region.low.array() -= margin - kRegionMargin;
+  region.high.array() += margin - kRegionMargin;
+  config.running_fix.region = region;
+  notes.push_back(formatted(
+      "possible positions: up to %.1f m outside the map, as far as its landmarks are detected from (init_PDF_margin_m)",
+      margin));
+}
+}  // namespace
+
 void adaptToLog(LocalizationConfig& config, const AvailableMeasurements& available, double duration,
                 std::vector<std::string>& notes)
 {
-  if (config.frames.independent || available.odometry) return;
+  if (config.frames.independent) return;
+  widenRegion(config, available.reach, notes);
+  if (available.odometry) return;
   ParticleFilterOptions& filter = config.filter;
   if (filter.motion.type != MotionType::random_walk)
   {

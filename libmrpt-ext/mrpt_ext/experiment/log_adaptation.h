@@ -9,6 +9,7 @@
 namespace mrpt_ext
 {
 /// Adapts the configuration to what the log contains, and adds a line to `notes` for each adaptation:
+/// - The box of possible positions, where none is configured, is as large as the detections reach (detection_reach.h).
 /// - Without odometry, a motion model of type `odometry` or `velocity` has nothing to work on: the motion is a random
 ///   walk at walking speed.
 /// - Where moreover the measurements hardly depend on the heading (ranges to the robot's origin or near it), the
