@@ -50,6 +50,23 @@ TEST(RunScoring, TheJumpIsFoundAndSplitsTheErrors)
   EXPECT_NEAR(*score.methods[1].position_error_m.rmse, 0.3, 1e-9);
 }
 
+TEST(RunScoring, OkAtAWrongPoseIsCounted)
+{
+  for (const Verdict verdict : {Verdict::ok, Verdict::ambiguous})
+  {
+    MethodTrajectory filter = filterWithError(40, jumpAtTwelve);
+    MethodTrajectory judged = filter;
+    judged.points.clear();
+    for (PoseEstimate point : filter.points)
+    {
+      point.verdict = verdict;
+      judged.points.push_back(point);
+    }
+    const RunScore score = scoreRun(straightRun(40), recordOf({judged}), kLimits);
+    EXPECT_EQ(score.filter.ok_outside, verdict == Verdict::ok ? 24 : 0);
+  }
+}
+
 TEST(RunScoring, NeverConvergedLeavesOnlyTheWholeRun)
 {
   const RunScore score =

@@ -2,53 +2,73 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace mrpt_ext::test_detection_reach
 {
 namespace
 {
-constexpr double kMapDiagonal = 5;
+/// A wall of two landmarks along x, 4 m long and 3 m deep: the diagonal is 5 m.
+const LandmarkTable kMap({{.id = 1, .position = {0, 0, 0}}, {.id = 2, .position = {4, 3, 0}}});
 
-Reading readingOf(const Detection& detection, std::optional<double> max_range = {})
+Frame frameOf(double time, const Detection& detection, std::optional<double> max_range = {})
 {
   Reading reading;
   reading.model.max_range = max_range;
   reading.detections = {detection};
-  return reading;
+  return {.time = time, .readings = {reading}};
 }
 
-Reading rangeOf(double range) { return readingOf({.id = 1, .range = range, .std_range = 0.1}); }
-Reading bearing(std::optional<double> max_range = {})
-{
-  return readingOf({.id = 1, .bearing = 0.3, .std_bearing = 0.01}, max_range);
-}
+Detection rangeOf(int id, double range) { return {.id = id, .range = range, .std_range = 0.1}; }
+const Detection kBearing{.id = 1, .bearing = 0.3, .std_bearing = 0.01};
 }  // namespace
 
-TEST(DetectionReach, IsNearlyTheLongestRangeAndNoFalseOne)
+TEST(DetectionReach, IsHowFarBeyondTheMapTheRobotWas)
 {
   DetectionReach reach;
-  for (int k = 1; k <= 1000; ++k) reach.add(rangeOf(0.01 * k));
-  reach.add(rangeOf(655.35));
-  ASSERT_TRUE(reach.metres(kMapDiagonal));
-  EXPECT_GE(*reach.metres(kMapDiagonal), 9.9);
-  EXPECT_LT(*reach.metres(kMapDiagonal), 1.1 * 9.9);
+  for (int k = 0; k < 6000; ++k)  // ten minutes at 10 Hz: away from the map along x and back
+  {
+    const Vector2d robot(16 - std::abs(k - 3000) / 300.0, 1.5);
+    const int id = 1 + k % 2;
+    const double range = (kMap[*kMap.indexOf(id)].position.head<2>() - robot).norm();
+    reach.add(frameOf(1.7e9 + 0.1 * k, rangeOf(id, k % 20 == 0 ? 0.5 : range)), kMap);
+  }
+  EXPECT_GE(reach.metres(), 11.5);
+  EXPECT_LT(reach.metres(), 1.1 * 12.2);
+}
+
+TEST(DetectionReach, IsNothingBetweenTheLandmarks)
+{
+  DetectionReach reach;
+  for (int k = 0; k < 100; ++k) reach.add(frameOf(k, rangeOf(1 + k % 2, 2.5)), kMap);
+  EXPECT_LT(reach.metres(), 0.01);  // the robot is in the middle: what one range allows the other excludes
+}
+
+TEST(DetectionReach, OfAFewSecondsIsThatOfThese)
+{
+  DetectionReach reach;
+  reach.add(frameOf(5, rangeOf(1, 7)), kMap);
+  EXPECT_EQ(reach.metres(), 7);
 }
 
 TEST(DetectionReach, OfBearingsIsTheLimitOfTheirSensorOrAMultipleOfTheMap)
 {
   DetectionReach reach;
-  reach.add(bearing(8));
-  EXPECT_EQ(reach.metres(kMapDiagonal), 8);
-  reach.add(bearing());
-  EXPECT_EQ(reach.metres(kMapDiagonal), 15);
+  reach.add(frameOf(0, kBearing, 8), kMap);
+  EXPECT_EQ(reach.metres(), 8);
+  reach.add(frameOf(1, kBearing), kMap);
+  EXPECT_EQ(reach.metres(), 15);
 }
 
 TEST(DetectionReach, IsUnknownWithoutDetectionsOrWithAnonymousOnes)
 {
   DetectionReach reach;
-  EXPECT_FALSE(reach.metres(kMapDiagonal));
-  reach.add(rangeOf(7));
-  EXPECT_TRUE(reach.metres(kMapDiagonal));
-  reach.add(readingOf({.bearing = 0.3, .range = 5.0, .std_bearing = 0.01, .std_range = 0.1}));
-  EXPECT_FALSE(reach.metres(kMapDiagonal));
+  EXPECT_EQ(reach.metres(), 0);
+  reach.add(frameOf(0, rangeOf(77, 9)), kMap);  // of no landmark
+  EXPECT_EQ(reach.metres(), 0);
+  reach.add(frameOf(1, rangeOf(1, 9)), kMap);
+  EXPECT_EQ(reach.metres(), 9);
+  reach.add(frameOf(2, {.bearing = 0.3, .range = 5.0, .std_bearing = 0.01, .std_range = 0.1}), kMap);
+  EXPECT_EQ(reach.metres(), 0);
 }
 }  // namespace mrpt_ext::test_detection_reach

@@ -31,7 +31,7 @@ TEST(LogAdaptation, ALogWithOdometryIsTakenAsConfigured)
   available.odometry = true;
   LocalizationConfig config;
   std::vector<std::string> notes;
-  adaptToLog(config, available, kDuration, notes);
+  adaptToLog(config, available, {}, kDuration, notes);
   EXPECT_TRUE(notes.empty());
   EXPECT_EQ(config.filter.motion.type, MotionType::odometry);
   EXPECT_TRUE(config.filter.heading_observable);
@@ -39,30 +39,27 @@ TEST(LogAdaptation, ALogWithOdometryIsTakenAsConfigured)
 
 TEST(LogAdaptation, AnAssumedBoxIsAsLargeAsTheDetectionsReach)
 {
-  AvailableMeasurements available = logWith({.id = 1, .range = 10, .std_range = 0.1}, {});
+  AvailableMeasurements available;
   available.odometry = true;
+  Reading reading;
+  reading.detections = {{.id = 1, .range = 10, .std_range = 0.1}};
+  DetectionReach reach;
+  reach.add({.readings = {reading}},
+            LandmarkTable({{.id = 1, .position = {0, 0, 0}}, {.id = 2, .position = {6, 1, 0}}}));
   for (const bool assumed : {true, false})
   {
     LocalizationConfig config;
     config.region_assumed = assumed;
     config.filter.region = {.low = {-3, -3}, .high = {9, 4}};
     std::vector<std::string> notes;
-    adaptToLog(config, available, kDuration, notes);
-    const Vector2d margins = -config.filter.region.low;
-    if (assumed)
-    {
-      EXPECT_GE(margins.minCoeff(), 10);
-      EXPECT_LT(margins.maxCoeff(), 11);
-      EXPECT_EQ(config.filter.region.high, Vector2d(6, 1) + margins);
-      EXPECT_EQ(config.running_fix.region.low, config.filter.region.low);
-      ASSERT_EQ(notes.size(), 1U);
-      EXPECT_NE(notes.front().find("init_PDF_margin_m"), std::string::npos);
-    }
-    else
-    {
-      EXPECT_EQ(margins, Vector2d(3, 3));
-      EXPECT_TRUE(notes.empty());
-    }
+    adaptToLog(config, available, reach, kDuration, notes);
+    const double margin = assumed ? 10 : 3;
+    EXPECT_EQ(config.filter.region.low, Vector2d(-margin, -margin));
+    EXPECT_EQ(config.filter.region.high, Vector2d(6 + margin, 1 + margin));
+    EXPECT_EQ(notes.size(), assumed ? 1U : 0U);
+    if (!assumed) continue;
+    EXPECT_EQ(config.running_fix.region.low, config.filter.region.low);
+    EXPECT_NE(notes.front().find("init_PDF_margin_m"), std::string::npos);
   }
 }
 
@@ -70,7 +67,7 @@ TEST(LogAdaptation, WithoutOdometryTheMotionIsARandomWalkAndTheUserIsTold)
 {
   LocalizationConfig config;
   std::vector<std::string> notes;
-  adaptToLog(config, logWith(kBearing, {}), kDuration, notes);
+  adaptToLog(config, logWith(kBearing, {}), {}, kDuration, notes);
   EXPECT_EQ(config.filter.motion.type, MotionType::random_walk);
   EXPECT_GT(config.filter.motion.std_xy_per_s, 0.1);
   EXPECT_TRUE(config.filter.heading_observable);
@@ -84,7 +81,7 @@ TEST(LogAdaptation, AConfiguredRandomWalkIsKept)
   config.filter.motion.type = MotionType::random_walk;
   config.filter.motion.std_xy_per_s = 0.1;
   std::vector<std::string> notes;
-  adaptToLog(config, logWith(kBearing, {}), kDuration, notes);
+  adaptToLog(config, logWith(kBearing, {}), {}, kDuration, notes);
   EXPECT_EQ(config.filter.motion.std_xy_per_s, 0.1);
   EXPECT_TRUE(notes.empty());
 }
@@ -103,7 +100,7 @@ TEST(LogAdaptation, RangesToTheOriginAloneDoNotTellTheHeading)
   {
     LocalizationConfig config;
     std::vector<std::string> notes;
-    adaptToLog(config, logWith(kRange, T_robot_sensor), kDuration, notes);
+    adaptToLog(config, logWith(kRange, T_robot_sensor), {}, kDuration, notes);
     const bool lever_arm = T_robot_sensor.x > 0.1;
     EXPECT_EQ(config.filter.heading_observable, lever_arm) << T_robot_sensor.x;
     EXPECT_EQ(std::isinf(config.filter.verdict.max_std_phi), !lever_arm) << T_robot_sensor.x;

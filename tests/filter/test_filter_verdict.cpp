@@ -74,7 +74,7 @@ TEST(FilterVerdict, OkNeedsVerificationEnoughParticlesAndNoContradiction)
   };
   EXPECT_EQ(judge({{mode(1)}, {}}, {}, {}).verdict, Verdict::ok);
   EXPECT_EQ(reason_of({.log_odds = 3.25, .verified = false}),
-            "one mode, not verified yet: log odds 3.2 against the null hypothesis");
+            "one mode, not verified yet: log odds 3.2 against the null hypothesis, 9 needed");
   EXPECT_EQ(reason_of({.effective = 12}), "one mode, but only 12 effective particles");
   EXPECT_EQ(reason_of({.contradicted = true}), "one mode, but the recent trajectory fits another pose better");
   EXPECT_EQ(reason_of({.supported = false}),

@@ -92,11 +92,11 @@ TEST(DescribeRecording, CountsRatesGapsAndUnknownIds)
   const std::vector<std::string> expected = {"odometry: 1 records",
                                              "sensor a: 1 readings with 2 detections (2 bearings, 1 ranges)",
                                              "sensor a: at a reading the newest odometry is 1.000 s old (median), "
-                                             "1.000 s at most; 1 readings after the last odometry",
+                                             "1.000 s at most; 1 reading after the last odometry",
                                              "sensor a: 1 detections have an id that is not in the map",
                                              "sensor b: 1 readings with 1 detections (0 bearings, 1 ranges)",
                                              "sensor b: at a reading the newest odometry is 2.000 s old (median), "
-                                             "2.000 s at most; 1 readings after the last odometry",
+                                             "2.000 s at most; 1 reading after the last odometry",
                                              "truth: 0 poses",
                                              "map: 1 landmarks"};
   EXPECT_EQ(lines, expected);

@@ -13,8 +13,8 @@ TEST(OdometryLag, IsTheAgeOfTheOdometry)
   EXPECT_EQ(lag->before, 1u);
   EXPECT_EQ(lag->after, 1u);
   EXPECT_EQ(describe(*lag),
-            "at a reading the newest odometry is 0.500 s old (median), 4.000 s at most; 1 readings before the first "
-            "odometry; 1 readings after the last odometry");
+            "at a reading the newest odometry is 0.500 s old (median), 4.000 s at most; 1 reading before the first "
+            "odometry; 1 reading after the last odometry");
 }
 
 TEST(OdometryLag, IsNothingWithoutOdometry)

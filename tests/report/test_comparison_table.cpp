@@ -64,6 +64,18 @@ TEST(ComparisonTable, TellsThatTheVerdictCameLaterThanTheRightPose)
   EXPECT_EQ(outcomeText(score).find("Its verdict"), std::string::npos) << "the same, but for the stamps of the scores";
 }
 
+TEST(ComparisonTable, TellsThatOkWasWrong)
+{
+  RunScore score = syntheticScore();
+  score.filter.ok_outside = 0;
+  EXPECT_EQ(outcomeText(score).find("verdict ok"), std::string::npos);
+  score.filter.ok_outside = 17;
+  EXPECT_NE(outcomeText(score).find("Estimates outside of these limits with verdict ok: 17."), std::string::npos);
+  score.trials.front().converged_at_s.reset();
+  score.trials.front().success = false;
+  EXPECT_NE(outcomeText(score).find("verdict ok: 17."), std::string::npos) << outcomeText(score);
+}
+
 TEST(ComparisonTable, WithoutAnEstimateThereIsNoNumber)
 {
   RunScore score = syntheticScore();

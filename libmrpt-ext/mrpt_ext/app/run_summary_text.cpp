@@ -19,8 +19,8 @@ std::string joined(const std::vector<std::string>& names)
 std::string mapText(const RunContext& context)
 {
   const auto [low, high] = context.map.boundingBox();
-  return formatted("map      %zu landmarks in %.1f x %.1f m\n", context.map.size(), high.x() - low.x(),
-                   high.y() - low.y());
+  return "map      " + countOf(context.map.size(), "landmark") +
+         formatted(" in %.1f x %.1f m\n", high.x() - low.x(), high.y() - low.y());
 }
 
 std::string gapText(const LocalizationInput& input)
@@ -85,9 +85,10 @@ std::string verdictText(const RunRecord& record, double start_time)
     {
       if (method.name != "particle_filter") break;
       if (before != point.verdict)
-        result += formatted("%8.1f s %-9s x %.2f m, y %.2f m, heading %.1f deg, %d mode%s, weight %.2f\n",
-                            point.time - start_time, toString(point.verdict), point.pose.mean.x, point.pose.mean.y,
-                            radToDeg(point.pose.mean.phi), point.modes, point.modes == 1 ? "" : "s", point.best_weight);
+        result +=
+            formatted("%8.1f s %-9s x %.2f m, y %.2f m, heading %.1f deg, %s, weight %.2f\n", point.time - start_time,
+                      toString(point.verdict), point.pose.mean.x, point.pose.mean.y, radToDeg(point.pose.mean.phi),
+                      countOf(static_cast<std::size_t>(point.modes), "mode").c_str(), point.best_weight);
       before = point.verdict;
     }
   return result;

@@ -47,10 +47,9 @@ KeyTable startKeys()
       .number("init_PDF_max_x", "m", kUnset, ranges::kAny, "See init_PDF_min_x.")
       .number("init_PDF_min_y", "m", kUnset, ranges::kAny, "See init_PDF_min_x.")
       .number("init_PDF_max_y", "m", kUnset, ranges::kAny, "See init_PDF_min_x.")
-      .number(
-          "init_PDF_margin_m", "m", kUnset, ranges::kNotNegative,
-          "Margin around the landmarks where no box is given. Default: 3, or as far as landmarks are detected from, "
-          "where all detections are identified.")
+      .number("init_PDF_margin_m", "m", kUnset, ranges::kNotNegative,
+              "Margin around the landmarks where no box is given. Default: 3, or as far as the log's detections "
+              "allow, where all are identified.")
       .number("init_PDF_mean_x", "m", filter.initial_pose.mean.x, ranges::kAny, "Known start, for gaussian.")
       .number("init_PDF_mean_y", "m", filter.initial_pose.mean.y, ranges::kAny, "See init_PDF_mean_x.")
       .degrees("init_PDF_mean_phi_deg", "deg", filter.initial_pose.mean.phi, ranges::kAny, "See init_PDF_mean_x.")

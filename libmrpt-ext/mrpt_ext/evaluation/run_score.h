@@ -47,6 +47,7 @@ struct FilterScore
   OptionalNumber particles_min, particles_median, particles_max;
   OptionalNumber nees_mean, nees_band_low, nees_band_high;
   OptionalNumber coverage_95;    ///< share of the `ok` estimates whose truth lies in their 95 % region; whole run
+  OptionalNumber ok_outside;     ///< `ok` estimates beyond the limits of convergence; whole run of one trial
   std::vector<NeesSample> nees;  ///< whole run; of one trial only, empty in a merged score
   OptionalNumber effective_sample_ratio_min;
   OptionalNumber lost_steps, reseeds;

@@ -82,8 +82,30 @@ std::map<std::string, BiasScore> atTheEnd(const DiskBackedSequence<BiasRow>& row
   return scores;
 }
 
+bool isOutside(const PoseEstimate& estimate, const TimedPose& truth, const ConvergenceLimits& limits)
+{
+  const Pose2& pose = estimate.pose.mean;
+  return (pose.position() - truth.pose.position()).norm() > limits.within_m ||
+         (estimate.heading_known && truth.heading_known &&
+          std::abs(wrap(pose.phi - truth.pose.phi)) > degToRad(limits.within_deg));
+}
+
+/// Every `ok` estimate with a truth at its time; with a sparse truth those of `judged`.
+double countOkOutside(const MethodTrajectory& trajectory, const std::vector<JudgedEstimate>& judged,
+                      const RunContext& context, const ConvergenceLimits& limits)
+{
+  std::size_t count = 0;
+  const auto add = [&](const PoseEstimate& estimate, const std::optional<TimedPose>& truth)
+  { count += estimate.verdict == Verdict::ok && truth && isOutside(estimate, *truth, limits) ? 1 : 0; };
+  if (context.truth_is_sparse)
+    for (const JudgedEstimate& entry : judged) add(entry.estimate, entry.truth);
+  else
+    for (const PoseEstimate& estimate : trajectory.points) add(estimate, truthAt(context, estimate.time));
+  return static_cast<double>(count);
+}
+
 void addConsistency(FilterScore& score, const MethodTrajectory& trajectory, const RunContext& context,
-                    std::optional<double> from)
+                    const ConvergenceLimits& limits, std::optional<double> from)
 {
   // Judged at the time of the estimate: dead reckoning would add an error that is not in the covariance.
   std::vector<JudgedEstimate> judged = judgeAtOwnTimes(trajectory, context);
@@ -91,6 +113,7 @@ void addConsistency(FilterScore& score, const MethodTrajectory& trajectory, cons
   std::vector<JudgedEstimate> believed = judged;
   std::erase_if(believed, [](const JudgedEstimate& entry) { return entry.estimate.verdict != Verdict::ok; });
   score.coverage_95 = coverage(believed, 0.95);
+  score.ok_outside = countOkOutside(trajectory, judged, context, limits);
   if (!from) return;
   std::erase_if(judged, [&](const JudgedEstimate& entry) { return entry.stamp < *from; });
   const Consistency nees = consistency(judged);
@@ -180,7 +203,7 @@ void judgeMethods(RunScore& score, const RunContext& context, const RunRecord& r
     if (judged && method.name == judged->name) trial.rmse = method.position_error_m.rmse;
   }
   if (judged && count_from) score.comparisons = compareMethods(score, *count_from);
-  if (judged) addConsistency(score.filter, *judged, context, count_from);
+  if (judged) addConsistency(score.filter, *judged, context, limits, count_from);
 }
 }  // namespace
 

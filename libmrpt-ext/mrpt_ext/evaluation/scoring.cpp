@@ -41,11 +41,6 @@ class EstimateWindow
   std::deque<PoseEstimate> window_;
 };
 
-std::optional<TimedPose> truthAt(const RunContext& context, double time)
-{
-  return interpolate(context.truth, time, context.truth_is_sparse ? 0.0 : kMaxTruthGap);
-}
-
 const PoseEstimate* nearestEstimate(EstimateWindow& estimates, double stamp)
 {
   const double from = stamp - kSparseTruthWindow;
@@ -73,6 +68,11 @@ std::optional<JudgedEstimate> judgeLastOfSecond(EstimateWindow& estimates, const
   return JudgedEstimate{stamp, window.back(), *truth};
 }
 }  // namespace
+
+std::optional<TimedPose> truthAt(const RunContext& context, double time)
+{
+  return interpolate(context.truth, time, context.truth_is_sparse ? 0.0 : kMaxTruthGap);
+}
 
 std::vector<double> scoringStamps(const RunContext& context)
 {

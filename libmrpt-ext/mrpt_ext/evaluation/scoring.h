@@ -33,6 +33,9 @@ struct ErrorSample
 /// truth's own stamps within the log when it is sparse. No truth: none.
 [[nodiscard]] std::vector<double> scoringStamps(const RunContext& context);
 
+/// The truth at `time`, interpolated; nothing where there is none, or a gap.
+[[nodiscard]] std::optional<TimedPose> truthAt(const RunContext& context, double time);
+
 /// Judges a method at the stamps.
 /// Continuous methods: the last estimate at or before the stamp, predicted to it by dead reckoning; nothing before
 /// the first estimate. Closed forms: see judgeAtOwnTimes().

@@ -163,6 +163,7 @@ void readFrames(LocalizationInput& input)
     expectFewDetections(input, *frame);
     ++log.frames;
     log.available.add(*frame);
+    log.reach.add(*frame, input.context.map);
     if (const auto geometry = frameGeometry(*frame, context.map, context.truth, max_gap))
       input.context.geometry.push_back(*geometry);
   }
@@ -201,7 +202,7 @@ LocalizationInput loadLocalization(const Settings& settings, const LogWindow& wi
   input.context.truth_is_sparse = isSparse(input.context.truth);
   readFrames(input);
   checkAnythingToScore(input);
-  adaptToLog(input.config, input.log.available, input.context.duration_s, input.notes);
+  adaptToLog(input.config, input.log.available, input.log.reach, input.context.duration_s, input.notes);
   (void)MethodFactory(input.config, input.context.map,
                       input.log.available);  // reports an unknown method before the work
   input.context.inputs = inputFiles(settings);

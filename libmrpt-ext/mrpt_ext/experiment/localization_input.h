@@ -7,6 +7,7 @@
 
 #include "mrpt_ext/configuration/localization_config.h"
 #include "mrpt_ext/evaluation/run_record.h"
+#include "mrpt_ext/experiment/detection_reach.h"
 #include "mrpt_ext/experiment/method_factory.h"
 #include "mrpt_ext/frames/frame_synchronizer.h"
 #include "mrpt_ext/observations/usable_detections.h"
@@ -29,6 +30,7 @@ struct FrameLog
   LogWindow window;
   LogOverview overview;
   AvailableMeasurements available;
+  DetectionReach reach;
   std::size_t frames = 0, detections = 0;
 };
 

@@ -15,26 +15,23 @@ double stationaryStd(double walk, double information)
 
 namespace
 {
-void widenRegion(LocalizationConfig& config, const DetectionReach& reach, std::vector<std::string>& notes)
+void widenRegion(LocalizationConfig& config, double margin, std::vector<std::string>& notes)
 {
   PoseRegion& region = config.filter.region;
-  const Vector2d map = region.high - region.low - Vector2d::Constant(2 * kRegionMargin);
-  const double margin = reach.metres(map.norm()).value_or(0);
   if (!config.region_assumed || !(margin > kRegionMargin)) return;
   region.low.array() -= margin - kRegionMargin;
   region.high.array() += margin - kRegionMargin;
   config.running_fix.region = region;
   notes.push_back(formatted(
-      "possible positions: up to %.1f m outside the map, as far as its landmarks are detected from (init_PDF_margin_m)",
-      margin));
+      "possible positions: up to %.1f m outside the map, as far as the detections allow (init_PDF_margin_m)", margin));
 }
 }  // namespace
 
-void adaptToLog(LocalizationConfig& config, const AvailableMeasurements& available, double duration,
-                std::vector<std::string>& notes)
+void adaptToLog(LocalizationConfig& config, const AvailableMeasurements& available, const DetectionReach& reach,
+                double duration, std::vector<std::string>& notes)
 {
   if (config.frames.independent) return;
-  widenRegion(config, available.reach, notes);
+  widenRegion(config, reach.metres(), notes);
   if (available.odometry) return;
   ParticleFilterOptions& filter = config.filter;
   if (filter.motion.type != MotionType::random_walk)

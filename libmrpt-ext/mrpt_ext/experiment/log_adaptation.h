@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mrpt_ext/configuration/localization_config.h"
+#include "mrpt_ext/experiment/detection_reach.h"
 #include "mrpt_ext/experiment/method_factory.h"
 
 namespace mrpt_ext
@@ -17,8 +18,8 @@ namespace mrpt_ext
 ///   is unobservable: the filters estimate and judge the position alone. "Hardly": between the random walk of the
 ///   heading and the information per second, its stationary standard deviation is larger than `ok` allows.
 /// `duration` [s]: of the log.
-void adaptToLog(LocalizationConfig& config, const AvailableMeasurements& available, double duration,
-                std::vector<std::string>& notes);
+void adaptToLog(LocalizationConfig& config, const AvailableMeasurements& available, const DetectionReach& reach,
+                double duration, std::vector<std::string>& notes);
 
 /// Standard deviation [rad] at which a random walk of variance `walk` [rad^2/s] is held by measurements with
 /// `information` [1/(rad^2 s)]: the stationary solution of the Riccati equation, (walk / information)^(1/4).

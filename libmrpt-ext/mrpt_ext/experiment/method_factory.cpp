@@ -20,7 +20,6 @@ void AvailableMeasurements::add(const Frame& frame)
   if (frame.compass) heading_information += 1 / square(frame.compass->std_heading);
   for (const Reading& reading : frame.readings)
   {
-    reach.add(reading);
     const Vector2d position = reading.T_robot_sensor.position();
     separate_sensors = separate_sensors || position != frame.readings.front().T_robot_sensor.position();
     for (const Detection& d : reading.detections)

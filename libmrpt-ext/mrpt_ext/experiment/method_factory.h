@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "mrpt_ext/configuration/localization_config.h"
-#include "mrpt_ext/experiment/detection_reach.h"
 #include "mrpt_ext/localizers/filter_localizer.h"
 #include "mrpt_ext/localizers/localizer.h"
 
@@ -34,7 +33,6 @@ struct AvailableMeasurements
   /// Fisher information on the heading, if the position were known [1/rad^2]: of bearings, compass, and ranges to
   /// sensors off the robot's origin.
   double heading_information = 0;
-  DetectionReach reach;
 
   void add(const Frame& frame);
 };

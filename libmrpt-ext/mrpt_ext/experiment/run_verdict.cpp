@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "mrpt_ext/geometry/formatted.h"
+
 namespace mrpt_ext
 {
 namespace
@@ -32,8 +34,8 @@ VerdictWithReason verdictOfFilter(const RunRecord& run, const FilterStep& last)
     verdict.reason += "; lost in " + std::to_string(run.filter.lost_steps) + " of " +
                       std::to_string(trajectory->points.size()) + " frames before";
   if (run.filter.stopped_searches > 0)
-    verdict.reason += "; in " + std::to_string(run.filter.stopped_searches) +
-                      " steps the search for the pose was ended by its work limit: poses may be missing";
+    verdict.reason += "; in " + countOf(run.filter.stopped_searches, "step") +
+                      " the search for the pose was ended by its work limit: poses may be missing";
   if (run.filter.detections_left_out > 0)
     verdict.reason += "; " + std::to_string(run.filter.detections_left_out) +
                       " detections were left out of frames with more than a localizer works with";

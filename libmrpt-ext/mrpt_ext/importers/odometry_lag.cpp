@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mrpt_ext/files/number_format.h"
+#include "mrpt_ext/geometry/formatted.h"
 
 namespace mrpt_ext
 {
@@ -30,8 +31,8 @@ std::string describe(const OdometryLag& lag)
 {
   std::string text = "at a reading the newest odometry is " + fixedText(lag.median, 3) + " s old (median), " +
                      fixedText(lag.largest, 3) + " s at most";
-  if (lag.before > 0) text += "; " + std::to_string(lag.before) + " readings before the first odometry";
-  if (lag.after > 0) text += "; " + std::to_string(lag.after) + " readings after the last odometry";
+  if (lag.before > 0) text += "; " + countOf(lag.before, "reading") + " before the first odometry";
+  if (lag.after > 0) text += "; " + countOf(lag.after, "reading") + " after the last odometry";
   return text;
 }
 }  // namespace mrpt_ext

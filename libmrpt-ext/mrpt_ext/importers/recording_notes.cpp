@@ -5,6 +5,7 @@
 #include <set>
 
 #include "mrpt_ext/files/number_format.h"
+#include "mrpt_ext/geometry/formatted.h"
 #include "mrpt_ext/importers/odometry_lag.h"
 
 namespace mrpt_ext
@@ -128,7 +129,7 @@ std::vector<std::string> describe(const Recording& recording)
   }
   for (const auto& [name, series] : others) lines.push_back(name + ": " + std::to_string(series.count) + series.text());
   lines.push_back(describeTruth(recording.truth));
-  lines.push_back("map: " + std::to_string(recording.map.size()) + " landmarks");
+  lines.push_back("map: " + countOf(recording.map.size(), "landmark"));
   return lines;
 }
 }  // namespace mrpt_ext

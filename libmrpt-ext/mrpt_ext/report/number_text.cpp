@@ -39,6 +39,13 @@ std::string laterOkText(const RunScore& score, double converged_at)
   return {};
 }
 
+/// A verdict that was wrong is nothing to hide, however short.
+std::string wrongOkText(const RunScore& score)
+{
+  if (!exists(score.filter.ok_outside) || *score.filter.ok_outside == 0) return {};
+  return " Estimates outside of these limits with verdict ok: " + countText(score.filter.ok_outside) + ".";
+}
+
 std::string trialText(const RunScore& score)
 {
   const TrialScore& trial = score.trials.front();
@@ -57,10 +64,12 @@ std::string trialText(const RunScore& score)
       if (method.name == *score.judged_method) whole = method.position_error_whole_run_m.rmse;
     if (!exists(whole)) return *score.judged_method + " has no estimate at the times of the truth: no errors.";
     return *score.judged_method + " never stayed within " + limits +
-           " for 5 s: no errors after convergence (whole run: RMSE " + magnitudeText(whole) + " m).";
+           " for 5 s: no errors after convergence (whole run: RMSE " + magnitudeText(whole) + " m)." +
+           wrongOkText(score);
   }
   return *score.judged_method + " converged after " + numberText(trial.converged_at_s, 1) + " s (within " + limits +
-         " of the truth); " + successText(score, trial) + laterOkText(score, *trial.converged_at_s);
+         " of the truth); " + successText(score, trial) + laterOkText(score, *trial.converged_at_s) +
+         wrongOkText(score);
 }
 
 std::string trialsText(const RunScore& score)

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "mrpt_ext/filter/integrity/sequential_pose_test.h"
 #include "mrpt_ext/geometry/formatted.h"
 #include "mrpt_ext/geometry/min_inlier_ratio.h"
 
@@ -76,8 +77,8 @@ VerdictWithReason judge(const ModeSet& modes, const VerdictEvidence& evidence, c
   if (!(evidence.effective >= kMinEffectiveForOk))
     return ambiguous(formatted("one mode, but only %.0f effective particles", evidence.effective));
   if (!evidence.verified)
-    return ambiguous(
-        formatted("one mode, not verified yet: log odds %.1f against the null hypothesis", evidence.log_odds));
+    return ambiguous(formatted("one mode, not verified yet: log odds %.1f against the null hypothesis, %.0f needed",
+                               evidence.log_odds, SequentialPoseTest::kAcceptLogOdds));
   if (evidence.contradicted) return ambiguous("one mode, but the recent trajectory fits another pose better");
   if (!evidence.supported)
     return ambiguous("one mode, but what is seen shows no landmark, and odometry alone led here from the last one");
