@@ -98,7 +98,7 @@ TEST(DescribeRecording, CountsRatesGapsAndUnknownIds)
                                              "sensor b: at a reading the newest odometry is 2.000 s old (median), "
                                              "2.000 s at most; 1 reading after the last odometry",
                                              "truth: 0 poses",
-                                             "map: 1 landmarks"};
+                                             "map: 1 landmark"};
   EXPECT_EQ(lines, expected);
   Recording recording;
   for (const double time : {10.0, 11.0, 11.5, 14.0}) recording.records.emplace_back(OdometryRecord{time, {}});
