@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "error_message.h"
 #include "mrpt_ext/configuration/localization_config.h"
 #include "mrpt_ext/configuration/localization_keys.h"
 #include "mrpt_ext/geometry/input_error.h"
@@ -42,16 +43,9 @@ TEST(ConfiguredMap, HasItsLandmarksWhereTheConfigurationCorrectsThemToBe)
 TEST(ConfiguredMap, OfALandmarkThatIsNotThereIsAnErrorWithItsLine)
 {
   const testing::ScratchFolder folder;
-  try
-  {
-    (void)configuredMap(settingsWith(folder.path(), "random_seed = 2\nlandmark_shift_y_m = 5:0.1"));
-    FAIL() << "no error";
-  }
-  catch (const InputError& error)
-  {
-    EXPECT_NE(std::string(error.what()).find("a.ini:3: landmark_shift_y_m = 5:0.1: landmark 5 is not in the map"),
-              std::string::npos)
-        << error.what();
-  }
+  const std::string error = testing::messageOf<InputError>(
+      [&] { (void)configuredMap(settingsWith(folder.path(), "random_seed = 2\nlandmark_shift_y_m = 5:0.1")); });
+  EXPECT_NE(error.find("a.ini:3: landmark_shift_y_m = 5:0.1: landmark 5 is not in the map"), std::string::npos)
+      << error;
 }
 }  // namespace mrpt_ext::test_configured_files

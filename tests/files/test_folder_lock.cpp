@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "error_message.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "scratch_folder.h"
 
@@ -14,16 +15,8 @@ TEST(FolderLock, ASecondWriterIsRefusedUntilTheFirstEnds)
 {
   const testing::ScratchFolder folder;
   auto first = std::make_unique<FolderLock>(folder.path());
-  try
-  {
-    const FolderLock second(folder.path());
-    FAIL() << "expected an error";
-  }
-  catch (const InputError& error)
-  {
-    EXPECT_EQ(std::string(error.what()),
-              folder.path().string() + ": another program is writing into it, expected a folder of its own (-o)");
-  }
+  EXPECT_EQ(testing::messageOf<InputError>([&] { const FolderLock second(folder.path()); }),
+            folder.path().string() + ": another program is writing into it, expected a folder of its own (-o)");
   first.reset();
   const FolderLock third(folder.path());
   EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << "nothing is left behind";

@@ -46,8 +46,8 @@ bool isOdometryNoiseStated(const Settings& settings)
   return !haveSameNoise(stated, {}) && !haveSameNoise(stated, motionModel(built_in));
 }
 
-constexpr std::array kRegionKeys{"init_PDF_margin_m", "init_PDF_min_x", "init_PDF_max_x", "init_PDF_min_y",
-                                 "init_PDF_max_y"};
+constexpr const char* kMarginKey = "init_PDF_margin_m";
+constexpr std::array kRegionKeys{kMarginKey, "init_PDF_min_x", "init_PDF_max_x", "init_PDF_min_y", "init_PDF_max_y"};
 
 /// True where the box of possible positions follows from the map alone.
 bool isRegionAssumed(const Settings& settings)
@@ -59,7 +59,7 @@ bool isRegionAssumed(const Settings& settings)
 PoseRegion poseRegion(const Settings& settings, const LandmarkTable& map)
 {
   const auto [low, high] = map.boundingBox();
-  const double margin = settings.optionalNumber(kExperimentSection, kRegionKeys[0]).value_or(kRegionMargin);
+  const double margin = settings.optionalNumber(kExperimentSection, kMarginKey).value_or(kRegionMargin);
   PoseRegion region;
   const auto bound = [&](const char* key, double fallback)
   { return settings.optionalNumber(kExperimentSection, key).value_or(fallback); };

@@ -82,25 +82,18 @@ std::map<std::string, BiasScore> atTheEnd(const DiskBackedSequence<BiasRow>& row
   return scores;
 }
 
-bool isOutside(const PoseEstimate& estimate, const TimedPose& truth, const ConvergenceLimits& limits)
-{
-  const Pose2& pose = estimate.pose.mean;
-  return (pose.position() - truth.pose.position()).norm() > limits.within_m ||
-         (estimate.heading_known && truth.heading_known &&
-          std::abs(wrap(pose.phi - truth.pose.phi)) > degToRad(limits.within_deg));
-}
-
 /// Every `ok` estimate with a truth at its time; with a sparse truth those of `judged`.
 double countOkOutside(const MethodTrajectory& trajectory, const std::vector<JudgedEstimate>& judged,
                       const RunContext& context, const ConvergenceLimits& limits)
 {
   std::size_t count = 0;
-  const auto add = [&](const PoseEstimate& estimate, const std::optional<TimedPose>& truth)
-  { count += estimate.verdict == Verdict::ok && truth && isOutside(estimate, *truth, limits) ? 1 : 0; };
+  const auto add = [&](const JudgedEstimate& entry)
+  { count += entry.estimate.verdict == Verdict::ok && !withinLimits(errorOf(entry), limits) ? 1 : 0; };
   if (context.truth_is_sparse)
-    for (const JudgedEstimate& entry : judged) add(entry.estimate, entry.truth);
+    std::for_each(judged.begin(), judged.end(), add);
   else
-    for (const PoseEstimate& estimate : trajectory.points) add(estimate, truthAt(context, estimate.time));
+    for (const PoseEstimate& estimate : trajectory.points)
+      if (const auto truth = truthAt(context, estimate.time)) add({estimate.time, estimate, *truth});
   return static_cast<double>(count);
 }
 

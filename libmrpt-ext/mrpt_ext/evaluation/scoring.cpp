@@ -124,18 +124,20 @@ std::vector<JudgedEstimate> judgeAtOwnTimes(const MethodTrajectory& trajectory, 
   return judged;
 }
 
+ErrorSample errorOf(const JudgedEstimate& entry)
+{
+  const Pose2 &estimate = entry.estimate.pose.mean, &truth = entry.truth.pose;
+  ErrorSample sample{entry.stamp, entry.estimate.time, (estimate.position() - truth.position()).norm(), {}};
+  if (entry.estimate.heading_known && entry.truth.heading_known)
+    sample.heading_deg = radToDeg(std::abs(wrap(estimate.phi - truth.phi)));
+  return sample;
+}
+
 std::vector<ErrorSample> errorsOf(const std::vector<JudgedEstimate>& judged)
 {
   std::vector<ErrorSample> errors;
   errors.reserve(judged.size());
-  for (const JudgedEstimate& entry : judged)
-  {
-    const Pose2 &estimate = entry.estimate.pose.mean, &truth = entry.truth.pose;
-    ErrorSample sample{entry.stamp, entry.estimate.time, (estimate.position() - truth.position()).norm(), {}};
-    if (entry.estimate.heading_known && entry.truth.heading_known)
-      sample.heading_deg = radToDeg(std::abs(wrap(estimate.phi - truth.phi)));
-    errors.push_back(sample);
-  }
+  for (const JudgedEstimate& entry : judged) errors.push_back(errorOf(entry));
   return errors;
 }
 }  // namespace mrpt_ext

@@ -47,5 +47,6 @@ struct ErrorSample
 [[nodiscard]] std::vector<JudgedEstimate> judgeAtOwnTimes(const MethodTrajectory& trajectory,
                                                           const RunContext& context);
 
+[[nodiscard]] ErrorSample errorOf(const JudgedEstimate& entry);
 [[nodiscard]] std::vector<ErrorSample> errorsOf(const std::vector<JudgedEstimate>& judged);
 }  // namespace mrpt_ext

@@ -163,7 +163,7 @@ void readFrames(LocalizationInput& input)
     expectFewDetections(input, *frame);
     ++log.frames;
     log.available.add(*frame);
-    log.reach.add(*frame, input.context.map);
+    log.reach.add(*frame, context.map);
     if (const auto geometry = frameGeometry(*frame, context.map, context.truth, max_gap))
       input.context.geometry.push_back(*geometry);
   }

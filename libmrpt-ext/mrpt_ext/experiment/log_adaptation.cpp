@@ -8,11 +8,6 @@
 
 namespace mrpt_ext
 {
-double stationaryStd(double walk, double information)
-{
-  return information > 0 ? std::pow(walk / information, 0.25) : std::numeric_limits<double>::infinity();
-}
-
 namespace
 {
 void widenRegion(LocalizationConfig& config, double margin, std::vector<std::string>& notes)
@@ -26,6 +21,11 @@ void widenRegion(LocalizationConfig& config, double margin, std::vector<std::str
       "possible positions: up to %.1f m outside the map, as far as the detections allow (init_PDF_margin_m)", margin));
 }
 }  // namespace
+
+double stationaryStd(double walk, double information)
+{
+  return information > 0 ? std::pow(walk / information, 0.25) : std::numeric_limits<double>::infinity();
+}
 
 void adaptToLog(LocalizationConfig& config, const AvailableMeasurements& available, const DetectionReach& reach,
                 double duration, std::vector<std::string>& notes)
