@@ -38,7 +38,13 @@ TEST(CalibrationTrajectory, AModeCountsFromItsFirstOkForAsLongAsItDominates)
   EXPECT_EQ(kept("aaooaaoam"), (Times{2, 3, 4, 5, 6, 7}));
 }
 
-TEST(CalibrationTrajectory, SeveralModesAndLostEndAMode) { EXPECT_EQ(kept("oamaaoala"), (Times{0, 1, 5, 6})); }
+TEST(CalibrationTrajectory, AmongSeveralModesAModeCountsIfItIsOkBeforeAndAfter)
+{
+  EXPECT_EQ(kept("oamaama"), (Times{0, 1}));
+  EXPECT_EQ(kept("oamaamao"), (Times{0, 1, 3, 4, 6, 7}));
+}
+
+TEST(CalibrationTrajectory, LostEndsAMode) { EXPECT_EQ(kept("oalaaomala"), (Times{0, 1, 5})); }
 
 TEST(CalibrationTrajectory, WithoutAnyOkTheLongestSpellCounts)
 {

@@ -20,34 +20,38 @@ CalibrationTrajectory::CalibrationTrajectory(const LocalizationConfig& config)
 
 bool CalibrationTrajectory::add(const PoseEstimate& estimate)
 {
-  const bool is_ok = estimate.verdict == Verdict::ok;
-  const bool dominates = estimate.verdict != Verdict::lost && estimate.best_weight >= min_best_weight_;
+  const bool is_ok = estimate.verdict == Verdict::ok, is_lost = estimate.verdict == Verdict::lost;
+  const bool dominates = !is_lost && estimate.best_weight >= min_best_weight_;
   const bool counts = (independent_frames_ ? is_ok : is_ok || dominates) && (estimate.heading_known || !needs_heading_);
   if (!counts)
   {
-    endSpell();
+    if (!verified_ || is_lost) endUnverified();
+    verified_ = verified_ && !is_lost;
+    interrupted_ = verified_;
     return false;
   }
-  if (is_ok && !verified_) spell_.clear();
-  verified_ = verified_ || is_ok;
-  if (chosen_.size() + spell_.size() < kMostEstimates) spell_.push_back(estimate);
+  if (is_ok)
+  {
+    if (verified_) chosen_.insert(chosen_.end(), pending_.begin(), pending_.end());
+    pending_.clear();
+    verified_ = true;
+    interrupted_ = false;
+  }
+  if (chosen_.size() + pending_.size() < kMostEstimates)
+    (verified_ && !interrupted_ ? chosen_ : pending_).push_back(estimate);
   return true;
 }
 
 std::vector<PoseEstimate> CalibrationTrajectory::take()
 {
-  endSpell();
+  endUnverified();
   return std::move(chosen_.empty() ? longest_unverified_ : chosen_);
 }
 
-void CalibrationTrajectory::endSpell()
+void CalibrationTrajectory::endUnverified()
 {
-  if (verified_)
-    chosen_.insert(chosen_.end(), spell_.begin(), spell_.end());
-  else if (spell_.size() > longest_unverified_.size())
-    longest_unverified_.swap(spell_);
-  spell_.clear();
-  verified_ = false;
+  if (!verified_ && pending_.size() > longest_unverified_.size()) longest_unverified_.swap(pending_);
+  pending_.clear();
 }
 
 std::vector<PoseEstimate> calibrationTrajectory(const LocalizationInput& input, std::uint64_t seed)

@@ -23,12 +23,13 @@ class CalibrationTrajectory
   [[nodiscard]] std::vector<PoseEstimate> take();
 
  private:
-  void endSpell();
+  void endUnverified();
 
   double min_best_weight_;
   bool needs_heading_, independent_frames_;
-  bool verified_ = false;            // the spell had an `ok`
-  std::vector<PoseEstimate> spell_;  // of the mode that dominates now
+  bool verified_ = false;              // an estimate was `ok` since the filter was lost
+  bool interrupted_ = false;           // no mode dominated at some time since the last one
+  std::vector<PoseEstimate> pending_;  // dominant ones, not verified or interrupted
   std::vector<PoseEstimate> chosen_, longest_unverified_;
 };
 

@@ -74,7 +74,8 @@ double MissedLandmarks::count(const Reading& reading, const LandmarkTable& map, 
       if (expected.seen) continue;
       const History& history = histories_[expected.landmark];
       const double p = (kPriorReadings * declared + history.seen) / (kPriorReadings + history.seen + history.missed);
-      log_missed += std::log(1 - std::min(p, declared) * expected.visibility);
+      const double never_seen = std::max(0.0, 1 - history.seen);
+      log_missed += never_seen * std::log(1 - std::min(p, declared) * expected.visibility);
     }
     log_missed_by_draw.push_back(log_missed);
   }
