@@ -50,6 +50,18 @@ TEST(ClockCheck, OdometryThatMissesAPartIsANote)
   EXPECT_TRUE(input.notes[0].starts_with("odometry covers only 40 %")) << input.notes[0];
 }
 
+TEST(ClockCheck, OdometryThatJumpsIsANote)
+{
+  LocalizationInput input = logFrom(1000, 100);
+  std::vector<OdometryRecord> records;
+  for (int k = 0; k < 100; ++k) records.push_back({1000 + 0.1 * k, {k < 60 ? 8.0 : 0.5, 0, 0}});
+  input.log.overview.odometry = OdometryPath(records, {});
+  checkClocks(input);
+  ASSERT_EQ(input.notes.size(), 1u);
+  EXPECT_TRUE(input.notes[0].starts_with("odometry jumps 1 time, by up to 7.5 m, 6.0 s after the start: "))
+      << input.notes[0];
+}
+
 TEST(ClockCheck, MillisecondsAreSuspected)
 {
   LocalizationInput input = logFrom(0, 100'000);

@@ -147,6 +147,48 @@ TEST(OdometryPath, WithoutRecordsNothingMoves)
   EXPECT_EQ(path.between(1, 4).duration, 3);
 }
 
+// Half a metre per second, ten records a second, from (3, 2).
+std::vector<OdometryRecord> driven(int records)
+{
+  std::vector<OdometryRecord> result;
+  for (int k = 0; k < records; ++k) result.push_back({0.1 * k, {3 + 0.05 * k, 2, 0}});
+  return result;
+}
+
+TEST(OdometryPath, AJumpIsNoMotion)
+{
+  std::vector<OdometryRecord> records = driven(60);
+  for (std::size_t k = 40; k < 60; ++k) records[k].pose.x -= 4;
+  const OdometryPath path(records, {});
+  EXPECT_EQ(path.jumps().count(), 1u);
+  EXPECT_NEAR(path.jumps().longest(), 3.95, 1e-9);
+  EXPECT_NEAR(path.jumps().timeOfLongest(), 4, 1e-9);
+  EXPECT_NEAR(path.between(0, 5.9).increment.x, 58 * 0.05, 1e-9) << "all steps but that one";
+}
+
+TEST(OdometryPath, ADriverThatIsStartedAnewBeginsAtTheOrigin)
+{
+  std::vector<OdometryRecord> records = driven(60);
+  const Pose2 last = records.back().pose;
+  records.push_back({15, {0, 0, 0}});
+  records.push_back({15.1, {0.05, 0, 0}});
+  const OdometryPath path(records, {});
+  EXPECT_EQ(path.jumps().count(), 1u);
+  expectPose(path.at(15.1), {last.x + 0.05, last.y, 0});
+}
+
+TEST(OdometryPath, AFastRobotAndARoundTripJumpNowhere)
+{
+  std::vector<OdometryRecord> records;
+  for (int k = 0; k < 40; ++k) records.push_back({0.1 * k, {1, 0, 0}});
+  for (int k = 0; k < 40; ++k) records.push_back({4 + 0.1 * k, {1 + 2.0 * k, 0, 0}});
+  EXPECT_EQ(OdometryPath(records, {}).jumps().count(), 1u)
+      << "from standing to 20 m/s: the first step, not those after";
+  records.clear();
+  for (int k = 0; k <= 20; ++k) records.push_back({0.1 * k, {0.05 * (10 - std::abs(k - 10)), 0, 0}});
+  EXPECT_EQ(OdometryPath(records, {}).jumps().count(), 0u) << "back to the origin as it went";
+}
+
 TEST(MotionBetween, IsInTheFrameOfTheEarlierPose)
 {
   const Pose2 motion = motionBetween(kUpwards, 0.5, 1.5);

@@ -26,9 +26,12 @@ std::string mapText(const RunContext& context)
 std::string gapText(const LocalizationInput& input)
 {
   const LogGaps& gaps = input.gaps;
-  if (gaps.count == 0) return {};
-  return formatted("gap      %zu of more than an hour; the longest, %.1f h, begins %.1f s after the start\n",
-                   gaps.count, gaps.longest / 3600, gaps.begin - input.context.start_time);
+  if (gaps.count == 0 || 100 * gaps.count > input.context.rawlog_entries) return {};  // or a slow log
+  const bool hours = gaps.longest > 3600;
+  return formatted(
+      "gap      %zu of more than %.0f s without a record; the longest, %.1f %s, begins %.1f s after the start\n",
+      gaps.count, LogGaps::kLong, hours ? gaps.longest / 3600 : gaps.longest, hours ? "h" : "s",
+      gaps.begin - input.context.start_time);
 }
 
 std::string truthText(const RunContext& context)

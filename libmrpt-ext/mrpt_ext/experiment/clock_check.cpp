@@ -68,6 +68,16 @@ void checkOdometry(LocalizationInput& input, const TimeSpan& detections)
         spanText(measured) + " of " + spanText(detections) + hint);
 }
 
+void noteJumps(LocalizationInput& input)
+{
+  const OdometryJumps& jumps = input.log.overview.odometry.jumps();
+  if (jumps.count() == 0) return;
+  input.notes.push_back("odometry jumps " + countOf(jumps.count(), "time") +
+                        formatted(", by up to %.1f m, %.1f s after the start: no robot drives like that; what it drove "
+                                  "in the meantime is not known",
+                                  jumps.longest(), jumps.timeOfLongest() - input.context.start_time));
+}
+
 void checkTruth(const LocalizationInput& input)
 {
   const RunContext& context = input.context;
@@ -85,6 +95,7 @@ void checkTruth(const LocalizationInput& input)
 void checkClocks(LocalizationInput& input)
 {
   checkTruth(input);
+  noteJumps(input);
   if (const auto detections = spanOfDetections(input.context)) checkOdometry(input, *detections);
 }
 }  // namespace mrpt_ext

@@ -33,12 +33,15 @@ void OdometryPath::add(const OdometryRecord& record)
     turned_.push_back(0);
     return;
   }
+  const double duration = record.time - before.time;
   Pose2 step = mrpt_ext::between(before.pose, record.pose);
+  const Pose2& now = record.pose;
+  if (jumps_.add(record.time, step.position().norm(), duration, now.x == 0 && now.y == 0 && now.phi == 0)) step = {};
   const Vector2d moved = correction_.scale * rotation(correction_.yaw) * step.position();
   step.x = moved.x();
   step.y = moved.y();
   step.phi = correction_.rotation_scale * step.phi + correction_.turn_per_m * step.position().norm() +
-             correction_.turn_per_s * (record.time - before.time);
+             correction_.turn_per_s * duration;
   length_.push_back(length_.back() + step.position().norm());
   turned_.push_back(turned_.back() + std::abs(step.phi));
   path_.push_back({record.time + correction_.delay, compose(path_.back().pose, step), true});

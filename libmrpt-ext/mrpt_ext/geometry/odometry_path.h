@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mrpt_ext/geometry/frame.h"
+#include "mrpt_ext/geometry/odometry_jumps.h"
 #include "mrpt_ext/geometry/pose_estimate.h"
 #include "mrpt_ext/geometry/trajectory.h"
 
@@ -30,7 +31,7 @@ class OdometryPath
   /// Records in any order of time, corrected as configured.
   OdometryPath(std::vector<OdometryRecord> records, const OdometryCorrection& correction);
 
-  /// A record that is not earlier than those before.
+  /// A record that is not earlier than those before. A jump (odometry_jumps.h) is no motion.
   void add(const OdometryRecord& record);
   /// Later calls concern `time` and what follows: the records before it may be dropped.
   void forgetBefore(double time);
@@ -39,6 +40,7 @@ class OdometryPath
   [[nodiscard]] Pose2 at(double time) const;
   [[nodiscard]] OdometryMotion between(double from, double to) const;
   [[nodiscard]] const Trajectory& trajectory() const { return path_; }
+  [[nodiscard]] const OdometryJumps& jumps() const { return jumps_; }
 
  private:
   /// Sums from the start to a time.
@@ -56,6 +58,7 @@ class OdometryPath
 
   OdometryCorrection correction_;
   OdometryRecord logged_;  // added last, not corrected
+  OdometryJumps jumps_;
   Trajectory path_;
   std::vector<double> length_, turned_;  // accumulated, one per pose of path_
 };

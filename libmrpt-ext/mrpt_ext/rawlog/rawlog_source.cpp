@@ -112,7 +112,7 @@ RawlogStatistics RawlogSource::statistics() const
 
 void LogGaps::add(double from, double to)
 {
-  if (to - from <= kTold) return;
+  if (to - from <= kLong) return;
   ++count;
   if (to - from <= longest) return;
   longest = to - from;

@@ -25,7 +25,7 @@ class RawlogTranslator;
 /// Long pauses between the records of a log.
 struct LogGaps
 {
-  static constexpr double kTold = 3600;  ///< [s]
+  static constexpr double kLong = 10;  ///< [s]
 
   std::size_t count = 0;          ///< of gaps longer than that
   double begin = 0, longest = 0;  ///< [s] time of the longest one, and how long it is
