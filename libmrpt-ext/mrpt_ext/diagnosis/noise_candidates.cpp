@@ -15,6 +15,15 @@ constexpr std::size_t kLeastNoiseReadings = 100;  // of a sensor, for its noise
 constexpr double kToldNoise = 0.5;                // standard deviation of odometry's noise over the noise
 constexpr double kCorrelated = 2;                 // standard deviations of an autocorrelation
 constexpr double kMostOutlierShare = 0.5;
+
+/// True where the trajectory predicts readings, by odometry and by other readings, better than they scatter. A
+/// trajectory that is less certain follows the readings, with errors that last: what is left of them is how they repeat
+/// themselves.
+bool isToldByTrajectory(double scatter, double redundancy, std::size_t readings)
+{
+  const double taken_up = static_cast<double>(readings) - redundancy;
+  return taken_up < square(scatter) * redundancy;  // variance of the prediction over the declared one, and found
+}
 }  // namespace
 
 const SensorConfig& NoiseCandidates::configured(std::size_t sensor) const
@@ -31,7 +40,10 @@ bool NoiseCandidates::isOther(std::size_t sensor, bool is_range) const
     return false;
   const double scatter = is_range ? found.range : found.bearing;
   const bool is_configured = is_range ? now.std_range.has_value() : now.std_bearing.has_value();
-  return scatter > kNoiseDiffers || (scatter < 1 / kNoiseDiffers && !is_configured && !areCorrelated(sensor, is_range));
+  if (scatter > kNoiseDiffers) return true;
+  const bool is_told = is_range ? isToldByTrajectory(scatter, found.range_redundancy, found.ranges)
+                                : isToldByTrajectory(scatter, found.bearing_redundancy, found.bearings);
+  return scatter < 1 / kNoiseDiffers && !is_configured && is_told && !areCorrelated(sensor, is_range);
 }
 
 /// True where successive misfits of one landmark, by one sensor, are correlated: its errors last, or odometry errs by

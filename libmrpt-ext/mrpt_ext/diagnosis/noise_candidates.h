@@ -18,8 +18,8 @@ class NoiseCandidates
   }
 
   /// True where the standard deviation of the sensor's ranges, else of its bearings, may be another. A smaller one
-  /// needs errors that are independent, and nobody who stated a larger one: the prediction of the next reading does not
-  /// see errors that last, for which a configured deviation may stand.
+  /// needs errors that are independent, a trajectory that tells them, and nobody who stated a larger one: the
+  /// prediction of the next reading does not see errors that last, for which a configured deviation may stand.
   [[nodiscard]] bool isOther(std::size_t sensor, bool is_range) const;
 
   /// True where the noise of odometry may be another: less only where that of `config` is a default.
