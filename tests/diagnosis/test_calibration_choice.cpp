@@ -198,6 +198,7 @@ TEST(CalibrationChoice, ATrajectoryThatFollowsTheReadingsTellsNotTheirNoise)
   DrivePlan plan = radios();
   plan.outliers = 0;
   plan.landmarks_seen = 2;
+  plan.std_range = 0.025;
   for (const double odometry : {0.02, 0.2})
   {
     plan.std_distance_per_root_s = plan.std_turn_per_root_s = odometry;
