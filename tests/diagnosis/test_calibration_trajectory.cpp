@@ -59,6 +59,33 @@ TEST(CalibrationTrajectory, AHeadingIsNeededWhereItIsObservable)
   EXPECT_EQ(kept("oho", false, false), (Times{0, 1, 2}));
 }
 
+TEST(CalibrationTrajectory, CountsTheShareThatIsOk)
+{
+  CalibrationTrajectory trajectory({});
+  EXPECT_EQ(trajectory.okShare(), 0);
+  for (const Verdict verdict : {Verdict::ok, Verdict::ambiguous, Verdict::lost, Verdict::ambiguous})
+    trajectory.add({.verdict = verdict});
+  EXPECT_DOUBLE_EQ(trajectory.okShare(), 0.25);
+}
+
+TEST(WithUncertainRanges, WhereRangesAreAllThereIsAndThePoseWasMostlyInDoubt)
+{
+  LocalizationInput input;
+  input.log.available.identified_range = true;
+  const auto config = withUncertainRanges(input, 0.4);
+  ASSERT_TRUE(config);
+  ASSERT_EQ(config->biases.size(), 1u);
+  EXPECT_EQ(config->biases[0].kind, BiasKind::range_scale);
+  EXPECT_GT(config->biases[0].std, 0);
+  EXPECT_EQ(config->filter.biases.size(), 1u);
+  EXPECT_FALSE(withUncertainRanges(input, 0.6)) << "the pose is known well enough";
+  LocalizationInput with_points = input, stated = input;
+  with_points.log.available.identified_point = true;
+  EXPECT_FALSE(withUncertainRanges(with_points, 0.4)) << "bearings, too";
+  stated.config.biases.push_back({.kind = BiasKind::range_offset, .std = 1});
+  EXPECT_FALSE(withUncertainRanges(stated, 0.4)) << "the configuration says how uncertain ranges are";
+}
+
 TEST(CalibrationTrajectory, OfIndependentFramesEachMustBeOk)
 {
   EXPECT_EQ(kept("aoaao", true), (Times{1, 4}));

@@ -22,6 +22,15 @@ TEST(InlierRatioMonitor, TheFirstDetectionsReplaceTheInitialValue)
   EXPECT_NEAR(monitor.average(), 0.5, 1e-12);
 }
 
+TEST(InlierRatioMonitor, OfAKnownPoseTheFirstDetectionsDoNotDecideAlone)
+{
+  InlierRatioMonitor monitor = InlierRatioMonitor::fast({});
+  monitor.trust();
+  monitor.observe(0, 1, 2);
+  EXPECT_NEAR(monitor.average(), 1 - 2.0 / 12, 1e-12);
+  EXPECT_FALSE(monitor.suspicious());
+}
+
 TEST(InlierRatioMonitor, FallsThroughSuspiciousToLostAndRecovers)
 {
   InlierRatioMonitor monitor = InlierRatioMonitor::fast({.reseed_inlier_ratio = 0.5, .lost_inlier_ratio = 0.3});

@@ -18,12 +18,12 @@ const std::string kFilterName = "particle_filter";
 struct FirstPass
 {
   std::vector<PoseEstimate> trajectory;
+  double ok_share = 0;
   CalibrationRow row;
 };
 
-FirstPass firstPass(const LocalizationInput& input, bool show_progress)
+FirstPass passOver(const LocalizationInput& input, LocalizationConfig config, bool show_progress)
 {
-  LocalizationConfig config = input.config;
   config.methods = {kFilterName};
   const MethodFactory methods(config, input.context.map, input.log.available);
   ProgressLine line(show_progress, "first pass");
@@ -33,11 +33,21 @@ FirstPass firstPass(const LocalizationInput& input, bool show_progress)
   FirstPass pass;
   CalibrationTrajectory trajectory(config);
   for (const PoseEstimate& point : outcome.record.methods.front().points) trajectory.add(point);
+  pass.ok_share = trajectory.okShare();
   pass.trajectory = trajectory.take();
   const RunScore score = scoreRun(input.context, outcome.record, config.limits);
   pass.row = {.verdict = score.verdict,
               .shares = score.verdict_shares,
               .position_rmse_m = score.methods.front().position_error_m.rmse};
+  return pass;
+}
+
+FirstPass firstPass(const LocalizationInput& input, bool show_progress)
+{
+  FirstPass pass = passOver(input, input.config, show_progress);
+  if (const auto uncertain = withUncertainRanges(input, pass.ok_share))
+    if (FirstPass other = passOver(input, *uncertain, show_progress); other.ok_share > pass.ok_share)
+      pass.trajectory = std::move(other.trajectory);
   return pass;
 }
 

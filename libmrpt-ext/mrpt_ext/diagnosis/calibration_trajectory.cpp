@@ -1,5 +1,6 @@
 #include "mrpt_ext/diagnosis/calibration_trajectory.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "mrpt_ext/experiment/method_factory.h"
@@ -9,6 +10,32 @@ namespace mrpt_ext
 namespace
 {
 constexpr std::size_t kMostEstimates = 100'000;  // bound the memory of a log of hours
+constexpr double kMostlyOk = 0.5;                // share of the estimates
+constexpr double kScaleStd = 0.05;               // of uncalibrated radios
+
+bool isOfRanges(const BiasState& bias)
+{
+  return bias.kind == BiasKind::range_offset || bias.kind == BiasKind::range_scale;
+}
+
+bool hasOnlyRanges(const AvailableMeasurements& log)
+{
+  return log.identified_range && !log.identified_bearing && !log.identified_point && !log.anonymous_bearing && !log.fix;
+}
+
+CalibrationTrajectory passOver(const LocalizationInput& input, LocalizationConfig config, std::uint64_t seed)
+{
+  config.methods = {"particle_filter"};
+  if (config.frames.independent) config.methods = {"bearing_maximum_likelihood", "two_landmark_pose"};
+  const MethodFactory factory(config, input.context.map, input.log.available);
+  const Methods methods = factory.make(seed, 0);
+  CalibrationTrajectory trajectory(config);
+  const FrameStream frames = streamOf(input);
+  while (const auto frame = frames())
+    for (const auto& method : methods.localizers)
+      if (const Estimate estimate = method->process(*frame); estimate.point && trajectory.add(*estimate.point)) break;
+  return trajectory;
+}
 }  // namespace
 
 CalibrationTrajectory::CalibrationTrajectory(const LocalizationConfig& config)
@@ -21,6 +48,8 @@ CalibrationTrajectory::CalibrationTrajectory(const LocalizationConfig& config)
 bool CalibrationTrajectory::add(const PoseEstimate& estimate)
 {
   const bool is_ok = estimate.verdict == Verdict::ok, is_lost = estimate.verdict == Verdict::lost;
+  added_ += 1;
+  ok_ += is_ok ? 1 : 0;
   const bool dominates = !is_lost && estimate.best_weight >= min_best_weight_;
   const bool counts = (independent_frames_ ? is_ok : is_ok || dominates) && (estimate.heading_known || !needs_heading_);
   if (!counts)
@@ -54,18 +83,23 @@ void CalibrationTrajectory::endUnverified()
   pending_.clear();
 }
 
-std::vector<PoseEstimate> calibrationTrajectory(const LocalizationInput& input, std::uint64_t seed)
+std::optional<LocalizationConfig> withUncertainRanges(const LocalizationInput& input, double ok_share)
 {
   LocalizationConfig config = input.config;
-  config.methods = {"particle_filter"};
-  if (config.frames.independent) config.methods = {"bearing_maximum_likelihood", "two_landmark_pose"};
-  const MethodFactory factory(config, input.context.map, input.log.available);
-  const Methods methods = factory.make(seed, 0);
-  CalibrationTrajectory trajectory(config);
-  const FrameStream frames = streamOf(input);
-  while (const auto frame = frames())
-    for (const auto& method : methods.localizers)
-      if (const Estimate estimate = method->process(*frame); estimate.point && trajectory.add(*estimate.point)) break;
-  return trajectory.take();
+  if (ok_share >= kMostlyOk || !hasOnlyRanges(input.log.available) || config.frames.independent ||
+      std::any_of(config.biases.begin(), config.biases.end(), isOfRanges))
+    return std::nullopt;
+  config.biases.push_back({.kind = BiasKind::range_scale, .std = kScaleStd});
+  config.filter.biases = config.biases;
+  return config;
+}
+
+std::vector<PoseEstimate> calibrationTrajectory(const LocalizationInput& input, std::uint64_t seed)
+{
+  CalibrationTrajectory first = passOver(input, input.config, seed);
+  if (const auto uncertain = withUncertainRanges(input, first.okShare()))
+    if (CalibrationTrajectory second = passOver(input, *uncertain, seed); second.okShare() > first.okShare())
+      return second.take();
+  return first.take();
 }
 }  // namespace mrpt_ext

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "mrpt_ext/experiment/localization_input.h"
@@ -19,6 +20,8 @@ class CalibrationTrajectory
 
   /// Returns whether the estimate may count.
   bool add(const PoseEstimate& estimate);
+  /// Of the estimates that were added, the share with the verdict `ok`; 0 before any.
+  [[nodiscard]] double okShare() const { return added_ > 0 ? ok_ / added_ : 0; }
   /// The estimates in order of time.
   [[nodiscard]] std::vector<PoseEstimate> take();
 
@@ -29,9 +32,16 @@ class CalibrationTrajectory
   bool needs_heading_, independent_frames_;
   bool verified_ = false;              // an estimate was `ok` since the filter was lost
   bool interrupted_ = false;           // no mode dominated at some time since the last one
+  double added_ = 0, ok_ = 0;          // estimates
   std::vector<PoseEstimate> pending_;  // dominant ones, not verified or interrupted
   std::vector<PoseEstimate> chosen_, longest_unverified_;
 };
+
+/// The configuration for another pass where one was `ok` for less than half of the time, `ok_share`, and ranges are all
+/// there is: the scale of ranges is a state of the filter, as uncertain as that of uncalibrated radios. With a bearing
+/// a range that is too long shows at once, alone it pulls the pose aside and passes for an outlier. Nothing where the
+/// configuration has states of ranges. Of both passes the one that is `ok` more often is that to calibrate from.
+[[nodiscard]] std::optional<LocalizationConfig> withUncertainRanges(const LocalizationInput& input, double ok_share);
 
 /// The trajectory of the particle filter for a calibration, or for independent frames that of the closed forms.
 [[nodiscard]] std::vector<PoseEstimate> calibrationTrajectory(const LocalizationInput& input, std::uint64_t seed);

@@ -44,6 +44,7 @@ void IntegrityMonitor::startVerified(const Frame& frame)
 {
   pose_test_.skip(frame);
   pose_test_.accept();
+  for (InlierRatioMonitor* ratio : {&fast_ratio_, &slow_ratio_, &immediate_ratio_}) ratio->trust();
 }
 
 bool IntegrityMonitor::endsGap(const Frame& frame) const

@@ -21,6 +21,12 @@ class InlierRatioMonitor
   /// Withholds `ok` at once.
   [[nodiscard]] static InlierRatioMonitor immediate(const RecoveryOptions& options) { return {options, 4}; }
 
+  /// The pose is known: as if all detections it remembers had fitted. Else the first ones decide alone.
+  void trust()
+  {
+    average_ = 1;
+    count_ = memory_;
+  }
   /// `inlier_ratio` of `detections`, where `expected_ratio` would be normal (one minus the clutter probability).
   void observe(double inlier_ratio, double expected_ratio, std::size_t detections)
   {
