@@ -29,50 +29,47 @@ Reading detectionAt(double range, double bearing)
   return reading;
 }
 
-double score(const SeenLandmarks& seen, const Reading& reading, const LandmarkTable& map)
+/// `share_new`, `share_each`: by the null model.
+double score(const SeenLandmarks& seen, const Reading& reading, const LandmarkTable& map, double share_new,
+             double share_each)
 {
   ParticleSet robot(Vector2d(0, 0));
   robot.add({0, 0, 0}, 0);
-  seen.score(reading, map, robot.origin, robot.poses(), robot.log_weight);
+  seen.score(reading, map, robot.origin, robot.poses(), {.share_new = share_new, .share_each = share_each},
+             robot.log_weight);
   return double{robot.log_weight[0]};
 }
+
+constexpr double kChance = kClutter / (kTwoPi * kMaxRange);
 
 /// Of a detection where one of `landmarks` is expected, as one of them or by chance.
 double oneOf(int landmarks)
 {
   const double peak = 1 / (kTwoPi * 0.02 * 0.1);
-  return kClutter / (kTwoPi * kMaxRange) + (1 - kClutter) * peak / landmarks;
+  return kChance + (1 - kClutter) * peak / landmarks;
 }
 }  // namespace
 
 TEST(SeenLandmarks, BeforeAnythingWasSeenAllLandmarksAreAsLikely)
 {
-  EXPECT_NEAR(score({}, detectionAt(3, 0), fourLandmarks()), std::log(oneOf(4)), 1e-4);
+  EXPECT_NEAR(score({}, detectionAt(3, 0), fourLandmarks(), 0.3, 0.1), std::log(oneOf(4)), 1e-4);
 }
 
-TEST(SeenLandmarks, WhatWasSeenIsExpectedAgain)
+TEST(SeenLandmarks, WhatWasSeenIsExpectedAsAFeatureOfTheNullModelIs)
 {
   const LandmarkTable map = fourLandmarks();
+  const Reading ahead = detectionAt(3, 0);
   SeenLandmarks seen;
-  seen.count(0);  // one detection of something new: the next one is new with probability (1 + 1) / (1 + 2)
-  EXPECT_NEAR(score(seen, detectionAt(3, 0), map), std::log(oneOf(4) * 2 / 3 + oneOf(1) / 3), 1e-4);
-  for (int k = 0; k < 997; ++k) seen.count(0);
-  EXPECT_NEAR(score(seen, detectionAt(3, 0), map), std::log(oneOf(1)), 0.01);
-  EXPECT_LT(score(seen, detectionAt(5, kPi / 2), map), std::log(oneOf(4) / 100)) << "another one is a surprise";
+  seen.add(0);
+  EXPECT_NEAR(score(seen, ahead, map, 0.3, 0.7), std::log(0.3 * oneOf(4) + 0.7 * oneOf(1)), 1e-4) << "the only one";
+  EXPECT_NEAR(score(seen, ahead, map, 0.3, 0.1), std::log(0.3 * oneOf(4) + 0.1 * oneOf(1) + 0.6 * kChance), 1e-4)
+      << "one of seven";
+  EXPECT_NEAR(score(seen, detectionAt(5, kPi / 2), map, 0, 0.1), std::log(kChance), 1e-3) << "another is a surprise";
+  seen.add(1);
+  EXPECT_NEAR(score(seen, ahead, map, 0.3, 0.1), std::log(0.3 * oneOf(4) + 0.2 * oneOf(2) + 0.5 * kChance), 1e-4);
+  EXPECT_NEAR(score(seen, ahead, map, 0.3, 0.7), std::log(0.3 * oneOf(4) + 0.7 * oneOf(2)), 1e-4)
+      << "more landmarks than features: together what is not new";
   seen.clear();
-  EXPECT_NEAR(score(seen, detectionAt(3, 0), map), std::log(oneOf(4)), 1e-4);
-}
-
-TEST(SeenLandmarks, AddingALandmarkIsNoSurprise)
-{
-  SeenLandmarks added, counted;
-  added.add(0);
-  added.count(0);
-  counted.count(0);
-  const LandmarkTable map = fourLandmarks();
-  EXPECT_GT(score(added, detectionAt(3, 0), map), score(counted, detectionAt(3, 0), map));
-  counted.count({});
-  EXPECT_NEAR(score(counted, detectionAt(3, 0), map), std::log(oneOf(4) * 2 / 3 + oneOf(1) / 3), 1e-4)
-      << "clutter is no landmark";
+  EXPECT_NEAR(score(seen, ahead, map, 0.3, 0.7), std::log(oneOf(4)), 1e-4);
 }
 }  // namespace mrpt_ext::test_seen_landmarks

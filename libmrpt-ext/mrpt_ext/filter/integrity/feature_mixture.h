@@ -23,6 +23,8 @@ class FeatureMixture
   {
     double log_density = 0;
     bool is_known = false;  ///< rather the feature with the largest density than a new one
+    double share_new = 1;   ///< probability of a new feature, before the detection was seen
+    double share_each = 0;  ///< ... of each of those in view
   };
 
   /// Counts a detection; `uniform`: the density of new features and of clutter.
@@ -34,7 +36,7 @@ class FeatureMixture
     const bool is_known = p_each * known.best > p_new * uniform;
     count_ += 1;
     if (!is_known) new_ += 1;
-    return {std::log(density), is_known};
+    return {std::log(density), is_known, p_new, p_each};
   }
 
  private:

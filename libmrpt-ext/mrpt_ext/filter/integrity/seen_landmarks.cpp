@@ -29,29 +29,32 @@ void SeenLandmarks::add(std::size_t landmark)
   if (indices_.size() > kMost) indices_.erase(indices_.begin());
 }
 
-void SeenLandmarks::count(std::optional<std::size_t> landmark)
-{
-  if (!landmark) return;
-  count_ += 1;
-  if (std::find(indices_.begin(), indices_.end(), *landmark) == indices_.end()) new_ += 1;
-  add(*landmark);
-}
-
 void SeenLandmarks::score(const Reading& part, const LandmarkTable& map, const Vector2d& origin, const PoseBatch& poses,
-                          std::span<float> log_likelihood) const
+                          const FeatureMixture::Outcome& expected, std::span<float> log_likelihood) const
 {
   const std::vector<float> of_any = logLikelihoods(part, map, origin, poses);
   std::vector<float> of_seen = of_any;
-  if (!indices_.empty())
+  double in_view = 0;
+  if (!indices_.empty() && !of_any.empty())
   {
+    const auto best = std::max_element(log_likelihood.begin(), log_likelihood.end()) - log_likelihood.begin();
+    const Pose2 pose = poses[static_cast<std::size_t>(best)];
     std::vector<Landmark> landmarks;
-    for (const std::size_t index : indices_) landmarks.push_back(map[index]);
+    for (const std::size_t index : indices_)
+    {
+      landmarks.push_back(map[index]);
+      in_view += predict(map[index], part, pose).visibility;
+    }
     Reading same_volume = part;  // not that of a smaller map
     same_volume.model.max_range = part.model.max_range.value_or(defaultMaxRange(map));
     of_seen = logLikelihoods(same_volume, LandmarkTable(std::move(landmarks)), origin, poses);
   }
-  const auto p_new = static_cast<float>((new_ + 1) / (count_ + 2));
+  const double p_new = indices_.empty() ? 1 : expected.share_new;
+  const double p_seen = std::min(1 - p_new, expected.share_each * std::max(1.0, in_view));
+  const double clutter = boundedClutter(part.model.clutter_probability) /
+                         measurementVolume(part.detections.front(), part.model, defaultMaxRange(map));
   for (std::size_t i = 0; i < log_likelihood.size(); ++i)
-    log_likelihood[i] += std::log(p_new * std::exp(of_any[i]) + (1 - p_new) * std::exp(of_seen[i]));
+    log_likelihood[i] += static_cast<float>(std::log(
+        p_new * std::exp(double{of_any[i]}) + p_seen * std::exp(double{of_seen[i]}) + (1 - p_new - p_seen) * clutter));
 }
 }  // namespace mrpt_ext

@@ -193,8 +193,8 @@ void SequentialPoseTest::test(const std::vector<Reading>& readings, const Landma
       if (landmark && without_map.is_known) seen_.add(*landmark);
       if (hasAnonymous(part) && tellsPlace(part.detections.front()))
       {
-        seen_.score(part, map, particles.origin, particles.poses(), particles.log_weight);
-        seen_.count(landmark);
+        seen_.score(part, map, particles.origin, particles.poses(), without_map, particles.log_weight);
+        if (landmark) seen_.add(*landmark);
       }
       else
         ReadingScorer(part, map, clutter, particles.origin).addTo(particles.poses(), particles.log_weight);
