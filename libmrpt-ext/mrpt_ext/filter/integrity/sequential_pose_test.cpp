@@ -191,14 +191,16 @@ void SequentialPoseTest::test(const std::vector<Reading>& readings, const Landma
       const std::optional<std::size_t> landmark = landmarkIn(part, map, particles);
       // What a tracked feature is was seen before.
       if (landmark && without_map.is_known) seen_.add(*landmark);
-      if (hasAnonymous(part) && tellsPlace(part.detections.front()))
+      const bool is_anonymous_point = hasAnonymous(part) && tellsPlace(part.detections.front());
+      if (is_anonymous_point)
       {
         seen_.score(part, map, particles.origin, particles.poses(), without_map, particles.log_weight);
         if (landmark) seen_.add(*landmark);
       }
       else
         ReadingScorer(part, map, clutter, particles.origin).addTo(particles.poses(), particles.log_weight);
-      const double log_ratio = normalizeWeights(particles).log_sum - without_map.log_density;
+      double log_ratio = normalizeWeights(particles).log_sum - without_map.log_density;
+      if (is_anonymous_point) log_ratio = strays_.counted(log_ratio, part.model);
       log_odds_ = std::min(log_odds_ + counted(part, landmark, log_ratio, {first, share_of_new}), kMaxLogOdds);
     }
     if (first && scoresMissedDetections(reading)) log_odds_ += missed_.count(reading, map, particles);

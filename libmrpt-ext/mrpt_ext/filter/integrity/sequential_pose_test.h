@@ -11,6 +11,7 @@
 #include "mrpt_ext/filter/integrity/point_null_model.h"
 #include "mrpt_ext/filter/integrity/seen_landmarks.h"
 #include "mrpt_ext/filter/integrity/spot_evidence.h"
+#include "mrpt_ext/filter/integrity/stray_detections.h"
 #include "mrpt_ext/filter/motion/motion_model.h"
 #include "mrpt_ext/filter/particles/particle_set.h"
 #include "mrpt_ext/geometry/frame.h"
@@ -29,7 +30,8 @@ namespace mrpt_ext
 /// hypothesis the odds exceed 1/a with probability a at most, at any time (Ville's inequality); at the right pose they
 /// grow with every independent detection. Detections that repeat themselves at one spot neither prove nor refute
 /// (spot_evidence.h). Landmarks that the pose expects and nothing shows count as well, where detections are anonymous
-/// (missed_landmarks.h).
+/// (missed_landmarks.h), and what is seen and not in the map is expected the more, the more of it there was
+/// (stray_detections.h).
 ///
 /// Beside chance there are the rivals of landmark_evidence.h, which fit one landmark as well. Against those one
 /// landmark alone proves nothing, however often it is seen; once the pose is verified they are refuted, and each
@@ -72,6 +74,7 @@ class SequentialPoseTest
   {
     log_odds_ = std::clamp(log_odds_, 0.0, kAcceptLogOdds / 2);
     seen_.clear();
+    strays_ = {};
     missed_.clear();
     by_landmark_.restart(false);
     rivals_refuted_ = heading_seen_ = false;
@@ -105,6 +108,7 @@ class SequentialPoseTest
   NullModel null_model_;             // of anonymous bearings
   PointNullModel point_null_model_;  // of those with ranges
   SeenLandmarks seen_;
+  StrayDetections strays_;
   MissedLandmarks missed_;
   SpotEvidence spot_;
   LandmarkEvidence by_landmark_{kMaxLogOdds};
