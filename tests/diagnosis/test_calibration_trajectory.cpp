@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 namespace mrpt_ext
 {
@@ -68,22 +69,38 @@ TEST(CalibrationTrajectory, CountsTheShareThatIsOk)
   EXPECT_DOUBLE_EQ(trajectory.okShare(), 0.25);
 }
 
-TEST(WithUncertainRanges, WhereRangesAreAllThereIsAndThePoseWasMostlyInDoubt)
+/// Number of passes over a log of ranges, and the time of the estimate that is kept: 1 of the pass as configured, 2 of
+/// the other one. The verdicts of four estimates each: 'o' ok, 'a' ambiguous.
+std::pair<int, double> passesOver(const LocalizationInput& input, const std::string& first, const std::string& second)
 {
+  int passes = 0;
+  const auto pass = [&](const LocalizationConfig& config)
+  {
+    EXPECT_EQ(config.biases.size(), input.config.biases.size() + static_cast<std::size_t>(passes));
+    EXPECT_EQ(config.filter.biases.size(), static_cast<std::size_t>(passes));
+    ++passes;
+    CalibrationTrajectory trajectory(config);
+    for (const char kind : passes == 1 ? first : second)
+      trajectory.add({.time = double(passes), .verdict = kind == 'o' ? Verdict::ok : Verdict::ambiguous});
+    return trajectory;
+  };
+  const std::vector<PoseEstimate> kept = likelierTrajectory(input, pass);
+  return {passes, kept.front().time};
+}
+
+TEST(LikelierTrajectory, OfRangesAloneIsThatWhichIsOkMoreOften)
+{
+  using Passes = std::pair<int, double>;
   LocalizationInput input;
   input.log.available.identified_range = true;
-  const auto config = withUncertainRanges(input, 0.4);
-  ASSERT_TRUE(config);
-  ASSERT_EQ(config->biases.size(), 1u);
-  EXPECT_EQ(config->biases[0].kind, BiasKind::range_scale);
-  EXPECT_GT(config->biases[0].std, 0);
-  EXPECT_EQ(config->filter.biases.size(), 1u);
-  EXPECT_FALSE(withUncertainRanges(input, 0.6)) << "the pose is known well enough";
+  EXPECT_EQ(passesOver(input, "aaoa", "oooa"), (Passes{2, 2}));
+  EXPECT_EQ(passesOver(input, "aaoa", "aaaa"), (Passes{2, 1}));
+  EXPECT_EQ(passesOver(input, "ooaa", "oooo"), (Passes{1, 1})) << "the pose is known well enough";
   LocalizationInput with_points = input, stated = input;
   with_points.log.available.identified_point = true;
-  EXPECT_FALSE(withUncertainRanges(with_points, 0.4)) << "bearings, too";
+  EXPECT_EQ(passesOver(with_points, "aaoa", "oooo"), (Passes{1, 1})) << "bearings, too";
   stated.config.biases.push_back({.kind = BiasKind::range_offset, .std = 1});
-  EXPECT_FALSE(withUncertainRanges(stated, 0.4)) << "the configuration says how uncertain ranges are";
+  EXPECT_EQ(passesOver(stated, "aaoa", "oooo"), (Passes{1, 1})) << "the configuration says how uncertain ranges are";
 }
 
 TEST(CalibrationTrajectory, OfIndependentFramesEachMustBeOk)

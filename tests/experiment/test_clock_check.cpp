@@ -53,9 +53,7 @@ TEST(ClockCheck, OdometryThatMissesAPartIsANote)
 TEST(ClockCheck, OdometryThatJumpsIsANote)
 {
   LocalizationInput input = logFrom(1000, 100);
-  std::vector<OdometryRecord> records;
-  for (int k = 0; k < 100; ++k) records.push_back({1000 + 0.1 * k, {k < 60 ? 8.0 : 0.5, 0, 0}});
-  input.log.overview.odometry = OdometryPath(records, {});
+  for (int k = 0; k < 100; ++k) input.log.overview.odometry.add({1000 + 0.1 * k, {k < 60 ? 8.0 : 0.5, 0, 0}});
   checkClocks(input);
   ASSERT_EQ(input.notes.size(), 1u);
   EXPECT_TRUE(input.notes[0].starts_with("odometry jumps 1 time, by up to 7.5 m, 6.0 s after the start: "))

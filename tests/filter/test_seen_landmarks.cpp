@@ -72,4 +72,16 @@ TEST(SeenLandmarks, WhatWasSeenIsExpectedAsAFeatureOfTheNullModelIs)
   seen.clear();
   EXPECT_NEAR(score(seen, ahead, map, 0.3, 0.7), std::log(oneOf(4)), 1e-4);
 }
+
+TEST(SeenLandmarks, OfAnotherCategoryAreNotExpected)
+{
+  const LandmarkTable map({{.position = {3, 0, 0}, .category = "pole"}, {.position = {0, 5, 0}, .category = "tree"}});
+  Reading pole = detectionAt(3, 0);
+  pole.detections[0].category = "pole";
+  SeenLandmarks seen;
+  seen.add(1);
+  EXPECT_NEAR(score(seen, pole, map, 0.3, 0.1), std::log(oneOf(1)), 1e-4) << "no pole was seen";
+  seen.add(0);
+  EXPECT_NEAR(score(seen, pole, map, 0.3, 0.1), std::log(0.4 * oneOf(1) + 0.6 * kChance), 1e-4);
+}
 }  // namespace mrpt_ext::test_seen_landmarks

@@ -155,15 +155,35 @@ std::vector<OdometryRecord> driven(int records)
   return result;
 }
 
+OdometryPath recorded(const std::vector<OdometryRecord>& records)
+{
+  OdometryPath path;
+  for (const OdometryRecord& record : records) path.add(record);
+  return path;
+}
+
 TEST(OdometryPath, AJumpIsNoMotion)
 {
   std::vector<OdometryRecord> records = driven(60);
   for (std::size_t k = 40; k < 60; ++k) records[k].pose.x -= 4;
-  const OdometryPath path(records, {});
+  const OdometryPath path = recorded(records);
   EXPECT_EQ(path.jumps().count(), 1u);
   EXPECT_NEAR(path.jumps().longest(), 3.95, 1e-9);
   EXPECT_NEAR(path.jumps().timeOfLongest(), 4, 1e-9);
   EXPECT_NEAR(path.between(0, 5.9).increment.x, 58 * 0.05, 1e-9) << "all steps but that one";
+}
+
+TEST(OdometryPath, ADamagedRecordIsNoMotionThereAndBack)
+{
+  for (const Pose2& damaged : {Pose2{100, -30, 0}, Pose2{0, 0, 0}})
+  {
+    std::vector<OdometryRecord> records = driven(60);
+    records[40].pose = damaged;
+    const OdometryPath path = recorded(records);
+    EXPECT_EQ(path.jumps().count(), 2u);
+    EXPECT_NEAR(path.between(0, 5.9).increment.x, 57 * 0.05, 1e-9);
+    EXPECT_NEAR(path.between(0, 5.9).increment.y, 0, 1e-9);
+  }
 }
 
 TEST(OdometryPath, ADriverThatIsStartedAnewBeginsAtTheOrigin)
@@ -172,21 +192,39 @@ TEST(OdometryPath, ADriverThatIsStartedAnewBeginsAtTheOrigin)
   const Pose2 last = records.back().pose;
   records.push_back({15, {0, 0, 0}});
   records.push_back({15.1, {0.05, 0, 0}});
-  const OdometryPath path(records, {});
+  const OdometryPath path = recorded(records);
   EXPECT_EQ(path.jumps().count(), 1u);
   expectPose(path.at(15.1), {last.x + 0.05, last.y, 0});
 }
 
-TEST(OdometryPath, AFastRobotAndARoundTripJumpNowhere)
+TEST(OdometryPath, AJumpAfterALongPauseIsOne)
+{
+  std::vector<OdometryRecord> records = driven(60);
+  for (int k = 0; k < 60; ++k) records.push_back({600 + 0.1 * k, {k < 30 ? 6.0 : 15.0, 2, 0}});
+  EXPECT_EQ(recorded(records).jumps().count(), 1u);
+}
+
+TEST(OdometryPath, AFastRobotJumpsAtItsFirstStepAlone)
 {
   std::vector<OdometryRecord> records;
   for (int k = 0; k < 40; ++k) records.push_back({0.1 * k, {1, 0, 0}});
   for (int k = 0; k < 40; ++k) records.push_back({4 + 0.1 * k, {1 + 2.0 * k, 0, 0}});
-  EXPECT_EQ(OdometryPath(records, {}).jumps().count(), 1u)
-      << "from standing to 20 m/s: the first step, not those after";
-  records.clear();
+  EXPECT_EQ(recorded(records).jumps().count(), 1u);
+}
+
+TEST(OdometryPath, ARoundTripIsNoJump)
+{
+  std::vector<OdometryRecord> records;
   for (int k = 0; k <= 20; ++k) records.push_back({0.1 * k, {0.05 * (10 - std::abs(k - 10)), 0, 0}});
-  EXPECT_EQ(OdometryPath(records, {}).jumps().count(), 0u) << "back to the origin as it went";
+  for (int k = 0; k < 100; ++k) records.push_back({3.0 + k, {k % 2 == 0 ? 0 : 0.001, 0, 0}});
+  EXPECT_EQ(recorded(records).jumps().count(), 0u) << "back to the origin as it went, and wheels that jitter there";
+}
+
+TEST(OdometryPath, APathWithoutJumpsIsTakenAsItIs)
+{
+  std::vector<OdometryRecord> records = driven(60);
+  for (std::size_t k = 40; k < 60; ++k) records[k].pose.x -= 4;
+  EXPECT_EQ(OdometryPath(records, {}).jumps().count(), 0u);
 }
 
 TEST(MotionBetween, IsInTheFrameOfTheEarlierPose)

@@ -1,6 +1,7 @@
 #include "mrpt_ext/app/auto_calibration.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "mrpt_ext/app/progress_line.h"
 #include "mrpt_ext/diagnosis/adopted_findings.h"
@@ -15,40 +16,35 @@ namespace
 constexpr double kLeastDuration = 60;  // [s]
 const std::string kFilterName = "particle_filter";
 
+/// The passes before the run.
 struct FirstPass
 {
-  std::vector<PoseEstimate> trajectory;
-  double ok_share = 0;
-  CalibrationRow row;
+  std::vector<PoseEstimate> trajectory;  // of the likelier one
+  CalibrationRow row;                    // of the one as configured
 };
-
-FirstPass passOver(const LocalizationInput& input, LocalizationConfig config, bool show_progress)
-{
-  config.methods = {kFilterName};
-  const MethodFactory methods(config, input.context.map, input.log.available);
-  ProgressLine line(show_progress, "first pass");
-  const std::atomic<bool> never{false};  // a signal ends the program: there is nothing yet to keep
-  const auto progress = [&](double share) { line.show(share); };
-  const TrialOutcome outcome = runTrial({methods, input, never, progress, {}}, config.seed, 0);
-  FirstPass pass;
-  CalibrationTrajectory trajectory(config);
-  for (const PoseEstimate& point : outcome.record.methods.front().points) trajectory.add(point);
-  pass.ok_share = trajectory.okShare();
-  pass.trajectory = trajectory.take();
-  const RunScore score = scoreRun(input.context, outcome.record, config.limits);
-  pass.row = {.verdict = score.verdict,
-              .shares = score.verdict_shares,
-              .position_rmse_m = score.methods.front().position_error_m.rmse};
-  return pass;
-}
 
 FirstPass firstPass(const LocalizationInput& input, bool show_progress)
 {
-  FirstPass pass = passOver(input, input.config, show_progress);
-  if (const auto uncertain = withUncertainRanges(input, pass.ok_share))
-    if (FirstPass other = passOver(input, *uncertain, show_progress); other.ok_share > pass.ok_share)
-      pass.trajectory = std::move(other.trajectory);
-  return pass;
+  std::optional<CalibrationRow> row;
+  const auto pass = [&](LocalizationConfig config)
+  {
+    config.methods = {kFilterName};
+    const MethodFactory methods(config, input.context.map, input.log.available);
+    ProgressLine line(show_progress, row ? "first pass, scale of ranges estimated" : "first pass");
+    const std::atomic<bool> never{false};  // a signal ends the program: there is nothing yet to keep
+    const auto progress = [&](double share) { line.show(share); };
+    const TrialOutcome outcome = runTrial({methods, input, never, progress, {}}, config.seed, 0);
+    CalibrationTrajectory trajectory(config);
+    for (const PoseEstimate& point : outcome.record.methods.front().points) trajectory.add(point);
+    if (row) return trajectory;
+    const RunScore score = scoreRun(input.context, outcome.record, config.limits);
+    row = {.verdict = score.verdict,
+           .shares = score.verdict_shares,
+           .position_rmse_m = score.methods.front().position_error_m.rmse};
+    return trajectory;
+  };
+  std::vector<PoseEstimate> trajectory = likelierTrajectory(input, pass);
+  return {std::move(trajectory), *row};
 }
 
 /// What the mean log density of a reading gains by ranges of the likelier kind.

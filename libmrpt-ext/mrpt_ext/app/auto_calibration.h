@@ -17,9 +17,9 @@ struct AutoCalibration
 /// frames that belong together, our own particle filter among the methods.
 [[nodiscard]] bool isAutoCalibrated(const LocalizationInput& input);
 
-/// The particle filter runs once as configured; its trajectory, the readings and odometry tell the systematic errors
-/// and the noise (diagnosis/calibration_choice.h). Nothing when nothing pays. The truth serves the error of the first
-/// pass in the account only. The same for any number of trials: the first pass is trial 0.
+/// The particle filter runs as configured (likelierTrajectory()); its trajectory, the readings and odometry tell the
+/// systematic errors and the noise (diagnosis/calibration_choice.h). Nothing when nothing pays. The truth serves the
+/// error of the first pass in the account only. The same for any number of trials: the first pass is trial 0.
 [[nodiscard]] std::optional<AutoCalibration> autoCalibration(const Settings& settings, const LocalizationInput& input,
                                                              bool show_progress);
 

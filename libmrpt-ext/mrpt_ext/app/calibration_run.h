@@ -17,7 +17,7 @@ struct CalibrationRequest
 };
 
 /// Estimates the systematic errors of sensors and odometry from the log and the map alone, and prints the configuration
-/// lines that follow. The filter runs once as configured; then its trajectory and all errors are adjusted together
+/// lines that follow. The filter runs as configured; then its trajectory and all errors are adjusted together
 /// (calibration/self_calibration.h). The truth is never used. Returns the exit code: done, also when calibration is not
 /// possible.
 int runCalibration(Settings settings, const CalibrationRequest& request, std::ostream& out);

@@ -26,8 +26,9 @@ std::string mapText(const RunContext& context)
 std::string gapText(const LocalizationInput& input)
 {
   const LogGaps& gaps = input.gaps;
-  if (gaps.count == 0 || 100 * gaps.count > input.context.rawlog_entries) return {};  // or a slow log
+  constexpr std::size_t kRecordsPerGap = 100;  // fewer: a log that is slow, not one with pauses
   const bool hours = gaps.longest > 3600;
+  if (gaps.count == 0 || (!hours && kRecordsPerGap * gaps.count > input.context.rawlog_entries)) return {};
   return formatted(
       "gap      %zu of more than %.0f s without a record; the longest, %.1f %s, begins %.1f s after the start\n",
       gaps.count, LogGaps::kLong, hours ? gaps.longest / 3600 : gaps.longest, hours ? "h" : "s",

@@ -109,7 +109,8 @@ struct SensorScatter
   std::size_t bearings = 0, ranges = 0;
   /// Number of residuals less what the adjustment took up: the information about the scatter.
   double bearing_redundancy = 0, range_redundancy = 0;
-  double landmark_offset_std = 0;  ///< [m] by which its landmarks' offsets differ; 0: none to estimate
+  double bearing_taken_up = 0, range_taken_up = 0;  ///< number that the adjustment took up; neither counts outliers
+  double landmark_offset_std = 0;                   ///< [m] by which its landmarks' offsets differ; 0: none to estimate
   double landmark_place_std = 0;  ///< [m] by which they stand beside their places in the map, along each axis; likewise
 };
 }  // namespace mrpt_ext

@@ -31,7 +31,7 @@ constexpr int kScatterSteps = 3;       // of the adjustment that follow it
 struct Residuals
 {
   std::vector<double> sizes;  // over the declared standard deviation, and over what the poses leave of it
-  double redundancy = 0;
+  double redundancy = 0, taken_up = 0;
 };
 
 /// Median absolute deviation. The outliers are left out of it: they shift the median of the others.
@@ -198,6 +198,7 @@ bool TrajectoryAdjustment::estimateScatters()
     Residuals& residuals = (r.is_range ? ranges : bearings)[r.sensor];
     residuals.sizes.push_back(std::abs(row.residual) / std::sqrt(redundancy));
     residuals.redundancy += weight * redundancy;
+    residuals.taken_up += weight * (1 - redundancy);
   }
   const LinkFits odometry = linkFits(*solution);
   for (std::size_t s = 0; s < problem_.sensors; ++s)
@@ -206,6 +207,8 @@ bool TrajectoryAdjustment::estimateScatters()
     scatters_[s].range = scatterFrom(ranges[s].sizes);
     scatters_[s].bearing_redundancy = bearings[s].redundancy;
     scatters_[s].range_redundancy = ranges[s].redundancy;
+    scatters_[s].bearing_taken_up = bearings[s].taken_up;
+    scatters_[s].range_taken_up = ranges[s].taken_up;
   }
   PerMotionNoise<double> scatter = model_.odometryScatter();
   for (std::size_t n = 0; n < motion_noises; ++n)

@@ -83,23 +83,21 @@ void CalibrationTrajectory::endUnverified()
   pending_.clear();
 }
 
-std::optional<LocalizationConfig> withUncertainRanges(const LocalizationInput& input, double ok_share)
+std::vector<PoseEstimate> likelierTrajectory(const LocalizationInput& input, const CalibrationPass& pass)
 {
-  LocalizationConfig config = input.config;
-  if (ok_share >= kMostlyOk || !hasOnlyRanges(input.log.available) || config.frames.independent ||
-      std::any_of(config.biases.begin(), config.biases.end(), isOfRanges))
-    return std::nullopt;
-  config.biases.push_back({.kind = BiasKind::range_scale, .std = kScaleStd});
-  config.filter.biases = config.biases;
-  return config;
+  CalibrationTrajectory configured = pass(input.config);
+  if (configured.okShare() >= kMostlyOk || !hasOnlyRanges(input.log.available) || input.config.frames.independent ||
+      std::any_of(input.config.biases.begin(), input.config.biases.end(), isOfRanges))
+    return configured.take();
+  LocalizationConfig uncertain = input.config;
+  uncertain.biases.push_back({.kind = BiasKind::range_scale, .std = kScaleStd});
+  uncertain.filter.biases = uncertain.biases;
+  CalibrationTrajectory estimated = pass(uncertain);
+  return (estimated.okShare() > configured.okShare() ? estimated : configured).take();
 }
 
 std::vector<PoseEstimate> calibrationTrajectory(const LocalizationInput& input, std::uint64_t seed)
 {
-  CalibrationTrajectory first = passOver(input, input.config, seed);
-  if (const auto uncertain = withUncertainRanges(input, first.okShare()))
-    if (CalibrationTrajectory second = passOver(input, *uncertain, seed); second.okShare() > first.okShare())
-      return second.take();
-  return first.take();
+  return likelierTrajectory(input, [&](const LocalizationConfig& config) { return passOver(input, config, seed); });
 }
 }  // namespace mrpt_ext

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <functional>
 #include <vector>
 
 #include "mrpt_ext/experiment/localization_input.h"
@@ -11,8 +11,9 @@ namespace mrpt_ext
 /// Collects, in order of time, the estimates that a calibration may rest on: those of one dominant mode that was
 /// verified. `ok` alone would be too strict: it also asks for agreement with the declared noise and share of outliers,
 /// which are to be found out, and what is found where they happen to hold is biased. So a mode counts from its first
-/// `ok` on for as long as it dominates; where no estimate is `ok`, the longest spell of a dominant mode counts. Of
-/// independent frames each must be `ok`. Estimates without a heading are left out where it is observable.
+/// `ok` on for as long as it dominates, and after others competed with it if the next `ok` comes before the filter is
+/// lost; where no estimate is `ok`, the longest spell of a dominant mode counts. Of independent frames each must be
+/// `ok`. Estimates without a heading are left out where it is observable.
 class CalibrationTrajectory
 {
  public:
@@ -37,12 +38,16 @@ class CalibrationTrajectory
   std::vector<PoseEstimate> chosen_, longest_unverified_;
 };
 
-/// The configuration for another pass where one was `ok` for less than half of the time, `ok_share`, and ranges are all
-/// there is: the scale of ranges is a state of the filter, as uncertain as that of uncalibrated radios. With a bearing
-/// a range that is too long shows at once, alone it pulls the pose aside and passes for an outlier. Nothing where the
-/// configuration has states of ranges. Of both passes the one that is `ok` more often is that to calibrate from.
-[[nodiscard]] std::optional<LocalizationConfig> withUncertainRanges(const LocalizationInput& input, double ok_share);
+/// A pass over a log with a configuration.
+using CalibrationPass = std::function<CalibrationTrajectory(const LocalizationConfig&)>;
 
-/// The trajectory of the particle filter for a calibration, or for independent frames that of the closed forms.
+/// The estimates of the pass that a calibration starts from. Where ranges are all there is and the pass as configured
+/// is `ok` for less than half of the time, there is another one with the scale of ranges as a state of the filter, as
+/// uncertain as that of uncalibrated radios, and the one that is `ok` more often counts: with a bearing a range that is
+/// too long shows at once, alone it pulls the pose aside and passes for an outlier. A configuration that has states of
+/// ranges says how uncertain they are.
+[[nodiscard]] std::vector<PoseEstimate> likelierTrajectory(const LocalizationInput& input, const CalibrationPass& pass);
+
+/// The same with a pass of the particle filter, or for independent frames of the closed forms.
 [[nodiscard]] std::vector<PoseEstimate> calibrationTrajectory(const LocalizationInput& input, std::uint64_t seed);
 }  // namespace mrpt_ext

@@ -15,7 +15,7 @@ struct LogDiagnosis
   std::vector<CalibrationFinding> findings;  ///< errors, then noise
 };
 
-/// The filter runs once as configured; then its trajectory and all errors are adjusted together
+/// The filter runs as configured (likelierTrajectory()); then its trajectory and all errors are adjusted together
 /// (calibration/self_calibration.h). The truth is never used.
 [[nodiscard]] LogDiagnosis diagnoseLog(const LocalizationInput& input);
 }  // namespace mrpt_ext

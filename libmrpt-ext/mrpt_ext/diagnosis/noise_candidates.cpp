@@ -19,9 +19,8 @@ constexpr double kMostOutlierShare = 0.5;
 /// True where the trajectory predicts readings, by odometry and by other readings, better than they scatter. A
 /// trajectory that is less certain follows the readings, with errors that last: what is left of them is how they repeat
 /// themselves.
-bool isToldByTrajectory(double scatter, double redundancy, std::size_t readings)
+bool isToldByTrajectory(double scatter, double redundancy, double taken_up)
 {
-  const double taken_up = static_cast<double>(readings) - redundancy;
   return taken_up < square(scatter) * redundancy;  // variance of the prediction over the declared one, and found
 }
 }  // namespace
@@ -41,8 +40,8 @@ bool NoiseCandidates::isOther(std::size_t sensor, bool is_range) const
   const double scatter = is_range ? found.range : found.bearing;
   const bool is_configured = is_range ? now.std_range.has_value() : now.std_bearing.has_value();
   if (scatter > kNoiseDiffers) return true;
-  const bool is_told = is_range ? isToldByTrajectory(scatter, found.range_redundancy, found.ranges)
-                                : isToldByTrajectory(scatter, found.bearing_redundancy, found.bearings);
+  const bool is_told = is_range ? isToldByTrajectory(scatter, found.range_redundancy, found.range_taken_up)
+                                : isToldByTrajectory(scatter, found.bearing_redundancy, found.bearing_taken_up);
   return scatter < 1 / kNoiseDiffers && !is_configured && is_told && !areCorrelated(sensor, is_range);
 }
 

@@ -42,7 +42,7 @@ struct CalibrationRow
 struct AdoptedCalibration
 {
   std::vector<CalibratedValue> values;
-  CalibrationRow before;                    ///< as configured: the first pass
+  CalibrationRow before;  ///< the pass as configured; log density along the trajectory calibrated from
   std::optional<double> log_density_after;  ///< with values from the first half of the log
 };
 }  // namespace mrpt_ext

@@ -20,10 +20,19 @@ OdometryPath::OdometryPath(std::vector<OdometryRecord> records, const OdometryCo
 {
   std::stable_sort(records.begin(), records.end(),
                    [](const OdometryRecord& a, const OdometryRecord& b) { return a.time < b.time; });
-  for (const OdometryRecord& record : records) add(record);
+  for (const OdometryRecord& record : records) appendStep(record, false);
 }
 
 void OdometryPath::add(const OdometryRecord& record)
+{
+  const Pose2 &before = logged_.pose, &now = record.pose;
+  const bool is_jump =
+      !path_.empty() && jumps_.add(record.time, now.position() - before.position(), record.time - logged_.time,
+                                   now.x == 0 && now.y == 0 && now.phi == 0);
+  appendStep(record, is_jump);
+}
+
+void OdometryPath::appendStep(const OdometryRecord& record, bool is_jump)
 {
   const OdometryRecord before = std::exchange(logged_, record);
   if (path_.empty())
@@ -33,15 +42,12 @@ void OdometryPath::add(const OdometryRecord& record)
     turned_.push_back(0);
     return;
   }
-  const double duration = record.time - before.time;
-  Pose2 step = mrpt_ext::between(before.pose, record.pose);
-  const Pose2& now = record.pose;
-  if (jumps_.add(record.time, step.position().norm(), duration, now.x == 0 && now.y == 0 && now.phi == 0)) step = {};
+  Pose2 step = is_jump ? Pose2{} : mrpt_ext::between(before.pose, record.pose);
   const Vector2d moved = correction_.scale * rotation(correction_.yaw) * step.position();
   step.x = moved.x();
   step.y = moved.y();
   step.phi = correction_.rotation_scale * step.phi + correction_.turn_per_m * step.position().norm() +
-             correction_.turn_per_s * duration;
+             correction_.turn_per_s * (record.time - before.time);
   length_.push_back(length_.back() + step.position().norm());
   turned_.push_back(turned_.back() + std::abs(step.phi));
   path_.push_back({record.time + correction_.delay, compose(path_.back().pose, step), true});

@@ -28,7 +28,7 @@ class OdometryPath
  public:
   OdometryPath() = default;
   explicit OdometryPath(const OdometryCorrection& correction) : correction_(correction) {}
-  /// Records in any order of time, corrected as configured.
+  /// Records in any order of time, of a path without jumps, corrected as configured.
   OdometryPath(std::vector<OdometryRecord> records, const OdometryCorrection& correction);
 
   /// A record that is not earlier than those before. A jump (odometry_jumps.h) is no motion.
@@ -43,6 +43,7 @@ class OdometryPath
   [[nodiscard]] const OdometryJumps& jumps() const { return jumps_; }
 
  private:
+  void appendStep(const OdometryRecord& record, bool is_jump);
   /// Sums from the start to a time.
   struct PathPoint
   {

@@ -33,23 +33,21 @@ void SeenLandmarks::score(const Reading& part, const LandmarkTable& map, const V
                           const FeatureMixture::Outcome& expected, std::span<float> log_likelihood) const
 {
   const std::vector<float> of_any = logLikelihoods(part, map, origin, poses);
+  std::vector<Landmark> seen;
+  for (const std::size_t index : indices_)
+    if (mayShow(part.detections.front(), map[index])) seen.push_back(map[index]);
   std::vector<float> of_seen = of_any;
   double in_view = 0;
-  if (!indices_.empty() && !of_any.empty())
+  if (!seen.empty() && !of_any.empty())
   {
     const auto best = std::max_element(log_likelihood.begin(), log_likelihood.end()) - log_likelihood.begin();
     const Pose2 pose = poses[static_cast<std::size_t>(best)];
-    std::vector<Landmark> landmarks;
-    for (const std::size_t index : indices_)
-    {
-      landmarks.push_back(map[index]);
-      in_view += predict(map[index], part, pose).visibility;
-    }
+    for (const Landmark& landmark : seen) in_view += predict(landmark, part, pose).visibility;
     Reading same_volume = part;  // not that of a smaller map
     same_volume.model.max_range = part.model.max_range.value_or(defaultMaxRange(map));
-    of_seen = logLikelihoods(same_volume, LandmarkTable(std::move(landmarks)), origin, poses);
+    of_seen = logLikelihoods(same_volume, LandmarkTable(seen), origin, poses);
   }
-  const double p_new = indices_.empty() ? 1 : expected.share_new;
+  const double p_new = seen.empty() ? 1 : expected.share_new;
   const double p_seen = std::min(1 - p_new, expected.share_each * std::max(1.0, in_view));
   const double clutter = boundedClutter(part.model.clutter_probability) /
                          measurementVolume(part.detections.front(), part.model, defaultMaxRange(map));
