@@ -7,6 +7,7 @@
 #include "mrpt_ext/filter/integrity/sensor_monitors.h"
 #include "mrpt_ext/likelihood/detection_density.h"
 #include "mrpt_ext/likelihood/facing_likelihood.h"
+#include "mrpt_ext/likelihood/landmark_prediction.h"
 #include "mrpt_ext/likelihood/missed_detections.h"
 #include "mrpt_ext/likelihood/reading_scorer.h"
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
@@ -58,22 +59,40 @@ Vector2d placeOf(const Reading& part, const ParticleSet& particles)
   return weights > 0 ? Vector2d(sum / weights) : sum;
 }
 
-/// Index of the landmark that the only detection shows if it is no clutter. Nothing where another is nearly as near,
-/// and for an anonymous range or bearing.
+/// How far the only detection, an anonymous one, is from where each landmark would be seen by the particles: [m] with a
+/// range, [rad] without one.
+std::vector<double> distancesTo(const LandmarkTable& map, const Reading& part, const ParticleSet& particles)
+{
+  const Detection& detection = part.detections.front();
+  std::vector<double> result(map.size());
+  if (detection.range)
+  {
+    const Vector2d place = placeOf(part, particles);
+    for (std::size_t k = 0; k < map.size(); ++k) result[k] = (map[k].position.head<2>() - place).norm();
+    return result;
+  }
+  const auto heaviest = std::max_element(particles.log_weight.begin(), particles.log_weight.end());
+  const Pose2 pose = particles.pose(static_cast<std::size_t>(heaviest - particles.log_weight.begin()));
+  for (std::size_t k = 0; k < map.size(); ++k)
+    result[k] = std::abs(wrap(*detection.bearing - predict(map[k], part, pose).bearing));
+  return result;
+}
+
+/// Index of the landmark that the only detection, which has a bearing, shows if it is no clutter. Nothing where another
+/// is nearly as near.
 std::optional<std::size_t> landmarkIn(const Reading& part, const LandmarkTable& map, const ParticleSet& particles)
 {
   const Detection& detection = part.detections.front();
   if (detection.id != kNoId) return map.indexOf(detection.id);
-  if (!tellsPlace(detection)) return std::nullopt;
-  const Vector2d place = placeOf(part, particles);
+  if (!detection.bearing) return std::nullopt;
   double nearest = std::numeric_limits<double>::infinity(), second = nearest;
-  std::size_t best = 0;
-  for (std::size_t k = 0; k < map.size(); ++k)
+  std::size_t best = 0, index = 0;
+  for (const double away : distancesTo(map, part, particles))
   {
-    const double away = (map[k].position.head<2>() - place).norm();
-    if (away < nearest) best = k;
+    if (away < nearest) best = index;
     second = std::min(second, std::max(nearest, away));
     nearest = std::min(nearest, away);
+    ++index;
   }
   return nearest < kClearlyNearer * second ? std::optional(best) : std::nullopt;
 }
@@ -191,8 +210,8 @@ void SequentialPoseTest::test(const std::vector<Reading>& readings, const Landma
       const std::optional<std::size_t> landmark = landmarkIn(part, map, particles);
       // What a tracked feature is was seen before.
       if (landmark && without_map.is_known) seen_.add(*landmark);
-      const bool is_anonymous_point = hasAnonymous(part) && tellsPlace(part.detections.front());
-      if (is_anonymous_point)
+      const bool is_feature = hasAnonymous(part) && part.detections.front().bearing;
+      if (is_feature)
       {
         seen_.score(part, map, particles.origin, particles.poses(), without_map, particles.log_weight);
         if (landmark) seen_.add(*landmark);
@@ -200,7 +219,7 @@ void SequentialPoseTest::test(const std::vector<Reading>& readings, const Landma
       else
         ReadingScorer(part, map, clutter, particles.origin).addTo(particles.poses(), particles.log_weight);
       double log_ratio = normalizeWeights(particles).log_sum - without_map.log_density;
-      if (is_anonymous_point) log_ratio = strays_.counted(log_ratio, part.model);
+      if (is_feature) log_ratio = strays_.counted(log_ratio, part.model);
       log_odds_ = std::min(log_odds_ + counted(part, landmark, log_ratio, {first, share_of_new}), kMaxLogOdds);
     }
     if (first && scoresMissedDetections(reading)) log_odds_ += missed_.count(reading, map, particles);
@@ -214,7 +233,7 @@ double SequentialPoseTest::counted(const Reading& part, std::optional<std::size_
     log_ratio = spot_.counted(std::min(log_ratio, kMaxLogOdds - log_odds_), spot.first);
   else
     log_ratio = againstRepetition(log_ratio, spot.share_of_new, boundedClutter(part.model.clutter_probability));
-  if (!landmark) return log_ratio;
+  if (!landmark || (hasAnonymous(part) && !tellsPlace(part.detections.front()))) return log_ratio;
   const double against_rivals = by_landmark_.add(*landmark, log_ratio);
   if (log_odds_ <= 0) rivals_refuted_ = false;
   if (verified() || heading_measured_ || heading_seen_) rivals_refuted_ = true;
