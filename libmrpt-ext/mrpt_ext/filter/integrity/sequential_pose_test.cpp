@@ -209,7 +209,7 @@ void SequentialPoseTest::test(const std::vector<Reading>& readings, const Landma
       const FeatureMixture::Outcome without_map = observeWithoutMap(part, defaultMaxRange(map));
       const std::optional<std::size_t> landmark = landmarkIn(part, map, particles);
       // What a tracked feature is was seen before.
-      if (landmark && without_map.is_known) seen_.add(*landmark);
+      if (landmark && without_map.is_known && tellsPlace(part.detections.front())) seen_.add(*landmark);
       const bool is_feature = hasAnonymous(part) && part.detections.front().bearing;
       if (is_feature)
       {
@@ -219,7 +219,7 @@ void SequentialPoseTest::test(const std::vector<Reading>& readings, const Landma
       else
         ReadingScorer(part, map, clutter, particles.origin).addTo(particles.poses(), particles.log_weight);
       double log_ratio = normalizeWeights(particles).log_sum - without_map.log_density;
-      if (is_feature) log_ratio = strays_.counted(log_ratio, part.model);
+      if (is_feature && tellsPlace(part.detections.front())) log_ratio = strays_.counted(log_ratio, part.model);
       log_odds_ = std::min(log_odds_ + counted(part, landmark, log_ratio, {first, share_of_new}), kMaxLogOdds);
     }
     if (first && scoresMissedDetections(reading)) log_odds_ += missed_.count(reading, map, particles);
