@@ -137,7 +137,7 @@ ConsiderCovariance followedStraightOn(double start_std, bool given, const Sensor
       frame.readings.front().detections.push_back(detection);
     }
     state = updateExtended(predict(state, {}, kGoodWheels, frame.motion), frame, map, {}).state;
-    consider.follow(state, frame);
+    consider.follow(state, frame, true);
   }
   return consider;
 }
@@ -154,13 +154,13 @@ void run(const LastingErrors& errors, std::uint64_t seed, Statistics& statistics
   const LandmarkTable map = randomMap(10, 10, random);
   KalmanState state = startingState({poseAt(0), Vector3d(0.01, 0.01, 0.01).cwiseAbs2().asDiagonal()}, {});
   ConsiderCovariance consider(kGoodWheels, {}, map, {});
-  consider.follow(state, {});
+  consider.follow(state, {}, true);
   std::map<std::pair<int, bool>, double> constant;
   for (int k = 1; k < 1500; ++k)
   {
     const Frame frame = frameOf(map, k, errors, constant, random);
     state = updateExtended(predict(state, {}, kGoodWheels, frame.motion), frame, map, {}).state;
-    consider.follow(state, frame);
+    consider.follow(state, frame, true);
     if (k < 500) continue;
     const Vector2d error = state.pose().position() - poseAt(k).position();
     const Matrix3d stated = state.gaussianPose().covariance, honest = stated + consider.added();
@@ -324,7 +324,7 @@ TEST(ConsiderCovariance, SensorsTakeTurns)
     frame.readings.front().sensor = "laser " + std::to_string(k % 3);
     if (k % 4 == 0) frame.readings.clear();
     if (k % 30 == 0) consider.restart();
-    consider.follow(startingState({poseAt(k), 1e-4 * Matrix3d::Identity()}, {}), frame);
+    consider.follow(startingState({poseAt(k), 1e-4 * Matrix3d::Identity()}, {}), frame, true);
     EXPECT_TRUE(consider.added().allFinite());
   }
   EXPECT_GT(consider.added().trace(), 0);
@@ -340,7 +340,7 @@ TEST(ConsiderCovariance, ANewEstimateHasNoLastingErrorYet)
   for (int k = 1; k < 500; ++k)
   {
     const Frame frame = frameOf(map, k, {.of_landmark = 2}, constant, random);
-    consider.follow(startingState({poseAt(k), 1e-4 * Matrix3d::Identity()}, {}), frame);
+    consider.follow(startingState({poseAt(k), 1e-4 * Matrix3d::Identity()}, {}), frame, true);
   }
   EXPECT_GT(consider.added().trace(), 0);
   consider.restart();
@@ -357,7 +357,7 @@ TEST(ConsiderCovariance, EveryEstimateThatIsFoundHasTheLeverArmAtOnce)
   for (int k = 1; k < 3; ++k)
   {
     const Frame frame = frameOf(map, k, {.lever_std = 0.05}, constant, random);
-    consider.follow(startingState({poseAt(k), 1e-4 * Matrix3d::Identity()}, {}), frame);
+    consider.follow(startingState({poseAt(k), 1e-4 * Matrix3d::Identity()}, {}), frame, true);
     EXPECT_NEAR(std::sqrt(consider.added()(0, 0)), 0.05, 1e-6);
     EXPECT_NEAR(std::sqrt(consider.added()(1, 1)), 0.05, 1e-6);
     consider.restart();

@@ -25,7 +25,7 @@ class LinearRun
   LinearRun(double true_factor, std::uint64_t seed) : factor_(true_factor), random_(seed, 1) {}
 
   /// Motions of one second; every `rest`th is followed by a measurement of the pose.
-  void step(ExcessNoise& noise, int rest, double lasting = 0)
+  void step(ExcessNoise& noise, int rest, double lasting = 0, bool right = true)
   {
     const OdometryMotion motion{{0.5, 0, 0.3}, 0.5, 0.3, 1};
     LinearStep step{.motion = motion, .before = {Eigen::Vector3d::Zero(), covariance_}};
@@ -38,6 +38,7 @@ class LinearRun
     step.posterior = step.predicted.covariance;
     if (++count_ % rest == 0) measure(step);
     noise.update(step, Eigen::VectorXd::Constant(static_cast<Eigen::Index>(step.rows.size()), lasting));
+    if (right) noise.confirm();
     covariance_ = step.posterior;
   }
 
@@ -152,6 +153,22 @@ TEST(ExcessNoise, ItIsKeptWhenTheEstimateStartsAnew)
   noise.restart();
   EXPECT_GT(before, 1.5);
   EXPECT_EQ(largest(noise.factors()), before);
+}
+
+TEST(ExcessNoise, WhatNoConfirmedEstimateShowedIsForgotten)
+{
+  const auto after = [](bool restarts)
+  {
+    ExcessNoise noise(kStated, 3);
+    LinearRun run(3, 7);
+    for (int k = 0; k < 100; ++k) run.step(noise, 5, 0, false);
+    EXPECT_EQ(largest(noise.factors()), 1) << "it may be a wrong pose";
+    if (restarts) noise.restart();
+    noise.confirm();
+    return largest(noise.factors());
+  };
+  EXPECT_GT(after(false), 1.5);
+  EXPECT_EQ(after(true), 1);
 }
 
 TEST(ExcessNoise, ARandomWalkHasNoOdometryThatCouldErr)

@@ -175,7 +175,7 @@ class MrptFilterLocalizer : public FilterLocalizer
   {
     if (!isUnimodal(step_.modes, options_.verdict)) return consider_.restart();
     GaussianPose& best = step_.modes.modes.front().pose;
-    consider_.follow(startingState(best, {}), frame);
+    consider_.follow(startingState(best, {}), frame, true);
     best.covariance += consider_.added();
   }
 

@@ -64,7 +64,7 @@ KalmanStep KalmanBank::process(const Frame& whole, const HypothesisSource& propo
   step.modes = modesOf(hypotheses_);
   if (!hypotheses_.empty())
   {
-    consider_.follow(hypotheses_.front().state, frame);
+    consider_.follow(hypotheses_.front().state, frame, true);
     step.modes.modes.front().pose.covariance += consider_.added();
   }
   judgeStep(step);

@@ -275,7 +275,7 @@ ModeSet ParticleFilter::updateModes(const Frame& frame, double effective)
     only = momentsOf(particles_, [this](std::size_t i) { return modes_.mode_of[i] == 0; });
   const bool compact = unimodal && isCompact(modes_.modes.front());
   bias_filter_.follow(compact ? only : std::nullopt, frame, observation_model_.map());
-  consider_.follow(std::move(only), frame);
+  consider_.follow(std::move(only), frame, integrity_.verified());
   ModeSet stated{modes_.modes, {}};
   sampling_error_.correct(stated, gaussian_ ? kExact : effective, remainder);
   if (!stated.modes.empty()) stated.modes.front().pose.covariance += consider_.added();

@@ -60,7 +60,7 @@ ConsiderCovariance::ConsiderCovariance(MotionModel motion, BiasModel biases, con
   if (start) stated_ = startingState(*start, biases_);
 }
 
-void ConsiderCovariance::follow(std::optional<KalmanState> now, const Frame& frame)
+void ConsiderCovariance::follow(std::optional<KalmanState> now, const Frame& frame, bool verified)
 {
   if (stated_)
     update(linearise(*stated_, frame));
@@ -74,6 +74,8 @@ void ConsiderCovariance::follow(std::optional<KalmanState> now, const Frame& fra
     state();
   }
   if (!now) restart();
+  was_verified_ = now && (was_verified_ || verified);
+  if (was_verified_) noise_.confirm();
   stated_ = std::move(now);
 }
 
@@ -86,6 +88,7 @@ Frame ConsiderCovariance::withExcess(Frame frame) const
 void ConsiderCovariance::restart()
 {
   stated_.reset();
+  was_verified_ = false;
   persistent_.restart();
   systematic_.restart();
   noise_.restart();

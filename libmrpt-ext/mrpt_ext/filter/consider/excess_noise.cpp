@@ -22,17 +22,22 @@ constexpr double kSurpriseLimit = 25;  // times the expected square that one ste
 ExcessNoise::ExcessNoise(const MotionModel& motion, Eigen::Index size) : motion_(motion)
 {
   parts_.fill(KalmanMatrix::Zero(size, size));
-  factors_.fill(1);
+  learned_.factors.fill(1);
+  known_ = learned_;
 }
 
-void ExcessNoise::restart() { started_ = false; }
+void ExcessNoise::restart()
+{
+  learned_ = known_;
+  started_ = false;
+}
 
 Matrix3d ExcessNoise::excess(const OdometryMotion& motion) const
 {
   const PerNoiseSource<Matrix3d> stated = covarianceBySource(motion_, motion);
   Matrix3d sum = Matrix3d::Zero();
   if (motion_.type == MotionType::random_walk) return sum;
-  for (std::size_t i = 0; i < kNoiseSources; ++i) sum += (factors_[i] - 1) * stated[i];
+  for (std::size_t i = 0; i < kNoiseSources; ++i) sum += (known_.factors[i] - 1) * stated[i];
   return sum;
 }
 
@@ -111,12 +116,12 @@ void ExcessNoise::learn(const LinearStep& step, const Eigen::VectorXd& lasting)
   more(kMeasured, kMeasured) += count - 2 * explained.trace() + explained.cwiseProduct(explained.transpose()).sum();
 
   PartVector used = PartVector::Ones();
-  for (int i = 0; i < kMeasured; ++i) used[i] = factors_[static_cast<std::size_t>(i)];
+  for (int i = 0; i < kMeasured; ++i) used[i] = learned_.factors[static_cast<std::size_t>(i)];
   shown = shown.cwiseMin(kSurpriseLimit * expected);
   if (!more.allFinite() || !shown.allFinite()) return;
   const double kept = std::exp(-std::max(0.0, step.motion.duration) / kNoiseMemory);
-  information_ = kept * information_ + more;
-  weighted_ = kept * weighted_ + shown - expected + more * used;
+  learned_.information = kept * learned_.information + more;
+  learned_.weighted = kept * learned_.weighted + shown - expected + more * used;
   solve();
 }
 
@@ -126,14 +131,14 @@ void ExcessNoise::solve()
   // all sources together, and next to nothing of each by itself.
   PartVector size = PartVector::Ones(), shared = PartVector::Zero();
   for (std::size_t i = 0; i < kNoiseSources; ++i)
-    size[static_cast<Eigen::Index>(i)] = shared[static_cast<Eigen::Index>(i)] = factors_[i];
+    size[static_cast<Eigen::Index>(i)] = shared[static_cast<Eigen::Index>(i)] = learned_.factors[i];
   PartMatrix of_prior = square(kInCommon) * shared * shared.transpose();
   of_prior.diagonal() += 2 / kStatedWorth * size.cwiseAbs2();
   const PartMatrix prior = 2 * of_prior.llt().solve(PartMatrix::Identity());
-  const PartMatrix covariance = 2 * PartMatrix(information_ + prior).llt().solve(PartMatrix::Identity());
-  const PartVector factors = 0.5 * covariance * (weighted_ + prior * PartVector::Ones());
+  const PartMatrix covariance = 2 * PartMatrix(learned_.information + prior).llt().solve(PartMatrix::Identity());
+  const PartVector factors = 0.5 * covariance * (learned_.weighted + prior * PartVector::Ones());
   for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(kNoiseSources); ++i)
-    factors_[static_cast<std::size_t>(i)] =
+    learned_.factors[static_cast<std::size_t>(i)] =
         std::clamp(1 + significantPart(factors[i] - 1, covariance(i, i), kByChanceAlone), 1.0, kMostNoise);
 }
 

@@ -21,11 +21,14 @@ class ExcessNoise
   /// Propagates through one step of the filter, and learns from its innovations. `lasting`: variance of the errors of
   /// each row that last: beside those the noise of odometry has to be seen.
   void update(const LinearStep& step, const Eigen::VectorXd& lasting);
-  /// The estimate starts anew, with an error that no odometry caused. The factors are kept.
+  /// The estimate is right: what its innovations have shown so far is known.
+  void confirm() { known_ = learned_; }
+  /// The estimate starts anew, with an error that no odometry caused. What was known is kept; the innovations of an
+  /// estimate that nothing confirmed may be those of a wrong pose, which look as if odometry were bad.
   void restart();
 
-  /// Of the variances; at least 1.
-  [[nodiscard]] const PerNoiseSource<double>& factors() const { return factors_; }
+  /// Of the variances, as they are known; at least 1.
+  [[nodiscard]] const PerNoiseSource<double>& factors() const { return known_.factors; }
   /// Covariance of this motion beyond its stated noise.
   [[nodiscard]] Matrix3d excess(const OdometryMotion& motion) const;
 
@@ -33,6 +36,13 @@ class ExcessNoise
   static constexpr int kParts = kNoiseSources + 1;  // the last one: measurements
   using PartMatrix = Eigen::Matrix<double, kParts, kParts>;
   using PartVector = Eigen::Matrix<double, kParts, 1>;
+
+  struct Evidence
+  {
+    PartMatrix information = PartMatrix::Zero();
+    PartVector weighted = PartVector::Zero();
+    PerNoiseSource<double> factors;
+  };
 
   void predict(const LinearStep& step);
   void learn(const LinearStep& step, const Eigen::VectorXd& lasting);
@@ -42,8 +52,6 @@ class ExcessNoise
   MotionModel motion_;
   bool started_ = false;
   std::array<KalmanMatrix, kParts> parts_;  // of the covariance of the estimate, for the stated variances
-  PartMatrix information_ = PartMatrix::Zero();
-  PartVector weighted_ = PartVector::Zero();
-  PerNoiseSource<double> factors_;
+  Evidence learned_, known_;
 };
 }  // namespace mrpt_ext

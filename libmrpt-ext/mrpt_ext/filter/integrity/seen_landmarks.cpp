@@ -29,30 +29,48 @@ void SeenLandmarks::add(std::size_t landmark)
   if (indices_.size() > kMost) indices_.erase(indices_.begin());
 }
 
+LandmarkTable SeenLandmarks::seenOf(const Detection& detection, const LandmarkTable& map) const
+{
+  std::vector<Landmark> seen;
+  for (const std::size_t index : indices_)
+    if (mayShow(detection, map[index])) seen.push_back(map[index]);
+  return LandmarkTable(seen);
+}
+
+LandmarkTable SeenLandmarks::unseen(const LandmarkTable& map) const
+{
+  std::vector<Landmark> rest;
+  for (std::size_t k = 0; k < map.size(); ++k)
+    if (std::find(indices_.begin(), indices_.end(), k) == indices_.end()) rest.push_back(map[k]);
+  return LandmarkTable(rest);
+}
+
 void SeenLandmarks::score(const Reading& part, const LandmarkTable& map, const Vector2d& origin, const PoseBatch& poses,
                           const FeatureMixture::Outcome& expected, std::span<float> log_likelihood) const
 {
-  const std::vector<float> of_any = logLikelihoods(part, map, origin, poses);
-  std::vector<Landmark> seen;
-  for (const std::size_t index : indices_)
-    if (mayShow(part.detections.front(), map[index])) seen.push_back(map[index]);
-  std::vector<float> of_seen = of_any;
+  if (poses.size() == 0) return;
+  const Detection& detection = part.detections.front();
+  Reading same_volume = part;  // not that of a smaller map
+  same_volume.model.max_range = part.model.max_range.value_or(defaultMaxRange(map));
+  // A bearing that the null model knows again shows no landmark for the first time. So is it with ranges, but to count
+  // that there left two thirds of the right poses among barriers unverified and spared no wrong one.
+  const bool is_known = expected.is_known && !detection.range;
+  const std::vector<float> of_new = logLikelihoods(same_volume, is_known ? unseen(map) : map, origin, poses);
+  const LandmarkTable seen = seenOf(detection, map);
   double in_view = 0;
-  if (!seen.empty() && !of_any.empty())
+  if (!seen.empty())
   {
     const auto best = std::max_element(log_likelihood.begin(), log_likelihood.end()) - log_likelihood.begin();
     const Pose2 pose = poses[static_cast<std::size_t>(best)];
-    for (const Landmark& landmark : seen) in_view += predict(landmark, part, pose).visibility;
-    Reading same_volume = part;  // not that of a smaller map
-    same_volume.model.max_range = part.model.max_range.value_or(defaultMaxRange(map));
-    of_seen = logLikelihoods(same_volume, LandmarkTable(seen), origin, poses);
+    for (std::size_t k = 0; k < seen.size(); ++k) in_view += predict(seen[k], part, pose).visibility;
   }
+  const std::vector<float> of_seen = logLikelihoods(same_volume, seen, origin, poses);
   const double p_new = seen.empty() ? 1 : expected.share_new;
   const double p_seen = std::min(1 - p_new, expected.share_each * std::max(1.0, in_view));
   const double clutter = boundedClutter(part.model.clutter_probability) /
-                         measurementVolume(part.detections.front(), part.model, defaultMaxRange(map));
+                         measurementVolume(detection, part.model, defaultMaxRange(map));
   for (std::size_t i = 0; i < log_likelihood.size(); ++i)
     log_likelihood[i] += static_cast<float>(std::log(
-        p_new * std::exp(double{of_any[i]}) + p_seen * std::exp(double{of_seen[i]}) + (1 - p_new - p_seen) * clutter));
+        p_new * std::exp(double{of_new[i]}) + p_seen * std::exp(double{of_seen[i]}) + (1 - p_new - p_seen) * clutter));
 }
 }  // namespace mrpt_ext

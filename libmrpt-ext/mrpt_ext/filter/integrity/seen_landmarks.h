@@ -25,12 +25,16 @@ class SeenLandmarks
   void clear() { *this = {}; }
   /// The landmark was seen. Those not seen for longest are forgotten.
   void add(std::size_t landmark);
-  /// Adds the log-likelihood of the only detection, an anonymous one with range and bearing, to that of every pose.
+  /// Adds the log-likelihood of the only detection, an anonymous one with a bearing, to that of every pose.
   /// `expected`: by the null model.
   void score(const Reading& part, const LandmarkTable& map, const Vector2d& origin, const PoseBatch& poses,
              const FeatureMixture::Outcome& expected, std::span<float> log_likelihood) const;
 
  private:
+  /// Of those that the detection may show.
+  [[nodiscard]] LandmarkTable seenOf(const Detection& detection, const LandmarkTable& map) const;
+  [[nodiscard]] LandmarkTable unseen(const LandmarkTable& map) const;
+
   std::vector<std::size_t> indices_;  // in the map, the one seen last is the last one
 };
 }  // namespace mrpt_ext
