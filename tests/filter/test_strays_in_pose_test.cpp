@@ -22,7 +22,7 @@ std::vector<double> oddsAmongStrays(bool measures_range, const Pose2& off, std::
   std::vector<Landmark> landmarks;
   for (std::size_t k = 0; k < 10; ++k) landmarks.push_back(shown[k]);
   const LandmarkTable map(landmarks);
-  const SimulatedRobot robot{.measures_range = measures_range, .identified = false, .clutter = 0.05};
+  const SimulatedRobot robot{.measures_range = measures_range, .identified = false, .clutter = 0.2};
   SequentialPoseTest test(motionModelOf({}), map);
   Pose2 truth{5, 2, 0};
   std::vector<double> odds;

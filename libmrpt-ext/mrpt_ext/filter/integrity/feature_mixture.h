@@ -15,14 +15,16 @@ struct FeatureDensities
 };
 
 /// A detection comes from one of the features in view, all with equal chances, from a new one or from clutter. New ones
-/// are expected with their frequency so far (Laplace's rule of succession).
+/// are expected with their frequency so far (Laplace's rule of succession). Which detections were new is not known: each
+/// counts with its probability (quasi-Bayes estimate of mixture weights; Smith, Makov, J. Roy. Stat. Soc. B 40, 1978).
+/// Counted by the likelier case instead, a run of new ones would make all later ones seem new as well.
 class FeatureMixture
 {
  public:
   struct Outcome
   {
     double log_density = 0;
-    bool is_known = false;  ///< rather the feature with the largest density than a new one
+    bool is_known = false;  ///< rather one of the features than a new one
     double share_new = 1;   ///< probability of a new feature, before the detection was seen
     double share_each = 0;  ///< ... of each of those in view
   };
@@ -33,13 +35,13 @@ class FeatureMixture
     const double p_new = known.any ? (new_ + 1) / (count_ + 2) : 1;
     const double p_each = (1 - p_new) / std::max(1.0, known.in_view);
     const double density = clutter * uniform + (1 - clutter) * (p_new * uniform + p_each * known.sum);
-    const bool is_known = p_each * known.best > p_new * uniform;
+    const bool is_known = p_each * known.sum > p_new * uniform;
     count_ += 1;
-    if (!is_known) new_ += 1;
+    new_ += p_new * uniform / (p_new * uniform + p_each * known.sum);
     return {std::log(density), is_known, p_new, p_each};
   }
 
  private:
-  double count_ = 0, new_ = 0;  // so far
+  double count_ = 0, new_ = 0;  // so far, expected
 };
 }  // namespace mrpt_ext
