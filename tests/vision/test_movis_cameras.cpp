@@ -205,6 +205,32 @@ TEST(PoleDistance, FollowsFromWhereBandsMeet)
   }
 }
 
+TEST(OmniCamera, ColoursOfAPoleWithOtherBandsAreNoPole)
+{
+  const OmniCamera camera(ownCamera());
+  const HyperbolicMirror& mirror = camera.settings().mirror;
+  const cv::Mat image = ownImage("field_00_M1.jpg");
+  const OmniObject q = *find(camera.view(image).objects, "q");
+  const cv::Vec3b blue = pixelOf(0.05, 0.12, 0.6), yellow = pixelOf(0.9, 0.75, 0.05);
+  constexpr double kDistance = 2, kFront = kDistance - 0.1;
+  const double half_width = poleHalfWidth(camera.settings().sizes, kDistance);
+  for (const double upper : {2.0 / 3, 0.55})
+  {
+    cv::Mat painted = image.clone();  // something blue and yellow before the pole q
+    for (int row = 0; row < image.rows; ++row)
+      for (int column = 0; column < image.cols; ++column)
+      {
+        const cv::Point2d at = cv::Point2d(column, row) - mirror.centre;
+        const double height =
+            mirror.focus_height + kFront * mirror.slopeAt(std::max(1e-3, cv::norm(at) / mirror.focalLength()));
+        if (std::abs(wrap(std::atan2(at.y, at.x) - q.azimuth)) < half_width && height > 0 && height < 1)
+          painted.at<cv::Vec3b>(row, column) = height > 1.0 / 3 && height < upper ? yellow : blue;
+      }
+    const OmniView view = camera.view(painted);
+    EXPECT_EQ(find(view.objects, "q") != nullptr, upper > 0.6) << upper;
+  }
+}
+
 TEST(OmniCamera, MeasuresTheVisibleSideOfACoveredPole)
 {
   // Something upright is painted in front of a third of the pole: a sector from the floor before the pole to the rim.

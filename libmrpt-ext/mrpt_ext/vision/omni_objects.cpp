@@ -154,6 +154,7 @@ bool OmniCamera::measure(const cv::Mat& image, const std::string& label, const O
       return measureCovered(image, label, guess, *cover, view);
   if (!silhouette) return false;
   const ObjectGuess seen{silhouette->azimuth, silhouette->width_ratio * guess.half_width, guess.distance};
+  if (!is_ball && !bandsMeetThere(image, settings_.mirror, settings_.sizes, seen)) return false;
   const ExpectedWidth expected = is_ball
                                      ? widthOfBall(settings_, guess)
                                      : widthByBands(image, settings_, seen)
@@ -175,14 +176,14 @@ bool OmniCamera::measureCovered(const cv::Mat& image, const std::string& label, 
 {
   // The pole's colours are seen about the guess, from what hides the rest to the other edge.
   const ObjectGuess part{guess.azimuth, std::abs(cover.edge - guess.azimuth), guess.distance};
-  const ExpectedWidth expected =
-      widthByBands(image, settings_, part).value_or(ExpectedWidth{guess.half_width, kGuessedWidth * guess.half_width});
+  const auto expected = widthByBands(image, settings_, part);
+  if (!expected) return false;
   const auto edge = measureEdge(image, settings_.mirror, part.azimuth, poleSlices(settings_, part),
                                 settings_.min_slices, -cover.side);
   if (!edge) return false;
-  const double std = std::sqrt(square(edge->std_azimuth) + square(settings_.std_floor) + square(expected.std));
+  const double std = std::sqrt(square(edge->std_azimuth) + square(settings_.std_floor) + square(expected->std));
   view.objects.push_back(
-      {label, wrap(edge->azimuth + cover.side * expected.half_width), std, expected.half_width, guess.distance});
+      {label, wrap(edge->azimuth + cover.side * expected->half_width), std, expected->half_width, guess.distance});
   return true;
 }
 

@@ -77,14 +77,14 @@ BlurredPowers blurredPowers(double u, double h, double s)
   return b;
 }
 
-/// Least squares with `Unknowns` linear ones, of each channel its own, that are eliminated. All channels have the same
-/// rows.
-template <int Unknowns, int Channels>
+/// Least squares with `Unknowns` linear ones, of each channel its own, that are eliminated, for the first `Parameters`
+/// of the outline. All channels have the same rows.
+template <int Unknowns, int Channels, int Parameters>
 class Eliminated
 {
  public:
   using Row = Eigen::Matrix<double, 1, Unknowns>;
-  using Derivatives = Eigen::Matrix<double, Unknowns, 3>;  ///< of a row's entries by the outline
+  using Derivatives = Eigen::Matrix<double, Unknowns, Parameters>;  ///< of a row's entries by the outline
   using Values = Eigen::Matrix<double, 1, Channels>;
 
   explicit Eliminated(std::size_t count) { samples_.reserve(count); }
@@ -96,6 +96,8 @@ class Eliminated
   [[nodiscard]] OutlineEquations equations() const
   {
     OutlineEquations equations;
+    auto information = equations.information.template topLeftCorner<Parameters, Parameters>();
+    auto gradient = equations.gradient.template head<Parameters>();
     const Eigen::LDLT<Normal> solver(normal_);
     for (int c = 0; c < Channels; ++c)
     {
@@ -105,17 +107,17 @@ class Eliminated
       residuals.reserve(samples_.size());
       for (const Sample& s : samples_)
       {
-        const Eigen::RowVector3d slope = solution.transpose() * s.derivatives;
+        const Eigen::Matrix<double, 1, Parameters> slope = solution.transpose() * s.derivatives;
         const double residual = s.values[c] - s.row.dot(solution);
-        mixed += s.row.transpose() * slope, equations.information += slope.transpose() * slope;
-        equations.gradient += slope.transpose() * residual;
+        mixed += s.row.transpose() * slope, information += slope.transpose() * slope;
+        gradient += slope.transpose() * residual;
         residuals.push_back(residual);
         equations.slopes += slope[0] * slope[0], equations.slope_squares += square(slope[0] * residual);
       }
-      for (int i = 0; i < 3; ++i)
+      for (int i = 0; i < Parameters; ++i)
       {
         const Eigen::Matrix<double, Unknowns, 1> column = solver.solve(mixed.col(i));
-        equations.information.col(i) -= mixed.transpose() * column;
+        information.col(i) -= mixed.transpose() * column;
       }
     }
     return equations;
@@ -168,7 +170,7 @@ Shares sharesAt(double u, const Outline& outline)
 template <int Backgrounds>
 OutlineEquations colourEquationsWith(const SliceProfile& profile, const Outline& outline)
 {
-  using Unknowns = Eliminated<1 + Backgrounds, 2>;
+  using Unknowns = Eliminated<1 + Backgrounds, 2, 3>;
   const double h = outline.half_width, clear = std::min(kClearOfEdge * outline.blur, kMostClearShare * h);
   Unknowns channels(profile.size());
   for (std::size_t i = 0; i < profile.size(); ++i)
@@ -212,26 +214,21 @@ OutlineEquations colourEquationsOfSides(const SliceProfile& profile, const Outli
 OutlineEquations brightnessEquations(const SliceProfile& profile, const Outline& outline)
 {
   const double h = profile.half_width;  // what the shade's terms are counted in
-  using Unknowns = Eliminated<5, 1>;
+  using Unknowns = Eliminated<3, 1, kOutlineParameters>;
   Unknowns luma(profile.size());
   for (std::size_t i = 0; i < profile.size(); ++i)
   {
     const double u = profile.first + static_cast<double>(i) - outline.offset;
     const BlurredPowers b = blurredPowers(u, outline.half_width, outline.blur);
-    const auto of = [&](const std::array<double, 3>& v) {
-      return std::array<double, 3>{v[0], v[1] / h, v[0] - v[2] / (h * h)};
-    };
-    const auto value = of(b.value), position = of(b.by_position), width = of(b.by_half_width), blur = of(b.by_blur);
+    const auto shaded = [&](const std::array<double, 3>& v)
+    { return v[0] + outline.tilt * v[1] / h - outline.bulge * v[2] / (h * h); };
     const double s = outline.blur, low = b.low.density / s, high = b.high.density / s;
-    const Unknowns::Row row(1 - b.low.below, b.high.below, value[0], value[1], value[2]);
+    const Unknowns::Row row(1 - b.low.below, b.high.below, shaded(b.value));
     Unknowns::Derivatives derivatives;
-    derivatives.row(0) << low, -low, low * (u + outline.half_width) / s;
-    derivatives.row(1) << -high, -high, -high * (u - outline.half_width) / s;
-    for (int k = 0; k < 3; ++k)
-    {
-      const auto j = static_cast<std::size_t>(k);
-      derivatives.row(2 + k) << -position[j], width[j], blur[j];
-    }
+    derivatives.row(0) << low, -low, low * (u + outline.half_width) / s, 0, 0;
+    derivatives.row(1) << -high, -high, -high * (u - outline.half_width) / s, 0, 0;
+    derivatives.row(2) << -shaded(b.by_position), shaded(b.by_half_width), shaded(b.by_blur), b.value[1] / h,
+        -b.value[2] / (h * h);
     luma.add(row, derivatives, Unknowns::Values(profile.luma[i]));
   }
   return luma.equations();

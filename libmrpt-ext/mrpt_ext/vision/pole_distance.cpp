@@ -16,6 +16,7 @@ constexpr double kMiddleShare = 0.4;     ///< of its half width to either side
 constexpr double kSample = 0.25;         ///< [px] along a radius
 constexpr double kStdBoundary = 0.15;    ///< [px] of a boundary's radius
 constexpr double kMostResidual = 0.6;    ///< [px] boundaries that fit no distance are not the pole's
+constexpr double kMostOffByColour = 2;   ///< [px] of a boundary from that of all colours: pixels of coarse colour
 constexpr double kMostChange = 0.12;     ///< of the distance by all colours, share
 constexpr double kLeastContrast = 0.05;  ///< squared difference of the bands' colours, share of their squared levels
 constexpr std::array kBoundaries{2.0 / 3, 1.0 / 3};  ///< shares of the pole's height
@@ -76,19 +77,43 @@ std::optional<double> boundaryBetween(const cv::Mat& image, const HyperbolicMirr
   if (inside < level || inside > count - level) return std::nullopt;
   return low + inside / count * (high - low) + codingShift(inner, outer) / mirror.focalLength();
 }
+
+/// Image radius of a share of the height of a pole: what is seen of it is its front.
+double rhoOnPole(const HyperbolicMirror& mirror, const FieldObjectSizes& sizes, double share, double distance)
+{
+  return mirror.rhoAt(mirror.slopeOf(share * sizes.pole_height, distance - sizes.pole_radius));
+}
+
+/// Image radius of a boundary, sought where the guess has it.
+std::optional<double> boundaryAt(const cv::Mat& image, const HyperbolicMirror& mirror, const FieldObjectSizes& sizes,
+                                 const ObjectGuess& guess, double share)
+{
+  return boundaryBetween(image, mirror, guess, rhoOnPole(mirror, sizes, share - kHalfBand, guess.distance),
+                         rhoOnPole(mirror, sizes, share + kHalfBand, guess.distance));
+}
 }  // namespace
+
+bool bandsMeetThere(const cv::Mat& image, const HyperbolicMirror& mirror, const FieldObjectSizes& sizes,
+                    const ObjectGuess& guess)
+{
+  for (const double share : kBoundaries)
+  {
+    if (rhoOnPole(mirror, sizes, share + kHalfBand, guess.distance) > mirror.rimRho()) continue;
+    const auto rho = boundaryAt(image, mirror, sizes, guess, share);
+    const double expected = rhoOnPole(mirror, sizes, share, guess.distance);
+    return rho && std::abs(*rho - expected) * mirror.focalLength() < kMostOffByColour;
+  }
+  return false;
+}
 
 std::optional<PoleDistance> distanceByBands(const cv::Mat& image, const HyperbolicMirror& mirror,
                                             const FieldObjectSizes& sizes, const ObjectGuess& guess)
 {
-  // What is seen of the pole is its front.
-  const auto rho_of = [&](double share, double distance)
-  { return mirror.rhoAt(mirror.slopeOf(share * sizes.pole_height, distance - sizes.pole_radius)); };
+  const auto rho_of = [&](double share, double distance) { return rhoOnPole(mirror, sizes, share, distance); };
   std::array<double, kBoundaries.size()> seen{};
   for (std::size_t i = 0; i < kBoundaries.size(); ++i)
   {
-    const auto rho = boundaryBetween(image, mirror, guess, rho_of(kBoundaries[i] - kHalfBand, guess.distance),
-                                     rho_of(kBoundaries[i] + kHalfBand, guess.distance));
+    const auto rho = boundaryAt(image, mirror, sizes, guess, kBoundaries[i]);
     if (!rho) return std::nullopt;
     seen[i] = *rho;
   }

@@ -18,4 +18,10 @@ struct PoleDistance
 /// where a boundary is not seen or the boundaries fit no distance.
 [[nodiscard]] std::optional<PoleDistance> distanceByBands(const cv::Mat& image, const HyperbolicMirror& mirror,
                                                           const FieldObjectSizes& sizes, const ObjectGuess& guess);
+
+/// True where the upper two bands meet as high as they do on a pole at about this distance; the lower two, where the
+/// upper boundary is outside the mirror. Only what is as high hides the upper boundary, which is about as high as the
+/// mirror, so that the distance hardly moves it.
+[[nodiscard]] bool bandsMeetThere(const cv::Mat& image, const HyperbolicMirror& mirror, const FieldObjectSizes& sizes,
+                                  const ObjectGuess& guess);
 }  // namespace mrpt_ext

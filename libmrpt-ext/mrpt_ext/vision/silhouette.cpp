@@ -21,8 +21,10 @@ constexpr double kOutlierSlice = 3;                ///< standard deviations
 constexpr double kAgreement = 0.15;                ///< [px] by which slices may differ in any case, as std. deviation
 constexpr double kUsualBlur = 1, kStdBlur = 1;     ///< [px]
 constexpr double kLeastBlur = 0.4, kMostBlur = 3;  ///< [px]
-constexpr double kStdRatio = 0.1;                  ///< of the seen width over the expected one, where nothing shows
-constexpr double kStdRatioOfPart = 0.3;            ///< likewise of a part that is seen
+constexpr double kUsualBulge = 0.3, kStdShade = 0.5;  ///< of tilt and bulge, where nothing shows
+constexpr double kMostShade = 1;
+constexpr double kStdRatio = 0.1;        ///< of the seen width over the expected one, where nothing shows
+constexpr double kStdRatioOfPart = 0.3;  ///< likewise of a part that is seen
 constexpr double kLeastRatio = 0.3, kMostRatio = 2;
 constexpr double kMostRatioStep = 0.2;
 constexpr double kProfileKnown = 0.035;    ///< of the blur, to which an edge is known that is not as soft as a Gaussian
@@ -51,6 +53,7 @@ struct Common
   double offset = 0;  ///< [rad] of the middle, or of the edge that is looked for, from the guess
   double ratio = 1;   ///< of its width to the expected one
   double blur = kUsualBlur;
+  double tilt = 0, bulge = kUsualBulge;  ///< of its shade
 };
 
 /// The same with standard deviations.
@@ -61,7 +64,7 @@ struct Located
   int slices = 0;  ///< that agree
 };
 
-/// One slice at the present outline; equations are by offset [rad], ratio and blur.
+/// One slice at the present outline; equations are by offset [rad], ratio, blur and shade.
 struct Slice
 {
   OutlineEquations equations;
@@ -74,10 +77,12 @@ Slice sliceAt(const SliceProfile& profile, const Common& common, Equations equat
   Slice slice;
   // An edge that stays where it is takes the middle along when the width changes.
   const double middle = common.offset / profile.per_pixel - side * (common.ratio - 1) * profile.half_width;
-  slice.equations = equations(
-      profile, {middle + 0.5 * (profile.shift_low - profile.shift_high),
-                common.ratio * profile.half_width - 0.5 * (profile.shift_low + profile.shift_high), common.blur});
-  Eigen::Matrix3d outline_by_common = Eigen::Vector3d(1 / profile.per_pixel, profile.half_width, 1).asDiagonal();
+  slice.equations =
+      equations(profile, {middle + 0.5 * (profile.shift_low - profile.shift_high),
+                          common.ratio * profile.half_width - 0.5 * (profile.shift_low + profile.shift_high),
+                          common.blur, common.tilt, common.bulge});
+  OutlineMatrix outline_by_common = OutlineMatrix::Identity();
+  outline_by_common(0, 0) = 1 / profile.per_pixel, outline_by_common(1, 1) = profile.half_width;
   outline_by_common(0, 1) = -side * profile.half_width;
   slice.equations.information = outline_by_common.transpose() * slice.equations.information * outline_by_common;
   slice.equations.gradient = outline_by_common.transpose() * slice.equations.gradient;
@@ -209,8 +214,12 @@ class OutlineSearch
       dropOutliers(slices_, kAgreement / profiles_.front().half_width, [](const Slice& s) { return s.step[1]; });
       dropOutliers(slices_, kAgreement * per_pixel_, [](const Slice& s) { return s.step[0]; });
     }
-    information_ = Eigen::Vector3d(1e-6, 1 / square(search_.std_ratio), 1 / square(kStdBlur)).asDiagonal();
-    gradient_ = {0, (1 - common_.ratio) / square(search_.std_ratio), (kUsualBlur - common_.blur) / square(kStdBlur)};
+    const OutlineVector information{1e-6, 1 / square(search_.std_ratio), 1 / square(kStdBlur), 1 / square(kStdShade),
+                                    1 / square(kStdShade)};
+    const OutlineVector off{0, 1 - common_.ratio, kUsualBlur - common_.blur, -common_.tilt,
+                            kUsualBulge - common_.bulge};
+    information_ = information.asDiagonal();
+    gradient_ = information.cwiseProduct(off);
     for (const Slice& s : slices_)
     {
       information_ += weightOf(s) * s.equations.information;
@@ -219,12 +228,14 @@ class OutlineSearch
   }
 
   /// True when the step was too small for another one.
-  bool move(const Eigen::Vector3d& step)
+  bool move(const OutlineVector& step)
   {
     common_.offset += std::clamp(step[0], -per_pixel_, per_pixel_);
     common_.ratio += std::clamp(step[1], -kMostRatioStep, kMostRatioStep);
     common_.ratio = std::clamp(common_.ratio, kLeastRatio, kMostRatio);
     common_.blur = std::clamp(common_.blur + step[2], kLeastBlur, kMostBlur);
+    common_.tilt = std::clamp(common_.tilt + step[3], -kMostShade, kMostShade);
+    common_.bulge = std::clamp(common_.bulge + step[4], -kMostShade, kMostShade);
     const double edges = std::abs(step[0]) / per_pixel_ + std::abs(step[1]) * profiles_.front().half_width;
     return edges + std::abs(step[2]) < kLastStep;
   }
@@ -237,14 +248,14 @@ class OutlineSearch
   [[nodiscard]] Located located() const
   {
     const auto count = static_cast<double>(slices_.size());
-    const Eigen::Matrix3d covariance = information_.inverse();
-    Eigen::Vector3d scatter = Eigen::Vector3d::Zero();
+    const OutlineMatrix covariance = information_.inverse();
+    OutlineVector scatter = OutlineVector::Zero();
     for (const Slice& s : slices_) scatter += (weightOf(s) * covariance * s.equations.gradient).cwiseAbs2();
     const Correlation correlation = correlationOf(slices_, common_.blur);
     const double left_out = static_cast<double>(profiles_.size()) / count;  // some of it noise like the others'
     const double inflation = left_out * (1 + (count - 1) * correlation.between) / (1 - correlation.between);
-    const Eigen::Vector3d variance = inflation / (count - 1 + kScatterPrior) *
-                                     (count * scatter + kScatterPrior * correlation.along * covariance.diagonal());
+    const OutlineVector variance = inflation / (count - 1 + kScatterPrior) *
+                                   (count * scatter + kScatterPrior * correlation.along * covariance.diagonal());
     return {common_, std::hypot(std::sqrt(variance[0]), kProfileKnown * common_.blur * per_pixel_),
             std::hypot(std::sqrt(variance[1]), ratioByBlur()), static_cast<int>(slices_.size())};
   }
@@ -264,8 +275,8 @@ class OutlineSearch
   Common common_;
   std::vector<Slice> slices_;  ///< that agree
   double noise_ = 1;           ///< median variance of residuals
-  Eigen::Matrix3d information_;
-  Eigen::Vector3d gradient_;
+  OutlineMatrix information_;
+  OutlineVector gradient_;
 };
 
 /// Mean of two values weighted by their variances; the deviation of the first becomes that of the mean.
