@@ -74,8 +74,7 @@ void ConsiderCovariance::follow(std::optional<KalmanState> now, const Frame& fra
     state();
   }
   if (!now) restart();
-  was_verified_ = now && (was_verified_ || verified);
-  if (was_verified_) noise_.confirm();
+  if (now && verified) noise_.confirm();
   stated_ = std::move(now);
 }
 
@@ -88,7 +87,6 @@ Frame ConsiderCovariance::withExcess(Frame frame) const
 void ConsiderCovariance::restart()
 {
   stated_.reset();
-  was_verified_ = false;
   persistent_.restart();
   systematic_.restart();
   noise_.restart();

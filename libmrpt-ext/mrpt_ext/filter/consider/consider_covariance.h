@@ -26,8 +26,8 @@ class ConsiderCovariance
   ConsiderCovariance(MotionModel motion, BiasModel biases, const LandmarkTable& map,
                      const std::optional<GaussianPose>& start);
 
-  /// The filter has taken this frame and states `now`: nothing while it has more than one mode. `verified`: it is known
-  /// to be the right one; until then it does not tell the noise of odometry.
+  /// The filter has taken this frame and states `now`: nothing while it has more than one mode. `verified`: it
+  /// passed the pose test; until then nothing is learned about the noise of odometry. Filters without a test say so.
   void follow(std::optional<KalmanState> now, const Frame& frame, bool verified);
   /// The frame that the filter is to take: its motion with what its noise exceeds the stated one by.
   [[nodiscard]] Frame withExcess(Frame frame) const;
@@ -60,7 +60,6 @@ class ConsiderCovariance
   std::optional<KalmanState> stated_;  // after the last frame
   Matrix3d added_ = Matrix3d::Zero();
   Matrix3d assumed_ = Matrix3d::Zero();  // of that, by lever arms and delays
-  bool was_verified_ = false;            // since the estimate started anew
   double yaw_std_ = 0;                   // [rad] of that, of the axes of the sensors
 };
 }  // namespace mrpt_ext

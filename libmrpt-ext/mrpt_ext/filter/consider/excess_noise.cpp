@@ -116,7 +116,7 @@ void ExcessNoise::learn(const LinearStep& step, const Eigen::VectorXd& lasting)
   more(kMeasured, kMeasured) += count - 2 * explained.trace() + explained.cwiseProduct(explained.transpose()).sum();
 
   PartVector used = PartVector::Ones();
-  for (int i = 0; i < kMeasured; ++i) used[i] = learned_.factors[static_cast<std::size_t>(i)];
+  for (int i = 0; i < kMeasured; ++i) used[i] = known_.factors[static_cast<std::size_t>(i)];  // as predicted
   shown = shown.cwiseMin(kSurpriseLimit * expected);
   if (!more.allFinite() || !shown.allFinite()) return;
   const double kept = std::exp(-std::max(0.0, step.motion.duration) / kNoiseMemory);

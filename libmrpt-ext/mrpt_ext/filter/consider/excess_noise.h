@@ -21,13 +21,13 @@ class ExcessNoise
   /// Propagates through one step of the filter, and learns from its innovations. `lasting`: variance of the errors of
   /// each row that last: beside those the noise of odometry has to be seen.
   void update(const LinearStep& step, const Eigen::VectorXd& lasting);
-  /// The estimate is right: what its innovations have shown so far is known.
+  /// The estimate has been verified: what its innovations have shown so far is used.
   void confirm() { known_ = learned_; }
   /// The estimate starts anew, with an error that no odometry caused. What was known is kept; the innovations of an
   /// estimate that nothing confirmed may be those of a wrong pose, which look as if odometry were bad.
   void restart();
 
-  /// Of the variances, as they are known; at least 1.
+  /// Of the variances, as far as confirmed; at least 1.
   [[nodiscard]] const PerNoiseSource<double>& factors() const { return known_.factors; }
   /// Covariance of this motion beyond its stated noise.
   [[nodiscard]] Matrix3d excess(const OdometryMotion& motion) const;

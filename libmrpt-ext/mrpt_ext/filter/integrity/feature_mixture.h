@@ -11,13 +11,12 @@ struct FeatureDensities
   bool any = false;    ///< there are features to compare with
   double in_view = 0;  ///< their expected number
   double sum = 0;      ///< of their densities of the detection
-  double best = 0;     ///< the largest of these
 };
 
 /// A detection comes from one of the features in view, all with equal chances, from a new one or from clutter. New ones
-/// are expected with their frequency so far (Laplace's rule of succession). Which detections were new is not known: each
-/// counts with its probability (quasi-Bayes estimate of mixture weights; Smith, Makov, J. Roy. Stat. Soc. B 40, 1978).
-/// Counted by the likelier case instead, a run of new ones would make all later ones seem new as well.
+/// are expected with their frequency so far (Laplace's rule of succession). Which detections were new is not known:
+/// each counts with its probability (quasi-Bayes estimate of mixture weights; Smith, Makov, J. Roy. Stat. Soc. B 40,
+/// 1978). Counted by the likelier case instead, a run of new ones would make all later ones seem new as well.
 class FeatureMixture
 {
  public:
@@ -34,11 +33,11 @@ class FeatureMixture
   {
     const double p_new = known.any ? (new_ + 1) / (count_ + 2) : 1;
     const double p_each = (1 - p_new) / std::max(1.0, known.in_view);
-    const double density = clutter * uniform + (1 - clutter) * (p_new * uniform + p_each * known.sum);
-    const bool is_known = p_each * known.sum > p_new * uniform;
+    const double of_new = p_new * uniform, of_known = p_each * known.sum;
     count_ += 1;
-    new_ += p_new * uniform / (p_new * uniform + p_each * known.sum);
-    return {std::log(density), is_known, p_new, p_each};
+    new_ += of_new + of_known > 0 ? of_new / (of_new + of_known) : 1;
+    const double density = clutter * uniform + (1 - clutter) * (of_new + of_known);
+    return {std::log(density), of_known > of_new, p_new, p_each};
   }
 
  private:

@@ -93,7 +93,6 @@ FeatureMixture::Outcome NullModel::observe(const Reading& reading, const Detecti
     }
   }
   known.any = best != nullptr;
-  known.best = best_prediction.density;
   const FeatureMixture::Outcome outcome = mixture_.observe(known, uniform, reading.model.clutter_probability);
   if (outcome.is_known)
   {

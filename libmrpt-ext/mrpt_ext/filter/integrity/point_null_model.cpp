@@ -49,18 +49,20 @@ FeatureMixture::Outcome PointNullModel::observe(const Reading& reading, const De
                     axes.transpose();
 
   const double uniform = 1 / measurementVolume(detection, reading.model, max_range_);
-  FeatureDensities known{.any = !features_.empty()};
+  FeatureDensities known;
+  double best_density = 0;
   auto best = features_.end();
   for (auto feature = features_.begin(); feature != features_.end(); ++feature)
   {
     if (feature->sensor != seen.sensor || feature->category != seen.category) continue;
+    known.any = true;
     // d(x, y) = range d(range, bearing)
     const double density = range * normalDensity(seen.mean - feature->mean, feature->covariance + seen.covariance);
     known.sum += density;
     if (isInView(feature->mean, reading)) known.in_view += 1;
-    if (!(density > known.best)) continue;
+    if (!(density > best_density)) continue;
     best = feature;
-    known.best = density;
+    best_density = density;
   }
   const FeatureMixture::Outcome outcome = mixture_.observe(known, uniform, reading.model.clutter_probability);
   if (outcome.is_known)

@@ -10,7 +10,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr std::size_t kMost = 100;  // as many as a null model tracks
+constexpr std::size_t kMost = 100;  // as many as PointNullModel tracks
 
 std::vector<float> logLikelihoods(const Reading& part, const LandmarkTable& map, const Vector2d& origin,
                                   const PoseBatch& poses)
@@ -39,9 +39,11 @@ LandmarkTable SeenLandmarks::seenOf(const Detection& detection, const LandmarkTa
 
 LandmarkTable SeenLandmarks::unseen(const LandmarkTable& map) const
 {
+  std::vector<bool> is_seen(map.size(), false);
+  for (const std::size_t index : indices_) is_seen[index] = true;
   std::vector<Landmark> rest;
   for (std::size_t k = 0; k < map.size(); ++k)
-    if (std::find(indices_.begin(), indices_.end(), k) == indices_.end()) rest.push_back(map[k]);
+    if (!is_seen[k]) rest.push_back(map[k]);
   return LandmarkTable(rest);
 }
 
@@ -52,9 +54,9 @@ void SeenLandmarks::score(const Reading& part, const LandmarkTable& map, const V
   const Detection& detection = part.detections.front();
   Reading same_volume = part;  // not that of a smaller map
   same_volume.model.max_range = part.model.max_range.value_or(defaultMaxRange(map));
-  // A bearing that the null model knows again shows no landmark for the first time. So is it with ranges, but to count
-  // that there left two thirds of the right poses among barriers unverified and spared no wrong one.
-  const bool is_known = expected.is_known && !detection.range;
+  // A bearing that the null model recognizes shows no landmark for the first time. The same holds for detections with a
+  // range, but there this left two thirds of the right poses among barriers unverified and rejected no wrong one more.
+  const bool is_known = expected.is_known && !detection.range && !indices_.empty();
   const std::vector<float> of_new = logLikelihoods(same_volume, is_known ? unseen(map) : map, origin, poses);
   const LandmarkTable seen = seenOf(detection, map);
   double in_view = 0;
@@ -67,8 +69,8 @@ void SeenLandmarks::score(const Reading& part, const LandmarkTable& map, const V
   const std::vector<float> of_seen = logLikelihoods(same_volume, seen, origin, poses);
   const double p_new = seen.empty() ? 1 : expected.share_new;
   const double p_seen = std::min(1 - p_new, expected.share_each * std::max(1.0, in_view));
-  const double clutter = boundedClutter(part.model.clutter_probability) /
-                         measurementVolume(detection, part.model, defaultMaxRange(map));
+  const double clutter =
+      boundedClutter(part.model.clutter_probability) / measurementVolume(detection, part.model, defaultMaxRange(map));
   for (std::size_t i = 0; i < log_likelihood.size(); ++i)
     log_likelihood[i] += static_cast<float>(std::log(
         p_new * std::exp(double{of_new[i]}) + p_seen * std::exp(double{of_seen[i]}) + (1 - p_new - p_seen) * clutter));

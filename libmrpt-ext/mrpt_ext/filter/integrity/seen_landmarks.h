@@ -18,7 +18,8 @@ namespace mrpt_ext
 /// are seen again and again, which either hypothesis expects. If the pose hypothesis spread its detections over the
 /// whole map instead, each one of a tracked feature would speak against it by the logarithm of the number of landmarks,
 /// at the right pose as well. So a detection shows something new with the probability that the null model gives to
-/// that, and each landmark that was seen before with that of one of its features: a landmark is one of them.
+/// that, and each landmark that was seen before with that of one of its features: a landmark is one of them. A bearing
+/// that the null model recognizes is not expected of a landmark that was not seen yet.
 class SeenLandmarks
 {
  public:
@@ -31,8 +32,9 @@ class SeenLandmarks
              const FeatureMixture::Outcome& expected, std::span<float> log_likelihood) const;
 
  private:
-  /// Of those that the detection may show.
+  /// Those of them that the detection may show.
   [[nodiscard]] LandmarkTable seenOf(const Detection& detection, const LandmarkTable& map) const;
+  /// All others of the map.
   [[nodiscard]] LandmarkTable unseen(const LandmarkTable& map) const;
 
   std::vector<std::size_t> indices_;  // in the map, the one seen last is the last one

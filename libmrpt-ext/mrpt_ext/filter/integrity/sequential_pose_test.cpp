@@ -11,6 +11,7 @@
 #include "mrpt_ext/likelihood/missed_detections.h"
 #include "mrpt_ext/likelihood/reading_scorer.h"
 #include "mrpt_ext/likelihood/running_fix_likelihood.h"
+#include "mrpt_ext/likelihood/sensor_bias.h"
 
 namespace mrpt_ext
 {
@@ -37,9 +38,30 @@ std::vector<Reading> parts(const Reading& reading)
   return result;
 }
 
-/// An anonymous range or bearing alone fits so many landmarks that none can be told to be seen again, and so many poses
-/// that those right about one landmark are not the strongest rivals.
+/// An anonymous range or bearing alone fits so many poses that those right about one landmark are not the strongest
+/// rivals, and fits by chance so often that a share of strays learned from it would let wrong poses pass.
 bool tellsPlace(const Detection& detection) { return detection.range && detection.bearing; }
+
+/// The nearest landmark and the distance of the second.
+class NearestOfTwo
+{
+ public:
+  void add(std::size_t landmark, double distance)
+  {
+    if (distance < nearest_) best_ = landmark;
+    second_ = std::min(second_, std::max(nearest_, distance));
+    nearest_ = std::min(nearest_, distance);
+  }
+  /// Nothing where the second is nearly as near.
+  [[nodiscard]] std::optional<std::size_t> clear() const
+  {
+    return nearest_ < kClearlyNearer * second_ ? std::optional(best_) : std::nullopt;
+  }
+
+ private:
+  double nearest_ = std::numeric_limits<double>::infinity(), second_ = nearest_;
+  std::size_t best_ = 0;
+};
 
 /// Where the only detection, with range and bearing, is in the map: the mean over the particles.
 Vector2d placeOf(const Reading& part, const ParticleSet& particles)
@@ -59,42 +81,39 @@ Vector2d placeOf(const Reading& part, const ParticleSet& particles)
   return weights > 0 ? Vector2d(sum / weights) : sum;
 }
 
-/// How far the only detection, an anonymous one, is from where each landmark would be seen by the particles: [m] with a
-/// range, [rad] without one.
-std::vector<double> distancesTo(const LandmarkTable& map, const Reading& part, const ParticleSet& particles)
-{
-  const Detection& detection = part.detections.front();
-  std::vector<double> result(map.size());
-  if (detection.range)
-  {
-    const Vector2d place = placeOf(part, particles);
-    for (std::size_t k = 0; k < map.size(); ++k) result[k] = (map[k].position.head<2>() - place).norm();
-    return result;
-  }
-  const auto heaviest = std::max_element(particles.log_weight.begin(), particles.log_weight.end());
-  const Pose2 pose = particles.pose(static_cast<std::size_t>(heaviest - particles.log_weight.begin()));
-  for (std::size_t k = 0; k < map.size(); ++k)
-    result[k] = std::abs(wrap(*detection.bearing - predict(map[k], part, pose).bearing));
-  return result;
-}
-
-/// Index of the landmark that the only detection, which has a bearing, shows if it is no clutter. Nothing where another
-/// is nearly as near.
+/// Index of the landmark that the only detection shows if it is no clutter. Nothing where another is nearly as near,
+/// and for an anonymous range or bearing.
 std::optional<std::size_t> landmarkIn(const Reading& part, const LandmarkTable& map, const ParticleSet& particles)
 {
   const Detection& detection = part.detections.front();
   if (detection.id != kNoId) return map.indexOf(detection.id);
-  if (!detection.bearing) return std::nullopt;
-  double nearest = std::numeric_limits<double>::infinity(), second = nearest;
-  std::size_t best = 0, index = 0;
-  for (const double away : distancesTo(map, part, particles))
+  if (!tellsPlace(detection)) return std::nullopt;
+  const Vector2d place = placeOf(part, particles);
+  NearestOfTwo nearest;
+  for (std::size_t k = 0; k < map.size(); ++k) nearest.add(k, (map[k].position.head<2>() - place).norm());
+  return nearest.clear();
+}
+
+/// Index of the landmark that the only detection, an anonymous bearing, shows if it is no clutter, seen from the
+/// heaviest particle. Nothing where another one in view is nearly as near.
+std::optional<std::size_t> landmarkInDirection(const Reading& part, const LandmarkTable& map,
+                                               const ParticleSet& particles)
+{
+  if (particles.size() == 0) return std::nullopt;
+  const Detection& detection = part.detections.front();
+  const auto first = particles.log_weight.begin();
+  const auto heaviest = static_cast<std::size_t>(std::max_element(first, particles.log_weight.end()) - first);
+  const Pose2 pose = particles.pose(heaviest);
+  const SensorBias bias = sensorBias(particles.poses(), heaviest, part.sensor);
+  NearestOfTwo nearest;
+  for (std::size_t k = 0; k < map.size(); ++k)
   {
-    if (away < nearest) best = index;
-    second = std::min(second, std::max(nearest, away));
-    nearest = std::min(nearest, away);
-    ++index;
+    if (!mayShow(detection, map[k])) continue;
+    LandmarkPrediction prediction = predict(map[k], part, pose);
+    applyBias(prediction, bias);
+    if (prediction.visibility > 0) nearest.add(k, std::abs(wrap(*detection.bearing - prediction.bearing)));
   }
-  return nearest < kClearlyNearer * second ? std::optional(best) : std::nullopt;
+  return nearest.clear();
 }
 
 /// True when a landmark is seen to face in a direction that leaves one heading.
@@ -208,18 +227,21 @@ void SequentialPoseTest::test(const std::vector<Reading>& readings, const Landma
     {
       const FeatureMixture::Outcome without_map = observeWithoutMap(part, defaultMaxRange(map));
       const std::optional<std::size_t> landmark = landmarkIn(part, map, particles);
-      // What a tracked feature is was seen before.
-      if (landmark && without_map.is_known && tellsPlace(part.detections.front())) seen_.add(*landmark);
+      // A feature that the null model recognizes is a landmark that was seen before.
+      if (landmark && without_map.is_known) seen_.add(*landmark);
       const bool is_feature = hasAnonymous(part) && part.detections.front().bearing;
+      const bool is_point = is_feature && tellsPlace(part.detections.front());
       if (is_feature)
       {
         seen_.score(part, map, particles.origin, particles.poses(), without_map, particles.log_weight);
-        if (landmark) seen_.add(*landmark);
+        // Which landmark a bearing shows is chosen by the bearing itself, so it was seen only from now on.
+        const auto shown = is_point ? landmark : landmarkInDirection(part, map, particles);
+        if (shown) seen_.add(*shown);
       }
       else
         ReadingScorer(part, map, clutter, particles.origin).addTo(particles.poses(), particles.log_weight);
       double log_ratio = normalizeWeights(particles).log_sum - without_map.log_density;
-      if (is_feature && tellsPlace(part.detections.front())) log_ratio = strays_.counted(log_ratio, part.model);
+      if (is_point) log_ratio = strays_.counted(log_ratio, part.model);
       log_odds_ = std::min(log_odds_ + counted(part, landmark, log_ratio, {first, share_of_new}), kMaxLogOdds);
     }
     if (first && scoresMissedDetections(reading)) log_odds_ += missed_.count(reading, map, particles);
@@ -233,7 +255,7 @@ double SequentialPoseTest::counted(const Reading& part, std::optional<std::size_
     log_ratio = spot_.counted(std::min(log_ratio, kMaxLogOdds - log_odds_), spot.first);
   else
     log_ratio = againstRepetition(log_ratio, spot.share_of_new, boundedClutter(part.model.clutter_probability));
-  if (!landmark || (hasAnonymous(part) && !tellsPlace(part.detections.front()))) return log_ratio;
+  if (!landmark) return log_ratio;
   const double against_rivals = by_landmark_.add(*landmark, log_ratio);
   if (log_odds_ <= 0) rivals_refuted_ = false;
   if (verified() || heading_measured_ || heading_seen_) rivals_refuted_ = true;
