@@ -330,6 +330,28 @@ TEST(ConsiderCovariance, SensorsTakeTurns)
   EXPECT_GT(consider.added().trace(), 0);
 }
 
+TEST(ConsiderCovariance, OnlyAVerifiedPoseTellsTheNoiseOfOdometry)
+{
+  const auto excessAfter = [](bool verified)
+  {
+    RandomStream random(7, 1);
+    const LandmarkTable map = randomMap(10, 10, random);
+    ConsiderCovariance consider({}, {}, map, {});
+    std::map<std::pair<int, bool>, double> constant;
+    for (int k = 1; k < 200; ++k)
+    {
+      Frame frame = frameOf(map, k, {}, constant, random);
+      frame.motion.increment.phi += degToRad(10) * random.gaussian();
+      consider.follow(startingState({poseAt(k), 1e-4 * Matrix3d::Identity()}, {}), frame, verified);
+    }
+    Frame next;
+    next.motion = {{0.5, 0, 0.1}, 0.5, 0.1, 1};
+    return consider.withExcess(next).motion.excess.trace();
+  };
+  EXPECT_GT(excessAfter(true), 0);
+  EXPECT_EQ(excessAfter(false), 0);
+}
+
 TEST(ConsiderCovariance, ANewEstimateHasNoLastingErrorYet)
 {
   RandomStream random(7, 1);

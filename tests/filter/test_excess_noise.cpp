@@ -168,6 +168,7 @@ TEST(ExcessNoise, WhatNoConfirmedEstimateShowedIsForgotten)
     return largest(noise.factors());
   };
   EXPECT_GT(after(false), 1.5);
+  EXPECT_LT(after(false), 20) << "nine times the stated variance is right";
   EXPECT_EQ(after(true), 1);
 }
 

@@ -97,6 +97,19 @@ TEST(NullModel, RandomBearingsDoNotFitBetterThanAUniformDensity)
   EXPECT_LT(gained, 5);
 }
 
+// A robot that turns sees many features once; then it stands before one of them.
+TEST(NullModel, AfterManyNewFeaturesOneThatIsSeenAgainIsRecognized)
+{
+  NullModel model(kExact, 20);
+  for (int k = 0; k < 20; ++k) (void)model.observe(camera(), bearingOf(-3 + 0.3 * k));
+  const double share_new = model.observe(camera(), bearingOf(0.15)).share_new;
+  FeatureMixture::Outcome last;
+  for (int k = 0; k < 60; ++k) last = model.observe(camera(), bearingOf(0.15));
+  EXPECT_GT(share_new, 0.9);
+  EXPECT_LT(last.share_new, 0.6);
+  EXPECT_TRUE(last.is_known);
+}
+
 TEST(NullModel, FeaturesOfAnotherCategoryOrSensorAreNotExpected)
 {
   NullModel model(kExact, 20);

@@ -94,4 +94,16 @@ TEST(PointNullModel, ItsDensityIntegratesToOne)
     }
   EXPECT_NEAR(sum, 1, 0.01);
 }
+
+TEST(PointNullModel, FeaturesOfAnotherCategoryOrSensorAreNotExpected)
+{
+  PointNullModel model(kExact, 20);
+  for (int k = 0; k < 10; ++k) (void)model.observe(laser(), at(2, 1));
+  Detection pole = at(2, 1);
+  pole.category = "pole";
+  EXPECT_NEAR(model.observe(laser(), pole).log_density, kUniform, 1e-9);
+  Reading other = laser();
+  other.sensor = "other";
+  EXPECT_NEAR(model.observe(other, at(2, 1)).log_density, kUniform, 1e-9);
+}
 }  // namespace mrpt_ext::test_point_null_model

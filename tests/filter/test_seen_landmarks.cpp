@@ -29,14 +29,14 @@ Reading detectionAt(double range, double bearing)
   return reading;
 }
 
-/// `share_new`, `share_each`: by the null model.
+/// `share_new`, `share_each`, `is_known`: by the null model.
 double score(const SeenLandmarks& seen, const Reading& reading, const LandmarkTable& map, double share_new,
-             double share_each)
+             double share_each, bool is_known = false)
 {
   ParticleSet robot(Vector2d(0, 0));
   robot.add({0, 0, 0}, 0);
-  seen.score(reading, map, robot.origin, robot.poses(), {.share_new = share_new, .share_each = share_each},
-             robot.log_weight);
+  seen.score(reading, map, robot.origin, robot.poses(),
+             {.is_known = is_known, .share_new = share_new, .share_each = share_each}, robot.log_weight);
   return double{robot.log_weight[0]};
 }
 
@@ -71,6 +71,25 @@ TEST(SeenLandmarks, WhatWasSeenIsExpectedAsAFeatureOfTheNullModelIs)
       << "more landmarks than features: together what is not new";
   seen.clear();
   EXPECT_NEAR(score(seen, ahead, map, 0.3, 0.7), std::log(oneOf(4)), 1e-4);
+}
+
+TEST(SeenLandmarks, ABearingThatTheNullModelRecognizesShowsNoLandmarkForTheFirstTime)
+{
+  const LandmarkTable map = fourLandmarks();
+  Reading ahead = detectionAt(3, 0);
+  ahead.detections[0].range.reset();
+  SeenLandmarks seen;
+  const double first = score(seen, ahead, map, 0.5, 0.1, true);
+  seen.add(1);
+  const double other_seen = score(seen, ahead, map, 0.5, 0.1, true);
+  EXPECT_NEAR(other_seen, score(seen, ahead, map, 0.5, 0.1, false) + std::log(4.0 / 3), 0.1) << "one of three";
+  EXPECT_LT(other_seen, first);
+  seen.add(0);
+  EXPECT_LT(score(seen, ahead, map, 0.5, 0.01, true), score(seen, ahead, map, 0.5, 0.01, false) - 1)
+      << "it cannot be new";
+  EXPECT_NEAR(score(seen, detectionAt(3, 0), map, 0.5, 0.1, true), score(seen, detectionAt(3, 0), map, 0.5, 0.1, false),
+              1e-6)
+      << "ranges";
 }
 
 TEST(SeenLandmarks, OfAnotherCategoryAreNotExpected)
