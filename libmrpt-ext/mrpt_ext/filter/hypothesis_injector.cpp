@@ -14,7 +14,6 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kInjectedUniformShare = 0.3;
-const Vector3d kSlipStd{0.3, 0.3, degToRad(25.0)};          // of odometry when wheels slip: x, y [m], phi [rad]
 constexpr double kMaxOdds = 10;                             // of a trajectory
 constexpr double kNearXy = 0.7, kNearPhi = degToRad(20.0);  // a trajectory estimates poses roughly
 

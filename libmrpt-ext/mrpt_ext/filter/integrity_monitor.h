@@ -22,7 +22,7 @@ class IntegrityMonitor
                    const BiasModel& biases, const LandmarkTable& map);
 
   /// The filter was initialized globally; for the arguments see SequentialPoseTest::start().
-  void start(const Frame& measurements, const ParticleSet& samples);
+  void start(const Frame& measurements, const ParticleSet& samples, const PoseRegion& region);
   /// The filter was initialized at a known pose: the mode is verified.
   void startVerified(const Frame& frame);
   /// True when identified landmarks end a gap, a long one or one in which the position of the mode under test became
@@ -40,6 +40,8 @@ class IntegrityMonitor
   /// weight, or the mode under test is not precise any more, the test starts again and the result is true. A second
   /// mode that only appears for a while leaves the log odds as they are, and so does a frame without detections.
   bool followMode(const ModeSet& modes, const Frame& frame);
+  /// Follows the mode of a known start, which is under test whatever it looks like.
+  void followKnown(const ModeSet& modes, const Frame& frame);
   /// Updates the inlier ratios with the inliers of the weighted particles. `stated`: their modes, as judged.
   void update(const InlierReport& report, const ModeSet& stated = {});
 
@@ -72,8 +74,9 @@ class IntegrityMonitor
   SensorMonitors sensor_ratios_;
   SequentialPoseTest pose_test_;
   PoseSupport support_;
-  std::optional<KalmanState> tested_mode_;  // the mode under test, predicted by odometry
-  bool gap_ends_ = false;                   // with the frame under test
+  std::optional<KalmanState> last_mode_;  // the last one that was unimodal, predicted by odometry
+  bool under_test_ = false;               // ... and it is under test
+  bool gap_ends_ = false;                 // with the frame under test
   bool contradicted_ = false;
 };
 }  // namespace mrpt_ext

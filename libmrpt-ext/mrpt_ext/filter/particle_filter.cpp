@@ -105,7 +105,7 @@ FilterStep ParticleFilter::initialize(const Frame& frame, const HypothesisSource
   if (options_.initial_mode == InitialMode::gaussian)
     integrity_.startVerified(frame);
   else
-    integrity_.start(start.measurements, start.samples);
+    integrity_.start(start.measurements, start.samples, options_.region);
   FilterStep step = estimate(frame, Recovery::Kind::none);
   resample(step, sources);
   return step;
@@ -233,7 +233,10 @@ FilterStep ParticleFilter::estimate(const Frame& frame, Recovery::Kind injected)
 
   // A known start is the mode under test, however imprecise it becomes, until something else was tried.
   const bool known_start = options_.initial_mode == InitialMode::gaussian && !recovery_.hasInjected();
-  if (!known_start && integrity_.followMode(modes_, frame)) recovery_.resetVerification();
+  if (known_start)
+    integrity_.followKnown(modes_, frame);
+  else if (integrity_.followMode(modes_, frame))
+    recovery_.resetVerification();
   if (options_.mode_kalman_filters) mode_mixture_.associate(modes_, particles_);
   integrity_.update(observation_model_.countInliers(frame, particles_, isTracking()), stated);
 

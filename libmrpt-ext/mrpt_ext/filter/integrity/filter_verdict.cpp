@@ -76,6 +76,12 @@ VerdictWithReason judge(const ModeSet& modes, const VerdictEvidence& evidence, c
         formatted("one mode, but inlier ratio only %.0f %% of the expected value over recent detections", percent));
   if (!(evidence.effective >= kMinEffectiveForOk))
     return ambiguous(formatted("one mode, but only %.0f effective particles", evidence.effective));
+  if (!evidence.verified && evidence.rival)
+    return ambiguous(
+        formatted("one mode, but the map looks alike from x %.2f m, y %.2f m, heading %.0f deg: log odds %.1f "
+                  "against that, %.0f needed",
+                  evidence.rival->x, evidence.rival->y, radToDeg(evidence.rival->phi), evidence.log_odds,
+                  SequentialPoseTest::kAcceptLogOdds));
   if (!evidence.verified)
     return ambiguous(formatted("one mode, not verified yet: log odds %.1f against the null hypothesis, %.0f needed",
                                evidence.log_odds, SequentialPoseTest::kAcceptLogOdds));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "mrpt_ext/filter/modes/modes.h"
@@ -24,13 +25,14 @@ struct VerdictWithReason
 /// What the verdict rests on beside the modes.
 struct VerdictEvidence
 {
-  double inlier_ratio = 1;    ///< of recent detections, relative to the expected one
-  bool lost = false;          ///< the fast inlier ratio is below the limit for `lost`
-  double effective = 1e9;     ///< effective number of particles
-  double log_odds = 0;        ///< of the mode against the null hypothesis (sequential_pose_test.h)
-  bool verified = true;       ///< ... are enough
-  bool contradicted = false;  ///< the recent trajectory fits another pose better
-  bool supported = true;      ///< a landmark fits, or odometry has not moved far since one did (pose_support.h)
+  double inlier_ratio = 1;     ///< of recent detections, relative to the expected one
+  bool lost = false;           ///< the fast inlier ratio is below the limit for `lost`
+  double effective = 1e9;      ///< effective number of particles
+  double log_odds = 0;         ///< of the mode against the null hypothesis (sequential_pose_test.h)
+  bool verified = true;        ///< ... are enough
+  std::optional<Pose2> rival;  ///< from where the map looks the same, if only that speaks against the mode
+  bool contradicted = false;   ///< the recent trajectory fits another pose better
+  bool supported = true;       ///< a landmark fits, or odometry has not moved far since one did (pose_support.h)
 };
 
 /// True when the best mode has nearly all of the weight.

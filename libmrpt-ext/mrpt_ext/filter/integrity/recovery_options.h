@@ -1,7 +1,12 @@
 #pragma once
 
+#include "mrpt_ext/geometry/pose.h"
+
 namespace mrpt_ext
 {
+/// Of odometry when wheels slip: x, y [m], phi [rad].
+inline const Vector3d kSlipStd{0.3, 0.3, degToRad(25.0)};
+
 /// When, and how strongly, a filter injects hypotheses.
 struct RecoveryOptions
 {

@@ -133,7 +133,8 @@ SequentialPoseTest::SequentialPoseTest(const MotionModel& motion, const Landmark
       null_model_(motion, defaultMaxRange(map)),
       point_null_model_(motion, defaultMaxRange(map)),
       missed_(map.size()),
-      spot_(motion, decorrelationDistance(map))
+      spot_(motion, decorrelationDistance(map)),
+      symmetric_(map, kMaxLogOdds)
 {
 }
 
@@ -190,7 +191,7 @@ FeatureMixture::Outcome SequentialPoseTest::observeWithoutMap(const Reading& par
 }
 
 void SequentialPoseTest::start(const std::vector<Reading>& readings, const LandmarkTable& map,
-                               const ParticleSet& samples)
+                               const ParticleSet& samples, const PoseRegion& region)
 {
   reset();
   decorrelator_.clear();
@@ -199,6 +200,7 @@ void SequentialPoseTest::start(const std::vector<Reading>& readings, const Landm
   ParticleSet particles = samples;
   log_odds_ =
       normalizeWeights(particles).log_sum - std::log(static_cast<double>(std::max<std::size_t>(1, samples.size())));
+  symmetric_.start(particles, region);
   test(readings, map, std::move(particles));
   log_odds_ = std::min(log_odds_, kAcceptLogOdds / 2);
 }
@@ -208,15 +210,18 @@ void SequentialPoseTest::update(const Frame& frame, const LandmarkTable& map, co
   move(frame.motion);
   decayAfterGap(frame);
   heading_measured_ = heading_measured_ || frame.compass;
+  if (frame.compass) symmetric_.useHeading(frame.compass->std_heading);
   test(scoredReadings(frame), map, thinned(predicted));
 }
 
 void SequentialPoseTest::test(const std::vector<Reading>& readings, const LandmarkTable& map, ParticleSet particles)
 {
   const LandmarkClutter clutter;
+  const ParticleSet unweighted = symmetric_.empty() ? ParticleSet() : particles;
+  std::vector<Reading> all_independent;
   for (const Reading& reading : readings)
   {
-    const Reading independent = decorrelator_.independent(reading);
+    const Reading& independent = all_independent.emplace_back(decorrelator_.independent(reading));
     heading_seen_ = heading_seen_ || showsHeading(reading, map);
     const std::string sensor = sensorKey(reading);
     const double share_of_new = spot_.shareOfNew(sensor);
@@ -244,8 +249,11 @@ void SequentialPoseTest::test(const std::vector<Reading>& readings, const Landma
       if (is_point) log_ratio = strays_.counted(log_ratio, part.model);
       log_odds_ = std::min(log_odds_ + counted(part, landmark, log_ratio, {first, share_of_new}), kMaxLogOdds);
     }
-    if (first && scoresMissedDetections(reading)) log_odds_ += missed_.count(reading, map, particles);
+    if (!first || !scoresMissedDetections(reading)) continue;
+    log_odds_ += missed_.count(reading, map, particles);
+    symmetric_.countMissed(reading, map, particles);
   }
+  symmetric_.update(all_independent, map, unweighted);
 }
 
 double SequentialPoseTest::counted(const Reading& part, std::optional<std::size_t> landmark, double log_ratio,
@@ -258,7 +266,7 @@ double SequentialPoseTest::counted(const Reading& part, std::optional<std::size_
   if (!landmark) return log_ratio;
   const double against_rivals = by_landmark_.add(*landmark, log_ratio);
   if (log_odds_ <= 0) rivals_refuted_ = false;
-  if (verified() || heading_measured_ || heading_seen_) rivals_refuted_ = true;
+  if (log_odds_ >= kAcceptLogOdds || heading_measured_ || heading_seen_) rivals_refuted_ = true;
   return rivals_refuted_ ? log_ratio : against_rivals;
 }
 }  // namespace mrpt_ext

@@ -12,6 +12,7 @@
 #include "mrpt_ext/filter/integrity/seen_landmarks.h"
 #include "mrpt_ext/filter/integrity/spot_evidence.h"
 #include "mrpt_ext/filter/integrity/stray_detections.h"
+#include "mrpt_ext/filter/integrity/symmetric_rivals.h"
 #include "mrpt_ext/filter/motion/motion_model.h"
 #include "mrpt_ext/filter/particles/particle_set.h"
 #include "mrpt_ext/geometry/frame.h"
@@ -37,6 +38,8 @@ namespace mrpt_ext
 /// landmark alone proves nothing, however often it is seen; once the pose is verified they are refuted, and each
 /// landmark counts, until nothing is left of the odds. Where a compass measures the heading there are none, nor where a
 /// landmark is seen to face its direction (facing_likelihood.h).
+///
+/// And there are the rivals of symmetric_rivals.h, from which the map looks the same: the odds are the least of both.
 class SequentialPoseTest
 {
  public:
@@ -51,8 +54,9 @@ class SequentialPoseTest
   SequentialPoseTest(const MotionModel& motion, const LandmarkTable& map);
 
   /// The start: `samples` of the uniform prior with log weights log(prior / density), not yet weighted with `readings`.
-  /// The best of many poses is never verified by that alone: rooms look alike.
-  void start(const std::vector<Reading>& readings, const LandmarkTable& map, const ParticleSet& samples);
+  /// The best of many poses is never verified by that alone: rooms look alike. `region`: all poses of the prior.
+  void start(const std::vector<Reading>& readings, const LandmarkTable& map, const ParticleSet& samples,
+             const PoseRegion& region);
   /// Scores the frame's independent detections by the particles moved to it and not yet weighted with it (normalised).
   void update(const Frame& frame, const LandmarkTable& map, const ParticleSet& predicted);
   /// True when the robot may have slipped since the last detection, at the end of the motion.
@@ -77,14 +81,26 @@ class SequentialPoseTest
     strays_ = {};
     missed_.clear();
     by_landmark_.restart(false);
+    symmetric_.forgetMissed();
     rivals_refuted_ = heading_seen_ = false;
   }
   /// The pose is known.
-  void accept() { log_odds_ = kMaxLogOdds; }
+  void accept()
+  {
+    log_odds_ = kMaxLogOdds;
+    symmetric_.accept();
+  }
+  /// SymmetricRivals::changeMode()
+  void changeMode(const GaussianPose& before, const Pose2& now) { symmetric_.changeMode(before, now); }
 
-  [[nodiscard]] double logOdds() const { return log_odds_; }
-  [[nodiscard]] bool verified() const { return log_odds_ >= kAcceptLogOdds; }
-  [[nodiscard]] bool refuted() const { return log_odds_ <= kRejectLogOdds; }
+  [[nodiscard]] double logOdds() const { return std::min(log_odds_, symmetric_.logOdds()); }
+  [[nodiscard]] bool verified() const { return logOdds() >= kAcceptLogOdds; }
+  [[nodiscard]] bool refuted() const { return logOdds() <= kRejectLogOdds; }
+  /// Motion to the rival by symmetry that alone keeps the pose from being verified.
+  [[nodiscard]] std::optional<Pose2> rival() const
+  {
+    return log_odds_ >= kAcceptLogOdds && !verified() ? symmetric_.strongest() : std::nullopt;
+  }
 
  private:
   void move(const OdometryMotion& motion);
@@ -112,6 +128,7 @@ class SequentialPoseTest
   MissedLandmarks missed_;
   SpotEvidence spot_;
   LandmarkEvidence by_landmark_{kMaxLogOdds};
+  SymmetricRivals symmetric_;
   bool rivals_refuted_ = false, heading_measured_ = false;
   bool heading_seen_ = false;  // by a landmark's direction, since the mode is under test
   double log_odds_ = 0;

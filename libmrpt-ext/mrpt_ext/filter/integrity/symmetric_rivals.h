@@ -1,0 +1,66 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mrpt_ext/correspondence/map_symmetries.h"
+#include "mrpt_ext/filter/integrity/missed_landmarks.h"
+#include "mrpt_ext/filter/particles/particle_set.h"
+#include "mrpt_ext/geometry/gaussian_pose.h"
+#include "mrpt_ext/hypotheses/pose_region.h"
+
+namespace mrpt_ext
+{
+/// The poses from which the map looks nearly as it does from the pose under test: its images under the symmetries of
+/// the map (correspondence/map_symmetries.h).
+///
+/// What fits at a pose fits at these as well, and not by chance, so the null hypothesis says nothing about them. For
+/// each, the odds of the pose against it are those of the start, changed by what the two expect to be seen
+/// differently: landmarks that have no counterpart. As the two are a pair before anything is seen, no selection has to
+/// be feared, and every independent detection counts.
+class SymmetricRivals
+{
+ public:
+  /// `most`: log odds remembered at most.
+  SymmetricRivals(const LandmarkTable& map, double most);
+
+  /// The robot started in `region`. `particles`: weighted, normalised. A start that leaves out the images tells them
+  /// apart.
+  void start(const ParticleSet& particles, const PoseRegion& region);
+  /// The pose is known.
+  void accept();
+  /// A mode is under test that odometry did not lead to from the one before, which it predicts at `before`.
+  void changeMode(const GaussianPose& before, const Pose2& now);
+  /// The heading was measured by a compass, and agrees with the pose under test.
+  void useHeading(double std_heading);
+  /// Counts independent detections of one frame. `particles` are not weighted with them.
+  void update(const std::vector<Reading>& independent, const LandmarkTable& map, const ParticleSet& particles);
+  /// Counts what a reading misses, with all its detections.
+  void countMissed(const Reading& reading, const LandmarkTable& map, const ParticleSet& particles);
+  /// Another pose is under test: it was not looked for its landmarks yet.
+  void forgetMissed();
+
+  [[nodiscard]] bool empty() const { return rivals_.empty(); }
+  /// Log odds of the pose against the strongest of them; `most` without any.
+  [[nodiscard]] double logOdds() const;
+  /// Motion that leads from the pose under test to the strongest of them.
+  [[nodiscard]] std::optional<Pose2> strongest() const;
+
+ private:
+  struct Rival
+  {
+    MapSymmetry symmetry;
+    MissedLandmarks missed;
+    double log_odds = 0;
+  };
+
+  [[nodiscard]] const Rival* strongestRival() const;
+  void add(Rival& rival, double log_ratio) const;
+
+  double most_;
+  double log_density_anywhere_;  // of a robot that was carried somewhere else
+  MissedLandmarks missed_;
+  std::vector<Rival> rivals_;
+};
+}  // namespace mrpt_ext
