@@ -100,8 +100,9 @@ TEST(SequentialPoseTest, FalseDetectionsOfAStopDoNotRefuteThePose)
 
 TEST(SequentialPoseTest, OneLandmarkAloneVerifiesNoPose)
 {
-  const LandmarkTable map({{.id = 1, .position = {2, 2, 0}}, {.id = 2, .position = {7, 3, 0}}});
-  const auto drive = [&](std::size_t detections, bool compass, bool identified = true)
+  const LandmarkTable map(
+      {{.id = 1, .position = {2, 2, 0}, .category = "post"}, {.id = 2, .position = {7, 3, 0}, .category = "cone"}});
+  const auto drive = [&](std::size_t detections, bool compass, bool identified = true, bool categories = true)
   {
     RandomStream random(4);
     SequentialPoseTest test(motionModelOf({}), map);
@@ -113,7 +114,11 @@ TEST(SequentialPoseTest, OneLandmarkAloneVerifiesNoPose)
       for (Reading& reading : frame.readings)
       {
         std::erase_if(reading.detections, [&](const Detection& d) { return d.id > static_cast<int>(detections); });
-        for (Detection& d : reading.detections) d.id = identified ? d.id : kNoId;
+        for (Detection& d : reading.detections)
+        {
+          if (categories) d.category = d.id == 1 ? "post" : "cone";
+          d.id = identified ? d.id : kNoId;
+        }
       }
       if (compass) frame.compass = CompassRecord{.heading = truth.phi, .std_heading = 0.1};
       test.update(frame, map, particlesAt(truth, random));
@@ -125,6 +130,7 @@ TEST(SequentialPoseTest, OneLandmarkAloneVerifiesNoPose)
   EXPECT_GE(drive(1, true), SequentialPoseTest::kAcceptLogOdds) << "the heading is known";
   EXPECT_LT(drive(1, false, false), SequentialPoseTest::kAcceptLogOdds) << "anonymous";
   EXPECT_GE(drive(2, false, false), SequentialPoseTest::kAcceptLogOdds);
+  EXPECT_EQ(drive(2, false, false, false), 0) << "the map looks the same from the other side";
 }
 
 TEST(SequentialPoseTest, OneLandmarkThatFacesAKnownDirectionVerifiesAPose)
@@ -284,7 +290,7 @@ TEST(SequentialPoseTest, AFirstFrameWithManyDetectionsDoesNotVerifyAPose)
                   -std::log(kRegion.volume()) - log_density);
     }
     SequentialPoseTest test(motionModelOf({}), map);
-    test.start(frame.readings, map, samples);
+    test.start(frame.readings, map, samples, kRegion);
     return test.logOdds();
   };
   EXPECT_EQ(begun(8), SequentialPoseTest::kAcceptLogOdds / 2);

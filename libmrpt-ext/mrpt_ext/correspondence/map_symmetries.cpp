@@ -12,11 +12,11 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr std::size_t kPairs = 60;
+constexpr std::size_t kPairs = 40;
 constexpr double kOfSpacing = 0.125, kMostTolerance = 0.25;  // [m]
-constexpr double kGateOfPoint = 3;       // standard deviations, of which one is a third of the tolerance
-constexpr std::size_t kFirstLook = 16;   // landmarks; the others are looked up if a quarter of these is matched
-constexpr double kSameDirection = 0.35;  // [rad] of what landmarks face
+constexpr double kGateOfPoint = 3;  // standard deviations, of which one is a third of the tolerance
+constexpr std::size_t kFirstLook = 16, kOfFirstLook = 6;  // landmarks, and how many of these must be matched
+constexpr int kMostFits = 10;
 
 /// A landmark of the map and another one that a motion brings to its place, by index.
 using Match = std::pair<std::size_t, std::size_t>;
@@ -26,10 +26,13 @@ class SymmetrySearch
 {
  public:
   explicit SymmetrySearch(const LandmarkTable& map)
-      : map_(map), index_(map), tolerance_(toleranceOf(index_)), centre_((index_.low() + index_.high()) / 2)
+      : map_(map),
+        index_(positionsOf(map)),
+        tolerance_(toleranceOf(index_)),
+        centre_((index_.low() + index_.high()) / 2)
   {
-    for (std::size_t k = 0; k < map.size(); ++k)
-      points_.push_back({index_.position(k), tolerance_ / kGateOfPoint, square(tolerance_), index_.category(k)});
+    for (const Vector2d& position : index_.positions())
+      points_.push_back({position, tolerance_ / kGateOfPoint, square(tolerance_)});
   }
 
   std::vector<MapSymmetry> run()
@@ -52,6 +55,13 @@ class SymmetrySearch
   }
 
  private:
+  static std::vector<Vector2d> positionsOf(const LandmarkTable& map)
+  {
+    std::vector<Vector2d> positions;
+    for (const Landmark& landmark : map.all()) positions.emplace_back(landmark.position.head<2>());
+    return positions;
+  }
+
   static double toleranceOf(const LandmarkIndex& index)
   {
     const Vector2d extent = index.high() - index.low();
@@ -59,14 +69,6 @@ class SymmetrySearch
     // A row of landmarks has no area, but it has a spacing.
     const double spacing = std::max(std::sqrt(extent.prod() / n), extent.norm() / n);
     return std::min(kOfSpacing * spacing, kMostTolerance);
-  }
-
-  [[nodiscard]] bool mayTakePlaceOf(std::size_t other, std::size_t landmark, double turn) const
-  {
-    if (index_.category(other) != index_.category(landmark)) return false;
-    const auto& from = map_[other].yaw;
-    const auto& to = map_[landmark].yaw;
-    return from.has_value() == to.has_value() && (!from || std::abs(wrap(*from + turn - *to)) < kSameDirection);
   }
 
   void bringElsewhere(std::size_t a, std::size_t b)
@@ -77,8 +79,7 @@ class SymmetrySearch
       for (std::size_t d = 0; d < map_.size(); ++d)
       {
         const bool same = c == d || (c == a && d == b);
-        if (same || index_.category(a) != index_.category(c) || index_.category(b) != index_.category(d)) continue;
-        if (std::abs((index_.position(d) - index_.position(c)).norm() - length) > 2 * tolerance_) continue;
+        if (same || std::abs((index_.position(d) - index_.position(c)).norm() - length) > 2 * tolerance_) continue;
         test({PointMatch{&points_[a], index_.position(c)}, PointMatch{&points_[b], index_.position(d)}});
       }
   }
@@ -88,7 +89,7 @@ class SymmetrySearch
     if (map_.size() > 2 * kFirstLook)
     {
       const std::span<const ScanPoint> some = firstLook();
-      if (growFit(index_, pair, some, kGateOfPoint, kFirstLook / 4).inliers < static_cast<int>(kFirstLook / 4)) return;
+      if (growFit(index_, pair, some, kGateOfPoint, kOfFirstLook).inliers < static_cast<int>(kOfFirstLook)) return;
     }
     const auto least = static_cast<int>(std::max<std::size_t>(2, (map_.size() + 1) / 2));
     // The pair is among all points, and counts twice.
@@ -96,8 +97,17 @@ class SymmetrySearch
     if (grown.inliers < least) return;
     Pose2 motion = grown.fit.pose().mean;
     std::vector<Match> matches = matchedBy(motion);
-    for (int k = 0; k < 2 && matches.size() >= 2; ++k) matches = matchedBy(motion = fitted(matches));
-    if (static_cast<int>(matches.size()) >= least) keep({motion, matches.size(), {}});
+    for (int k = 0; k < kMostFits && matches.size() >= 2; ++k)
+    {
+      motion = fitted(matches);
+      std::vector<Match> refined = matchedBy(motion);
+      if (refined == matches) break;
+      matches = std::move(refined);
+    }
+    // A motion that leaves most landmarks where they are moves the others only.
+    const auto moved = static_cast<std::size_t>(
+        std::count_if(matches.begin(), matches.end(), [](const Match& match) { return match.first != match.second; }));
+    if (static_cast<int>(moved) >= least) keep({motion, moved, {}});
   }
 
   /// Every n-th landmark.
@@ -111,16 +121,16 @@ class SymmetrySearch
   /// One to one: the nearest landmark of which none is nearer.
   [[nodiscard]] std::vector<Match> matchedBy(const Pose2& motion) const
   {
+    const Pose2 back = inverse(motion);
     std::vector<Match> matches;
     for (std::size_t k = 0; k < map_.size(); ++k)
-      if (const auto to = nearest(transform(motion, index_.position(k)), k, motion.phi))
-        if (nearest(transform(inverse(motion), index_.position(*to)), *to, -motion.phi) == k)
-          matches.emplace_back(*to, k);
+      if (const auto to = nearest(transform(motion, index_.position(k))))
+        if (nearest(transform(back, index_.position(*to))) == k) matches.emplace_back(*to, k);
     return matches;
   }
 
-  /// The landmark within the tolerance of `place` that another one, turned, may take the place of.
-  [[nodiscard]] std::optional<std::size_t> nearest(const Vector2d& place, std::size_t other, double turn) const
+  /// The landmark within the tolerance of `place`.
+  [[nodiscard]] std::optional<std::size_t> nearest(const Vector2d& place) const
   {
     double least = tolerance_;
     std::optional<std::size_t> result;
@@ -128,7 +138,7 @@ class SymmetrySearch
                        [&](std::size_t landmark)
                        {
                          const double distance = (index_.position(landmark) - place).norm();
-                         if (distance > least || !mayTakePlaceOf(other, landmark, turn)) return;
+                         if (distance > least) return;
                          least = distance;
                          result = landmark;
                        });
@@ -165,11 +175,7 @@ class SymmetrySearch
   {
     const Pose2 back = inverse(motion);
     std::vector<Landmark> image = map_.all();
-    for (Landmark& landmark : image)
-    {
-      landmark.position.head<2>() = transform(back, landmark.position.head<2>());
-      if (landmark.yaw) landmark.yaw = wrap(*landmark.yaw + back.phi);
-    }
+    for (Landmark& landmark : image) landmark.position.head<2>() = transform(back, landmark.position.head<2>());
     for (const auto& [to, from] : matchedBy(motion)) image[to].position.head<2>() = index_.position(from);
     return LandmarkTable(std::move(image));
   }

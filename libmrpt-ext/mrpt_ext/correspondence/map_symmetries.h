@@ -8,7 +8,7 @@
 
 namespace mrpt_ext
 {
-/// A rigid motion of the plane that brings most landmarks of a map to places of landmarks of the same category.
+/// A rigid motion of the plane that brings most landmarks of a map to places of landmarks.
 struct MapSymmetry
 {
   Pose2 motion;             ///< a robot at compose(motion, x) sees nearly what one at x sees
@@ -22,14 +22,14 @@ struct MapSymmetry
 /// At most this many symmetries are found, those that match most.
 inline constexpr std::size_t kMostSymmetries = 16;
 /// In maps of more landmarks no symmetries are sought.
-inline constexpr std::size_t kMostForSymmetries = 1000;
+inline constexpr std::size_t kMostForSymmetries = 300;
 
 /// The motions that bring at least half of the landmarks, and two, to places of others, within an eighth of the spacing
 /// of the landmarks, 0.25 m at most; most matched ones first. The identity is none of them, nor what is within twice
 /// that tolerance of it or of a better one all over the map. Mirror images are not motions of a robot. Identities do
 /// not count: where detections have some, they tell the places apart.
 ///
-/// Pairs of landmarks chosen at random are brought to all pairs of the same length (sixty of them: if half of the
+/// Pairs of landmarks chosen at random are brought to all pairs of the same length (forty of them: if half of the
 /// landmarks are matched, both of a pair are with a probability of a quarter, and the motion is missed by one run in
 /// 10^7). Deterministic.
 [[nodiscard]] std::vector<MapSymmetry> mapSymmetries(const LandmarkTable& map);

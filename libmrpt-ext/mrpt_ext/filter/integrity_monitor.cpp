@@ -49,8 +49,8 @@ void IntegrityMonitor::startVerified(const Frame& frame)
 
 bool IntegrityMonitor::endsGap(const Frame& frame) const
 {
-  if (!under_test_ || pose_test_.logOdds() < 0 || !hasIdentified(frame)) return false;
-  const KalmanState predicted = predict(*last_mode_, biases_, motion_, frame.motion);
+  if (!tested_mode_ || pose_test_.logOdds() < 0 || !hasIdentified(frame)) return false;
+  const KalmanState predicted = predict(*tested_mode_, biases_, motion_, frame.motion);
   VerdictOptions heading_only = options_;
   heading_only.max_std_xy = std::numeric_limits<double>::infinity();
   return (pose_test_.isGap(frame.motion) || !isPrecise(predicted, options_)) && isPrecise(predicted, heading_only);
@@ -70,18 +70,25 @@ void IntegrityMonitor::doubt() { pose_test_.doubt(); }
 
 bool IntegrityMonitor::hasLeft(const Mode& best, bool identified) const
 {
-  if (!gap_ends_ && !isPrecise(*last_mode_, options_)) return true;
-  const Vector2d away = best.pose.mean.position() - last_mode_->mean.head<2>();
-  const Vector3d off(away.x(), away.y(), wrap(best.pose.mean.phi - last_mode_->mean.z()));
+  if (!gap_ends_ && !isPrecise(*tested_mode_, options_)) return true;
+  const Vector2d away = best.pose.mean.position() - tested_mode_->mean.head<2>();
+  const Vector3d off(away.x(), away.y(), wrap(best.pose.mean.phi - tested_mode_->mean.z()));
   const bool far = away.norm() > options_.max_std_xy || std::abs(off.z()) > options_.max_std_phi;
-  const double nees = off.dot(last_mode_->gaussianPose().covariance.ldlt().solve(off));
+  const double nees = off.dot(tested_mode_->gaussianPose().covariance.ldlt().solve(off));
   return far && !(identified && nees <= kChiSquareGate) && best.weight > kMajority;
 }
 
 void IntegrityMonitor::followKnown(const ModeSet& modes, const Frame& frame)
 {
-  if (last_mode_) last_mode_ = predict(*last_mode_, biases_, motion_, frame.motion);
-  if (isUnimodal(modes, options_)) last_mode_ = startingState(modes.modes.front().pose, biases_);
+  if (verified_mode_) verified_mode_ = predict(*verified_mode_, biases_, motion_, frame.motion);
+  if (isUnimodal(modes, options_)) rememberVerified(startingState(modes.modes.front().pose, biases_));
+}
+
+void IntegrityMonitor::rememberVerified(const KalmanState& mode)
+{
+  if (!pose_test_.verified()) return;
+  verified_mode_ = mode;
+  pose_test_.rememberVerified();
 }
 
 bool IntegrityMonitor::followMode(const ModeSet& modes, const Frame& frame)
@@ -89,18 +96,19 @@ bool IntegrityMonitor::followMode(const ModeSet& modes, const Frame& frame)
   if (modes.modes.empty()) return false;
   const Mode& best = modes.modes.front();
   const bool unimodal = isUnimodal(modes, options_);
-  if (last_mode_) last_mode_ = predict(*last_mode_, biases_, motion_, frame.motion);
-  if (under_test_ && detectionCount(frame) == 0) return false;
-  const bool restart = under_test_ ? hasLeft(best, hasIdentified(frame)) : !unimodal;
+  for (std::optional<KalmanState>* mode : {&tested_mode_, &verified_mode_})
+    if (*mode) *mode = predict(**mode, biases_, motion_, frame.motion);
+  if (tested_mode_ && detectionCount(frame) == 0) return false;
+  const bool restart = tested_mode_ ? hasLeft(best, hasIdentified(frame)) : !unimodal;
   if (restart)
   {
-    under_test_ = false;
+    tested_mode_.reset();
     pose_test_.reset();
   }
   if (!unimodal) return restart;
-  if (!under_test_ && last_mode_) pose_test_.changeMode(last_mode_->gaussianPose(), best.pose.mean);
-  last_mode_ = startingState(best.pose, biases_);
-  under_test_ = true;
+  if (!tested_mode_ && verified_mode_) pose_test_.changeMode(verified_mode_->gaussianPose(), best.pose.mean);
+  tested_mode_ = startingState(best.pose, biases_);
+  rememberVerified(*tested_mode_);
   return restart;
 }
 

@@ -62,6 +62,7 @@ class IntegrityMonitor
   [[nodiscard]] std::string finding() const { return sensor_ratios_.finding(); }
 
  private:
+  void rememberVerified(const KalmanState& mode);
   /// Whether `best` is another mode than the one under test. What moves a mode within its prediction is a correction if
   /// landmarks are identified; anonymous ones may have chosen another place.
   [[nodiscard]] bool hasLeft(const Mode& best, bool identified) const;
@@ -74,9 +75,9 @@ class IntegrityMonitor
   SensorMonitors sensor_ratios_;
   SequentialPoseTest pose_test_;
   PoseSupport support_;
-  std::optional<KalmanState> last_mode_;  // the last one that was unimodal, predicted by odometry
-  bool under_test_ = false;               // ... and it is under test
-  bool gap_ends_ = false;                 // with the frame under test
+  std::optional<KalmanState> tested_mode_;    // the mode under test, predicted by odometry
+  std::optional<KalmanState> verified_mode_;  // the last one that was verified, predicted by odometry
+  bool gap_ends_ = false;                     // with the frame under test
   bool contradicted_ = false;
 };
 }  // namespace mrpt_ext

@@ -90,7 +90,8 @@ class SequentialPoseTest
     log_odds_ = kMaxLogOdds;
     symmetric_.accept();
   }
-  /// SymmetricRivals::changeMode()
+  /// SymmetricRivals::rememberVerified(), changeMode()
+  void rememberVerified() { symmetric_.rememberVerified(); }
   void changeMode(const GaussianPose& before, const Pose2& now) { symmetric_.changeMode(before, now); }
 
   [[nodiscard]] double logOdds() const { return std::min(log_odds_, symmetric_.logOdds()); }

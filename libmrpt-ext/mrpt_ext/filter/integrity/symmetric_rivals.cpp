@@ -73,6 +73,11 @@ void SymmetricRivals::accept()
   for (Rival& rival : rivals_) rival.log_odds = most_;
 }
 
+void SymmetricRivals::rememberVerified()
+{
+  for (Rival& rival : rivals_) rival.log_odds_of_verified = rival.log_odds;
+}
+
 void SymmetricRivals::changeMode(const GaussianPose& before, const Pose2& now)
 {
   forgetMissed();
@@ -82,8 +87,9 @@ void SymmetricRivals::changeMode(const GaussianPose& before, const Pose2& now)
   for (Rival& rival : rivals_)
   {
     const Pose2& motion = rival.symmetry.motion;
-    // The robot was at the pose under test, or at its rival; it is there still, or at the other one.
-    const double log_right = -std::log1p(std::exp(-rival.log_odds)), log_wrong = -std::log1p(std::exp(rival.log_odds));
+    // The robot was at the verified pose, or at its rival; it is there still, or at the other one.
+    const double odds = rival.log_odds_of_verified;
+    const double log_right = -std::log1p(std::exp(-odds)), log_wrong = -std::log1p(std::exp(odds));
     const double stays = logDensity(slipped, now), to_rival = logDensity(slipped, compose(motion, now)),
                  from_rival = logDensity(slipped, compose(inverse(motion), now));
     const double here = logSum(logSum(log_right + stays, log_wrong + from_rival), log_anywhere);

@@ -17,8 +17,8 @@ namespace mrpt_ext
 ///
 /// What fits at a pose fits at these as well, and not by chance, so the null hypothesis says nothing about them. For
 /// each, the odds of the pose against it are those of the start, changed by what the two expect to be seen
-/// differently: landmarks that have no counterpart. As the two are a pair before anything is seen, no selection has to
-/// be feared, and every independent detection counts.
+/// differently: landmarks that have no counterpart, or one of another category or identity. As the two are a pair
+/// before anything is seen, no selection has to be feared, and every independent detection counts.
 class SymmetricRivals
 {
  public:
@@ -30,7 +30,10 @@ class SymmetricRivals
   void start(const ParticleSet& particles, const PoseRegion& region);
   /// The pose is known.
   void accept();
-  /// A mode is under test that odometry did not lead to from the one before, which it predicts at `before`.
+  /// The pose under test is verified, against the rivals as well.
+  void rememberVerified();
+  /// Another mode is under test, that odometry did not lead to. From the one that was verified last it leads to
+  /// `before`.
   void changeMode(const GaussianPose& before, const Pose2& now);
   /// The heading was measured by a compass, and agrees with the pose under test.
   void useHeading(double std_heading);
@@ -53,6 +56,7 @@ class SymmetricRivals
     MapSymmetry symmetry;
     MissedLandmarks missed;
     double log_odds = 0;
+    double log_odds_of_verified = 0;  // of the pose that was verified last
   };
 
   [[nodiscard]] const Rival* strongestRival() const;

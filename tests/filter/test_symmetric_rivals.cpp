@@ -1,0 +1,162 @@
+#include "mrpt_ext/filter/integrity/symmetric_rivals.h"
+
+#include <gtest/gtest.h>
+
+#include "simulated_run.h"
+
+namespace mrpt_ext::test_symmetric_rivals
+{
+namespace
+{
+constexpr double kMost = 14;
+const PoseRegion kEverywhere{{0, 0}, {10, 10}};
+const Pose2 kThere{7, 4, 0.5};
+const Pose2 kImage{3, 6, 0.5 - kPi};
+
+/// Half a turn about (5, 5) leaves the first eight as they are; nothing corresponds to the ninth.
+LandmarkTable mapWith(bool odd_landmark)
+{
+  std::vector<Landmark> landmarks;
+  for (const Vector3d& place : {Vector3d{1, 2, 0}, {3, 8, 0}, {0.5, 6.2, 0}, {6, 1.5, 0}})
+    for (const Vector3d& position : {place, Vector3d{Vector3d{10, 10, 0} - place}})
+      landmarks.push_back({.position = position});
+  if (odd_landmark) landmarks.push_back({.position = {9, 4, 0}});
+  return LandmarkTable(landmarks);
+}
+
+SymmetricRivals startedIn(const PoseRegion& region, const LandmarkTable& map)
+{
+  RandomStream random(1);
+  SymmetricRivals rivals(map, kMost);
+  rivals.start(particlesAt(kThere, random), region);
+  return rivals;
+}
+
+/// What a robot at kThere sees, from the particles of `pose`.
+double oddsAt(const Pose2& pose, const LandmarkTable& map, std::size_t detections, int frames)
+{
+  const SimulatedRobot robot{.measures_range = true, .identified = false, .detections = detections, .clutter = 0.05};
+  SymmetricRivals rivals(map, kMost);
+  RandomStream random(2);
+  for (int k = 0; k < frames; ++k)
+    rivals.update(simulatedFrame(robot, map, kThere, {}, random).readings, map, particlesAt(pose, random));
+  return rivals.logOdds();
+}
+
+GaussianPose precise(const Pose2& pose) { return {pose, Vector3d(0.01, 0.01, 0.001).asDiagonal()}; }
+}  // namespace
+
+TEST(SymmetricRivals, NoneInAMapWithoutSymmetries)
+{
+  RandomStream random(1);
+  const SymmetricRivals rivals(randomMap(15, 10, random), kMost);
+  EXPECT_TRUE(rivals.empty());
+  EXPECT_EQ(rivals.logOdds(), kMost);
+  EXPECT_FALSE(rivals.strongest());
+}
+
+TEST(SymmetricRivals, AStartThatLeavesOutTheImageTellsThemApart)
+{
+  const LandmarkTable map = mapWith(false);
+  EXPECT_NEAR(startedIn(kEverywhere, map).logOdds(), 0, 1e-6);
+  EXPECT_EQ(startedIn({{5, 0}, {10, 10}}, map).logOdds(), kMost);
+  EXPECT_EQ(startedIn({{0, 0}, {10, 10}, 0, kPi / 2}, map).logOdds(), kMost) << "by the heading";
+  SymmetricRivals known(map, kMost);
+  EXPECT_EQ(known.logOdds(), 0);
+  const Pose2 image = compose(known.strongest().value(), kThere);
+  EXPECT_LT(distance(image, kImage), 1e-9);
+  EXPECT_NEAR(wrap(image.phi - kImage.phi), 0, 1e-9);
+  known.accept();
+  EXPECT_EQ(known.logOdds(), kMost);
+}
+
+TEST(SymmetricRivals, OnlyWhatHasNoCounterpartTellsThemApart)
+{
+  for (const Pose2& pose : {kThere, kImage}) EXPECT_EQ(oddsAt(pose, mapWith(false), 8, 20), 0);
+  const LandmarkTable map = mapWith(true);
+  EXPECT_LE(oddsAt(kThere, map, 9, 1), 4.5) << "one frame is not enough";
+  EXPECT_EQ(oddsAt(kThere, map, 9, 10), kMost);
+  EXPECT_EQ(oddsAt(kImage, map, 9, 10), -kMost);
+}
+
+TEST(SymmetricRivals, ALandmarkThatIsMissedTellsThemApart)
+{
+  const LandmarkTable map = mapWith(true);
+  for (const Pose2& robot : {kThere, kImage})
+  {
+    Frame frame;
+    RandomStream random(3);
+    frame = simulatedFrame({.measures_range = true, .identified = false, .detections = 8}, mapWith(false), robot, {},
+                           random);
+    Reading& reading = frame.readings.front();
+    reading.model.has_field_of_view = true;
+    reading.model.field_of_view = degToRad(100);
+    reading.model.detection_probability = 0.9;
+    // The ninth landmark is in view from kThere, and hidden.
+    SymmetricRivals rivals(map, kMost);
+    rivals.countMissed(reading, map, particlesAt(robot, random));
+    if (robot.x == kThere.x)
+      EXPECT_LT(rivals.logOdds(), -1);
+    else
+      EXPECT_GT(rivals.logOdds(), 1);
+  }
+}
+
+TEST(SymmetricRivals, AJumpKeepsWhatWasKnownOnlyNearThePose)
+{
+  const auto after = [](const Pose2& now)
+  {
+    SymmetricRivals rivals(mapWith(false), kMost);
+    rivals.accept();
+    rivals.rememberVerified();
+    rivals.changeMode(precise(kThere), now);
+    return rivals.logOdds();
+  };
+  EXPECT_GT(after({7.4, 4.2, 0.7}), 9) << "a slip";
+  EXPECT_LT(after(kImage), -9);
+  EXPECT_NEAR(after({1, 1, 3}), 0, 0.1) << "carried away";
+}
+
+TEST(SymmetricRivals, ACompassTellsWhatIsTurned)
+{
+  SymmetricRivals rivals(mapWith(false), kMost);
+  rivals.useHeading(1);
+  EXPECT_EQ(rivals.logOdds(), 0);
+  rivals.useHeading(0.2);
+  EXPECT_EQ(rivals.logOdds(), kMost);
+}
+
+TEST(SymmetricRivals, AFilterIsOkOnlyIfItsStartLeavesOutTheImage)
+{
+  const LandmarkTable map = mapWith(false);
+  const auto frames_ok = [&](const PoseRegion& region, InitialMode mode)
+  {
+    ParticleFilterOptions options;
+    options.region = region;
+    options.initial_mode = mode;
+    options.initial_pose = precise({7, 4, 0});
+    options.particles = 1500;
+    options.initial_particles = 20000;
+    options.mode_kalman_filters = false;  // so that one of two modes dies out
+    options.motion = motionModelOf({});
+    ParticleFilter filter(options, map, 1, 0);
+    RandomStream random(4);
+    const SimulatedRobot robot{.measures_range = true, .identified = false, .detections = 8, .clutter = 0.02};
+    Pose2 truth{7, 4, 0};
+    int ok = 0;
+    for (int k = 0; k < 150; ++k)
+    {
+      truth = compose(truth, roundTripStep(k));
+      const FilterStep step =
+          filter.process(simulatedFrame(robot, map, truth, roundTripStep(k), random), {noProposals});
+      if (step.verdict != Verdict::ok) continue;
+      ++ok;
+      EXPECT_LT(distance(step.modes.modes.front().pose.mean, truth), 0.3) << k;
+    }
+    return ok;
+  };
+  EXPECT_EQ(frames_ok(kEverywhere, InitialMode::uniform), 0);
+  EXPECT_GT(frames_ok({{5, 0}, {10, 10}}, InitialMode::uniform), 90);
+  EXPECT_EQ(frames_ok(kEverywhere, InitialMode::gaussian), 150);
+}
+}  // namespace mrpt_ext::test_symmetric_rivals
