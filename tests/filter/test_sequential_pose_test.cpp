@@ -290,7 +290,7 @@ TEST(SequentialPoseTest, AFirstFrameWithManyDetectionsDoesNotVerifyAPose)
                   -std::log(kRegion.volume()) - log_density);
     }
     SequentialPoseTest test(motionModelOf({}), map);
-    test.start(frame.readings, map, samples, kRegion);
+    test.start(frame.readings, map, samples);
     return test.logOdds();
   };
   EXPECT_EQ(begun(8), SequentialPoseTest::kAcceptLogOdds / 2);

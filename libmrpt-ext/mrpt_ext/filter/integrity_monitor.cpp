@@ -35,9 +35,11 @@ IntegrityMonitor::IntegrityMonitor(const RecoveryOptions& recovery, const Verdic
 {
 }
 
-void IntegrityMonitor::start(const Frame& measurements, const ParticleSet& samples, const PoseRegion& region)
+void IntegrityMonitor::start(const Frame& measurements, const ParticleSet& samples, const ParticleSet& particles,
+                             const PoseRegion& region)
 {
-  pose_test_.start(scoredReadings(measurements), map_, samples, region);
+  pose_test_.start(scoredReadings(measurements), map_, samples);
+  pose_test_.rivals().start(particles, region);
 }
 
 void IntegrityMonitor::startVerified(const Frame& frame)
@@ -88,7 +90,7 @@ void IntegrityMonitor::rememberVerified(const KalmanState& mode)
 {
   if (!pose_test_.verified()) return;
   verified_mode_ = mode;
-  pose_test_.rememberVerified();
+  pose_test_.rivals().rememberVerified();
 }
 
 bool IntegrityMonitor::followMode(const ModeSet& modes, const Frame& frame)
@@ -106,7 +108,9 @@ bool IntegrityMonitor::followMode(const ModeSet& modes, const Frame& frame)
     pose_test_.reset();
   }
   if (!unimodal) return restart;
-  if (!tested_mode_ && verified_mode_) pose_test_.changeMode(verified_mode_->gaussianPose(), best.pose.mean);
+  // Where all landmarks are identified, the mode was chosen by what its image does not show.
+  if (!tested_mode_ && verified_mode_ && hasAnonymous(frame))
+    pose_test_.rivals().changeMode(verified_mode_->gaussianPose(), best.pose.mean);
   tested_mode_ = startingState(best.pose, biases_);
   rememberVerified(*tested_mode_);
   return restart;

@@ -21,8 +21,10 @@ class IntegrityMonitor
   IntegrityMonitor(const RecoveryOptions& recovery, const VerdictOptions& verdict, const MotionModel& motion,
                    const BiasModel& biases, const LandmarkTable& map);
 
-  /// The filter was initialized globally; for the arguments see SequentialPoseTest::start().
-  void start(const Frame& measurements, const ParticleSet& samples, const PoseRegion& region);
+  /// The filter was initialized somewhere in `region`; for `samples` see SequentialPoseTest::start(). `particles`: the
+  /// same, weighted.
+  void start(const Frame& measurements, const ParticleSet& samples, const ParticleSet& particles,
+             const PoseRegion& region);
   /// The filter was initialized at a known pose: the mode is verified.
   void startVerified(const Frame& frame);
   /// True when identified landmarks end a gap, a long one or one in which the position of the mode under test became

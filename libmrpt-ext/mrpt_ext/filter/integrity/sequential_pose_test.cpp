@@ -191,7 +191,7 @@ FeatureMixture::Outcome SequentialPoseTest::observeWithoutMap(const Reading& par
 }
 
 void SequentialPoseTest::start(const std::vector<Reading>& readings, const LandmarkTable& map,
-                               const ParticleSet& samples, const PoseRegion& region)
+                               const ParticleSet& samples)
 {
   reset();
   decorrelator_.clear();
@@ -200,8 +200,7 @@ void SequentialPoseTest::start(const std::vector<Reading>& readings, const Landm
   ParticleSet particles = samples;
   log_odds_ =
       normalizeWeights(particles).log_sum - std::log(static_cast<double>(std::max<std::size_t>(1, samples.size())));
-  symmetric_.start(particles, region);
-  test(readings, map, std::move(particles));
+  (void)test(readings, map, std::move(particles));
   log_odds_ = std::min(log_odds_, kAcceptLogOdds / 2);
 }
 
@@ -211,13 +210,14 @@ void SequentialPoseTest::update(const Frame& frame, const LandmarkTable& map, co
   decayAfterGap(frame);
   heading_measured_ = heading_measured_ || frame.compass;
   if (frame.compass) symmetric_.useHeading(frame.compass->std_heading);
-  test(scoredReadings(frame), map, thinned(predicted));
+  const std::vector<Reading> independent = test(scoredReadings(frame), map, thinned(predicted));
+  symmetric_.update(independent, map, predicted);
 }
 
-void SequentialPoseTest::test(const std::vector<Reading>& readings, const LandmarkTable& map, ParticleSet particles)
+std::vector<Reading> SequentialPoseTest::test(const std::vector<Reading>& readings, const LandmarkTable& map,
+                                              ParticleSet particles)
 {
   const LandmarkClutter clutter;
-  const ParticleSet unweighted = symmetric_.empty() ? ParticleSet() : particles;
   std::vector<Reading> all_independent;
   for (const Reading& reading : readings)
   {
@@ -253,7 +253,7 @@ void SequentialPoseTest::test(const std::vector<Reading>& readings, const Landma
     log_odds_ += missed_.count(reading, map, particles);
     symmetric_.countMissed(reading, map, particles);
   }
-  symmetric_.update(all_independent, map, unweighted);
+  return all_independent;
 }
 
 double SequentialPoseTest::counted(const Reading& part, std::optional<std::size_t> landmark, double log_ratio,

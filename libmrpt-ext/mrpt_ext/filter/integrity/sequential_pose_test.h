@@ -54,9 +54,8 @@ class SequentialPoseTest
   SequentialPoseTest(const MotionModel& motion, const LandmarkTable& map);
 
   /// The start: `samples` of the uniform prior with log weights log(prior / density), not yet weighted with `readings`.
-  /// The best of many poses is never verified by that alone: rooms look alike. `region`: all poses of the prior.
-  void start(const std::vector<Reading>& readings, const LandmarkTable& map, const ParticleSet& samples,
-             const PoseRegion& region);
+  /// The best of many poses is never verified by that alone: rooms look alike.
+  void start(const std::vector<Reading>& readings, const LandmarkTable& map, const ParticleSet& samples);
   /// Scores the frame's independent detections by the particles moved to it and not yet weighted with it (normalised).
   void update(const Frame& frame, const LandmarkTable& map, const ParticleSet& predicted);
   /// True when the robot may have slipped since the last detection, at the end of the motion.
@@ -90,9 +89,7 @@ class SequentialPoseTest
     log_odds_ = kMaxLogOdds;
     symmetric_.accept();
   }
-  /// SymmetricRivals::rememberVerified(), changeMode()
-  void rememberVerified() { symmetric_.rememberVerified(); }
-  void changeMode(const GaussianPose& before, const Pose2& now) { symmetric_.changeMode(before, now); }
+  [[nodiscard]] SymmetricRivals& rivals() { return symmetric_; }
 
   [[nodiscard]] double logOdds() const { return std::min(log_odds_, symmetric_.logOdds()); }
   [[nodiscard]] bool verified() const { return logOdds() >= kAcceptLogOdds; }
@@ -109,8 +106,9 @@ class SequentialPoseTest
   void decayAfterGap(const Frame& frame);
   /// The only detection of a reading under the null hypothesis; it is remembered.
   FeatureMixture::Outcome observeWithoutMap(const Reading& part, double default_max_range);
-  /// Adds the log-likelihood ratio of the readings' independent detections; `particles` are weighted with them.
-  void test(const std::vector<Reading>& readings, const LandmarkTable& map, ParticleSet particles);
+  /// Adds the log-likelihood ratio of the readings' independent detections, which are returned; `particles` are
+  /// weighted with them.
+  std::vector<Reading> test(const std::vector<Reading>& readings, const LandmarkTable& map, ParticleSet particles);
   /// What SpotEvidence knows of a reading.
   struct Spot
   {
