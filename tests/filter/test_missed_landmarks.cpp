@@ -151,7 +151,7 @@ TEST(MissedLandmarks, APoseThatExpectsMoreThanIsSeenIsNotVerified)
       model.has_field_of_view = true;
       if (declared) model.detection_probability = 0.9;
       test.update(frame, map, particlesAt(compose(room, truth), random));
-      most = std::max(most, test.logOdds());
+      most = std::max(most, test.logOddsAgainstChance());
     }
     return most;
   };

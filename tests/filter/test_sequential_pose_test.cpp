@@ -291,7 +291,7 @@ TEST(SequentialPoseTest, AFirstFrameWithManyDetectionsDoesNotVerifyAPose)
     }
     SequentialPoseTest test(motionModelOf({}), map);
     test.start(frame.readings, map, samples);
-    return test.logOdds();
+    return test.logOddsAgainstChance();
   };
   EXPECT_EQ(begun(8), SequentialPoseTest::kAcceptLogOdds / 2);
   EXPECT_LT(begun(1), begun(8));

@@ -49,7 +49,7 @@ GaussianPose precise(const Pose2& pose) { return {pose, Vector3d(0.01, 0.01, 0.0
 TEST(SymmetricRivals, NoneInAMapWithoutSymmetries)
 {
   RandomStream random(1);
-  const SymmetricRivals rivals(randomMap(15, 10, random), kMost);
+  const SymmetricRivals rivals(randomMap(40, 20, random), kMost);
   EXPECT_TRUE(rivals.empty());
   EXPECT_EQ(rivals.logOdds(), kMost);
   EXPECT_FALSE(rivals.strongest());
@@ -94,7 +94,7 @@ TEST(SymmetricRivals, ALandmarkThatIsMissedTellsThemApart)
     reading.model.detection_probability = 0.9;
     // The ninth landmark is in view from kThere, and hidden.
     SymmetricRivals rivals(map, kMost);
-    rivals.countMissed(reading, map, particlesAt(robot, random));
+    rivals.look(reading, map, particlesAt(robot, random));
     if (robot.x == kThere.x)
       EXPECT_LT(rivals.logOdds(), -1);
     else
@@ -115,6 +115,62 @@ TEST(SymmetricRivals, AJumpKeepsWhatWasKnownOnlyNearThePose)
   EXPECT_GT(after({7.4, 4.2, 0.7}), 9) << "a slip";
   EXPECT_LT(after(kImage), -9);
   EXPECT_NEAR(after({1, 1, 3}), 0, 0.1) << "carried away";
+}
+
+TEST(SymmetricRivals, AModeThatNothingLedToStartsWithTheOddsOfTheStart)
+{
+  const LandmarkTable map = mapWith(true);
+  SymmetricRivals rivals = startedIn(kEverywhere, map);
+  RandomStream random(2);
+  const SimulatedRobot robot{.measures_range = true, .identified = false, .detections = 9, .clutter = 0.05};
+  for (int k = 0; k < 10; ++k)
+    rivals.update(simulatedFrame(robot, map, kThere, {}, random).readings, map, particlesAt(kImage, random));
+  EXPECT_EQ(rivals.logOdds(), -kMost);
+  rivals.changeMode(std::nullopt, kThere);
+  EXPECT_NEAR(rivals.logOdds(), 0, 1e-6);
+}
+
+TEST(SymmetricRivals, AGivenStartTellsThemApartAsFarAsItIsPrecise)
+{
+  const auto odds = [](double std, const Pose2& now)
+  {
+    SymmetricRivals rivals(mapWith(false), kMost);
+    rivals.startAt({kThere, Vector3d(square(std), square(std), 1).asDiagonal()}, now);
+    return rivals.logOdds();
+  };
+  EXPECT_EQ(odds(0.5, {7.2, 4.1, 0.6}), kMost);
+  EXPECT_LT(odds(5, {7.2, 4.1, 0.6}), 9);
+  EXPECT_GT(odds(5, {7.2, 4.1, 0.6}), 0);
+  EXPECT_EQ(odds(0.5, kImage), -kMost);
+}
+
+// What fits a landmark that was never seen when it was in view is clutter.
+TEST(SymmetricRivals, ClutterAtTheUnseenLandmarkProvesLittle)
+{
+  const LandmarkTable map = mapWith(true), seen = mapWith(false);
+  const SimulatedRobot robot{.std_bearing = degToRad(5),
+                             .std_range = 0.5,
+                             .measures_range = true,
+                             .identified = false,
+                             .detections = 8,
+                             .clutter = 0.05};
+  const auto odds_after = [&](int looks)
+  {
+    SymmetricRivals rivals(map, kMost);
+    RandomStream random(5);
+    for (int k = 0; k < looks; ++k)
+    {
+      const std::vector<Reading> readings = simulatedFrame(robot, seen, kThere, {}, random).readings;
+      rivals.update(readings, map, particlesAt(kThere, random));
+      rivals.look(readings.front(), map, particlesAt(kThere, random));
+    }
+    const double before = rivals.logOdds();
+    const LandmarkTable odd({map[8]});
+    rivals.update(simulatedFrame(robot, odd, kThere, {}, random).readings, map, particlesAt(kThere, random));
+    return rivals.logOdds() - before;
+  };
+  EXPECT_EQ(odds_after(0), 4.5) << "as much as one frame counts";
+  EXPECT_LT(odds_after(100), 3);
 }
 
 TEST(SymmetricRivals, ACompassTellsWhatIsTurned)

@@ -2,21 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
 #include "mrpt_ext/correspondence/points/point_fit.h"
+#include "mrpt_ext/geometry/quantile.h"
 #include "mrpt_ext/geometry/random.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr std::size_t kPairs = 40;
-constexpr double kOfSpacing = 0.125, kMostTolerance = 0.25;  // [m]
+constexpr std::size_t kPlaces = 40, kAllPairs = 12;  // landmarks from which motions grow; in small maps by all pairs
+constexpr std::size_t kSeconds = 6;                  // landmarks of which one is the second of a pair
+constexpr double kOfSpacing = 0.25, kMostTolerance = 0.25;  // [m]
 constexpr double kGateOfPoint = 3;  // standard deviations, of which one is a third of the tolerance
-constexpr std::size_t kFirstLook = 16, kOfFirstLook = 6;  // landmarks, and how many of these must be matched
+constexpr std::size_t kPlacesOfPattern = 3, kPattern = 4 * kMostSymmetries;
+constexpr std::size_t kLeast = 5;  // landmarks matched; four are by chance in most maps
+constexpr std::size_t kFirstLook = 8;
+constexpr int kOfFirstLook = 4;  // of a pair and the nearest others
 constexpr int kMostFits = 10;
+constexpr double kClearlyMoved = 4;  // times the tolerance
 
 /// A landmark of the map and another one that a motion brings to its place, by index.
 using Match = std::pair<std::size_t, std::size_t>;
@@ -29,6 +36,7 @@ class SymmetrySearch
       : map_(map),
         index_(positionsOf(map)),
         tolerance_(toleranceOf(index_)),
+        least_(static_cast<int>(std::min((map.size() + 1) / 2, std::max(kLeast, (map.size() + 3) / 4)))),
         centre_((index_.low() + index_.high()) / 2)
   {
     for (const Vector2d& position : index_.positions())
@@ -39,15 +47,19 @@ class SymmetrySearch
   {
     RandomStream random(1);
     const std::size_t n = map_.size();
-    if (n * (n - 1) / 2 <= kPairs)
-      for (std::size_t a = 0; a < n; ++a)
-        for (std::size_t b = a + 1; b < n; ++b) bringElsewhere(a, b);
-    else
-      for (std::size_t k = 0; k < kPairs; ++k)
-      {
-        const std::size_t a = random.below(n), b = random.below(n - 1);
-        bringElsewhere(a, b < a ? b : b + 1);
-      }
+    for (std::size_t k = 0; k < std::min(n, kPlaces); ++k)
+    {
+      // In a regular pattern every motion is found from nearly every place.
+      if (k >= kPlacesOfPattern && found_.size() >= kPattern) break;
+      const std::size_t a = n <= kPlaces ? k : random.below(n);
+      const std::vector<ScanPoint> others = othersByDistance(a);
+      const std::size_t near = std::min(kSeconds, others.size());
+      if (others.empty()) continue;
+      if (n <= kAllPairs)
+        for (const ScanPoint& b : others) bringElsewhere(points_[a], b, others);
+      else
+        bringElsewhere(points_[a], others[random.below(near)], others);
+    }
     std::stable_sort(found_.begin(), found_.end(), [](const auto& a, const auto& b) { return a.matched > b.matched; });
     if (found_.size() > kMostSymmetries) found_.resize(kMostSymmetries);
     for (MapSymmetry& symmetry : found_) symmetry.image = imageBy(symmetry.motion);
@@ -62,40 +74,64 @@ class SymmetrySearch
     return positions;
   }
 
+  /// By the distance to the nearest other landmark, which half of them exceed.
   static double toleranceOf(const LandmarkIndex& index)
   {
-    const Vector2d extent = index.high() - index.low();
-    const auto n = static_cast<double>(index.size());
-    // A row of landmarks has no area, but it has a spacing.
-    const double spacing = std::max(std::sqrt(extent.prod() / n), extent.norm() / n);
-    return std::min(kOfSpacing * spacing, kMostTolerance);
+    std::vector<double> nearest(index.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t a = 0; a < index.size(); ++a)
+      for (std::size_t b = 0; b < index.size(); ++b)
+        if (a != b) nearest[a] = std::min(nearest[a], (index.position(a) - index.position(b)).norm());
+    return std::min(kOfSpacing * quantile(std::move(nearest), 0.5).value_or(0), kMostTolerance);
   }
 
-  void bringElsewhere(std::size_t a, std::size_t b)
+  /// Half of the landmarks have a counterpart. Where the motion leads from one copy to the other, half of these are
+  /// matched.
+  [[nodiscard]] bool isSymmetry(const std::vector<Match>& matches) const
   {
-    const double length = (index_.position(b) - index_.position(a)).norm();
-    if (!(length > 2 * tolerance_)) return;  // tells no direction
-    for (std::size_t c = 0; c < map_.size(); ++c)
-      for (std::size_t d = 0; d < map_.size(); ++d)
-      {
-        const bool same = c == d || (c == a && d == b);
-        if (same || std::abs((index_.position(d) - index_.position(c)).norm() - length) > 2 * tolerance_) continue;
-        test({PointMatch{&points_[a], index_.position(c)}, PointMatch{&points_[b], index_.position(d)}});
-      }
+    std::vector<bool> has_counterpart(map_.size(), false);
+    for (const auto& [to, from] : matches) has_counterpart[to] = has_counterpart[from] = true;
+    const auto count = std::count(has_counterpart.begin(), has_counterpart.end(), true);
+    return 2 * static_cast<std::size_t>(count) >= map_.size() && static_cast<int>(matches.size()) >= least_;
   }
 
-  void test(const std::array<PointMatch, 2>& pair)
+  /// Without those that stay nearly where they are: a motion that leaves most of the map as it is moves the rest only.
+  [[nodiscard]] std::vector<Match> thoseMoved(std::vector<Match> matches) const
   {
-    if (map_.size() > 2 * kFirstLook)
-    {
-      const std::span<const ScanPoint> some = firstLook();
-      if (growFit(index_, pair, some, kGateOfPoint, kOfFirstLook).inliers < static_cast<int>(kOfFirstLook)) return;
-    }
-    const auto least = static_cast<int>(std::max<std::size_t>(2, (map_.size() + 1) / 2));
-    // The pair is among all points, and counts twice.
-    const GrownFit grown = growFit(index_, pair, points_, kGateOfPoint, least);
-    if (grown.inliers < least) return;
-    Pose2 motion = grown.fit.pose().mean;
+    std::erase_if(
+        matches, [&](const Match& match)
+        { return (index_.position(match.first) - index_.position(match.second)).norm() < kClearlyMoved * tolerance_; });
+    return matches;
+  }
+
+  /// All other landmarks but those at the same place, the nearest first.
+  [[nodiscard]] std::vector<ScanPoint> othersByDistance(std::size_t from) const
+  {
+    const Vector2d& origin = index_.position(from);
+    const auto distance = [&](const ScanPoint& point) { return (point.in_robot - origin).norm(); };
+    std::vector<ScanPoint> others;
+    std::copy_if(points_.begin(), points_.end(), std::back_inserter(others),
+                 [&](const ScanPoint& point) { return distance(point) > 2 * tolerance_; });
+    std::sort(others.begin(), others.end(),
+              [&](const ScanPoint& a, const ScanPoint& b) { return distance(a) < distance(b); });
+    return others;
+  }
+
+  /// `others`: all landmarks but `a`, the nearest first, so that the fit grows from where it is precise.
+  void bringElsewhere(const ScanPoint& a, const ScanPoint& b, std::span<const ScanPoint> others)
+  {
+    const double length = (b.in_robot - a.in_robot).norm();
+    for (const Vector2d& c : index_.positions())
+      for (const Vector2d& d : index_.positions())
+        if (std::abs((d - c).norm() - length) < 2 * tolerance_ && !(c == a.in_robot && d == b.in_robot))
+          test({PointMatch{&a, c}, PointMatch{&b, d}}, others);
+  }
+
+  void test(const std::array<PointMatch, 2>& pair, std::span<const ScanPoint> others)
+  {
+    if (!isSupported(pair, others.first(std::min(kFirstLook, others.size())), std::min(least_, kOfFirstLook)) ||
+        !isSupported(pair, others, least_))
+      return;
+    Pose2 motion = growFit(index_, pair, others, kGateOfPoint, 0).fit.pose().mean;
     std::vector<Match> matches = matchedBy(motion);
     for (int k = 0; k < kMostFits && matches.size() >= 2; ++k)
     {
@@ -104,18 +140,16 @@ class SymmetrySearch
       if (refined == matches) break;
       matches = std::move(refined);
     }
-    // A motion that leaves most landmarks where they are moves the others only.
-    const auto moved = static_cast<std::size_t>(
-        std::count_if(matches.begin(), matches.end(), [](const Match& match) { return match.first != match.second; }));
-    if (static_cast<int>(moved) >= least) keep({motion, moved, {}});
+    const std::vector<Match> moved = thoseMoved(matches);
+    if (isSymmetry(moved)) keep({motion, moved.size(), {}});
   }
 
-  /// Every n-th landmark.
-  std::span<const ScanPoint> firstLook()
+  /// Whether the motion of the pair matches `least` landmarks.
+  [[nodiscard]] bool isSupported(const std::array<PointMatch, 2>& pair, std::span<const ScanPoint> others,
+                                 int least) const
   {
-    if (some_.empty())
-      for (std::size_t k = 0; k < kFirstLook; ++k) some_.push_back(points_[k * points_.size() / kFirstLook]);
-    return some_;
+    // The second one of the pair is among the others, and counts twice.
+    return growFit(index_, pair, others, kGateOfPoint, least + 1).inliers > least;
   }
 
   /// One to one: the nearest landmark of which none is nearer.
@@ -183,8 +217,9 @@ class SymmetrySearch
   const LandmarkTable& map_;
   LandmarkIndex index_;
   double tolerance_;
+  int least_;  // landmarks matched
   Vector2d centre_;
-  std::vector<ScanPoint> points_, some_;
+  std::vector<ScanPoint> points_;
   std::vector<MapSymmetry> found_;
 };
 }  // namespace

@@ -8,7 +8,7 @@
 
 namespace mrpt_ext
 {
-/// A rigid motion of the plane that brings most landmarks of a map to places of landmarks.
+/// A rigid motion of the plane that brings many landmarks of a map to places of others.
 struct MapSymmetry
 {
   Pose2 motion;             ///< a robot at compose(motion, x) sees nearly what one at x sees
@@ -24,13 +24,15 @@ inline constexpr std::size_t kMostSymmetries = 16;
 /// In maps of more landmarks no symmetries are sought.
 inline constexpr std::size_t kMostForSymmetries = 300;
 
-/// The motions that bring at least half of the landmarks, and two, to places of others, within an eighth of the spacing
-/// of the landmarks, 0.25 m at most; most matched ones first. The identity is none of them, nor what is within twice
-/// that tolerance of it or of a better one all over the map. Mirror images are not motions of a robot. Identities do
-/// not count: where detections have some, they tell the places apart.
+/// The motions after which half of the landmarks have a counterpart: another one that is brought to their place, or
+/// whose place they are brought to. Two copies of a room are such halves. At least five are matched, or half of fewer
+/// than ten, within a quarter of the distance of neighbours, 0.25 m at most. Most matched ones come first. The identity
+/// is none of them, nor what is within twice the tolerance of it or of a better one all over the map. Mirror images are
+/// not motions of a robot. Identities and categories do not count: not every sensor reports them, and those that do
+/// tell the places apart by them.
 ///
-/// Pairs of landmarks chosen at random are brought to all pairs of the same length (forty of them: if half of the
-/// landmarks are matched, both of a pair are with a probability of a quarter, and the motion is missed by one run in
-/// 10^7). Deterministic.
+/// Pairs of near landmarks are brought to all pairs of the same length, and the matches grow from there, the nearest
+/// landmarks first. The pairs start at forty landmarks chosen at random (if a quarter of the landmarks are matched,
+/// that misses a motion in one map of a thousand), or at all of fewer. Deterministic.
 [[nodiscard]] std::vector<MapSymmetry> mapSymmetries(const LandmarkTable& map);
 }  // namespace mrpt_ext

@@ -42,8 +42,9 @@ void IntegrityMonitor::start(const Frame& measurements, const ParticleSet& sampl
   pose_test_.rivals().start(particles, region);
 }
 
-void IntegrityMonitor::startVerified(const Frame& frame)
+void IntegrityMonitor::startVerified(const Frame& frame, const std::optional<GaussianPose>& start)
 {
+  if (start) start_ = startingState(*start, biases_);
   pose_test_.skip(frame);
   pose_test_.accept();
   for (InlierRatioMonitor* ratio : {&fast_ratio_, &slow_ratio_, &immediate_ratio_}) ratio->trust();
@@ -82,8 +83,26 @@ bool IntegrityMonitor::hasLeft(const Mode& best, bool identified) const
 
 void IntegrityMonitor::followKnown(const ModeSet& modes, const Frame& frame)
 {
-  if (verified_mode_) verified_mode_ = predict(*verified_mode_, biases_, motion_, frame.motion);
-  if (isUnimodal(modes, options_)) rememberVerified(startingState(modes.modes.front().pose, biases_));
+  predictModes(frame.motion);
+  if (!isUnimodal(modes, options_)) return;
+  const GaussianPose& pose = modes.modes.front().pose;
+  if (start_) changeRivals(pose.mean);
+  rememberVerified(startingState(pose, biases_));
+}
+
+void IntegrityMonitor::predictModes(const OdometryMotion& motion)
+{
+  for (std::optional<KalmanState>* mode : {&tested_mode_, &verified_mode_, &start_})
+    if (*mode) *mode = predict(**mode, biases_, motion_, motion);
+}
+
+void IntegrityMonitor::changeRivals(const Pose2& now)
+{
+  if (start_)
+    pose_test_.rivals().startAt(start_->gaussianPose(), now);
+  else
+    pose_test_.rivals().changeMode(verified_mode_ ? std::optional(verified_mode_->gaussianPose()) : std::nullopt, now);
+  start_.reset();
 }
 
 void IntegrityMonitor::rememberVerified(const KalmanState& mode)
@@ -98,8 +117,7 @@ bool IntegrityMonitor::followMode(const ModeSet& modes, const Frame& frame)
   if (modes.modes.empty()) return false;
   const Mode& best = modes.modes.front();
   const bool unimodal = isUnimodal(modes, options_);
-  for (std::optional<KalmanState>* mode : {&tested_mode_, &verified_mode_})
-    if (*mode) *mode = predict(**mode, biases_, motion_, frame.motion);
+  predictModes(frame.motion);
   if (tested_mode_ && detectionCount(frame) == 0) return false;
   const bool restart = tested_mode_ ? hasLeft(best, hasIdentified(frame)) : !unimodal;
   if (restart)
@@ -109,8 +127,7 @@ bool IntegrityMonitor::followMode(const ModeSet& modes, const Frame& frame)
   }
   if (!unimodal) return restart;
   // Where all landmarks are identified, the mode was chosen by what its image does not show.
-  if (!tested_mode_ && verified_mode_ && hasAnonymous(frame))
-    pose_test_.rivals().changeMode(verified_mode_->gaussianPose(), best.pose.mean);
+  if (!tested_mode_ && hasAnonymous(frame)) changeRivals(best.pose.mean);
   tested_mode_ = startingState(best.pose, biases_);
   rememberVerified(*tested_mode_);
   return restart;
@@ -141,9 +158,12 @@ VerdictWithReason IntegrityMonitor::verdict(const ModeSet& modes, double effecti
 {
   const bool falling = immediate_ratio_.suspicious() || fast_ratio_.suspicious();
   const double ratio = falling ? std::min(immediate_ratio_.average(), fast_ratio_.average()) : slow_ratio_.average();
-  VerdictEvidence evidence{ratio, fast_ratio_.lost(), effective, logOdds(), verified()};
+  VerdictEvidence evidence{ratio, fast_ratio_.lost(), effective, pose_test_.logOddsAgainstChance(), verified()};
   if (const auto rival = pose_test_.rival(); rival && !modes.modes.empty())
+  {
     evidence.rival = compose(*rival, modes.modes.front().pose.mean);
+    evidence.log_odds = logOdds();
+  }
   evidence.contradicted = contradicted_;
   evidence.supported = support_.supported();
   return judge(modes, evidence, options_);

@@ -26,7 +26,8 @@ class IntegrityMonitor
   void start(const Frame& measurements, const ParticleSet& samples, const ParticleSet& particles,
              const PoseRegion& region);
   /// The filter was initialized at a known pose: the mode is verified.
-  void startVerified(const Frame& frame);
+  /// `start`: where it was said to be, if its image under a symmetry of the map may be meant as well.
+  void startVerified(const Frame& frame, const std::optional<GaussianPose>& start = std::nullopt);
   /// True when identified landmarks end a gap, a long one or one in which the position of the mode under test became
   /// imprecise, but not its heading: the frame can tell whether the mode is right. A heading that nothing supports is
   /// found anew.
@@ -64,7 +65,11 @@ class IntegrityMonitor
   [[nodiscard]] std::string finding() const { return sensor_ratios_.finding(); }
 
  private:
+  /// Moves what is followed by odometry.
+  void predictModes(const OdometryMotion& motion);
   void rememberVerified(const KalmanState& mode);
+  /// Another mode is under test, or the first one.
+  void changeRivals(const Pose2& now);
   /// Whether `best` is another mode than the one under test. What moves a mode within its prediction is a correction if
   /// landmarks are identified; anonymous ones may have chosen another place.
   [[nodiscard]] bool hasLeft(const Mode& best, bool identified) const;
@@ -77,9 +82,9 @@ class IntegrityMonitor
   SensorMonitors sensor_ratios_;
   SequentialPoseTest pose_test_;
   PoseSupport support_;
-  std::optional<KalmanState> tested_mode_;    // the mode under test, predicted by odometry
-  std::optional<KalmanState> verified_mode_;  // the last one that was verified, predicted by odometry
-  bool gap_ends_ = false;                     // with the frame under test
+  // Predicted by odometry: the mode under test, the last one that was verified, a given start until a mode is precise.
+  std::optional<KalmanState> tested_mode_, verified_mode_, start_;
+  bool gap_ends_ = false;  // with the frame under test
   bool contradicted_ = false;
 };
 }  // namespace mrpt_ext

@@ -103,7 +103,7 @@ FilterStep ParticleFilter::initialize(const Frame& frame, const HypothesisSource
     return step;
   }
   if (options_.initial_mode == InitialMode::gaussian)
-    integrity_.startVerified(frame);
+    integrity_.startVerified(frame, options_.initial_pose);
   else
   {
     normalizeWeights(particles_, options_.threads);

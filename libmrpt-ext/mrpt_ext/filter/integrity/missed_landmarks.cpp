@@ -11,11 +11,11 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr std::size_t kDrawsOfMiss = 64;  // from the posterior
-constexpr double kGateOfMiss = 3;         // standard deviations
-constexpr double kLeastInView = 0.01;     // visibility of a landmark that is looked for
-constexpr double kPriorReadings = 1;      // that the declared detection probability is worth
-constexpr double kMostDetection = 0.99;   // no detection is certain
+constexpr double kGateOfMiss = 3;      // standard deviations
+constexpr double kLeastInView = 0.01;  // visibility of a landmark that is looked for
+constexpr double kPriorReadings = 1;   // that the declared detection probability is worth
+constexpr double kUndeclaredDetection = 0.5;
+constexpr double kMostDetection = 0.99;  // no detection is certain
 
 /// A landmark in view of one draw.
 struct Expected
@@ -56,10 +56,10 @@ std::vector<Expected> expectedFrom(const Pose2& robot, const SensorBias& bias, c
 
 double MissedLandmarks::count(const Reading& reading, const LandmarkTable& map, const ParticleSet& particles)
 {
-  const std::vector<std::size_t> draws = spacedDraws(particles, kDrawsOfMiss);
+  const std::vector<std::size_t> draws = spacedDraws(particles, draws_);
   if (draws.empty() || reading.detections.empty()) return 0;
   const double share = 1 / static_cast<double>(draws.size());
-  const double declared = std::min(*reading.model.detection_probability, kMostDetection);
+  const double declared = std::min(reading.model.detection_probability.value_or(kUndeclaredDetection), kMostDetection);
   const PoseBatch poses = particles.poses();
   std::vector<History> now(histories_.size());
   std::vector<double> log_missed_by_draw;

@@ -29,13 +29,20 @@ namespace mrpt_ext
 class MissedLandmarks
 {
  public:
-  explicit MissedLandmarks(std::size_t landmarks) : histories_(landmarks) {}
+  /// `draws` from the particles stand for all of them.
+  explicit MissedLandmarks(std::size_t landmarks, std::size_t draws = 64) : draws_(draws), histories_(landmarks) {}
 
   /// Another pose hypothesis.
   void clear() { histories_.assign(histories_.size(), {}); }
-  /// Log-likelihood ratio of the misses of a reading that scoresMissedDetections(), at most 0, over normalised
-  /// particles; counts the reading.
+  /// Log-likelihood ratio of the misses of a reading, at most 0, over normalised particles; counts the reading. A
+  /// detection probability that is not declared is taken for a half.
   [[nodiscard]] double count(const Reading& reading, const LandmarkTable& map, const ParticleSet& particles);
+  /// Share of the readings with the landmark in view that show it, with a uniform prior.
+  [[nodiscard]] double shareSeen(std::size_t landmark) const
+  {
+    const History& history = histories_[landmark];
+    return (1 + history.seen) / (2 + history.seen + history.missed);
+  }
 
  private:
   /// Expected number of readings with the landmark in view.
@@ -44,6 +51,7 @@ class MissedLandmarks
     double seen = 0, missed = 0;
   };
 
+  std::size_t draws_;
   std::vector<History> histories_;  // by landmark
 };
 }  // namespace mrpt_ext

@@ -249,9 +249,9 @@ std::vector<Reading> SequentialPoseTest::test(const std::vector<Reading>& readin
       if (is_point) log_ratio = strays_.counted(log_ratio, part.model);
       log_odds_ = std::min(log_odds_ + counted(part, landmark, log_ratio, {first, share_of_new}), kMaxLogOdds);
     }
-    if (!first || !scoresMissedDetections(reading)) continue;
-    log_odds_ += missed_.count(reading, map, particles);
-    symmetric_.countMissed(reading, map, particles);
+    if (!first) continue;
+    if (scoresMissedDetections(reading)) log_odds_ += missed_.count(reading, map, particles);
+    symmetric_.look(reading, map, particles);
   }
   return all_independent;
 }

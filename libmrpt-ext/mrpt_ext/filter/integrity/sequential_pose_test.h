@@ -94,6 +94,8 @@ class SequentialPoseTest
   [[nodiscard]] double logOdds() const { return std::min(log_odds_, symmetric_.logOdds()); }
   [[nodiscard]] bool verified() const { return logOdds() >= kAcceptLogOdds; }
   [[nodiscard]] bool refuted() const { return logOdds() <= kRejectLogOdds; }
+  /// Log odds against the null hypothesis alone.
+  [[nodiscard]] double logOddsAgainstChance() const { return log_odds_; }
   /// Motion to the rival by symmetry that alone keeps the pose from being verified.
   [[nodiscard]] std::optional<Pose2> rival() const
   {

@@ -7,30 +7,77 @@
 #include "mrpt_ext/filter/particles/spaced_draws.h"
 #include "mrpt_ext/geometry/log_probability.h"
 #include "mrpt_ext/geometry/mahalanobis.h"
-#include "mrpt_ext/likelihood/reading_scorer.h"
+#include "mrpt_ext/likelihood/detection_density.h"
+#include "mrpt_ext/likelihood/missed_detections.h"
+#include "mrpt_ext/likelihood/sensor_bias.h"
 
 namespace mrpt_ext
 {
 namespace
 {
-constexpr std::size_t kDraws = 64;    // of the pose under test
-constexpr double kMostOfFrame = 4.5;  // log-likelihood ratio: no frame verifies alone
+constexpr std::size_t kDraws = 16;    // of the pose under test, which is precise
+constexpr double kMostOfFrame = 4.5;  // log-likelihood ratio of anonymous detections: no frame verifies alone
 constexpr double kCarried = 0.01;     // share of the jumps of a mode in which the robot was carried, not slipping
 constexpr double kClearTurn = 5;      // standard deviations of a compass
 
-/// Logarithm of the mean likelihood of the draws.
-double logEvidence(const std::vector<Reading>& readings, const LandmarkTable& map, double max_range,
-                   const ParticleSet& draws)
+/// A landmark in view of a draw.
+struct InView
 {
-  const LandmarkClutter clutter;
-  std::vector<float> log_likelihood(draws.size(), 0.0F);
-  for (Reading reading : readings)
+  std::size_t landmark;
+  LandmarkPrediction prediction;
+  double share;  // of the detections
+};
+
+std::vector<InView> inView(const Reading& reading, const LandmarkTable& map, const MissedLandmarks& history,
+                           const ParticleSet& draws, std::size_t draw)
+{
+  const Pose2 pose = draws.pose(draw);
+  const SensorBias bias = sensorBias(draws.poses(), draw, reading.sensor);
+  std::vector<InView> result;
+  for (std::size_t k = 0; k < map.size(); ++k)
   {
-    reading.model.max_range = reading.model.max_range.value_or(max_range);
-    ReadingScorer(reading, map, clutter, draws.origin).addTo(draws.poses(), log_likelihood);
+    LandmarkPrediction prediction = predict(map[k], reading, pose);
+    if (!(prediction.visibility > 0)) continue;
+    applyBias(prediction, bias);
+    result.push_back({k, prediction, prediction.visibility * history.shareSeen(k)});
   }
+  return result;
+}
+
+double totalShare(const std::vector<InView>& landmarks)
+{
+  double sum = 0;
+  for (const InView& one : landmarks) sum += one.share;
+  return sum;
+}
+
+/// Logarithm of the mean likelihood of the draws. `expected`: number of landmarks in view of each draw for each reading
+/// by which the densities are divided. It is that of the pose under test for its rivals as well: a pose at the edge of
+/// the map, with few landmarks in view, does not explain one of them better.
+double logEvidence(const std::vector<Reading>& readings, const LandmarkTable& map, const MissedLandmarks& history,
+                   const ParticleSet& draws, double max_range, std::vector<double>& expected)
+{
+  const bool first = expected.empty();
   double sum = kLogZero;
-  for (const float one : log_likelihood) sum = logSum(sum, double{one});
+  for (std::size_t i = 0, next = 0; i < draws.size(); ++i)
+  {
+    double log_likelihood = 0;
+    for (const Reading& reading : readings)
+    {
+      const std::vector<InView> landmarks = inView(reading, map, history, draws, i);
+      if (first) expected.push_back(std::max(1.0, totalShare(landmarks)));
+      const double count = expected[next++], clutter = boundedClutter(reading.model.clutter_probability);
+      for (const Detection& detection : reading.detections)
+      {
+        double density = clutter / measurementVolume(detection, reading.model, max_range);
+        for (const InView& one : landmarks)
+          if (mayShow(detection, map[one.landmark]))
+            density += (1 - clutter) / count * one.share * std::exp(logDensity(detection, one.prediction));
+        log_likelihood += std::log(density);
+      }
+    }
+    sum = logSum(sum, log_likelihood);
+  }
   return sum - std::log(static_cast<double>(draws.size()));
 }
 
@@ -41,13 +88,13 @@ double logDensity(const GaussianPose& gaussian, const Pose2& pose)
 }
 }  // namespace
 
-SymmetricRivals::SymmetricRivals(const LandmarkTable& map, double most) : most_(most), missed_(map.size())
+SymmetricRivals::SymmetricRivals(const LandmarkTable& map, double most) : most_(most), missed_(map.size(), kDraws)
 {
   const auto [low, high] = map.boundingBox();
   const Vector2d extent = (high - low).cwiseMax(1.0);
   log_density_anywhere_ = -std::log(extent.prod() * kTwoPi);
   for (MapSymmetry& symmetry : mapSymmetries(map))
-    rivals_.push_back({std::move(symmetry), MissedLandmarks(map.size())});
+    rivals_.push_back({std::move(symmetry), MissedLandmarks(map.size(), kDraws)});
 }
 
 void SymmetricRivals::add(Rival& rival, double log_ratio) const
@@ -66,11 +113,23 @@ void SymmetricRivals::start(const ParticleSet& particles, const PoseRegion& regi
         possible += std::exp(double{particles.log_weight[i]});
     rival.log_odds = std::clamp(-std::log(possible), 0.0, most_);
   }
+  rememberVerified();
+}
+
+void SymmetricRivals::startAt(const GaussianPose& start, const Pose2& now)
+{
+  for (Rival& rival : rivals_)
+  {
+    const double image = logDensity(start, compose(rival.symmetry.motion, now));
+    rival.log_odds = std::clamp(logDensity(start, now) - image, -most_, most_);
+  }
+  rememberVerified();
 }
 
 void SymmetricRivals::accept()
 {
   for (Rival& rival : rivals_) rival.log_odds = most_;
+  rememberVerified();
 }
 
 void SymmetricRivals::rememberVerified()
@@ -78,10 +137,12 @@ void SymmetricRivals::rememberVerified()
   for (Rival& rival : rivals_) rival.log_odds_of_verified = rival.log_odds;
 }
 
-void SymmetricRivals::changeMode(const GaussianPose& before, const Pose2& now)
+void SymmetricRivals::changeMode(const std::optional<GaussianPose>& before, const Pose2& now)
 {
   forgetMissed();
-  GaussianPose slipped = before;
+  for (Rival& rival : rivals_) rival.log_odds = rival.log_odds_of_verified;
+  if (!before) return;
+  GaussianPose slipped = *before;
   slipped.covariance.diagonal() += kSlipStd.cwiseAbs2();
   const double log_anywhere = std::log(kCarried) + log_density_anywhere_;
   for (Rival& rival : rivals_)
@@ -110,17 +171,28 @@ void SymmetricRivals::update(const std::vector<Reading>& independent, const Land
   if (rivals_.empty() || independent.empty() || particles.empty()) return;
   const ParticleSet draws = select(particles, spacedDraws(particles, kDraws));
   const double max_range = defaultMaxRange(map);
-  const double own = logEvidence(independent, map, max_range, draws);
+  std::vector<double> expected;
+  const double own = logEvidence(independent, map, missed_, draws, max_range, expected);
+  const bool anonymous =
+      std::any_of(independent.begin(), independent.end(), [](const Reading& reading) { return hasAnonymous(reading); });
+  const double most = anonymous ? kMostOfFrame : most_;
   for (Rival& rival : rivals_)
-    add(rival, std::clamp(own - logEvidence(independent, rival.symmetry.image, max_range, draws), -kMostOfFrame,
-                          kMostOfFrame));
+  {
+    const double image = logEvidence(independent, rival.symmetry.image, rival.missed, draws, max_range, expected);
+    add(rival, std::clamp(own - image, -most, most));
+  }
 }
 
-void SymmetricRivals::countMissed(const Reading& reading, const LandmarkTable& map, const ParticleSet& particles)
+void SymmetricRivals::look(const Reading& reading, const LandmarkTable& map, const ParticleSet& particles)
 {
   if (rivals_.empty()) return;
+  const bool declared = scoresMissedDetections(reading);
   const double own = missed_.count(reading, map, particles);
-  for (Rival& rival : rivals_) add(rival, own - rival.missed.count(reading, rival.symmetry.image, particles));
+  for (Rival& rival : rivals_)
+  {
+    const double image = rival.missed.count(reading, rival.symmetry.image, particles);
+    if (declared) add(rival, own - image);
+  }
 }
 
 void SymmetricRivals::forgetMissed()

@@ -19,6 +19,9 @@ namespace mrpt_ext
 /// each, the odds of the pose against it are those of the start, changed by what the two expect to be seen
 /// differently: landmarks that have no counterpart, or one of another category or identity. As the two are a pair
 /// before anything is seen, no selection has to be feared, and every independent detection counts.
+///
+/// A landmark that was missed whenever it was in view, behind a wall or removed, is not expected to be the origin of
+/// the next detection there: what fits it is clutter (MissedLandmarks::shareSeen()).
 class SymmetricRivals
 {
  public:
@@ -28,19 +31,21 @@ class SymmetricRivals
   /// The robot started in `region`. `particles`: weighted, normalised. A start that leaves out the images tells them
   /// apart.
   void start(const ParticleSet& particles, const PoseRegion& region);
+  /// The start was given as a distribution, which odometry brings to `start`, when the pose became precise.
+  void startAt(const GaussianPose& start, const Pose2& now);
   /// The pose is known.
   void accept();
   /// The pose under test is verified, against the rivals as well.
   void rememberVerified();
   /// Another mode is under test, that odometry did not lead to. From the one that was verified last it leads to
-  /// `before`.
-  void changeMode(const GaussianPose& before, const Pose2& now);
+  /// `before`; absent: none was.
+  void changeMode(const std::optional<GaussianPose>& before, const Pose2& now);
   /// The heading was measured by a compass, and agrees with the pose under test.
   void useHeading(double std_heading);
   /// Counts independent detections of one frame. `particles` are not weighted with them.
   void update(const std::vector<Reading>& independent, const LandmarkTable& map, const ParticleSet& particles);
-  /// Counts what a reading misses, with all its detections.
-  void countMissed(const Reading& reading, const LandmarkTable& map, const ParticleSet& particles);
+  /// Counts what the first reading from a spot shows and misses, with all its detections.
+  void look(const Reading& reading, const LandmarkTable& map, const ParticleSet& particles);
   /// Another pose is under test: it was not looked for its landmarks yet.
   void forgetMissed();
 
@@ -56,7 +61,7 @@ class SymmetricRivals
     MapSymmetry symmetry;
     MissedLandmarks missed;
     double log_odds = 0;
-    double log_odds_of_verified = 0;  // of the pose that was verified last
+    double log_odds_of_verified = 0;  // of the pose that was verified last, or of the start
   };
 
   [[nodiscard]] const Rival* strongestRival() const;
