@@ -83,6 +83,16 @@ TEST(GoalCorners, AreWhereAWhiteSideBeginsWhenItIsInTheShade)
   EXPECT_EQ(cornersOf(recessed(0.7, 0.8 * testing::kWhite, testing::kBlue)).size(), 2u);
 }
 
+TEST(GoalCorners, HaveTheirFootWhereAWhiteSideBegins)
+{
+  for (const double wall : {0.6, 0.8})
+  {
+    const FieldPicture picture = recessed(wall, 0.8 * testing::kWhite, testing::kYellow);
+    for (const GoalCorner& corner : cornersOf(picture))
+      EXPECT_NEAR(corner.white_bottom, picture.camera.pixelOf({wall, 0})->y, 1) << wall;
+  }
+}
+
 TEST(GoalCorners, AreWhereTheGoalIsThoughOneImageAloneShowsItsSide)
 {
   double squares = 0;

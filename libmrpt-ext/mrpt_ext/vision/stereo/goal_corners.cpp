@@ -130,7 +130,6 @@ class CornerFinder
           const double apart = (front->measured.position - back.measured.position).norm();
 
           const double std = std::hypot(front->measured.std_range, back.measured.std_range);
-          front->white_bottom = back.white_bottom;
           moveToFoot(*front, turn);
           front->side_width = side;
           if (front->measured.range < back.measured.range &&
