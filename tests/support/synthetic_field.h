@@ -55,7 +55,7 @@ struct FieldPicture
   StereoCamera camera = smallCamera();
   double wall = 0.8;             ///< [m] forward
   std::vector<Board> boards;     ///< before the wall, nearer ones first; a goal is one in the wall's plane
-  std::vector<SideBoard> sides;  ///< before everything else
+  std::vector<SideBoard> sides;  ///< before everything else but boards where they begin
   std::vector<Marking> markings;
   double line_width = 0.003;  ///< [m]
   double noise = 3;           ///< [grey levels]
@@ -68,7 +68,14 @@ inline cv::Vec3d colourSeen(const FieldPicture& picture, const Eigen::Vector3d& 
   for (const SideBoard& side : picture.sides)
   {
     const Eigen::Vector3d p = origin + (side.left - origin.y()) / ray.y() * ray;
-    if (p.x() >= side.first && p.x() <= side.last && p.z() >= 0 && p.z() <= side.height) return side.colour;
+    const bool is_hidden = std::any_of(picture.boards.begin(), picture.boards.end(),
+                                       [&](const Board& board)
+                                       {
+                                         const double y = origin.y() + board.forward / ray.x() * ray.y();
+                                         return board.forward <= side.first && y > board.right && y < board.left;
+                                       });
+    if (!is_hidden && p.x() >= side.first && p.x() <= side.last && p.z() >= 0 && p.z() <= side.height)
+      return side.colour;
   }
   for (const Board& board : picture.boards)
   {

@@ -83,6 +83,38 @@ TEST(GoalCorners, AreWhereAWhiteSideBeginsWhenItIsInTheShade)
   EXPECT_EQ(cornersOf(recessed(0.7, 0.8 * testing::kWhite, testing::kBlue)).size(), 2u);
 }
 
+TEST(GoalCorners, HaveTheirFootWhereAWhiteSideBegins)
+{
+  for (const double wall : {0.6, 0.8})
+  {
+    const FieldPicture picture = recessed(wall, 0.8 * testing::kWhite, testing::kYellow);
+    for (const GoalCorner& corner : cornersOf(picture))
+      EXPECT_NEAR(corner.white_bottom, picture.camera.pixelOf({wall, 0})->y, 1) << wall;
+  }
+}
+
+TEST(GoalCorners, AreWhereTheGoalIsThoughOneImageAloneShowsItsSide)
+{
+  double squares = 0;
+  int n = 0;
+  for (const cv::Vec3d& colour : {testing::kYellow, cv::Vec3d(115, 180, 190), testing::kBlue})
+    for (const double left : {-0.02, -0.01, -0.005, 0.0})  // [m] of the left camera, and 3 cm of the right one
+    {
+      FieldPicture picture = recessed(0.8, 0.7 * colour, colour);
+      picture.boards[0].right = picture.sides[0].left = picture.boards[2].left = left;
+      picture.boards[1].left = picture.sides[1].left = picture.boards[2].right = left - 0.4;
+      const auto corners = cornersOf(picture);
+      ASSERT_EQ(corners.size(), 2u) << left;
+      for (const GoalCorner& corner : corners)
+      {
+        const double error = corner.measured.range - std::hypot(0.8, corner.side > 0 ? left : left - 0.4);
+        squares += square(error / corner.measured.std_range), ++n;
+        EXPECT_LT(std::abs(error), 0.03) << left;
+      }
+    }
+  EXPECT_LT(squares / n, 2);
+}
+
 TEST(GoalCorners, AreNotMeasuredAtTheBackOfASideTooNarrowToBeSeen)
 {
   for (const double pixels : {2.0, 3.0})

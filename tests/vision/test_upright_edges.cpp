@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "../support/synthetic_field.h"
@@ -24,6 +25,21 @@ cv::Mat withEdge(double column, double slope)
       const double white = std::clamp(column + slope * (row - 100) - u + 0.5, 0.0, 1.0);
       image.at<cv::Vec3b>(row, u) = cv::Vec3d(white * testing::kWhite + (1 - white) * testing::kYellow);
     }
+  return image;
+}
+
+/// The same with a goal's side in the shade, so many pixels wide, between white and yellow. Pixels sum light.
+cv::Mat withSide(double column, double wide)
+{
+  cv::Mat image(240, 320, CV_8UC3);
+  for (int u = 0; u < image.cols; ++u)
+  {
+    const double white = std::clamp(column - u + 0.5, 0.0, 1.0),
+                 yellow = 1 - std::clamp(column + wide - u + 0.5, 0.0, 1.0);
+    const cv::Vec3d light = white * testing::kWhite.mul(testing::kWhite) +
+                            (0.5 * (1 - white - yellow) + yellow) * testing::kYellow.mul(testing::kYellow);
+    image.col(u).setTo(cv::Scalar(std::sqrt(light[0]), std::sqrt(light[1]), std::sqrt(light[2])));
+  }
   return image;
 }
 
@@ -87,5 +103,19 @@ TEST(UprightEdges, TrustBrightnessWhereColourDiffers)
   ASSERT_EQ(apart.size(), 1u);
   EXPECT_NEAR(apart[0].disparity, same[0].disparity, 0.1);
   EXPECT_NEAR(apart[0].middle.x, same[0].middle.x, 0.1);
+}
+
+TEST(UprightEdges, AreNotMovedByASideInTheShadeThatOneImageShows)
+{
+  for (const double column : {kColumn, kColumn + 0.2, kColumn + 0.5})
+    for (const double wide : {1.0, 1.5, 2.0})  // narrower ones may be colour that is coarser than the pixels
+      for (const bool in_left : {false, true})
+      {
+        const auto edges =
+            edgesOf(withSide(column, in_left ? wide : 0), withSide(column - kDisparity, in_left ? 0 : wide));
+        ASSERT_EQ(edges.size(), 1u);
+        EXPECT_NEAR(edges[0].middle.x, column, 0.15) << wide << " px";
+        EXPECT_NEAR(edges[0].disparity, kDisparity, 0.2) << wide << " px";
+      }
 }
 }  // namespace mrpt_ext::test_upright_edges

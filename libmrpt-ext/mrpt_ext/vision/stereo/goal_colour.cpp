@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "mrpt_ext/vision/stereo/edge_mixture.h"
+
 namespace mrpt_ext
 {
 namespace
@@ -50,6 +52,24 @@ HueAndSaturation colourOf(const cv::Vec3f& shares)
   if (!(range > 0)) return {};
   const float hue = max == r ? (g - b) / range : max == g ? 2 + (b - r) / range : 4 + (r - g) / range;
   return {hue, range / max};
+}
+
+float brightnessOf(const cv::Vec3f& colour) { return 0.114F * colour[0] + 0.587F * colour[1] + 0.299F * colour[2]; }
+
+/// Of some pixels between white and paint, given the linear light of both.
+PaintInShade shadeIn(const cv::Vec3b* pixels, int count, const cv::Vec3d& white, const cv::Vec3d& paint)
+{
+  const EdgeMixture mixture(white, paint);
+  const double of_paint = brightnessOf(paint);
+  PaintInShade shade;
+  shade.contrast = brightnessOf(white) - of_paint;
+  for (int i = 0; i < count; ++i)
+  {
+    const cv::Vec3d light = lightOf(pixels[i]);
+    const double is_white = mixture.whiteIn(light), missing = mixture.darkIn(light) * of_paint;
+    shade.of_white += is_white * missing, shade.of_paint += (1 - is_white) * missing;
+  }
+  return shade;
 }
 
 /// Whether `dark` is the same white in the shade: all channels fall alike.
@@ -102,26 +122,35 @@ cv::Vec3f leastWhite(const cv::Mat& bgr, int step)
   return least;
 }
 
+double PaintInShade::shift() const { return std::max(0.0, of_paint - std::abs(of_white)) / contrast; }
+
+PaintInShade& PaintInShade::operator+=(const PaintInShade& other)
+{
+  of_paint += other.of_paint, of_white += other.of_white, contrast += other.contrast;
+  return *this;
+}
+
 cv::Vec3f meanAround(const cv::Mat& bgr, int row, int column)
 {
   return meanOf(bgr.ptr<cv::Vec3b>(row), bgr.cols, column - kMean / 2, kMean);
 }
 
-std::optional<double> brightnessStepAt(const cv::Mat& bgr, int row, double column, int side)
+std::optional<BrightnessStep> brightnessStepAt(const cv::Mat& bgr, int row, double column, int side)
 {
   const cv::Vec3b* const pixels = bgr.ptr<cv::Vec3b>(row);
-  const auto brightness = [](const cv::Vec3f& colour)
-  { return 0.114F * colour[0] + 0.587F * colour[1] + 0.299F * colour[2]; };
   const int reach = kStepGap + kMean, u = static_cast<int>(std::floor(column));
   if (u - reach + 1 < 0 || u + reach >= bgr.cols) return std::nullopt;
-  const float left = brightness(meanOf(pixels, bgr.cols, u - reach + 1, kMean)),
-              right = brightness(meanOf(pixels, bgr.cols, u + kStepGap + 1, kMean)), half = 0.5F * (left + right);
-  if (static_cast<float>(side) * (left - right) <= 0) return std::nullopt;
+  const cv::Vec3f left = meanOf(pixels, bgr.cols, u - reach + 1, kMean),
+                  right = meanOf(pixels, bgr.cols, u + kStepGap + 1, kMean);
+  const cv::Vec3d white = lightOf(side > 0 ? left : right), paint = lightOf(side > 0 ? right : left);
+  const float half = 0.5F * (brightnessOf(left) + brightnessOf(right));
+  if (brightnessOf(white) <= brightnessOf(paint)) return std::nullopt;
   for (const int i : {u, u - 1, u + 1})
   {
-    const float a = brightness(pixels[i]) - half, b = brightness(pixels[i + 1]) - half;
+    const float a = brightnessOf(pixels[i]) - half, b = brightnessOf(pixels[i + 1]) - half;
     if (static_cast<float>(side) * a >= 0 && static_cast<float>(side) * b < 0)
-      return i + static_cast<double>(a / (a - b));
+      return BrightnessStep{i + static_cast<double>(a / (a - b)),
+                            shadeIn(pixels + u - kStepGap + 1, 2 * kStepGap, white, paint)};
   }
   return std::nullopt;
 }
@@ -153,12 +182,15 @@ std::vector<double> stepsInRow(const cv::Mat& bgr, int row, int first_column, in
               right = meanOf(pixels, bgr.cols, u + gap + 1, reach - gap);
     const cv::Vec3f &white = side > 0 ? left : right, &dyed = side > 0 ? right : left;
     if (!is_step(white, dyed)) continue;
-    const float half = 0.5F * (white[channel] + dyed[channel]);
+    const EdgeMixture mixture(lightOf(white), lightOf(dyed));
+    const double half = 0.5F * (white[channel] + dyed[channel]);
+    const auto beyondHalf = [&](int i)
+    { return side * (step.colour ? mixture.whiteIn(lightOf(pixels[i])) - 0.5 : level(i) - half); };
     for (int i = u - 1; i <= u + 1; ++i)
     {
-      const float a = level(i) - half, b = level(i + 1) - half;
-      if (static_cast<float>(side) * a < 0 || static_cast<float>(side) * b >= 0) continue;
-      columns.push_back(i + static_cast<double>(a / (a - b)));
+      const double a = beyondHalf(i), b = beyondHalf(i + 1);
+      if (a < 0 || b >= 0) continue;
+      columns.push_back(i + a / (a - b));
       break;
     }
   }

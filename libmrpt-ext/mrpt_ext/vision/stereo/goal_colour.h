@@ -44,14 +44,33 @@ struct ColourStep
   return pixel[0] >= least_white[0] && pixel[1] >= least_white[1] && pixel[2] >= least_white[2];
 }
 
-/// Where this step is in one row. Columns are to a fraction of a pixel, where the darkest channel is half way between
-/// both sides.
+/// Where this step is in one row. Columns are to a fraction of a pixel: of paint where half of a pixel is white, of
+/// shade where the brightness is half way between both sides.
 [[nodiscard]] std::vector<double> stepsInRow(const cv::Mat& bgr, int row, int first_column, int last_column,
                                              const ColourStep& step, const cv::Vec3f& least_white);
 
+/// Light that is missing between white and paint, where a goal's side in the shade may be. Sums of some rows.
+struct PaintInShade
+{
+  double of_paint = 0, of_white = 0;  ///< that pixels lack as far as they are paint, and as far as they are white
+  double contrast = 0;                ///< white's brightness less the paint's
+
+  /// [px] that it moves a step of brightness towards the white. Where colour is coarser than the pixels, some of the
+  /// white lacks light or has too much of it as well; that is no shade, nor is as much of the paint's.
+  [[nodiscard]] double shift() const;
+  PaintInShade& operator+=(const PaintInShade& other);
+};
+
+struct BrightnessStep
+{
+  double column = 0;
+  PaintInShade shade;
+};
+
 /// Where the brightness alone is half way between both sides of a step that is about `column`, white at smaller columns
-/// (`side` +1) or at larger ones (-1). Cameras and JPEG files may keep colour in coarser pixels than brightness.
-[[nodiscard]] std::optional<double> brightnessStepAt(const cv::Mat& bgr, int row, double column, int side);
+/// (`side` +1) or at larger ones (-1). Cameras and JPEG files may keep colour in coarser pixels than brightness. But
+/// brightness takes paint in the shade for less white.
+[[nodiscard]] std::optional<BrightnessStep> brightnessStepAt(const cv::Mat& bgr, int row, double column, int side);
 
 /// The mean of three pixels of a row around a column; of fewer at the image's border.
 [[nodiscard]] cv::Vec3f meanAround(const cv::Mat& bgr, int row, int column);

@@ -7,6 +7,7 @@
 
 #include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/geometry/quantile.h"
+#include "mrpt_ext/vision/stereo/edge_mixture.h"
 #include "mrpt_ext/vision/stereo/upright_edges.h"
 
 namespace mrpt_ext
@@ -29,7 +30,6 @@ constexpr int kSideReach = 5;         ///< [px] from the step that a narrow side
 constexpr int kLevelColumns = 4;      ///< [px] beyond it, that tell the level of white and of colour
 constexpr double kLeastDeficit = 0.25;   ///< [px] of complete darkness that a side in the shade amounts to
 constexpr double kOutlierDeficit = 2;    ///< likewise, standard deviations of the noise
-constexpr double kBesideStep = 0.4;      ///< [px] towards the colour; a coloured side is farther there
 constexpr double kDepthTolerance = 0.3;  ///< share of a goal's depth
 constexpr double kEndOfRows = 1.5;       ///< [px] a height in the image is known to
 
@@ -130,7 +130,6 @@ class CornerFinder
           const double apart = (front->measured.position - back.measured.position).norm();
 
           const double std = std::hypot(front->measured.std_range, back.measured.std_range);
-          front->white_bottom = back.white_bottom;
           moveToFoot(*front, turn);
           front->side_width = side;
           if (front->measured.range < back.measured.range &&
@@ -242,8 +241,7 @@ class CornerFinder
     const double u = edge.middle.x + camera_.uprightSlope(edge.middle) * (row - edge.middle.y);
     const int column = cvRound(u) + corner.side * offset;
     if (column < 0 || column >= left_.cols) return std::nullopt;
-    const cv::Vec3d level = left_.at<cv::Vec3b>(row, column);
-    return level.mul(level);
+    return lightOf(left_.at<cv::Vec3b>(row, column));
   }
 
   /// Mean over an edge's rows and some columns beside it.
@@ -261,31 +259,29 @@ class CornerFinder
   }
 
   /// Whether a white side in the shade lies between white and colour, too narrow to show where it begins: what is
-  /// measured then is the goal's back. Pixels at an edge are mixtures of both sides, whose shares make one; a side in
-  /// the shade takes light away. A white side does so on the white side of the step, a coloured one on the other.
+  /// measured then is the goal's back. A side in the shade takes light away, a white one from pixels that are rather
+  /// white, a coloured one from the others.
   [[nodiscard]] bool hasNarrowSide(const GoalCorner& corner, const UprightEdge& edge) const
   {
     const auto white = levelBeside(corner, edge, -kSideReach - kLevelColumns),
                dyed = levelBeside(corner, edge, kInside);
     if (!white || !dyed) return false;
-    const double ww = white->dot(*white), dd = dyed->dot(*dyed), wd = white->dot(*dyed), det = ww * dd - wd * wd;
-    const cv::Vec3d share = ((dd - wd) * *white + (ww - wd) * *dyed) / det;  // of both, in a pixel
-    const double fraction = corner.side * (cvRound(edge.middle.x) - edge.middle.x);
+    const EdgeMixture mixture(*white, *dyed);
     const double rows = static_cast<double>(edge.rows.size());
-    double missing = 0, squares = 0, moment = 0;
+    double missing = 0, squares = 0, of_white = 0;
     for (const int row : edge.rows)
     {
       double in_row = 0;
       for (int offset = -kSideReach; offset < kInside; ++offset)
         if (const auto light = lightBeside(corner, edge, row, offset))
         {
-          const double deficit = 1 - share.dot(*light);
-          in_row += deficit, moment += (offset + fraction) * deficit / rows;
+          const double dark = mixture.darkIn(*light);
+          in_row += dark, of_white += mixture.whiteIn(*light) * dark / rows;
         }
       missing += in_row / rows, squares += in_row * in_row / rows;
     }
     const double std = std::sqrt((squares - missing * missing) / rows);
-    return missing > std::max(kLeastDeficit, kOutlierDeficit * std) && moment < kBesideStep * missing;
+    return missing > std::max(kLeastDeficit, kOutlierDeficit * std) && of_white > 0.5 * missing;
   }
 
   /// The last row up or down from `start` for which `holds`; single rows for which it does not are passed over.

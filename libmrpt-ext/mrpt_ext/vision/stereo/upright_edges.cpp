@@ -136,6 +136,12 @@ struct UprightEdges::RowStep
   double disparity = 0;
 };
 
+struct UprightEdges::InBrightness
+{
+  std::vector<RowStep> rows;
+  PaintInShade left, right;
+};
+
 UprightEdges::UprightEdges(const cv::Mat& left, const cv::Mat& right, const StereoCamera& camera,
                            const EdgeSearch& search)
     : left_(left), right_(right), camera_(camera), search_(search), least_white_(leastWhite(left, kWhiteStep))
@@ -217,21 +223,24 @@ std::vector<UprightEdge> UprightEdges::in(const EdgeWindow& window, const Colour
 }
 
 /// The same rows of an edge, located by brightness.
-std::vector<UprightEdges::RowStep> UprightEdges::inBrightness(const std::vector<RowStep>& rows,
-                                                              const EdgeWindow& window, int side) const
+UprightEdges::InBrightness UprightEdges::inBrightness(const std::vector<RowStep>& rows, const EdgeWindow& window,
+                                                      int side) const
 {
   const double middle = window.middle(), column = rows.front().left;
   const double slope_left = camera_.uprightSlope({column, middle}),
                slope_right = camera_.uprightSlope({column - rows.front().disparity, middle});
-  std::vector<RowStep> result;
+  InBrightness result;
   for (const RowStep& r : rows)
   {
     const double lean_left = slope_left * (r.row - middle), lean_right = slope_right * (r.row - middle);
     const auto left = brightnessStepAt(left_, r.row, r.left + lean_left, side),
                right = brightnessStepAt(right_, r.row, r.left - r.disparity + lean_right, side);
-    if (left && right) result.push_back({r.row, *left - lean_left, {}, *left - lean_left - *right + lean_right});
+    if (!left || !right) continue;
+    const double u = left->column - lean_left;
+    result.rows.push_back({r.row, u, {}, u - right->column + lean_right});
+    result.left += left->shade, result.right += right->shade;
   }
-  removeOutliers(result, &RowStep::left), removeOutliers(result, &RowStep::disparity);
+  removeOutliers(result.rows, &RowStep::left), removeOutliers(result.rows, &RowStep::disparity);
   return result;
 }
 
@@ -239,11 +248,14 @@ UprightEdge UprightEdges::measured(const std::vector<RowStep>& rows, const EdgeW
                                    const ColourStep& step) const
 {
   auto u = meanOf(rows, &RowStep::left), d = meanOf(rows, &RowStep::disparity);
-  const auto bright = step.colour ? inBrightness(rows, window, step.side) : std::vector<RowStep>{};
-  if (2 * bright.size() > rows.size() && bright.size() > 1)
+  const auto bright = step.colour ? inBrightness(rows, window, step.side) : InBrightness{};
+  if (2 * bright.rows.size() > rows.size() && bright.rows.size() > 1)
   {
-    u = jointColumn(u, meanOf(bright, &RowStep::left), search_.std_column);
-    d = jointColumn(d, meanOf(bright, &RowStep::disparity), search_.std_disparity);
+    auto bright_u = meanOf(bright.rows, &RowStep::left), bright_d = meanOf(bright.rows, &RowStep::disparity);
+    const double left = bright.left.shift(), right = bright.right.shift();
+    bright_u.std = std::hypot(bright_u.std, left), bright_d.std = std::hypot(bright_d.std, left - right);
+    u = jointColumn(u, bright_u, search_.std_column);
+    d = jointColumn(d, bright_d, search_.std_disparity);
   }
   UprightEdge edge{{u.mean, static_cast<double>(window.middle())},
                    d.mean,

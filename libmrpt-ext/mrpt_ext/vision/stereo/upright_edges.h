@@ -36,8 +36,9 @@ struct UprightEdge
 /// Upright edges of one kind in a rectified pair of BGR images, each row located by itself (paper 004: the search at
 /// full scale), rows moved along the edge, which leans when the cameras have a pitch, outliers removed, and the same
 /// step found in the right image. An edge of a colour is located by its brightness as well, which counts more
-/// where they do not agree: colour is often coarser than the pixels. Several edges may be so close that only the
-/// disparity tells them apart.
+/// where they do not agree: colour is often coarser than the pixels. It counts less where a goal's side in the shade
+/// stands between white and colour, which one image may show and the other hardly. Several edges may be so close that
+/// only the disparity tells them apart.
 class UprightEdges
 {
  public:
@@ -51,11 +52,11 @@ class UprightEdges
 
  private:
   struct RowStep;
+  struct InBrightness;
   [[nodiscard]] double atMiddleRow(double column, int row, const EdgeWindow& window) const;
   [[nodiscard]] std::vector<RowStep> stepsInLeft(const EdgeWindow& window, const ColourStep& step) const;
   void searchRight(std::vector<RowStep>& rows, const EdgeWindow& window, const ColourStep& step) const;
-  [[nodiscard]] std::vector<RowStep> inBrightness(const std::vector<RowStep>& rows, const EdgeWindow& window,
-                                                  int side) const;
+  [[nodiscard]] InBrightness inBrightness(const std::vector<RowStep>& rows, const EdgeWindow& window, int side) const;
   [[nodiscard]] UprightEdge measured(const std::vector<RowStep>& rows, const EdgeWindow& window,
                                      const ColourStep& step) const;
 

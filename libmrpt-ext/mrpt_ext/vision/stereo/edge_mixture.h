@@ -1,0 +1,30 @@
+#pragma once
+
+#include <opencv2/core.hpp>
+
+namespace mrpt_ext
+{
+/// The linear light of a pixel as coded, up to a factor.
+[[nodiscard]] inline cv::Vec3d lightOf(const cv::Vec3d& level) { return level.mul(level); }
+
+/// A pixel at an edge between white and paint sums light of both. Where a goal's side is seen, paint in the shade lies
+/// between them: shade takes light and leaves the colour. So a pixel is white and paint in shares that are found by
+/// least squares over its channels; that of white does not depend on shade, and what both lack of a whole is dark.
+class EdgeMixture
+{
+ public:
+  /// Linear light of both.
+  EdgeMixture(const cv::Vec3d& white, const cv::Vec3d& paint)
+  {
+    const double ww = white.dot(white), pp = paint.dot(paint), wp = white.dot(paint), det = ww * pp - wp * wp;
+    white_ = (pp * white - wp * paint) / det;
+    paint_ = (ww * paint - wp * white) / det;
+  }
+
+  [[nodiscard]] double whiteIn(const cv::Vec3d& light) const { return white_.dot(light); }
+  [[nodiscard]] double darkIn(const cv::Vec3d& light) const { return 1 - (white_ + paint_).dot(light); }
+
+ private:
+  cv::Vec3d white_, paint_;  ///< the share of each is the product with a pixel's light
+};
+}  // namespace mrpt_ext
