@@ -20,7 +20,7 @@ LandmarkTable mapWith(bool odd_landmark)
   for (const Vector3d& place : {Vector3d{1, 2, 0}, {3, 8, 0}, {0.5, 6.2, 0}, {6, 1.5, 0}})
     for (const Vector3d& position : {place, Vector3d{Vector3d{10, 10, 0} - place}})
       landmarks.push_back({.position = position});
-  if (odd_landmark) landmarks.push_back({.position = {9, 4, 0}});
+  if (odd_landmark) landmarks.push_back({.position = {8.5, 5.5, 0}});
   return LandmarkTable(landmarks);
 }
 
@@ -68,6 +68,20 @@ TEST(SymmetricRivals, AStartThatLeavesOutTheImageTellsThemApart)
   EXPECT_NEAR(wrap(image.phi - kImage.phi), 0, 1e-9);
   known.accept();
   EXPECT_EQ(known.logOdds(), kMost);
+}
+
+TEST(SymmetricRivals, APreciseStartIsComparedWithTheBox)
+{
+  // The box reaches across the middle by 0.5 m.
+  const PoseRegion region{{4.5, 0}, {10, 10}};
+  const auto odds = [&](const Pose2& now)
+  {
+    SymmetricRivals rivals(mapWith(false), kMost);
+    rivals.leaveOutOf(region, {now, Vector3d(0.01, 0.01, 0.01).asDiagonal()}, {2, 0, 0});
+    return rivals.logOdds();
+  };
+  EXPECT_EQ(odds({8, 5, 0}), kMost) << "at the start it was at 6, the image at 4";
+  EXPECT_EQ(odds({7.3, 5, 0}), 0) << "at 5.3, the image at 4.7";
 }
 
 TEST(SymmetricRivals, OnlyWhatHasNoCounterpartTellsThemApart)
@@ -154,6 +168,8 @@ TEST(SymmetricRivals, ClutterAtTheUnseenLandmarkProvesLittle)
                              .identified = false,
                              .detections = 8,
                              .clutter = 0.05};
+  SimulatedRobot exact = robot;
+  exact.std_bearing = exact.std_range = 1e-6;
   const auto odds_after = [&](int looks)
   {
     SymmetricRivals rivals(map, kMost);
@@ -165,8 +181,10 @@ TEST(SymmetricRivals, ClutterAtTheUnseenLandmarkProvesLittle)
       rivals.look(readings.front(), map, particlesAt(kThere, random));
     }
     const double before = rivals.logOdds();
-    const LandmarkTable odd({map[8]});
-    rivals.update(simulatedFrame(robot, odd, kThere, {}, random).readings, map, particlesAt(kThere, random));
+    std::vector<Reading> clutter = simulatedFrame(exact, LandmarkTable({map[8]}), kThere, {}, random).readings;
+    clutter.front().detections.front().std_bearing = robot.std_bearing;
+    clutter.front().detections.front().std_range = robot.std_range;
+    rivals.update(clutter, map, particlesAt(kThere, random));
     return rivals.logOdds() - before;
   };
   EXPECT_EQ(odds_after(0), 4.5) << "as much as one frame counts";

@@ -40,6 +40,8 @@ void IntegrityMonitor::start(const Frame& measurements, const ParticleSet& sampl
 {
   pose_test_.start(scoredReadings(measurements), map_, samples);
   pose_test_.rivals().start(particles, region);
+  start_region_ = region;
+  since_start_ = {};
 }
 
 void IntegrityMonitor::startVerified(const Frame& frame, const std::optional<GaussianPose>& start)
@@ -86,7 +88,7 @@ void IntegrityMonitor::followKnown(const ModeSet& modes, const Frame& frame)
   predictModes(frame.motion);
   if (!isUnimodal(modes, options_)) return;
   const GaussianPose& pose = modes.modes.front().pose;
-  if (start_) changeRivals(pose.mean);
+  if (start_) changeRivals(pose);
   rememberVerified(startingState(pose, biases_));
 }
 
@@ -94,15 +96,19 @@ void IntegrityMonitor::predictModes(const OdometryMotion& motion)
 {
   for (std::optional<KalmanState>* mode : {&tested_mode_, &verified_mode_, &start_})
     if (*mode) *mode = predict(**mode, biases_, motion_, motion);
+  since_start_ = compose(since_start_, motion.increment);
 }
 
-void IntegrityMonitor::changeRivals(const Pose2& now)
+void IntegrityMonitor::changeRivals(const GaussianPose& now)
 {
+  SymmetricRivals& rivals = pose_test_.rivals();
   if (start_)
-    pose_test_.rivals().startAt(start_->gaussianPose(), now);
+    rivals.startAt(start_->gaussianPose(), now.mean);
   else
-    pose_test_.rivals().changeMode(verified_mode_ ? std::optional(verified_mode_->gaussianPose()) : std::nullopt, now);
+    rivals.changeMode(verified_mode_ ? std::optional(verified_mode_->gaussianPose()) : std::nullopt, now.mean);
+  if (start_region_) rivals.leaveOutOf(*start_region_, now, since_start_);
   start_.reset();
+  start_region_.reset();
 }
 
 void IntegrityMonitor::rememberVerified(const KalmanState& mode)
@@ -127,7 +133,7 @@ bool IntegrityMonitor::followMode(const ModeSet& modes, const Frame& frame)
   }
   if (!unimodal) return restart;
   // Where all landmarks are identified, the mode was chosen by what its image does not show.
-  if (!tested_mode_ && hasAnonymous(frame)) changeRivals(best.pose.mean);
+  if (!tested_mode_ && hasAnonymous(frame)) changeRivals(best.pose);
   tested_mode_ = startingState(best.pose, biases_);
   rememberVerified(*tested_mode_);
   return restart;

@@ -69,7 +69,7 @@ class IntegrityMonitor
   void predictModes(const OdometryMotion& motion);
   void rememberVerified(const KalmanState& mode);
   /// Another mode is under test, or the first one.
-  void changeRivals(const Pose2& now);
+  void changeRivals(const GaussianPose& now);
   /// Whether `best` is another mode than the one under test. What moves a mode within its prediction is a correction if
   /// landmarks are identified; anonymous ones may have chosen another place.
   [[nodiscard]] bool hasLeft(const Mode& best, bool identified) const;
@@ -84,7 +84,9 @@ class IntegrityMonitor
   PoseSupport support_;
   // Predicted by odometry: the mode under test, the last one that was verified, a given start until a mode is precise.
   std::optional<KalmanState> tested_mode_, verified_mode_, start_;
-  bool gap_ends_ = false;  // with the frame under test
+  std::optional<PoseRegion> start_region_;  // until a mode is precise
+  Pose2 since_start_;                       // motion by odometry
+  bool gap_ends_ = false;                   // with the frame under test
   bool contradicted_ = false;
 };
 }  // namespace mrpt_ext

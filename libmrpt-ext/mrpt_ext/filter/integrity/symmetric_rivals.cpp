@@ -18,6 +18,7 @@ namespace
 constexpr std::size_t kDraws = 16;    // of the pose under test, which is precise
 constexpr double kMostOfFrame = 4.5;  // log-likelihood ratio of anonymous detections: no frame verifies alone
 constexpr double kCarried = 0.01;     // share of the jumps of a mode in which the robot was carried, not slipping
+constexpr double kWellWithin = 3;     // standard deviations of a pose
 constexpr double kClearTurn = 5;      // standard deviations of a compass
 
 /// A landmark in view of a draw.
@@ -113,6 +114,24 @@ void SymmetricRivals::start(const ParticleSet& particles, const PoseRegion& regi
         possible += std::exp(double{particles.log_weight[i]});
     rival.log_odds = std::clamp(-std::log(possible), 0.0, most_);
   }
+  rememberVerified();
+}
+
+void SymmetricRivals::leaveOutOf(const PoseRegion& region, const GaussianPose& now, const Pose2& motion)
+{
+  const Pose2 back = inverse(motion);
+  const auto may_have_started = [&](const Pose2& symmetry)
+  {
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+      for (const double stds : {-kWellWithin, 0.0, kWellWithin})
+      {
+        const Vector3d step = stds * std::sqrt(now.covariance(axis, axis)) * Vector3d::Unit(axis);
+        if (region.contains(compose(symmetry, compose(added(now.mean, step), back)))) return true;
+      }
+    return false;
+  };
+  for (Rival& rival : rivals_)
+    if (!may_have_started(rival.symmetry.motion)) rival.log_odds = most_;
   rememberVerified();
 }
 

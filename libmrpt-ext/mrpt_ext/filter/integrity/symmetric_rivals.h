@@ -31,6 +31,8 @@ class SymmetricRivals
   /// The robot started in `region`. `particles`: weighted, normalised. A start that leaves out the images tells them
   /// apart.
   void start(const ParticleSet& particles, const PoseRegion& region);
+  /// The same for the first pose that is precise, `motion` after the start.
+  void leaveOutOf(const PoseRegion& region, const GaussianPose& now, const Pose2& motion);
   /// The start was given as a distribution, which odometry brings to `start`, when the pose became precise.
   void startAt(const GaussianPose& start, const Pose2& now);
   /// The pose is known.
