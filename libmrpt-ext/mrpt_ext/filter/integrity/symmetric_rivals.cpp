@@ -15,10 +15,11 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr std::size_t kDraws = 16;    // of the pose under test, which is precise
+constexpr std::size_t kDraws = 8;     // of the pose under test, which is precise
 constexpr double kMostOfFrame = 4.5;  // log-likelihood ratio of anonymous detections: no frame verifies alone
 constexpr double kCarried = 0.01;     // share of the jumps of a mode in which the robot was carried, not slipping
 constexpr double kWellWithin = 3;     // standard deviations of a pose
+constexpr double kNearStds = 8;       // of a detection
 constexpr double kClearTurn = 5;      // standard deviations of a compass
 
 /// A landmark in view of a draw.
@@ -43,6 +44,17 @@ std::vector<InView> inView(const Reading& reading, const LandmarkTable& map, con
     result.push_back({k, prediction, prediction.visibility * history.shareSeen(k)});
   }
   return result;
+}
+
+/// False where the density is nothing beside that of clutter.
+bool isNear(const Detection& detection, const LandmarkPrediction& prediction)
+{
+  const auto within = [](double residual, double variance) { return square(residual) < square(kNearStds) * variance; };
+  if (detection.range &&
+      !within(*detection.range - prediction.range, square(detection.std_range) + prediction.range_variance))
+    return false;
+  return !detection.bearing || within(wrap(*detection.bearing - prediction.bearing),
+                                      square(detection.std_bearing) + prediction.bearing_variance);
 }
 
 double totalShare(const std::vector<InView>& landmarks)
@@ -72,7 +84,7 @@ double logEvidence(const std::vector<Reading>& readings, const LandmarkTable& ma
       {
         double density = clutter / measurementVolume(detection, reading.model, max_range);
         for (const InView& one : landmarks)
-          if (mayShow(detection, map[one.landmark]))
+          if (isNear(detection, one.prediction) && mayShow(detection, map[one.landmark]))
             density += (1 - clutter) / count * one.share * std::exp(logDensity(detection, one.prediction));
         log_likelihood += std::log(density);
       }

@@ -4,16 +4,16 @@
 #include <string>
 #include <vector>
 
-#include "mrpt_ext/correspondence/map_symmetries.h"
 #include "mrpt_ext/filter/integrity/missed_landmarks.h"
 #include "mrpt_ext/filter/particles/particle_set.h"
 #include "mrpt_ext/geometry/gaussian_pose.h"
+#include "mrpt_ext/hypotheses/map_symmetries.h"
 #include "mrpt_ext/hypotheses/pose_region.h"
 
 namespace mrpt_ext
 {
 /// The poses from which the map looks nearly as it does from the pose under test: its images under the symmetries of
-/// the map (correspondence/map_symmetries.h).
+/// the map (hypotheses/map_symmetries.h).
 ///
 /// What fits at a pose fits at these as well, and not by chance, so the null hypothesis says nothing about them. For
 /// each, the odds of the pose against it are those of the start, changed by what the two expect to be seen

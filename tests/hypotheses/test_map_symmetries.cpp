@@ -1,4 +1,4 @@
-#include "mrpt_ext/correspondence/map_symmetries.h"
+#include "mrpt_ext/hypotheses/map_symmetries.h"
 
 #include <gtest/gtest.h>
 
