@@ -74,19 +74,21 @@ TEST(SymmetricRivals, APreciseStartIsComparedWithTheBox)
 {
   // The box reaches across the middle by 0.5 m.
   const PoseRegion region{{4.5, 0}, {10, 10}};
-  const auto odds = [&](const Pose2& now)
+  const auto odds = [&](const Pose2& now, double walk)
   {
     SymmetricRivals rivals(mapWith(false), kMost);
-    rivals.leaveOutOf(region, {now, Vector3d(0.01, 0.01, 0.01).asDiagonal()}, {2, 0, 0});
+    rivals.leaveOutOf(region, {now, Vector3d(1e-4, 1e-4, 1e-4).asDiagonal()}, {{2, 0, 0}, 0, square(walk)});
     return rivals.logOdds();
   };
-  EXPECT_EQ(odds({8, 5, 0}), kMost) << "at the start it was at 6, the image at 4";
-  EXPECT_EQ(odds({7.3, 5, 0}), 0) << "at 5.3, the image at 4.7";
+  EXPECT_EQ(odds({8, 5, 0}, 0), kMost) << "at the start it was at 6, the image at 4";
+  EXPECT_EQ(odds({8, 5, 0}, 1), 0) << "... if it went where odometry says";
+  EXPECT_EQ(odds({7.3, 5, 0}, 0), 0) << "at 5.3, the image at 4.7";
+  EXPECT_EQ(odds({5, 5, 0}, 0), 0) << "at 3: something else is wrong";
 }
 
 TEST(SymmetricRivals, OnlyWhatHasNoCounterpartTellsThemApart)
 {
-  for (const Pose2& pose : {kThere, kImage}) EXPECT_EQ(oddsAt(pose, mapWith(false), 8, 20), 0);
+  for (const Pose2& pose : {kThere, kImage}) EXPECT_NEAR(oddsAt(pose, mapWith(false), 8, 20), 0, 1e-6);
   const LandmarkTable map = mapWith(true);
   EXPECT_LE(oddsAt(kThere, map, 9, 1), 4.5) << "one frame is not enough";
   EXPECT_EQ(oddsAt(kThere, map, 9, 10), kMost);
@@ -191,13 +193,30 @@ TEST(SymmetricRivals, ClutterAtTheUnseenLandmarkProvesLittle)
   EXPECT_LT(odds_after(100), 3);
 }
 
+TEST(SymmetricRivals, DoubtForgetsWhatCountsAgainstThePose)
+{
+  const LandmarkTable map = mapWith(true);
+  SymmetricRivals rivals(map, kMost);
+  RandomStream random(2);
+  const SimulatedRobot robot{.measures_range = true, .identified = false, .detections = 9, .clutter = 0.05};
+  for (int k = 0; k < 10; ++k)
+    rivals.update(simulatedFrame(robot, map, kThere, {}, random).readings, map, particlesAt(kImage, random));
+  rivals.doubt();
+  EXPECT_EQ(rivals.logOdds(), 0);
+}
+
 TEST(SymmetricRivals, ACompassTellsWhatIsTurned)
 {
-  SymmetricRivals rivals(mapWith(false), kMost);
-  rivals.useHeading(1);
-  EXPECT_EQ(rivals.logOdds(), 0);
-  rivals.useHeading(0.2);
-  EXPECT_EQ(rivals.logOdds(), kMost);
+  RandomStream random(1);
+  const auto odds = [&](double heading, double std)
+  {
+    SymmetricRivals rivals(mapWith(false), kMost);
+    rivals.useHeading({.heading = heading, .std_heading = std}, particlesAt(kThere, random));
+    return rivals.logOdds();
+  };
+  EXPECT_EQ(odds(kThere.phi + 0.1, 0.2), kMost);
+  EXPECT_EQ(odds(kImage.phi, 0.2), -kMost) << "the pose under test is the image";
+  EXPECT_LT(odds(kThere.phi, 2), 3);
 }
 
 TEST(SymmetricRivals, AFilterIsOkOnlyIfItsStartLeavesOutTheImage)
@@ -232,5 +251,34 @@ TEST(SymmetricRivals, AFilterIsOkOnlyIfItsStartLeavesOutTheImage)
   EXPECT_EQ(frames_ok(kEverywhere, InitialMode::uniform), 0);
   EXPECT_GT(frames_ok({{5, 0}, {10, 10}}, InitialMode::uniform), 90);
   EXPECT_EQ(frames_ok(kEverywhere, InitialMode::gaussian), 150);
+}
+
+// The density of a robot that was carried anywhere is large on a small field.
+TEST(SymmetricRivals, AKnownStartOnASmallFieldStaysKnown)
+{
+  const LandmarkTable map(
+      {{.position = {0, 0, 0}}, {.position = {2, 1.5, 0}}, {.position = {0.3, 1.2, 0}}, {.position = {1.7, 0.3, 0}}});
+  const SimulatedRobot robot{.odometry_std = {0.001, 0.001, 0.002},
+                             .std_range = 0.01,
+                             .measures_range = true,
+                             .identified = false,
+                             .detections = 4,
+                             .clutter = 0.02};
+  ParticleFilterOptions options;
+  options.region = {{-1, -1}, {3, 2.5}};
+  options.initial_mode = InitialMode::gaussian;
+  options.initial_pose = {{1.3, 0.5, 0}, Vector3d(1e-4, 1e-4, 1e-4).asDiagonal()};
+  options.particles = 1500;
+  options.motion = motionModelOf(robot);
+  ParticleFilter filter(options, map, 1, 0);
+  RandomStream random(4);
+  Pose2 truth = options.initial_pose.mean;
+  for (int k = 0; k < 100; ++k)
+  {
+    const Pose2 step{0.01, 0, 0.02};
+    truth = compose(truth, step);
+    const FilterStep result = filter.process(simulatedFrame(robot, map, truth, step, random), {noProposals});
+    EXPECT_EQ(result.verdict, Verdict::ok) << k << ": " << result.reason;
+  }
 }
 }  // namespace mrpt_ext::test_symmetric_rivals

@@ -88,7 +88,9 @@ TEST(GoalCorners, HaveTheirFootWhereAWhiteSideBegins)
   for (const double wall : {0.6, 0.8})
   {
     const FieldPicture picture = recessed(wall, 0.8 * testing::kWhite, testing::kYellow);
-    for (const GoalCorner& corner : cornersOf(picture))
+    const auto corners = cornersOf(picture);
+    ASSERT_EQ(corners.size(), 2u) << wall;
+    for (const GoalCorner& corner : corners)
       EXPECT_NEAR(corner.white_bottom, picture.camera.pixelOf({wall, 0})->y, 1) << wall;
   }
 }
@@ -163,7 +165,9 @@ TEST(GoalCorners, AreNotThoseOfTheMirroredGoal)
     FieldPicture picture = withGoal(wall, 0);
     picture.mirrors = true;
     expectGoal(cornersOf(picture), wall, 0, 0);
-    for (const GoalCorner& corner : cornersOf(picture))
+    const auto corners = cornersOf(picture);
+    ASSERT_EQ(corners.size(), 2u) << wall;
+    for (const GoalCorner& corner : corners)
       EXPECT_NEAR(corner.white_bottom, picture.camera.pixelOf({wall, 0})->y, 1.5);
     picture = {};
     picture.mirrors = true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "mrpt_ext/geometry/bounded_frame.h"
 #include "mrpt_ext/geometry/identified.h"
@@ -41,12 +42,13 @@ void IntegrityMonitor::start(const Frame& measurements, const ParticleSet& sampl
   pose_test_.start(scoredReadings(measurements), map_, samples);
   pose_test_.rivals().start(particles, region);
   start_region_ = region;
-  since_start_ = {};
+  at_start_ = rivals_due_ = true;
 }
 
 void IntegrityMonitor::startVerified(const Frame& frame, const std::optional<GaussianPose>& start)
 {
   if (start) start_ = startingState(*start, biases_);
+  at_start_ = rivals_due_ = true;
   pose_test_.skip(frame);
   pose_test_.accept();
   for (InlierRatioMonitor* ratio : {&fast_ratio_, &slow_ratio_, &immediate_ratio_}) ratio->trust();
@@ -88,27 +90,34 @@ void IntegrityMonitor::followKnown(const ModeSet& modes, const Frame& frame)
   predictModes(frame.motion);
   if (!isUnimodal(modes, options_)) return;
   const GaussianPose& pose = modes.modes.front().pose;
-  if (start_) changeRivals(pose);
+  if (start_) changeRivals(pose, frame);
   rememberVerified(startingState(pose, biases_));
 }
 
 void IntegrityMonitor::predictModes(const OdometryMotion& motion)
 {
+  if (std::exchange(at_start_, false)) return;
   for (std::optional<KalmanState>* mode : {&tested_mode_, &verified_mode_, &start_})
     if (*mode) *mode = predict(**mode, biases_, motion_, motion);
-  since_start_ = compose(since_start_, motion.increment);
+  since_start_.move(motion_, motion);
 }
 
-void IntegrityMonitor::changeRivals(const GaussianPose& now)
+void IntegrityMonitor::changeRivals(const GaussianPose& now, const Frame& frame)
 {
-  SymmetricRivals& rivals = pose_test_.rivals();
-  if (start_)
-    rivals.startAt(start_->gaussianPose(), now.mean);
-  else
-    rivals.changeMode(verified_mode_ ? std::optional(verified_mode_->gaussianPose()) : std::nullopt, now.mean);
-  if (start_region_) rivals.leaveOutOf(*start_region_, now, since_start_);
+  if (!rivals_due_ || detectionCount(frame) == 0) return;
+  // Where all landmarks are identified, the mode was chosen by what its image does not show.
+  if (hasAnonymous(frame))
+  {
+    SymmetricRivals& rivals = pose_test_.rivals();
+    if (start_)
+      rivals.startAt(start_->gaussianPose(), now.mean);
+    else
+      rivals.changeMode(verified_mode_ ? std::optional(verified_mode_->gaussianPose()) : std::nullopt, now.mean);
+    if (start_region_) rivals.leaveOutOf(*start_region_, now, since_start_);
+  }
   start_.reset();
   start_region_.reset();
+  rivals_due_ = false;
 }
 
 void IntegrityMonitor::rememberVerified(const KalmanState& mode)
@@ -130,10 +139,10 @@ bool IntegrityMonitor::followMode(const ModeSet& modes, const Frame& frame)
   {
     tested_mode_.reset();
     pose_test_.reset();
+    rivals_due_ = true;
   }
   if (!unimodal) return restart;
-  // Where all landmarks are identified, the mode was chosen by what its image does not show.
-  if (!tested_mode_ && hasAnonymous(frame)) changeRivals(best.pose);
+  changeRivals(best.pose, frame);
   tested_mode_ = startingState(best.pose, biases_);
   rememberVerified(*tested_mode_);
   return restart;

@@ -10,6 +10,7 @@
 #include "mrpt_ext/filter/integrity/sensor_monitors.h"
 #include "mrpt_ext/filter/integrity/sequential_pose_test.h"
 #include "mrpt_ext/filter/kalman/kalman_state.h"
+#include "mrpt_ext/filter/motion/dead_reckoning.h"
 
 namespace mrpt_ext
 {
@@ -68,8 +69,8 @@ class IntegrityMonitor
   /// Moves what is followed by odometry.
   void predictModes(const OdometryMotion& motion);
   void rememberVerified(const KalmanState& mode);
-  /// Another mode is under test, or the first one.
-  void changeRivals(const GaussianPose& now);
+  /// Finds the odds against the rivals anew where a mode is the first one, or another one than before.
+  void changeRivals(const GaussianPose& now, const Frame& frame);
   /// Whether `best` is another mode than the one under test. What moves a mode within its prediction is a correction if
   /// landmarks are identified; anonymous ones may have chosen another place.
   [[nodiscard]] bool hasLeft(const Mode& best, bool identified) const;
@@ -85,8 +86,10 @@ class IntegrityMonitor
   // Predicted by odometry: the mode under test, the last one that was verified, a given start until a mode is precise.
   std::optional<KalmanState> tested_mode_, verified_mode_, start_;
   std::optional<PoseRegion> start_region_;  // until a mode is precise
-  Pose2 since_start_;                       // motion by odometry
-  bool gap_ends_ = false;                   // with the frame under test
+  DeadReckoning since_start_;
+  bool at_start_ = false;    // the motion of the frame led there
+  bool rivals_due_ = false;  // the next precise mode may be another one
+  bool gap_ends_ = false;    // with the frame under test
   bool contradicted_ = false;
 };
 }  // namespace mrpt_ext

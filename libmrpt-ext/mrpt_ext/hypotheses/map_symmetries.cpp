@@ -21,7 +21,8 @@ constexpr double kGateOfPoint = 3;  // standard deviations, of which one is a th
 constexpr std::size_t kPlacesOfPattern = 3, kPattern = 4 * kMostSymmetries;
 constexpr std::size_t kLeast = 5;  // landmarks matched; four are by chance in most maps
 constexpr std::size_t kFirstLook = 8;
-constexpr int kOfFirstLook = 4;  // of a pair and the nearest others
+constexpr int kOfFirstLook = 4;      // of a pair and the nearest others
+constexpr double kSamePlace = 0.01;  // [m] several landmarks on one post
 constexpr int kMostFits = 10;
 constexpr double kClearlyMoved = 4;  // times the tolerance
 
@@ -60,7 +61,11 @@ class SymmetrySearch
       else
         bringElsewhere(points_[a], others[random.below(near)], others);
     }
-    std::stable_sort(found_.begin(), found_.end(), [](const auto& a, const auto& b) { return a.matched > b.matched; });
+    // Of those that match as many, the nearest ones.
+    std::stable_sort(
+        found_.begin(), found_.end(),
+        [&](const MapSymmetry& a, const MapSymmetry& b)
+        { return a.matched != b.matched ? a.matched > b.matched : apart(a.motion, {}) < apart(b.motion, {}); });
     if (found_.size() > kMostSymmetries) found_.resize(kMostSymmetries);
     for (MapSymmetry& symmetry : found_) symmetry.image = imageBy(symmetry.motion);
     return std::move(found_);
@@ -80,7 +85,10 @@ class SymmetrySearch
     std::vector<double> nearest(index.size(), std::numeric_limits<double>::infinity());
     for (std::size_t a = 0; a < index.size(); ++a)
       for (std::size_t b = 0; b < index.size(); ++b)
-        if (a != b) nearest[a] = std::min(nearest[a], (index.position(a) - index.position(b)).norm());
+      {
+        const double distance = (index.position(a) - index.position(b)).norm();
+        if (distance > kSamePlace) nearest[a] = std::min(nearest[a], distance);
+      }
     return std::min(kOfSpacing * quantile(std::move(nearest), 0.5).value_or(0), kMostTolerance);
   }
 
@@ -141,7 +149,9 @@ class SymmetrySearch
       matches = std::move(refined);
     }
     const std::vector<Match> moved = thoseMoved(matches);
-    if (isSymmetry(moved)) keep({motion, moved.size(), {}});
+    if (!isSymmetry(moved)) return;
+    keep({motion, moved.size(), {}});
+    keep({inverse(motion), moved.size(), {}});
   }
 
   /// Whether the motion of the pair matches `least` landmarks.
@@ -210,7 +220,11 @@ class SymmetrySearch
     const Pose2 back = inverse(motion);
     std::vector<Landmark> image = map_.all();
     for (Landmark& landmark : image) landmark.position.head<2>() = transform(back, landmark.position.head<2>());
-    for (const auto& [to, from] : matchedBy(motion)) image[to].position.head<2>() = index_.position(from);
+    for (const auto& [to, from] : matchedBy(motion))
+    {
+      image[to].position.head<2>() = index_.position(from);
+      image[to].stddev = map_[from].stddev;
+    }
     return LandmarkTable(std::move(image));
   }
 

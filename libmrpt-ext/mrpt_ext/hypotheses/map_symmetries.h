@@ -15,7 +15,7 @@ struct MapSymmetry
   std::size_t matched = 0;  ///< landmarks that it brings to places of others
   /// What a robot at compose(motion, x) sees, as if it were at x: the landmarks of the map, in its order, moved back.
   /// One that comes to the place of a landmark is put there exactly: the two cannot be told apart, however well the map
-  /// is surveyed. Directions in which landmarks face are turned with them.
+  /// is surveyed. Each keeps its identity, its category and the direction in which it faces.
   LandmarkTable image;
 };
 

@@ -37,6 +37,16 @@ namespace mrpt_ext
   return log_density;
 }
 
+/// True when every measured component is within `stds` standard deviations of its prediction.
+[[nodiscard]] inline bool isWithin(const Detection& detection, const LandmarkPrediction& prediction, double stds)
+{
+  if (detection.bearing && square(wrap(*detection.bearing - prediction.bearing)) >
+                               square(stds) * (square(detection.std_bearing) + prediction.bearing_variance))
+    return false;
+  return !detection.range || square(*detection.range - prediction.range) <=
+                                 square(stds) * (square(detection.std_range) + prediction.range_variance);
+}
+
 /// Clutter probabilities that the estimators work with: never 0, which would make the log-likelihood of a false
 /// detection infinite, and never 1, which would leave nothing to true ones.
 inline constexpr double kMinClutterProbability = 1e-9, kMaxClutterProbability = 0.999;

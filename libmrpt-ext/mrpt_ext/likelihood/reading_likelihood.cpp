@@ -61,16 +61,7 @@ struct MixtureTerms
   double total = 0;
 };
 
-/// False where the density is below e^-72 of its peak, without computing it: of ten thousand landmarks few are near.
-bool isNear(const Detection& detection, const LandmarkPrediction& prediction)
-{
-  constexpr double kFar2 = 12 * 12;  // squared standard deviations
-  if (detection.bearing && square(wrap(*detection.bearing - prediction.bearing)) >
-                               kFar2 * (square(detection.std_bearing) + prediction.bearing_variance))
-    return false;
-  return !detection.range || square(*detection.range - prediction.range) <=
-                                 kFar2 * (square(detection.std_range) + prediction.range_variance);
-}
+constexpr double kFar = 12;  // standard deviations: a density below e^-72 of its peak, which need not be computed
 
 /// Fills terms[i] for candidate i of detection d.
 MixtureTerms mixture(const PreparedReading& prepared, std::size_t d, const std::vector<LandmarkPrediction>& predictions,
@@ -93,7 +84,7 @@ MixtureTerms mixture(const PreparedReading& prepared, std::size_t d, const std::
     const double share = identified ? 1.0 : visibility_sum > 0 ? prediction.visibility / visibility_sum : 0.0;
     const double clutter = clutterOf(prepared.clutter, prepared.reading.model, prepared.relevant[candidates[i]]);
     clutter_share += clutter * (visibility_sum > 0 || identified ? share : fallback);
-    if (share > 0 && isNear(detection, prediction))
+    if (share > 0 && isWithin(detection, prediction, kFar))
       terms[i] = (1 - clutter) * share * std::exp(logDensity(detection, prediction));
     result.total += terms[i];
   }

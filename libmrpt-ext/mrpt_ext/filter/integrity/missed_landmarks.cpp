@@ -25,17 +25,6 @@ struct Expected
   bool seen;
 };
 
-bool fits(const Detection& detection, const LandmarkPrediction& prediction)
-{
-  const auto within = [](double residual, double variance)
-  { return std::abs(residual) <= kGateOfMiss * std::sqrt(variance); };
-  if (detection.bearing && !within(wrap(*detection.bearing - prediction.bearing),
-                                   square(detection.std_bearing) + prediction.bearing_variance))
-    return false;
-  return !detection.range ||
-         within(*detection.range - prediction.range, square(detection.std_range) + prediction.range_variance);
-}
-
 std::vector<Expected> expectedFrom(const Pose2& robot, const SensorBias& bias, const Reading& reading,
                                    const LandmarkTable& map)
 {
@@ -46,8 +35,9 @@ std::vector<Expected> expectedFrom(const Pose2& robot, const SensorBias& bias, c
     if (prediction.visibility < kLeastInView) continue;
     applyBias(prediction, bias);
     const bool seen = std::any_of(reading.detections.begin(), reading.detections.end(),
-                                  [&](const Detection& detection)
-                                  { return mayShow(detection, map[j]) && fits(detection, prediction); });
+                                  [&](const Detection& detection) {
+                                    return mayShow(detection, map[j]) && isWithin(detection, prediction, kGateOfMiss);
+                                  });
     result.push_back({j, prediction.visibility, seen});
   }
   return result;

@@ -200,7 +200,7 @@ void SequentialPoseTest::start(const std::vector<Reading>& readings, const Landm
   ParticleSet particles = samples;
   log_odds_ =
       normalizeWeights(particles).log_sum - std::log(static_cast<double>(std::max<std::size_t>(1, samples.size())));
-  (void)test(readings, map, std::move(particles));
+  test(readings, map, std::move(particles));
   log_odds_ = std::min(log_odds_, kAcceptLogOdds / 2);
 }
 
@@ -209,16 +209,16 @@ void SequentialPoseTest::update(const Frame& frame, const LandmarkTable& map, co
   move(frame.motion);
   decayAfterGap(frame);
   heading_measured_ = heading_measured_ || frame.compass;
-  if (frame.compass) symmetric_.useHeading(frame.compass->std_heading);
-  const std::vector<Reading> independent = test(scoredReadings(frame), map, thinned(predicted));
-  symmetric_.update(independent, map, predicted);
+  if (frame.compass) symmetric_.useHeading(*frame.compass, predicted);
+  test(scoredReadings(frame), map, thinned(predicted));
 }
 
-std::vector<Reading> SequentialPoseTest::test(const std::vector<Reading>& readings, const LandmarkTable& map,
-                                              ParticleSet particles)
+void SequentialPoseTest::test(const std::vector<Reading>& readings, const LandmarkTable& map, ParticleSet particles)
 {
   const LandmarkClutter clutter;
+  const ParticleSet draws = symmetric_.drawsFrom(particles);
   std::vector<Reading> all_independent;
+  std::vector<const Reading*> looks;
   for (const Reading& reading : readings)
   {
     const Reading& independent = all_independent.emplace_back(decorrelator_.independent(reading));
@@ -251,9 +251,10 @@ std::vector<Reading> SequentialPoseTest::test(const std::vector<Reading>& readin
     }
     if (!first) continue;
     if (scoresMissedDetections(reading)) log_odds_ += missed_.count(reading, map, particles);
-    symmetric_.look(reading, map, particles);
+    looks.push_back(&reading);
   }
-  return all_independent;
+  symmetric_.update(all_independent, map, draws);
+  for (const Reading* reading : looks) symmetric_.look(*reading, map, draws);
 }
 
 double SequentialPoseTest::counted(const Reading& part, std::optional<std::size_t> landmark, double log_ratio,

@@ -80,7 +80,7 @@ class SequentialPoseTest
     strays_ = {};
     missed_.clear();
     by_landmark_.restart(false);
-    symmetric_.forgetMissed();
+    symmetric_.doubt();
     rivals_refuted_ = heading_seen_ = false;
   }
   /// The pose is known.
@@ -108,9 +108,8 @@ class SequentialPoseTest
   void decayAfterGap(const Frame& frame);
   /// The only detection of a reading under the null hypothesis; it is remembered.
   FeatureMixture::Outcome observeWithoutMap(const Reading& part, double default_max_range);
-  /// Adds the log-likelihood ratio of the readings' independent detections, which are returned; `particles` are
-  /// weighted with them.
-  std::vector<Reading> test(const std::vector<Reading>& readings, const LandmarkTable& map, ParticleSet particles);
+  /// Adds the log-likelihood ratio of the readings' independent detections; `particles` are weighted with them.
+  void test(const std::vector<Reading>& readings, const LandmarkTable& map, ParticleSet particles);
   /// What SpotEvidence knows of a reading.
   struct Spot
   {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "mrpt_ext/filter/integrity/recovery_options.h"
 #include "mrpt_ext/filter/particles/spaced_draws.h"
@@ -17,10 +18,10 @@ namespace
 {
 constexpr std::size_t kDraws = 8;     // of the pose under test, which is precise
 constexpr double kMostOfFrame = 4.5;  // log-likelihood ratio of anonymous detections: no frame verifies alone
+constexpr double kAroundMap = 3;      // [m] that a robot which was carried away may be outside
 constexpr double kCarried = 0.01;     // share of the jumps of a mode in which the robot was carried, not slipping
 constexpr double kWellWithin = 3;     // standard deviations of a pose
 constexpr double kNearStds = 8;       // of a detection
-constexpr double kClearTurn = 5;      // standard deviations of a compass
 
 /// A landmark in view of a draw.
 struct InView
@@ -44,17 +45,6 @@ std::vector<InView> inView(const Reading& reading, const LandmarkTable& map, con
     result.push_back({k, prediction, prediction.visibility * history.shareSeen(k)});
   }
   return result;
-}
-
-/// False where the density is nothing beside that of clutter.
-bool isNear(const Detection& detection, const LandmarkPrediction& prediction)
-{
-  const auto within = [](double residual, double variance) { return square(residual) < square(kNearStds) * variance; };
-  if (detection.range &&
-      !within(*detection.range - prediction.range, square(detection.std_range) + prediction.range_variance))
-    return false;
-  return !detection.bearing || within(wrap(*detection.bearing - prediction.bearing),
-                                      square(detection.std_bearing) + prediction.bearing_variance);
 }
 
 double totalShare(const std::vector<InView>& landmarks)
@@ -84,7 +74,7 @@ double logEvidence(const std::vector<Reading>& readings, const LandmarkTable& ma
       {
         double density = clutter / measurementVolume(detection, reading.model, max_range);
         for (const InView& one : landmarks)
-          if (isNear(detection, one.prediction) && mayShow(detection, map[one.landmark]))
+          if (isWithin(detection, one.prediction, kNearStds) && mayShow(detection, map[one.landmark]))
             density += (1 - clutter) / count * one.share * std::exp(logDensity(detection, one.prediction));
         log_likelihood += std::log(density);
       }
@@ -104,15 +94,15 @@ double logDensity(const GaussianPose& gaussian, const Pose2& pose)
 SymmetricRivals::SymmetricRivals(const LandmarkTable& map, double most) : most_(most), missed_(map.size(), kDraws)
 {
   const auto [low, high] = map.boundingBox();
-  const Vector2d extent = (high - low).cwiseMax(1.0);
+  const Vector2d extent = (high - low).array() + 2 * kAroundMap;
   log_density_anywhere_ = -std::log(extent.prod() * kTwoPi);
   for (MapSymmetry& symmetry : mapSymmetries(map))
     rivals_.push_back({std::move(symmetry), MissedLandmarks(map.size(), kDraws)});
 }
 
-void SymmetricRivals::add(Rival& rival, double log_ratio) const
+double SymmetricRivals::bounded(double log_odds) const
 {
-  rival.log_odds = std::clamp(rival.log_odds + log_ratio, -most_, most_);
+  return std::isnan(log_odds) ? 0 : std::clamp(log_odds, -most_, most_);
 }
 
 void SymmetricRivals::start(const ParticleSet& particles, const PoseRegion& region)
@@ -129,21 +119,20 @@ void SymmetricRivals::start(const ParticleSet& particles, const PoseRegion& regi
   rememberVerified();
 }
 
-void SymmetricRivals::leaveOutOf(const PoseRegion& region, const GaussianPose& now, const Pose2& motion)
+void SymmetricRivals::leaveOutOf(const PoseRegion& region, const GaussianPose& now, const DeadReckoning& motion)
 {
-  const Pose2 back = inverse(motion);
-  const auto may_have_started = [&](const Pose2& symmetry)
-  {
-    for (Eigen::Index axis = 0; axis < 3; ++axis)
-      for (const double stds : {-kWellWithin, 0.0, kWellWithin})
-      {
-        const Vector3d step = stds * std::sqrt(now.covariance(axis, axis)) * Vector3d::Unit(axis);
-        if (region.contains(compose(symmetry, compose(added(now.mean, step), back)))) return true;
-      }
-    return false;
-  };
+  const double std_turn = std::sqrt(now.covariance(2, 2) + motion.heading_variance);
+  const double std_xy = std::sqrt(now.covariance(0, 0) + now.covariance(1, 1) + motion.walk_variance);
+  const double margin = kWellWithin * (std_xy + std_turn * motion.pose.position().norm());
+  PoseRegion wide = region;
+  wide.low.array() -= margin;
+  wide.high.array() += margin;
+  wide.phi_low -= kWellWithin * std_turn;
+  wide.phi_span += 2 * kWellWithin * std_turn;
+  const Pose2 at_start = compose(now.mean, inverse(motion.pose));
+  if (!wide.contains(at_start)) return;  // the robot was carried, or odometry errs by more than it is said to
   for (Rival& rival : rivals_)
-    if (!may_have_started(rival.symmetry.motion)) rival.log_odds = most_;
+    if (!wide.contains(compose(rival.symmetry.motion, at_start))) rival.log_odds = most_;
   rememberVerified();
 }
 
@@ -152,7 +141,7 @@ void SymmetricRivals::startAt(const GaussianPose& start, const Pose2& now)
   for (Rival& rival : rivals_)
   {
     const double image = logDensity(start, compose(rival.symmetry.motion, now));
-    rival.log_odds = std::clamp(logDensity(start, now) - image, -most_, most_);
+    rival.log_odds = bounded(logDensity(start, now) - image);
   }
   rememberVerified();
 }
@@ -186,44 +175,66 @@ void SymmetricRivals::changeMode(const std::optional<GaussianPose>& before, cons
                  from_rival = logDensity(slipped, compose(inverse(motion), now));
     const double here = logSum(logSum(log_right + stays, log_wrong + from_rival), log_anywhere);
     const double there = logSum(logSum(log_wrong + stays, log_right + to_rival), log_anywhere);
-    rival.log_odds = std::clamp(here - there, -most_, most_);
+    rival.log_odds = bounded(here - there);
   }
 }
 
-void SymmetricRivals::useHeading(double std_heading)
+void SymmetricRivals::useHeading(const CompassRecord& compass, const ParticleSet& particles)
 {
+  const ParticleSet draws = drawsFrom(particles);
+  const auto log_density = [&](double turn)
+  {
+    double sum = 0;
+    for (const float phi : draws.phi)
+      sum -= square(wrap(compass.heading - double{phi} - turn) / compass.std_heading) / 2;
+    return sum / static_cast<double>(std::max<std::size_t>(1, draws.size()));
+  };
   for (Rival& rival : rivals_)
-    if (std::abs(wrap(rival.symmetry.motion.phi)) > kClearTurn * std_heading) rival.log_odds = most_;
+    rival.log_odds_of_heading = bounded(log_density(0) - log_density(rival.symmetry.motion.phi));
+}
+
+ParticleSet SymmetricRivals::drawsFrom(const ParticleSet& particles) const
+{
+  if (rivals_.empty() || particles.empty()) return particles.emptyLikeThis();
+  return select(particles, spacedDraws(particles, kDraws));
 }
 
 void SymmetricRivals::update(const std::vector<Reading>& independent, const LandmarkTable& map,
-                             const ParticleSet& particles)
+                             const ParticleSet& draws)
 {
-  if (rivals_.empty() || independent.empty() || particles.empty()) return;
-  const ParticleSet draws = select(particles, spacedDraws(particles, kDraws));
+  std::vector<Reading> readings;
+  std::copy_if(independent.begin(), independent.end(), std::back_inserter(readings),
+               [](const Reading& reading) { return !reading.detections.empty(); });
+  if (rivals_.empty() || readings.empty() || draws.empty()) return;
   const double max_range = defaultMaxRange(map);
   std::vector<double> expected;
-  const double own = logEvidence(independent, map, missed_, draws, max_range, expected);
+  const double own = logEvidence(readings, map, missed_, draws, max_range, expected);
   const bool anonymous =
-      std::any_of(independent.begin(), independent.end(), [](const Reading& reading) { return hasAnonymous(reading); });
+      std::any_of(readings.begin(), readings.end(), [](const Reading& reading) { return hasAnonymous(reading); });
   const double most = anonymous ? kMostOfFrame : most_;
   for (Rival& rival : rivals_)
   {
-    const double image = logEvidence(independent, rival.symmetry.image, rival.missed, draws, max_range, expected);
-    add(rival, std::clamp(own - image, -most, most));
+    const double image = logEvidence(readings, rival.symmetry.image, rival.missed, draws, max_range, expected);
+    rival.log_odds = bounded(rival.log_odds + std::clamp(own - image, -most, most));
   }
 }
 
-void SymmetricRivals::look(const Reading& reading, const LandmarkTable& map, const ParticleSet& particles)
+void SymmetricRivals::look(const Reading& reading, const LandmarkTable& map, const ParticleSet& draws)
 {
-  if (rivals_.empty()) return;
+  if (rivals_.empty() || draws.empty()) return;
   const bool declared = scoresMissedDetections(reading);
-  const double own = missed_.count(reading, map, particles);
+  const double own = missed_.count(reading, map, draws);
   for (Rival& rival : rivals_)
   {
-    const double image = rival.missed.count(reading, rival.symmetry.image, particles);
-    if (declared) add(rival, own - image);
+    const double image = rival.missed.count(reading, rival.symmetry.image, draws);
+    if (declared) rival.log_odds = bounded(rival.log_odds + std::clamp(own - image, -kMostOfFrame, kMostOfFrame));
   }
+}
+
+void SymmetricRivals::doubt()
+{
+  forgetMissed();
+  for (Rival& rival : rivals_) rival.log_odds = std::max(rival.log_odds, 0.0);
 }
 
 void SymmetricRivals::forgetMissed()
@@ -235,14 +246,14 @@ void SymmetricRivals::forgetMissed()
 const SymmetricRivals::Rival* SymmetricRivals::strongestRival() const
 {
   const auto least = std::min_element(rivals_.begin(), rivals_.end(),
-                                      [](const Rival& a, const Rival& b) { return a.log_odds < b.log_odds; });
+                                      [](const Rival& a, const Rival& b) { return a.total() < b.total(); });
   return least == rivals_.end() ? nullptr : &*least;
 }
 
 double SymmetricRivals::logOdds() const
 {
   const Rival* rival = strongestRival();
-  return rival ? rival->log_odds : most_;
+  return rival ? std::min(rival->total(), most_) : most_;
 }
 
 std::optional<Pose2> SymmetricRivals::strongest() const

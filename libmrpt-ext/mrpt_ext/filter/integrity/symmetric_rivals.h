@@ -1,12 +1,13 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "mrpt_ext/filter/integrity/missed_landmarks.h"
+#include "mrpt_ext/filter/motion/dead_reckoning.h"
 #include "mrpt_ext/filter/particles/particle_set.h"
 #include "mrpt_ext/geometry/gaussian_pose.h"
+#include "mrpt_ext/geometry/recording.h"
 #include "mrpt_ext/hypotheses/map_symmetries.h"
 #include "mrpt_ext/hypotheses/pose_region.h"
 
@@ -32,7 +33,7 @@ class SymmetricRivals
   /// apart.
   void start(const ParticleSet& particles, const PoseRegion& region);
   /// The same for the first pose that is precise, `motion` after the start.
-  void leaveOutOf(const PoseRegion& region, const GaussianPose& now, const Pose2& motion);
+  void leaveOutOf(const PoseRegion& region, const GaussianPose& now, const DeadReckoning& motion);
   /// The start was given as a distribution, which odometry brings to `start`, when the pose became precise.
   void startAt(const GaussianPose& start, const Pose2& now);
   /// The pose is known.
@@ -42,14 +43,16 @@ class SymmetricRivals
   /// Another mode is under test, that odometry did not lead to. From the one that was verified last it leads to
   /// `before`; absent: none was.
   void changeMode(const std::optional<GaussianPose>& before, const Pose2& now);
-  /// The heading was measured by a compass, and agrees with the pose under test.
-  void useHeading(double std_heading);
-  /// Counts independent detections of one frame. `particles` are not weighted with them.
-  void update(const std::vector<Reading>& independent, const LandmarkTable& map, const ParticleSet& particles);
+  /// The heading was measured by a compass. Its errors last, so only the last measurement counts.
+  void useHeading(const CompassRecord& compass, const ParticleSet& particles);
+  /// Some of normalised particles, which stand for all of them below; none without rivals.
+  [[nodiscard]] ParticleSet drawsFrom(const ParticleSet& particles) const;
+  /// Counts independent detections of one frame. `draws` are not weighted with them.
+  void update(const std::vector<Reading>& independent, const LandmarkTable& map, const ParticleSet& draws);
   /// Counts what the first reading from a spot shows and misses, with all its detections.
-  void look(const Reading& reading, const LandmarkTable& map, const ParticleSet& particles);
-  /// Another pose is under test: it was not looked for its landmarks yet.
-  void forgetMissed();
+  void look(const Reading& reading, const LandmarkTable& map, const ParticleSet& draws);
+  /// Hypotheses compete with the pose under test: nothing counts against the one that survives.
+  void doubt();
 
   [[nodiscard]] bool empty() const { return rivals_.empty(); }
   /// Log odds of the pose against the strongest of them; `most` without any.
@@ -60,14 +63,19 @@ class SymmetricRivals
  private:
   struct Rival
   {
+    [[nodiscard]] double total() const { return log_odds + log_odds_of_heading; }
+
     MapSymmetry symmetry;
     MissedLandmarks missed;
     double log_odds = 0;
+    double log_odds_of_heading = 0;   // by the last measurement of a compass
     double log_odds_of_verified = 0;  // of the pose that was verified last, or of the start
   };
 
   [[nodiscard]] const Rival* strongestRival() const;
-  void add(Rival& rival, double log_ratio) const;
+  [[nodiscard]] double bounded(double log_odds) const;
+  /// Another pose is under test: it was not looked for its landmarks yet.
+  void forgetMissed();
 
   double most_;
   double log_density_anywhere_;  // of a robot that was carried somewhere else

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <opencv2/core.hpp>
 
 namespace mrpt_ext
@@ -17,14 +18,27 @@ class EdgeMixture
   EdgeMixture(const cv::Vec3d& white, const cv::Vec3d& paint)
   {
     const double ww = white.dot(white), pp = paint.dot(paint), wp = white.dot(paint), det = ww * pp - wp * wp;
+    tells_dark_ = det > kLeastAngle2 * ww * pp;
+    if (!tells_dark_)
+    {
+      white_ = white / std::max(ww, 1e-12);
+      return;
+    }
     white_ = (pp * white - wp * paint) / det;
     paint_ = (ww * paint - wp * white) / det;
   }
 
   [[nodiscard]] double whiteIn(const cv::Vec3d& light) const { return white_.dot(light); }
-  [[nodiscard]] double darkIn(const cv::Vec3d& light) const { return 1 - (white_ + paint_).dot(light); }
+  /// 0 where white and paint are of one colour, and shade looks like paint.
+  [[nodiscard]] double darkIn(const cv::Vec3d& light) const
+  {
+    return tells_dark_ ? 1 - (white_ + paint_).dot(light) : 0;
+  }
 
  private:
+  static constexpr double kLeastAngle2 = 1e-4;  // squared, of two colours [rad^2]
+
+  bool tells_dark_ = false;
   cv::Vec3d white_, paint_;  ///< the share of each is the product with a pixel's light
 };
 }  // namespace mrpt_ext
