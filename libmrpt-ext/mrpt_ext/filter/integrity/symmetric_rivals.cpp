@@ -211,11 +211,11 @@ void SymmetricRivals::update(const std::vector<Reading>& independent, const Land
   const double own = logEvidence(readings, map, missed_, draws, max_range, expected);
   const bool anonymous =
       std::any_of(readings.begin(), readings.end(), [](const Reading& reading) { return hasAnonymous(reading); });
-  const double most = anonymous ? kMostOfFrame : most_;
+  const double most = anonymous ? kMostOfFrame : most_;  // names tell at once, but one may be false
   for (Rival& rival : rivals_)
   {
     const double image = logEvidence(readings, rival.symmetry.image, rival.missed, draws, max_range, expected);
-    rival.log_odds = bounded(rival.log_odds + std::clamp(own - image, -most, most));
+    rival.log_odds = bounded(rival.log_odds + std::clamp(own - image, -kMostOfFrame, most));
   }
 }
 
