@@ -19,7 +19,8 @@ namespace mrpt_ext
 /// What fits at a pose fits at these as well, and not by chance, so the null hypothesis says nothing about them. For
 /// each, the odds of the pose against it are those of the start, changed by what the two expect to be seen
 /// differently: landmarks that have no counterpart, or one of another category or identity. As the two are a pair
-/// before anything is seen, no selection has to be feared, and every independent detection counts.
+/// before anything is seen, no selection has to be feared, and every independent detection counts; those of one frame
+/// within limits, so that one that is false decides nothing.
 ///
 /// A landmark that was missed whenever it was in view, behind a wall or removed, is not expected to be the origin of
 /// the next detection there: what fits it is clutter (MissedLandmarks::shareSeen()).
