@@ -36,11 +36,10 @@ IntegrityMonitor::IntegrityMonitor(const RecoveryOptions& recovery, const Verdic
 {
 }
 
-void IntegrityMonitor::start(const Frame& measurements, const ParticleSet& samples, const ParticleSet& particles,
-                             const PoseRegion& region)
+void IntegrityMonitor::start(const Frame& measurements, const ParticleSet& samples, const PoseRegion& region)
 {
   pose_test_.start(scoredReadings(measurements), map_, samples);
-  pose_test_.rivals().start(particles, region);
+  pose_test_.rivals().start();
   start_region_ = region;
   at_start_ = rivals_due_ = true;
 }
@@ -116,7 +115,6 @@ void IntegrityMonitor::changeRivals(const GaussianPose& now, const Frame& frame)
     if (start_region_) rivals.leaveOutOf(*start_region_, now, since_start_);
   }
   start_.reset();
-  start_region_.reset();
   rivals_due_ = false;
 }
 
@@ -124,6 +122,7 @@ void IntegrityMonitor::rememberVerified(const KalmanState& mode)
 {
   if (!pose_test_.verified()) return;
   verified_mode_ = mode;
+  start_region_.reset();
   pose_test_.rivals().rememberVerified();
 }
 

@@ -22,10 +22,8 @@ class IntegrityMonitor
   IntegrityMonitor(const RecoveryOptions& recovery, const VerdictOptions& verdict, const MotionModel& motion,
                    const BiasModel& biases, const LandmarkTable& map);
 
-  /// The filter was initialized somewhere in `region`; for `samples` see SequentialPoseTest::start(). `particles`: the
-  /// same, weighted.
-  void start(const Frame& measurements, const ParticleSet& samples, const ParticleSet& particles,
-             const PoseRegion& region);
+  /// The filter was initialized somewhere in `region`; for the other arguments see SequentialPoseTest::start().
+  void start(const Frame& measurements, const ParticleSet& samples, const PoseRegion& region);
   /// The filter was initialized at a known pose: the mode is verified.
   /// `start`: where it was said to be, if its image under a symmetry of the map may be meant as well.
   void startVerified(const Frame& frame, const std::optional<GaussianPose>& start = std::nullopt);
@@ -85,7 +83,7 @@ class IntegrityMonitor
   PoseSupport support_;
   // Predicted by odometry: the mode under test, the last one that was verified, a given start until a mode is precise.
   std::optional<KalmanState> tested_mode_, verified_mode_, start_;
-  std::optional<PoseRegion> start_region_;  // until a mode is precise
+  std::optional<PoseRegion> start_region_;  // until a mode is verified
   DeadReckoning since_start_;
   bool at_start_ = false;    // the motion of the frame led there
   bool rivals_due_ = false;  // the next precise mode may be another one

@@ -105,10 +105,7 @@ FilterStep ParticleFilter::initialize(const Frame& frame, const HypothesisSource
   if (options_.initial_mode == InitialMode::gaussian)
     integrity_.startVerified(frame, options_.initial_pose);
   else
-  {
-    normalizeWeights(particles_, options_.threads);
-    integrity_.start(start.measurements, start.samples, particles_, options_.region);
-  }
+    integrity_.start(start.measurements, start.samples, options_.region);
   FilterStep step = estimate(frame, Recovery::Kind::none);
   resample(step, sources);
   return step;

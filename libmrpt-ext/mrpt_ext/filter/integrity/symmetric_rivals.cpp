@@ -105,17 +105,10 @@ double SymmetricRivals::bounded(double log_odds) const
   return std::isnan(log_odds) ? 0 : std::clamp(log_odds, -most_, most_);
 }
 
-void SymmetricRivals::start(const ParticleSet& particles, const PoseRegion& region)
+void SymmetricRivals::start()
 {
   forgetMissed();
-  for (Rival& rival : rivals_)
-  {
-    double possible = 0;
-    for (std::size_t i = 0; i < particles.size(); ++i)
-      if (region.contains(compose(rival.symmetry.motion, particles.pose(i))))
-        possible += std::exp(double{particles.log_weight[i]});
-    rival.log_odds = std::clamp(-std::log(possible), 0.0, most_);
-  }
+  for (Rival& rival : rivals_) rival.log_odds = 0;
   rememberVerified();
 }
 
@@ -133,7 +126,6 @@ void SymmetricRivals::leaveOutOf(const PoseRegion& region, const GaussianPose& n
   if (!wide.contains(at_start)) return;  // the robot was carried, or odometry errs by more than it is said to
   for (Rival& rival : rivals_)
     if (!wide.contains(compose(rival.symmetry.motion, at_start))) rival.log_odds = most_;
-  rememberVerified();
 }
 
 void SymmetricRivals::startAt(const GaussianPose& start, const Pose2& now)

@@ -30,10 +30,10 @@ class SymmetricRivals
   /// `most`: log odds remembered at most.
   SymmetricRivals(const LandmarkTable& map, double most);
 
-  /// The robot started in `region`. `particles`: weighted, normalised. A start that leaves out the images tells them
-  /// apart.
-  void start(const ParticleSet& particles, const PoseRegion& region);
-  /// The same for the first pose that is precise, `motion` after the start.
+  /// The robot starts somewhere: nothing tells a pose from its images.
+  void start();
+  /// The robot started in `region`, `motion` before it was `now`: another mode, which is precise. Where its image would
+  /// have started outside, that is no rival.
   void leaveOutOf(const PoseRegion& region, const GaussianPose& now, const DeadReckoning& motion);
   /// The start was given as a distribution, which odometry brings to `start`, when the pose became precise.
   void startAt(const GaussianPose& start, const Pose2& now);
