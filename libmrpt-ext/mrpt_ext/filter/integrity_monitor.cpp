@@ -1,5 +1,6 @@
 #include "mrpt_ext/filter/integrity_monitor.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
