@@ -19,7 +19,7 @@ constexpr std::size_t kSeconds = 6;                  // landmarks of which one i
 constexpr double kOfSpacing = 0.25, kMostTolerance = 0.25;  // [m]
 constexpr double kGateOfPoint = 3;  // standard deviations, of which one is a third of the tolerance
 constexpr std::size_t kPlacesOfPattern = 3, kPattern = 4 * kMostSymmetries;
-constexpr std::size_t kLeast = 5;  // landmarks matched; four are by chance in most maps
+constexpr std::size_t kFewestMatched = 5;  // landmarks matched; four are by chance in most maps
 constexpr std::size_t kFirstLook = 8;
 constexpr int kOfFirstLook = 4;      // of a pair and the nearest others
 constexpr double kSamePlace = 0.01;  // [m] several landmarks on one post
@@ -37,7 +37,7 @@ class SymmetrySearch
       : map_(map),
         index_(positionsOf(map)),
         tolerance_(toleranceOf(index_)),
-        least_(static_cast<int>(std::min((map.size() + 1) / 2, std::max(kLeast, (map.size() + 3) / 4)))),
+        least_(static_cast<int>(std::min((map.size() + 1) / 2, std::max(kFewestMatched, (map.size() + 3) / 4)))),
         centre_((index_.low() + index_.high()) / 2)
   {
     for (const Vector2d& position : index_.positions())
