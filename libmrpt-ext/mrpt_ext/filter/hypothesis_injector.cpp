@@ -37,7 +37,7 @@ std::size_t HypothesisInjector::count() const
 HypothesisSet HypothesisInjector::withSlip(HypothesisSet modes) const
 {
   if (!(options_.slip_share > 0)) return {};
-  for (PoseHypothesis& mode : modes) mode.pose.covariance.diagonal() += kSlipStd.cwiseAbs2();
+  for (PoseHypothesis& mode : modes) mode.pose = afterSlip(mode.pose);
   return modes;
 }
 

@@ -40,7 +40,6 @@ IntegrityMonitor::IntegrityMonitor(const RecoveryOptions& recovery, const Verdic
 void IntegrityMonitor::start(const Frame& measurements, const ParticleSet& samples, const PoseRegion& region)
 {
   pose_test_.start(scoredReadings(measurements), map_, samples);
-  pose_test_.rivals().start();
   start_region_ = region;
   at_start_ = rivals_due_ = true;
 }

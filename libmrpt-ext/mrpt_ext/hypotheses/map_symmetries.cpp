@@ -35,7 +35,7 @@ class SymmetrySearch
  public:
   explicit SymmetrySearch(const LandmarkTable& map)
       : map_(map),
-        index_(positionsOf(map)),
+        index_(map),
         tolerance_(toleranceOf(index_)),
         least_(static_cast<int>(std::min((map.size() + 1) / 2, std::max(kFewestMatched, (map.size() + 3) / 4)))),
         centre_((index_.low() + index_.high()) / 2)
@@ -72,13 +72,6 @@ class SymmetrySearch
   }
 
  private:
-  static std::vector<Vector2d> positionsOf(const LandmarkTable& map)
-  {
-    std::vector<Vector2d> positions;
-    for (const Landmark& landmark : map.all()) positions.emplace_back(landmark.position.head<2>());
-    return positions;
-  }
-
   /// By the distance to the nearest other landmark, which half of them exceed.
   static double toleranceOf(const LandmarkIndex& index)
   {
@@ -136,10 +129,14 @@ class SymmetrySearch
 
   void test(const std::array<PointMatch, 2>& pair, std::span<const ScanPoint> others)
   {
-    if (!isSupported(pair, others.first(std::min(kFirstLook, others.size())), std::min(least_, kOfFirstLook)) ||
-        !isSupported(pair, others, least_))
-      return;
-    Pose2 motion = growFit(index_, pair, others, kGateOfPoint, 0).fit.pose().mean;
+    // The second one of the pair is among the others, and counts twice.
+    const auto grown = [&](std::span<const ScanPoint> some, int least)
+    { return growFit(index_, pair, some, kGateOfPoint, least + 1); };
+    const int of_nearest = std::min(least_, kOfFirstLook);
+    if (grown(others.first(std::min(kFirstLook, others.size())), of_nearest).inliers <= of_nearest) return;
+    const GrownFit whole = grown(others, least_);
+    if (whole.inliers <= least_) return;
+    Pose2 motion = whole.fit.pose().mean;
     std::vector<Match> matches = matchedBy(motion);
     for (int k = 0; k < kMostFits && matches.size() >= 2; ++k)
     {
@@ -152,14 +149,6 @@ class SymmetrySearch
     if (!isSymmetry(moved)) return;
     keep({motion, moved.size(), {}});
     keep({inverse(motion), moved.size(), {}});
-  }
-
-  /// Whether the motion of the pair matches `least` landmarks.
-  [[nodiscard]] bool isSupported(const std::array<PointMatch, 2>& pair, std::span<const ScanPoint> others,
-                                 int least) const
-  {
-    // The second one of the pair is among the others, and counts twice.
-    return growFit(index_, pair, others, kGateOfPoint, least + 1).inliers > least;
   }
 
   /// One to one: the nearest landmark of which none is nearer.

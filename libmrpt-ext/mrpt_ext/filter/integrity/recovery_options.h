@@ -1,11 +1,18 @@
 #pragma once
 
-#include "mrpt_ext/geometry/pose.h"
+#include "mrpt_ext/geometry/gaussian_pose.h"
 
 namespace mrpt_ext
 {
 /// Of odometry when wheels slip: x, y [m], phi [rad].
 inline const Vector3d kSlipStd{0.3, 0.3, degToRad(25.0)};
+
+/// A pose that odometry predicts, if wheels may have slipped.
+[[nodiscard]] inline GaussianPose afterSlip(GaussianPose pose)
+{
+  pose.covariance.diagonal() += kSlipStd.cwiseAbs2();
+  return pose;
+}
 
 /// When, and how strongly, a filter injects hypotheses.
 struct RecoveryOptions

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "mrpt_ext/filter/integrity/sensor_monitors.h"
 #include "mrpt_ext/likelihood/detection_density.h"
@@ -201,6 +202,7 @@ void SequentialPoseTest::start(const std::vector<Reading>& readings, const Landm
   log_odds_ =
       normalizeWeights(particles).log_sum - std::log(static_cast<double>(std::max<std::size_t>(1, samples.size())));
   test(readings, map, std::move(particles));
+  symmetric_.start();
   log_odds_ = std::min(log_odds_, kAcceptLogOdds / 2);
 }
 
@@ -221,12 +223,13 @@ void SequentialPoseTest::test(const std::vector<Reading>& readings, const Landma
   std::vector<const Reading*> looks;
   for (const Reading& reading : readings)
   {
-    const Reading& independent = all_independent.emplace_back(decorrelator_.independent(reading));
+    Reading not_repeated = decorrelator_.independent(reading);
     heading_seen_ = heading_seen_ || showsHeading(reading, map);
     const std::string sensor = sensorKey(reading);
     const double share_of_new = spot_.shareOfNew(sensor);
-    spot_.count(sensor, reading.detections.size(), independent.detections.size());
-    if (independent.detections.empty()) continue;
+    spot_.count(sensor, reading.detections.size(), not_repeated.detections.size());
+    if (not_repeated.detections.empty()) continue;
+    const Reading& independent = all_independent.emplace_back(std::move(not_repeated));
     const bool first = hasAnonymous(reading) && spot_.isFirstOf(sensor);
     for (const Reading& part : parts(independent))
     {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "mrpt_ext/filter/integrity/recovery_options.h"
 #include "mrpt_ext/filter/particles/spaced_draws.h"
@@ -154,8 +153,7 @@ void SymmetricRivals::changeMode(const std::optional<GaussianPose>& before, cons
   forgetMissed();
   for (Rival& rival : rivals_) rival.log_odds = rival.log_odds_of_verified;
   if (!before) return;
-  GaussianPose slipped = *before;
-  slipped.covariance.diagonal() += kSlipStd.cwiseAbs2();
+  const GaussianPose slipped = afterSlip(*before);
   const double log_anywhere = std::log(kCarried) + log_density_anywhere_;
   for (Rival& rival : rivals_)
   {
@@ -194,19 +192,16 @@ ParticleSet SymmetricRivals::drawsFrom(const ParticleSet& particles) const
 void SymmetricRivals::update(const std::vector<Reading>& independent, const LandmarkTable& map,
                              const ParticleSet& draws)
 {
-  std::vector<Reading> readings;
-  std::copy_if(independent.begin(), independent.end(), std::back_inserter(readings),
-               [](const Reading& reading) { return !reading.detections.empty(); });
-  if (rivals_.empty() || readings.empty() || draws.empty()) return;
+  if (rivals_.empty() || independent.empty() || draws.empty()) return;
   const double max_range = defaultMaxRange(map);
   std::vector<double> expected;
-  const double own = logEvidence(readings, map, missed_, draws, max_range, expected);
+  const double own = logEvidence(independent, map, missed_, draws, max_range, expected);
   const bool anonymous =
-      std::any_of(readings.begin(), readings.end(), [](const Reading& reading) { return hasAnonymous(reading); });
+      std::any_of(independent.begin(), independent.end(), [](const Reading& reading) { return hasAnonymous(reading); });
   const double most = anonymous ? kMostOfFrame : most_;  // names tell at once, but one may be false
   for (Rival& rival : rivals_)
   {
-    const double image = logEvidence(readings, rival.symmetry.image, rival.missed, draws, max_range, expected);
+    const double image = logEvidence(independent, rival.symmetry.image, rival.missed, draws, max_range, expected);
     rival.log_odds = bounded(rival.log_odds + std::clamp(own - image, -kMostOfFrame, most));
   }
 }

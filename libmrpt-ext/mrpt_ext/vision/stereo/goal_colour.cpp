@@ -182,13 +182,14 @@ std::vector<double> stepsInRow(const cv::Mat& bgr, int row, int first_column, in
               right = meanOf(pixels, bgr.cols, u + gap + 1, reach - gap);
     const cv::Vec3f &white = side > 0 ? left : right, &dyed = side > 0 ? right : left;
     if (!is_step(white, dyed)) continue;
-    const EdgeMixture mixture(lightOf(white), lightOf(dyed));
+    std::optional<EdgeMixture> mixture;  // shade has no colour
+    if (step.colour) mixture.emplace(lightOf(white), lightOf(dyed));
     const double half = 0.5F * (white[channel] + dyed[channel]);
-    const auto beyondHalf = [&](int i)
-    { return side * (step.colour ? mixture.whiteIn(lightOf(pixels[i])) - 0.5 : level(i) - half); };
+    const auto beyond_half = [&](int i)
+    { return side * (mixture ? mixture->whiteIn(lightOf(pixels[i])) - 0.5 : level(i) - half); };
     for (int i = u - 1; i <= u + 1; ++i)
     {
-      const double a = beyondHalf(i), b = beyondHalf(i + 1);
+      const double a = beyond_half(i), b = beyond_half(i + 1);
       if (a < 0 || b >= 0) continue;
       columns.push_back(i + a / (a - b));
       break;
