@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "mrpt_ext/geometry/random.h"
@@ -17,17 +18,23 @@ Landmark at(double x, double y, const std::string& category = {})
   return {.position = {x, y, 0}, .category = category};
 }
 
+/// Drawn in the order of the braces, whatever the compiler.
+Landmark between(const Vector2d& low, const Vector2d& high, RandomStream& random)
+{
+  return {.position = {random.uniform(low.x(), high.x()), random.uniform(low.y(), high.y()), 0}};
+}
+
 LandmarkTable surveyed(std::vector<Landmark> landmarks, RandomStream& random)
 {
   for (Landmark& landmark : landmarks)
-    landmark.position += Vector3d(kPlaced * random.gaussian(), kPlaced * random.gaussian(), 0);
+    landmark.position += Vector3d{kPlaced * random.gaussian(), kPlaced * random.gaussian(), 0};
   return LandmarkTable(std::move(landmarks));
 }
 
 std::vector<Landmark> scattered(std::size_t count, double side, RandomStream& random)
 {
   std::vector<Landmark> landmarks;
-  for (std::size_t k = 0; k < count; ++k) landmarks.push_back(at(random.uniform(0, side), random.uniform(0, side)));
+  for (std::size_t k = 0; k < count; ++k) landmarks.push_back(between({0, 0}, {side, side}, random));
   return landmarks;
 }
 
@@ -110,7 +117,7 @@ TEST(MapSymmetries, LandmarksThatStayWhereTheyAreAreNotMatched)
 {
   std::vector<Landmark> landmarks{at(0, 0), at(0, 1.5), at(3, 4)};
   RandomStream random(6);
-  for (int k = 0; k < 12; ++k) landmarks.push_back(at(60 + random.uniform(0, 3), random.uniform(0, 3)));
+  for (int k = 0; k < 12; ++k) landmarks.push_back(between({60, 0}, {63, 3}, random));
   EXPECT_TRUE(mapSymmetries(LandmarkTable(landmarks)).empty());
 }
 
@@ -158,12 +165,14 @@ TEST(MapSymmetries, ACopyOfARoomAndTheRestOfTheMap)
     std::vector<Landmark> landmarks = scattered(6, 7, random);
     for (std::size_t k = 0; k < 6; ++k)
       landmarks.push_back(at(landmarks[k].position.x() + 10, landmarks[k].position.y()));
-    for (int k = 0; k < 5; ++k) landmarks.push_back(at(random.uniform(0, 20), random.uniform(9, 11)));
+    for (int k = 0; k < 5; ++k) landmarks.push_back(between({0, 9}, {20, 11}, random));
     const auto found = mapSymmetries(surveyed(landmarks, random));
-    int copies = 0;
-    for (const MapSymmetry& symmetry : found)
-      copies += symmetry.matched >= 6 && std::abs(std::abs(symmetry.motion.x) - 10) < 0.2 ? 1 : 0;
-    EXPECT_EQ(copies, 2) << "there and back, seed " << seed;
+    // A landmark of the hall can make another one beside it, turned by a few degrees.
+    for (const double x : {10.0, -10.0})
+      EXPECT_TRUE(std::any_of(found.begin(), found.end(),
+                              [&](const MapSymmetry& symmetry)
+                              { return symmetry.matched >= 6 && std::abs(symmetry.motion.x - x) < 0.2; }))
+          << "there and back, seed " << seed;
   }
 }
 
