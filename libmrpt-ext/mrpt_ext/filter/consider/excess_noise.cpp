@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mrpt_ext/filter/consider/significant.h"
-
 namespace mrpt_ext
 {
 namespace
@@ -14,7 +12,6 @@ namespace
 constexpr double kNoiseMemory = 300;   // [s] after which the floor may be another one
 constexpr double kStatedWorth = 60;    // degrees of freedom that the stated noise counts as beside what is in common
 constexpr double kInCommon = 1;        // standard deviation of the factor that all sources share, in units of it
-constexpr double kByChanceAlone = 1;   // standard deviations
 constexpr double kMostNoise = 100;     // times the stated variance
 constexpr double kSurpriseLimit = 25;  // times the expected square that one step counts as at most
 }  // namespace
@@ -26,10 +23,16 @@ ExcessNoise::ExcessNoise(const MotionModel& motion, Eigen::Index size) : motion_
   known_ = learned_;
 }
 
+void ExcessNoise::confirm()
+{
+  (confirmed_ ? known_ : learned_) = confirmed_ ? learned_ : known_;
+  confirmed_ = true;
+}
+
 void ExcessNoise::restart()
 {
   learned_ = known_;
-  started_ = false;
+  started_ = confirmed_ = false;
 }
 
 Matrix3d ExcessNoise::excess(const OdometryMotion& motion) const
@@ -82,7 +85,14 @@ void ExcessNoise::learn(const LinearStep& step, const Eigen::VectorXd& lasting)
     squared += square(z.residual) / variance;
   }
   const KalmanMatrix I = KalmanMatrix::Identity(size, size);
-  const KalmanMatrix& P = step.predicted.covariance;
+  // At the factors found so far: at those of the filter a few surprises would seem to tell a large factor precisely.
+  KalmanMatrix P = step.predicted.covariance;
+  PartVector factors = PartVector::Ones();
+  for (std::size_t i = 0; i < kNoiseSources; ++i)
+  {
+    factors[static_cast<Eigen::Index>(i)] = std::max(learned_.factors[i], known_.factors[i]);
+    P += (factors[static_cast<Eigen::Index>(i)] - known_.factors[i]) * parts_[i];
+  }
   const KalmanMatrix posterior = KalmanMatrix(I + P * information).partialPivLu().solve(P);
   const KalmanMatrix explained = information * posterior;
   const KalmanMatrix rest = I - explained;
@@ -115,13 +125,11 @@ void ExcessNoise::learn(const LinearStep& step, const Eigen::VectorXd& lasting)
   }
   more(kMeasured, kMeasured) += count - 2 * explained.trace() + explained.cwiseProduct(explained.transpose()).sum();
 
-  PartVector used = PartVector::Ones();
-  for (int i = 0; i < kMeasured; ++i) used[i] = known_.factors[static_cast<std::size_t>(i)];  // as predicted
   shown = shown.cwiseMin(kSurpriseLimit * expected);
   if (!more.allFinite() || !shown.allFinite()) return;
   const double kept = std::exp(-std::max(0.0, step.motion.duration) / kNoiseMemory);
   learned_.information = kept * learned_.information + more;
-  learned_.weighted = kept * learned_.weighted + shown - expected + more * used;
+  learned_.weighted = kept * learned_.weighted + shown - expected + more * factors;
   solve();
 }
 
@@ -137,9 +145,25 @@ void ExcessNoise::solve()
   const PartMatrix prior = 2 * of_prior.llt().solve(PartMatrix::Identity());
   const PartMatrix covariance = 2 * PartMatrix(learned_.information + prior).llt().solve(PartMatrix::Identity());
   const PartVector factors = 0.5 * covariance * (learned_.weighted + prior * PartVector::Ones());
+  double before = 0, after = 0;  // typical factor, by what each source has to do with the innovations
   for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(kNoiseSources); ++i)
-    learned_.factors[static_cast<std::size_t>(i)] =
-        std::clamp(1 + significantPart(factors[i] - 1, covariance(i, i), kByChanceAlone), 1.0, kMostNoise);
+  {
+    const double seen = std::sqrt(learned_.information(i, i));
+    double& factor = learned_.factors[static_cast<std::size_t>(i)];
+    before += seen * factor;
+    factor = std::clamp(factors[i], 1.0, kMostNoise);
+    after += seen * factor;
+  }
+  if (before > 0) rescale(before / after, factors);
+}
+
+void ExcessNoise::rescale(double share, const PartVector& factors)
+{
+  PartVector shares = PartVector::Constant(share);
+  shares[kParts - 1] = 1;
+  const PartVector gradient = learned_.weighted - learned_.information * factors;
+  learned_.information = (shares.asDiagonal() * learned_.information * shares.asDiagonal()).eval();
+  learned_.weighted = learned_.information * factors + shares.cwiseAbs2().cwiseProduct(gradient);
 }
 
 void ExcessNoise::correct(const LinearStep& step)

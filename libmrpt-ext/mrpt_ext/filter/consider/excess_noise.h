@@ -21,8 +21,9 @@ class ExcessNoise
   /// Propagates through one step of the filter, and learns from its innovations. `lasting`: variance of the errors of
   /// each row that last: beside those the noise of odometry has to be seen.
   void update(const LinearStep& step, const Eigen::VectorXd& lasting);
-  /// The estimate has been verified: what its innovations have shown so far is used.
-  void confirm() { known_ = learned_; }
+  /// The estimate has been verified: what its innovations have shown since it first was is used. Those before come from
+  /// finding the pose, which is no error of odometry.
+  void confirm();
   /// The estimate starts anew, with an error that no odometry caused. What was known is kept; the innovations of an
   /// estimate that nothing confirmed may be those of a wrong pose, which look as if odometry were bad.
   void restart();
@@ -37,10 +38,11 @@ class ExcessNoise
   using PartMatrix = Eigen::Matrix<double, kParts, kParts>;
   using PartVector = Eigen::Matrix<double, kParts, 1>;
 
+  /// What the innovations alone tell, and the factors that follow with the prior.
   struct Evidence
   {
     PartMatrix information = PartMatrix::Zero();
-    PartVector weighted = PartVector::Zero();
+    PartVector weighted = PartVector::Zero();  // information times mean
     PerNoiseSource<double> factors;
   };
 
@@ -48,9 +50,14 @@ class ExcessNoise
   void learn(const LinearStep& step, const Eigen::VectorXd& lasting);
   void correct(const LinearStep& step);
   void solve();
+  /// The factors, which are `factors` now, were `share` of that: so much less precisely are they told by what was seen,
+  /// since a number of degrees of freedom tells a variance to a share of it. Without this a few surprises, which are
+  /// unlikely with the stated noise, would tell a large factor precisely, and for good: with that noise the filter
+  /// follows its measurements, and innovations tell little about odometry.
+  void rescale(double share, const PartVector& factors);
 
   MotionModel motion_;
-  bool started_ = false;
+  bool started_ = false, confirmed_ = false;
   std::array<KalmanMatrix, kParts> parts_;  // of the covariance of the estimate, for the stated variances
   Evidence learned_, known_;
 };
