@@ -6,6 +6,7 @@
 #include "mrpt_ext/app/progress_line.h"
 #include "mrpt_ext/diagnosis/adopted_findings.h"
 #include "mrpt_ext/diagnosis/calibration_trajectory.h"
+#include "mrpt_ext/diagnosis/repeated_readings.h"
 #include "mrpt_ext/evaluation/run_scoring.h"
 #include "mrpt_ext/experiment/trial_runner.h"
 
@@ -74,6 +75,7 @@ std::optional<AutoCalibration> autoCalibration(const Settings& settings, const L
   const std::optional<LocalizationInput> likelier = withLikelierDepths(input, data);
   if (likelier) lookAgain(*likelier, firstPass(*likelier, show_progress).trajectory, data);
   const std::vector<CalibrationUnknown> unknowns = calibrationUnknowns(input, data);
+  leaveOutRepeated(data, unknowns);
   const CalibrationChoice choice = chooseCalibration(data, unknowns, input.config);
   if (choice.empty() && !likelier) return std::nullopt;
   AutoCalibration result{settings, {.before = pass.row, .log_density_after = choice.calibrated}};

@@ -40,6 +40,8 @@ std::string headline(const LocalizationInput& input, const CalibrationData& data
                      fixedText(100 * static_cast<double>(trajectory.size()) / frames, 0) + " % of the frames)";
   if (data.ambiguous > 0)
     text += "; " + std::to_string(data.ambiguous) + " detections with several landmarks near left out";
+  if (data.repeated > 0)
+    text += "; " + std::to_string(data.repeated) + " readings with the error of one shortly before left out";
   return text + "; the truth was not used";
 }
 

@@ -1,6 +1,7 @@
 #include "mrpt_ext/diagnosis/calibration_choice.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "mrpt_ext/diagnosis/configured_model.h"
 #include "mrpt_ext/diagnosis/noise_candidates.h"
@@ -106,7 +107,7 @@ class ChoiceSearch
     for (std::size_t k = 0; k < unknowns_.size(); ++k)
     {
       const ParameterEstimate& error = first_half_.errors[k];
-      if (!error.observable) continue;
+      if (!error.observable && !isOfRadios(unknowns_[k])) continue;
       const auto partner = std::find_if(
           parts_.begin(), parts_.end(),
           [&](const Part& part)
@@ -116,8 +117,9 @@ class ChoiceSearch
       else
         parts_.push_back({PartKind::errors, {k}, unknowns_[k].sensor});
     }
+    // Offset and scale of radios, which the first half may not tell from each other, are tried one by one later.
     const auto tells_nothing = [&](const Part& part)
-    { return !isOfLandmarks(part) && strengthOf(part, first_half_) <= kPays; };
+    { return !isOfLandmarks(part) && !isPair(part) && strengthOf(part, first_half_) <= kPays; };
     std::erase_if(parts_, tells_nothing);
   }
 
@@ -177,7 +179,9 @@ class ChoiceSearch
   [[nodiscard]] double neededGain(const Part& part) const
   {
     if (isOfMap(part)) return kSurveyed;
-    return !isOfLandmarks(part) && strengthOf(part, first_half_) > kBeyondDoubt ? 0 : kPays;
+    // Beside each other, offset and scale of radios are told less than one alone.
+    const bool alone = part.errors.size() == 1 && isOfRadios(unknowns_[part.errors.front()]);
+    return !isOfLandmarks(part) && strengthOf(part, alone ? found_ : first_half_) > kBeyondDoubt ? 0 : kPays;
   }
 
   [[nodiscard]] bool isOfMap(const Part& part) const
@@ -226,11 +230,41 @@ class ChoiceSearch
     return stay ? found_ : withoutErrors(found_, errors);
   }
 
+  /// Of offset and scale of radios the one stays that predicts the second half better, until it does not pay either.
   void takeOut(std::size_t number)
   {
-    const bool changes = !parts_[number].errors.empty();
+    const Part part = parts_[number];
     parts_ = allBut(number);
-    if (changes) found_ = fitOf(parts_);
+    if (part.errors.empty()) return;
+    const std::vector<Part> others = parts_;
+    found_ = fitOf(others);
+    if (!isPair(part)) return;
+    std::optional<double> best;
+    for (const std::size_t error : part.errors)
+    {
+      std::vector<Part> with = others;
+      with.push_back({PartKind::errors, {error}, part.sensor});
+      CalibrationResult found = fitOf(with);
+      const std::vector<double> densities = densitiesOf(with, found);
+      const double sum = std::accumulate(densities.begin(), densities.end(), 0.0);
+      if (best && sum <= *best) continue;
+      best = sum;
+      parts_ = std::move(with);
+      found_ = std::move(found);
+    }
+  }
+
+  /// True for what the ranges of a sensor share whose landmarks have offsets of their own.
+  [[nodiscard]] bool isOfRadios(const CalibrationUnknown& unknown) const
+  {
+    return isShared(unknown) && std::any_of(unknowns_.begin(), unknowns_.end(),
+                                            [&](const CalibrationUnknown& other)
+                                            { return other.sensor == unknown.sensor && isLandmarkOffset(other); });
+  }
+
+  [[nodiscard]] bool isPair(const Part& part) const
+  {
+    return part.errors.size() == 2 && isOfRadios(unknowns_[part.errors.front()]);
   }
 
   [[nodiscard]] std::vector<Part> allBut(std::size_t number) const

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mrpt_ext/calibration/calibration_problem.h"
+#include "mrpt_ext/calibration/independent_readings.h"
 #include "mrpt_ext/diagnosis/depth_hypothesis.h"
 #include "mrpt_ext/evaluation/run_record.h"
 #include "mrpt_ext/experiment/localization_input.h"
@@ -29,6 +30,8 @@ struct CalibrationData
   std::vector<UnmatchedReading> unmatched;  ///< ordered by pose
   std::vector<DepthHypothesis> depths;      ///< of the sensors for which this is a question, ranges as is likelier
   std::size_t ambiguous = 0;                ///< detections left out because several landmarks are near
+  CorrelationTimes correlation_times;       ///< [s] of the errors of readings (diagnosis/repeated_readings.h)
+  std::size_t repeated = 0;                 ///< readings left out because one shortly before has their error
   bool compass = false;                     ///< a compass measures the heading
   bool commanded = false;                   ///< odometry is integrated from commands
   bool verified = false;                    ///< at least one estimate of the trajectory was `ok`

@@ -6,6 +6,7 @@
 #include "mrpt_ext/diagnosis/calibration_trajectory.h"
 #include "mrpt_ext/diagnosis/noise_findings.h"
 #include "mrpt_ext/diagnosis/partial_calibration.h"
+#include "mrpt_ext/diagnosis/repeated_readings.h"
 
 namespace mrpt_ext
 {
@@ -49,7 +50,9 @@ LogDiagnosis diagnoseLog(const LocalizationInput& input)
     if (lookAgain(*other, trajectory, diagnosis.data)) diagnosis.trajectory = std::move(trajectory);
   }
   const CalibrationData& data = diagnosis.data;
-  diagnosis.errors = calibrateLog(data, calibrationUnknowns(input, data));
+  const std::vector<CalibrationUnknown> unknowns = calibrationUnknowns(input, data);
+  leaveOutRepeated(diagnosis.data, unknowns);
+  diagnosis.errors = calibrateLog(data, unknowns);
   if (diagnosis.errors.status != SolveStatus::ok) return diagnosis;
   diagnosis.findings = calibrationFindings(diagnosis.errors, data, input.config);
   for (CalibrationFinding& finding : depthFindings(data)) diagnosis.findings.push_back(std::move(finding));

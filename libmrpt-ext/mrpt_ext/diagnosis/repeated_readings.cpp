@@ -1,0 +1,69 @@
+#include "mrpt_ext/diagnosis/repeated_readings.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "mrpt_ext/calibration/self_calibration.h"
+
+namespace mrpt_ext
+{
+namespace
+{
+constexpr int kMostRounds = 3;
+
+/// Leaves out readings that have the error of one shortly before, and as large a share of those that no landmark is
+/// near.
+void keepIndependent(CalibrationData& data)
+{
+  const std::vector<bool> independent = independentReadings(data.problem, data.correlation_times);
+  struct KindCount
+  {
+    std::size_t all = 0, kept = 0;
+    double unmatched = 0;
+  };
+  std::map<std::pair<std::size_t, bool>, KindCount> counts;
+  std::vector<CalibrationReading> kept;
+  for (std::size_t i = 0; i < independent.size(); ++i)
+  {
+    const CalibrationReading& r = data.problem.readings[i];
+    KindCount& count = counts[{r.sensor, r.is_range}];
+    ++count.all;
+    if (!independent[i]) continue;
+    ++count.kept;
+    kept.push_back(r);
+  }
+  data.repeated += independent.size() - kept.size();
+  data.problem.readings = std::move(kept);
+  std::erase_if(data.unmatched,
+                [&](const UnmatchedReading& r)
+                {
+                  KindCount& count = counts[{r.sensor, r.is_range}];
+                  if (count.all == 0) return false;
+                  count.unmatched += static_cast<double>(count.kept) / static_cast<double>(count.all);
+                  if (count.unmatched < 1) return true;
+                  --count.unmatched;
+                  return false;
+                });
+}
+}  // namespace
+
+void leaveOutRepeated(CalibrationData& data, const std::vector<CalibrationUnknown>& unknowns)
+{
+  if (data.problem.odometry.empty() || !sensorsWithBearings(data).empty()) return;
+  for (int k = 0; k < kMostRounds; ++k)
+  {
+    const CalibrationResult found = calibrate(data.problem, unknowns);
+    if (found.status != SolveStatus::ok) return;
+    bool changed = false;
+    for (const auto& [kind, time] : correlationTimes(data.problem, found.misfits))
+    {
+      double& longest = data.correlation_times[kind];
+      changed = changed || time > longest;
+      longest = std::max(longest, time);
+    }
+    if (!changed) return;
+    keepIndependent(data);
+  }
+}
+}  // namespace mrpt_ext
