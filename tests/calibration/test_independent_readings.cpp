@@ -89,6 +89,21 @@ TEST(IndependentReadings, OfEachLandmarkTheFirstAfterTheCorrelationTime)
   EXPECT_EQ(independentReadings(problem, {}), std::vector<bool>(14, true));
 }
 
+TEST(IndependentReadings, StampsThatAreRoundedLeaveOutNone)
+{
+  CalibrationProblem problem;
+  for (std::size_t k = 0; k < 100; ++k)
+  {
+    problem.poses.push_back({.time = static_cast<double>(k) / kRate + (k % 3 == 0 ? 0.004 : 0)});
+    problem.readings.push_back({.pose = k, .is_range = true});
+  }
+  for (const auto& [spacing, kept] : {std::pair{0.1, 100}, {0.2, 50}, {0.4, 25}})
+  {
+    const std::vector<bool> independent = independentReadings(problem, {{kRanges, spacing}});
+    EXPECT_EQ(std::count(independent.begin(), independent.end(), true), kept) << spacing;
+  }
+}
+
 TEST(CorrelationTimes, FewReadingsTellNone)
 {
   CalibrationProblem problem;

@@ -100,6 +100,30 @@ TEST(CalibrationChoice, AnOffsetThatAllLandmarksShareIsAdoptedAsOne)
                            { return finding.line.key == "landmark_bias_range_m"; }));
 }
 
+// Few ranges to four radios around a room hardly tell an offset from a scale.
+TEST(CalibrationChoice, OfOffsetAndScaleOneMayStayAlone)
+{
+  for (const double offset : {0.0, 0.1})
+  {
+    DrivePlan plan = radios();
+    plan.duration = 30;
+    plan.speed = 0.16;
+    plan.std_range = 0.4;
+    plan.landmarks = {{-6, -5}, {6, -5}, {6, 5}, {-6, 5}};
+    plan.range_offset = offset;
+    int one = 0, both = 0;
+    for (int seed = 1; seed <= 6; ++seed)
+    {
+      const CalibrationChoice choice = chooseCalibration(recorded(plan, seed), unknownsOf(plan), {});
+      const bool has_offset = has(choice, Kind::range_offset), has_scale = has(choice, Kind::range_scale);
+      one += has_offset != has_scale;
+      both += has_offset && has_scale;
+    }
+    EXPECT_EQ(one > 0, offset > 0) << offset;
+    EXPECT_LE(both, offset > 0 ? 5 : 0) << offset;
+  }
+}
+
 TEST(CalibrationChoice, OfAMapOnlyTheLandmarkThatStandsElsewhereIsMoved)
 {
   for (const double angle : {0.3, 1.6, 2.9})

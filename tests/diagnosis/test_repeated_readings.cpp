@@ -17,9 +17,9 @@ using Kind = CalibrationParameter;
 const std::vector<CalibrationUnknown> kUnknowns{{Kind::distance_scale}, {Kind::range_offset}};
 
 /// Ranges ten times a second; their errors have a standard deviation of 0.2 m and last for some seconds.
-CalibrationData radios(DrivePlan plan, std::uint64_t seed, double lasting = 0.2)
+CalibrationData radios(DrivePlan plan, std::uint64_t seed, double lasting = 0.2, double duration = 200)
 {
-  plan.duration = 200;
+  plan.duration = duration;
   plan.rate = 10;
   plan.landmarks_seen = 5;
   RandomStream random(seed, 5);
@@ -78,6 +78,27 @@ TEST(LeaveOutRepeated, WhiteErrorsBearingsAndOdometryThatIsMissingChangeNothing)
     leaveOutRepeated(*data, kUnknowns);
     EXPECT_EQ(data->problem.readings.size(), all);
     EXPECT_EQ(data->repeated, 0u);
+  }
+}
+
+// Without offsets of the landmarks among the unknowns such errors last for ever.
+TEST(LeaveOutRepeated, AsManyStayAsACalibrationOfEachHalfNeeds)
+{
+  for (const double duration : {8.0, 60.0})
+  {
+    DrivePlan plan = rangesOnly();
+    plan.landmark_offsets = {0.6, -0.5, 0.7, -0.6, 0.5};
+    CalibrationData data = radios(plan, 3, 0, duration);
+    std::vector<CalibrationUnknown> many = kUnknowns;
+    for (std::size_t k = 0; k < 5; ++k)
+      for (const Kind kind : {Kind::landmark_x, Kind::landmark_y}) many.push_back({kind, 0, k});
+    CalibrationData other = data;
+    leaveOutRepeated(data, kUnknowns);
+    EXPECT_GT(data.repeated, 0u);
+    EXPECT_GE(data.problem.readings.size(), 40u);
+    EXPECT_EQ(calibrate(data.problem, kUnknowns).status, SolveStatus::ok);
+    leaveOutRepeated(other, many);
+    EXPECT_GE(other.problem.readings.size(), 6 * many.size());
   }
 }
 

@@ -159,8 +159,9 @@ bool addLog(std::uint64_t seed, Tallies& tallies, std::ostream* lines)
              << ' ' << (finding.estimate - true_value) / finding.std << ' '
              << (finding.why_not_observable.empty() ? finding.differs ? "set" : "told" : "unobservable") << std::endl;
   }
-  const CalibrationChoice choice =
-      chooseCalibration(diagnosis.data, calibrationUnknowns(input, diagnosis.data), input.config);
+  std::vector<CalibrationUnknown> unknowns;
+  for (const ParameterEstimate& error : diagnosis.errors.errors) unknowns.push_back(error.unknown);
+  const CalibrationChoice choice = chooseCalibration(diagnosis.data, unknowns, input.config);
   for (const CalibrationFinding& finding : adoptedFindings(choice, diagnosis.data, input.config))
   {
     if (!truth.contains(finding.line.key)) continue;  // how well places are stated

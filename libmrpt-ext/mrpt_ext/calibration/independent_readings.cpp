@@ -13,6 +13,7 @@ namespace
 constexpr double kUncorrelated = 1 / std::numbers::e;
 constexpr double kShortest = 0.1, kLongest = 12.8;  // [s] of the spacings, but for none
 constexpr std::size_t kFewestPairs = 20;
+constexpr double kJitter = 0.01;  // [s] of the stamps of a sensor that measures at a rate
 
 /// Readings of one landmark by one sensor, of one kind.
 using Series = std::vector<std::size_t>;
@@ -35,7 +36,7 @@ Series spaced(const CalibrationProblem& problem, const Series& series, double sp
   Series kept;
   const auto time = [&](std::size_t reading) { return problem.poses[problem.readings[reading].pose].time; };
   for (const std::size_t reading : series)
-    if (kept.empty() || time(reading) - time(kept.back()) >= spacing) kept.push_back(reading);
+    if (kept.empty() || time(reading) - time(kept.back()) >= spacing - kJitter) kept.push_back(reading);
   return kept;
 }
 

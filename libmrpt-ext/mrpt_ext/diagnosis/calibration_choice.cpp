@@ -1,7 +1,6 @@
 #include "mrpt_ext/diagnosis/calibration_choice.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "mrpt_ext/diagnosis/configured_model.h"
 #include "mrpt_ext/diagnosis/noise_candidates.h"
@@ -179,7 +178,7 @@ class ChoiceSearch
   [[nodiscard]] double neededGain(const Part& part) const
   {
     if (isOfMap(part)) return kSurveyed;
-    // Beside each other, offset and scale of radios are told less than one alone.
+    // Estimated together, offset and scale of radios are less certain than one alone.
     const bool alone = part.errors.size() == 1 && isOfRadios(unknowns_[part.errors.front()]);
     return !isOfLandmarks(part) && strengthOf(part, alone ? found_ : first_half_) > kBeyondDoubt ? 0 : kPays;
   }
@@ -236,19 +235,21 @@ class ChoiceSearch
     const Part part = parts_[number];
     parts_ = allBut(number);
     if (part.errors.empty()) return;
+    if (!isPair(part))
+    {
+      found_ = fitOf(parts_);
+      return;
+    }
     const std::vector<Part> others = parts_;
-    found_ = fitOf(others);
-    if (!isPair(part)) return;
-    std::optional<double> best;
+    std::vector<double> best;
     for (const std::size_t error : part.errors)
     {
       std::vector<Part> with = others;
       with.push_back({PartKind::errors, {error}, part.sensor});
       CalibrationResult found = fitOf(with);
-      const std::vector<double> densities = densitiesOf(with, found);
-      const double sum = std::accumulate(densities.begin(), densities.end(), 0.0);
-      if (best && sum <= *best) continue;
-      best = sum;
+      std::vector<double> densities = densitiesOf(with, found);
+      if (!best.empty() && predictiveGain(data_.problem, middle_, densities, best).gain <= 0) continue;
+      best = std::move(densities);
       parts_ = std::move(with);
       found_ = std::move(found);
     }

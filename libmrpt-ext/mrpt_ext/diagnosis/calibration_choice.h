@@ -32,7 +32,8 @@ struct CalibrationChoice
 /// What of `unknowns` and of the noise to adopt: estimated from the first half of the recording, it must predict the
 /// second half better than without it (calibration/predictive_likelihood.h): by two standard deviations of the gain,
 /// unless the first half tells the error by four of its own. Starts with everything that the first half shows, and
-/// takes out what does not pay, the worst first; the others are then estimated anew. Errors that the filters estimate
+/// takes out what does not pay, the worst first; the others are then estimated anew. Of offset and scale of radios,
+/// which the first half may not tell from each other, one may stay alone. Errors that the filters estimate
 /// anyway stay uncertain in the comparison.
 [[nodiscard]] CalibrationChoice chooseCalibration(const CalibrationData& data,
                                                   const std::vector<CalibrationUnknown>& unknowns,

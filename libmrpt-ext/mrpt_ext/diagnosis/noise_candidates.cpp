@@ -49,6 +49,7 @@ bool NoiseCandidates::isOther(std::size_t sensor, bool is_range) const
 /// more than readings of the stated deviation correct. Either way they tell less than they seem to.
 bool NoiseCandidates::areCorrelated(std::size_t sensor, bool is_range) const
 {
+  // The readings that stay are independent, but a filter takes all of them.
   const auto time = data_.correlation_times.find({sensor, is_range});
   if (time != data_.correlation_times.end() && time->second > 0) return true;
   std::map<std::size_t, double> before;  // by landmark

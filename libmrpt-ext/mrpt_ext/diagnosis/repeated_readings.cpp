@@ -10,13 +10,25 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr int kMostRounds = 3;
+constexpr int kMostRounds = 3, kMostHalvings = 8;
+constexpr std::size_t kPerUnknown = 6, kFewest = 40;  // readings that stay: what calibrate() needs, twice
 
-/// Leaves out readings that have the error of one shortly before, and as large a share of those that no landmark is
-/// near.
-void keepIndependent(CalibrationData& data)
+/// As `times` says, with shorter ones where fewer than `least` would stay.
+std::vector<bool> independentOnes(const CalibrationProblem& problem, CorrelationTimes& times, std::size_t least)
 {
-  const std::vector<bool> independent = independentReadings(data.problem, data.correlation_times);
+  for (int k = 0;; ++k)
+  {
+    std::vector<bool> independent = independentReadings(problem, times);
+    const auto kept = static_cast<std::size_t>(std::count(independent.begin(), independent.end(), true));
+    if (kept >= least || kept == independent.size()) return independent;
+    for (auto& [kind, time] : times) time = k < kMostHalvings ? time / 2 : 0;
+  }
+}
+
+/// Leaves out readings that have the error of one shortly before, and the same share of those that no landmark is near.
+void keepIndependent(CalibrationData& data, std::size_t least)
+{
+  const std::vector<bool> independent = independentOnes(data.problem, data.correlation_times, least);
   struct KindCount
   {
     std::size_t all = 0, kept = 0;
@@ -51,6 +63,7 @@ void keepIndependent(CalibrationData& data)
 void leaveOutRepeated(CalibrationData& data, const std::vector<CalibrationUnknown>& unknowns)
 {
   if (data.problem.odometry.empty() || !sensorsWithBearings(data).empty()) return;
+  const std::size_t least = std::max(kFewest, kPerUnknown * unknowns.size());
   for (int k = 0; k < kMostRounds; ++k)
   {
     const CalibrationResult found = calibrate(data.problem, unknowns);
@@ -63,7 +76,7 @@ void leaveOutRepeated(CalibrationData& data, const std::vector<CalibrationUnknow
       longest = std::max(longest, time);
     }
     if (!changed) return;
-    keepIndependent(data);
+    keepIndependent(data, least);
   }
 }
 }  // namespace mrpt_ext

@@ -23,12 +23,6 @@ ExcessNoise::ExcessNoise(const MotionModel& motion, Eigen::Index size) : motion_
   known_ = learned_;
 }
 
-void ExcessNoise::confirm()
-{
-  (confirmed_ ? known_ : learned_) = confirmed_ ? learned_ : known_;
-  confirmed_ = true;
-}
-
 void ExcessNoise::restart()
 {
   learned_ = known_;
@@ -53,7 +47,7 @@ void ExcessNoise::update(const LinearStep& step, const Eigen::VectorXd& lasting)
     started_ = true;
   }
   predict(step);
-  if (!step.rows.empty()) learn(step, lasting);
+  if (confirmed_ && !step.rows.empty()) learn(step, lasting);
   correct(step);
 }
 
@@ -85,7 +79,8 @@ void ExcessNoise::learn(const LinearStep& step, const Eigen::VectorXd& lasting)
     squared += square(z.residual) / variance;
   }
   const KalmanMatrix I = KalmanMatrix::Identity(size, size);
-  // At the factors found so far: at those of the filter a few surprises would seem to tell a large factor precisely.
+  // As if the filter had used the factors found so far: with smaller ones a few surprises would seem to tell a large
+  // factor precisely.
   KalmanMatrix P = step.predicted.covariance;
   PartVector factors = PartVector::Ones();
   for (std::size_t i = 0; i < kNoiseSources; ++i)
@@ -145,10 +140,11 @@ void ExcessNoise::solve()
   const PartMatrix prior = 2 * of_prior.llt().solve(PartMatrix::Identity());
   const PartMatrix covariance = 2 * PartMatrix(learned_.information + prior).llt().solve(PartMatrix::Identity());
   const PartVector factors = 0.5 * covariance * (learned_.weighted + prior * PartVector::Ones());
+  if (!factors.allFinite()) return;
   double before = 0, after = 0;  // typical factor, by what each source has to do with the innovations
   for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(kNoiseSources); ++i)
   {
-    const double seen = std::sqrt(learned_.information(i, i));
+    const double seen = std::sqrt(std::max(0.0, learned_.information(i, i)));
     double& factor = learned_.factors[static_cast<std::size_t>(i)];
     before += seen * factor;
     factor = std::clamp(factors[i], 1.0, kMostNoise);

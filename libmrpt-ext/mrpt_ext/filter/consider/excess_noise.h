@@ -21,9 +21,13 @@ class ExcessNoise
   /// Propagates through one step of the filter, and learns from its innovations. `lasting`: variance of the errors of
   /// each row that last: beside those the noise of odometry has to be seen.
   void update(const LinearStep& step, const Eigen::VectorXd& lasting);
-  /// The estimate has been verified: what its innovations have shown since it first was is used. Those before come from
-  /// finding the pose, which is no error of odometry.
-  void confirm();
+  /// The estimate has been verified: what its innovations have shown since it first was is used. Those before that come
+  /// from finding the pose, and tell nothing of odometry.
+  void confirm()
+  {
+    known_ = learned_;
+    confirmed_ = true;
+  }
   /// The estimate starts anew, with an error that no odometry caused. What was known is kept; the innovations of an
   /// estimate that nothing confirmed may be those of a wrong pose, which look as if odometry were bad.
   void restart();
@@ -50,10 +54,10 @@ class ExcessNoise
   void learn(const LinearStep& step, const Eigen::VectorXd& lasting);
   void correct(const LinearStep& step);
   void solve();
-  /// The factors, which are `factors` now, were `share` of that: so much less precisely are they told by what was seen,
-  /// since a number of degrees of freedom tells a variance to a share of it. Without this a few surprises, which are
-  /// unlikely with the stated noise, would tell a large factor precisely, and for good: with that noise the filter
-  /// follows its measurements, and innovations tell little about odometry.
+  /// Rescales the evidence to the new `factors`, of which the old ones were `share`: a number of degrees of freedom
+  /// tells a variance with a relative precision. Without this a few surprises, which are unlikely with the stated
+  /// noise, would tell a large factor precisely, and for good: with that noise the filter follows its measurements, and
+  /// innovations tell little about odometry.
   void rescale(double share, const PartVector& factors);
 
   MotionModel motion_;
