@@ -1,7 +1,9 @@
 #include "mrpt_ext/diagnosis/log_diagnosis.h"
 
 #include <cmath>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "mrpt_ext/diagnosis/calibration_trajectory.h"
 #include "mrpt_ext/diagnosis/noise_findings.h"
@@ -14,11 +16,12 @@ namespace
 {
 constexpr double kShared = 3;  // standard deviations of what the landmarks of a sensor share
 
-/// All errors together. Where the landmarks of a sensor differ too much to tell what they share, nothing is taken from
-/// their own offsets for that.
-CalibrationResult calibrateLog(const CalibrationData& data, const std::vector<CalibrationUnknown>& unknowns)
+/// All errors together, as `found` if they are estimated already. Where the landmarks of a sensor differ too much to
+/// tell what they share, nothing is taken from their own offsets for that.
+CalibrationResult calibrateLog(const CalibrationData& data, const std::vector<CalibrationUnknown>& unknowns,
+                               std::optional<CalibrationResult> found)
 {
-  const CalibrationResult all = calibrate(data.problem, unknowns);
+  const CalibrationResult all = found ? std::move(*found) : calibrate(data.problem, unknowns);
   std::set<std::size_t> of_landmarks, shares;  // sensors
   for (const ParameterEstimate& error : all.errors)
   {
@@ -51,8 +54,8 @@ LogDiagnosis diagnoseLog(const LocalizationInput& input)
   }
   const CalibrationData& data = diagnosis.data;
   const std::vector<CalibrationUnknown> unknowns = calibrationUnknowns(input, data);
-  leaveOutRepeated(diagnosis.data, unknowns);
-  diagnosis.errors = calibrateLog(data, unknowns);
+  std::optional<CalibrationResult> found = leaveOutRepeated(diagnosis.data, unknowns);
+  diagnosis.errors = calibrateLog(data, unknowns, std::move(found));
   if (diagnosis.errors.status != SolveStatus::ok) return diagnosis;
   diagnosis.findings = calibrationFindings(diagnosis.errors, data, input.config);
   for (CalibrationFinding& finding : depthFindings(data)) diagnosis.findings.push_back(std::move(finding));

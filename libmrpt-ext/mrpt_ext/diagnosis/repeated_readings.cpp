@@ -4,8 +4,6 @@
 #include <map>
 #include <utility>
 
-#include "mrpt_ext/calibration/self_calibration.h"
-
 namespace mrpt_ext
 {
 namespace
@@ -60,14 +58,15 @@ void keepIndependent(CalibrationData& data, std::size_t least)
 }
 }  // namespace
 
-void leaveOutRepeated(CalibrationData& data, const std::vector<CalibrationUnknown>& unknowns)
+std::optional<CalibrationResult> leaveOutRepeated(CalibrationData& data,
+                                                  const std::vector<CalibrationUnknown>& unknowns)
 {
-  if (data.problem.odometry.empty() || !sensorsWithBearings(data).empty()) return;
+  if (data.problem.odometry.empty() || !sensorsWithBearings(data).empty()) return {};
   const std::size_t least = std::max(kFewest, kPerUnknown * unknowns.size());
   for (int k = 0; k < kMostRounds; ++k)
   {
-    const CalibrationResult found = calibrate(data.problem, unknowns);
-    if (found.status != SolveStatus::ok) return;
+    CalibrationResult found = calibrate(data.problem, unknowns);
+    if (found.status != SolveStatus::ok) return found;
     bool changed = false;
     for (const auto& [kind, time] : correlationTimes(data.problem, found.misfits))
     {
@@ -75,8 +74,9 @@ void leaveOutRepeated(CalibrationData& data, const std::vector<CalibrationUnknow
       changed = changed || time > longest;
       longest = std::max(longest, time);
     }
-    if (!changed) return;
+    if (!changed) return found;
     keepIndependent(data, least);
   }
+  return {};
 }
 }  // namespace mrpt_ext
