@@ -30,6 +30,10 @@ double trueValue(const DrivePlan& plan, Kind kind)
       return plan.delay;
     case Kind::bearing_offset:
       return plan.bearing_offset;
+    case Kind::bearing_scale:
+      return plan.bearing_scale;
+    case Kind::range_axis:
+      return plan.range_axis;
     case Kind::range_offset:
       return plan.range_offset;
     case Kind::range_scale:
@@ -106,6 +110,50 @@ TEST(CalibrationResult, AllAreFoundWithHonestDeviations)
   if (testing::isShort()) return;  // too few runs for the bounds
   EXPECT_GT(consistency, 0.5);
   EXPECT_LT(consistency, 1.6);
+}
+
+/// A camera that measures depths along an axis beside that of its bearings, with a focal length that is not exact.
+DrivePlan cameraDrive()
+{
+  DrivePlan plan;
+  plan.duration = 240;
+  plan.landmarks_seen = 5;
+  plan.field_of_view = degToRad(90.0);
+  plan.depths = true;
+  plan.bearing_scale = 0.04;
+  plan.range_axis = degToRad(-2.3);
+  return plan;
+}
+
+/// Its readings as the ranges that the logged bearings make of them, along an axis straight ahead.
+CalibrationProblem asRanges(CalibrationProblem problem)
+{
+  for (CalibrationReading& r : problem.readings)
+    if (r.off_axis) r.value /= std::cos(*r.off_axis);
+  std::erase_if(problem.readings, [](const CalibrationReading& r)
+                { return r.off_axis ? std::cos(*r.off_axis) < 0.3 : !r.is_range && std::cos(r.value) < 0.3; });
+  return problem;
+}
+
+TEST(CalibrationResult, AxisAndFocalLengthOfACameraAreNoLeverArms)
+{
+  const DrivePlan plan = cameraDrive();
+  std::vector<CalibrationUnknown> unknowns{{Kind::lever_arm_x}, {Kind::lever_arm_y},   {Kind::bearing_offset},
+                                           {Kind::range_scale}, {Kind::bearing_scale}, {Kind::range_axis}};
+  RandomStream random(3, 7);
+  const CalibrationProblem problem = asRanges(recordedDrive(plan, random));
+  const CalibrationResult found = calibrate(problem, unknowns);
+  ASSERT_EQ(found.status, SolveStatus::ok);
+  for (const ParameterEstimate& error : found.errors)
+    EXPECT_LT(std::abs(error.value - trueValue(plan, error.unknown.parameter)), 4 * error.std)
+        << static_cast<int>(error.unknown.parameter) << ": " << error.value << " +- " << error.std;
+  EXPECT_TRUE(errorOf(found, Kind::bearing_scale).observable);
+  EXPECT_TRUE(errorOf(found, Kind::range_axis).observable);
+  EXPECT_LT(errorOf(found, Kind::range_axis).std, degToRad(0.5));
+
+  unknowns.resize(4);  // without these two, places take the blame
+  const CalibrationResult before = calibrate(problem, unknowns);
+  EXPECT_GT(errorOf(before, Kind::lever_arm_y).value, 4 * errorOf(before, Kind::lever_arm_y).std);
 }
 
 TEST(CalibrationResult, AreFoundFromOneRangeAtATime)

@@ -19,7 +19,9 @@ const std::vector<CalibrationUnknown> kTerms{{CalibrationParameter::delay},
                                              {CalibrationParameter::lever_arm_x},
                                              {CalibrationParameter::lever_arm_y},
                                              {CalibrationParameter::landmark_x, 0, 1},
-                                             {CalibrationParameter::landmark_y, 0, 1}};
+                                             {CalibrationParameter::landmark_y, 0, 1},
+                                             {CalibrationParameter::bearing_scale},
+                                             {CalibrationParameter::range_axis}};
 constexpr double kStep = 1e-5;
 
 Pose2 moved(const Pose2& pose, int axis, double by)
@@ -30,15 +32,15 @@ Pose2 moved(const Pose2& pose, int axis, double by)
 /// A drive without noise, its poses a little off, with some errors set.
 struct Scene
 {
-  testing::DrivePlan plan;
+  testing::DrivePlan plan{.field_of_view = degToRad(120.0)};
   RandomStream random{2};
   CalibrationProblem problem = testing::recordedDrive(plan, random);
   TrajectoryModel model{problem, kTerms};
 
   Scene()
   {
-    Eigen::VectorXd errors(12);
-    errors << 0.1, 0.02, 0.3, 0.05, -0.06, 0.08, 0.04, 0.01, 0.07, -0.05, 0.2, -0.1;
+    Eigen::VectorXd errors(14);
+    errors << 0.1, 0.02, 0.3, 0.05, -0.06, 0.08, 0.04, 0.01, 0.07, -0.05, 0.2, -0.1, -0.03, 0.04;
     model.setErrors(errors);
   }
   [[nodiscard]] Eigen::VectorXd with(int term, double by) const
@@ -62,7 +64,7 @@ TEST(TrajectoryModel, DerivativesOfReadingsAreTheirDifferences)
     for (int axis = 0; axis < 3; ++axis)
       EXPECT_NEAR(row.own[axis],
                   (predictedAt(moved(pose, axis, kStep)) - predictedAt(moved(pose, axis, -kStep))) / (2 * kStep), 1e-3);
-    for (int term = 1; term < 12; ++term)  // the delay is a difference itself
+    for (int term = 1; term < 14; ++term)  // the delay is a difference itself
     {
       TrajectoryModel plus = scene.model, minus = scene.model;
       plus.setErrors(scene.with(term, kStep));
@@ -92,7 +94,7 @@ TEST(TrajectoryModel, DerivativesOfLinksAreTheirDifferences)
       EXPECT_LT((row.own.col(axis) - by_before).norm(), 1e-6 * unit);
       EXPECT_LT((row.next.col(axis) - by_pose).norm(), 1e-6 * unit);
     }
-    for (int term = 0; term < 12; ++term)
+    for (int term = 0; term < 14; ++term)
     {
       TrajectoryModel plus = scene.model, minus = scene.model;
       plus.setErrors(scene.with(term, kStep));

@@ -80,7 +80,7 @@ TEST(DepthHypothesis, RangesThatAreConfiguredAsDepthsAreToldToo)
 {
   CalibrationProblem problem = recorded(camera());
   for (std::size_t i = 1; i < problem.readings.size(); i += 2)
-    problem.readings[i].value /= std::cos(problem.readings[i - 1].value);
+    problem.readings[i].value /= std::cos(*problem.readings[i].off_axis);
   const std::vector<DepthHypothesis> depths = chosen(problem, true);
   ASSERT_EQ(depths.size(), 1U);
   EXPECT_TRUE(depths.front().configured);

@@ -142,6 +142,16 @@ TEST(SensorConfig, DepthAlongTheAxisBecomesARange)
   EXPECT_EQ(*configuredDetection(without_bearing, "range_along_axis = true\n").range, 4.0);
 }
 
+TEST(SensorConfig, TheAxisOfDepthsIsALoggedBearing)
+{
+  const Detection corrected = configuredDetection(
+      kBoth, "range_along_axis = true\nrange_axis_deg = -2\nbias_bearing_deg = 1\nscale_bearing = 1.25\n");
+  EXPECT_NEAR(*corrected.range, 4 / std::cos(0.5 + degToRad(2.0)), 1e-12);
+  EXPECT_NEAR(*corrected.bearing, (0.5 - degToRad(1.0)) / 1.25, 1e-12);
+  const SensorConfig config{.bias_bearing = degToRad(1.0), .scale_bearing = 1.25};
+  EXPECT_NEAR(loggedBearing(*corrected.bearing, config), 0.5, 1e-12);
+}
+
 TEST(SensorConfig, DepthOfALandmarkBesideTheSensorIsCountedAsUnusable)
 {
   Reading logged{.sensor = "eye", .detections = {kBoth}};

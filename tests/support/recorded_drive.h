@@ -22,7 +22,8 @@ struct DrivePlan
   double outliers = 0.03;  // share
   double hidden = 0;  // share of the ranges at x > 0 that are late by 0.25 to 1.5 m, landmark by landmark in bursts
   double std_distance_per_root_s = 0.01, std_turn_per_root_s = 0.01;
-  double delay = 0, bearing_offset = 0, range_offset = 0, range_scale = 0;
+  double delay = 0, bearing_offset = 0, bearing_scale = 0, range_offset = 0, range_scale = 0;
+  double range_axis = 0;                 // [rad] logged bearing of the axis of depths
   std::vector<double> landmark_offsets;  // [m] of ranges, by landmark, on top of the others; empty: none
   double height = 0;                     // [m] between sensor and landmarks; the readings do not state it
   Vector2d lever_arm{0, 0};              // [m] true minus stated
@@ -109,21 +110,22 @@ inline CalibrationProblem recordedDrive(const DrivePlan& plan, RandomStream& ran
           .pose = problem.poses.size() - 1, .landmark = plan.landmarks[number], .landmark_number = number};
       const double bearing = predictBearing(seen_from, r.landmark, T_robot_sensor);
       if (std::abs(bearing) > plan.field_of_view / 2) continue;
+      const double seen = (1 + plan.bearing_scale) * bearing + plan.bearing_offset;
       const bool wrong = random.chance(plan.outliers);
       if (plan.bearings)
       {
         r.std = plan.std_bearing;
-        r.value =
-            wrap(bearing + plan.bearing_offset + r.std * random.gaussian() + (wrong ? random.uniform(0.2, 2) : 0));
+        r.value = wrap(seen + r.std * random.gaussian() + (wrong ? random.uniform(0.2, 2) : 0));
         problem.readings.push_back(r);
+        r.off_axis = r.value;
       }
       if (!plan.ranges) continue;
       r.is_range = true;
       r.std = plan.std_range;
       const double slant = std::hypot(predictRange(seen_from, r.landmark, T_robot_sensor), plan.height);
-      r.value = (1 + plan.range_scale) * slant * (plan.depths ? std::cos(bearing) : 1) + plan.range_offset +
-                (plan.landmark_offsets.empty() ? 0 : plan.landmark_offsets[number]) + r.std * random.gaussian() +
-                (wrong ? random.uniform(0.5, 3) : 0);
+      r.value = (1 + plan.range_scale) * slant * (plan.depths ? std::cos(seen - plan.range_axis) : 1) +
+                plan.range_offset + (plan.landmark_offsets.empty() ? 0 : plan.landmark_offsets[number]) +
+                r.std * random.gaussian() + (wrong ? random.uniform(0.5, 3) : 0);
       if (plan.hidden > 0) r.value += lateness(plan, guess, late[number], random);
       problem.readings.push_back(r);
     }

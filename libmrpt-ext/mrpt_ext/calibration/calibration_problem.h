@@ -14,9 +14,11 @@ enum class CalibrationParameter
   delay,           ///< [s] how old a reading of the sensor is at its stamp, by the clock of odometry
   lever_arm_x,     ///< [m] true minus stated position of the sensor on the robot, forward
   lever_arm_y,     ///< [m] the same to the left
-  bearing_offset,  ///< [rad] measured = true + offset
+  bearing_offset,  ///< [rad] measured = (1 + scale) true + offset
+  bearing_scale,   ///< of a sensor that looks ahead: a focal length that is not exact
   range_offset,    ///< [m] measured = (1 + scale) true + offset
   range_scale,
+  range_axis,       ///< [rad] logged bearing of the axis that ranges are depths along, beyond the configured one
   landmark_offset,  ///< [m] the same for one landmark, on top of range_offset: radios have a delay of their own
   landmark_x,       ///< [m] true minus stated position of a landmark in the map, along its x axis
   landmark_y,       ///< [m] the same along its y axis
@@ -77,6 +79,8 @@ struct CalibrationReading
   double height = 0;                ///< [m] of the landmark above the sensor; 0 for horizontal ranges
   double value = 0;                 ///< [rad] or [m]
   double std = 0;                   ///< likewise, as declared
+  /// [rad] Of a range with a bearing: how far left of the axis that depths are measured along, as logged.
+  std::optional<double> off_axis = std::nullopt;
 };
 
 /// A pose of the trajectory, first guess.

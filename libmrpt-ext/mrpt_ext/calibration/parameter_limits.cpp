@@ -7,7 +7,9 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kToldShare = 0.5;  // of the prior standard deviation of a lever arm
+constexpr double kToldShare = 0.5;  // of the prior standard deviation of what is roughly known
+// Cameras are calibrated: focal lengths to a few percent, optical axes to a few degrees.
+constexpr double kAssumedBearingScaleStd = 0.05, kAssumedAxisStd = 0.05;
 
 /// Median of a member over the ranges of a sensor.
 double typical(const CalibrationProblem& problem, std::size_t sensor, double CalibrationReading::*member)
@@ -31,6 +33,10 @@ double priorStd(const CalibrationProblem& problem, const CalibrationUnknown& unk
     case CalibrationParameter::lever_arm_x:
     case CalibrationParameter::lever_arm_y:
       return leverArmStd(problem, unknown.sensor);
+    case CalibrationParameter::bearing_scale:
+      return kAssumedBearingScaleStd;
+    case CalibrationParameter::range_axis:
+      return kAssumedAxisStd;
     case CalibrationParameter::range_offset:
       return 30;
     case CalibrationParameter::landmark_offset:
@@ -58,6 +64,10 @@ double largestUsefulStd(const CalibrationProblem& problem, const CalibrationUnkn
     case CalibrationParameter::lever_arm_x:
     case CalibrationParameter::lever_arm_y:
       return kToldShare * leverArmStd(problem, unknown.sensor);
+    case CalibrationParameter::bearing_scale:
+      return kToldShare * kAssumedBearingScaleStd;
+    case CalibrationParameter::range_axis:
+      return kToldShare * kAssumedAxisStd;
     case CalibrationParameter::bearing_offset:
       return degToRad(3.0);
     case CalibrationParameter::range_offset:

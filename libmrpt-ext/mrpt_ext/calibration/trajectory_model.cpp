@@ -50,8 +50,10 @@ TrajectoryModel::TrajectoryModel(const CalibrationProblem& problem, std::vector<
                   : kind == CalibrationParameter::lever_arm_x    ? sensor.lever_arm_x
                   : kind == CalibrationParameter::lever_arm_y    ? sensor.lever_arm_y
                   : kind == CalibrationParameter::bearing_offset ? sensor.bearing_offset
+                  : kind == CalibrationParameter::bearing_scale  ? sensor.bearing_scale
                   : kind == CalibrationParameter::range_offset   ? sensor.range_offset
                   : kind == CalibrationParameter::range_scale    ? sensor.range_scale
+                  : kind == CalibrationParameter::range_axis     ? sensor.range_axis
                   : kind == CalibrationParameter::distance_scale ? distance_scale_
                   : kind == CalibrationParameter::rotation_scale ? rotation_scale_
                   : kind == CalibrationParameter::veer           ? veer_
@@ -108,18 +110,26 @@ ReadingResidual TrajectoryModel::reading(const CalibrationReading& r, const Pose
   if (r.is_range)
   {
     const double flat = predictRange(then, landmark, T_robot_sensor), slant = std::hypot(flat, r.height);
-    const double scale = 1 + valueOf(terms.range_scale);
+    // The depth along an axis that points elsewhere, over that along the configured one.
+    const double axis = valueOf(terms.range_axis), tangent = std::tan(r.off_axis.value_or(0));
+    const double depth_ratio = std::cos(axis) + tangent * std::sin(axis);
+    const double scale = (1 + valueOf(terms.range_scale)) * depth_ratio;
     const int of_landmark = termOf(terms.landmark_offsets, r.landmark_number);
     predicted = scale * slant + valueOf(terms.range_offset) + valueOf(of_landmark);
     by_then = (slant > 0 ? scale * flat / slant : 0) * rangeJacobian(then, landmark, offset);
-    if (terms.range_scale >= 0) row.shared[terms.range_scale] = slant;
+    if (terms.range_scale >= 0) row.shared[terms.range_scale] = depth_ratio * slant;
+    if (terms.range_axis >= 0)
+      row.shared[terms.range_axis] =
+          (1 + valueOf(terms.range_scale)) * slant * (tangent * std::cos(axis) - std::sin(axis));
     if (terms.range_offset >= 0) row.shared[terms.range_offset] = 1;
     if (of_landmark >= 0) row.shared[of_landmark] = 1;
   }
   else
   {
-    predicted = predictBearing(then, landmark, T_robot_sensor) + valueOf(terms.bearing_offset);
-    by_then = bearingJacobian(then, landmark, offset);
+    const double bearing = predictBearing(then, landmark, T_robot_sensor), scale = 1 + valueOf(terms.bearing_scale);
+    predicted = scale * bearing + valueOf(terms.bearing_offset);
+    by_then = scale * bearingJacobian(then, landmark, offset);
+    if (terms.bearing_scale >= 0) row.shared[terms.bearing_scale] = bearing;
     if (terms.bearing_offset >= 0) row.shared[terms.bearing_offset] = 1;
   }
   row.residual = (r.is_range ? r.value - predicted : wrap(r.value - predicted)) / r.std;

@@ -61,7 +61,8 @@ class TrajectoryModel
   /// Numbers of the unknowns of a sensor, -1: none.
   struct SensorTerms
   {
-    int delay = -1, lever_arm_x = -1, lever_arm_y = -1, bearing_offset = -1, range_offset = -1, range_scale = -1;
+    int delay = -1, lever_arm_x = -1, lever_arm_y = -1, bearing_offset = -1, bearing_scale = -1, range_offset = -1,
+        range_scale = -1, range_axis = -1;
     std::vector<int> landmark_offsets;  // by landmark, up to the last that has one
   };
   [[nodiscard]] double valueOf(int term) const { return term < 0 ? 0 : values_[term]; }

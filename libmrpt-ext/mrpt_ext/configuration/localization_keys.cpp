@@ -192,8 +192,12 @@ KeyTable sensorKeys()
           "Range bias of each landmark, on top of bias_range_m. Pairs id:bias such as 1:0.12 4:-0.05, for radios with "
           "a delay of their own; needs known identities.")
       .flag("range_along_axis", sensor.range_along_axis,
-            "Logged ranges are depths along the sensor's forward axis. As of a camera that measures the size of a "
-            "landmark in the image: they are divided by the cosine of the bearing. Ranges without a bearing are kept.")
+            "Logged ranges are depths along the axis at range_axis_deg. As of a camera that measures the size of a "
+            "landmark in the image: they are divided by the cosine of the angle to it. Ranges without a bearing are "
+            "kept.")
+      .degrees("range_axis_deg", "deg", sensor.range_axis, {-60, 60},
+               "Logged bearing of the axis that depths are along: other than 0 where a camera's optical axis is not "
+               "where its bearings count from.")
       .degrees("field_of_view_deg", "deg", sensor.field_of_view, {0.001, 360}, "Full angle. Replaces the logged one.")
       .number("max_range_m", "m", sensor.max_range, ranges::kPositive, "Maximum range. Replaces the logged one.")
       .number("clutter_probability", "", sensor.clutter_probability, ranges::kShare,

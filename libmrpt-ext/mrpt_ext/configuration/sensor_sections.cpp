@@ -61,6 +61,7 @@ SensorConfigs sensorConfigs(const Settings& settings)
     c.scale_range = settings.number(section, "scale_range");
     c.landmark_bias_range = landmarkValues(settings, section, "landmark_bias_range_m");
     c.range_along_axis = settings.flag(section, "range_along_axis");
+    c.range_axis = settings.radians(section, "range_axis_deg");
     c.field_of_view = settings.optionalRadians(section, "field_of_view_deg");
     c.max_range = settings.optionalNumber(section, "max_range_m");
     c.clutter_probability = settings.number(section, "clutter_probability");

@@ -35,6 +35,11 @@ struct Part
 
 bool isShared(const CalibrationUnknown& unknown) { return isOfAllRanges(unknown.parameter); }
 
+bool isOfRange(const CalibrationUnknown& unknown)
+{
+  return isShared(unknown) || unknown.parameter == CalibrationParameter::range_axis;
+}
+
 bool isLandmarkOffset(const CalibrationUnknown& unknown)
 {
   return unknown.parameter == CalibrationParameter::landmark_offset;
@@ -207,7 +212,7 @@ class ChoiceSearch
     for (std::size_t k = 0; k < unknowns_.size(); ++k)
       for (const auto& is_it : {isLandmarkOffset, isMapError, isOfPlace})
         if (const std::size_t sensor = unknowns_[k].sensor;
-            is_it(unknowns_[k]) && has(sensor, isShared) && !has(sensor, is_it))
+            is_it(unknowns_[k]) && has(sensor, isOfRange) && !has(sensor, is_it))
           numbers.push_back(k);
     return numbers;
   }

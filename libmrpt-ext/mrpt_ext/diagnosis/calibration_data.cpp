@@ -108,8 +108,9 @@ class CalibrationDataBuilder
       return;
     }
     if (detection.id == kNoId) result_.identified[sensor] = false;
-    const CalibrationReading r = readingOf(*landmark, reading, sensor);
+    CalibrationReading r = readingOf(*landmark, reading, sensor);
     if (detection.bearing) add(result_.problem.readings, r, false, *detection.bearing, detection.std_bearing);
+    r.off_axis = offAxis(detection, sensor);
     if (detection.range) add(result_.problem.readings, r, true, *detection.range, detection.std_range);
   }
 
@@ -121,6 +122,7 @@ class CalibrationDataBuilder
     CalibrationReading r = readingOf(mixture->likeliest, reading, sensor);
     r.landmark = mixture->mean;
     add(mixtures_, r, false, *detection.bearing, mixture->std_bearing);
+    r.off_axis = offAxis(detection, sensor);
     add(mixtures_, r, true, *detection.range, mixture->std_range);
   }
 
@@ -134,6 +136,13 @@ class CalibrationDataBuilder
             .landmark_number = landmark,
             .T_robot_sensor = reading.T_robot_sensor,
             .height = reading.horizontal_range ? 0 : position.z() - reading.sensor_height};
+  }
+
+  [[nodiscard]] std::optional<double> offAxis(const Detection& detection, std::size_t sensor) const
+  {
+    if (!detection.bearing) return std::nullopt;
+    const SensorConfig& config = configOf(input_.config.frames.sensors, result_.sensors[sensor]);
+    return wrap(loggedBearing(*detection.bearing, config) - config.range_axis);
   }
 
   static void add(std::vector<CalibrationReading>& readings, CalibrationReading r, bool is_range, double value,
@@ -171,6 +180,13 @@ std::set<std::size_t> radiosOf(const CalibrationData& data, std::size_t sensor)
   }
   if (radios.size() > kMostRadios || ranges < kLeastRanges * radios.size()) radios.clear();
   return radios;
+}
+
+bool measuresDepths(const CalibrationData& data, std::size_t sensor)
+{
+  return std::any_of(data.depths.begin(), data.depths.end(),
+                     [sensor](const DepthHypothesis& hypothesis)
+                     { return hypothesis.sensor == sensor && hypothesis.likelier; });
 }
 
 std::vector<bool> areDepths(const CalibrationData& data, const SensorConfigs& sensors)
@@ -257,9 +273,11 @@ std::vector<CalibrationUnknown> calibrationUnknowns(const LocalizationInput& inp
       unknowns.push_back({lever_arm_y, s});
     }
     if (bearings.count(s) > 0) unknowns.push_back({bearing_offset, s});
+    if (bearings.count(s) > 0 && looksAhead(data.problem, s)) unknowns.push_back({bearing_scale, s});
     if (ranges.count(s) == 0) continue;
     unknowns.push_back({range_offset, s});
     unknowns.push_back({range_scale, s});
+    if (measuresDepths(data, s)) unknowns.push_back({range_axis, s});
     if (bearings.count(s) > 0 || !data.identified[s]) continue;
     const std::set<std::size_t> radios = radiosOf(data, s);
     for (const std::size_t landmark : radios)

@@ -26,6 +26,9 @@ std::string whyNotObservable(CalibrationParameter kind)
       return "not separable from delay and heading";
     case CalibrationParameter::bearing_offset:
       return "not separable from the heading";
+    case CalibrationParameter::bearing_scale:
+    case CalibrationParameter::range_axis:
+      return "bearings too much alike";
     case CalibrationParameter::range_offset:
     case CalibrationParameter::range_scale:
       return "too few different ranges";
@@ -155,6 +158,17 @@ class Translator
                  .line = {section, "bias_bearing_deg", ""}};
         set(found, error, radToDeg(now.bias_bearing), radToDeg(now.scale_bearing));
         setAsMean(found, error, BiasKind::bearing_offset, label);
+        return found;
+      case CalibrationParameter::bearing_scale:
+        found = {.what = label + ": measured over true bearing", .decimals = 4, .line = {section, "scale_bearing", ""}};
+        set(found, error, now.scale_bearing, now.scale_bearing);
+        return found;
+      case CalibrationParameter::range_axis:
+        found = {.what = label + ": axis of depths further left",
+                 .unit = "deg",
+                 .decimals = 2,
+                 .line = {section, "range_axis_deg", ""}};
+        set(found, error, radToDeg(now.range_axis), radToDeg(1.0));
         return found;
       case CalibrationParameter::range_offset:
         found = {.what = label + ": range offset", .unit = "m", .line = {section, "bias_range_m", ""}};

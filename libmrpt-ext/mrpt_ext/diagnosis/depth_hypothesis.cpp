@@ -13,26 +13,18 @@ namespace
 constexpr double kToldGain = 2;       // standard deviations of a gain
 constexpr double kNarrowField = 0.3;  // least cosine of a bearing
 
-/// What turns the sensor's ranges into those of the other kind, by reading: the cosine of the bearing that they were
-/// measured with, or its inverse; nothing where there is none.
+/// What turns the sensor's ranges into those of the other kind, by reading: the cosine to the axis, as logged, or its
+/// inverse; nothing where there is none.
 std::vector<std::optional<double>> factorsToOther(const CalibrationProblem& problem, std::size_t sensor, bool is_depth)
 {
-  std::vector<std::optional<double>> factors(problem.readings.size());
-  for (std::size_t i = 1; i < factors.size(); ++i)
+  std::vector<std::optional<double>> factors;
+  for (const CalibrationReading& r : problem.readings)
   {
-    const CalibrationReading &range = problem.readings[i], &bearing = problem.readings[i - 1];
-    if (range.sensor == sensor && bearing.sensor == sensor && range.is_range && !bearing.is_range &&
-        range.pose == bearing.pose && range.landmark_number == bearing.landmark_number)
-      factors[i] = is_depth ? std::cos(bearing.value) : 1 / std::cos(bearing.value);
+    std::optional<double>& factor = factors.emplace_back();
+    if (r.sensor != sensor || !r.off_axis) continue;
+    factor = is_depth ? std::cos(*r.off_axis) : 1 / std::cos(*r.off_axis);
   }
   return factors;
-}
-
-bool isNarrow(const CalibrationProblem& problem, std::size_t sensor)
-{
-  return std::all_of(problem.readings.begin(), problem.readings.end(),
-                     [&](const CalibrationReading& r)
-                     { return r.sensor != sensor || r.is_range || std::cos(r.value) > kNarrowField; });
 }
 
 /// Densities of the readings from pose `middle` on, with errors and noise from those before it; empty: the first half
@@ -56,7 +48,7 @@ std::vector<double> densitiesOf(const CalibrationProblem& problem, std::size_t m
 std::optional<DepthHypothesis> chooseDepth(CalibrationProblem& problem, std::size_t sensor, bool is_depth,
                                            const std::vector<CalibrationUnknown>& unknowns, const RecordingModel& model)
 {
-  if (!isNarrow(problem, sensor)) return std::nullopt;
+  if (!looksAhead(problem, sensor)) return std::nullopt;
   const std::vector<std::optional<double>> factors = factorsToOther(problem, sensor, is_depth);
   if (std::none_of(factors.begin(), factors.end(), [](const auto& factor) { return factor.has_value(); }))
     return std::nullopt;
@@ -77,6 +69,13 @@ std::optional<DepthHypothesis> chooseDepth(CalibrationProblem& problem, std::siz
   return hypothesis;
 }
 }  // namespace
+
+bool looksAhead(const CalibrationProblem& problem, std::size_t sensor)
+{
+  return std::all_of(problem.readings.begin(), problem.readings.end(),
+                     [&](const CalibrationReading& r)
+                     { return r.sensor != sensor || r.is_range || std::cos(r.value) > kNarrowField; });
+}
 
 std::vector<DepthHypothesis> chooseDepths(CalibrationProblem& problem, const std::vector<bool>& is_depth,
                                           const std::vector<CalibrationUnknown>& unknowns, const RecordingModel& model)

@@ -18,6 +18,9 @@ struct DepthHypothesis
   [[nodiscard]] bool differs() const { return likelier != configured; }
 };
 
+/// True for a sensor all of whose bearings are within 72 degrees of ahead, as a camera's.
+[[nodiscard]] bool looksAhead(const CalibrationProblem& problem, std::size_t sensor);
+
 /// One per sensor that measures bearings and ranges in a narrow field of view. `problem`: ranges by `is_depth`, what is
 /// configured for each sensor; they are replaced where the other hypothesis predicts the second half of the recording
 /// significantly better. With either, `unknowns` and noise are those that the first half tells with it: a wrong scale

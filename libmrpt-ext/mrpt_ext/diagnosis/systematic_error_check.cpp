@@ -74,6 +74,8 @@ std::string finding(const RegressedError& error, const std::string& sensor)
       break;  // see delayHint()
     case CalibrationParameter::lever_arm_x:
     case CalibrationParameter::lever_arm_y:
+    case CalibrationParameter::bearing_scale:
+    case CalibrationParameter::range_axis:
     case CalibrationParameter::landmark_offset:
     case CalibrationParameter::landmark_x:
     case CalibrationParameter::landmark_y:

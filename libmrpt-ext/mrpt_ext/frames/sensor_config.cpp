@@ -63,10 +63,11 @@ void correctRange(double& range, double& std, const SensorConfig& config, const 
   if (!(std > 0)) throw missingStd(sensor, "ranges", "std_range_m");
 }
 
-/// Cosine between the forward axis and the landmark where ranges are logged as depth along that axis; else 1.
+/// Cosine between the axis and the landmark where ranges are logged as depth along that axis; else 1. `detection`: as
+/// logged.
 double depthShare(const Detection& detection, const SensorConfig& config)
 {
-  return config.range_along_axis && detection.bearing ? std::cos(*detection.bearing) : 1.0;
+  return config.range_along_axis && detection.bearing ? std::cos(*detection.bearing - config.range_axis) : 1.0;
 }
 
 void correctBearing(double& bearing, double& std, const SensorConfig& config, const std::string& sensor)
@@ -124,6 +125,11 @@ const SensorConfig& configOf(const SensorConfigs& configs, const std::string& la
   }
 }
 
+double loggedBearing(double bearing, const SensorConfig& config)
+{
+  return wrap(config.scale_bearing * wrap(bearing) + config.bias_bearing);
+}
+
 Reading configured(Reading reading, const SensorConfigs& configs, const LandmarkTable& map,
                    UnusableDetections& unusable)
 {
@@ -134,9 +140,9 @@ Reading configured(Reading reading, const SensorConfigs& configs, const Landmark
   std::vector<Detection> usable;
   for (Detection& detection : reading.detections)
   {
+    const double depth_share = depthShare(detection, config);
     if (detection.bearing) correctBearing(*detection.bearing, detection.std_bearing, config, reading.sensor);
     if (detection.facing) detection.facing = turnedBack(*detection.facing, config.bias_bearing);
-    const double depth_share = depthShare(detection, config);
     if (detection.range)
       correctRange(*detection.range, detection.std_range, config, reading.sensor, detection.id, depth_share);
     const std::string why = detection.range && depth_share < kLeastDepthShare

@@ -29,7 +29,8 @@ struct SensorConfig
   std::optional<double> std_heading;                                            ///< [rad]
   double bias_bearing = 0, scale_bearing = 1, bias_range = 0, scale_range = 1;  ///< measured = scale * true + bias
   LandmarkValues landmark_bias_range;  ///< [m] on top of bias_range, by landmark
-  bool range_along_axis = false;  ///< ... where true is the depth along the forward axis, of detections with a bearing
+  bool range_along_axis = false;       ///< ... where true is the depth along an axis, of detections with a bearing
+  double range_axis = 0;               ///< [rad] logged bearing of that axis
   std::optional<double> field_of_view, max_range;  ///< [rad], [m]
   double clutter_probability = 0.05;
   std::optional<double> detection_probability;
@@ -47,6 +48,9 @@ struct SensorConfig
 using SensorConfigs = std::map<std::string, SensorConfig>;
 
 [[nodiscard]] const SensorConfig& configOf(const SensorConfigs& configs, const std::string& label);
+
+/// The bearing that a sensor logs of a landmark at the true one [rad].
+[[nodiscard]] double loggedBearing(double bearing, const SensorConfig& config);
 
 /// Detections that cannot be used, by reason, e.g. "uwb: slant range shorter than the height difference".
 using UnusableDetections = std::map<std::string, std::size_t>;
