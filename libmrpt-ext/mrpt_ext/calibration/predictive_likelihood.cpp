@@ -13,8 +13,8 @@ namespace
 {
 constexpr double kStartStd = 0.5, kStartStdPhi = 0.3;  // [m], [rad] of the first guess
 constexpr double kMostMisfit = 10;                     // standard deviations of a reading that count at the start
-constexpr double kLeastInliers = 0.5;                  // mean over the last readings; below, the filter starts again
-constexpr double kInlierMemory = 20;                   // readings of that mean
+constexpr double kLeastInliers = 0.7;                  // mean over the last readings; below, the filter starts again
+constexpr double kInlierMemory = 8;                    // readings of that mean
 constexpr Eigen::Index kTimeBlocks = 20, kLeastTimeBlocks = 8;
 
 std::vector<CalibrationUnknown> unknownsOf(const RecordingModel& model)

@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "mrpt_ext/diagnosis/choice_part.h"
 #include "mrpt_ext/diagnosis/noise_findings.h"
 #include "mrpt_ext/diagnosis/place_deviation.h"
 #include "mrpt_ext/files/number_format.h"
@@ -13,6 +14,7 @@ namespace mrpt_ext
 {
 namespace
 {
+constexpr double kTold = 2;         // standard deviations of an error
 constexpr double kMostTurned = 10;  // [deg] that the axes of odometry may be
 constexpr double kRounding = 1e-6;  // [m], [rad]
 
@@ -41,6 +43,26 @@ std::vector<CalibrationUnknown> estimatedBy(const CalibrationChoice& choice)
   return unknowns;
 }
 
+/// Takes out the error that the whole log tells least of, if it does not tell it: nothing is adopted that it is not, or
+/// that an error is not which it belongs together with. True if there was one.
+bool dropUntold(std::vector<CalibrationUnknown>& errors, const CalibrationResult& found)
+{
+  const auto strength = [&](const CalibrationUnknown& error)
+  {
+    double most = 0;
+    for (std::size_t k = 0; k < errors.size(); ++k)
+      if (belongTogether(errors[k], error) || &errors[k] == &error)
+        most = std::max(most, std::abs(found.errors[k].value) / found.errors[k].std);
+    return most;
+  };
+  const auto weakest = std::min_element(errors.begin(), errors.end(),
+                                        [&](const CalibrationUnknown& a, const CalibrationUnknown& b)
+                                        { return strength(a) < strength(b); });
+  if (weakest == errors.end() || isOfLandmark(weakest->parameter) || strength(*weakest) >= kTold) return false;
+  errors.erase(weakest);
+  return true;
+}
+
 /// Lever arms that differ, of those estimated beside the first `chosen` errors.
 std::vector<CalibrationFinding> placeFindings(CalibrationResult errors, std::size_t chosen, const CalibrationData& data,
                                               const LocalizationConfig& config)
@@ -60,7 +82,8 @@ bool hasOwnAxes(const CalibrationData& data, const std::vector<CalibrationFindin
   { return r.T_robot_sensor.position().norm() + std::abs(r.T_robot_sensor.phi) >= kRounding; };
   return data.compass || sensorsWithBearings(data).size() != 1 ||
          std::any_of(readings.begin(), readings.end(), is_placed) ||
-         std::any_of(adopted.begin(), adopted.end(), isOfLeverArm);
+         std::any_of(adopted.begin(), adopted.end(),
+                     [](const CalibrationFinding& finding) { return isOfLeverArm(finding) && finding.differs; });
 }
 
 /// Bearings tell the axes of a sensor from those of odometry, and not which of the two are the robot's. A robot drives
@@ -87,10 +110,12 @@ void attributeBearingOffset(std::vector<CalibrationFinding>& adopted, const Cali
 }
 }  // namespace
 
-std::vector<CalibrationFinding> adoptedFindings(const CalibrationChoice& choice, const CalibrationData& data,
+std::vector<CalibrationFinding> adoptedFindings(CalibrationChoice choice, const CalibrationData& data,
                                                 const LocalizationConfig& config)
 {
   CalibrationResult errors = calibrate(data.problem, estimatedBy(choice));
+  while (errors.status == SolveStatus::ok && dropUntold(choice.errors, errors))
+    errors = calibrate(data.problem, estimatedBy(choice));
   if (errors.status != SolveStatus::ok) return {};
   std::vector<CalibrationFinding> adopted = placeFindings(errors, choice.errors.size(), data, config);
   errors.errors.resize(choice.errors.size());

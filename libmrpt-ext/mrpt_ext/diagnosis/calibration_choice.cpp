@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mrpt_ext/diagnosis/choice_part.h"
 #include "mrpt_ext/diagnosis/configured_model.h"
 #include "mrpt_ext/diagnosis/noise_candidates.h"
 #include "mrpt_ext/diagnosis/partial_calibration.h"
@@ -13,51 +14,8 @@ namespace
 constexpr double kPays = 2;           // standard deviations, of an error and of a gain
 constexpr double kSurveyed = 3;       // standard deviations of a gain, of errors of the map
 constexpr double kBeyondDoubt = 4;    // standard deviations, of an error
+constexpr double kHarms = -1;         // standard deviations of a gain
 constexpr double kLeastShare = 1e-3;  // of outliers
-
-enum class PartKind
-{
-  errors,
-  bearing_noise,
-  range_noise,
-  outliers,
-  odometry_noise
-};
-
-/// What is adopted as a whole.
-struct Part
-{
-  PartKind kind = PartKind::errors;
-  std::vector<std::size_t> errors;  // numbers of unknowns
-  std::size_t sensor = 0;
-  MotionNoise odometry = position_noise;
-};
-
-bool isShared(const CalibrationUnknown& unknown) { return isOfAllRanges(unknown.parameter); }
-
-bool isOfRange(const CalibrationUnknown& unknown)
-{
-  return isShared(unknown) || unknown.parameter == CalibrationParameter::range_axis;
-}
-
-bool isLandmarkOffset(const CalibrationUnknown& unknown)
-{
-  return unknown.parameter == CalibrationParameter::landmark_offset;
-}
-
-bool isOfLandmark(const CalibrationUnknown& unknown) { return mrpt_ext::isOfLandmark(unknown.parameter); }
-
-bool isMapError(const CalibrationUnknown& unknown) { return isOfMap(unknown.parameter); }
-
-bool isOfPlace(const CalibrationUnknown& unknown) { return isLeverArm(unknown.parameter); }
-
-/// Errors that are only told together.
-bool belongTogether(const CalibrationUnknown& a, const CalibrationUnknown& b)
-{
-  const bool of_ranges = isOfAllRanges(a.parameter) && isOfAllRanges(b.parameter);
-  return a.sensor == b.sensor && (of_ranges || (isLandmarkOffset(a) && isLandmarkOffset(b)) ||
-                                  (isMapError(a) && isMapError(b) && a.landmark == b.landmark));
-}
 
 class ChoiceSearch
 {
@@ -80,6 +38,7 @@ class ChoiceSearch
     const std::vector<double> configured = densitiesOf({}, first_half_);
     std::vector<double> best = densitiesOf(parts_, found_);
     dropErrorsOfMap(best);
+    together_ = payTogether(best);
     while (const std::optional<std::size_t> worst = worstPart(best))
     {
       takeOut(*worst);
@@ -95,7 +54,7 @@ class ChoiceSearch
   void addParts()
   {
     addErrors();
-    found_ = fitOf(parts_);
+    dropUntold();
     for (std::size_t s = 0; s < data_.sensors.size(); ++s)
     {
       if (noise_.isOther(s, false)) parts_.push_back({PartKind::bearing_noise, {}, s});
@@ -114,25 +73,49 @@ class ChoiceSearch
       if (!error.observable && !isOfRadios(unknowns_[k])) continue;
       const auto partner = std::find_if(
           parts_.begin(), parts_.end(),
-          [&](const Part& part)
+          [&](const ChoicePart& part)
           { return part.kind == PartKind::errors && belongTogether(unknowns_[part.errors.front()], unknowns_[k]); });
       if (partner != parts_.end())
         partner->errors.push_back(k);
       else
         parts_.push_back({PartKind::errors, {k}, unknowns_[k].sensor});
     }
-    // Offset and scale of radios, which the first half may not tell from each other, are tried one by one later.
-    const auto tells_nothing = [&](const Part& part)
-    { return !isOfLandmarks(part) && !isPair(part) && strengthOf(part, first_half_) <= kPays; };
-    std::erase_if(parts_, tells_nothing);
+  }
+
+  /// Takes out, one by one, what the first half does not tell beside the others.
+  void dropUntold()
+  {
+    found_ = fitOf(parts_);
+    while (const std::optional<std::size_t> weakest = weakestPart())
+    {
+      parts_ = allBut(*weakest);
+      found_ = fitOf(parts_);
+    }
+  }
+
+  /// The part that the first half tells least of, if that is nothing. Offset and scale of radios, which it may not tell
+  /// from each other, are tried one by one later.
+  [[nodiscard]] std::optional<std::size_t> weakestPart() const
+  {
+    std::optional<std::size_t> weakest;
+    double least = kPays;
+    for (std::size_t k = 0; k < parts_.size(); ++k)
+    {
+      if (isOfLandmarks(parts_[k]) || isPair(parts_[k])) continue;
+      const double strength = strengthOf(parts_[k], found_);
+      if (strength > least) continue;
+      least = strength;
+      weakest = k;
+    }
+    return weakest;
   }
 
   /// Takes out all errors of the map at once where together they do not pay; `best`: densities with what stays. Places
   /// of good surveys, which are most, are not looked at one by one.
   void dropErrorsOfMap(std::vector<double>& best)
   {
-    std::vector<Part> others = parts_;
-    std::erase_if(others, [this](const Part& part) { return isOfMap(part); });
+    std::vector<ChoicePart> others = parts_;
+    std::erase_if(others, [this](const ChoicePart& part) { return isOfMap(part); });
     if (others.size() == parts_.size()) return;
     CalibrationResult found = fitOf(others);
     std::vector<double> without = densitiesOf(others, found);
@@ -141,6 +124,27 @@ class ChoiceSearch
     parts_ = std::move(others);
     found_ = std::move(found);
     best = std::move(without);
+  }
+
+  /// True for errors of a sensor or of odometry that no landmark has by itself.
+  [[nodiscard]] bool isSystematic(const ChoicePart& part) const
+  {
+    return part.kind == PartKind::errors && !isOfLandmarks(part) && !isOfRadios(unknowns_[part.errors.front()]);
+  }
+
+  /// True when the second half is predicted better with all systematic errors than without any. One of them then stays
+  /// unless it harms: those that are much alike (a scale, an offset, an axis) take each other's part when one is left
+  /// out, so that none of them seems to pay. Not so lever arms, which the filters know to be uncertain.
+  [[nodiscard]] bool payTogether(const std::vector<double>& best) const
+  {
+    std::vector<ChoicePart> others = parts_;
+    std::erase_if(others, [this](const ChoicePart& part) { return isSystematic(part); });
+    if (others.size() == parts_.size()) return false;
+    double needed = kPays;
+    for (const ChoicePart& part : parts_)
+      if (isSystematic(part)) needed = std::min(needed, neededGain(part));
+    const PredictiveGain gain = predictiveGain(data_.problem, middle_, best, densitiesOf(others, fitOf(others)));
+    return gain.gain > needed * gain.std;
   }
 
   /// The part that the second half is predicted best without, if it does not pay.
@@ -161,7 +165,7 @@ class ChoiceSearch
   }
 
   /// Deviations of odometry over the configured ones that come with the noise of a sensor.
-  [[nodiscard]] PerMotionNoise<double> odometryBeside(const Part& part, const CalibrationResult& found) const
+  [[nodiscard]] PerMotionNoise<double> odometryBeside(const ChoicePart& part, const CalibrationResult& found) const
   {
     const SensorScatter& sensor = found.scatter[part.sensor];
     const double scatter = part.kind == PartKind::bearing_noise ? sensor.bearing
@@ -170,7 +174,7 @@ class ChoiceSearch
     return noise_.odometryBeside(scatter, found);
   }
 
-  [[nodiscard]] static double strengthOf(const Part& part, const CalibrationResult& found)
+  [[nodiscard]] static double strengthOf(const ChoicePart& part, const CalibrationResult& found)
   {
     double strength = 0;
     for (const std::size_t k : part.errors)
@@ -180,48 +184,47 @@ class ChoiceSearch
   }
 
   /// Standard deviations of the gain: what the first half tells beyond doubt has only to improve the prediction.
-  [[nodiscard]] double neededGain(const Part& part) const
+  [[nodiscard]] double neededGain(const ChoicePart& part) const
   {
     if (isOfMap(part)) return kSurveyed;
-    // Estimated together, offset and scale of radios are less certain than one alone.
-    const bool alone = part.errors.size() == 1 && isOfRadios(unknowns_[part.errors.front()]);
-    return !isOfLandmarks(part) && strengthOf(part, alone ? found_ : first_half_) > kBeyondDoubt ? 0 : kPays;
+    if (together_ && isSystematic(part) && !isPlaceError(unknowns_[part.errors.front()])) return kHarms;
+    return isOfLandmarks(part) ? kPays : std::clamp(kBeyondDoubt - strengthOf(part, found_), 0.0, kPays);
   }
 
-  [[nodiscard]] bool isOfMap(const Part& part) const
+  [[nodiscard]] bool isOfMap(const ChoicePart& part) const
   {
     return !part.errors.empty() && mrpt_ext::isOfMap(unknowns_[part.errors.front()].parameter);
   }
 
-  [[nodiscard]] bool isOfLandmarks(const Part& part) const
+  [[nodiscard]] bool isOfLandmarks(const ChoicePart& part) const
   {
-    return !part.errors.empty() && isOfLandmark(unknowns_[part.errors.front()]);
+    return !part.errors.empty() && isOfLandmark(unknowns_[part.errors.front()].parameter);
   }
 
   /// Numbers of what is estimated beside `parts` where ranges of a sensor err: offsets of its landmarks, which share
   /// only what they agree on, and its place, since ranges to what is ahead are too long for a sensor further back, too.
-  [[nodiscard]] std::vector<std::size_t> besides(const std::vector<Part>& parts) const
+  [[nodiscard]] std::vector<std::size_t> besides(const std::vector<ChoicePart>& parts) const
   {
     const auto has = [&](std::size_t sensor, const auto& is_it)
     {
       return std::any_of(parts.begin(), parts.end(),
-                         [&](const Part& part)
+                         [&](const ChoicePart& part)
                          { return part.sensor == sensor && !part.errors.empty() && is_it(unknowns_[part.errors[0]]); });
     };
     std::vector<std::size_t> numbers;
     for (std::size_t k = 0; k < unknowns_.size(); ++k)
-      for (const auto& is_it : {isLandmarkOffset, isMapError, isOfPlace})
+      for (const auto& is_it : {isLandmarkOffset, isMapError, isPlaceError})
         if (const std::size_t sensor = unknowns_[k].sensor;
-            is_it(unknowns_[k]) && has(sensor, isOfRange) && !has(sensor, is_it))
+            is_it(unknowns_[k]) && has(sensor, isRangeError) && !has(sensor, is_it))
           numbers.push_back(k);
     return numbers;
   }
 
   /// What the first half tells of the errors of `parts` where the others are as configured.
-  [[nodiscard]] CalibrationResult fitOf(const std::vector<Part>& parts) const
+  [[nodiscard]] CalibrationResult fitOf(const std::vector<ChoicePart>& parts) const
   {
     std::vector<std::size_t> numbers = besides(parts);
-    for (const Part& part : parts) numbers.insert(numbers.end(), part.errors.begin(), part.errors.end());
+    for (const ChoicePart& part : parts) numbers.insert(numbers.end(), part.errors.begin(), part.errors.end());
     return calibrateSome(before_, unknowns_, numbers, first_half_);
   }
 
@@ -237,7 +240,7 @@ class ChoiceSearch
   /// Of offset and scale of radios the one stays that predicts the second half better, until it does not pay either.
   void takeOut(std::size_t number)
   {
-    const Part part = parts_[number];
+    const ChoicePart part = parts_[number];
     parts_ = allBut(number);
     if (part.errors.empty()) return;
     if (!isPair(part))
@@ -245,11 +248,11 @@ class ChoiceSearch
       found_ = fitOf(parts_);
       return;
     }
-    const std::vector<Part> others = parts_;
+    const std::vector<ChoicePart> others = parts_;
     std::vector<double> best;
     for (const std::size_t error : part.errors)
     {
-      std::vector<Part> with = others;
+      std::vector<ChoicePart> with = others;
       with.push_back({PartKind::errors, {error}, part.sensor});
       CalibrationResult found = fitOf(with);
       std::vector<double> densities = densitiesOf(with, found);
@@ -263,27 +266,29 @@ class ChoiceSearch
   /// True for what the ranges of a sensor share whose landmarks have offsets of their own.
   [[nodiscard]] bool isOfRadios(const CalibrationUnknown& unknown) const
   {
-    return isShared(unknown) && std::any_of(unknowns_.begin(), unknowns_.end(),
-                                            [&](const CalibrationUnknown& other)
-                                            { return other.sensor == unknown.sensor && isLandmarkOffset(other); });
+    return isOfAllRanges(unknown.parameter) &&
+           std::any_of(unknowns_.begin(), unknowns_.end(),
+                       [&](const CalibrationUnknown& other)
+                       { return other.sensor == unknown.sensor && isLandmarkOffset(other); });
   }
 
-  [[nodiscard]] bool isPair(const Part& part) const
+  [[nodiscard]] bool isPair(const ChoicePart& part) const
   {
     return part.errors.size() == 2 && isOfRadios(unknowns_[part.errors.front()]);
   }
 
-  [[nodiscard]] std::vector<Part> allBut(std::size_t number) const
+  [[nodiscard]] std::vector<ChoicePart> allBut(std::size_t number) const
   {
-    std::vector<Part> rest = parts_;
+    std::vector<ChoicePart> rest = parts_;
     rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(number));
     return rest;
   }
 
-  [[nodiscard]] std::vector<double> densitiesOf(const std::vector<Part>& parts, const CalibrationResult& found) const
+  [[nodiscard]] std::vector<double> densitiesOf(const std::vector<ChoicePart>& parts,
+                                                const CalibrationResult& found) const
   {
     RecordingModel model = configuredModel(data_.sensors, unknowns_, config_);
-    for (const Part& part : parts)
+    for (const ChoicePart& part : parts)
     {
       for (const std::size_t k : part.errors) model.errors[k].mean = found.errors[k].value;
       AssumedNoise& noise = model.sensors[part.sensor];
@@ -327,7 +332,7 @@ class ChoiceSearch
     chosen.noise = {.bearings = std::vector<bool>(sensors, false),
                     .ranges = std::vector<bool>(sensors, false),
                     .outliers = std::vector<bool>(sensors, false)};
-    for (const Part& part : parts_)
+    for (const ChoicePart& part : parts_)
     {
       for (const std::size_t k : part.errors) chosen.errors.push_back(unknowns_[k]);
       if (part.kind == PartKind::bearing_noise) chosen.noise.bearings[part.sensor] = true;
@@ -358,7 +363,8 @@ class ChoiceSearch
   CalibrationResult first_half_;  // with all unknowns
   CalibrationResult found_;       // with those of the parts
   NoiseCandidates noise_;
-  std::vector<Part> parts_;
+  std::vector<ChoicePart> parts_;
+  bool together_ = false;  // systematic errors pay together
 };
 }  // namespace
 

@@ -48,6 +48,7 @@ std::vector<CalibrationFinding> placeDeviations(const std::vector<CalibrationFin
   Corrections places, directions;  // [m^2] along both axes, [deg^2]; by label
   for (const CalibrationFinding& finding : set)
   {
+    if (!finding.differs) continue;
     const double squared = square(finding.estimate - finding.configured);
     const auto own = [&] { return finding.line.section.substr(kSensorSection.size()); };
     if (isOfLeverArm(finding)) places[own()] += squared;

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "mrpt_ext/calibration/calibration_problem.h"
+
+namespace mrpt_ext
+{
+enum class PartKind
+{
+  errors,
+  bearing_noise,
+  range_noise,
+  outliers,
+  odometry_noise
+};
+
+/// A part of a calibration that is adopted as a whole.
+struct ChoicePart
+{
+  PartKind kind = PartKind::errors;
+  std::vector<std::size_t> errors;  ///< numbers of unknowns
+  std::size_t sensor = 0;
+  MotionNoise odometry = position_noise;
+};
+
+[[nodiscard]] constexpr bool isLandmarkOffset(const CalibrationUnknown& unknown)
+{
+  return unknown.parameter == CalibrationParameter::landmark_offset;
+}
+[[nodiscard]] constexpr bool isMapError(const CalibrationUnknown& unknown) { return isOfMap(unknown.parameter); }
+[[nodiscard]] constexpr bool isPlaceError(const CalibrationUnknown& unknown) { return isLeverArm(unknown.parameter); }
+/// True for what makes ranges of a sensor wrong, whatever their landmark.
+[[nodiscard]] constexpr bool isRangeError(const CalibrationUnknown& unknown)
+{
+  return isOfAllRanges(unknown.parameter) || unknown.parameter == CalibrationParameter::range_axis;
+}
+
+/// True for errors that are only told together, and so make one part.
+[[nodiscard]] constexpr bool belongTogether(const CalibrationUnknown& a, const CalibrationUnknown& b)
+{
+  const bool of_ranges = isOfAllRanges(a.parameter) && isOfAllRanges(b.parameter);
+  return a.sensor == b.sensor && (of_ranges || (isLandmarkOffset(a) && isLandmarkOffset(b)) ||
+                                  (isMapError(a) && isMapError(b) && a.landmark == b.landmark));
+}
+}  // namespace mrpt_ext
