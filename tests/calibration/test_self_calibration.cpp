@@ -112,36 +112,13 @@ TEST(CalibrationResult, AllAreFoundWithHonestDeviations)
   EXPECT_LT(consistency, 1.6);
 }
 
-/// A camera that measures depths along an axis beside that of its bearings, with a focal length that is not exact.
-DrivePlan cameraDrive()
-{
-  DrivePlan plan;
-  plan.duration = 240;
-  plan.landmarks_seen = 5;
-  plan.field_of_view = degToRad(90.0);
-  plan.depths = true;
-  plan.bearing_scale = 0.04;
-  plan.range_axis = degToRad(-2.3);
-  return plan;
-}
-
-/// Its readings as the ranges that the logged bearings make of them, along an axis straight ahead.
-CalibrationProblem asRanges(CalibrationProblem problem)
-{
-  for (CalibrationReading& r : problem.readings)
-    if (r.off_axis) r.value /= std::cos(*r.off_axis);
-  std::erase_if(problem.readings, [](const CalibrationReading& r)
-                { return r.off_axis ? std::cos(*r.off_axis) < 0.3 : !r.is_range && std::cos(r.value) < 0.3; });
-  return problem;
-}
-
 TEST(CalibrationResult, AxisAndFocalLengthOfACameraAreNoLeverArms)
 {
-  const DrivePlan plan = cameraDrive();
+  const DrivePlan plan = testing::cameraDrive();
   std::vector<CalibrationUnknown> unknowns{{Kind::lever_arm_x}, {Kind::lever_arm_y},   {Kind::bearing_offset},
                                            {Kind::range_scale}, {Kind::bearing_scale}, {Kind::range_axis}};
   RandomStream random(3, 7);
-  const CalibrationProblem problem = asRanges(recordedDrive(plan, random));
+  const CalibrationProblem problem = testing::asRanges(recordedDrive(plan, random));
   const CalibrationResult found = calibrate(problem, unknowns);
   ASSERT_EQ(found.status, SolveStatus::ok);
   for (const ParameterEstimate& error : found.errors)

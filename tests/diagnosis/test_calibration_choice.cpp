@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 
 #include "mrpt_ext/diagnosis/adopted_findings.h"
 #include "recorded_drive.h"
@@ -259,6 +260,29 @@ TEST(CalibrationChoice, ThePlaceOfASensorIsAdoptedWithItsRangeOffset)
       EXPECT_EQ(adopted.back().line.key, "lever_arm_std_m");
       EXPECT_NEAR(adopted.back().estimate, std::min(place->estimate / std::sqrt(2.0), 0.05), 1e-9);
     }
+  }
+}
+
+TEST(CalibrationChoice, ErrorsOfACameraThatCoverForEachOtherAreAdoptedTogether)
+{
+  DrivePlan plan = testing::cameraDrive();
+  plan.range_offset = 0.05;
+  plan.range_scale = 0.02;
+  RandomStream random(5, 7);
+  CalibrationData data = recorded(plan, 1);
+  data.problem = testing::asRanges(testing::recordedDrive(plan, random));
+  const std::vector<CalibrationUnknown> unknowns{{Kind::lever_arm_x},   {Kind::lever_arm_y},  {Kind::bearing_offset},
+                                                 {Kind::bearing_scale}, {Kind::range_offset}, {Kind::range_scale},
+                                                 {Kind::range_axis}};
+  const std::vector<CalibrationFinding> adopted = adoptedFindings(chooseCalibration(data, unknowns, {}), data, {});
+  std::map<std::string, CalibrationFinding> found;
+  for (const CalibrationFinding& finding : adopted) found[finding.line.key] = finding;
+  EXPECT_EQ(found.count("lever_arm_x_m") + found.count("lever_arm_y_m"), 0U);
+  for (const auto& [key, truth] : std::map<std::string, double>{
+           {"scale_bearing", 1.04}, {"bias_range_m", 0.05}, {"scale_range", 1.02}, {"range_axis_deg", -2.3}})
+  {
+    ASSERT_EQ(found.count(key), 1U) << key;
+    EXPECT_NEAR(found[key].estimate, truth, 4 * found[key].std) << key;
   }
 }
 

@@ -132,4 +132,27 @@ inline CalibrationProblem recordedDrive(const DrivePlan& plan, RandomStream& ran
   }
   return problem;
 }
+
+/// A camera that measures depths along an axis beside that of its bearings, with a focal length that is not exact.
+inline DrivePlan cameraDrive()
+{
+  DrivePlan plan;
+  plan.duration = 240;
+  plan.landmarks_seen = 5;
+  plan.field_of_view = degToRad(90.0);
+  plan.depths = true;
+  plan.bearing_scale = 0.04;
+  plan.range_axis = degToRad(-2.3);
+  return plan;
+}
+
+/// Its readings as the ranges that the logged bearings make of them, along an axis straight ahead.
+inline CalibrationProblem asRanges(CalibrationProblem problem)
+{
+  for (CalibrationReading& r : problem.readings)
+    if (r.off_axis) r.value /= std::cos(*r.off_axis);
+  std::erase_if(problem.readings, [](const CalibrationReading& r)
+                { return r.off_axis ? std::cos(*r.off_axis) < 0.3 : !r.is_range && std::cos(r.value) < 0.3; });
+  return problem;
+}
 }  // namespace mrpt_ext::testing
