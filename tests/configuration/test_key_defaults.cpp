@@ -126,6 +126,7 @@ TEST(KeyDefaults, OfASensorAreThoseOfItsConfig)
   EXPECT_EQ(read.scale_range, plain.scale_range);
   EXPECT_EQ(read.landmark_bias_range, plain.landmark_bias_range);
   EXPECT_EQ(read.range_along_axis, plain.range_along_axis);
+  EXPECT_EQ(read.range_axis, plain.range_axis);
   EXPECT_EQ(read.field_of_view, plain.field_of_view);
   EXPECT_EQ(read.max_range, plain.max_range);
   EXPECT_EQ(read.clutter_probability, plain.clutter_probability);

@@ -103,6 +103,7 @@ class UncalibratedLog
             {"std_range_m", camera.std_range},
             {"range_along_axis", 0},
             {"scale_bearing", 1},
+            {"range_axis_deg", radToDeg(camera.bias_bearing)},  // straight ahead, as logged
             {"clutter_probability", camera.clutter_per_reading * readings_ / detections_},
             {"std_xy_per_m", noise * stated.std_xy_per_m},
             {"std_phi_deg_per_deg", noise * stated.std_phi_per_deg},

@@ -19,7 +19,8 @@ enum class CalibrationParameter
   range_offset,    ///< [m] measured = (1 + scale) true + offset
   range_scale,
   range_axis,       ///< [rad] logged bearing of the axis that ranges are depths along, beyond the configured one
-  landmark_offset,  ///< [m] the same for one landmark, on top of range_offset: radios have a delay of their own
+  landmark_offset,  ///< [m] offset of the ranges of one landmark, on top of range_offset: radios have a delay of their
+                    ///< own
   landmark_x,       ///< [m] true minus stated position of a landmark in the map, along its x axis
   landmark_y,       ///< [m] the same along its y axis
   range_height,     ///< [m^2] measured^2 = true^2 + this: the squared height that map and sensor do not state

@@ -13,8 +13,8 @@ namespace
 {
 constexpr double kStartStd = 0.5, kStartStdPhi = 0.3;  // [m], [rad] of the first guess
 constexpr double kMostMisfit = 10;                     // standard deviations of a reading that count at the start
-constexpr double kLeastInliers = 0.7;                  // mean over the last readings; below, the filter starts again
-constexpr double kInlierMemory = 8;                    // readings of that mean
+constexpr double kLeastInliers = 0.6;                  // of those expected; with fewer the filter starts again
+constexpr double kInlierMemory = 8;                    // readings of their mean
 constexpr Eigen::Index kTimeBlocks = 20, kLeastTimeBlocks = 8;
 
 std::vector<CalibrationUnknown> unknownsOf(const RecordingModel& model)
@@ -52,14 +52,14 @@ class PredictionFilter
     covariance_.topRows<3>().setZero();
     covariance_.leftCols<3>().setZero();
     covariance_.diagonal().head<3>() << square(kStartStd), square(kStartStd), square(kStartStdPhi);
-    inliers_ = 1;
+    inliers_ = expected_inliers_ = 1;
   }
 
   /// From pose `k - 1` to pose `k`, whose readings begin with `reading`.
   void moveTo(std::size_t k, std::size_t reading)
   {
     const bool tied = problem_.poses[k].since_previous.has_value();
-    if (!tied || inliers_ < kLeastInliers) return start(k, reading);
+    if (!tied || inliers_ < kLeastInliers * expected_inliers_) return start(k, reading);
     const MotionPrediction motion = model_.motion(k);
     const Matrix2d to_map = rotation(pose_.phi);
     const Vector2d step = to_map * motion.moved.position();
@@ -96,6 +96,7 @@ class PredictionFilter
     const double density = inlier + clutter;
     const bool counts = inlier > clutter;
     inliers_ += (static_cast<double>(counts) - inliers_) / kInlierMemory;
+    expected_inliers_ += (1 - noise.outliers - expected_inliers_) / kInlierMemory;
     if (counts) update(spread / variance, spread, row.residual);
     return std::log(std::max(density, std::numeric_limits<double>::min()));
   }
@@ -136,7 +137,7 @@ class PredictionFilter
   Eigen::VectorXd errors_;
   Eigen::MatrixXd covariance_;  // of the pose, then of the errors
   std::vector<double> longest_;
-  double inliers_ = 1;
+  double inliers_ = 1, expected_inliers_ = 1;  // means over the last readings
 };
 }  // namespace
 

@@ -32,8 +32,8 @@ struct RecordingModel
 /// the likelihood (BS 5.4; Schweppe 1965), by an extended Kalman filter of the pose and the uncertain errors. A reading
 /// is either Gaussian or an outlier, uniform over the circle or over the ranges of its sensor; an outlier does not
 /// update. The filter starts at the first guess of pose `first`, of every pose after a break of the chain, and when
-/// most of the last readings were outliers; readings before it count 0. A proper score: neither wrong errors nor wrong
-/// deviations pay.
+/// outliers were five in a row, more where more are assumed: it has lost the robot. Readings before it count 0. A
+/// proper score: neither wrong errors nor wrong deviations pay.
 [[nodiscard]] std::vector<double> predictiveLogDensities(const CalibrationProblem& problem, const RecordingModel& model,
                                                          std::size_t first = 0);
 

@@ -45,10 +45,10 @@ struct CalibrationResult
 /// random with a deviation that is estimated too (restricted maximum likelihood): what all landmarks share is told as
 /// well as they agree. A parameter is observable when its standard deviation is small enough to be of use (delay 0.1 s,
 /// bearing offset 3 deg, range offset and place of a landmark a twentieth of the typical range, range scale 0.05,
-/// odometry scales 0.1, veer 0.05 rad/m, drift 1 deg/s, lever arms half of what was not known; parameter_limits.h). One
-/// that is not stays in the adjustment with its prior. A robot that does not move by more than the error of its
-/// odometry makes no delay and no parameter of odometry observable. Status: `too_few` below 20 readings or 3 per
-/// unknown, `degenerate` when poses stay undetermined, `bad_input`.
+/// odometry scales 0.1, veer 0.05 rad/m, drift 1 deg/s, bearing scale 0.025, axis of depths 1.4 deg, lever arms half of
+/// what was not known; parameter_limits.h). One that is not stays in the adjustment with its prior. A robot that does
+/// not move by more than the error of its odometry makes no delay and no parameter of odometry observable. Status:
+/// `too_few` below 20 readings or 3 per unknown, `degenerate` when poses stay undetermined, `bad_input`.
 [[nodiscard]] CalibrationResult calibrate(const CalibrationProblem& problem,
                                           const std::vector<CalibrationUnknown>& unknowns);
 }  // namespace mrpt_ext

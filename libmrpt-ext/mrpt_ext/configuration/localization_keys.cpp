@@ -195,7 +195,7 @@ KeyTable sensorKeys()
             "Logged ranges are depths along the axis at range_axis_deg. As of a camera that measures the size of a "
             "landmark in the image: they are divided by the cosine of the angle to it. Ranges without a bearing are "
             "kept.")
-      .degrees("range_axis_deg", "deg", sensor.range_axis, {-60, 60},
+      .degrees("range_axis_deg", "deg", sensor.range_axis, {-180, 180},
                "Logged bearing of the axis that depths are along: other than 0 where a camera's optical axis is not "
                "where its bearings count from.")
       .degrees("field_of_view_deg", "deg", sensor.field_of_view, {0.001, 360}, "Full angle. Replaces the logged one.")

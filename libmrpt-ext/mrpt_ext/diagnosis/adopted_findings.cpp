@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -36,31 +38,53 @@ bool isChosen(const IniAssignment& line, const NoiseChoice& noise, const std::ve
   return line.section == "MotionModel" && noise.odometry[line.key == "std_xy_per_m" ? position_noise : heading_noise];
 }
 
-std::vector<CalibrationUnknown> estimatedBy(const CalibrationChoice& choice)
+/// The chosen errors that the whole log tells, and what is estimated beside them.
+struct ToldErrors
 {
-  std::vector<CalibrationUnknown> unknowns = choice.errors;
-  unknowns.insert(unknowns.end(), choice.beside.begin(), choice.beside.end());
-  return unknowns;
+  CalibrationResult found;  // the chosen ones first
+  std::size_t chosen = 0;   // number of them
+};
+
+/// Number of the least significant error that the log does not tell, if any. Errors that are only told together count
+/// by the more significant one; those of landmarks are not looked at one by one.
+std::optional<std::size_t> untold(const ToldErrors& errors)
+{
+  const std::vector<ParameterEstimate>& found = errors.found.errors;
+  const auto strength = [](const ParameterEstimate& error)
+  { return error.value != 0 ? std::abs(error.value) / error.std : 0; };
+  std::optional<std::size_t> weakest;
+  double least = kTold;
+  for (std::size_t k = 0; k < errors.chosen; ++k)
+  {
+    if (isOfLandmark(found[k].unknown.parameter)) continue;
+    const bool is_told =
+        std::any_of(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(errors.chosen),
+                    [&](const ParameterEstimate& other)
+                    { return belongTogether(other.unknown, found[k].unknown) && strength(other) >= kTold; });
+    if (is_told || strength(found[k]) >= least) continue;
+    least = strength(found[k]);
+    weakest = k;
+  }
+  return weakest;
 }
 
-/// Takes out the error that the whole log tells least of, if it does not tell it: nothing is adopted that it is not, or
-/// that an error is not which it belongs together with. True if there was one.
-bool dropUntold(std::vector<CalibrationUnknown>& errors, const CalibrationResult& found)
+ToldErrors toldErrors(const CalibrationChoice& choice, const CalibrationProblem& problem)
 {
-  const auto strength = [&](const CalibrationUnknown& error)
+  std::vector<CalibrationUnknown> candidates = choice.errors;
+  candidates.insert(candidates.end(), choice.beside.begin(), choice.beside.end());
+  std::vector<std::size_t> chosen(choice.errors.size());
+  std::iota(chosen.begin(), chosen.end(), std::size_t{0});
+  for (;;)
   {
-    double most = 0;
-    for (std::size_t k = 0; k < errors.size(); ++k)
-      if (belongTogether(errors[k], error) || &errors[k] == &error)
-        most = std::max(most, std::abs(found.errors[k].value) / found.errors[k].std);
-    return most;
-  };
-  const auto weakest = std::min_element(errors.begin(), errors.end(),
-                                        [&](const CalibrationUnknown& a, const CalibrationUnknown& b)
-                                        { return strength(a) < strength(b); });
-  if (weakest == errors.end() || isOfLandmark(weakest->parameter) || strength(*weakest) >= kTold) return false;
-  errors.erase(weakest);
-  return true;
+    std::vector<CalibrationUnknown> unknowns;
+    for (const std::size_t k : chosen) unknowns.push_back(candidates[k]);
+    for (const std::size_t k : estimatedBeside(chosen, candidates)) unknowns.push_back(candidates[k]);
+    ToldErrors told{calibrate(problem, unknowns), chosen.size()};
+    if (told.found.status != SolveStatus::ok) return told;
+    const std::optional<std::size_t> weakest = untold(told);
+    if (!weakest) return told;
+    chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(*weakest));
+  }
 }
 
 /// Lever arms that differ, of those estimated beside the first `chosen` errors.
@@ -110,15 +134,13 @@ void attributeBearingOffset(std::vector<CalibrationFinding>& adopted, const Cali
 }
 }  // namespace
 
-std::vector<CalibrationFinding> adoptedFindings(CalibrationChoice choice, const CalibrationData& data,
+std::vector<CalibrationFinding> adoptedFindings(const CalibrationChoice& choice, const CalibrationData& data,
                                                 const LocalizationConfig& config)
 {
-  CalibrationResult errors = calibrate(data.problem, estimatedBy(choice));
-  while (errors.status == SolveStatus::ok && dropUntold(choice.errors, errors))
-    errors = calibrate(data.problem, estimatedBy(choice));
+  auto [errors, chosen] = toldErrors(choice, data.problem);
   if (errors.status != SolveStatus::ok) return {};
-  std::vector<CalibrationFinding> adopted = placeFindings(errors, choice.errors.size(), data, config);
-  errors.errors.resize(choice.errors.size());
+  std::vector<CalibrationFinding> adopted = placeFindings(errors, chosen, data, config);
+  errors.errors.resize(chosen);
   for (const CalibrationFinding& finding : calibrationFindings(errors, data, config))
     if (finding.why_not_observable.empty()) adopted.push_back(finding);
   attributeBearingOffset(adopted, data, config);

@@ -126,7 +126,7 @@ class ChoiceSearch
     best = std::move(without);
   }
 
-  /// True for errors of a sensor or of odometry that no landmark has by itself.
+  /// True for errors of a sensor or of odometry that no landmark has by itself, but for the pair of radios.
   [[nodiscard]] bool isSystematic(const ChoicePart& part) const
   {
     return part.kind == PartKind::errors && !isOfLandmarks(part) && !isOfRadios(unknowns_[part.errors.front()]);
@@ -156,7 +156,8 @@ class ChoiceSearch
     {
       const std::vector<double> without = densitiesOf(allBut(k), foundWithout(k));
       const PredictiveGain gain = predictiveGain(data_.problem, middle_, best, without);
-      const double margin = (gain.std > 0 ? gain.gain / gain.std : 0) - neededGain(parts_[k]);
+      // Without effect on the second half nothing speaks for it.
+      const double margin = gain.std > 0 ? gain.gain / gain.std - neededGain(parts_[k]) : -kPays;
       if (margin > least) continue;
       least = margin;
       worst = k;
@@ -183,7 +184,8 @@ class ChoiceSearch
     return strength;
   }
 
-  /// Standard deviations of the gain: what the first half tells beyond doubt has only to improve the prediction.
+  /// Standard deviations of the gain: from two, for what the first half tells by two of its own, to none at four; below
+  /// none where systematic errors pay together.
   [[nodiscard]] double neededGain(const ChoicePart& part) const
   {
     if (isOfMap(part)) return kSurveyed;
@@ -201,30 +203,24 @@ class ChoiceSearch
     return !part.errors.empty() && isOfLandmark(unknowns_[part.errors.front()].parameter);
   }
 
-  /// Numbers of what is estimated beside `parts` where ranges of a sensor err: offsets of its landmarks, which share
-  /// only what they agree on, and its place, since ranges to what is ahead are too long for a sensor further back, too.
+  [[nodiscard]] static std::vector<std::size_t> errorsOf(const std::vector<ChoicePart>& parts)
+  {
+    std::vector<std::size_t> numbers;
+    for (const ChoicePart& part : parts) numbers.insert(numbers.end(), part.errors.begin(), part.errors.end());
+    return numbers;
+  }
+
   [[nodiscard]] std::vector<std::size_t> besides(const std::vector<ChoicePart>& parts) const
   {
-    const auto has = [&](std::size_t sensor, const auto& is_it)
-    {
-      return std::any_of(parts.begin(), parts.end(),
-                         [&](const ChoicePart& part)
-                         { return part.sensor == sensor && !part.errors.empty() && is_it(unknowns_[part.errors[0]]); });
-    };
-    std::vector<std::size_t> numbers;
-    for (std::size_t k = 0; k < unknowns_.size(); ++k)
-      for (const auto& is_it : {isLandmarkOffset, isMapError, isPlaceError})
-        if (const std::size_t sensor = unknowns_[k].sensor;
-            is_it(unknowns_[k]) && has(sensor, isRangeError) && !has(sensor, is_it))
-          numbers.push_back(k);
-    return numbers;
+    return estimatedBeside(errorsOf(parts), unknowns_);
   }
 
   /// What the first half tells of the errors of `parts` where the others are as configured.
   [[nodiscard]] CalibrationResult fitOf(const std::vector<ChoicePart>& parts) const
   {
     std::vector<std::size_t> numbers = besides(parts);
-    for (const ChoicePart& part : parts) numbers.insert(numbers.end(), part.errors.begin(), part.errors.end());
+    const std::vector<std::size_t> errors = errorsOf(parts);
+    numbers.insert(numbers.end(), errors.begin(), errors.end());
     return calibrateSome(before_, unknowns_, numbers, first_half_);
   }
 

@@ -32,11 +32,11 @@ struct CalibrationChoice
 /// What of `unknowns` and of the noise to adopt: estimated from the first half of the recording, it must predict the
 /// second half better than without it (calibration/predictive_likelihood.h). Starts with everything that the first half
 /// tells by two standard deviations, beside the others. What does not pay is taken out, the worst first; the
-/// others are then estimated anew. To pay is a gain of two of its standard deviations; the less, the better the first
-/// half tells the error, and of one that it tells by four any gain. Where errors of sensors and of odometry together
-/// predict better than none of them, one stays unless it makes the prediction worse; a lever arm has to pay. Of offset
-/// and scale of radios, which the first half may not tell from each other, one may stay alone. Errors that the filters
-/// estimate anyway stay uncertain in the comparison.
+/// others are then estimated anew. The gain that is required falls from two of its standard deviations, for an error
+/// that the first half tells by two of its own, to zero at four. Where errors of sensors and of odometry together
+/// predict better than none of them, one stays unless the prediction is worse with it by one standard deviation, but a
+/// lever arm has to pay. Of offset and scale of radios, which the first half may not tell from each other, one may stay
+/// alone. Errors that the filters estimate anyway stay uncertain in the comparison.
 [[nodiscard]] CalibrationChoice chooseCalibration(const CalibrationData& data,
                                                   const std::vector<CalibrationUnknown>& unknowns,
                                                   const LocalizationConfig& config);

@@ -56,7 +56,8 @@ struct CalibrationData
 bool lookAgain(const LocalizationInput& likelier, const std::vector<PoseEstimate>& trajectory, CalibrationData& data);
 
 /// The errors that this log could tell. An offset per landmark for identified ranges without bearings: radios have a
-/// delay of their own; of up to twelve also its place in the map.
+/// delay of their own; of up to twelve also its place in the map. A scale of bearings for sensors that look ahead, an
+/// axis of depths for those that measure depths.
 [[nodiscard]] std::vector<CalibrationUnknown> calibrationUnknowns(const LocalizationInput& input,
                                                                   const CalibrationData& data);
 }  // namespace mrpt_ext

@@ -43,4 +43,10 @@ struct ChoicePart
   return a.sensor == b.sensor && (of_ranges || (isLandmarkOffset(a) && isLandmarkOffset(b)) ||
                                   (isMapError(a) && isMapError(b) && a.landmark == b.landmark));
 }
+
+/// Numbers of what is estimated beside the `chosen` ones of `unknowns` where ranges of a sensor err: offsets of its
+/// landmarks, which share only what they agree on, and its place, since ranges to what is ahead are too long for a
+/// sensor further back, too.
+[[nodiscard]] std::vector<std::size_t> estimatedBeside(const std::vector<std::size_t>& chosen,
+                                                       const std::vector<CalibrationUnknown>& unknowns);
 }  // namespace mrpt_ext

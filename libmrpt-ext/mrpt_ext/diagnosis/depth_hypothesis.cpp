@@ -74,7 +74,10 @@ bool looksAhead(const CalibrationProblem& problem, std::size_t sensor)
 {
   return std::all_of(problem.readings.begin(), problem.readings.end(),
                      [&](const CalibrationReading& r)
-                     { return r.sensor != sensor || r.is_range || std::cos(r.value) > kNarrowField; });
+                     {
+                       const std::optional<double> angle = r.is_range ? r.off_axis : r.value;
+                       return r.sensor != sensor || !angle || std::cos(*angle) > kNarrowField;
+                     });
 }
 
 std::vector<DepthHypothesis> chooseDepths(CalibrationProblem& problem, const std::vector<bool>& is_depth,

@@ -7,7 +7,7 @@
 
 namespace mrpt_ext
 {
-/// Whether the ranges of a sensor are depths along its forward axis: cameras measure either, and which one is seldom
+/// Whether the ranges of a sensor are depths along an axis: cameras measure either, and which one is seldom
 /// stated. Sensors that see to the side cannot measure depths; theirs are not in question.
 struct DepthHypothesis
 {
@@ -18,7 +18,8 @@ struct DepthHypothesis
   [[nodiscard]] bool differs() const { return likelier != configured; }
 };
 
-/// True for a sensor all of whose bearings are within 72 degrees of ahead, as a camera's.
+/// True for a sensor all of whose bearings are within 72 degrees of ahead, as a camera's, and of the axis that depths
+/// are along.
 [[nodiscard]] bool looksAhead(const CalibrationProblem& problem, std::size_t sensor);
 
 /// One per sensor that measures bearings and ranges in a narrow field of view. `problem`: ranges by `is_depth`, what is

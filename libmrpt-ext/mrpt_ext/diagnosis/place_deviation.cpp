@@ -48,10 +48,9 @@ std::vector<CalibrationFinding> placeDeviations(const std::vector<CalibrationFin
   Corrections places, directions;  // [m^2] along both axes, [deg^2]; by label
   for (const CalibrationFinding& finding : set)
   {
-    if (!finding.differs) continue;
     const double squared = square(finding.estimate - finding.configured);
     const auto own = [&] { return finding.line.section.substr(kSensorSection.size()); };
-    if (isOfLeverArm(finding)) places[own()] += squared;
+    if (isOfLeverArm(finding) && finding.differs) places[own()] += squared;
     if (finding.line.key == "bias_bearing_deg") directions[own()] += squared;
     if (finding.line.key == "odometry_yaw_deg")
       for (const std::string& label : sensorsWithBearings(data)) directions[label] += squared;
