@@ -268,9 +268,8 @@ TEST(CalibrationChoice, ErrorsOfACameraThatCoverForEachOtherAreAdoptedTogether)
   DrivePlan plan = testing::cameraDrive();
   plan.range_offset = 0.05;
   plan.range_scale = 0.02;
-  RandomStream random(5, 7);
-  CalibrationData data = recorded(plan, 1);
-  data.problem = testing::asRanges(testing::recordedDrive(plan, random));
+  CalibrationData data = recorded(plan, 5);
+  data.problem = testing::asRanges(std::move(data.problem));
   const std::vector<CalibrationUnknown> unknowns{{Kind::lever_arm_x},   {Kind::lever_arm_y},  {Kind::bearing_offset},
                                                  {Kind::bearing_scale}, {Kind::range_offset}, {Kind::range_scale},
                                                  {Kind::range_axis}};

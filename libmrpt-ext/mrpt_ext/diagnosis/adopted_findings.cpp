@@ -50,8 +50,6 @@ struct ToldErrors
 std::optional<std::size_t> untold(const ToldErrors& errors)
 {
   const std::vector<ParameterEstimate>& found = errors.found.errors;
-  const auto strength = [](const ParameterEstimate& error)
-  { return error.value != 0 ? std::abs(error.value) / error.std : 0; };
   std::optional<std::size_t> weakest;
   double least = kTold;
   for (std::size_t k = 0; k < errors.chosen; ++k)
@@ -60,9 +58,9 @@ std::optional<std::size_t> untold(const ToldErrors& errors)
     const bool is_told =
         std::any_of(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(errors.chosen),
                     [&](const ParameterEstimate& other)
-                    { return belongTogether(other.unknown, found[k].unknown) && strength(other) >= kTold; });
-    if (is_told || strength(found[k]) >= least) continue;
-    least = strength(found[k]);
+                    { return belongTogether(other.unknown, found[k].unknown) && strengthOf(other) >= kTold; });
+    if (is_told || strengthOf(found[k]) >= least) continue;
+    least = strengthOf(found[k]);
     weakest = k;
   }
   return weakest;

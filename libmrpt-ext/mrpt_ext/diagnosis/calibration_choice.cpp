@@ -178,9 +178,7 @@ class ChoiceSearch
   [[nodiscard]] static double strengthOf(const ChoicePart& part, const CalibrationResult& found)
   {
     double strength = 0;
-    for (const std::size_t k : part.errors)
-      if (found.errors[k].value != 0)
-        strength = std::max(strength, std::abs(found.errors[k].value) / found.errors[k].std);
+    for (const std::size_t k : part.errors) strength = std::max(strength, mrpt_ext::strengthOf(found.errors[k]));
     return strength;
   }
 

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
-#include "mrpt_ext/calibration/calibration_problem.h"
+#include "mrpt_ext/calibration/self_calibration.h"
 
 namespace mrpt_ext
 {
@@ -42,6 +43,12 @@ struct ChoicePart
   const bool of_ranges = isOfAllRanges(a.parameter) && isOfAllRanges(b.parameter);
   return a.sensor == b.sensor && (of_ranges || (isLandmarkOffset(a) && isLandmarkOffset(b)) ||
                                   (isMapError(a) && isMapError(b) && a.landmark == b.landmark));
+}
+
+/// How many of its standard deviations an error is; 0 where there is none.
+[[nodiscard]] inline double strengthOf(const ParameterEstimate& error)
+{
+  return error.value != 0 ? std::abs(error.value) / error.std : 0;
 }
 
 /// Numbers of what is estimated beside the `chosen` ones of `unknowns` where ranges of a sensor err: offsets of its
