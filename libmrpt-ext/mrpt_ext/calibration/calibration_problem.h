@@ -24,10 +24,11 @@ enum class CalibrationParameter
   landmark_x,       ///< [m] true minus stated position of a landmark in the map, along its x axis
   landmark_y,       ///< [m] the same along its y axis
   range_height,     ///< [m^2] measured^2 = true^2 + this: the squared height that map and sensor do not state
-  distance_scale,   ///< true distance = (1 + scale) distance by odometry
-  rotation_scale,   ///< true rotation = (1 + scale) rotation by odometry + veer * distance + drift * time
-  veer,             ///< [rad/m] to the left
-  drift             ///< [rad/s] to the left
+  distance_scale,   ///< true distance = (1 + scale) (distance by odometry + distance_per_turn * turn on arcs)
+  distance_per_turn,  ///< [m/rad] of turn to either side while the robot drives
+  rotation_scale,     ///< true rotation = (1 + scale) rotation by odometry + veer * distance + drift * time
+  veer,               ///< [rad/m] to the left
+  drift               ///< [rad/s] to the left
 };
 
 /// True for the errors of odometry; the others belong to a sensor.

@@ -48,6 +48,7 @@ double priorStd(const CalibrationProblem& problem, const CalibrationUnknown& unk
     case CalibrationParameter::range_scale:
     case CalibrationParameter::veer:
       return 0.3;
+    case CalibrationParameter::distance_per_turn:
     case CalibrationParameter::drift:
       return 0.1;
     default:
@@ -78,6 +79,8 @@ double largestUsefulStd(const CalibrationProblem& problem, const CalibrationUnkn
     case CalibrationParameter::range_scale:
     case CalibrationParameter::veer:
       return 0.05;
+    case CalibrationParameter::distance_per_turn:
+      return 0.02;
     case CalibrationParameter::drift:
       return degToRad(1.0);
     case CalibrationParameter::distance_scale:

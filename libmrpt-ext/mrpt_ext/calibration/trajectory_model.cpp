@@ -46,20 +46,23 @@ TrajectoryModel::TrajectoryModel(const CalibrationProblem& problem, std::vector<
       numbers[unknowns_[k].landmark] = static_cast<int>(k);
       continue;
     }
-    int& number = kind == CalibrationParameter::delay            ? sensor.delay
-                  : kind == CalibrationParameter::lever_arm_x    ? sensor.lever_arm_x
-                  : kind == CalibrationParameter::lever_arm_y    ? sensor.lever_arm_y
-                  : kind == CalibrationParameter::bearing_offset ? sensor.bearing_offset
-                  : kind == CalibrationParameter::bearing_scale  ? sensor.bearing_scale
-                  : kind == CalibrationParameter::range_offset   ? sensor.range_offset
-                  : kind == CalibrationParameter::range_scale    ? sensor.range_scale
-                  : kind == CalibrationParameter::range_axis     ? sensor.range_axis
-                  : kind == CalibrationParameter::distance_scale ? distance_scale_
-                  : kind == CalibrationParameter::rotation_scale ? rotation_scale_
-                  : kind == CalibrationParameter::veer           ? veer_
-                                                                 : drift_;
+    int& number = kind == CalibrationParameter::delay               ? sensor.delay
+                  : kind == CalibrationParameter::lever_arm_x       ? sensor.lever_arm_x
+                  : kind == CalibrationParameter::lever_arm_y       ? sensor.lever_arm_y
+                  : kind == CalibrationParameter::bearing_offset    ? sensor.bearing_offset
+                  : kind == CalibrationParameter::bearing_scale     ? sensor.bearing_scale
+                  : kind == CalibrationParameter::range_offset      ? sensor.range_offset
+                  : kind == CalibrationParameter::range_scale       ? sensor.range_scale
+                  : kind == CalibrationParameter::range_axis        ? sensor.range_axis
+                  : kind == CalibrationParameter::distance_scale    ? distance_scale_
+                  : kind == CalibrationParameter::distance_per_turn ? distance_per_turn_
+                  : kind == CalibrationParameter::rotation_scale    ? rotation_scale_
+                  : kind == CalibrationParameter::veer              ? veer_
+                                                                    : drift_;
     number = static_cast<int>(k);
   }
+  for (std::size_t k = 0; k < problem_.poses.size(); ++k)
+    measured_.push_back(k == 0 ? OdometryMotion{} : path_.between(problem_.poses[k - 1].time, problem_.poses[k].time));
   setOdometryScatter(odometry_scatter_);
 }
 
@@ -81,12 +84,18 @@ Matrix3d TrajectoryModel::linkCovariance(std::size_t k, MotionNoise noise) const
   return whitened * (*problem_.poses[k].since_previous)[noise] * whitening_[k].transpose();
 }
 
+Vector2d TrajectoryModel::furtherOnArcs(std::size_t k) const
+{
+  return valueOf(distance_per_turn_) * momentsOf(measured_[k]).along_arcs;
+}
+
 /// The chord of an arc turns by half of what its end turns.
 Pose2 TrajectoryModel::predictOdometry(std::size_t k, const Pose2& moved) const
 {
   const double unseen = valueOf(veer_) * moved.position().norm() + valueOf(drift_) * durationOf(k);
   const double turn = (moved.phi - unseen) / (1 + valueOf(rotation_scale_));
-  const Vector2d chord = rotation(0.5 * (turn - moved.phi)) * moved.position() / (1 + valueOf(distance_scale_));
+  const Vector2d driven = rotation(0.5 * (turn - moved.phi)) * moved.position() / (1 + valueOf(distance_scale_));
+  const Vector2d chord = driven - furtherOnArcs(k);
   return {chord.x(), chord.y(), turn};
 }
 
@@ -153,11 +162,13 @@ ReadingResidual TrajectoryModel::reading(const CalibrationReading& r, const Pose
 
 MotionPrediction TrajectoryModel::motion(std::size_t k) const
 {
-  const Pose2 logged = path_.between(problem_.poses[k - 1].time, problem_.poses[k].time).increment;
-  const double distance = 1 + valueOf(distance_scale_), length = distance * logged.position().norm();
+  const Pose2& logged = measured_[k].increment;
+  const Vector2d driven = logged.position() + furtherOnArcs(k);
+  const double distance = 1 + valueOf(distance_scale_), length = distance * driven.norm();
   const double turn =
       (1 + valueOf(rotation_scale_)) * logged.phi + valueOf(veer_) * length + valueOf(drift_) * durationOf(k);
-  const Vector2d chord = distance * (rotation(0.5 * (turn - logged.phi)) * logged.position());
+  const Matrix2d swung = distance * rotation(0.5 * (turn - logged.phi));
+  const Vector2d chord = swung * driven;
   MotionPrediction motion{{chord.x(), chord.y(), turn}, {}};
   motion.shared.setZero(3, values_.size());
   const Vector2d swing = perpendicular(chord);
@@ -165,6 +176,12 @@ MotionPrediction TrajectoryModel::motion(std::size_t k) const
   if (distance_scale_ >= 0)
     motion.shared.col(distance_scale_) =
         Vector3d(chord.x(), chord.y(), 0) / distance + turned(valueOf(veer_) * length / distance);
+  if (distance_per_turn_ >= 0)
+  {
+    const Vector2d by_arcs = momentsOf(measured_[k]).along_arcs, further = swung * by_arcs;
+    const double longer = distance * by_arcs.dot(driven.stableNormalized());
+    motion.shared.col(distance_per_turn_) = Vector3d(further.x(), further.y(), 0) + turned(valueOf(veer_) * longer);
+  }
   if (rotation_scale_ >= 0) motion.shared.col(rotation_scale_) = turned(logged.phi);
   if (veer_ >= 0) motion.shared.col(veer_) = turned(length);
   if (drift_ >= 0) motion.shared.col(drift_) = turned(durationOf(k));
@@ -173,7 +190,7 @@ MotionPrediction TrajectoryModel::motion(std::size_t k) const
 
 Vector3d TrajectoryModel::linkResidual(std::size_t k, const Pose2& before, const Pose2& pose) const
 {
-  const Pose2 logged = path_.between(problem_.poses[k - 1].time, problem_.poses[k].time).increment;
+  const Pose2& logged = measured_[k].increment;
   const Pose2 predicted = predictOdometry(k, between(before, pose));
   return whitening_[k] * Vector3d(logged.x - predicted.x, logged.y - predicted.y, wrap(logged.phi - predicted.phi));
 }
@@ -181,7 +198,7 @@ Vector3d TrajectoryModel::linkResidual(std::size_t k, const Pose2& before, const
 OdometryResidual TrajectoryModel::link(std::size_t k, const Pose2& before, const Pose2& pose) const
 {
   const Pose2 moved = between(before, pose), predicted = predictOdometry(k, moved);
-  const Vector2d chord = predicted.position(), swing = perpendicular(chord);
+  const Vector2d driven = predicted.position() + furtherOnArcs(k), swing = perpendicular(driven);
   const double length = moved.position().norm(), distance = 1 + valueOf(distance_scale_),
                turn = 1 + valueOf(rotation_scale_);
 
@@ -206,7 +223,12 @@ OdometryResidual TrajectoryModel::link(std::size_t k, const Pose2& before, const
                        .shared = Eigen::Matrix<double, 3, Eigen::Dynamic>::Zero(3, values_.size())};
   const auto turned = [&](double by) { return Vector3d(0.5 * by * swing.x(), 0.5 * by * swing.y(), by); };
   if (distance_scale_ >= 0)
-    row.shared.col(distance_scale_) = whitening_[k] * Vector3d(-chord.x() / distance, -chord.y() / distance, 0);
+    row.shared.col(distance_scale_) = whitening_[k] * Vector3d(-driven.x() / distance, -driven.y() / distance, 0);
+  if (distance_per_turn_ >= 0)
+  {
+    const Vector2d by_arcs = momentsOf(measured_[k]).along_arcs;
+    row.shared.col(distance_per_turn_) = whitening_[k] * Vector3d(-by_arcs.x(), -by_arcs.y(), 0);
+  }
   if (rotation_scale_ >= 0) row.shared.col(rotation_scale_) = whitening_[k] * turned(-predicted.phi / turn);
   if (veer_ >= 0) row.shared.col(veer_) = whitening_[k] * turned(-length / turn);
   if (drift_ >= 0) row.shared.col(drift_) = whitening_[k] * turned(-durationOf(k) / turn);

@@ -66,6 +66,8 @@ class TrajectoryModel
     std::vector<int> landmark_offsets;  // by landmark, up to the last that has one
   };
   [[nodiscard]] double valueOf(int term) const { return term < 0 ? 0 : values_[term]; }
+  /// How much further than measured the robot drives on arcs between pose `k - 1` and pose `k`, in axes of the former.
+  [[nodiscard]] Vector2d furtherOnArcs(std::size_t k) const;
   /// Odometry that a motion between pose `k - 1` and pose `k` should give.
   [[nodiscard]] Pose2 predictOdometry(std::size_t k, const Pose2& moved) const;
   [[nodiscard]] double durationOf(std::size_t k) const { return problem_.poses[k].time - problem_.poses[k - 1].time; }
@@ -75,9 +77,11 @@ class TrajectoryModel
   const CalibrationProblem& problem_;
   std::vector<CalibrationUnknown> unknowns_;
   std::vector<SensorTerms> of_sensor_;
-  std::vector<int> landmark_x_, landmark_y_;                                // by landmark, up to the last that has one
-  int distance_scale_ = -1, rotation_scale_ = -1, veer_ = -1, drift_ = -1;  // numbers of their unknowns
+  std::vector<int> landmark_x_, landmark_y_;  // by landmark, up to the last that has one
+  int distance_scale_ = -1, distance_per_turn_ = -1, rotation_scale_ = -1, veer_ = -1,
+      drift_ = -1;  // numbers of their unknowns
   OdometryPath path_;
+  std::vector<OdometryMotion> measured_;  // by odometry, since the pose before
   PerMotionNoise<double> odometry_scatter_{1, 1};
   std::vector<Matrix3d> whitening_;  // of each link
   Eigen::VectorXd values_;

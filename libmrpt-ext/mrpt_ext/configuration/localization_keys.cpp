@@ -145,6 +145,9 @@ KeyTable motionKeys()
               "Latency of the odometry, added to its time stamps.")
       .number("odometry_scale", "", odometry.scale, ranges::kPositive,
               "Factor on the measured distance (not on turns).")
+      .number("odometry_distance_per_deg_m", "m", degToRad(odometry.distance_per_turn), ranges::kAny,
+              "Distance that odometry misses per degree that the robot turns while it drives, to either side. Negative "
+              "where it falls behind commanded velocities on arcs.")
       .number("odometry_rotation_scale", "", odometry.rotation_scale, ranges::kPositive, "Factor on measured turns.")
       .degrees("odometry_yaw_deg", "deg", odometry.yaw, {-360, 360},
                "How far the x axis of odometry is turned on the robot, to the left. Where the robot drives straight "

@@ -262,7 +262,10 @@ std::vector<CalibrationUnknown> calibrationUnknowns(const LocalizationInput& inp
   std::set<std::size_t> bearings, ranges, placed;
   for (const CalibrationReading& r : data.problem.readings) (r.is_range ? ranges : bearings).insert(r.sensor);
   std::vector<CalibrationUnknown> unknowns;
-  if (moving) unknowns = {{distance_scale}, {rotation_scale}, {veer}, {drift}};
+  if (moving) unknowns = {{distance_scale}, {rotation_scale}, {veer}};
+  // A robot falls behind its commands on arcs, and stands still when told to; gyroscopes drift. (Where odometry is
+  // measured, noise would be turns.)
+  if (moving) unknowns.push_back({data.commanded ? distance_per_turn : drift});
   for (std::size_t s = 0; s < data.sensors.size(); ++s)
   {
     const bool measures = bearings.count(s) > 0 || ranges.count(s) > 0;

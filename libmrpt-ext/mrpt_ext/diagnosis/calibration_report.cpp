@@ -34,6 +34,8 @@ std::string whyNotObservable(CalibrationParameter kind)
       return "too few different ranges";
     case CalibrationParameter::rotation_scale:
       return "too few turns";
+    case CalibrationParameter::distance_per_turn:
+      return "too few turns while driving, or no straight ways";
     case CalibrationParameter::veer:
     case CalibrationParameter::drift:
       return "veer and drift are not separable: no rests";
@@ -100,6 +102,16 @@ class Translator
       found = {.what = "odometry: true over measured distance", .decimals = 4, .line = {kMotion, "odometry_scale", ""}};
       set(found, error, now.scale, now.scale);
       if (setAsMean(found, error, BiasKind::distance_scale, "")) found.what = "odometry: relative error of distance";
+    }
+    if (error.unknown.parameter == CalibrationParameter::distance_per_turn)
+    {
+      found = {.what = "odometry: unmeasured distance per degree turned while driving",
+               .unit = "m",
+               .decimals = 5,
+               .line = {kMotion, "odometry_distance_per_deg_m", ""}};
+      // The configured value adds to the uncorrected distance, per uncorrected turn.
+      const double per_degree = degToRad(1.0);
+      set(found, error, per_degree * now.distance_per_turn, per_degree * now.rotation_scale / now.scale);
     }
     if (error.unknown.parameter == CalibrationParameter::rotation_scale)
     {

@@ -76,6 +76,7 @@ std::string finding(const RegressedError& error, const std::string& sensor)
     case CalibrationParameter::lever_arm_y:
     case CalibrationParameter::bearing_scale:
     case CalibrationParameter::range_axis:
+    case CalibrationParameter::distance_per_turn:
     case CalibrationParameter::landmark_offset:
     case CalibrationParameter::landmark_x:
     case CalibrationParameter::landmark_y:

@@ -16,6 +16,7 @@ namespace mrpt_ext
     moments.*sum = by_first * (before.*sum) + by_second * (after.*sum);
   for (const auto sum : {&PathMoments::turned, &PathMoments::length, &PathMoments::time})
     moments.*sum = by_first * (before.*sum) * by_first.transpose() + by_second * (after.*sum) * by_second.transpose();
+  moments.along_arcs = before.along_arcs + rotation(first.increment.phi) * after.along_arcs;
   return {.increment = compose(first.increment, second.increment),
           .path_length = first.path_length + second.path_length,
           .turned = first.turned + second.turned,

@@ -1,6 +1,7 @@
 #include "mrpt_ext/geometry/odometry_path.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -12,6 +13,15 @@ Pose2 poseAt(const Trajectory& odometry, double time)
 {
   const double inside = std::clamp(time, odometry.front().time, odometry.back().time);
   return interpolate(odometry, inside, std::numeric_limits<double>::infinity())->pose;
+}
+
+/// True distance of a step over the measured one, where a robot that turns while it drives goes `per_turn` [m/rad]
+/// further. It does not go back instead.
+double distanceOnArcs(const Pose2& step, double per_turn)
+{
+  const double length = step.position().norm(), turned = std::abs(step.phi);
+  const bool is_arc = length > 0 && isArc({.increment = step, .length = length, .turned = turned});
+  return is_arc ? std::max(0.0, 1 + per_turn * turned / length) : 1;
 }
 }  // namespace
 
@@ -43,7 +53,8 @@ void OdometryPath::appendStep(const OdometryRecord& record, bool is_jump)
     return;
   }
   Pose2 step = is_jump ? Pose2{} : mrpt_ext::between(before.pose, record.pose);
-  const Vector2d moved = correction_.scale * rotation(correction_.yaw) * step.position();
+  const double scale = correction_.scale * distanceOnArcs(step, correction_.distance_per_turn);
+  const Vector2d moved = scale * rotation(correction_.yaw) * step.position();
   step.x = moved.x();
   step.y = moved.y();
   step.phi = correction_.rotation_scale * step.phi + correction_.turn_per_m * step.position().norm() +

@@ -13,12 +13,13 @@ namespace mrpt_ext
 /// Calibration of the odometry of a log.
 struct OdometryCorrection
 {
-  double scale = 1;           ///< factor on distances
-  double rotation_scale = 1;  ///< factor on rotations
-  double yaw = 0;             ///< [rad] of the x axis of odometry on the robot, to the left
-  double turn_per_m = 0;      ///< [rad/m] added to the heading per metre driven
-  double turn_per_s = 0;      ///< [rad/s] added to the heading per second
-  double delay = 0;           ///< [s] added to the stamps
+  double scale = 1;              ///< factor on distances
+  double distance_per_turn = 0;  ///< [m/rad] added to the distance per radian turned while driving
+  double rotation_scale = 1;     ///< factor on rotations
+  double yaw = 0;                ///< [rad] of the x axis of odometry on the robot, to the left
+  double turn_per_m = 0;         ///< [rad/m] added to the heading per metre driven
+  double turn_per_s = 0;         ///< [rad/s] added to the heading per second
+  double delay = 0;              ///< [s] added to the stamps
 };
 
 /// Dead-reckoned trajectory of a whole log, or of its newest part: the pose at any time, and the motion between two

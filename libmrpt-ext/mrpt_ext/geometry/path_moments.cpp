@@ -9,8 +9,6 @@ namespace
 // [m] of the radius below which a robot turns in place: half of the track of a small one, both wheels scrub.
 constexpr double kTurnsInPlace = 0.1;
 
-bool isArc(const PathPiece& piece) { return piece.length > kTurnsInPlace * piece.turned; }
-
 Vector2d leftOf(const Vector2d& v) { return {-v.y(), v.x()}; }
 
 /// The end of the path has moved by `by`.
@@ -32,7 +30,11 @@ void add(PathMoments& moments, const PathPiece& piece, const Vector2d& chord)
   Matrix3d squared = lever * lever.transpose();
   squared.topLeftCorner<2, 2>() += swing * swing.transpose() / 12;
   moments.by_turn += piece.increment.phi * lever;
-  if (isArc(piece)) moments.by_arc += piece.increment.phi * lever;
+  if (isArc(piece))
+  {
+    moments.by_arc += piece.increment.phi * lever;
+    moments.along_arcs += piece.turned * chord.stableNormalized();
+  }
   moments.by_length += piece.length * lever;
   moments.by_time += piece.duration * lever;
   moments.turned += piece.turned * squared;
@@ -40,6 +42,8 @@ void add(PathMoments& moments, const PathPiece& piece, const Vector2d& chord)
   moments.time += piece.duration * squared;
 }
 }  // namespace
+
+bool isArc(const PathPiece& piece) { return piece.length > kTurnsInPlace * piece.turned; }
 
 PathMoments momentsOf(const PathPiece& piece)
 {

@@ -13,6 +13,9 @@ struct PathPiece
   double duration = 0;  ///< [s]
 };
 
+/// True for a turn while the robot drives, false for one in place.
+[[nodiscard]] bool isArc(const PathPiece& piece);
+
 /// What errors of the heading that arise along a path do to its end.
 ///
 /// An error of the heading that arises at one place turns the rest of the path about that place: per radian the end
@@ -25,6 +28,9 @@ struct PathMoments
   /// Sums of the levers' squares, weighted with what the variance of an error grows with: [rad] turned to either side,
   /// [m], [s].
   Matrix3d turned = Matrix3d::Zero(), length = Matrix3d::Zero(), time = Matrix3d::Zero();
+  /// [rad] Sum of the directions of arcs, weighted with what was turned on them to either side: where the end moves
+  /// when the robot drives 1 m less or more per radian of turn.
+  Vector2d along_arcs{0, 0};
 };
 
 /// Of a single piece.
