@@ -46,6 +46,8 @@ double trueValue(const DrivePlan& plan, Kind kind)
       break;  // a value per landmark
     case Kind::distance_scale:
       return plan.distance_scale;
+    case Kind::distance_per_turn:
+      return plan.distance_per_turn;
     case Kind::rotation_scale:
       return plan.rotation_scale;
     case Kind::veer:
@@ -131,6 +133,31 @@ TEST(CalibrationResult, AxisAndFocalLengthOfACameraAreNoLeverArms)
   unknowns.resize(4);  // without these two, places take the blame
   const CalibrationResult before = calibrate(problem, unknowns);
   EXPECT_GT(errorOf(before, Kind::lever_arm_y).value, 4 * errorOf(before, Kind::lever_arm_y).std);
+}
+
+// It turns with both wheels at 0.2 m/s and falls behind its commands by a third.
+TEST(CalibrationResult, ARobotThatFallsBehindOnArcsIsToldFromOneThatAlwaysDoes)
+{
+  DrivePlan plan;
+  plan.std_distance_per_root_s = 0.005;
+  plan.std_turn_per_root_s = 0.002;
+  plan.distance_scale = 0.05;
+  plan.distance_per_turn = -0.08;
+  plan.veer = 0.02;
+  const std::vector<CalibrationUnknown> unknowns{
+      {Kind::distance_scale}, {Kind::distance_per_turn}, {Kind::rotation_scale}, {Kind::veer}, {Kind::delay}};
+  const double consistency = meanSquareOverVariance(plan, unknowns, testing::runsOfTest(6));
+  RandomStream random(1, 7);
+  const CalibrationProblem problem = recordedDrive(plan, random);
+  const CalibrationResult found = calibrate(problem, unknowns);
+  EXPECT_LT(errorOf(found, Kind::distance_per_turn).std, 0.008);
+  // Without it the distance takes the mean of both, and the rest passes for noise.
+  const CalibrationResult without = calibrate(problem, {{Kind::distance_scale}, {Kind::rotation_scale}, {Kind::delay}});
+  EXPECT_LT(errorOf(without, Kind::distance_scale).value, 0.02);
+  EXPECT_GT(without.odometry_scatter[position_noise], 1.5 * found.odometry_scatter[position_noise]);
+  if (testing::isShort()) return;  // too few runs for the bounds
+  EXPECT_GT(consistency, 0.5);
+  EXPECT_LT(consistency, 1.6);
 }
 
 TEST(CalibrationResult, AreFoundFromOneRangeAtATime)

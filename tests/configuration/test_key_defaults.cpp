@@ -79,6 +79,7 @@ TEST(KeyDefaults, OfTheMotionModelAreThoseOfItsStruct)
   EXPECT_EQ(read.std_phi_per_s, plain.std_phi_per_s);
   const OdometryCorrection odometry = config.frames.odometry, none;
   EXPECT_EQ(odometry.scale, none.scale);
+  EXPECT_EQ(odometry.distance_per_turn, none.distance_per_turn);
   EXPECT_EQ(odometry.rotation_scale, none.rotation_scale);
   EXPECT_EQ(odometry.yaw, none.yaw);
   EXPECT_EQ(odometry.turn_per_m, none.turn_per_m);

@@ -101,6 +101,28 @@ TEST(CalibrationChoice, AnOffsetThatAllLandmarksShareIsAdoptedAsOne)
                            { return finding.line.key == "landmark_bias_range_m"; }));
 }
 
+TEST(CalibrationChoice, DistancesAndThoseOnArcsAreAdoptedTogether)
+{
+  DrivePlan plan;
+  plan.duration = 240;
+  plan.landmarks_seen = 1;
+  plan.rate = 2;
+  plan.std_distance_per_root_s = 0.005;
+  plan.std_turn_per_root_s = 0.002;
+  plan.distance_scale = 0.04;
+  plan.distance_per_turn = -0.08;
+  const std::vector<CalibrationUnknown> unknowns{
+      {Kind::distance_scale}, {Kind::rotation_scale}, {Kind::veer}, {Kind::distance_per_turn}, {Kind::delay}};
+  for (int seed = 1; seed <= 3; ++seed)
+  {
+    const CalibrationChoice choice = chooseCalibration(recorded(plan, seed), unknowns, {});
+    EXPECT_TRUE(has(choice, Kind::distance_scale)) << seed;
+    EXPECT_TRUE(has(choice, Kind::distance_per_turn)) << seed;
+    EXPECT_FALSE(has(choice, Kind::rotation_scale)) << seed;
+    EXPECT_FALSE(has(choice, Kind::veer)) << seed;
+  }
+}
+
 // Few ranges to four radios around a room hardly tell an offset from a scale.
 TEST(CalibrationChoice, OfOffsetAndScaleOneMayStayAlone)
 {

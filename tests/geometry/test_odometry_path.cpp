@@ -106,6 +106,20 @@ TEST(OdometryPath, AnXAxisFurtherLeftMovesTheRobotToItsLeft)
   EXPECT_NEAR(path.between(0, 2).path_length, 4, 1e-12);
 }
 
+TEST(OdometryPath, DistancePerTurnCountsOnArcsOfEitherSide)
+{
+  const std::vector<OdometryRecord> records{{0, {0, 0, 0}},    {1, {1, 0, 0}}, {2, {1, 0, 0.5}}, {3, {1, 0, 0}},
+                                            {4, {2, 0, -0.5}}, {5, {2, 0, 0}}, {6, {1, 0, 0.5}}};
+  const OdometryPath path(records, {.scale = 2, .distance_per_turn = -0.2});
+  EXPECT_NEAR(path.between(0, 1).path_length, 2, 1e-12) << "straight";
+  EXPECT_NEAR(path.between(1, 3).path_length, 0, 1e-12) << "in place";
+  expectPose(path.between(3, 4).increment, {1.8, 0, -0.5});
+  expectPose(path.between(5, 6).increment, {-1.8, 0, 0.5});
+  // No robot goes back because it turns.
+  EXPECT_NEAR(OdometryPath(records, {.distance_per_turn = -3}).between(3, 4).path_length, 0, 1e-12);
+  EXPECT_NEAR(OdometryPath(records, {.distance_per_turn = 0.4}).between(3, 4).path_length, 1.2, 1e-12);
+}
+
 TEST(OdometryPath, TurnPerMetreGrowsWithTheDistance)
 {
   const std::vector<OdometryRecord> straight{{0, {0, 0, 0}}, {1, {2, 0, 0}}, {2, {2, 0, 0}}, {3, {3, 0, 0}}};

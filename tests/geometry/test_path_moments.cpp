@@ -64,6 +64,22 @@ TEST(PathMoments, AreTheDerivativesOfTheEndByHeadingErrors)
   EXPECT_TRUE(moments.by_time.isApprox(slope([](const PathPiece& p) { return p.duration; }), close));
 }
 
+TEST(PathMoments, TellHowFarARobotComesThatGoesFurtherOnArcs)
+{
+  const std::vector<PathPiece> pieces = samplePath();
+  Pose2 end, end_further;
+  for (const PathPiece& piece : pieces)
+  {
+    Pose2 further = piece.increment;
+    if (isArc(piece)) further.x += kSmall * piece.turned;  // a small chord: along the x axis
+    end = compose(end, piece.increment);
+    end_further = compose(end_further, further);
+  }
+  EXPECT_TRUE(momentsAlong(pieces).along_arcs.isApprox((end_further.position() - end.position()) / kSmall, 1e-6));
+  EXPECT_EQ(momentsOf(PathPiece{{0, 0, 1}, 0, 1, 1}).along_arcs.norm(), 0) << "in place";
+  EXPECT_LT(momentsOf(PathPiece{{-1, 0, 0.5}, 1, 0.5, 1}).along_arcs.x(), 0) << "backwards";
+}
+
 TEST(PathMoments, SquaresWeighHeadAndTailOfThePathAlike)
 {
   // Two metres straight in one second: std_phi^2 / 3 across the chord, / 2 between that and the heading.
@@ -104,6 +120,7 @@ TEST(PathMoments, OfTwoPathsInARowAreThoseOfOne)
     EXPECT_TRUE(((*whole.moments).*sum).isApprox((*expected.moments).*sum, 1e-9));
   for (const auto sum : {&PathMoments::turned, &PathMoments::length, &PathMoments::time})
     EXPECT_TRUE(((*whole.moments).*sum).isApprox((*expected.moments).*sum, 1e-9));
+  EXPECT_TRUE(whole.moments->along_arcs.isApprox(expected.moments->along_arcs, 1e-9));
 }
 
 TEST(PathMoments, OfAPathAreThoseOfItsRecords)

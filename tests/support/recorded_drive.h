@@ -28,8 +28,9 @@ struct DrivePlan
   double height = 0;                     // [m] between sensor and landmarks; the readings do not state it
   Vector2d lever_arm{0, 0};              // [m] true minus stated
   double distance_scale = 0, rotation_scale = 0, veer = 0, drift = 0;
-  bool evenly = false;  // on a circle, at one speed
-  bool rests = false;   // for ten seconds of every thirty
+  double distance_per_turn = 0;  // [m/rad]
+  bool evenly = false;           // on a circle, at one speed
+  bool rests = false;            // for ten seconds of every thirty
 };
 
 /// True pose at `time`.
@@ -77,11 +78,13 @@ inline CalibrationProblem recordedDrive(const DrivePlan& plan, RandomStream& ran
     const Pose2 now = driveAt(plan, time), step = between(before, now);
     const double distance_noise = plan.std_distance_per_root_s * root, turn_noise = plan.std_turn_per_root_s * root;
     const double length = step.position().norm();
-    reckoned = compose(reckoned,
-                       {(step.x + distance_noise * random.gaussian()) / (1 + plan.distance_scale),
-                        (step.y + distance_noise * random.gaussian()) / (1 + plan.distance_scale),
-                        (step.phi - plan.veer * length - plan.drift / kOdometryRate + turn_noise * random.gaussian()) /
-                            (1 + plan.rotation_scale)});
+    const double along = step.x + distance_noise * random.gaussian(),
+                 across = step.y + distance_noise * random.gaussian();
+    const double turn = (step.phi - plan.veer * length - plan.drift / kOdometryRate + turn_noise * random.gaussian()) /
+                        (1 + plan.rotation_scale);
+    const double shorter = length > 0 ? plan.distance_per_turn * std::abs(turn) / length : 0;
+    reckoned = compose(reckoned, {along / (1 + plan.distance_scale) - shorter * step.x,
+                                  across / (1 + plan.distance_scale) - shorter * step.y, turn});
     problem.odometry.push_back({time, reckoned});
     before = now;
   }

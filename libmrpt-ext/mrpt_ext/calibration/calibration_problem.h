@@ -43,6 +43,12 @@ enum class CalibrationParameter
   return parameter == CalibrationParameter::range_offset || parameter == CalibrationParameter::range_scale;
 }
 
+/// True for what all distances by odometry share, and those on arcs: which of them errs is told where both are driven.
+[[nodiscard]] constexpr bool isOfDistances(CalibrationParameter parameter)
+{
+  return parameter == CalibrationParameter::distance_scale || parameter == CalibrationParameter::distance_per_turn;
+}
+
 [[nodiscard]] constexpr bool isLeverArm(CalibrationParameter parameter)
 {
   return parameter == CalibrationParameter::lever_arm_x || parameter == CalibrationParameter::lever_arm_y;

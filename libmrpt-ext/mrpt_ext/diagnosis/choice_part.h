@@ -40,6 +40,7 @@ struct ChoicePart
 /// True for errors that are only told together, and so make one part.
 [[nodiscard]] constexpr bool belongTogether(const CalibrationUnknown& a, const CalibrationUnknown& b)
 {
+  if (isOfDistances(a.parameter) && isOfDistances(b.parameter)) return true;
   const bool of_ranges = isOfAllRanges(a.parameter) && isOfAllRanges(b.parameter);
   return a.sensor == b.sensor && (of_ranges || (isLandmarkOffset(a) && isLandmarkOffset(b)) ||
                                   (isMapError(a) && isMapError(b) && a.landmark == b.landmark));

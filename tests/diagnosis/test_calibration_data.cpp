@@ -1,0 +1,35 @@
+#include "mrpt_ext/diagnosis/calibration_data.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace mrpt_ext::test_calibration_data
+{
+namespace
+{
+bool has(const std::vector<CalibrationUnknown>& unknowns, CalibrationParameter kind)
+{
+  return std::any_of(unknowns.begin(), unknowns.end(),
+                     [&](const CalibrationUnknown& unknown) { return unknown.parameter == kind; });
+}
+}  // namespace
+
+TEST(CalibrationUnknowns, CommandsAreNotFollowedOnArcsWhereWheelsAndGyroscopesDrift)
+{
+  const LocalizationInput input;
+  CalibrationData data;
+  data.problem.odometry = {{0, {}}, {1, {1, 0, 0}}};
+  for (const bool commanded : {false, true})
+  {
+    data.commanded = commanded;
+    const std::vector<CalibrationUnknown> unknowns = calibrationUnknowns(input, data);
+    EXPECT_TRUE(has(unknowns, CalibrationParameter::distance_scale));
+    EXPECT_TRUE(has(unknowns, CalibrationParameter::veer));
+    EXPECT_EQ(has(unknowns, CalibrationParameter::distance_per_turn), commanded);
+    EXPECT_EQ(has(unknowns, CalibrationParameter::drift), !commanded);
+  }
+  data.problem.odometry.clear();
+  EXPECT_TRUE(calibrationUnknowns(input, data).empty());
+}
+}  // namespace mrpt_ext::test_calibration_data
