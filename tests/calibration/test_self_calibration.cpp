@@ -50,6 +50,8 @@ double trueValue(const DrivePlan& plan, Kind kind)
       return plan.distance_per_turn;
     case Kind::rotation_scale:
       return plan.rotation_scale;
+    case Kind::pivot_scale:
+      return plan.pivot_scale;
     case Kind::veer:
       return plan.veer;
     case Kind::lever_arm_x:
@@ -158,6 +160,25 @@ TEST(CalibrationResult, ARobotThatFallsBehindOnArcsIsToldFromOneThatAlwaysDoes)
   if (testing::isShort()) return;  // too few runs for the bounds
   EXPECT_GT(consistency, 0.5);
   EXPECT_LT(consistency, 1.6);
+}
+
+TEST(CalibrationResult, ArcsThatTurnLessThanTurnsInPlaceAreTold)
+{
+  DrivePlan plan;
+  plan.rests = plan.pivots = true;
+  plan.std_distance_per_root_s = 0.001;
+  plan.rotation_scale = -0.3;
+  plan.pivot_scale = 0.32;
+  const std::vector<CalibrationUnknown> unknowns{{Kind::distance_scale}, {Kind::rotation_scale}, {Kind::pivot_scale}};
+  const double consistency = meanSquareOverVariance(plan, unknowns, testing::runsOfTest(6));
+  plan.pivots = false;
+  RandomStream random(1, 7);
+  const CalibrationResult without = calibrate(recordedDrive(plan, random), unknowns);
+  EXPECT_FALSE(errorOf(without, Kind::pivot_scale).observable);
+  EXPECT_NEAR(errorOf(without, Kind::rotation_scale).value, plan.rotation_scale, 0.01);
+  if (testing::isShort()) return;  // too few runs for the bounds
+  EXPECT_GT(consistency, 0.4);
+  EXPECT_LT(consistency, 1.8);
 }
 
 TEST(CalibrationResult, AreFoundFromOneRangeAtATime)

@@ -22,7 +22,8 @@ const std::vector<CalibrationUnknown> kTerms{{CalibrationParameter::delay},
                                              {CalibrationParameter::landmark_y, 0, 1},
                                              {CalibrationParameter::bearing_scale},
                                              {CalibrationParameter::range_axis},
-                                             {CalibrationParameter::distance_per_turn}};
+                                             {CalibrationParameter::distance_per_turn},
+                                             {CalibrationParameter::pivot_scale}};
 constexpr double kStep = 1e-5;
 
 Pose2 moved(const Pose2& pose, int axis, double by)
@@ -33,15 +34,15 @@ Pose2 moved(const Pose2& pose, int axis, double by)
 /// A drive without noise, its poses a little off, with some errors set.
 struct Scene
 {
-  testing::DrivePlan plan{.field_of_view = degToRad(120.0)};
+  testing::DrivePlan plan{.field_of_view = degToRad(120.0), .rests = true, .pivots = true};
   RandomStream random{2};
   CalibrationProblem problem = testing::recordedDrive(plan, random);
   TrajectoryModel model{problem, kTerms};
 
   Scene()
   {
-    Eigen::VectorXd errors(15);
-    errors << 0.1, 0.02, 0.3, 0.05, -0.06, 0.08, 0.04, 0.01, 0.07, -0.05, 0.2, -0.1, -0.03, 0.04, -0.06;
+    Eigen::VectorXd errors(16);
+    errors << 0.1, 0.02, 0.3, 0.05, -0.06, 0.08, 0.04, 0.01, 0.07, -0.05, 0.2, -0.1, -0.03, 0.04, -0.06, 0.15;
     model.setErrors(errors);
   }
   [[nodiscard]] Eigen::VectorXd with(int term, double by) const
@@ -65,7 +66,7 @@ TEST(TrajectoryModel, DerivativesOfReadingsAreTheirDifferences)
     for (int axis = 0; axis < 3; ++axis)
       EXPECT_NEAR(row.own[axis],
                   (predictedAt(moved(pose, axis, kStep)) - predictedAt(moved(pose, axis, -kStep))) / (2 * kStep), 1e-3);
-    for (int term = 1; term < 15; ++term)  // the delay is a difference itself
+    for (int term = 1; term < 16; ++term)  // the delay is a difference itself
     {
       TrajectoryModel plus = scene.model, minus = scene.model;
       plus.setErrors(scene.with(term, kStep));
@@ -95,7 +96,7 @@ TEST(TrajectoryModel, DerivativesOfLinksAreTheirDifferences)
       EXPECT_LT((row.own.col(axis) - by_before).norm(), 1e-6 * unit);
       EXPECT_LT((row.next.col(axis) - by_pose).norm(), 1e-6 * unit);
     }
-    for (int term = 0; term < 15; ++term)
+    for (int term = 0; term < 16; ++term)
     {
       TrajectoryModel plus = scene.model, minus = scene.model;
       plus.setErrors(scene.with(term, kStep));
@@ -115,7 +116,7 @@ TEST(TrajectoryModel, MotionIsTheInverseOfALink)
     const Pose2 before = scene.problem.poses[k - 1].pose;
     const MotionPrediction motion = scene.model.motion(k);
     EXPECT_LT(scene.model.linkResidual(k, before, compose(before, motion.moved)).norm(), 1e-6);
-    for (const int term : {4, 5, 6, 7, 14})
+    for (const int term : {4, 5, 6, 7, 14, 15})
     {
       TrajectoryModel plus = scene.model, minus = scene.model;
       plus.setErrors(scene.with(term, kStep));

@@ -81,6 +81,7 @@ TEST(KeyDefaults, OfTheMotionModelAreThoseOfItsStruct)
   EXPECT_EQ(odometry.scale, none.scale);
   EXPECT_EQ(odometry.distance_per_turn, none.distance_per_turn);
   EXPECT_EQ(odometry.rotation_scale, none.rotation_scale);
+  EXPECT_EQ(odometry.pivot_scale, none.pivot_scale);
   EXPECT_EQ(odometry.yaw, none.yaw);
   EXPECT_EQ(odometry.turn_per_m, none.turn_per_m);
   EXPECT_EQ(odometry.turn_per_s, none.turn_per_s);

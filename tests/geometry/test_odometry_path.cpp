@@ -120,6 +120,14 @@ TEST(OdometryPath, DistancePerTurnCountsOnArcsOfEitherSide)
   EXPECT_NEAR(OdometryPath(records, {.distance_per_turn = 0.4}).between(3, 4).path_length, 1.2, 1e-12);
 }
 
+TEST(OdometryPath, ScalesTurnsInPlaceApart)
+{
+  const std::vector<OdometryRecord> records{{0, {0, 0, 0}}, {1, {0, 0, 0.5}}, {2, {0, 1, 1.5}}};
+  const OdometryPath path(records, {.rotation_scale = 0.5, .pivot_scale = 4});
+  EXPECT_NEAR(path.between(0, 1).increment.phi, 1, 1e-12);
+  EXPECT_NEAR(path.between(1, 2).increment.phi, 0.5, 1e-12);
+}
+
 TEST(OdometryPath, TurnPerMetreGrowsWithTheDistance)
 {
   const std::vector<OdometryRecord> straight{{0, {0, 0, 0}}, {1, {2, 0, 0}}, {2, {2, 0, 0}}, {3, {3, 0, 0}}};

@@ -87,6 +87,7 @@ class UncalibratedLog
     const double noise = odometry.std_xy_per_m / stated.std_xy_per_m;
     return {{"odometry_scale", 1 / (1 + odometry.scale_error)},
             {"odometry_rotation_scale", 1 / (1 + odometry.rotation_scale_error)},
+            {"odometry_pivot_scale", 1},
             {"odometry_distance_per_deg_m", 0},
             {"odometry_turn_per_m_deg", radToDeg(odometry.veer)},
             {"odometry_turn_per_s_deg", -radToDeg(odometry.drift) / (1 + odometry.rotation_scale_error)},

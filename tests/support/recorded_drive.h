@@ -31,16 +31,20 @@ struct DrivePlan
   double distance_per_turn = 0;  // [m/rad]
   bool evenly = false;           // on a circle, at one speed
   bool rests = false;            // for ten seconds of every thirty
+  bool pivots = false;           // it turns once in place while it rests
+  double pivot_scale = 0;
 };
 
 /// True pose at `time`.
 inline Pose2 driveAt(const DrivePlan& plan, double time)
 {
   constexpr double kCycle = 30, kDrives = 20;  // [s]
+  double turned = 0;
   if (plan.rests)
   {
-    const double cycles = std::floor(time / kCycle);
-    time = cycles * kDrives + std::min(time - cycles * kCycle, kDrives);
+    const double cycles = std::floor(time / kCycle), since = time - cycles * kCycle;
+    if (plan.pivots) turned = kTwoPi * std::max(0.0, since - kDrives) / (kCycle - kDrives);
+    time = cycles * kDrives + std::min(since, kDrives);
   }
   if (plan.evenly)
   {
@@ -51,7 +55,7 @@ inline Pose2 driveAt(const DrivePlan& plan, double time)
   const double size = 2.5, omega = plan.speed / size;
   const double s = omega * time + 0.35 * std::sin(plan.weave * time);
   const double x = size * std::sin(s), y = size * std::sin(s) * std::cos(s);
-  return {x, y, std::atan2(std::cos(2 * s), std::cos(s))};
+  return {x, y, wrap(std::atan2(std::cos(2 * s), std::cos(s)) + turned)};
 }
 
 /// How late the next range to a landmark is that was `late` [m] before: bursts of twenty readings.
@@ -81,7 +85,7 @@ inline CalibrationProblem recordedDrive(const DrivePlan& plan, RandomStream& ran
     const double along = step.x + distance_noise * random.gaussian(),
                  across = step.y + distance_noise * random.gaussian();
     const double turn = (step.phi - plan.veer * length - plan.drift / kOdometryRate + turn_noise * random.gaussian()) /
-                        (1 + plan.rotation_scale);
+                        (1 + plan.rotation_scale + (length < 1e-9 ? plan.pivot_scale : 0));
     const double shorter = length > 0 ? plan.distance_per_turn * std::abs(turn) / length : 0;
     reckoned = compose(reckoned, {along / (1 + plan.distance_scale) - shorter * step.x,
                                   across / (1 + plan.distance_scale) - shorter * step.y, turn});

@@ -27,6 +27,7 @@ enum class CalibrationParameter
   distance_scale,   ///< true distance = (1 + scale) (distance by odometry + distance_per_turn * turn on arcs)
   distance_per_turn,  ///< [m/rad] of turn to either side while the robot drives
   rotation_scale,     ///< true rotation = (1 + scale) rotation by odometry + veer * distance + drift * time
+  pivot_scale,        ///< ... with (1 + scale + this) where the robot turns in place
   veer,               ///< [rad/m] to the left
   drift               ///< [rad/s] to the left
 };

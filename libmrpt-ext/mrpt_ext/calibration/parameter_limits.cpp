@@ -45,6 +45,7 @@ double priorStd(const CalibrationProblem& problem, const CalibrationUnknown& unk
       return typical(problem, unknown.sensor, &CalibrationReading::std);
     case CalibrationParameter::distance_scale:
     case CalibrationParameter::rotation_scale:
+    case CalibrationParameter::pivot_scale:
     case CalibrationParameter::range_scale:
     case CalibrationParameter::veer:
       return 0.3;
@@ -85,6 +86,7 @@ double largestUsefulStd(const CalibrationProblem& problem, const CalibrationUnkn
       return degToRad(1.0);
     case CalibrationParameter::distance_scale:
     case CalibrationParameter::rotation_scale:
+    case CalibrationParameter::pivot_scale:
       return 0.1;
     case CalibrationParameter::range_height:
       break;  // a mistake in the map, which is no value of the configuration

@@ -57,12 +57,14 @@ TrajectoryModel::TrajectoryModel(const CalibrationProblem& problem, std::vector<
                   : kind == CalibrationParameter::distance_scale    ? distance_scale_
                   : kind == CalibrationParameter::distance_per_turn ? distance_per_turn_
                   : kind == CalibrationParameter::rotation_scale    ? rotation_scale_
+                  : kind == CalibrationParameter::pivot_scale       ? pivot_scale_
                   : kind == CalibrationParameter::veer              ? veer_
                                                                     : drift_;
     number = static_cast<int>(k);
   }
   for (std::size_t k = 0; k < problem_.poses.size(); ++k)
-    measured_.push_back(k == 0 ? OdometryMotion{} : path_.between(problem_.poses[k - 1].time, problem_.poses[k].time));
+    measured_.push_back(k == 0 ? MeasuredMotion{}
+                               : measuredMotion(path_.between(problem_.poses[k - 1].time, problem_.poses[k].time)));
   setOdometryScatter(odometry_scatter_);
 }
 
@@ -84,16 +86,28 @@ Matrix3d TrajectoryModel::linkCovariance(std::size_t k, MotionNoise noise) const
   return whitened * (*problem_.poses[k].since_previous)[noise] * whitening_[k].transpose();
 }
 
+TrajectoryModel::MeasuredMotion TrajectoryModel::measuredMotion(const OdometryMotion& motion)
+{
+  const PathMoments moments = momentsOf(motion);
+  const double on_arcs = std::abs(moments.by_arc.z()), in_place = std::abs(moments.by_turn.z() - moments.by_arc.z());
+  return {motion.increment, moments.along_arcs, in_place > 0 ? in_place / (in_place + on_arcs) : 0};
+}
+
 Vector2d TrajectoryModel::furtherOnArcs(std::size_t k) const
 {
-  return valueOf(distance_per_turn_) * momentsOf(measured_[k]).along_arcs;
+  return valueOf(distance_per_turn_) * measured_[k].along_arcs;
+}
+
+double TrajectoryModel::turnScale(std::size_t k) const
+{
+  return 1 + valueOf(rotation_scale_) + valueOf(pivot_scale_) * measured_[k].in_place;
 }
 
 /// The chord of an arc turns by half of what its end turns.
 Pose2 TrajectoryModel::predictOdometry(std::size_t k, const Pose2& moved) const
 {
   const double unseen = valueOf(veer_) * moved.position().norm() + valueOf(drift_) * durationOf(k);
-  const double turn = (moved.phi - unseen) / (1 + valueOf(rotation_scale_));
+  const double turn = (moved.phi - unseen) / turnScale(k);
   const Vector2d driven = rotation(0.5 * (turn - moved.phi)) * moved.position() / (1 + valueOf(distance_scale_));
   const Vector2d chord = driven - furtherOnArcs(k);
   return {chord.x(), chord.y(), turn};
@@ -165,8 +179,7 @@ MotionPrediction TrajectoryModel::motion(std::size_t k) const
   const Pose2& logged = measured_[k].increment;
   const Vector2d driven = logged.position() + furtherOnArcs(k);
   const double distance = 1 + valueOf(distance_scale_), length = distance * driven.norm();
-  const double turn =
-      (1 + valueOf(rotation_scale_)) * logged.phi + valueOf(veer_) * length + valueOf(drift_) * durationOf(k);
+  const double turn = turnScale(k) * logged.phi + valueOf(veer_) * length + valueOf(drift_) * durationOf(k);
   const Matrix2d swung = distance * rotation(0.5 * (turn - logged.phi));
   const Vector2d chord = swung * driven;
   MotionPrediction motion{{chord.x(), chord.y(), turn}, {}};
@@ -178,11 +191,12 @@ MotionPrediction TrajectoryModel::motion(std::size_t k) const
         Vector3d(chord.x(), chord.y(), 0) / distance + turned(valueOf(veer_) * length / distance);
   if (distance_per_turn_ >= 0)
   {
-    const Vector2d by_arcs = momentsOf(measured_[k]).along_arcs, further = swung * by_arcs;
+    const Vector2d by_arcs = measured_[k].along_arcs, further = swung * by_arcs;
     const double longer = distance * by_arcs.dot(driven.stableNormalized());
     motion.shared.col(distance_per_turn_) = Vector3d(further.x(), further.y(), 0) + turned(valueOf(veer_) * longer);
   }
   if (rotation_scale_ >= 0) motion.shared.col(rotation_scale_) = turned(logged.phi);
+  if (pivot_scale_ >= 0) motion.shared.col(pivot_scale_) = turned(measured_[k].in_place * logged.phi);
   if (veer_ >= 0) motion.shared.col(veer_) = turned(length);
   if (drift_ >= 0) motion.shared.col(drift_) = turned(durationOf(k));
   return motion;
@@ -199,8 +213,7 @@ OdometryResidual TrajectoryModel::link(std::size_t k, const Pose2& before, const
 {
   const Pose2 moved = between(before, pose), predicted = predictOdometry(k, moved);
   const Vector2d driven = predicted.position() + furtherOnArcs(k), swing = perpendicular(driven);
-  const double length = moved.position().norm(), distance = 1 + valueOf(distance_scale_),
-               turn = 1 + valueOf(rotation_scale_);
+  const double length = moved.position().norm(), distance = 1 + valueOf(distance_scale_), turn = turnScale(k);
 
   const Matrix2d R = rotation(-before.phi);
   Matrix3d moved_by_before = -Matrix3d::Identity(), moved_by_pose = Matrix3d::Identity();
@@ -226,10 +239,12 @@ OdometryResidual TrajectoryModel::link(std::size_t k, const Pose2& before, const
     row.shared.col(distance_scale_) = whitening_[k] * Vector3d(-driven.x() / distance, -driven.y() / distance, 0);
   if (distance_per_turn_ >= 0)
   {
-    const Vector2d by_arcs = momentsOf(measured_[k]).along_arcs;
+    const Vector2d by_arcs = measured_[k].along_arcs;
     row.shared.col(distance_per_turn_) = whitening_[k] * Vector3d(-by_arcs.x(), -by_arcs.y(), 0);
   }
   if (rotation_scale_ >= 0) row.shared.col(rotation_scale_) = whitening_[k] * turned(-predicted.phi / turn);
+  if (pivot_scale_ >= 0)
+    row.shared.col(pivot_scale_) = whitening_[k] * turned(-measured_[k].in_place * predicted.phi / turn);
   if (veer_ >= 0) row.shared.col(veer_) = whitening_[k] * turned(-length / turn);
   if (drift_ >= 0) row.shared.col(drift_) = whitening_[k] * turned(-durationOf(k) / turn);
   return row;

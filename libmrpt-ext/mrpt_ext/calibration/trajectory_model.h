@@ -65,11 +65,21 @@ class TrajectoryModel
         range_scale = -1, range_axis = -1;
     std::vector<int> landmark_offsets;  // by landmark, up to the last that has one
   };
+  /// By odometry, since the pose before.
+  struct MeasuredMotion
+  {
+    Pose2 increment;
+    Vector2d along_arcs{0, 0};  // [rad] see PathMoments
+    double in_place = 0;        // share of its turns
+  };
+  [[nodiscard]] static MeasuredMotion measuredMotion(const OdometryMotion& motion);
   [[nodiscard]] double valueOf(int term) const { return term < 0 ? 0 : values_[term]; }
   /// How much further than measured the robot drives on arcs between pose `k - 1` and pose `k`, in axes of the former.
   [[nodiscard]] Vector2d furtherOnArcs(std::size_t k) const;
   /// Odometry that a motion between pose `k - 1` and pose `k` should give.
   [[nodiscard]] Pose2 predictOdometry(std::size_t k, const Pose2& moved) const;
+  /// True turn between pose `k - 1` and pose `k` over the measured one.
+  [[nodiscard]] double turnScale(std::size_t k) const;
   [[nodiscard]] double durationOf(std::size_t k) const { return problem_.poses[k].time - problem_.poses[k - 1].time; }
   /// Motion by odometry from the stamp to `late` [s] before it.
   [[nodiscard]] Pose2 backBy(double time, double late) const;
@@ -78,10 +88,10 @@ class TrajectoryModel
   std::vector<CalibrationUnknown> unknowns_;
   std::vector<SensorTerms> of_sensor_;
   std::vector<int> landmark_x_, landmark_y_;  // by landmark, up to the last that has one
-  int distance_scale_ = -1, distance_per_turn_ = -1, rotation_scale_ = -1, veer_ = -1,
+  int distance_scale_ = -1, distance_per_turn_ = -1, rotation_scale_ = -1, pivot_scale_ = -1, veer_ = -1,
       drift_ = -1;  // numbers of their unknowns
   OdometryPath path_;
-  std::vector<OdometryMotion> measured_;  // by odometry, since the pose before
+  std::vector<MeasuredMotion> measured_;
   PerMotionNoise<double> odometry_scatter_{1, 1};
   std::vector<Matrix3d> whitening_;  // of each link
   Eigen::VectorXd values_;

@@ -178,6 +178,7 @@ LocalizationConfig localizationConfig(const Settings& settings, const LandmarkTa
                    .odometry = {.scale = settings.number(kMotion, "odometry_scale"),
                                 .distance_per_turn = radToDeg(settings.number(kMotion, "odometry_distance_per_deg_m")),
                                 .rotation_scale = settings.number(kMotion, "odometry_rotation_scale"),
+                                .pivot_scale = settings.number(kMotion, "odometry_pivot_scale"),
                                 .yaw = settings.radians(kMotion, "odometry_yaw_deg"),
                                 .turn_per_m = settings.radians(kMotion, "odometry_turn_per_m_deg"),
                                 .turn_per_s = settings.radians(kMotion, "odometry_turn_per_s_deg"),

@@ -149,6 +149,8 @@ KeyTable motionKeys()
               "Distance that odometry misses per degree that the robot turns while it drives, to either side. Negative "
               "where it falls behind commanded velocities on arcs.")
       .number("odometry_rotation_scale", "", odometry.rotation_scale, ranges::kPositive, "Factor on measured turns.")
+      .number("odometry_pivot_scale", "", odometry.pivot_scale, ranges::kPositive,
+              "Factor on measured turns in place, beside odometry_rotation_scale.")
       .degrees("odometry_yaw_deg", "deg", odometry.yaw, {-360, 360},
                "How far the x axis of odometry is turned on the robot, to the left. Where the robot drives straight "
                "ahead by odometry it goes that much to the left.")

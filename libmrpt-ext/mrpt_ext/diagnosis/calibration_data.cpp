@@ -262,7 +262,7 @@ std::vector<CalibrationUnknown> calibrationUnknowns(const LocalizationInput& inp
   std::set<std::size_t> bearings, ranges, placed;
   for (const CalibrationReading& r : data.problem.readings) (r.is_range ? ranges : bearings).insert(r.sensor);
   std::vector<CalibrationUnknown> unknowns;
-  if (moving) unknowns = {{distance_scale}, {rotation_scale}, {veer}};
+  if (moving) unknowns = {{distance_scale}, {rotation_scale}, {pivot_scale}, {veer}};
   // A robot falls behind its commands on arcs, and stands still when told to; gyroscopes drift. (Where odometry is
   // measured, noise would be turns.)
   if (moving) unknowns.push_back({data.commanded ? distance_per_turn : drift});

@@ -1,32 +1,14 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "mrpt_ext/calibration/self_calibration.h"
 #include "mrpt_ext/diagnosis/calibration_data.h"
-#include "mrpt_ext/geometry/bias_model.h"
-#include "mrpt_ext/settings/ini_edit.h"
+#include "mrpt_ext/diagnosis/calibration_finding.h"
 
 namespace mrpt_ext
 {
-/// A value of the configuration beside its estimate from the log.
-struct CalibrationFinding
-{
-  std::string what;  ///< "camera: bearings too large by"
-  std::string unit;  ///< of the three numbers, as in the .ini
-  double configured = 0;
-  double estimate = 0;  ///< from the log
-  double std = 0;       ///< of the estimate
-  int decimals = 3;
-  bool is_flag = false;            ///< values are 0: no, or 1: yes
-  std::string why_not_observable;  ///< empty: observable
-  IniAssignment line;              ///< that sets the estimate
-  bool differs = false;            ///< significantly: the line should be set
-  std::string remark;              ///< in place of the line: what no line can set
-};
-
 /// The errors that were found on top of the configured corrections, as values of the configuration. Where [Bias] or
 /// [Sensor_<label>] states the mean of an estimated error, that mean is reported. Only the difference of two clocks is
 /// observable: it is attributed to odometry where that is commanded, or the configuration does so, and there is one

@@ -77,6 +77,7 @@ std::string finding(const RegressedError& error, const std::string& sensor)
     case CalibrationParameter::bearing_scale:
     case CalibrationParameter::range_axis:
     case CalibrationParameter::distance_per_turn:
+    case CalibrationParameter::pivot_scale:
     case CalibrationParameter::landmark_offset:
     case CalibrationParameter::landmark_x:
     case CalibrationParameter::landmark_y:

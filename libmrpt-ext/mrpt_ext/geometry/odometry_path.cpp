@@ -15,13 +15,17 @@ Pose2 poseAt(const Trajectory& odometry, double time)
   return interpolate(odometry, inside, std::numeric_limits<double>::infinity())->pose;
 }
 
-/// True distance of a step over the measured one, where a robot that turns while it drives goes `per_turn` [m/rad]
-/// further. It does not go back instead.
-double distanceOnArcs(const Pose2& step, double per_turn)
+/// Displacement and turn of a measured step, corrected; what is missed by distance and time is not added.
+Pose2 scaledStep(const Pose2& step, const OdometryCorrection& correction)
 {
   const double length = step.position().norm(), turned = std::abs(step.phi);
-  const bool is_arc = length > 0 && isArc({.increment = step, .length = length, .turned = turned});
-  return is_arc ? std::max(0.0, 1 + per_turn * turned / length) : 1;
+  double scale = correction.scale, turn_scale = correction.rotation_scale;
+  if (!isArc({.increment = step, .length = length, .turned = turned}))
+    turn_scale *= correction.pivot_scale;
+  else
+    scale *= std::max(0.0, 1 + correction.distance_per_turn * turned / length);  // no robot goes back because it turns
+  const Vector2d moved = scale * rotation(correction.yaw) * step.position();
+  return {moved.x(), moved.y(), turn_scale * step.phi};
 }
 }  // namespace
 
@@ -52,13 +56,8 @@ void OdometryPath::appendStep(const OdometryRecord& record, bool is_jump)
     turned_.push_back(0);
     return;
   }
-  Pose2 step = is_jump ? Pose2{} : mrpt_ext::between(before.pose, record.pose);
-  const double scale = correction_.scale * distanceOnArcs(step, correction_.distance_per_turn);
-  const Vector2d moved = scale * rotation(correction_.yaw) * step.position();
-  step.x = moved.x();
-  step.y = moved.y();
-  step.phi = correction_.rotation_scale * step.phi + correction_.turn_per_m * step.position().norm() +
-             correction_.turn_per_s * (record.time - before.time);
+  Pose2 step = is_jump ? Pose2{} : scaledStep(mrpt_ext::between(before.pose, record.pose), correction_);
+  step.phi += correction_.turn_per_m * step.position().norm() + correction_.turn_per_s * (record.time - before.time);
   length_.push_back(length_.back() + step.position().norm());
   turned_.push_back(turned_.back() + std::abs(step.phi));
   path_.push_back({record.time + correction_.delay, compose(path_.back().pose, step), true});

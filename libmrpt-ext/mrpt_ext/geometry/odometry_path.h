@@ -16,6 +16,7 @@ struct OdometryCorrection
   double scale = 1;              ///< factor on distances
   double distance_per_turn = 0;  ///< [m/rad] added to the distance per radian turned while driving
   double rotation_scale = 1;     ///< factor on rotations
+  double pivot_scale = 1;        ///< factor on rotations in place, beside rotation_scale
   double yaw = 0;                ///< [rad] of the x axis of odometry on the robot, to the left
   double turn_per_m = 0;         ///< [rad/m] added to the heading per metre driven
   double turn_per_s = 0;         ///< [rad/s] added to the heading per second
