@@ -123,6 +123,26 @@ TEST(CalibrationChoice, DistancesAndThoseOnArcsAreAdoptedTogether)
   }
 }
 
+TEST(CalibrationChoice, TurnsInPlaceAreApartWhereTheyErrByThemselves)
+{
+  DrivePlan plan;
+  plan.duration = 240;
+  plan.landmarks_seen = 1;
+  plan.rate = 2;
+  plan.rests = plan.pivots = true;
+  plan.std_distance_per_root_s = 0.001;
+  const std::vector<CalibrationUnknown> unknowns{{Kind::distance_scale}, {Kind::rotation_scale}, {Kind::pivot_scale}};
+  for (const double loss : {0.0, 0.2})
+  {
+    plan.rotation_scale = -0.04 - loss;
+    plan.pivot_scale = loss;
+    const CalibrationChoice choice = chooseCalibration(recorded(plan, 2), unknowns, {});
+    EXPECT_TRUE(has(choice, Kind::rotation_scale)) << loss;
+    EXPECT_EQ(has(choice, Kind::pivot_scale), loss > 0) << loss;
+    EXPECT_FALSE(has(choice, Kind::distance_scale)) << loss;
+  }
+}
+
 // Few ranges to four radios around a room hardly tell an offset from a scale.
 TEST(CalibrationChoice, OfOffsetAndScaleOneMayStayAlone)
 {

@@ -134,7 +134,7 @@ class ChoiceSearch
 
   /// True when the second half is predicted better with all systematic errors than without any. One of them then stays
   /// unless it harms: those that are much alike (a scale, an offset, an axis) take each other's part when one is left
-  /// out, so that none of them seems to pay. Not so lever arms, which the filters know to be uncertain.
+  /// out, so that none of them seems to pay. Not so those that have to pay alone.
   [[nodiscard]] bool payTogether(const std::vector<double>& best) const
   {
     std::vector<ChoicePart> others = parts_;
@@ -187,7 +187,7 @@ class ChoiceSearch
   [[nodiscard]] double neededGain(const ChoicePart& part) const
   {
     if (isOfMap(part)) return kSurveyed;
-    if (together_ && isSystematic(part) && !isPlaceError(unknowns_[part.errors.front()])) return kHarms;
+    if (together_ && isSystematic(part) && !paysAlone(unknowns_[part.errors.front()])) return kHarms;
     return isOfLandmarks(part) ? kPays : std::clamp(kBeyondDoubt - strengthOf(part, found_), 0.0, kPays);
   }
 

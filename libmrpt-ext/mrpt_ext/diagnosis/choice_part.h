@@ -31,6 +31,12 @@ struct ChoicePart
 }
 [[nodiscard]] constexpr bool isMapError(const CalibrationUnknown& unknown) { return isOfMap(unknown.parameter); }
 [[nodiscard]] constexpr bool isPlaceError(const CalibrationUnknown& unknown) { return isLeverArm(unknown.parameter); }
+/// True for errors that have to pay by themselves: lever arms, which the filters know to be uncertain, and turns in
+/// place that err by themselves, which is rare, and then tell little of the other turns.
+[[nodiscard]] constexpr bool paysAlone(const CalibrationUnknown& unknown)
+{
+  return isPlaceError(unknown) || unknown.parameter == CalibrationParameter::pivot_scale;
+}
 /// True for what makes ranges of a sensor wrong, whatever their landmark.
 [[nodiscard]] constexpr bool isRangeError(const CalibrationUnknown& unknown)
 {

@@ -14,25 +14,30 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kShared = 3;  // standard deviations of what the landmarks of a sensor share
+constexpr double kTellsApart = 3;  // standard deviations of what landmarks share, and of what turns in place differ by
 
 /// All errors together, as `found` if they are estimated already. Where the landmarks of a sensor differ too much to
-/// tell what they share, nothing is taken from their own offsets for that.
+/// tell what they share, nothing is taken from their own offsets for that. Turns in place that hardly differ from
+/// others tell the scale of all.
 CalibrationResult calibrateLog(const CalibrationData& data, const std::vector<CalibrationUnknown>& unknowns,
                                std::optional<CalibrationResult> found)
 {
   const CalibrationResult all = found ? std::move(*found) : calibrate(data.problem, unknowns);
+  const auto is_significant = [](const ParameterEstimate& error)
+  { return std::abs(error.value) > kTellsApart * error.std; };
   std::set<std::size_t> of_landmarks, shares;  // sensors
+  bool pivots = false;
   for (const ParameterEstimate& error : all.errors)
   {
     if (isOfLandmark(error.unknown.parameter)) of_landmarks.insert(error.unknown.sensor);
-    if (isOfAllRanges(error.unknown.parameter) && std::abs(error.value) > kShared * error.std)
-      shares.insert(error.unknown.sensor);
+    if (isOfAllRanges(error.unknown.parameter) && is_significant(error)) shares.insert(error.unknown.sensor);
+    pivots = pivots || (error.unknown.parameter == CalibrationParameter::pivot_scale && is_significant(error));
   }
   const auto is_untold = [&](const CalibrationUnknown& unknown)
   {
-    return isOfAllRanges(unknown.parameter) && of_landmarks.contains(unknown.sensor) &&
-           !shares.contains(unknown.sensor);
+    const bool by_landmark = isOfAllRanges(unknown.parameter) && of_landmarks.contains(unknown.sensor);
+    return (by_landmark && !shares.contains(unknown.sensor)) ||
+           (unknown.parameter == CalibrationParameter::pivot_scale && !pivots);
   };
   std::vector<std::size_t> told;
   for (std::size_t k = 0; k < unknowns.size(); ++k)
