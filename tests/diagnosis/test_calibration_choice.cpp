@@ -6,13 +6,15 @@
 #include <map>
 
 #include "mrpt_ext/diagnosis/adopted_findings.h"
-#include "recorded_drive.h"
+#include "recorded_choice.h"
 
 namespace mrpt_ext::test_calibration_choice
 {
 namespace
 {
 using testing::DrivePlan;
+using testing::has;
+using testing::recorded;
 using Kind = CalibrationParameter;
 
 /// Ranges by radio, for four minutes.
@@ -22,14 +24,6 @@ DrivePlan radios()
   plan.bearings = false;
   plan.duration = 240;
   return plan;
-}
-
-CalibrationData recorded(const DrivePlan& plan, int seed)
-{
-  RandomStream random(static_cast<std::uint64_t>(seed), 3);
-  CalibrationData data{.problem = testing::recordedDrive(plan, random), .sensors = {"uwb"}, .identified = {true}};
-  for (std::size_t i = 0; i < plan.landmarks.size(); ++i) data.ids.push_back(static_cast<int>(10 + i));
-  return data;
 }
 
 std::vector<CalibrationUnknown> unknownsOf(const DrivePlan& plan)
@@ -46,12 +40,6 @@ std::vector<CalibrationUnknown> withPlaces(const DrivePlan& plan)
   for (std::size_t i = 0; i < plan.landmarks.size(); ++i)
     for (const Kind kind : {Kind::landmark_x, Kind::landmark_y}) unknowns.push_back({kind, 0, i});
   return unknowns;
-}
-
-bool has(const CalibrationChoice& choice, Kind kind)
-{
-  return std::any_of(choice.errors.begin(), choice.errors.end(),
-                     [&](const CalibrationUnknown& unknown) { return unknown.parameter == kind; });
 }
 }  // namespace
 
@@ -99,48 +87,6 @@ TEST(CalibrationChoice, AnOffsetThatAllLandmarksShareIsAdoptedAsOne)
   EXPECT_TRUE(std::none_of(adopted.begin(), adopted.end(),
                            [](const CalibrationFinding& finding)
                            { return finding.line.key == "landmark_bias_range_m"; }));
-}
-
-TEST(CalibrationChoice, DistancesAndThoseOnArcsAreAdoptedTogether)
-{
-  DrivePlan plan;
-  plan.duration = 240;
-  plan.landmarks_seen = 1;
-  plan.rate = 2;
-  plan.std_distance_per_root_s = 0.005;
-  plan.std_turn_per_root_s = 0.002;
-  plan.distance_scale = 0.04;
-  plan.distance_per_turn = -0.08;
-  const std::vector<CalibrationUnknown> unknowns{
-      {Kind::distance_scale}, {Kind::rotation_scale}, {Kind::veer}, {Kind::distance_per_turn}, {Kind::delay}};
-  for (int seed = 1; seed <= 3; ++seed)
-  {
-    const CalibrationChoice choice = chooseCalibration(recorded(plan, seed), unknowns, {});
-    EXPECT_TRUE(has(choice, Kind::distance_scale)) << seed;
-    EXPECT_TRUE(has(choice, Kind::distance_per_turn)) << seed;
-    EXPECT_FALSE(has(choice, Kind::rotation_scale)) << seed;
-    EXPECT_FALSE(has(choice, Kind::veer)) << seed;
-  }
-}
-
-TEST(CalibrationChoice, TurnsInPlaceAreApartWhereTheyErrByThemselves)
-{
-  DrivePlan plan;
-  plan.duration = 240;
-  plan.landmarks_seen = 1;
-  plan.rate = 2;
-  plan.rests = plan.pivots = true;
-  plan.std_distance_per_root_s = 0.001;
-  const std::vector<CalibrationUnknown> unknowns{{Kind::distance_scale}, {Kind::rotation_scale}, {Kind::pivot_scale}};
-  for (const double loss : {0.0, 0.2})
-  {
-    plan.rotation_scale = -0.04 - loss;
-    plan.pivot_scale = loss;
-    const CalibrationChoice choice = chooseCalibration(recorded(plan, 2), unknowns, {});
-    EXPECT_TRUE(has(choice, Kind::rotation_scale)) << loss;
-    EXPECT_EQ(has(choice, Kind::pivot_scale), loss > 0) << loss;
-    EXPECT_FALSE(has(choice, Kind::distance_scale)) << loss;
-  }
 }
 
 // Few ranges to four radios around a room hardly tell an offset from a scale.
