@@ -18,9 +18,9 @@ TEST(ParameterLimits, WhatIsOfUseIsMoreThanWasKnown)
 {
   CalibrationProblem problem{.sensors = 1};
   problem.readings.push_back({.is_range = true, .value = 8});
-  for (const Kind kind :
-       {Kind::delay, Kind::lever_arm_x, Kind::bearing_offset, Kind::range_offset, Kind::range_scale,
-        Kind::bearing_scale, Kind::range_axis, Kind::distance_scale, Kind::rotation_scale, Kind::veer, Kind::drift})
+  for (const Kind kind : {Kind::delay, Kind::lever_arm_x, Kind::bearing_offset, Kind::range_offset, Kind::range_scale,
+                          Kind::bearing_scale, Kind::range_axis, Kind::distance_scale, Kind::rotation_scale, Kind::veer,
+                          Kind::drift, Kind::distance_per_turn, Kind::pivot_scale})
     EXPECT_LE(largestUsefulStd(problem, {kind}), 0.5 * priorStd(problem, {kind})) << static_cast<int>(kind);
   EXPECT_NEAR(largestUsefulStd(problem, {Kind::range_offset}), 0.4, 1e-12);
 }

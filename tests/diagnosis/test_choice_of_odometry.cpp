@@ -52,10 +52,29 @@ TEST(CalibrationChoice, TurnsInPlaceAreApartWhereTheyErrByThemselves)
   {
     plan.rotation_scale = -0.04 - loss;
     plan.pivot_scale = loss;
-    const CalibrationChoice choice = chooseCalibration(recorded(plan, 2), unknowns, {});
-    EXPECT_TRUE(has(choice, Kind::rotation_scale)) << loss;
-    EXPECT_EQ(has(choice, Kind::pivot_scale), loss > 0) << loss;
-    EXPECT_FALSE(has(choice, Kind::distance_scale)) << loss;
+    for (int seed = 1; seed <= 3; ++seed)
+    {
+      const CalibrationChoice choice = chooseCalibration(recorded(plan, seed), unknowns, {});
+      EXPECT_TRUE(has(choice, Kind::rotation_scale)) << loss;
+      EXPECT_EQ(has(choice, Kind::pivot_scale), loss > 0) << loss;
+      EXPECT_FALSE(has(choice, Kind::distance_scale)) << loss;
+    }
   }
+}
+
+// A circle tells how far the robot comes on it, and not whether that is due to the turn.
+TEST(CalibrationChoice, OnOneCurveTheScaleOfAllDistancesIsTold)
+{
+  DrivePlan plan = sparse();
+  plan.evenly = true;
+  plan.std_distance_per_root_s = 0.005;
+  plan.std_turn_per_root_s = 0.002;
+  plan.distance_scale = 0.04;
+  const std::vector<CalibrationUnknown> unknowns{
+      {Kind::distance_scale}, {Kind::rotation_scale}, {Kind::pivot_scale}, {Kind::distance_per_turn}};
+  const CalibrationChoice choice = chooseCalibration(recorded(plan, 1), unknowns, {});
+  EXPECT_TRUE(has(choice, Kind::distance_scale));
+  EXPECT_FALSE(has(choice, Kind::distance_per_turn));
+  EXPECT_FALSE(has(choice, Kind::pivot_scale));
 }
 }  // namespace mrpt_ext::test_choice_of_odometry

@@ -27,7 +27,7 @@ enum class CalibrationParameter
   distance_scale,   ///< true distance = (1 + scale) (distance by odometry + distance_per_turn * turn on arcs)
   distance_per_turn,  ///< [m/rad] of turn to either side while the robot drives
   rotation_scale,     ///< true rotation = (1 + scale) rotation by odometry + veer * distance + drift * time
-  pivot_scale,        ///< ... with (1 + scale + this) where the robot turns in place
+  pivot_scale,        ///< true rotation in place = (1 + scale + this) rotation by odometry
   veer,               ///< [rad/m] to the left
   drift               ///< [rad/s] to the left
 };
@@ -48,6 +48,12 @@ enum class CalibrationParameter
 [[nodiscard]] constexpr bool isOfDistances(CalibrationParameter parameter)
 {
   return parameter == CalibrationParameter::distance_scale || parameter == CalibrationParameter::distance_per_turn;
+}
+
+/// True for an error of odometry in one regime of motion, beside that of all.
+[[nodiscard]] constexpr bool isOfRegime(CalibrationParameter parameter)
+{
+  return parameter == CalibrationParameter::distance_per_turn || parameter == CalibrationParameter::pivot_scale;
 }
 
 [[nodiscard]] constexpr bool isLeverArm(CalibrationParameter parameter)

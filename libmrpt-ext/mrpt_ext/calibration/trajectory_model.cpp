@@ -89,8 +89,7 @@ Matrix3d TrajectoryModel::linkCovariance(std::size_t k, MotionNoise noise) const
 TrajectoryModel::MeasuredMotion TrajectoryModel::measuredMotion(const OdometryMotion& motion)
 {
   const PathMoments moments = momentsOf(motion);
-  const double on_arcs = std::abs(moments.by_arc.z()), in_place = std::abs(moments.by_turn.z() - moments.by_arc.z());
-  return {motion.increment, moments.along_arcs, in_place > 0 ? in_place / (in_place + on_arcs) : 0};
+  return {motion.increment, moments.along_arcs, moments.by_turn.z() - moments.by_arc.z()};
 }
 
 Vector2d TrajectoryModel::furtherOnArcs(std::size_t k) const
@@ -98,16 +97,15 @@ Vector2d TrajectoryModel::furtherOnArcs(std::size_t k) const
   return valueOf(distance_per_turn_) * measured_[k].along_arcs;
 }
 
-double TrajectoryModel::turnScale(std::size_t k) const
+double TrajectoryModel::unmeasuredTurn(std::size_t k, double length) const
 {
-  return 1 + valueOf(rotation_scale_) + valueOf(pivot_scale_) * measured_[k].in_place;
+  return valueOf(pivot_scale_) * measured_[k].in_place + valueOf(veer_) * length + valueOf(drift_) * durationOf(k);
 }
 
 /// The chord of an arc turns by half of what its end turns.
 Pose2 TrajectoryModel::predictOdometry(std::size_t k, const Pose2& moved) const
 {
-  const double unseen = valueOf(veer_) * moved.position().norm() + valueOf(drift_) * durationOf(k);
-  const double turn = (moved.phi - unseen) / turnScale(k);
+  const double turn = (moved.phi - unmeasuredTurn(k, moved.position().norm())) / (1 + valueOf(rotation_scale_));
   const Vector2d driven = rotation(0.5 * (turn - moved.phi)) * moved.position() / (1 + valueOf(distance_scale_));
   const Vector2d chord = driven - furtherOnArcs(k);
   return {chord.x(), chord.y(), turn};
@@ -179,7 +177,7 @@ MotionPrediction TrajectoryModel::motion(std::size_t k) const
   const Pose2& logged = measured_[k].increment;
   const Vector2d driven = logged.position() + furtherOnArcs(k);
   const double distance = 1 + valueOf(distance_scale_), length = distance * driven.norm();
-  const double turn = turnScale(k) * logged.phi + valueOf(veer_) * length + valueOf(drift_) * durationOf(k);
+  const double turn = (1 + valueOf(rotation_scale_)) * logged.phi + unmeasuredTurn(k, length);
   const Matrix2d swung = distance * rotation(0.5 * (turn - logged.phi));
   const Vector2d chord = swung * driven;
   MotionPrediction motion{{chord.x(), chord.y(), turn}, {}};
@@ -196,7 +194,7 @@ MotionPrediction TrajectoryModel::motion(std::size_t k) const
     motion.shared.col(distance_per_turn_) = Vector3d(further.x(), further.y(), 0) + turned(valueOf(veer_) * longer);
   }
   if (rotation_scale_ >= 0) motion.shared.col(rotation_scale_) = turned(logged.phi);
-  if (pivot_scale_ >= 0) motion.shared.col(pivot_scale_) = turned(measured_[k].in_place * logged.phi);
+  if (pivot_scale_ >= 0) motion.shared.col(pivot_scale_) = turned(measured_[k].in_place);
   if (veer_ >= 0) motion.shared.col(veer_) = turned(length);
   if (drift_ >= 0) motion.shared.col(drift_) = turned(durationOf(k));
   return motion;
@@ -213,7 +211,8 @@ OdometryResidual TrajectoryModel::link(std::size_t k, const Pose2& before, const
 {
   const Pose2 moved = between(before, pose), predicted = predictOdometry(k, moved);
   const Vector2d driven = predicted.position() + furtherOnArcs(k), swing = perpendicular(driven);
-  const double length = moved.position().norm(), distance = 1 + valueOf(distance_scale_), turn = turnScale(k);
+  const double length = moved.position().norm(), distance = 1 + valueOf(distance_scale_),
+               turn = 1 + valueOf(rotation_scale_);
 
   const Matrix2d R = rotation(-before.phi);
   Matrix3d moved_by_before = -Matrix3d::Identity(), moved_by_pose = Matrix3d::Identity();
@@ -243,8 +242,7 @@ OdometryResidual TrajectoryModel::link(std::size_t k, const Pose2& before, const
     row.shared.col(distance_per_turn_) = whitening_[k] * Vector3d(-by_arcs.x(), -by_arcs.y(), 0);
   }
   if (rotation_scale_ >= 0) row.shared.col(rotation_scale_) = whitening_[k] * turned(-predicted.phi / turn);
-  if (pivot_scale_ >= 0)
-    row.shared.col(pivot_scale_) = whitening_[k] * turned(-measured_[k].in_place * predicted.phi / turn);
+  if (pivot_scale_ >= 0) row.shared.col(pivot_scale_) = whitening_[k] * turned(-measured_[k].in_place / turn);
   if (veer_ >= 0) row.shared.col(veer_) = whitening_[k] * turned(-length / turn);
   if (drift_ >= 0) row.shared.col(drift_) = whitening_[k] * turned(-durationOf(k) / turn);
   return row;

@@ -70,7 +70,7 @@ class TrajectoryModel
   {
     Pose2 increment;
     Vector2d along_arcs{0, 0};  // [rad] see PathMoments
-    double in_place = 0;        // share of its turns
+    double in_place = 0;        // [rad] of its turn, what was turned in place
   };
   [[nodiscard]] static MeasuredMotion measuredMotion(const OdometryMotion& motion);
   [[nodiscard]] double valueOf(int term) const { return term < 0 ? 0 : values_[term]; }
@@ -78,8 +78,8 @@ class TrajectoryModel
   [[nodiscard]] Vector2d furtherOnArcs(std::size_t k) const;
   /// Odometry that a motion between pose `k - 1` and pose `k` should give.
   [[nodiscard]] Pose2 predictOdometry(std::size_t k, const Pose2& moved) const;
-  /// True turn between pose `k - 1` and pose `k` over the measured one.
-  [[nodiscard]] double turnScale(std::size_t k) const;
+  /// [rad] Turn between pose `k - 1` and pose `k` beside the scaled one, over `length` [m].
+  [[nodiscard]] double unmeasuredTurn(std::size_t k, double length) const;
   [[nodiscard]] double durationOf(std::size_t k) const { return problem_.poses[k].time - problem_.poses[k - 1].time; }
   /// Motion by odometry from the stamp to `late` [s] before it.
   [[nodiscard]] Pose2 backBy(double time, double late) const;

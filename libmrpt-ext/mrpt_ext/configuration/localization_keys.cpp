@@ -146,11 +146,12 @@ KeyTable motionKeys()
       .number("odometry_scale", "", odometry.scale, ranges::kPositive,
               "Factor on the measured distance (not on turns).")
       .number("odometry_distance_per_deg_m", "m", degToRad(odometry.distance_per_turn), ranges::kAny,
-              "Distance that odometry misses per degree that the robot turns while it drives, to either side. Negative "
-              "where it falls behind commanded velocities on arcs.")
+              "Distance that odometry misses per measured degree that the robot turns while it drives, to either side, "
+              "before odometry_scale. Negative where it falls behind commanded velocities on arcs.")
       .number("odometry_rotation_scale", "", odometry.rotation_scale, ranges::kPositive, "Factor on measured turns.")
       .number("odometry_pivot_scale", "", odometry.pivot_scale, ranges::kPositive,
-              "Factor on measured turns in place, beside odometry_rotation_scale.")
+              "Factor on measured turns in place, beside odometry_rotation_scale: on records of less than 0.1 m per "
+              "radian.")
       .degrees("odometry_yaw_deg", "deg", odometry.yaw, {-360, 360},
                "How far the x axis of odometry is turned on the robot, to the left. Where the robot drives straight "
                "ahead by odometry it goes that much to the left.")

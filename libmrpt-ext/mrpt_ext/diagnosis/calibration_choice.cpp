@@ -30,7 +30,7 @@ class ChoiceSearch
         noise_(data, config, first_half_, middle_)
   {
     first_half_ = calibrate(before_, unknowns);
-    if (first_half_.status == SolveStatus::ok) addParts();
+    if (first_half_.status == SolveStatus::ok) addParts(withToldRegimes(unknowns, first_half_, kPays));
   }
 
   [[nodiscard]] CalibrationChoice run()
@@ -51,9 +51,11 @@ class ChoiceSearch
   }
 
  private:
-  void addParts()
+  /// `numbers`: of the unknowns that come into question.
+  void addParts(const std::vector<std::size_t>& numbers)
   {
-    addErrors();
+    if (numbers.size() < unknowns_.size()) first_half_ = calibrateSome(before_, unknowns_, numbers, first_half_);
+    addErrors(numbers);
     dropUntold();
     for (std::size_t s = 0; s < data_.sensors.size(); ++s)
     {
@@ -65,9 +67,9 @@ class ChoiceSearch
       if (noise_.isOther(noise)) parts_.push_back({PartKind::odometry_noise, {}, 0, noise});
   }
 
-  void addErrors()
+  void addErrors(const std::vector<std::size_t>& numbers)
   {
-    for (std::size_t k = 0; k < unknowns_.size(); ++k)
+    for (const std::size_t k : numbers)
     {
       const ParameterEstimate& error = first_half_.errors[k];
       if (!error.observable && !isOfRadios(unknowns_[k])) continue;

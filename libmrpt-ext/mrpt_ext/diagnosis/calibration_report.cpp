@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "mrpt_ext/diagnosis/choice_part.h"
 #include "mrpt_ext/diagnosis/error_translation.h"
 #include "mrpt_ext/files/number_format.h"
 #include "mrpt_ext/geometry/quantile.h"
@@ -16,6 +17,13 @@ constexpr double kSignificant = 3;  // standard deviations
 bool differs(const CalibrationFinding& found)
 {
   return found.why_not_observable.empty() && std::abs(found.estimate - found.configured) > kSignificant * found.std;
+}
+
+/// True where the value of `other` holds only beside the one that was found of `unknown`.
+bool areSetTogether(const CalibrationUnknown& other, const CalibrationUnknown& unknown)
+{
+  return belongTogether(other, unknown) || (other.parameter == CalibrationParameter::pivot_scale &&
+                                            unknown.parameter == CalibrationParameter::rotation_scale);
 }
 
 /// What each landmark has by itself: how it is stated, by id.
@@ -121,9 +129,8 @@ std::vector<CalibrationFinding> calibrationFindings(const CalibrationResult& err
   for (std::size_t k = 0; k < findings.size(); ++k)
   {
     bool set = differs(findings[k]);
-    for (std::size_t j = 0; j < findings.size() && isOfAllRanges(shared[k].unknown.parameter); ++j)
-      set = set || (isOfAllRanges(shared[j].unknown.parameter) &&
-                    shared[j].unknown.sensor == shared[k].unknown.sensor && differs(findings[j]));
+    for (std::size_t j = 0; j < findings.size(); ++j)
+      set = set || (areSetTogether(shared[j].unknown, shared[k].unknown) && differs(findings[j]));
     settleLine(findings[k], set);
   }
   for (std::size_t s = 0; s < data.sensors.size(); ++s)

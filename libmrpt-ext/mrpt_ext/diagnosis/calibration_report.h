@@ -13,7 +13,8 @@ namespace mrpt_ext
 /// [Sensor_<label>] states the mean of an estimated error, that mean is reported. Only the difference of two clocks is
 /// observable: it is attributed to odometry where that is commanded, or the configuration does so, and there is one
 /// sensor; else to the sensor. A value differs when it is more than three standard deviations from the configured one;
-/// offset and scale of a range are set together. Offsets of the landmarks are one finding: their root mean square.
+/// what is only told together (offset and scale of a range, distances of all motions and of arcs) is set together.
+/// Offsets of the landmarks are one finding: their root mean square.
 [[nodiscard]] std::vector<CalibrationFinding> calibrationFindings(const CalibrationResult& errors,
                                                                   const CalibrationData& data,
                                                                   const LocalizationConfig& config);

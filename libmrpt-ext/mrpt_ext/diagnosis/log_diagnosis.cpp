@@ -26,23 +26,20 @@ CalibrationResult calibrateLog(const CalibrationData& data, const std::vector<Ca
   const auto is_significant = [](const ParameterEstimate& error)
   { return std::abs(error.value) > kTellsApart * error.std; };
   std::set<std::size_t> of_landmarks, shares;  // sensors
-  bool pivots = false;
   for (const ParameterEstimate& error : all.errors)
   {
     if (isOfLandmark(error.unknown.parameter)) of_landmarks.insert(error.unknown.sensor);
     if (isOfAllRanges(error.unknown.parameter) && is_significant(error)) shares.insert(error.unknown.sensor);
-    pivots = pivots || (error.unknown.parameter == CalibrationParameter::pivot_scale && is_significant(error));
   }
   const auto is_untold = [&](const CalibrationUnknown& unknown)
   {
-    const bool by_landmark = isOfAllRanges(unknown.parameter) && of_landmarks.contains(unknown.sensor);
-    return (by_landmark && !shares.contains(unknown.sensor)) ||
-           (unknown.parameter == CalibrationParameter::pivot_scale && !pivots);
+    return isOfAllRanges(unknown.parameter) && of_landmarks.contains(unknown.sensor) &&
+           !shares.contains(unknown.sensor);
   };
-  std::vector<std::size_t> told;
-  for (std::size_t k = 0; k < unknowns.size(); ++k)
-    if (!is_untold(unknowns[k])) told.push_back(k);
-  if (all.status != SolveStatus::ok || told.size() == unknowns.size()) return all;
+  if (all.status != SolveStatus::ok) return all;
+  std::vector<std::size_t> told = withToldRegimes(unknowns, all, kTellsApart);
+  std::erase_if(told, [&](std::size_t k) { return is_untold(unknowns[k]); });
+  if (told.size() == unknowns.size()) return all;
   return calibrateSome(data.problem, unknowns, told, all);
 }
 }  // namespace

@@ -29,6 +29,20 @@ CalibrationResult calibrateSome(const CalibrationProblem& problem, const std::ve
   return found;
 }
 
+std::vector<std::size_t> withToldRegimes(const std::vector<CalibrationUnknown>& unknowns,
+                                         const CalibrationResult& found, double deviations)
+{
+  std::vector<std::size_t> numbers;
+  for (std::size_t k = 0; k < unknowns.size(); ++k)
+  {
+    const ParameterEstimate& error = found.errors[k];
+    const bool differs =
+        unknowns[k].parameter != CalibrationParameter::pivot_scale || std::abs(error.value) > deviations * error.std;
+    if (!isOfRegime(unknowns[k].parameter) || (error.observable && differs)) numbers.push_back(k);
+  }
+  return numbers;
+}
+
 CalibrationResult withoutErrors(CalibrationResult found, const std::vector<std::size_t>& numbers)
 {
   for (const std::size_t k : numbers)

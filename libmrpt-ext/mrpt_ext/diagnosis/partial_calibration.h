@@ -20,7 +20,13 @@ namespace mrpt_ext
                                               const std::vector<std::size_t>& numbers,
                                               const CalibrationResult& otherwise);
 
-/// The same for some unknowns less, to first order: the others take up what they have in common with the errors
+/// Numbers of the unknowns that stay where regimes of motion that `found` does not tell apart are left out: a robot
+/// that only turns in place, or drives the same curve all the time, tells the scales of all motions, but beside an
+/// error of that regime neither. Turns in place differ by at least `deviations` standard deviations.
+[[nodiscard]] std::vector<std::size_t> withToldRegimes(const std::vector<CalibrationUnknown>& unknowns,
+                                                       const CalibrationResult& found, double deviations);
+
+/// A calibration for some unknowns less, to first order: the others take up what they have in common with the errors
 /// `numbers`.
 [[nodiscard]] CalibrationResult withoutErrors(CalibrationResult found, const std::vector<std::size_t>& numbers);
 }  // namespace mrpt_ext

@@ -23,7 +23,8 @@ Pose2 scaledStep(const Pose2& step, const OdometryCorrection& correction)
   if (!isArc({.increment = step, .length = length, .turned = turned}))
     turn_scale *= correction.pivot_scale;
   else
-    scale *= std::max(0.0, 1 + correction.distance_per_turn * turned / length);  // no robot goes back because it turns
+    // However much it falls behind, an arc does not become a turn in place.
+    scale *= std::max(kInPlaceRadius * turned / length, 1 + correction.distance_per_turn * turned / length);
   const Vector2d moved = scale * rotation(correction.yaw) * step.position();
   return {moved.x(), moved.y(), turn_scale * step.phi};
 }

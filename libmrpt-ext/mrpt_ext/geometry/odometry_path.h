@@ -14,7 +14,7 @@ namespace mrpt_ext
 struct OdometryCorrection
 {
   double scale = 1;              ///< factor on distances
-  double distance_per_turn = 0;  ///< [m/rad] added to the distance per radian turned while driving
+  double distance_per_turn = 0;  ///< [m/rad] added to the measured distance per measured turn while driving
   double rotation_scale = 1;     ///< factor on rotations
   double pivot_scale = 1;        ///< factor on rotations in place, beside rotation_scale
   double yaw = 0;                ///< [rad] of the x axis of odometry on the robot, to the left

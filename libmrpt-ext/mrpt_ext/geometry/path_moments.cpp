@@ -6,9 +6,6 @@ namespace mrpt_ext
 {
 namespace
 {
-// [m] of the radius below which a robot turns in place: half of the track of a small one, both wheels scrub.
-constexpr double kTurnsInPlace = 0.1;
-
 Vector2d leftOf(const Vector2d& v) { return {-v.y(), v.x()}; }
 
 /// The end of the path has moved by `by`.
@@ -43,7 +40,7 @@ void add(PathMoments& moments, const PathPiece& piece, const Vector2d& chord)
 }
 }  // namespace
 
-bool isArc(const PathPiece& piece) { return piece.length > kTurnsInPlace * piece.turned; }
+bool isArc(const PathPiece& piece) { return piece.length > kInPlaceRadius * piece.turned; }
 
 PathMoments momentsOf(const PathPiece& piece)
 {

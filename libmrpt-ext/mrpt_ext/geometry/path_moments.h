@@ -13,6 +13,9 @@ struct PathPiece
   double duration = 0;  ///< [s]
 };
 
+/// [m] of the radius below which a robot turns in place: half of the track of a small one, both wheels scrub.
+inline constexpr double kInPlaceRadius = 0.1;
+
 /// True for a turn while the robot drives, false for one in place.
 [[nodiscard]] bool isArc(const PathPiece& piece);
 
@@ -28,8 +31,8 @@ struct PathMoments
   /// Sums of the levers' squares, weighted with what the variance of an error grows with: [rad] turned to either side,
   /// [m], [s].
   Matrix3d turned = Matrix3d::Zero(), length = Matrix3d::Zero(), time = Matrix3d::Zero();
-  /// [rad] Sum of the directions of arcs, weighted with what was turned on them to either side: where the end moves
-  /// when the robot drives 1 m less or more per radian of turn.
+  /// [rad] Sum of the directions of arcs, weighted with what was turned on them to either side: how far the end moves,
+  /// in [m], when the robot drives 1 m further per radian of turn.
   Vector2d along_arcs{0, 0};
 };
 
