@@ -30,6 +30,9 @@ TEST(CalibrationUnknowns, CommandsAreNotFollowedOnArcsWhereWheelsAndGyroscopesDr
     EXPECT_EQ(has(unknowns, CalibrationParameter::distance_per_turn), commanded);
     EXPECT_EQ(has(unknowns, CalibrationParameter::drift), !commanded);
   }
+  LocalizationInput configured;  // as found before
+  configured.config.frames.odometry.turn_per_s = 0.01;
+  EXPECT_TRUE(has(calibrationUnknowns(configured, data), CalibrationParameter::drift));
   data.problem.odometry.clear();
   EXPECT_TRUE(calibrationUnknowns(input, data).empty());
 }

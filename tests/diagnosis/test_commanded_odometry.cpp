@@ -9,11 +9,11 @@ namespace mrpt_ext::test_commanded_odometry
 namespace
 {
 /// Two minutes at 20 Hz, with a new command every two seconds. `lag` [s]: of a robot that follows, 0: the commands.
-std::vector<OdometryRecord> driven(double lag, double noise)
+Trajectory driven(double lag, double noise)
 {
   constexpr double kPeriod = 0.05;
   RandomStream random(1, 5);
-  std::vector<OdometryRecord> odometry{{0, {}}};
+  Trajectory odometry{{0, {}, true}};
   Vector2d command{0, 0}, velocity{0, 0};
   for (int k = 1; k <= 2400; ++k)
   {
@@ -44,7 +44,7 @@ TEST(CommandedOdometry, WhatWheelsMeasureScattersOrTakesTime)
 TEST(CommandedOdometry, ARobotThatRestsOrNeverChangesTellsNothing)
 {
   EXPECT_FALSE(isCommanded({}));
-  std::vector<OdometryRecord> rests, even;
+  Trajectory rests, even;
   for (int k = 0; k < 1000; ++k)
   {
     rests.push_back({0.1 * k, {1, 2, 0.5}});

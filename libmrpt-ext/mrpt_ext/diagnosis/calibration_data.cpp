@@ -224,7 +224,7 @@ CalibrationData collectCalibrationData(const LocalizationInput& input, const std
   CalibrationData data = builder.take();
   data.verified = std::any_of(trajectory.begin(), trajectory.end(),
                               [](const PoseEstimate& point) { return point.verdict == Verdict::ok; });
-  data.commanded = isCommanded(data.problem.odometry);
+  data.commanded = isCommanded(input.log.overview.odometry.trajectory());
   std::vector<CalibrationUnknown> unknowns = calibrationUnknowns(input, data);
   std::erase_if(unknowns, [](const CalibrationUnknown& unknown) { return isOfRegime(unknown.parameter); });
   data.depths = chooseDepths(data.problem, areDepths(data, input.config.frames.sensors), unknowns,
@@ -265,13 +265,10 @@ std::vector<CalibrationUnknown> calibrationUnknowns(const LocalizationInput& inp
   for (const CalibrationReading& r : data.problem.readings) (r.is_range ? ranges : bearings).insert(r.sensor);
   std::vector<CalibrationUnknown> unknowns;
   if (moving) unknowns = {{distance_scale}, {rotation_scale}, {pivot_scale}, {veer}};
-  // A robot falls behind its commands on arcs, and stands still when told to; gyroscopes drift. Where odometry is
-  // measured, noise would be turns. What is configured is looked at in any case.
-  const OdometryCorrection& now = input.config.frames.odometry;
-  const bool drifts = std::any_of(input.config.biases.begin(), input.config.biases.end(),
-                                  [](const BiasState& bias) { return bias.kind == BiasKind::drift; });
-  if (moving && (!data.commanded || drifts || now.turn_per_s != 0)) unknowns.push_back({drift});
-  if (moving && (data.commanded || now.distance_per_turn != 0)) unknowns.push_back({distance_per_turn});
+  // A robot falls behind its commands on arcs. Where odometry is measured, noise would be turns.
+  const bool falls_behind = data.commanded || input.config.frames.odometry.distance_per_turn != 0;
+  if (moving && mayDrift(data.commanded, input.config)) unknowns.push_back({drift});
+  if (moving && falls_behind) unknowns.push_back({distance_per_turn});
   for (std::size_t s = 0; s < data.sensors.size(); ++s)
   {
     const bool measures = bearings.count(s) > 0 || ranges.count(s) > 0;

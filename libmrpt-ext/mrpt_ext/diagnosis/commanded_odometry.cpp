@@ -23,7 +23,7 @@ double relativeChange(const Vector2d& from, const Vector2d& to)
 }
 }  // namespace
 
-bool isCommanded(const std::vector<OdometryRecord>& odometry)
+bool isCommanded(const Trajectory& odometry)
 {
   std::size_t same = 0, jumps = 0, others = 0;
   std::optional<Vector2d> before;  // speed and rate of turn
@@ -42,5 +42,12 @@ bool isCommanded(const std::vector<OdometryRecord>& odometry)
     before = velocity;
   }
   return jumps >= kLeastJumps && same > jumps + others;
+}
+
+bool mayDrift(bool commanded, const LocalizationConfig& config)
+{
+  return !commanded || config.frames.odometry.turn_per_s != 0 ||
+         std::any_of(config.biases.begin(), config.biases.end(),
+                     [](const BiasState& bias) { return bias.kind == BiasKind::drift; });
 }
 }  // namespace mrpt_ext

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "mrpt_ext/diagnosis/bias_parameter.h"
+#include "mrpt_ext/diagnosis/commanded_odometry.h"
 #include "mrpt_ext/diagnosis/detection_association.h"
 
 namespace mrpt_ext
@@ -45,7 +46,11 @@ PossibleErrors possibleErrors(const LocalizationInput& input)
 {
   using enum CalibrationParameter;
   std::vector<CalibrationUnknown> all;
-  if (hasUsableOdometry(input)) all = {{distance_scale}, {rotation_scale}, {veer}, {drift}};
+  if (hasUsableOdometry(input))
+  {
+    all = {{distance_scale}, {rotation_scale}, {veer}};
+    if (mayDrift(isCommanded(input.log.overview.odometry.trajectory()), input.config)) all.push_back({drift});
+  }
   for (std::size_t s = 0; s < std::min(input.logged_sensors.size(), kMostSensors); ++s)
   {
     for (const CalibrationParameter parameter : {bearing_offset, range_offset, range_scale, range_height})
