@@ -25,7 +25,7 @@ TEST(CalibrationUnknowns, CommandsAreNotFollowedOnArcsWhereWheelsAndGyroscopesDr
     data.commanded = commanded;
     const std::vector<CalibrationUnknown> unknowns = calibrationUnknowns(input, data);
     EXPECT_TRUE(has(unknowns, CalibrationParameter::distance_scale));
-    EXPECT_TRUE(has(unknowns, CalibrationParameter::pivot_scale));
+    EXPECT_EQ(has(unknowns, CalibrationParameter::pivot_scale), commanded);
     EXPECT_TRUE(has(unknowns, CalibrationParameter::veer));
     EXPECT_EQ(has(unknowns, CalibrationParameter::distance_per_turn), commanded);
     EXPECT_EQ(has(unknowns, CalibrationParameter::drift), !commanded);

@@ -95,6 +95,17 @@ class ChoiceSearch
     }
   }
 
+  /// How strongly the first half tells a part beside the others. Errors of ranges also with the sensor where it is
+  /// stated: of its place and these it may tell the sum alone, which displaces the robot all the same.
+  [[nodiscard]] double strengthBeside(const ChoicePart& part) const
+  {
+    const double strength = strengthOf(part, found_);
+    if (strength > kPays || part.errors.empty() || !isRangeError(unknowns_[part.errors.front()])) return strength;
+    std::vector<std::size_t> numbers = besides(parts_);
+    std::erase_if(numbers, [this](std::size_t k) { return isPlaceError(unknowns_[k]); });
+    return std::max(strength, strengthOf(part, fitOf(parts_, std::move(numbers))));
+  }
+
   /// The part that the first half tells least of, if that is nothing. Offset and scale of radios, which it may not tell
   /// from each other, are tried one by one later.
   [[nodiscard]] std::optional<std::size_t> weakestPart() const
@@ -104,7 +115,7 @@ class ChoiceSearch
     for (std::size_t k = 0; k < parts_.size(); ++k)
     {
       if (isOfLandmarks(parts_[k]) || isPair(parts_[k])) continue;
-      const double strength = strengthOf(parts_[k], found_);
+      const double strength = strengthBeside(parts_[k]);
       if (strength > least) continue;
       least = strength;
       weakest = k;
@@ -218,7 +229,12 @@ class ChoiceSearch
   /// What the first half tells of the errors of `parts` where the others are as configured.
   [[nodiscard]] CalibrationResult fitOf(const std::vector<ChoicePart>& parts) const
   {
-    std::vector<std::size_t> numbers = besides(parts);
+    return fitOf(parts, besides(parts));
+  }
+
+  /// The same beside the errors `numbers`.
+  [[nodiscard]] CalibrationResult fitOf(const std::vector<ChoicePart>& parts, std::vector<std::size_t> numbers) const
+  {
     const std::vector<std::size_t> errors = errorsOf(parts);
     numbers.insert(numbers.end(), errors.begin(), errors.end());
     return calibrateSome(before_, unknowns_, numbers, first_half_);

@@ -264,11 +264,13 @@ std::vector<CalibrationUnknown> calibrationUnknowns(const LocalizationInput& inp
   std::set<std::size_t> bearings, ranges, placed;
   for (const CalibrationReading& r : data.problem.readings) (r.is_range ? ranges : bearings).insert(r.sensor);
   std::vector<CalibrationUnknown> unknowns;
-  if (moving) unknowns = {{distance_scale}, {rotation_scale}, {pivot_scale}, {veer}};
-  // A robot falls behind its commands on arcs. Where odometry is measured, noise would be turns.
-  const bool falls_behind = data.commanded || input.config.frames.odometry.distance_per_turn != 0;
+  if (moving) unknowns = {{distance_scale}, {rotation_scale}, {veer}};
   if (moving && mayDrift(data.commanded, input.config)) unknowns.push_back({drift});
-  if (moving && falls_behind) unknowns.push_back({distance_per_turn});
+  // How a robot follows commands depends on the motion. Where odometry is measured, noise would be turns, and a record
+  // with much of it a turn in place.
+  const OdometryCorrection& now = input.config.frames.odometry;
+  if (moving && (data.commanded || now.distance_per_turn != 0)) unknowns.push_back({distance_per_turn});
+  if (moving && (data.commanded || now.pivot_scale != 1)) unknowns.push_back({pivot_scale});
   for (std::size_t s = 0; s < data.sensors.size(); ++s)
   {
     const bool measures = bearings.count(s) > 0 || ranges.count(s) > 0;
