@@ -2,18 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include "recorded_choice.h"
 
 namespace mrpt_ext::test_calibration_data
 {
-namespace
-{
-bool has(const std::vector<CalibrationUnknown>& unknowns, CalibrationParameter kind)
-{
-  return std::any_of(unknowns.begin(), unknowns.end(),
-                     [&](const CalibrationUnknown& unknown) { return unknown.parameter == kind; });
-}
-}  // namespace
+using testing::has;
 
 TEST(CalibrationUnknowns, CommandsAreNotFollowedOnArcsWhereWheelsAndGyroscopesDrift)
 {

@@ -16,10 +16,12 @@ inline CalibrationData recorded(const DrivePlan& plan, int seed)
   return data;
 }
 
-/// True when an error of this kind is chosen.
-inline bool has(const CalibrationChoice& choice, CalibrationParameter kind)
+inline bool has(const std::vector<CalibrationUnknown>& unknowns, CalibrationParameter kind)
 {
-  return std::any_of(choice.errors.begin(), choice.errors.end(),
+  return std::any_of(unknowns.begin(), unknowns.end(),
                      [&](const CalibrationUnknown& unknown) { return unknown.parameter == kind; });
 }
+
+/// True when an error of this kind is chosen.
+inline bool has(const CalibrationChoice& choice, CalibrationParameter kind) { return has(choice.errors, kind); }
 }  // namespace mrpt_ext::testing

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <utility>
 
 #include "mrpt_ext/diagnosis/bias_parameter.h"
 #include "mrpt_ext/diagnosis/commanded_odometry.h"
@@ -62,11 +63,16 @@ PossibleErrors possibleErrors(const LocalizationInput& input)
 }
 
 InnovationObserver::InnovationObserver(const LocalizationInput& input)
+    : InnovationObserver(input, possibleErrors(input))
+{
+}
+
+InnovationObserver::InnovationObserver(const LocalizationInput& input, PossibleErrors possible)
     : input_(input),
-      unknowns_(possibleErrors(input).unknowns),
+      unknowns_(std::move(possible.unknowns)),
       filter_(unknowns_, input.config.filter.motion),
       noise_(input.config.filter.motion, input.log.overview.odometry),
-      regression_(unknowns_, possibleErrors(input).nuisances)
+      regression_(unknowns_, possible.nuisances)
 {
   if (hasUsableOdometry(input)) delays_.emplace(input.log.overview.odometry, input.config.filter.motion);
 }

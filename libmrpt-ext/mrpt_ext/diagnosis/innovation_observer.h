@@ -19,6 +19,15 @@ struct SensorInnovations
   double clutter_probability = 0;  ///< as declared
 };
 
+/// The systematic errors that a log could have: those that the filter estimates beside the pose first, `nuisances` of
+/// them.
+struct PossibleErrors
+{
+  std::vector<CalibrationUnknown> unknowns;
+  std::size_t nuisances = 0;
+};
+[[nodiscard]] PossibleErrors possibleErrors(const LocalizationInput& input);
+
 /// Follows the particle filter's best mode with a Kalman filter of its own, frame by frame, and collects the
 /// innovations. Where the best mode leaves it, it starts again. Cheap: the comparisons with the map are bounded per
 /// frame.
@@ -37,6 +46,7 @@ class InnovationObserver
   [[nodiscard]] const std::map<std::string, SensorInnovations>& sensors() const { return sensors_; }
 
  private:
+  InnovationObserver(const LocalizationInput& input, PossibleErrors possible);
   [[nodiscard]] bool follows(const FilterStep& step) const;
   void add(const Reading& reading, std::size_t stride);
   /// Updates with what the detection measured of a landmark; true for an outlier.
@@ -56,13 +66,4 @@ class InnovationObserver
   bool running_ = false, warm_ = false;
   double started_ = 0;  // [s]
 };
-
-/// The systematic errors that a log could have: those that the filter estimates beside the pose first, `nuisances` of
-/// them.
-struct PossibleErrors
-{
-  std::vector<CalibrationUnknown> unknowns;
-  std::size_t nuisances = 0;
-};
-[[nodiscard]] PossibleErrors possibleErrors(const LocalizationInput& input);
 }  // namespace mrpt_ext

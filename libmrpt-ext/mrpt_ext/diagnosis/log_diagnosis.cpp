@@ -1,11 +1,11 @@
 #include "mrpt_ext/diagnosis/log_diagnosis.h"
 
-#include <cmath>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include "mrpt_ext/diagnosis/calibration_trajectory.h"
+#include "mrpt_ext/diagnosis/choice_part.h"
 #include "mrpt_ext/diagnosis/noise_findings.h"
 #include "mrpt_ext/diagnosis/partial_calibration.h"
 #include "mrpt_ext/diagnosis/repeated_readings.h"
@@ -23,13 +23,11 @@ CalibrationResult calibrateLog(const CalibrationData& data, const std::vector<Ca
                                std::optional<CalibrationResult> found)
 {
   const CalibrationResult all = found ? std::move(*found) : calibrate(data.problem, unknowns);
-  const auto is_significant = [](const ParameterEstimate& error)
-  { return std::abs(error.value) > kTellsApart * error.std; };
   std::set<std::size_t> of_landmarks, shares;  // sensors
   for (const ParameterEstimate& error : all.errors)
   {
     if (isOfLandmark(error.unknown.parameter)) of_landmarks.insert(error.unknown.sensor);
-    if (isOfAllRanges(error.unknown.parameter) && is_significant(error)) shares.insert(error.unknown.sensor);
+    if (isOfAllRanges(error.unknown.parameter) && strengthOf(error) > kTellsApart) shares.insert(error.unknown.sensor);
   }
   const auto is_untold = [&](const CalibrationUnknown& unknown)
   {

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "mrpt_ext/diagnosis/choice_part.h"
+
 namespace mrpt_ext
 {
 std::size_t middleOf(const CalibrationProblem& problem) { return problem.readings[problem.readings.size() / 2].pose; }
@@ -36,8 +38,7 @@ std::vector<std::size_t> withToldRegimes(const std::vector<CalibrationUnknown>& 
   for (std::size_t k = 0; k < unknowns.size(); ++k)
   {
     const ParameterEstimate& error = found.errors[k];
-    const bool differs =
-        unknowns[k].parameter != CalibrationParameter::pivot_scale || std::abs(error.value) > deviations * error.std;
+    const bool differs = unknowns[k].parameter != CalibrationParameter::pivot_scale || strengthOf(error) > deviations;
     if (!isOfRegime(unknowns[k].parameter) || (error.observable && differs)) numbers.push_back(k);
   }
   return numbers;
