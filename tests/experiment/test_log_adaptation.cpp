@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace mrpt_ext::test_log_adaptation
 {
 namespace
@@ -31,7 +33,7 @@ TEST(LogAdaptation, ALogWithOdometryIsTakenAsConfigured)
   available.odometry = true;
   LocalizationConfig config;
   std::vector<std::string> notes;
-  adaptToLog(config, available, {}, kDuration, notes);
+  adaptToLog(config, {available, {}, {}, kDuration}, notes);
   EXPECT_TRUE(notes.empty());
   EXPECT_EQ(config.filter.motion.type, MotionType::odometry);
   EXPECT_TRUE(config.filter.heading_observable);
@@ -52,7 +54,7 @@ TEST(LogAdaptation, AnAssumedBoxIsAsLargeAsTheDetectionsReach)
     config.region_assumed = assumed;
     config.filter.region = {.low = {-3, -3}, .high = {9, 4}};
     std::vector<std::string> notes;
-    adaptToLog(config, available, reach, kDuration, notes);
+    adaptToLog(config, {available, reach, {}, kDuration}, notes);
     const double margin = assumed ? 10 : 3;
     EXPECT_EQ(config.filter.region.low, Vector2d(-margin, -margin));
     EXPECT_EQ(config.filter.region.high, Vector2d(6 + margin, 1 + margin));
@@ -63,11 +65,41 @@ TEST(LogAdaptation, AnAssumedBoxIsAsLargeAsTheDetectionsReach)
   }
 }
 
+TEST(LogAdaptation, ASensorOfAnonymousBearingsSeesAsFarToTheSideAsItsBearings)
+{
+  for (const auto& [id, calibrates] : {std::pair(int{kNoId}, true), std::pair(1, true), std::pair(int{kNoId}, false)})
+  {
+    const bool adapts = id == kNoId && calibrates;
+    Reading reading{.sensor = "camera.4"};
+    reading.detections = {{.id = id, .bearing = -0.5, .std_bearing = 0.01}};
+    AvailableMeasurements available;
+    available.odometry = true;
+    BearingExtent extent;
+    for (int k = 0; k < 100; ++k)
+    {
+      available.add({.readings = {reading}});
+      extent.add({.readings = {reading}});
+    }
+    LocalizationConfig config;
+    config.auto_calibrate = calibrates;
+    config.frames.sensors["camera"].clutter_probability = 0.1;
+    std::vector<std::string> notes;
+    adaptToLog(config, {available, {}, extent, kDuration}, notes);
+    const SensorConfig& sensor = configOf(config.frames.sensors, "camera.4");
+    EXPECT_EQ(sensor.clutter_probability, 0.1);
+    EXPECT_EQ(sensor.field_of_view.has_value(), adapts);
+    EXPECT_EQ(notes.size(), adapts ? 1U : 0U);
+    if (!adapts) continue;
+    EXPECT_NEAR(*sensor.field_of_view, 2 * (0.5 + degToRad(2.0)), 1e-12);
+    EXPECT_NE(notes.front().find("[Sensor_camera.4] field_of_view_deg"), std::string::npos);
+  }
+}
+
 TEST(LogAdaptation, WithoutOdometryTheMotionIsARandomWalkAndTheUserIsTold)
 {
   LocalizationConfig config;
   std::vector<std::string> notes;
-  adaptToLog(config, logWith(kBearing, {}), {}, kDuration, notes);
+  adaptToLog(config, {logWith(kBearing, {}), {}, {}, kDuration}, notes);
   EXPECT_EQ(config.filter.motion.type, MotionType::random_walk);
   EXPECT_GT(config.filter.motion.std_xy_per_s, 0.1);
   EXPECT_TRUE(config.filter.heading_observable);
@@ -81,7 +113,7 @@ TEST(LogAdaptation, AConfiguredRandomWalkIsKept)
   config.filter.motion.type = MotionType::random_walk;
   config.filter.motion.std_xy_per_s = 0.1;
   std::vector<std::string> notes;
-  adaptToLog(config, logWith(kBearing, {}), {}, kDuration, notes);
+  adaptToLog(config, {logWith(kBearing, {}), {}, {}, kDuration}, notes);
   EXPECT_EQ(config.filter.motion.std_xy_per_s, 0.1);
   EXPECT_TRUE(notes.empty());
 }
@@ -100,7 +132,7 @@ TEST(LogAdaptation, RangesToTheOriginAloneDoNotTellTheHeading)
   {
     LocalizationConfig config;
     std::vector<std::string> notes;
-    adaptToLog(config, logWith(kRange, T_robot_sensor), {}, kDuration, notes);
+    adaptToLog(config, {logWith(kRange, T_robot_sensor), {}, {}, kDuration}, notes);
     const bool lever_arm = T_robot_sensor.x > 0.1;
     EXPECT_EQ(config.filter.heading_observable, lever_arm) << T_robot_sensor.x;
     EXPECT_EQ(std::isinf(config.filter.verdict.max_std_phi), !lever_arm) << T_robot_sensor.x;

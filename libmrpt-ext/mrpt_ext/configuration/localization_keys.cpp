@@ -92,7 +92,8 @@ KeyTable methodKeys()
           "longer goes on in the next steps: its estimate is the same, and comes later. 0: no limit.")
       .flag("auto_calibrate", config.auto_calibrate,
             "Run twice: the first pass tells delays, scales, offsets and noise. What is found is adopted where it "
-            "predicts the second half of the log better; logs of more than a minute only. The truth is not used.")
+            "predicts the second half of the log better; logs of more than a minute only. The truth is not used. "
+            "Sensors of anonymous detections that declare no field of view have that of their bearings.")
       .flag("independent_frames", config.frames.independent,
             "Localize every frame on its own. No motion in between, no filter, closed forms only.")
       .choice("heading_source", config.running_fix.heading_source, headingSources(), "Heading for running_fix.")

@@ -164,6 +164,7 @@ void readFrames(LocalizationInput& input)
     ++log.frames;
     log.available.add(*frame);
     log.reach.add(*frame, context.map);
+    log.extent.add(*frame);
     if (const auto geometry = frameGeometry(*frame, context.map, context.truth, max_gap))
       input.context.geometry.push_back(*geometry);
   }
@@ -202,7 +203,8 @@ LocalizationInput loadLocalization(const Settings& settings, const LogWindow& wi
   input.context.truth_is_sparse = isSparse(input.context.truth);
   readFrames(input);
   checkAnythingToScore(input);
-  adaptToLog(input.config, input.log.available, input.log.reach, input.context.duration_s, input.notes);
+  adaptToLog(input.config, {input.log.available, input.log.reach, input.log.extent, input.context.duration_s},
+             input.notes);
   (void)MethodFactory(input.config, input.context.map,
                       input.log.available);  // reports an unknown method before the work
   input.context.inputs = inputFiles(settings);

@@ -7,6 +7,7 @@
 
 #include "mrpt_ext/configuration/localization_config.h"
 #include "mrpt_ext/evaluation/run_record.h"
+#include "mrpt_ext/experiment/bearing_extent.h"
 #include "mrpt_ext/experiment/detection_reach.h"
 #include "mrpt_ext/experiment/method_factory.h"
 #include "mrpt_ext/frames/frame_synchronizer.h"
@@ -31,6 +32,7 @@ struct FrameLog
   LogOverview overview;
   AvailableMeasurements available;
   DetectionReach reach;
+  BearingExtent extent;
   std::size_t frames = 0, detections = 0;
 };
 

@@ -20,6 +20,20 @@ void widenRegion(LocalizationConfig& config, double margin, std::vector<std::str
   notes.push_back(formatted(
       "possible positions: up to %.1f m outside the map, as far as the detections allow (init_PDF_margin_m)", margin));
 }
+
+void narrowFieldsOfView(LocalizationConfig& config, const BearingExtent& extent, std::vector<std::string>& notes)
+{
+  for (const auto& [label, field_of_view] : extent.fieldsOfView())
+  {
+    SensorConfig sensor = configOf(config.frames.sensors, label);
+    sensor.field_of_view = field_of_view;
+    config.frames.sensors[label] = sensor;
+    notes.push_back(
+        formatted("%s: all its bearings are within %.0f deg, which is taken for its field of view "
+                  "([Sensor_%s] field_of_view_deg)",
+                  label.c_str(), radToDeg(field_of_view), label.c_str()));
+  }
+}
 }  // namespace
 
 double stationaryStd(double walk, double information)
@@ -27,12 +41,12 @@ double stationaryStd(double walk, double information)
   return information > 0 ? std::pow(walk / information, 0.25) : std::numeric_limits<double>::infinity();
 }
 
-void adaptToLog(LocalizationConfig& config, const AvailableMeasurements& available, const DetectionReach& reach,
-                double duration, std::vector<std::string>& notes)
+void adaptToLog(LocalizationConfig& config, const LogContents& log, std::vector<std::string>& notes)
 {
   if (config.frames.independent) return;
-  widenRegion(config, reach.metres(), notes);
-  if (available.odometry) return;
+  widenRegion(config, log.reach.metres(), notes);
+  if (config.auto_calibrate && log.available.anonymous_bearing) narrowFieldsOfView(config, log.extent, notes);
+  if (log.available.odometry) return;
   ParticleFilterOptions& filter = config.filter;
   if (filter.motion.type != MotionType::random_walk)
   {
@@ -42,7 +56,7 @@ void adaptToLog(LocalizationConfig& config, const AvailableMeasurements& availab
         "([MotionModel] type = random_walk, std_xy_per_sqrt_s, std_phi_deg_per_sqrt_s)",
         filter.motion.std_xy_per_s, radToDeg(filter.motion.std_phi_per_s)));
   }
-  const double information = available.heading_information / std::max(duration, 1.0);
+  const double information = log.available.heading_information / std::max(log.duration, 1.0);
   if (stationaryStd(square(filter.motion.std_phi_per_s), information) <= filter.verdict.max_std_phi) return;
   filter.heading_observable = false;
   filter.modes.cell_phi = kTwoPi;
