@@ -123,6 +123,30 @@ TEST(AutoCalibration, RangesThatAreTakenForDepthsAreToldAndTrackedAgain)
   EXPECT_LT(testing::positionRmse(summary), 1.2 * testing::positionRmse(testing::summaryOf(plain)));
 }
 
+TEST(AutoCalibration, WithAnonymousBearingsOdometryThatErrsIsTrackedAgainWithItsErrorsAsStates)
+{
+  if (testing::isShort()) GTEST_SKIP() << "a run of two passes";
+  const testing::ScratchFolder folder;
+  const testing::LogFiles log = testing::simulated(
+      folder.path(), "bad-odometry",
+      {"--set", "Simulation.duration_s=90", "--seed", "6", "--set", "Sensor_camera.identity=anonymous", "--set",
+       "Sensor_camera.kind=bearings", "--set", "Sensor_camera.delay_s=0.3", "--set", "RandomErrors.delay_s=0", "--set",
+       "Map.box=0 15 0 8 0 0", "--set", "Map.count=15"});
+  const auto out = folder.path() / "run";
+  const testing::AppOutcome outcome = testing::localize(joined(
+      joined(log.arguments(), kFilterAlone), {"--set", "LocalizationExperiment.particles_count=500", "--set",
+                                              "LocalizationExperiment.initial_particles_count=5000", "-o", out, "-q"}));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json summary = testing::summaryOf(out);
+  EXPECT_NEAR(adopted(summary, "MotionModel.odometry_delay_s"), 0.3, 0.03);
+  EXPECT_EQ(adopted(summary, "Bias.odometry_veer_std_deg_per_m"), 2);
+  const Json& rows = summary.at("calibration").at("rows");
+  EXPECT_TRUE(rows.at("before").at("log_density").is_null());
+  EXPECT_LT(rows.at("before").at("verdict_shares").at("ok"), 0.1);
+  EXPECT_GT(rows.at("after").at("verdict_shares").at("ok"), 0.1);
+  EXPECT_LT(testing::positionRmse(summary), rows.at("before").at("position_rmse_m"));
+}
+
 TEST(AutoCalibration, IsNotForShortLogs)
 {
   const testing::ScratchFolder folder;

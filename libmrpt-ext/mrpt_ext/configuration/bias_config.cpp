@@ -103,6 +103,8 @@ KeyTable biasKeys()
 
 std::string biasMeanKey(BiasKind kind) { return meanKey(unitOf(kind)); }
 
+std::string biasStdKey(BiasKind kind) { return stdKey(unitOf(kind)); }
+
 BiasModel biasModel(const Settings& settings)
 {
   BiasModel model;

@@ -12,8 +12,9 @@ namespace mrpt_ext
 /// sensors share, [Sensor_<label>] for those of one sensor, on top of them.
 [[nodiscard]] KeyTable biasKeys();
 
-/// Key of the prior mean of an error of this kind.
+/// Keys of the prior mean and standard deviation of an error of this kind.
 [[nodiscard]] std::string biasMeanKey(BiasKind kind);
+[[nodiscard]] std::string biasStdKey(BiasKind kind);
 
 /// The errors that the settings name: those of [Bias] first, then those of the sensors in the order of the file.
 /// Known errors belong into bias_range_m, odometry_scale and their like, which correct the measurements; the errors
