@@ -52,19 +52,19 @@ TEST(ObservationModel, WeightsWithTheLikelihoodOfAllReadingsAndTheCompass)
   EXPECT_GT(ahead.log_weight[0], back.log_weight[0] + 3);
 }
 
-TEST(ObservationModel, AnUnverifiedModeIsNotWeightedWithCorrelatedAnonymousBearings)
+TEST(ObservationModel, ModesThatCompeteAreNotWeightedWithCorrelatedAnonymousBearings)
 {
   Reading reading;
   reading.detections = {{.bearing = 0.4, .std_bearing = 0.01}, {.id = 2, .bearing = 1.0, .std_bearing = 0.01}};
   const Frame frame{.readings = {reading}};
   ObservationModel model = modelOf();
-  EXPECT_EQ(model.select(frame, false).readings.front().detections.size(), 2U);
-  EXPECT_EQ(model.select(frame, false).readings.front().detections.size(), 1U);
   EXPECT_EQ(model.select(frame, true).readings.front().detections.size(), 2U);
+  EXPECT_EQ(model.select(frame, true).readings.front().detections.size(), 1U);
+  EXPECT_EQ(model.select(frame, false).readings.front().detections.size(), 2U);
   model.move({.increment = {1, 0, 0}, .path_length = 1, .duration = 1});
-  EXPECT_EQ(model.select(frame, false).readings.front().detections.size(), 2U);
+  EXPECT_EQ(model.select(frame, true).readings.front().detections.size(), 2U);
   model.restart();
-  EXPECT_EQ(model.select(frame, false).readings.front().detections.size(), 2U);
+  EXPECT_EQ(model.select(frame, true).readings.front().detections.size(), 2U);
 }
 
 TEST(ObservationModel, ExpectsInliersBySensorClutterAndByLearnedClutter)

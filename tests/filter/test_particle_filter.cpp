@@ -110,6 +110,33 @@ TEST(ParticleFilter, SymmetricModesStayEqualAndAmbiguous)
   EXPECT_GT(smallest, 0.3);
 }
 
+TEST(ParticleFilter, AModeThatIsNotVerifiedFollowsTheTurnsByAnonymousBearings)
+{
+  ParticleFilterOptions options = smallOptions();
+  options.recovery.relocalization_prior = 0;
+  options.motion.std_phi_per_deg = 1.5;
+  ParticleFilter filter(options, kMap, 5, 0);
+  SimulatedRobot robot;
+  robot.identified = false;
+  robot.detections = kMap.size();
+  RandomStream random(43);
+  Pose2 truth{4, 4, 0};
+  const auto propose = [&]() -> HypothesisSet {
+    return {{.pose = {truth, Vector3d(0.01, 0.01, 0.001).asDiagonal()}, .weight = 1}};
+  };
+  for (int k = 0; k < 20; ++k)
+  {
+    const Pose2 turn{0, 0, k < 5 ? 0 : degToRad(4)};
+    truth = compose(truth, turn);
+    const FilterStep step = filter.process(simulatedFrame(robot, kMap, truth, turn, random), {propose});
+    ASSERT_NE(step.verdict, Verdict::ok) << k;
+    if (k < 5) continue;
+    const GaussianPose& pose = step.modes.modes.front().pose;
+    EXPECT_LT(std::sqrt(pose.covariance(2, 2)), degToRad(2)) << k;
+    EXPECT_LT(std::abs(wrap(pose.mean.phi - truth.phi)), degToRad(3)) << k;
+  }
+}
+
 TEST(ParticleFilter, TheRegionLimitsTheStartNotTheDrive)
 {
   ParticleFilterOptions options = smallOptions();

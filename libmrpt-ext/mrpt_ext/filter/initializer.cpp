@@ -52,7 +52,7 @@ Initialization Initializer::initialize(const Frame& frame, const std::function<P
   const bool analytic = options_.initial_mode == InitialMode::analytic;
   const Proposal proposal = analytic && closed_forms ? closed_forms() : Proposal{};
   model_.restart();
-  const Frame measurements = model_.select(measurementsOf(frame, proposal), false);
+  const Frame measurements = model_.select(measurementsOf(frame, proposal), true);
   Initialization start{.particles = like.emptyLikeThis()};
   double exponent = draw(start, measurements, proposal.hypotheses, kUniformShare);
   start.accepted = accepts(proposal, start);

@@ -20,11 +20,11 @@ ObservationModel::ObservationModel(const LandmarkTable& map, const MotionModel& 
 {
 }
 
-Frame ObservationModel::select(const Frame& frame, bool verified)
+Frame ObservationModel::select(const Frame& frame, bool modes_compete)
 {
   Frame selected = frame;
   for (Reading& reading : selected.readings) reading = decorrelator_.withoutCorrelatedBearings(reading);
-  if (verified) selected.readings = frame.readings;
+  if (!modes_compete) selected.readings = frame.readings;
   return selected;
 }
 

@@ -21,9 +21,9 @@ class ObservationModel
   void restart() { decorrelator_.clear(); }
   /// The robot has moved.
   void move(const OdometryMotion& motion) { decorrelator_.move(motion); }
-  /// The frame with the detections that count: all of them for a verified mode; before, no correlated anonymous
-  /// bearings.
-  [[nodiscard]] Frame select(const Frame& frame, bool verified);
+  /// The frame with the detections that count. While modes compete, no correlated anonymous bearings: many wrong poses
+  /// fit them as well as the right one. Within one mode they tell how the robot turns.
+  [[nodiscard]] Frame select(const Frame& frame, bool modes_compete);
   /// Adds the log-likelihood of the frame to the log weights.
   void weight(const Frame& frame, ParticleSet& particles) const;
   /// Inliers of the frame under the posterior (normalised particles). With `learn`, the clutter probabilities of the
