@@ -119,7 +119,7 @@ TEST(AutoCalibration, RangesThatAreTakenForDepthsAreToldAndTrackedAgain)
       << summary.at("calibration");
   const Json& rows = summary.at("calibration").at("rows");
   EXPECT_GT(rows.at("after").at("log_density"), rows.at("before").at("log_density"));
-  EXPECT_LT(testing::positionRmse(summary), rows.at("before").at("position_rmse_m"));
+  EXPECT_LT(testing::positionRmse(summary), 0.5);
   EXPECT_LT(testing::positionRmse(summary), 1.2 * testing::positionRmse(testing::summaryOf(plain)));
 }
 
@@ -144,7 +144,7 @@ TEST(AutoCalibration, WithAnonymousBearingsOdometryThatErrsIsTrackedAgainWithIts
   EXPECT_TRUE(rows.at("before").at("log_density").is_null());
   EXPECT_LT(rows.at("before").at("verdict_shares").at("ok"), 0.1);
   EXPECT_GT(rows.at("after").at("verdict_shares").at("ok"), 0.1);
-  EXPECT_LT(testing::positionRmse(summary), rows.at("before").at("position_rmse_m"));
+  EXPECT_LT(testing::positionRmse(summary), 0.5);
 }
 
 TEST(AutoCalibration, IsNotForShortLogs)

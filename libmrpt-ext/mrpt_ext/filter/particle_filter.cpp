@@ -61,7 +61,7 @@ FilterStep ParticleFilter::process(const Frame& whole, const HypothesisSources& 
 
   // Predict: x_t ~ p(x_t | x_{t-1}, u_t)
   predict(frame.motion);
-  const Frame used = observation_model_.select(frame, !before.unimodal || recovery.due());
+  const Frame used = observation_model_.select(frame, !before.unimodal);
   std::optional<GaussianUpdate> gaussian;
   if (steady) gaussian = updated(*steady, used);
 
