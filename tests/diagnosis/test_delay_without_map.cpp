@@ -65,7 +65,7 @@ TEST(DelayWithoutMap, IsToldByWhatTurnsAcrossTheView)
     {
       const auto told = found(readingsOf(0.5, identified, 7), odometryOf(delay, 0.5));
       ASSERT_TRUE(told) << delay;
-      EXPECT_NEAR(told->delay, delay, 3 * told->std + 0.005) << delay;
+      EXPECT_NEAR(told->delay, delay, 0.02) << delay;
       EXPECT_LT(told->std, 0.02);
     }
 }

@@ -17,6 +17,7 @@ namespace
 {
 constexpr double kLeastDuration = 60;  // [s]
 constexpr double kMostlyOk = 0.5;      // share of the frames
+constexpr double kClearly = 0.02;      // more of the frames
 constexpr const char* kOrigin = "auto_calibrate";
 const std::string kFilterName = "particle_filter";
 
@@ -60,7 +61,8 @@ struct StartingPoint
   std::vector<CalibratedValue> values;  // that differ from the configured ones
 };
 
-/// The pass as configured; where that is seldom `ok`, one with odometry that may err, if that is `ok` more often.
+/// The pass as configured; where that is seldom `ok`, one with odometry that may err, if that is `ok` clearly more
+/// often.
 StartingPoint startingPoint(const Settings& settings, const LocalizationInput& input, FirstPass configured,
                             bool show_progress)
 {
@@ -72,8 +74,9 @@ StartingPoint startingPoint(const Settings& settings, const LocalizationInput& i
   Settings uncertain = settings;
   for (const CalibratedValue& value : values) uncertain.set(value.section, value.key, value.value, kOrigin);
   LocalizationInput other = loadLocalization(uncertain, input.log.window);
+  other.config.filter.threads = input.config.filter.threads;
   FirstPass pass = firstPass(other, show_progress, "first pass, odometry that may err");
-  if (!(pass.row.shares.ok.value_or(0) > ok)) return start;
+  if (pass.row.shares.ok.value_or(0) < ok + kClearly) return start;
   return {std::move(uncertain), std::move(other), std::move(pass.trajectory), values};
 }
 

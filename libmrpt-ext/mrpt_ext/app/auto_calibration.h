@@ -17,7 +17,8 @@ struct AutoCalibration
 /// frames that belong together, our own particle filter among the methods.
 [[nodiscard]] bool isAutoCalibrated(const LocalizationInput& input);
 
-/// The particle filter runs as configured (likelierTrajectory()); its trajectory, the readings and odometry tell the
+/// The particle filter runs as configured (likelierTrajectory()), and where that is seldom `ok` with odometry that may
+/// err (diagnosis/uncertain_odometry.h); its trajectory, the readings and odometry tell the
 /// systematic errors and the noise (diagnosis/calibration_choice.h). Nothing when nothing pays. The truth serves the
 /// error of the first pass in the account only. The same for any number of trials: the first pass is trial 0.
 [[nodiscard]] std::optional<AutoCalibration> autoCalibration(const Settings& settings, const LocalizationInput& input,

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "mrpt_ext/filter/kalman/kalman_state.h"
 #include "mrpt_ext/geometry/bias_units.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/settings/key_section.h"
@@ -12,7 +11,6 @@ namespace mrpt_ext
 namespace
 {
 const std::string kCommon = "Bias";
-constexpr std::size_t kMaxBiases = kMaxKalmanStates - 3;
 const std::string kSensorPrefix = "Sensor_";
 // [s] in which errors of odometry change by their prior deviation, where nothing else is said: they depend on floor,
 // load and curve. Sensors keep theirs.
@@ -52,14 +50,17 @@ std::string definitionOf(BiasKind kind)
 KeyTable keysOf(const BiasUnit& bias, const std::string& section, const std::string& scope)
 {
   const BiasState none;
-  return KeySection(section)
-      .number(stdKey(bias), bias.unit, none.std, ranges::kNotNegative,
+  KeySection keys(section);
+  keys.number(stdKey(bias), bias.unit, none.std, ranges::kNotNegative,
               "Prior standard deviation; above 0 it is estimated. It is the " + definitionOf(bias.kind) + ". " + scope)
-      .number(meanKey(bias), bias.unit, none.mean, ranges::kAny, "Prior mean.")
-      .number(
-          driftKey(bias), bias.unit, none.std_per_sqrt_s, ranges::kNotNegative,
-          std::string("Random-walk standard deviation after one second.") +
-              (belongsToOdometry(bias.kind) ? " Where it is not set, it makes up the prior one in ten minutes." : ""));
+      .number(meanKey(bias), bias.unit, none.mean, ranges::kAny, "Prior mean.");
+  const std::string walk = "Random-walk standard deviation after one second.";
+  if (belongsToOdometry(bias.kind))
+    keys.number(driftKey(bias), bias.unit, kUnset, ranges::kNotNegative,
+                walk + " Not set: it makes up the prior one in ten minutes.");
+  else
+    keys.number(driftKey(bias), bias.unit, none.std_per_sqrt_s, ranges::kNotNegative, walk);
+  return keys;
 }
 
 void append(BiasModel& model, const Settings& settings, const std::string& section, const std::string& sensor)

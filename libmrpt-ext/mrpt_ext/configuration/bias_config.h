@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
+#include "mrpt_ext/filter/kalman/kalman_state.h"
 #include "mrpt_ext/geometry/bias_model.h"
 #include "mrpt_ext/settings/key_table.h"
 #include "mrpt_ext/settings/settings.h"
@@ -11,6 +13,9 @@ namespace mrpt_ext
 /// Keys of the systematic errors that are estimated beside the pose: [Bias] for odometry and for errors that all
 /// sensors share, [Sensor_<label>] for those of one sensor, on top of them.
 [[nodiscard]] KeyTable biasKeys();
+
+/// Number of errors that the filters estimate at most.
+inline constexpr std::size_t kMaxBiases = kMaxKalmanStates - 3;
 
 /// Keys of the prior mean and standard deviation of an error of this kind.
 [[nodiscard]] std::string biasMeanKey(BiasKind kind);

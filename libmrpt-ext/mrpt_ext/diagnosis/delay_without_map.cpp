@@ -15,15 +15,24 @@ constexpr int kTriedDelays = 31;
 constexpr double kLongestPair = 1;  // [s] between two readings that see the same
 constexpr double kNew = 0.3;        // share of bearings of what was not seen before
 constexpr Eigen::Index kBlocks = 20, kLeastPerBlock = 5;
-constexpr double kWorstStd = 0.1;  // [s]
+constexpr double kWorstStd = 0.1;        // [s]
+constexpr std::size_t kMostPairs = 900;  // of a bearing with one before it, in two readings
 
 using DelayScores = Eigen::Array<double, kTriedDelays, 1>;  // log-likelihoods, by delay
 
 double delayOf(double index) { return kEarliest + kSpacing * index; }
 
+/// How much a bearing at this range [m] changes by a motion without a turn, for a sensor that moves with the robot.
+double parallaxOf(double bearing, double range, const Pose2& motion, const Pose2& T_robot_sensor)
+{
+  const double direction = bearing + T_robot_sensor.phi;
+  return (std::sin(direction) * motion.x - std::cos(direction) * motion.y) / range;
+}
+
 /// Of a reading given the one before it.
 DelayScores scoresOf(const Reading& before, const Reading& now, const OdometryPath& odometry, double typical_range)
 {
+  const std::size_t stride = 1 + before.detections.size() * now.detections.size() / kMostPairs;
   DelayScores scores;
   for (int k = 0; k < kTriedDelays; ++k)
   {
@@ -31,15 +40,19 @@ DelayScores scoresOf(const Reading& before, const Reading& now, const OdometryPa
     const OdometryMotion motion = odometry.between(before.time - delay, now.time - delay);
     const double parallax = motion.path_length / typical_range;
     double sum = 0;
-    for (const Detection& d : now.detections)
+    for (std::size_t i = 0; i < now.detections.size(); i += stride)
     {
+      const Detection& d = now.detections[i];
       if (!d.bearing) continue;
       double density = 0, count = 0;
       for (const Detection& b : before.detections)
       {
         if (!b.bearing || b.id != d.id || b.category != d.category) continue;
         const double variance = square(d.std_bearing) + square(b.std_bearing) + square(parallax);
-        const double error = wrap(*d.bearing + motion.increment.phi - *b.bearing);
+        const double expected = *b.bearing +
+                                parallaxOf(*b.bearing, typical_range, motion.increment, now.T_robot_sensor) -
+                                motion.increment.phi;
+        const double error = wrap(*d.bearing - expected);
         density += std::exp(-0.5 * square(error) / variance) / std::sqrt(kTwoPi * variance);
         ++count;
       }

@@ -42,7 +42,8 @@ struct CalibrationRow
 struct AdoptedCalibration
 {
   std::vector<CalibratedValue> values;
-  CalibrationRow before;  ///< the pass as configured; log density along the trajectory calibrated from
+  /// The pass as configured; log density along the trajectory calibrated from, if that is of this configuration.
+  CalibrationRow before;
   std::optional<double> log_density_after;  ///< with values from the first half of the log
 };
 }  // namespace mrpt_ext
