@@ -13,6 +13,7 @@ namespace mrpt_ext
 ///
 /// Identities hold a pose whatever odometry does. With anonymous detections alone, a robot that comes elsewhere than
 /// odometry says fits another place better, and a calibration along that place finds nothing. So this is for those;
-/// nothing where the configuration has such states or no room for them, where detections are identified, and without odometry or bearings.
+/// nothing where the configuration has such states or no room for them, where detections are identified, and without
+/// odometry or bearings.
 [[nodiscard]] std::vector<CalibratedValue> uncertainOdometry(const LocalizationInput& input);
 }  // namespace mrpt_ext
