@@ -83,6 +83,17 @@ TEST_F(IndependentDetectionsTest, OnlyCorrelatedAnonymousBearingsAreLeftOut)
     EXPECT_EQ(decorrelator_.withoutCorrelatedBearings(readingOf({0.5}, 1)).detections.size(), 1U);
 }
 
+TEST_F(IndependentDetectionsTest, AReadingIsSplitInTwo)
+{
+  EXPECT_EQ(independentOf(readingOf({0.5})), 1U);
+  const auto [independent, correlated] = decorrelator_.split(readingOf({0.5, 1.5, 0.51}));
+  ASSERT_EQ(independent.detections.size(), 1U);
+  EXPECT_EQ(independent.detections[0].bearing, 1.5);
+  ASSERT_EQ(correlated.detections.size(), 2U);
+  EXPECT_EQ(correlated.detections[1].bearing, 0.51);
+  EXPECT_FALSE(correlated.model.detection_probability);
+}
+
 TEST_F(IndependentDetectionsTest, TheDistanceIsShorterInASmallMap)
 {
   const LandmarkTable small({{.id = 1, .position = {0, 0, 0}}, {.id = 2, .position = {3, 4, 0}}});  // 2 %: 0.1 m

@@ -107,7 +107,27 @@ TEST(NullModel, AfterManyNewFeaturesOneThatIsSeenAgainIsRecognized)
   for (int k = 0; k < 60; ++k) last = model.observe(camera(), bearingOf(0.15));
   EXPECT_GT(share_new, 0.9);
   EXPECT_LT(last.share_new, 0.6);
-  EXPECT_TRUE(last.is_known);
+  EXPECT_TRUE(last.isKnown());
+}
+
+TEST(NullModel, CorrelatedBearingsMoveTheirFeatureAndTellNothingAboutNewOnes)
+{
+  MotionModel drifting = kExact;
+  drifting.std_phi_per_s = degToRad(2);
+  NullModel tracking(drifting, 20), blind(drifting, 20);
+  for (NullModel* model : {&tracking, &blind})
+    for (int k = 0; k < 2; ++k) (void)model->observe(camera(), bearingOf(1));
+  for (int k = 0; k < 25; ++k)
+  {
+    tracking.move({.duration = 1});
+    blind.move({.duration = 1});
+    (void)tracking.track(camera(), bearingOf(1));
+  }
+  const FeatureMixture::Outcome tracked = tracking.observe(camera(), bearingOf(1));
+  const FeatureMixture::Outcome lost = blind.observe(camera(), bearingOf(1));
+  EXPECT_EQ(tracked.share_new, lost.share_new);
+  EXPECT_GT(tracked.log_density, lost.log_density + 1) << "odometry alone has lost the direction";
+  EXPECT_EQ(tracking.size(), 1U);
 }
 
 TEST(NullModel, FeaturesOfAnotherCategoryOrSensorAreNotExpected)

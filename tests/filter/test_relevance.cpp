@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mrpt_ext/geometry/angle.h"
 #include "mrpt_ext/geometry/random.h"
 
 namespace mrpt_ext::test_relevance

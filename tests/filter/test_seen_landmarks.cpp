@@ -36,7 +36,8 @@ double score(const SeenLandmarks& seen, const Reading& reading, const LandmarkTa
   ParticleSet robot(Vector2d(0, 0));
   robot.add({0, 0, 0}, 0);
   seen.score(reading, map, robot.origin, robot.poses(),
-             {.is_known = is_known, .share_new = share_new, .share_each = share_each}, robot.log_weight);
+             {.share_new = share_new, .share_each = share_each, .new_given_detection = is_known ? 0.0 : 1.0},
+             robot.log_weight);
   return double{robot.log_weight[0]};
 }
 
@@ -85,11 +86,25 @@ TEST(SeenLandmarks, ABearingThatTheNullModelRecognizesShowsNoLandmarkForTheFirst
   EXPECT_NEAR(other_seen, score(seen, ahead, map, 0.5, 0.1, false) + std::log(4.0 / 3), 0.1) << "one of three";
   EXPECT_LT(other_seen, first);
   seen.add(0);
-  EXPECT_LT(score(seen, ahead, map, 0.5, 0.01, true), score(seen, ahead, map, 0.5, 0.01, false) - 1)
+  EXPECT_LT(score(seen, ahead, map, 0.99, 0.01, true), score(seen, ahead, map, 0.99, 0.01, false) - 1)
       << "it cannot be new";
   EXPECT_NEAR(score(seen, detectionAt(3, 0), map, 0.5, 0.1, true), score(seen, detectionAt(3, 0), map, 0.5, 0.1, false),
               1e-6)
       << "ranges";
+}
+
+TEST(SeenLandmarks, OfBearingsAllSeenShareWhatIsNotNew)
+{
+  const LandmarkTable map = fourLandmarks();
+  Reading ahead = detectionAt(3, 0);
+  ahead.detections[0].range.reset();
+  const double chance = kClutter / kTwoPi, peak = (1 - kClutter) / (std::sqrt(kTwoPi) * 0.02);
+  SeenLandmarks seen;
+  seen.add(0);
+  for (const double share_each : {0.01, 0.7})
+    EXPECT_NEAR(score(seen, ahead, map, 0.3, share_each), std::log(chance + (0.3 / 4 + 0.7) * peak), 1e-3);
+  seen.add(1);
+  EXPECT_NEAR(score(seen, ahead, map, 0.3, 0.01), std::log(chance + (0.3 / 4 + 0.7 / 2) * peak), 1e-3);
 }
 
 TEST(SeenLandmarks, OfAnotherCategoryAreNotExpected)

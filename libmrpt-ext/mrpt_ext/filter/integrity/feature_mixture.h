@@ -14,30 +14,38 @@ struct FeatureDensities
 };
 
 /// A detection comes from one of the features in view, all with equal chances, from a new one or from clutter. New ones
-/// are expected with their frequency so far (Laplace's rule of succession). Which detections were new is not known:
-/// each counts with its probability (quasi-Bayes estimate of mixture weights; Smith, Makov, J. Roy. Stat. Soc. B 40,
-/// 1978). Counted by the likelier case instead, a run of new ones would make all later ones seem new as well.
+/// are expected with their frequency among those counted (Laplace's rule of succession). Which detections were new is
+/// not known: each counts with its probability (quasi-Bayes estimate of mixture weights; Smith, Makov, J. Roy. Stat.
+/// Soc. B 40, 1978). Counted by the likelier case instead, a run of new ones would make all later ones seem new as
+/// well.
 class FeatureMixture
 {
  public:
   struct Outcome
   {
     double log_density = 0;
-    bool is_known = false;  ///< rather one of the features than a new one
     double share_new = 1;   ///< probability of a new feature, before the detection was seen
     double share_each = 0;  ///< ... of each of those in view
+    double new_given_detection = 1;
+
+    /// Rather one of the features than a new one.
+    [[nodiscard]] bool isKnown() const { return new_given_detection < 0.5; }
   };
 
-  /// Counts a detection; `uniform`: the density of new features and of clutter.
-  Outcome observe(const FeatureDensities& known, double uniform, double clutter)
+  /// `uniform`: the density of new features and of clutter.
+  [[nodiscard]] Outcome expect(const FeatureDensities& known, double uniform, double clutter) const
   {
     const double p_new = known.any ? (new_ + 1) / (count_ + 2) : 1;
     const double p_each = (1 - p_new) / std::max(1.0, known.in_view);
     const double of_new = p_new * uniform, of_known = p_each * known.sum;
-    count_ += 1;
-    new_ += of_new + of_known > 0 ? of_new / (of_new + of_known) : 1;
     const double density = clutter * uniform + (1 - clutter) * (of_new + of_known);
-    return {std::log(density), of_known > of_new, p_new, p_each};
+    return {std::log(density), p_new, p_each, of_new + of_known > 0 ? of_new / (of_new + of_known) : 1};
+  }
+  /// Counts a detection that was expected so.
+  void count(const Outcome& expected)
+  {
+    count_ += 1;
+    new_ += expected.new_given_detection;
   }
 
  private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace mrpt_ext
 {
@@ -82,6 +83,14 @@ std::vector<bool> DetectionDecorrelator::markIndependent(const Reading& reading)
   }
   std::move(added.begin(), added.end(), std::back_inserter(recent_));
   return independent;
+}
+
+DetectionDecorrelator::Split DetectionDecorrelator::split(const Reading& reading)
+{
+  std::vector<bool> marks = markIndependent(reading);
+  Reading independent = only(reading, marks);
+  marks.flip();
+  return {std::move(independent), only(reading, marks)};
 }
 
 Reading DetectionDecorrelator::independent(const Reading& reading) { return only(reading, markIndependent(reading)); }

@@ -27,8 +27,15 @@ class DetectionDecorrelator
 
   void clear() { recent_.clear(); }
   void move(const OdometryMotion& motion);
-  /// The reading with its independent detections only; they are remembered. It declares no detection probability any
-  /// more: only whole readings show what was missed.
+  /// The reading in two. Neither part declares a detection probability any more: only whole readings show what was
+  /// missed.
+  struct Split
+  {
+    Reading independent, correlated;
+  };
+  /// The independent detections are remembered.
+  [[nodiscard]] Split split(const Reading& reading);
+  /// The independent part of split().
   [[nodiscard]] Reading independent(const Reading& reading);
   /// The reading without correlated anonymous bearings: many wrong poses fit them as well as the right one. With a
   /// range a detection separates poses at once, and stays. Unchanged where nothing is left out; all of it is

@@ -75,6 +75,13 @@ void NullModel::add(const Reading& reading, const Pose2& sensor, const Detection
 
 FeatureMixture::Outcome NullModel::observe(const Reading& reading, const Detection& bearing)
 {
+  const FeatureMixture::Outcome outcome = track(reading, bearing);
+  mixture_.count(outcome);
+  return outcome;
+}
+
+FeatureMixture::Outcome NullModel::track(const Reading& reading, const Detection& bearing)
+{
   const Pose2 sensor = compose(odometry_.pose, reading.T_robot_sensor);
   const double uniform = 1 / measurementVolume(bearing, reading.model, max_range_);
   FeatureDensities known;
@@ -93,8 +100,8 @@ FeatureMixture::Outcome NullModel::observe(const Reading& reading, const Detecti
     }
   }
   known.any = best != nullptr;
-  const FeatureMixture::Outcome outcome = mixture_.observe(known, uniform, reading.model.clutter_probability);
-  if (outcome.is_known)
+  const FeatureMixture::Outcome outcome = mixture_.expect(known, uniform, reading.model.clutter_probability);
+  if (outcome.isKnown())
   {
     RangeWeights ranges{};
     for (std::size_t k = 0; k < kRanges; ++k) ranges[k] = (best->position[k] - sensor.position()).norm();

@@ -15,8 +15,10 @@ namespace mrpt_ext
 ///
 /// A pose that fits an anonymous bearing once goes on to fit the same feature, right or wrong: the next bearing of it
 /// is no evidence. So the likelihood of a pose (sequential_pose_test.h) is compared with this model, not with a
-/// uniform density. Each tracked feature is a direction in odometry's axes and a distribution over its range. A bearing
-/// comes from one of the features in view, or from a new one, with the frequency of new features so far.
+/// uniform density. Correlated bearings count for neither, but both follow the robot's turns by them: a null model that
+/// had only odometry in the meantime would lose its features, and any pose would seem better. Each tracked feature is a
+/// direction in odometry's axes and a distribution over its range. A bearing comes from one of the features in view, or
+/// from a new one, with the frequency of new features so far.
 class NullModel
 {
  public:
@@ -28,6 +30,9 @@ class NullModel
   /// The log density of the result is that of a bearing [1/rad], clutter included, given those before; the bearing is
   /// remembered. The detection has a bearing and no range.
   FeatureMixture::Outcome observe(const Reading& reading, const Detection& bearing);
+  /// Remembers a bearing that is correlated with those before: it updates its feature, and does not count among those
+  /// that tell how frequent new ones are.
+  FeatureMixture::Outcome track(const Reading& reading, const Detection& bearing);
 
   /// Number of tracked features.
   [[nodiscard]] std::size_t size() const { return features_.size(); }

@@ -64,8 +64,9 @@ FeatureMixture::Outcome PointNullModel::observe(const Reading& reading, const De
     best = feature;
     best_density = density;
   }
-  const FeatureMixture::Outcome outcome = mixture_.observe(known, uniform, reading.model.clutter_probability);
-  if (outcome.is_known)
+  const FeatureMixture::Outcome outcome = mixture_.expect(known, uniform, reading.model.clutter_probability);
+  mixture_.count(outcome);
+  if (outcome.isKnown())
   {
     const Matrix2d gain = best->covariance * (best->covariance + seen.covariance).inverse();
     seen.mean = best->mean + gain * (seen.mean - best->mean);

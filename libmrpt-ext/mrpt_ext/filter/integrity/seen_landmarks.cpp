@@ -56,7 +56,7 @@ void SeenLandmarks::score(const Reading& part, const LandmarkTable& map, const V
   same_volume.model.max_range = part.model.max_range.value_or(defaultMaxRange(map));
   // A bearing that the null model recognizes shows no landmark for the first time. The same holds for detections with a
   // range, but there this left two thirds of the right poses among barriers unverified and rejected no wrong one more.
-  const bool is_known = expected.is_known && !detection.range && !indices_.empty();
+  const bool is_known = expected.isKnown() && !detection.range && !indices_.empty();
   const std::vector<float> of_new = logLikelihoods(same_volume, is_known ? unseen(map) : map, origin, poses);
   const LandmarkTable seen = seenOf(detection, map);
   double in_view = 0;
@@ -68,7 +68,9 @@ void SeenLandmarks::score(const Reading& part, const LandmarkTable& map, const V
   }
   const std::vector<float> of_seen = logLikelihoods(same_volume, seen, origin, poses);
   const double p_new = seen.empty() ? 1 : expected.share_new;
-  const double p_seen = std::min(1 - p_new, expected.share_each * std::max(1.0, in_view));
+  // Of bearings the null model has several features of one landmark after a while: those that odometry has lost are
+  // still in view, and the share of one of them is too small for the landmark.
+  const double p_seen = detection.range ? std::min(1 - p_new, expected.share_each * std::max(1.0, in_view)) : 1 - p_new;
   const double clutter =
       boundedClutter(part.model.clutter_probability) / measurementVolume(detection, part.model, defaultMaxRange(map));
   for (std::size_t i = 0; i < log_likelihood.size(); ++i)

@@ -18,8 +18,9 @@ namespace mrpt_ext
 /// are seen again and again, which either hypothesis expects. If the pose hypothesis spread its detections over the
 /// whole map instead, each one of a tracked feature would speak against it by the logarithm of the number of landmarks,
 /// at the right pose as well. So a detection shows something new with the probability that the null model gives to
-/// that, and each landmark that was seen before with that of one of its features: a landmark is one of them. A bearing
-/// that the null model recognizes is not expected of a landmark that was not seen yet.
+/// that, and otherwise a landmark that was seen before: each with the share of one feature where detections have
+/// ranges, and all of them together where they are bearings. A bearing that the null model recognizes is not expected
+/// of a landmark that was not seen yet.
 class SeenLandmarks
 {
  public:

@@ -39,10 +39,6 @@ std::vector<Reading> parts(const Reading& reading)
   return result;
 }
 
-/// An anonymous range or bearing alone fits so many poses that those right about one landmark are not the strongest
-/// rivals, and fits by chance so often that a share of strays learned from it would let wrong poses pass.
-bool tellsPlace(const Detection& detection) { return detection.range && detection.bearing; }
-
 /// The nearest landmark and the distance of the second.
 class NearestOfTwo
 {
@@ -88,7 +84,9 @@ std::optional<std::size_t> landmarkIn(const Reading& part, const LandmarkTable& 
 {
   const Detection& detection = part.detections.front();
   if (detection.id != kNoId) return map.indexOf(detection.id);
-  if (!tellsPlace(detection)) return std::nullopt;
+  // An anonymous range or bearing alone fits so many poses that those right about one landmark are not the strongest
+  // rivals.
+  if (!detection.range || !detection.bearing) return std::nullopt;
   const Vector2d place = placeOf(part, particles);
   NearestOfTwo nearest;
   for (std::size_t k = 0; k < map.size(); ++k) nearest.add(k, (map[k].position.head<2>() - place).norm());
@@ -145,8 +143,9 @@ void SequentialPoseTest::skip(const Frame& frame)
   decayAfterGap(frame);
   for (const Reading& reading : scoredReadings(frame))
   {
-    const Reading independent = decorrelator_.independent(reading);
+    const auto [independent, correlated] = decorrelator_.split(reading);
     for (const Reading& part : parts(independent)) (void)observeWithoutMap(part, 1);
+    track(correlated);
     const std::string sensor = sensorKey(reading);
     spot_.count(sensor, reading.detections.size(), independent.detections.size());
     if (hasAnonymous(reading)) (void)spot_.isFirstOf(sensor);
@@ -184,6 +183,12 @@ void SequentialPoseTest::endGap(const OdometryMotion& motion)
   rivals_refuted_ = heading_seen_ = false;
 }
 
+void SequentialPoseTest::track(const Reading& correlated)
+{
+  for (const Detection& d : correlated.detections)
+    if (d.id == kNoId && d.bearing && !d.range) (void)null_model_.track(correlated, d);
+}
+
 FeatureMixture::Outcome SequentialPoseTest::observeWithoutMap(const Reading& part, double default_max_range)
 {
   const Detection& d = part.detections.front();
@@ -217,47 +222,51 @@ void SequentialPoseTest::update(const Frame& frame, const LandmarkTable& map, co
 
 void SequentialPoseTest::test(const std::vector<Reading>& readings, const LandmarkTable& map, ParticleSet particles)
 {
-  const LandmarkClutter clutter;
   const ParticleSet draws = symmetric_.drawsFrom(particles);
   std::vector<Reading> all_independent;
   std::vector<const Reading*> looks;
   for (const Reading& reading : readings)
   {
-    Reading not_repeated = decorrelator_.independent(reading);
+    auto [independent, correlated] = decorrelator_.split(reading);
     heading_seen_ = heading_seen_ || showsHeading(reading, map);
     const std::string sensor = sensorKey(reading);
-    const double share_of_new = spot_.shareOfNew(sensor);
-    spot_.count(sensor, reading.detections.size(), not_repeated.detections.size());
-    if (not_repeated.detections.empty()) continue;
-    const Reading& independent = all_independent.emplace_back(std::move(not_repeated));
-    const bool first = hasAnonymous(reading) && spot_.isFirstOf(sensor);
-    for (const Reading& part : parts(independent))
+    Spot spot{false, spot_.shareOfNew(sensor)};
+    spot_.count(sensor, reading.detections.size(), independent.detections.size());
+    if (!independent.detections.empty())
     {
-      const FeatureMixture::Outcome without_map = observeWithoutMap(part, defaultMaxRange(map));
-      const std::optional<std::size_t> landmark = landmarkIn(part, map, particles);
-      // A feature that the null model recognizes is a landmark that was seen before.
-      if (landmark && without_map.is_known) seen_.add(*landmark);
-      const bool is_feature = hasAnonymous(part) && part.detections.front().bearing;
-      const bool is_point = is_feature && tellsPlace(part.detections.front());
-      if (is_feature)
-      {
-        seen_.score(part, map, particles.origin, particles.poses(), without_map, particles.log_weight);
-        // Which landmark a bearing shows is chosen by the bearing itself, so it was seen only from now on.
-        const auto shown = is_point ? landmark : landmarkInDirection(part, map, particles);
-        if (shown) seen_.add(*shown);
-      }
-      else
-        ReadingScorer(part, map, clutter, particles.origin).addTo(particles.poses(), particles.log_weight);
-      double log_ratio = normalizeWeights(particles).log_sum - without_map.log_density;
-      if (is_point) log_ratio = strays_.counted(log_ratio, part.model);
-      log_odds_ = std::min(log_odds_ + counted(part, landmark, log_ratio, {first, share_of_new}), kMaxLogOdds);
+      spot.first = hasAnonymous(reading) && spot_.isFirstOf(sensor);
+      for (const Reading& part : parts(independent)) testDetection(part, map, particles, spot);
+      all_independent.push_back(std::move(independent));
     }
-    if (!first) continue;
+    track(correlated);
+    if (!spot.first) continue;
     if (scoresMissedDetections(reading)) log_odds_ += missed_.count(reading, map, particles);
     looks.push_back(&reading);
   }
   symmetric_.update(all_independent, map, draws);
   for (const Reading* reading : looks) symmetric_.look(*reading, map, draws);
+}
+
+void SequentialPoseTest::testDetection(const Reading& part, const LandmarkTable& map, ParticleSet& particles,
+                                       const Spot& spot)
+{
+  const FeatureMixture::Outcome without_map = observeWithoutMap(part, defaultMaxRange(map));
+  const std::optional<std::size_t> landmark = landmarkIn(part, map, particles);
+  // A feature that the null model recognizes is a landmark that was seen before.
+  if (landmark && without_map.isKnown()) seen_.add(*landmark);
+  const bool is_feature = hasAnonymous(part) && part.detections.front().bearing;
+  if (is_feature)
+  {
+    seen_.score(part, map, particles.origin, particles.poses(), without_map, particles.log_weight);
+    // Which landmark a bearing shows is chosen by the bearing itself, so it was seen only from now on.
+    const auto shown = part.detections.front().range ? landmark : landmarkInDirection(part, map, particles);
+    if (shown) seen_.add(*shown);
+  }
+  else
+    ReadingScorer(part, map, LandmarkClutter{}, particles.origin).addTo(particles.poses(), particles.log_weight);
+  double log_ratio = normalizeWeights(particles).log_sum - without_map.log_density;
+  if (is_feature) log_ratio = strays_[sensorKey(part)].counted(log_ratio, part.model);
+  log_odds_ = std::min(log_odds_ + counted(part, landmark, log_ratio, spot), kMaxLogOdds);
 }
 
 double SequentialPoseTest::counted(const Reading& part, std::optional<std::size_t> landmark, double log_ratio,

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "mrpt_ext/filter/integrity/independent_detections.h"
@@ -77,7 +79,7 @@ class SequentialPoseTest
   {
     log_odds_ = std::clamp(log_odds_, 0.0, kAcceptLogOdds / 2);
     seen_.clear();
-    strays_ = {};
+    strays_.clear();
     missed_.clear();
     by_landmark_.restart(false);
     symmetric_.doubt();
@@ -106,6 +108,8 @@ class SequentialPoseTest
   void move(const OdometryMotion& motion);
   /// Where detections return after a gap, and none of them is identified: earlier evidence counts less.
   void decayAfterGap(const Frame& frame);
+  /// The null model follows bearings that do not count.
+  void track(const Reading& correlated);
   /// The only detection of a reading under the null hypothesis; it is remembered.
   FeatureMixture::Outcome observeWithoutMap(const Reading& part, double default_max_range);
   /// Adds the log-likelihood ratio of the readings' independent detections; `particles` are weighted with them.
@@ -116,6 +120,8 @@ class SequentialPoseTest
     bool first;           ///< of the sensor
     double share_of_new;  ///< of its detections
   };
+  /// Adds the log-likelihood ratio of the only detection of a reading; `particles` are weighted with it.
+  void testDetection(const Reading& part, const LandmarkTable& map, ParticleSet& particles, const Spot& spot);
   /// What counts of the log-likelihood ratio of a single detection of `landmark`.
   [[nodiscard]] double counted(const Reading& part, std::optional<std::size_t> landmark, double log_ratio,
                                const Spot& spot);
@@ -124,7 +130,7 @@ class SequentialPoseTest
   NullModel null_model_;             // of anonymous bearings
   PointNullModel point_null_model_;  // of those with ranges
   SeenLandmarks seen_;
-  StrayDetections strays_;
+  std::map<std::string, StrayDetections> strays_;  // by sensor
   MissedLandmarks missed_;
   SpotEvidence spot_;
   LandmarkEvidence by_landmark_{kMaxLogOdds};

@@ -8,8 +8,7 @@
 
 namespace mrpt_ext
 {
-/// Detections with range and bearing of what is not in the map, seen from the pose under test. Bearings alone count
-/// with the declared probability of clutter.
+/// Anonymous detections of what is not in the map, seen from the pose under test.
 ///
 /// People, other robots and shiny things stay where they are, as landmarks do. With a fixed probability of clutter, and
 /// clutter that is spread evenly, each detection of one would speak against the right pose as loudly as against a wrong

@@ -1,0 +1,62 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "mrpt_ext/filter/integrity/sequential_pose_test.h"
+#include "mrpt_ext/hypotheses/pose_region.h"
+#include "simulated_run.h"
+
+namespace mrpt_ext::test_bearings_in_pose_test
+{
+namespace
+{
+const PoseRegion kRegion{{0, 0}, {10, 10}};
+constexpr int kStepsBefore = 300;
+
+/// The highest log odds of a pose `off` the true one within `steps` after it is put to the test anew, late in a drive
+/// past five of fifteen landmarks. Their bearings are anonymous; `std_turn`: of odometry's heading in one step [rad].
+double highestOddsAnew(const Pose2& off, double std_turn, int steps, std::uint64_t seed)
+{
+  const SimulatedRobot robot{.odometry_std = {0.01, 0.01, std_turn},
+                             .std_bearing = degToRad(2),
+                             .identified = false,
+                             .detections = 2,
+                             .clutter = 0.1};
+  RandomStream random(seed);
+  const LandmarkTable map = randomMap(15, 10, random);
+  const LandmarkTable shown({map[0], map[1], map[2], map[3], map[4]});
+  SequentialPoseTest test(motionModelOf(robot), map);
+  Pose2 truth{5, 2, 0};
+  double highest = 0;
+  for (int k = 0; k < kStepsBefore + steps; ++k)
+  {
+    if (k == kStepsBefore) test.reset();
+    truth = compose(truth, roundTripStep(k));
+    test.update(simulatedFrame(robot, shown, truth, roundTripStep(k), random), map,
+                particlesAt(compose(truth, off), random));
+    if (k >= kStepsBefore) highest = std::max(highest, test.logOdds());
+  }
+  return highest;
+}
+}  // namespace
+
+// Most of its features are those that odometry has lost: in view, but not where a landmark is seen.
+TEST(BearingsInPoseTest, TheRightPoseIsVerifiedThoughTheNullModelHasManyFeaturesInView)
+{
+  for (std::uint64_t seed = 1; seed <= 10; ++seed)
+    EXPECT_GE(highestOddsAnew({}, degToRad(3), 60, seed), SequentialPoseTest::kAcceptLogOdds) << "seed " << seed;
+}
+
+// The particles know the true turns. With odometry as bad as above that alone would tell them from the null hypothesis.
+TEST(BearingsInPoseTest, AWrongPoseIsNotVerifiedByThem)
+{
+  int verified = 0;
+  for (std::uint64_t seed = 1; seed <= 50; ++seed)
+  {
+    RandomStream random(seed, 1);
+    const Pose2 off = compose({-1, -1, 0}, kRegion.sample(random));
+    verified += highestOddsAnew(off, 0.01, 150, seed) >= SequentialPoseTest::kAcceptLogOdds ? 1 : 0;
+  }
+  EXPECT_EQ(verified, 0);
+}
+}  // namespace mrpt_ext::test_bearings_in_pose_test
