@@ -121,7 +121,7 @@ TEST(NullModel, CorrelatedBearingsMoveTheirFeatureAndTellNothingAboutNewOnes)
   {
     tracking.move({.duration = 1});
     blind.move({.duration = 1});
-    (void)tracking.track(camera(), bearingOf(1));
+    tracking.track(camera(), bearingOf(1));
   }
   const FeatureMixture::Outcome tracked = tracking.observe(camera(), bearingOf(1));
   const FeatureMixture::Outcome lost = blind.observe(camera(), bearingOf(1));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "mrpt_ext/likelihood/detection_density.h"
 
@@ -10,7 +11,7 @@ namespace mrpt_ext
 namespace
 {
 constexpr double kMinRange = 0.2;         // [m]
-constexpr std::size_t kMaxFeatures = 40;  // the oldest are dropped
+constexpr std::size_t kMaxFeatures = 40;  // those not seen for longest are dropped
 
 double normalDensity(double residual, double variance)
 {
@@ -73,43 +74,52 @@ void NullModel::add(const Reading& reading, const Pose2& sensor, const Detection
   if (features_.size() > kMaxFeatures) features_.erase(features_.begin());
 }
 
-FeatureMixture::Outcome NullModel::observe(const Reading& reading, const Detection& bearing)
+NullModel::Match NullModel::match(const Reading& reading, const Pose2& sensor, const Detection& bearing) const
 {
-  const FeatureMixture::Outcome outcome = track(reading, bearing);
-  mixture_.count(outcome);
-  return outcome;
+  Match result;
+  for (std::size_t f = 0; f < features_.size(); ++f)
+  {
+    if (features_[f].sensor != reading.sensor || features_[f].category != bearing.category) continue;
+    const PredictedBearing prediction = predict(features_[f], sensor, reading.model, bearing);
+    result.all.any = true;
+    result.all.in_view += prediction.in_view;
+    result.all.sum += prediction.density;
+    if (result.best && prediction.density <= result.prediction.density) continue;
+    result.best = f;
+    result.prediction = prediction;
+  }
+  return result;
 }
 
-FeatureMixture::Outcome NullModel::track(const Reading& reading, const Detection& bearing)
+void NullModel::update(const Match& match, const Pose2& sensor, const Detection& bearing)
+{
+  const auto best = features_.begin() + static_cast<std::ptrdiff_t>(*match.best);
+  RangeWeights ranges{};
+  for (std::size_t k = 0; k < kRanges; ++k) ranges[k] = (best->position[k] - sensor.position()).norm();
+  best->weight = match.prediction.weight;
+  relocate(*best, sensor, bearing, ranges);
+  std::rotate(best, best + 1, features_.end());
+}
+
+FeatureMixture::Outcome NullModel::observe(const Reading& reading, const Detection& bearing)
 {
   const Pose2 sensor = compose(odometry_.pose, reading.T_robot_sensor);
   const double uniform = 1 / measurementVolume(bearing, reading.model, max_range_);
-  FeatureDensities known;
-  TrackedFeature* best = nullptr;
-  PredictedBearing best_prediction;
-  for (TrackedFeature& feature : features_)
-  {
-    if (feature.sensor != reading.sensor || feature.category != bearing.category) continue;
-    const PredictedBearing prediction = predict(feature, sensor, reading.model, bearing);
-    known.in_view += prediction.in_view;
-    known.sum += prediction.density;
-    if (!best || prediction.density > best_prediction.density)
-    {
-      best = &feature;
-      best_prediction = prediction;
-    }
-  }
-  known.any = best != nullptr;
-  const FeatureMixture::Outcome outcome = mixture_.expect(known, uniform, reading.model.clutter_probability);
+  const Match found = match(reading, sensor, bearing);
+  const FeatureMixture::Outcome outcome = mixture_.expect(found.all, uniform, reading.model.clutter_probability);
+  mixture_.count(outcome);
   if (outcome.isKnown())
-  {
-    RangeWeights ranges{};
-    for (std::size_t k = 0; k < kRanges; ++k) ranges[k] = (best->position[k] - sensor.position()).norm();
-    best->weight = best_prediction.weight;
-    relocate(*best, sensor, bearing, ranges);
-  }
+    update(found, sensor, bearing);
   else
     add(reading, sensor, bearing);
   return outcome;
+}
+
+void NullModel::track(const Reading& reading, const Detection& bearing)
+{
+  const Pose2 sensor = compose(odometry_.pose, reading.T_robot_sensor);
+  const double uniform = 1 / measurementVolume(bearing, reading.model, max_range_);
+  const Match found = match(reading, sensor, bearing);
+  if (found.best && found.prediction.density > uniform) update(found, sensor, bearing);
 }
 }  // namespace mrpt_ext

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +20,7 @@ namespace mrpt_ext
 /// uniform density. Correlated bearings count for neither, but both follow the robot's turns by them: a null model that
 /// had only odometry in the meantime would lose its features, and any pose would seem better. Each tracked feature is a
 /// direction in odometry's axes and a distribution over its range. A bearing comes from one of the features in view, or
-/// from a new one, with the frequency of new features so far.
+/// from a new one, with the frequency of new features among the independent bearings so far.
 class NullModel
 {
  public:
@@ -30,9 +32,9 @@ class NullModel
   /// The log density of the result is that of a bearing [1/rad], clutter included, given those before; the bearing is
   /// remembered. The detection has a bearing and no range.
   FeatureMixture::Outcome observe(const Reading& reading, const Detection& bearing);
-  /// Remembers a bearing that is correlated with those before: it updates its feature, and does not count among those
-  /// that tell how frequent new ones are.
-  FeatureMixture::Outcome track(const Reading& reading, const Detection& bearing);
+  /// A bearing that is correlated with those before moves the feature that it shows, if it fits one better than chance.
+  /// It does not count among those that tell how frequent new ones are, nor is it a new one.
+  void track(const Reading& reading, const Detection& bearing);
 
   /// Number of tracked features.
   [[nodiscard]] std::size_t size() const { return features_.size(); }
@@ -57,8 +59,19 @@ class NullModel
     RangeWeights weight;  ///< posterior of the candidates
   };
 
+  /// A bearing compared with the features of its sensor and category.
+  struct Match
+  {
+    FeatureDensities all;
+    std::optional<std::size_t> best;  ///< index of the feature that fits best
+    PredictedBearing prediction;      ///< of that one
+  };
+
   [[nodiscard]] PredictedBearing predict(const TrackedFeature& feature, const Pose2& sensor, const SensorModel& model,
                                          const Detection& bearing) const;
+  [[nodiscard]] Match match(const Reading& reading, const Pose2& sensor, const Detection& bearing) const;
+  /// The best one was seen.
+  void update(const Match& match, const Pose2& sensor, const Detection& bearing);
   /// The feature along the bearing, at these ranges.
   void relocate(TrackedFeature& feature, const Pose2& sensor, const Detection& bearing, const RangeWeights& ranges);
   void add(const Reading& reading, const Pose2& sensor, const Detection& bearing);
@@ -67,6 +80,6 @@ class NullModel
   double max_range_;
   DeadReckoning odometry_;  // since the start
   FeatureMixture mixture_;
-  std::vector<TrackedFeature> features_;
+  std::vector<TrackedFeature> features_;  // the one seen last is the last one
 };
 }  // namespace mrpt_ext

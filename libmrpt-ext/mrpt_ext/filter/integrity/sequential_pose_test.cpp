@@ -186,7 +186,7 @@ void SequentialPoseTest::endGap(const OdometryMotion& motion)
 void SequentialPoseTest::track(const Reading& correlated)
 {
   for (const Detection& d : correlated.detections)
-    if (d.id == kNoId && d.bearing && !d.range) (void)null_model_.track(correlated, d);
+    if (d.id == kNoId && d.bearing && !d.range) null_model_.track(correlated, d);
 }
 
 FeatureMixture::Outcome SequentialPoseTest::observeWithoutMap(const Reading& part, double default_max_range)
@@ -224,6 +224,7 @@ void SequentialPoseTest::test(const std::vector<Reading>& readings, const Landma
 {
   const ParticleSet draws = symmetric_.drawsFrom(particles);
   std::vector<Reading> all_independent;
+  std::vector<Reading> all_correlated;
   std::vector<const Reading*> looks;
   for (const Reading& reading : readings)
   {
@@ -238,11 +239,12 @@ void SequentialPoseTest::test(const std::vector<Reading>& readings, const Landma
       for (const Reading& part : parts(independent)) testDetection(part, map, particles, spot);
       all_independent.push_back(std::move(independent));
     }
-    track(correlated);
+    all_correlated.push_back(std::move(correlated));
     if (!spot.first) continue;
     if (scoresMissedDetections(reading)) log_odds_ += missed_.count(reading, map, particles);
     looks.push_back(&reading);
   }
+  for (const Reading& correlated : all_correlated) track(correlated);
   symmetric_.update(all_independent, map, draws);
   for (const Reading* reading : looks) symmetric_.look(*reading, map, draws);
 }
