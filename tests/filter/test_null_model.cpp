@@ -119,8 +119,9 @@ TEST(NullModel, CorrelatedBearingsMoveTheirFeatureAndTellNothingAboutNewOnes)
     for (int k = 0; k < 2; ++k) (void)model->observe(camera(), bearingOf(1));
   for (int k = 0; k < 25; ++k)
   {
-    tracking.move({.duration = 1});
-    blind.move({.duration = 1});
+    const OdometryMotion turn_that_is_none{.increment = {0, 0, degToRad(1)}, .turned = degToRad(1), .duration = 1};
+    tracking.move(turn_that_is_none);
+    blind.move(turn_that_is_none);
     tracking.track(camera(), bearingOf(1));
   }
   const FeatureMixture::Outcome tracked = tracking.observe(camera(), bearingOf(1));
@@ -128,6 +129,17 @@ TEST(NullModel, CorrelatedBearingsMoveTheirFeatureAndTellNothingAboutNewOnes)
   EXPECT_EQ(tracked.share_new, lost.share_new);
   EXPECT_GT(tracked.log_density, lost.log_density + 1) << "odometry alone has lost the direction";
   EXPECT_EQ(tracking.size(), 1U);
+}
+
+TEST(NullModel, ACorrelatedBearingThatFitsNothingIsNoFeature)
+{
+  NullModel model(kExact, 20);
+  model.track(camera(), bearingOf(1));
+  EXPECT_EQ(model.size(), 0U);
+  (void)model.observe(camera(), bearingOf(1));
+  model.track(camera(), bearingOf(2));
+  EXPECT_EQ(model.size(), 1U);
+  EXPECT_NEAR(model.observe(camera(), bearingOf(2)).share_new, 2.0 / 3, 1e-12) << "one so far, which was new";
 }
 
 TEST(NullModel, FeaturesOfAnotherCategoryOrSensorAreNotExpected)

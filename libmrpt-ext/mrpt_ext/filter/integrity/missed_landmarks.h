@@ -21,7 +21,7 @@ namespace mrpt_ext
 /// mean, worth one reading, and at most that mean.
 ///
 /// Only landmarks that were not seen so far count. One that was is a feature that the null model tracks and expects to
-/// be seen again with the same probability: that it is missed surprises both hypotheses alike.
+/// be seen again: that it is missed surprises both hypotheses alike.
 ///
 /// That a landmark is seen counts by the density of the detection alone. Its probability P would be one more factor,
 /// but so would the expected number of detections be for the null hypothesis; they nearly cancel, and to leave out both

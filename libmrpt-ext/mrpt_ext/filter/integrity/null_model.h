@@ -17,10 +17,11 @@ namespace mrpt_ext
 ///
 /// A pose that fits an anonymous bearing once goes on to fit the same feature, right or wrong: the next bearing of it
 /// is no evidence. So the likelihood of a pose (sequential_pose_test.h) is compared with this model, not with a
-/// uniform density. Correlated bearings count for neither, but both follow the robot's turns by them: a null model that
-/// had only odometry in the meantime would lose its features, and any pose would seem better. Each tracked feature is a
-/// direction in odometry's axes and a distribution over its range. A bearing comes from one of the features in view, or
-/// from a new one, with the frequency of new features among the independent bearings so far.
+/// uniform density. Correlated bearings count for neither. They move the features that they show, as the particles
+/// follow the robot's turns by them: with odometry alone in the meantime features would be lost, and any pose would
+/// seem better. Each tracked feature is a direction in odometry's axes and a distribution over its range. A bearing
+/// comes from one of the features in view, or from a new one, with the frequency of new features among the independent
+/// bearings so far.
 class NullModel
 {
  public:

@@ -20,6 +20,17 @@ std::vector<float> logLikelihoods(const Reading& part, const LandmarkTable& map,
   ReadingScorer(part, map, clutter, origin).addTo(poses, result);
   return result;
 }
+
+/// Expected number of the landmarks that the sensor has in view at the likeliest of the poses.
+double numberInView(const LandmarkTable& landmarks, const Reading& reading, const PoseBatch& poses,
+                    std::span<const float> log_likelihood)
+{
+  const auto best = std::max_element(log_likelihood.begin(), log_likelihood.end()) - log_likelihood.begin();
+  const Pose2 pose = poses[static_cast<std::size_t>(best)];
+  double number = 0;
+  for (std::size_t k = 0; k < landmarks.size(); ++k) number += predict(landmarks[k], reading, pose).visibility;
+  return number;
+}
 }  // namespace
 
 void SeenLandmarks::add(std::size_t landmark)
@@ -59,18 +70,13 @@ void SeenLandmarks::score(const Reading& part, const LandmarkTable& map, const V
   const bool is_known = expected.isKnown() && !detection.range && !indices_.empty();
   const std::vector<float> of_new = logLikelihoods(same_volume, is_known ? unseen(map) : map, origin, poses);
   const LandmarkTable seen = seenOf(detection, map);
-  double in_view = 0;
-  if (!seen.empty())
-  {
-    const auto best = std::max_element(log_likelihood.begin(), log_likelihood.end()) - log_likelihood.begin();
-    const Pose2 pose = poses[static_cast<std::size_t>(best)];
-    for (std::size_t k = 0; k < seen.size(); ++k) in_view += predict(seen[k], part, pose).visibility;
-  }
   const std::vector<float> of_seen = logLikelihoods(same_volume, seen, origin, poses);
   const double p_new = seen.empty() ? 1 : expected.share_new;
+  double p_seen = 1 - p_new;
   // Of bearings the null model has several features of one landmark after a while: those that odometry has lost are
   // still in view, and the share of one of them is too small for the landmark.
-  const double p_seen = detection.range ? std::min(1 - p_new, expected.share_each * std::max(1.0, in_view)) : 1 - p_new;
+  if (detection.range && !seen.empty())
+    p_seen = std::min(p_seen, expected.share_each * std::max(1.0, numberInView(seen, part, poses, log_likelihood)));
   const double clutter =
       boundedClutter(part.model.clutter_probability) / measurementVolume(detection, part.model, defaultMaxRange(map));
   for (std::size_t i = 0; i < log_likelihood.size(); ++i)

@@ -130,7 +130,7 @@ class SequentialPoseTest
   NullModel null_model_;             // of anonymous bearings
   PointNullModel point_null_model_;  // of those with ranges
   SeenLandmarks seen_;
-  std::map<std::string, StrayDetections> strays_;  // by sensor
+  std::map<std::string, StrayDetections> strays_;  // by sensorKey()
   MissedLandmarks missed_;
   SpotEvidence spot_;
   LandmarkEvidence by_landmark_{kMaxLogOdds};

@@ -8,7 +8,7 @@
 
 namespace mrpt_ext
 {
-/// Anonymous detections of what is not in the map, seen from the pose under test.
+/// Anonymous detections with a bearing, by one sensor, of what is not in the map, seen from the pose under test.
 ///
 /// People, other robots and shiny things stay where they are, as landmarks do. With a fixed probability of clutter, and
 /// clutter that is spread evenly, each detection of one would speak against the right pose as loudly as against a wrong
