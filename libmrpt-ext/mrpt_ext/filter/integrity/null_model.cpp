@@ -120,6 +120,7 @@ void NullModel::track(const Reading& reading, const Detection& bearing)
   const Pose2 sensor = compose(odometry_.pose, reading.T_robot_sensor);
   const double uniform = 1 / measurementVolume(bearing, reading.model, max_range_);
   const Match found = match(reading, sensor, bearing);
-  if (found.best && found.prediction.density > uniform) update(found, sensor, bearing);
+  // One of the features in view against something else, both as likely beforehand.
+  if (found.best && found.all.sum > std::max(1.0, found.all.in_view) * uniform) update(found, sensor, bearing);
 }
 }  // namespace mrpt_ext

@@ -33,8 +33,8 @@ class NullModel
   /// The log density of the result is that of a bearing [1/rad], clutter included, given those before; the bearing is
   /// remembered. The detection has a bearing and no range.
   FeatureMixture::Outcome observe(const Reading& reading, const Detection& bearing);
-  /// A bearing that is correlated with those before moves the feature that it shows, if it fits one better than chance.
-  /// It does not count among those that tell how frequent new ones are, nor is it a new one.
+  /// A bearing that is correlated with those before moves the feature that it shows, unless it rather shows something
+  /// else. It does not count among those that tell how frequent new ones are, nor is it a new one.
   void track(const Reading& reading, const Detection& bearing);
 
   /// Number of tracked features.
