@@ -74,13 +74,15 @@ void NullModel::add(const Reading& reading, const Pose2& sensor, const Detection
   if (features_.size() > kMaxFeatures) features_.erase(features_.begin());
 }
 
-NullModel::Match NullModel::match(const Reading& reading, const Pose2& sensor, const Detection& bearing) const
+NullModel::Match NullModel::match(const Reading& reading, const Detection& bearing) const
 {
   Match result;
+  result.sensor = compose(odometry_.pose, reading.T_robot_sensor);
+  result.uniform = 1 / measurementVolume(bearing, reading.model, max_range_);
   for (std::size_t f = 0; f < features_.size(); ++f)
   {
     if (features_[f].sensor != reading.sensor || features_[f].category != bearing.category) continue;
-    const PredictedBearing prediction = predict(features_[f], sensor, reading.model, bearing);
+    const PredictedBearing prediction = predict(features_[f], result.sensor, reading.model, bearing);
     result.all.any = true;
     result.all.in_view += prediction.in_view;
     result.all.sum += prediction.density;
@@ -91,36 +93,33 @@ NullModel::Match NullModel::match(const Reading& reading, const Pose2& sensor, c
   return result;
 }
 
-void NullModel::update(const Match& match, const Pose2& sensor, const Detection& bearing)
+void NullModel::update(const Match& match, const Detection& bearing)
 {
   const auto best = features_.begin() + static_cast<std::ptrdiff_t>(*match.best);
   RangeWeights ranges{};
-  for (std::size_t k = 0; k < kRanges; ++k) ranges[k] = (best->position[k] - sensor.position()).norm();
+  for (std::size_t k = 0; k < kRanges; ++k) ranges[k] = (best->position[k] - match.sensor.position()).norm();
   best->weight = match.prediction.weight;
-  relocate(*best, sensor, bearing, ranges);
+  relocate(*best, match.sensor, bearing, ranges);
   std::rotate(best, best + 1, features_.end());
 }
 
 FeatureMixture::Outcome NullModel::observe(const Reading& reading, const Detection& bearing)
 {
-  const Pose2 sensor = compose(odometry_.pose, reading.T_robot_sensor);
-  const double uniform = 1 / measurementVolume(bearing, reading.model, max_range_);
-  const Match found = match(reading, sensor, bearing);
-  const FeatureMixture::Outcome outcome = mixture_.expect(found.all, uniform, reading.model.clutter_probability);
+  const Match found = match(reading, bearing);
+  const FeatureMixture::Outcome outcome = mixture_.expect(found.all, found.uniform, reading.model.clutter_probability);
   mixture_.count(outcome);
   if (outcome.isKnown())
-    update(found, sensor, bearing);
+    update(found, bearing);
   else
-    add(reading, sensor, bearing);
+    add(reading, found.sensor, bearing);
   return outcome;
 }
 
 void NullModel::track(const Reading& reading, const Detection& bearing)
 {
-  const Pose2 sensor = compose(odometry_.pose, reading.T_robot_sensor);
-  const double uniform = 1 / measurementVolume(bearing, reading.model, max_range_);
-  const Match found = match(reading, sensor, bearing);
-  // One of the features in view against something else, both as likely beforehand.
-  if (found.best && found.all.sum > std::max(1.0, found.all.in_view) * uniform) update(found, sensor, bearing);
+  const Match found = match(reading, bearing);
+  // One of the features in view against something else, both as likely beforehand: a mixture that has counted nothing.
+  if (FeatureMixture().expect(found.all, found.uniform, reading.model.clutter_probability).isKnown())
+    update(found, bearing);
 }
 }  // namespace mrpt_ext

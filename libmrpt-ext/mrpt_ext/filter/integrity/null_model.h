@@ -63,6 +63,8 @@ class NullModel
   /// A bearing compared with the features of its sensor and category.
   struct Match
   {
+    Pose2 sensor;        ///< in odometry's axes
+    double uniform = 0;  ///< density of the bearing if it shows something new
     FeatureDensities all;
     std::optional<std::size_t> best;  ///< index of the feature that fits best
     PredictedBearing prediction;      ///< of that one
@@ -70,9 +72,9 @@ class NullModel
 
   [[nodiscard]] PredictedBearing predict(const TrackedFeature& feature, const Pose2& sensor, const SensorModel& model,
                                          const Detection& bearing) const;
-  [[nodiscard]] Match match(const Reading& reading, const Pose2& sensor, const Detection& bearing) const;
+  [[nodiscard]] Match match(const Reading& reading, const Detection& bearing) const;
   /// The best one was seen.
-  void update(const Match& match, const Pose2& sensor, const Detection& bearing);
+  void update(const Match& match, const Detection& bearing);
   /// The feature along the bearing, at these ranges.
   void relocate(TrackedFeature& feature, const Pose2& sensor, const Detection& bearing, const RangeWeights& ranges);
   void add(const Reading& reading, const Pose2& sensor, const Detection& bearing);
