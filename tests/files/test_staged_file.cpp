@@ -6,6 +6,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
+#include <thread>
+
 #include "error_message.h"
 #include "mrpt_ext/files/text_file.h"
 #include "mrpt_ext/geometry/input_error.h"
@@ -106,6 +109,37 @@ TEST(StagedFile, AreRemovedTogetherWhenAProgramIsInterrupted)
   }
   waitpid(child, nullptr, 0);
   EXPECT_TRUE(namesIn(folder.path()).empty());
+}
+
+// A signal may come at any moment of two threads that write files, most likely while one waits for the file system.
+TEST(StagedFile, AreRemovedWheneverAProgramIsInterrupted)
+{
+#ifdef __has_feature
+#if __has_feature(thread_sanitizer)
+  GTEST_SKIP() << "the thread sanitizer holds signals back, and gives them to threads that block them by then";
+#endif
+#endif
+  const ScratchFolder folder;
+  for (int milliseconds = 0; milliseconds < 100; ++milliseconds)
+  {
+    const pid_t child = fork();
+    if (child == 0)
+    {
+      signal(SIGTERM, [](int) { removeStagedFiles(), _exit(0); });
+      const auto writes = [&](const char* name)
+      {
+        while (true) StagedFile(folder.path() / name).commit();
+      };
+      std::thread other(writes, "a");
+      writes("b");
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(5 + milliseconds % 20));
+    kill(child, SIGTERM);
+    int status = -1;
+    waitpid(child, &status, 0);
+    const auto names = namesIn(folder.path());
+    ASSERT_LE(names.size(), 2U) << "of run " << milliseconds << ": " << ::testing::PrintToString(names);
+  }
 }
 
 TEST(StagedFile, UnwritableFolderIsAnInputErrorAboutTheTarget)

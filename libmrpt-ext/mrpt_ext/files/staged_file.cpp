@@ -1,6 +1,7 @@
 #include "mrpt_ext/files/staged_file.h"
 
 #include <fcntl.h>
+#include <sched.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -8,6 +9,7 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <mutex>
 #include <random>
@@ -43,6 +45,42 @@ void unregisterName(std::size_t slot)
 {
   if (slot != kNoSlot) std::free(staged[slot].exchange(nullptr));
 }
+
+std::atomic<int> creating{0};
+std::atomic<bool> ending{false};
+
+/// For the other threads of a process that a signal handler is about to end.
+[[noreturn]] void waitForTheEnd()
+{
+  while (true) pause();
+}
+
+/// The time in which a file exists that is not registered yet: no signal interrupts it, removeStagedFiles() of another
+/// thread waits for its end, and afterwards it does not begin.
+class Creation
+{
+ public:
+  Creation()
+  {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before_);
+    ++creating;
+    if (!ending) return;
+    --creating;
+    waitForTheEnd();
+  }
+  ~Creation()
+  {
+    --creating;
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+  Creation(const Creation&) = delete;
+  Creation& operator=(const Creation&) = delete;
+
+ private:
+  sigset_t before_{};
+};
 
 fs::path folderOf(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
 
@@ -113,6 +151,7 @@ StagedFile::StagedFile(fs::path target) : target_(std::move(target)), registered
 
 void StagedFile::create()
 {
+  const Creation creation;
   for (struct stat found = {}; found.st_nlink == 0;)
   {
     temporary_ = temporaryName(target_);
@@ -155,11 +194,14 @@ void StagedFile::commit()
 
 void StagedFile::fail(int error) const
 {
+  if (ending) waitForTheEnd();  // its file was removed
   throw dataError(target_.string() + ": cannot be written (" + std::strerror(error != 0 ? error : EIO) + ")");
 }
 
 void removeStagedFiles() noexcept
 {
+  ending = true;
+  while (creating > 0) sched_yield();
   for (Slot& slot : staged)
     if (const char* const name = slot.exchange(nullptr)) unlink(name);  // not freed: the program ends
 }

@@ -39,6 +39,6 @@ class StagedFile
   std::size_t registered_ = 0;
 };
 
-/// Removes all staged files of this process; may be called from a signal handler that ends it.
+/// Removes all staged files of this process, which cannot create others afterwards: for a signal handler that ends it.
 void removeStagedFiles() noexcept;
 }  // namespace mrpt_ext
