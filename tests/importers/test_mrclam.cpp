@@ -4,9 +4,11 @@
 
 #include <cmath>
 
+#include "mrpt_ext/files/tum.h"
 #include "mrpt_ext/geometry/input_error.h"
 #include "mrpt_ext/importers/mrclam_files.h"
 #include "sample_data.h"
+#include "scratch_folder.h"
 
 namespace mrpt_ext::test_mrclam
 {
@@ -64,6 +66,19 @@ TEST(Mrclam, TruthIsDenseIfPresentElseSparse)
   EXPECT_EQ(sparse.truth[1].time, 1000.5);
   EXPECT_EQ(sparse.truth[2].time, 1002.0);
   EXPECT_NEAR(sparse.truth[2].pose.phi, 7.0 - kTwoPi, 1e-12);
+}
+
+// Intervals of the same middle, as doubles 2.4e-7 s apart.
+TEST(Mrclam, SparseTruthCanBeReadBackFromItsFile)
+{
+  const testing::ScratchFolder folder;
+  folder.write("GroundtruthSparse.csv",
+               "robot,t_begin,t_end,x_m,y_m,theta_rad\n1,1248295785.131,1248295785.818,0,0,0\n"
+               "1,1248295785.360,1248295785.589,0,0,0\n1,1248295786,1248295786,0,0,0\n");
+  const auto truth = readMrclamSparseTruth(folder.path(), 1);
+  ASSERT_TRUE(truth);
+  writeTum(folder.path() / "truth.tum", *truth);
+  EXPECT_EQ(readTum(folder.path() / "truth.tum").size(), 2U);
 }
 
 TEST(Mrclam, DamagedFilesAreNamedWithTheirLine)

@@ -130,6 +130,7 @@ std::optional<Trajectory> readMrclamTruth(const fs::path& folder, int robot, std
 
 std::optional<Trajectory> readMrclamSparseTruth(const fs::path& folder, int robot)
 {
+  constexpr double kFileTicks = 1e6;  ///< [1/s] times that are closer are equal in the file that is written of them
   const auto table = readIfPresent(folder / "GroundtruthSparse.csv", {});
   if (!table) return std::nullopt;
   const std::size_t robot_column = table->column("robot"), begin = table->column("t_begin"),
@@ -141,7 +142,7 @@ std::optional<Trajectory> readMrclamSparseTruth(const fs::path& folder, int robo
     if (table->integer(row, robot_column) != robot) continue;
     const double from = table->number(row, begin), to = table->number(row, end);
     if (to < from) throw table->errorAt(row, "t_end is before t_begin, expected t_begin <= t_end");
-    truth.push_back({from + (to - from) / 2,
+    truth.push_back({std::round((from + to) / 2 * kFileTicks) / kFileTicks,
                      {table->number(row, x), table->number(row, y), wrap(table->number(row, theta))},
                      true});
   }
