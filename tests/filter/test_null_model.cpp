@@ -84,6 +84,29 @@ TEST(NullModel, ItsDensityIntegratesToOne)
   EXPECT_NEAR(sum, 1, 0.01);
 }
 
+// A feature that is followed just outside the view, and some in view that are not seen any more.
+TEST(NullModel, ItsDensityIntegratesToOneInAFieldOfView)
+{
+  MotionModel drifting = kExact;
+  drifting.std_phi_per_s = degToRad(2);
+  Reading narrow = camera();
+  narrow.model.field_of_view = degToRad(60.0);
+  NullModel model(drifting, 20);
+  for (const double lost : {-20.0, -10.0, 0.0}) (void)model.observe(narrow, bearingOf(degToRad(lost)));
+  for (int k = 0; k < 100; ++k) (void)model.observe(narrow, bearingOf(degToRad(29.0)));
+  model.move({{0, 0, degToRad(-2.0)}, 0, degToRad(-2.0), 1});
+  double sum = 0;
+  constexpr int kSteps = 600;
+  for (int k = 0; k < kSteps; ++k)
+  {
+    NullModel copy = model;
+    const double bearing = narrow.model.field_of_view * ((k + 0.5) / kSteps - 0.5);
+    sum += std::exp(copy.observe(narrow, bearingOf(bearing)).log_density) * narrow.model.field_of_view / kSteps;
+  }
+  EXPECT_LT(sum, 1.05);
+  EXPECT_GT(sum, 0.3) << "the rest is out of view";
+}
+
 TEST(NullModel, RandomBearingsDoNotFitBetterThanAUniformDensity)
 {
   RandomStream random(3);
@@ -129,6 +152,38 @@ TEST(NullModel, CorrelatedBearingsMoveTheirFeatureAndTellNothingAboutNewOnes)
   EXPECT_EQ(tracked.share_new, lost.share_new);
   EXPECT_GT(tracked.log_density, lost.log_density + 1) << "odometry alone has lost the direction";
   EXPECT_EQ(tracking.size(), 1U);
+}
+
+// As a pose with two landmarks knows it.
+TEST(NullModel, AFeatureTellsWhereOthersAreThoughOdometryHasLostTheHeading)
+{
+  MotionModel drifting = kExact;
+  drifting.std_phi_per_s = degToRad(5);
+  NullModel model(drifting, 20);
+  RandomStream random(5);
+  double heading = 0, first = 0, second = 0;
+  for (int k = 0; k < 100; ++k)
+  {
+    const double a = model.observe(camera(), bearingOf(wrap(1 - heading))).log_density;
+    const double b = model.observe(camera(), bearingOf(wrap(1.5 - heading))).log_density;
+    if (k >= 50) first += a / 50, second += b / 50;
+    heading += drifting.std_phi_per_s * random.gaussian();
+    model.move({.duration = 1});
+  }
+  EXPECT_GT(second, first + 1);
+}
+
+// Most features in view are those that odometry has lost.
+TEST(NullModel, FeaturesThatAreNotSeenAnyMoreLeaveTheirShareToOthers)
+{
+  NullModel many(kExact, 20), one(kExact, 20);
+  for (int k = 0; k < 20; ++k) (void)many.observe(camera(), bearingOf(-3 + 0.3 * k));
+  for (NullModel* model : {&many, &one})
+    for (int k = 0; k < 200; ++k) (void)model->observe(camera(), bearingOf(0.15));
+  const auto density = [](NullModel& model, double bearing)
+  { return model.observe(camera(), bearingOf(bearing)).log_density; };
+  EXPECT_GT(density(many, 0.15), density(one, 0.15) - 0.5) << "as if the others were not in view";
+  EXPECT_GT(density(many, -3), density(one, -3) + 1) << "but one of them may come back";
 }
 
 TEST(NullModel, ACorrelatedBearingThatFitsNothingIsNoFeature)

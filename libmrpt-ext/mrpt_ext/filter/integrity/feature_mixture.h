@@ -10,14 +10,15 @@ struct FeatureDensities
 {
   bool any = false;    ///< there are features to compare with
   double in_view = 0;  ///< their expected number
-  double sum = 0;      ///< of their densities of the detection
+  double rates = 0;    ///< sum of the rates of those in view: their chances to be seen, relative to each other
+  double sum = 0;      ///< of their densities of the detection, each times its rate
 };
 
-/// A detection comes from one of the features in view, all with equal chances, from a new one or from clutter. New ones
-/// are expected with their frequency among those counted (Laplace's rule of succession). Which detections were new is
-/// not known: each counts with its probability (quasi-Bayes estimate of mixture weights; Smith, Makov, J. Roy. Stat.
-/// Soc. B 40, 1978). Counted by the likelier case instead, a run of new ones would make all later ones seem new as
-/// well.
+/// A detection comes from one of the features in view, each with a chance in proportion to its rate, from a new one or
+/// from clutter. New ones are expected with their frequency among those counted (Laplace's rule of succession). Which
+/// detections were new is not known: each counts with its probability (quasi-Bayes estimate of mixture weights; Smith,
+/// Makov, J. Roy. Stat. Soc. B 40, 1978). Counted by the likelier case instead, a run of new ones would make all later
+/// ones seem new as well.
 class FeatureMixture
 {
  public:
@@ -25,7 +26,7 @@ class FeatureMixture
   {
     double log_density = 0;
     double share_new = 1;   ///< probability of a new feature, before the detection was seen
-    double share_each = 0;  ///< ... of each of those in view
+    double share_each = 0;  ///< ... of one of those in view that has a rate of 1
     double new_given_detection = 1;
 
     /// Rather one of the features than a new one.
@@ -36,7 +37,8 @@ class FeatureMixture
   [[nodiscard]] Outcome expect(const FeatureDensities& known, double uniform, double clutter) const
   {
     const double p_new = known.any ? (new_ + 1) / (count_ + 2) : 1;
-    const double p_each = (1 - p_new) / std::max(1.0, known.in_view);
+    const double mean_rate = known.in_view > 0 ? known.rates / known.in_view : 1;
+    const double p_each = (1 - p_new) / (mean_rate * std::max(1.0, known.in_view));
     const double of_new = p_new * uniform, of_known = p_each * known.sum;
     const double density = clutter * uniform + (1 - clutter) * (of_new + of_known);
     return {std::log(density), p_new, p_each, of_new + of_known > 0 ? of_new / (of_new + of_known) : 1};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mrpt_ext/filter/integrity/feature_mixture.h"
+#include "mrpt_ext/filter/integrity/heading_and_directions.h"
 #include "mrpt_ext/filter/motion/dead_reckoning.h"
 #include "mrpt_ext/geometry/frame.h"
 
@@ -19,9 +20,14 @@ namespace mrpt_ext
 /// is no evidence. So the likelihood of a pose (sequential_pose_test.h) is compared with this model, not with a
 /// uniform density. Correlated bearings count for neither. They move the features that they show, as the particles
 /// follow the robot's turns by them: with odometry alone in the meantime features would be lost, and any pose would
-/// seem better. Each tracked feature is a direction in odometry's axes and a distribution over its range. A bearing
-/// comes from one of the features in view, or from a new one, with the frequency of new features among the independent
-/// bearings so far.
+/// seem better. Each tracked feature is a direction in odometry's axes and a distribution over its range. The drift of
+/// odometry's heading is common to all of them (heading_and_directions.h), as a pose has one heading: without that, a
+/// pose with two landmarks would know better than this model what is seen beside the first.
+///
+/// A bearing comes from one of the features in view, or from a new one, with the frequency of new features among the
+/// independent bearings so far. Features that odometry has lost stay in view and are not seen any more. When a feature
+/// is lost is not known, so its chance is that of an event that was missed m times since it last happened, 1 / (m + 2)
+/// (Laplace's rule of succession).
 class NullModel
 {
  public:
@@ -47,17 +53,21 @@ class NullModel
   struct TrackedFeature
   {
     std::string sensor, category;
-    std::array<Vector2d, kRanges> position;  ///< candidates in odometry's axes, nearest first
-    RangeWeights weight;                     ///< of the candidates, sum 1
-    double std_bearing = 0;                  ///< of the last bearing [rad]
-    double heading_variance = 0;             ///< of odometry at the last bearing [rad^2]
+    Vector2d anchor;       ///< the sensor's position at the last bearing, in odometry's axes
+    double direction = 0;  ///< from there, in odometry's axes
+    RangeWeights range;    ///< candidates, nearest first
+    RangeWeights weight;   ///< of the candidates, sum 1
+    std::size_t seen = 0;  ///< number of the last bearing
+    double missed = 0;     ///< expected number of independent bearings since the last one, while it was in view
   };
   /// A feature as the sensor would see it now.
   struct PredictedBearing
   {
-    double in_view = 0;   ///< probability
-    double density = 0;   ///< of the bearing [1/rad]
-    RangeWeights weight;  ///< posterior of the candidates
+    double in_view = 0;     ///< probability
+    double density = 0;     ///< of the bearing [1/rad]
+    RangeWeights weight;    ///< posterior of the candidates
+    double innovation = 0;  ///< [rad] mean over that
+    double spread = 0;      ///< [rad^2] variance of the innovation over that
   };
 
   /// A bearing compared with the features of its sensor and category.
@@ -66,23 +76,27 @@ class NullModel
     Pose2 sensor;        ///< in odometry's axes
     double uniform = 0;  ///< density of the bearing if it shows something new
     FeatureDensities all;
-    std::optional<std::size_t> best;  ///< index of the feature that fits best
+    std::vector<double> in_view;      ///< probability of each feature
+    std::optional<std::size_t> best;  ///< index of the likeliest feature
     PredictedBearing prediction;      ///< of that one
   };
 
-  [[nodiscard]] PredictedBearing predict(const TrackedFeature& feature, const Pose2& sensor, const SensorModel& model,
+  [[nodiscard]] PredictedBearing predict(std::size_t index, const Pose2& sensor, const SensorModel& model,
                                          const Detection& bearing) const;
   [[nodiscard]] Match match(const Reading& reading, const Detection& bearing) const;
+  /// An independent bearing, which each feature in view had a chance to cause.
+  void countMissed(const Match& match);
   /// The best one was seen.
   void update(const Match& match, const Detection& bearing);
-  /// The feature along the bearing, at these ranges.
-  void relocate(TrackedFeature& feature, const Pose2& sensor, const Detection& bearing, const RangeWeights& ranges);
+  void dropOldest();
   void add(const Reading& reading, const Pose2& sensor, const Detection& bearing);
 
   MotionModel motion_;
   double max_range_;
-  DeadReckoning odometry_;  // since the start
+  DeadReckoning odometry_;  // since the start, its heading corrected by the features
   FeatureMixture mixture_;
-  std::vector<TrackedFeature> features_;  // the one seen last is the last one
+  std::vector<TrackedFeature> features_;
+  HeadingAndDirections errors_;  // of odometry_ and features_
+  std::size_t bearings_ = 0;     // seen so far
 };
 }  // namespace mrpt_ext

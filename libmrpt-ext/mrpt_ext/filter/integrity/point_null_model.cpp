@@ -59,7 +59,7 @@ FeatureMixture::Outcome PointNullModel::observe(const Reading& reading, const De
     // d(x, y) = range d(range, bearing)
     const double density = range * normalDensity(seen.mean - feature->mean, feature->covariance + seen.covariance);
     known.sum += density;
-    if (isInView(feature->mean, reading)) known.in_view += 1;
+    if (isInView(feature->mean, reading)) known.in_view += 1, known.rates += 1;
     if (!(density > best_density)) continue;
     best = feature;
     best_density = density;

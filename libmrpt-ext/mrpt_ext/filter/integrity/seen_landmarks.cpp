@@ -73,8 +73,8 @@ void SeenLandmarks::score(const Reading& part, const LandmarkTable& map, const V
   const std::vector<float> of_seen = logLikelihoods(same_volume, seen, origin, poses);
   const double p_new = seen.empty() ? 1 : expected.share_new;
   double p_seen = 1 - p_new;
-  // Of bearings the null model has several features of one landmark after a while: those that odometry has lost are
-  // still in view, and the share of one of them is too small for the landmark.
+  // Of bearings the null model has several features of one landmark after a while, of which odometry has lost all but
+  // one: the share of a landmark is not that of a feature.
   if (detection.range && !seen.empty())
     p_seen = std::min(p_seen, expected.share_each * std::max(1.0, numberInView(seen, part, poses, log_likelihood)));
   const double clutter =
