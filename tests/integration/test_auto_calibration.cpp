@@ -129,7 +129,7 @@ TEST(AutoCalibration, WithAnonymousBearingsOdometryThatErrsIsTrackedAgainWithIts
   const testing::ScratchFolder folder;
   const testing::LogFiles log = testing::simulated(
       folder.path(), "bad-odometry",
-      {"--set", "Simulation.duration_s=90", "--seed", "6", "--set", "Sensor_camera.identity=anonymous", "--set",
+      {"--set", "Simulation.duration_s=90", "--seed", "14", "--set", "Sensor_camera.identity=anonymous", "--set",
        "Sensor_camera.kind=bearings", "--set", "Sensor_camera.delay_s=0.3", "--set", "RandomErrors.delay_s=0", "--set",
        "Map.box=0 15 0 8 0 0", "--set", "Map.count=15"});
   const auto out = folder.path() / "run";
