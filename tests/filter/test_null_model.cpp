@@ -85,7 +85,7 @@ TEST(NullModel, ItsDensityIntegratesToOne)
 }
 
 // A feature that is followed just outside the view, and some in view that are not seen any more.
-TEST(NullModel, ItsDensityIntegratesToOneInAFieldOfView)
+TEST(NullModel, InAFieldOfViewItsDensityIntegratesToOneAtMost)
 {
   MotionModel drifting = kExact;
   drifting.std_phi_per_s = degToRad(2);

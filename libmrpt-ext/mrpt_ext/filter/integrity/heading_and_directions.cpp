@@ -1,15 +1,9 @@
 #include "mrpt_ext/filter/integrity/heading_and_directions.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace mrpt_ext
 {
-namespace
-{
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-}  // namespace
-
 void HeadingAndDirections::add(double variance)
 {
   const Eigen::Index n = covariance_.rows();
@@ -38,11 +32,15 @@ HeadingAndDirections::Correction HeadingAndDirections::update(Eigen::Index direc
 {
   const Eigen::Index k = direction + 1;
   const double known = bearingVariance(direction);
-  // Measured so imprecisely that afterwards the bearing is known as one measurement tells it.
-  const double informative = known > variance ? known * variance / (known - variance) : kInfinity;
-  Eigen::VectorXd gain = (covariance_.col(k) - covariance_.col(0)) / (known + informative);
+  Eigen::VectorXd gain = Eigen::VectorXd::Zero(covariance_.rows());
+  if (known > variance)
+  {
+    // Measured so imprecisely that afterwards the bearing is known as one measurement tells it.
+    const double total = known + known * variance / (known - variance);
+    gain = (covariance_.col(k) - covariance_.col(0)) / total;
+    covariance_ -= total * gain * gain.transpose();
+  }
   const Eigen::VectorXd correction = gain * innovation;
-  if (known > variance) covariance_ -= (known + informative) * gain * gain.transpose();
   // Each range that the feature may have predicts a different bearing: the moments of that mixture.
   gain(k) -= 1;
   covariance_ += spread * gain * gain.transpose();

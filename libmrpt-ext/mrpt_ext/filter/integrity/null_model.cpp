@@ -39,17 +39,24 @@ void NullModel::move(const OdometryMotion& motion)
   errors_.turn(odometry_.heading_variance - before);
 }
 
+NullModel::Candidates NullModel::candidatesOf(const TrackedFeature& feature, const Pose2& sensor)
+{
+  const Vector2d baseline = feature.anchor - sensor.position();
+  const Vector2d ray(std::cos(feature.direction), std::sin(feature.direction));
+  Candidates candidates;
+  for (std::size_t k = 0; k < kRanges; ++k) candidates[k] = baseline + feature.range[k] * ray;
+  return candidates;
+}
+
 NullModel::PredictedBearing NullModel::predict(std::size_t index, const Pose2& sensor, const SensorModel& model,
                                                const Detection& bearing) const
 {
   const TrackedFeature& feature = features_[index];
-  const Vector2d baseline = feature.anchor - sensor.position();
-  const Vector2d ray(std::cos(feature.direction), std::sin(feature.direction));
+  const Candidates candidates = candidatesOf(feature, sensor);
   RangeWeights predicted{}, innovation{};
   for (std::size_t k = 0; k < kRanges; ++k)
   {
-    const Vector2d to_feature = baseline + feature.range[k] * ray;
-    predicted[k] = wrap(std::atan2(to_feature.y(), to_feature.x()) - sensor.phi);
+    predicted[k] = wrap(std::atan2(candidates[k].y(), candidates[k].x()) - sensor.phi);
     innovation[k] = wrap(*bearing.bearing - predicted[k]);
   }
   const double variance = square(bearing.std_bearing) + errors_.bearingVariance(static_cast<Eigen::Index>(index));
@@ -109,13 +116,13 @@ NullModel::Match NullModel::match(const Reading& reading, const Detection& beari
     if (features_[f].sensor != reading.sensor || features_[f].category != bearing.category) continue;
     const PredictedBearing prediction = predict(f, result.sensor, reading.model, bearing);
     result.all.any = true;
-    const double rate = 1 / (features_[f].missed + 2);
+    const double rate = 1 / (features_[f].missed + 2), likelihood = rate * prediction.density;
     result.in_view[f] = prediction.in_view;
     result.all.in_view += prediction.in_view;
     result.all.rates += rate * prediction.in_view;
-    result.all.sum += rate * prediction.density;
-    if (result.best && rate * prediction.density <= best) continue;
-    best = rate * prediction.density;
+    result.all.sum += likelihood;
+    if (result.best && likelihood <= best) continue;
+    best = likelihood;
     result.best = f;
     result.prediction = prediction;
   }
@@ -131,9 +138,8 @@ void NullModel::update(const Match& match, const Detection& bearing)
 {
   const PredictedBearing& predicted = match.prediction;
   TrackedFeature& best = features_[*match.best];
-  const Vector2d baseline = best.anchor - match.sensor.position();
-  const Vector2d ray(std::cos(best.direction), std::sin(best.direction));
-  for (double& range : best.range) range = (baseline + range * ray).norm();
+  const Candidates candidates = candidatesOf(best, match.sensor);
+  for (std::size_t k = 0; k < kRanges; ++k) best.range[k] = candidates[k].norm();
   best.weight = predicted.weight;
   best.anchor = match.sensor.position();
   best.direction = match.sensor.phi + *bearing.bearing - predicted.innovation;

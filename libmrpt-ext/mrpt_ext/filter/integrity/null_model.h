@@ -49,6 +49,7 @@ class NullModel
  private:
   static constexpr std::size_t kRanges = 40;
   using RangeWeights = std::array<double, kRanges>;
+  using Candidates = std::array<Vector2d, kRanges>;
 
   struct TrackedFeature
   {
@@ -81,6 +82,8 @@ class NullModel
     PredictedBearing prediction;      ///< of that one
   };
 
+  /// Where the feature may be: from the sensor, in odometry's axes.
+  [[nodiscard]] static Candidates candidatesOf(const TrackedFeature& feature, const Pose2& sensor);
   [[nodiscard]] PredictedBearing predict(std::size_t index, const Pose2& sensor, const SensorModel& model,
                                          const Detection& bearing) const;
   [[nodiscard]] Match match(const Reading& reading, const Detection& bearing) const;
