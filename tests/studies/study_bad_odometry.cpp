@@ -29,8 +29,11 @@ bool isWrong(const FilterSample& sample)
 /// What is told of a single run.
 struct RunOutcome
 {
-  bool lost_for_good = false, wrong = false;
+  bool lost_for_good = false;
   std::size_t frames_at_end = 0;  ///< with landmarks in view
+  std::size_t wrong = 0;          ///< estimates
+  double first_wrong = 0;         ///< [s]
+  double farthest = 0;            ///< error of a wrong one [m]
 };
 
 RunOutcome addRun(const std::vector<FilterSample>& samples, OdometryTally& tally)
@@ -49,11 +52,13 @@ RunOutcome addRun(const std::vector<FilterSample>& samples, OdometryTally& tally
     tally.inside += sample.positionNees() < chiSquareQuantile(2, 0.95) ? 1 : 0;
     tally.inside_heading +=
         square(sample.error.z()) < chiSquareQuantile(1, 0.95) * sample.best().pose.covariance(2, 2) ? 1 : 0;
-    tally.wrong += isWrong(sample) ? 1 : 0;
-    outcome.wrong = outcome.wrong || isWrong(sample);
+    if (!isWrong(sample)) continue;
+    if (outcome.wrong++ == 0) outcome.first_wrong = sample.time;
+    outcome.farthest = std::max(outcome.farthest, sample.distance());
   }
   tally.lost_for_good += outcome.lost_for_good ? 1 : 0;
-  tally.wrong_runs += outcome.wrong ? 1 : 0;
+  tally.wrong_runs += outcome.wrong > 0 ? 1 : 0;
+  tally.wrong += outcome.wrong;
   return outcome;
 }
 
@@ -85,7 +90,9 @@ void runBadOdometry(std::ostream& out)
       const std::uint64_t seed = studySeed(k);
       const FilterScenario scenario = playScenario("bad-odometry", seed, {"Sensor_camera.identity=" + identity});
       const RunOutcome outcome = addRun(runFilter(scenario, seed), seed % 2 == 0 ? even : odd);
-      if (outcome.wrong) remarks << "| seed " << seed << ": wrong |\n";
+      if (outcome.wrong > 0)
+        remarks << "| seed " << seed << ": wrong in " << outcome.wrong << " estimates from " << outcome.first_wrong
+                << " s on, at most " << outcome.farthest << " m off |\n";
       if (outcome.lost_for_good)
         remarks << "| seed " << seed << ": lost, with landmarks in view in " << outcome.frames_at_end
                 << " frames of the end |\n";
