@@ -22,9 +22,9 @@ VerdictWithReason verdictOn(const std::vector<Mode>& modes, bool lost = false, d
 
 TEST(FilterVerdict, OnePreciseModeIsOk)
 {
-  const VerdictWithReason verdict = verdictOn({mode(0.97), mode(0.03)});
+  const VerdictWithReason verdict = verdictOn({mode(0.999), mode(0.001)});
   EXPECT_EQ(verdict.verdict, Verdict::ok);
-  EXPECT_NE(verdict.reason.find("weight 0.97"), std::string::npos) << verdict.reason;
+  EXPECT_NE(verdict.reason.find("weight 1.00"), std::string::npos) << verdict.reason;
   EXPECT_NE(verdict.reason.find("0.100 m"), std::string::npos) << verdict.reason;
   EXPECT_NE(verdict.reason.find("95 %"), std::string::npos) << verdict.reason;
 }
@@ -35,6 +35,17 @@ TEST(FilterVerdict, SeveralModesAreAmbiguous)
   EXPECT_EQ(verdict.verdict, Verdict::ambiguous);
   EXPECT_NE(verdict.reason.find("2 modes"), std::string::npos) << verdict.reason;
   EXPECT_NE(verdict.reason.find("0.50"), std::string::npos) << verdict.reason;
+}
+
+TEST(FilterVerdict, OneThatIsOnlyLikelierIsFollowedButNotOk)
+{
+  const ModeSet modes{{mode(0.97), mode(0.03)}, {}};
+  EXPECT_EQ(judge(modes, {}, {}).verdict, Verdict::ambiguous);
+  EXPECT_TRUE(isDominant(modes, {}));
+  EXPECT_FALSE(isDominant({{mode(0.8), mode(0.2)}, {}}, {}));
+  const VerdictOptions lenient{.min_best_weight = 0.7};
+  EXPECT_EQ(judge({{mode(0.8), mode(0.2)}, {}}, {}, lenient).verdict, Verdict::ok);
+  EXPECT_TRUE(isDominant({{mode(0.8), mode(0.2)}, {}}, lenient));
 }
 
 TEST(FilterVerdict, AnImpreciseModeIsAmbiguous)
@@ -78,7 +89,7 @@ TEST(FilterVerdict, OkNeedsVerificationEnoughParticlesAndNoContradiction)
   EXPECT_EQ(reason_of({.effective = 12}), "one mode, but only 12 effective particles");
   EXPECT_EQ(reason_of({.contradicted = true}), "one mode, but the recent trajectory fits another pose better");
   EXPECT_EQ(reason_of({.supported = false}),
-            "one mode, but what is seen shows no landmark, and odometry alone led here from the last one");
+            "one mode, but odometry alone led here from the last landmark, and what is seen does not prove it");
 }
 
 TEST(FilterVerdict, NoParticlesMeanLost) { EXPECT_EQ(verdictOn({}).verdict, Verdict::lost); }

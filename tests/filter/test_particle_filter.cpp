@@ -273,14 +273,14 @@ TEST(ParticleFilter, TheTrajectoryMovesItToThePoseThatFitsAllMeasurements)
 TEST(ParticleFilter, IsNotOkWhereTheTrajectoryFitsAnotherPoseBetter)
 {
   Pose2 truth;
-  const FilterStep alone = stepAtTheTwin(40, {}, truth);  // it fits as well as the truth
+  const FilterStep alone = stepAtTheTwin(60, {}, truth);  // it fits as well as the truth
   EXPECT_EQ(alone.verdict, Verdict::ambiguous);
   EXPECT_NE(alone.reason.find("the map looks alike"), std::string::npos) << alone.reason;
   EXPECT_LT(weightAt(alone, truth), 0.1);
   // The trajectory is searched when the twin is verified.
   const auto late = [calls = 0](const Pose2& pose) mutable
   { return ++calls > 1 ? hypothesisAt(pose) : HypothesisSet{}; };
-  for (const int frames : {30, 45})
+  for (const int frames : {30, 45, 60})
   {
     const FilterStep step = stepAtTheTwin(frames, late, truth);
     EXPECT_TRUE(step.verdict == Verdict::ambiguous || weightAt(step, truth) > 0.5) << frames << ": " << step.reason;

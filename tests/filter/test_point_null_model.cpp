@@ -106,4 +106,55 @@ TEST(PointNullModel, FeaturesOfAnotherCategoryOrSensorAreNotExpected)
   other.sensor = "other";
   EXPECT_NEAR(model.observe(other, at(2, 1)).log_density, kUniform, 1e-9);
 }
+
+TEST(PointNullModel, AFeatureThatIsSeenAgainTellsWhereTheOthersAre)
+{
+  const MotionModel turning{.std_xy_per_m = 0, .std_phi_per_deg = 0.3, .std_phi_per_m = 0};
+  const Vector2d post(2, 1), beside(1, 2);
+  const auto density = [&](bool sees_post)
+  {
+    PointNullModel model(turning, 20);
+    for (int k = 0; k < 5; ++k)
+      for (const Vector2d& one : {post, beside}) (void)model.observe(laser(), of(one, {0, 0, 0}));
+    model.move({{0, 0, 1}, 0, 1, 1});
+    const Pose2 slipped(0, 0, 1.1);  // by more than odometry measured
+    if (sees_post) (void)model.observe(laser(), of(post, slipped));
+    return model.observe(laser(), of(beside, slipped)).log_density;
+  };
+  EXPECT_GT(density(true), density(false) + 1);
+}
+
+TEST(PointNullModel, CorrelatedDetectionsMoveAFeatureAndCountForNothing)
+{
+  const MotionModel loose{.std_xy_per_m = 0.1, .std_phi_per_deg = 0, .std_phi_per_m = degToRad(10.0)};
+  const auto after = [&](bool tracks)
+  {
+    PointNullModel model(loose, 20);
+    for (int k = 0; k < 5; ++k) (void)model.observe(laser(), of({2, 1}, {0, 0, 0}));
+    for (int k = 1; k <= 10; ++k)
+    {
+      model.move(aheadBy(0.1));
+      if (tracks) model.track(laser(), of({2, 1}, {0.1 * k, 0, 0.03 * k}));
+    }
+    return model;
+  };
+  PointNullModel tracked = after(true), lost = after(false);
+  EXPECT_EQ(tracked.size(), 1U);
+  EXPECT_GT(tracked.observe(laser(), of({2, 1}, {1, 0, 0.3})).log_density,
+            lost.observe(laser(), of({2, 1}, {1, 0, 0.3})).log_density + 1);
+  PointNullModel model(loose, 20);
+  model.track(laser(), at(2, 1));
+  EXPECT_EQ(model.size(), 0U) << "never a new one";
+}
+
+TEST(PointNullModel, AFeatureThatIsMissedIsExpectedLess)
+{
+  PointNullModel model(kExact, 20);
+  for (int k = 0; k < 5; ++k)
+    for (const Vector2d& post : {Vector2d(2, 1), Vector2d(1.5, -1)}) (void)model.observe(laser(), of(post, {0, 0, 0}));
+  PointNullModel missing = model;
+  for (int k = 0; k < 20; ++k) (void)missing.observe(laser(), of({2, 1}, {0, 0, 0}));
+  const auto density = [](PointNullModel copy) { return copy.observe(laser(), of({1.5, -1}, {0, 0, 0})).log_density; };
+  EXPECT_LT(density(missing), density(model) - 1);
+}
 }  // namespace mrpt_ext::test_point_null_model

@@ -49,4 +49,18 @@ TEST(PoseSupport, AKnownStartIsAsGoodAsALandmark)
   support.observe(0, 1, spread(0.1, 0.01));
   EXPECT_FALSE(support.supported());
 }
+
+TEST(PoseSupport, ASpellIsAsLongAsNoLandmarkHasFitted)
+{
+  PoseSupport support;
+  EXPECT_FALSE(support.spell(spread(1, 1))) << "nothing was seen yet";
+  support.observe(1, 1, spread(0.1, 0.02));
+  support.move(2);
+  support.observe(0, 1, spread(0.12, 0.02));
+  support.move(3);
+  EXPECT_FALSE(support.spell(spread(0.15, 0.03))) << "most of that was there before";
+  EXPECT_EQ(support.spell(spread(0.25, 0.03)), 5);
+  support.observe(1, 1, spread(0.2, 0.04));
+  EXPECT_FALSE(support.spell(spread(0.25, 0.05)));
+}
 }  // namespace mrpt_ext::test_pose_support

@@ -201,7 +201,7 @@ TEST(SequentialPoseTest, AfterAGapOneDetectionConfirmsThePose)
     test.endGap({.duration = 10});
     return test.logOdds();
   };
-  EXPECT_NEAR(endGap(), -std::log(10 * SequentialPoseTest::kSlipRate), 0.01) << "it may have slipped";
+  EXPECT_NEAR(endGap(), -std::log(10 * SlipTest::kSlipRate), 0.01) << "it may have slipped";
   EXPECT_GE(update(0, {}), SequentialPoseTest::kAcceptLogOdds);
   const double before = endGap();
   double after = before;

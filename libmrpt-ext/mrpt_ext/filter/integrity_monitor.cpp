@@ -66,6 +66,12 @@ void IntegrityMonitor::test(const Frame& frame, const ParticleSet& predicted, bo
 {
   gap_ends_ = counts && endsGap(frame);
   if (gap_ends_) pose_test_.endGap(frame.motion);
+  support_.move(frame.motion.duration);
+  // Identified landmarks cannot be taken for one another.
+  if (tested_mode_ && hasAnonymous(frame) && !hasIdentified(frame))
+    if (const auto spell =
+            support_.spell(predict(*tested_mode_, biases_, motion_, frame.motion).gaussianPose().covariance))
+      pose_test_.suspectSlip(*spell);
   if (counts)
     pose_test_.update(frame, map_, predicted);
   else
@@ -179,7 +185,7 @@ VerdictWithReason IntegrityMonitor::verdict(const ModeSet& modes, double effecti
     evidence.log_odds = logOdds();
   }
   evidence.contradicted = contradicted_;
-  evidence.supported = support_.supported();
+  evidence.supported = support_.supported() && pose_test_.slipRefuted();
   return judge(modes, evidence, options_);
 }
 }  // namespace mrpt_ext

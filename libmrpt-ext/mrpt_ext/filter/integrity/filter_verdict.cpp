@@ -1,5 +1,6 @@
 #include "mrpt_ext/filter/integrity/filter_verdict.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "mrpt_ext/filter/integrity/sequential_pose_test.h"
@@ -10,6 +11,7 @@ namespace mrpt_ext
 {
 namespace
 {
+constexpr double kDominant = 0.9;          // weight of a mode that is followed as the only one
 constexpr double kMinEffectiveForOk = 15;  // particles; fewer cannot estimate the covariance
 
 /// Standard deviations of a mode: position [m], both axes together, and heading [rad].
@@ -50,7 +52,7 @@ std::string whyImprecise(const Spread& spread, const VerdictOptions& options)
 
 bool isDominant(const ModeSet& modes, const VerdictOptions& options)
 {
-  return !modes.modes.empty() && modes.modes.front().weight >= options.min_best_weight;
+  return !modes.modes.empty() && modes.modes.front().weight >= std::min(kDominant, options.min_best_weight);
 }
 
 bool isUnimodal(const ModeSet& modes, const VerdictOptions& options)
@@ -68,8 +70,8 @@ VerdictWithReason judge(const ModeSet& modes, const VerdictEvidence& evidence, c
   const Mode& best = modes.modes.front();
   const Spread spread = spreadOf(best);
   const auto ambiguous = [](std::string reason) { return VerdictWithReason{Verdict::ambiguous, std::move(reason)}; };
-  if (!isDominant(modes, options))
-    return ambiguous(formatted("%zu modes, the best has weight %.2f", modes.modes.size(), best.weight));
+  if (!(best.weight >= options.min_best_weight))
+    return ambiguous(formatted("%zu modes, the best has weight %.3f", modes.modes.size(), best.weight));
   if (!isPrecise(spread, options)) return ambiguous(whyImprecise(spread, options));
   if (!(evidence.inlier_ratio >= kMinInlierRatio))
     return ambiguous(
@@ -87,7 +89,8 @@ VerdictWithReason judge(const ModeSet& modes, const VerdictEvidence& evidence, c
                                evidence.log_odds, SequentialPoseTest::kAcceptLogOdds));
   if (evidence.contradicted) return ambiguous("one mode, but the recent trajectory fits another pose better");
   if (!evidence.supported)
-    return ambiguous("one mode, but what is seen shows no landmark, and odometry alone led here from the last one");
+    return ambiguous(
+        "one mode, but odometry alone led here from the last landmark, and what is seen does not prove it");
   return {Verdict::ok, formatted("one mode, weight %.2f, standard deviation %.3f m%s, inlier ratio %.0f %% of the "
                                  "expected value over recent detections",
                                  best.weight, spread.xy, headingText(spread, options).c_str(), percent)};

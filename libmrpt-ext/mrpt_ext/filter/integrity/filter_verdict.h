@@ -11,7 +11,7 @@ namespace mrpt_ext
 /// What `ok` requires of the best mode.
 struct VerdictOptions
 {
-  double min_best_weight = 0.9;
+  double min_best_weight = 0.998;       ///< one in exp(6) may be elsewhere, as for slips of odometry (slip_test.h)
   double max_std_xy = 0.5;              ///< [m] standard deviation of the position: root of the sum of both variances
   double max_std_phi = degToRad(15.0);  ///< [rad] of the heading; infinite: it is not observable and does not count
 };
@@ -32,10 +32,10 @@ struct VerdictEvidence
   bool verified = true;        ///< ... are enough
   std::optional<Pose2> rival;  ///< from where the map looks the same, if only that speaks against the mode
   bool contradicted = false;   ///< the recent trajectory fits another pose better
-  bool supported = true;       ///< a landmark fits, or odometry has not moved far since one did (pose_support.h)
+  bool supported = true;       ///< by landmarks, not by odometry alone (pose_support.h, slip_test.h)
 };
 
-/// True when the best mode has nearly all of the weight.
+/// True when the best mode has nearly all of the weight, if not enough for `ok`.
 [[nodiscard]] bool isDominant(const ModeSet& modes, const VerdictOptions& options);
 
 /// True when the posterior is one precise mode, whether the detections agree with it or not.

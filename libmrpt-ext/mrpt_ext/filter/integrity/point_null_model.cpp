@@ -1,6 +1,7 @@
 #include "mrpt_ext/filter/integrity/point_null_model.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "mrpt_ext/likelihood/detection_density.h"
@@ -9,7 +10,8 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr std::size_t kMaxPoints = 100;  // those not seen for longest are dropped
+constexpr std::size_t kMaxPoints = 40;  // those not seen for longest are dropped
+constexpr double kClearMatch = 0.5;     // share of the likeliest feature
 
 double normalDensity(const Vector2d& residual, const Matrix2d& covariance)
 {
@@ -27,54 +29,78 @@ bool isInView(const Vector2d& point, const Reading& reading)
 
 void PointNullModel::move(const OdometryMotion& motion)
 {
-  const Pose2 step = nominalMotion(motion_, motion).increment;
-  const Matrix3d noise = incrementCovariance(motion_, motion);
-  const Matrix2d back = rotation(step.phi).transpose();
-  for (TrackedPoint& feature : features_)
+  points_.move(nominalMotion(motion_, motion).increment, incrementCovariance(motion_, motion));
+}
+
+PointNullModel::Match PointNullModel::match(const Reading& reading, const Detection& detection) const
+{
+  const double range = *detection.range, bearing = *detection.bearing;
+  const Matrix2d axes = rotation(reading.T_robot_sensor.phi + bearing);
+  const Vector2d variances(square(detection.std_range), square(range * detection.std_bearing));
+  Match result;
+  result.position = transform(reading.T_robot_sensor, range * Vector2d(std::cos(bearing), std::sin(bearing)));
+  result.covariance = axes * variances.asDiagonal() * axes.transpose();
+  result.uniform = 1 / measurementVolume(detection, reading.model, max_range_);
+  result.in_view.resize(features_.size(), false);
+  double best = 0;
+  for (std::size_t f = 0; f < features_.size(); ++f)
   {
-    feature.mean = transform(inverse(step), feature.mean);
-    Eigen::Matrix<double, 2, 3> by_step;
-    by_step << -back, Vector2d(feature.mean.y(), -feature.mean.x());
-    feature.covariance = back * feature.covariance * back.transpose() + by_step * noise * by_step.transpose();
+    if (features_[f].sensor != reading.sensor || features_[f].category != detection.category) continue;
+    const auto point = static_cast<Eigen::Index>(f);
+    result.all.any = true;
+    const double rate = 1 / (features_[f].missed + 2);
+    // d(x, y) = range d(range, bearing)
+    const double likelihood =
+        rate * range *
+        normalDensity(result.position - points_.position(point), points_.covariance(point) + result.covariance);
+    result.all.sum += likelihood;
+    result.in_view[f] = isInView(points_.position(point), reading);
+    if (result.in_view[f]) result.all.in_view += 1, result.all.rates += rate;
+    if (!(likelihood > best)) continue;
+    best = likelihood;
+    result.best = f;
   }
+  if (result.best) result.share = best / result.all.sum;
+  return result;
+}
+
+void PointNullModel::update(const Match& match)
+{
+  features_[*match.best].missed = 0;
+  features_[*match.best].seen = ++detections_;
+  // One taken for another would move all of them.
+  if (match.share > kClearMatch)
+    points_.update(static_cast<Eigen::Index>(*match.best), match.position, match.covariance);
+}
+
+void PointNullModel::add(const Reading& reading, const Detection& detection, const Match& match)
+{
+  features_.push_back({reading.sensor, detection.category, ++detections_});
+  points_.add(match.position, match.covariance);
+  if (features_.size() <= kMaxPoints) return;
+  const auto oldest = std::min_element(features_.begin(), features_.end(),
+                                       [](const auto& l, const auto& r) { return l.seen < r.seen; });
+  points_.remove(oldest - features_.begin());
+  features_.erase(oldest);
 }
 
 FeatureMixture::Outcome PointNullModel::observe(const Reading& reading, const Detection& detection)
 {
-  const double range = *detection.range, bearing = *detection.bearing;
-  const Vector2d ray(std::cos(bearing), std::sin(bearing));
-  TrackedPoint seen{reading.sensor, detection.category, transform(reading.T_robot_sensor, range * ray), {}};
-  const Matrix2d axes = rotation(reading.T_robot_sensor.phi + bearing);
-  seen.covariance = axes * Vector2d(square(detection.std_range), square(range * detection.std_bearing)).asDiagonal() *
-                    axes.transpose();
-
-  const double uniform = 1 / measurementVolume(detection, reading.model, max_range_);
-  FeatureDensities known;
-  double best_density = 0;
-  auto best = features_.end();
-  for (auto feature = features_.begin(); feature != features_.end(); ++feature)
-  {
-    if (feature->sensor != seen.sensor || feature->category != seen.category) continue;
-    known.any = true;
-    // d(x, y) = range d(range, bearing)
-    const double density = range * normalDensity(seen.mean - feature->mean, feature->covariance + seen.covariance);
-    known.sum += density;
-    if (isInView(feature->mean, reading)) known.in_view += 1, known.rates += 1;
-    if (!(density > best_density)) continue;
-    best = feature;
-    best_density = density;
-  }
-  const FeatureMixture::Outcome outcome = mixture_.expect(known, uniform, reading.model.clutter_probability);
+  const Match found = match(reading, detection);
+  const FeatureMixture::Outcome outcome = mixture_.expect(found.all, found.uniform, reading.model.clutter_probability);
   mixture_.count(outcome);
+  for (std::size_t f = 0; f < features_.size(); ++f) features_[f].missed += found.in_view[f] ? 1 : 0;
   if (outcome.isKnown())
-  {
-    const Matrix2d gain = best->covariance * (best->covariance + seen.covariance).inverse();
-    seen.mean = best->mean + gain * (seen.mean - best->mean);
-    seen.covariance = best->covariance - gain * best->covariance;
-    features_.erase(best);
-  }
-  features_.push_back(std::move(seen));
-  if (features_.size() > kMaxPoints) features_.erase(features_.begin());
+    update(found);
+  else
+    add(reading, detection, found);
   return outcome;
+}
+
+void PointNullModel::track(const Reading& reading, const Detection& detection)
+{
+  const Match found = match(reading, detection);
+  // One of the features in view against something else, both as likely beforehand: a mixture that has counted nothing.
+  if (FeatureMixture().expect(found.all, found.uniform, reading.model.clutter_probability).isKnown()) update(found);
 }
 }  // namespace mrpt_ext

@@ -16,6 +16,7 @@ namespace mrpt_ext
 class PoseSupport
 {
  public:
+  void move(double seconds) { since_landmark_ += seconds; }
   /// Inliers among the detections of a frame, and the covariance of the pose after it.
   void observe(double inliers, std::size_t detections, const Matrix3d& covariance)
   {
@@ -23,12 +24,18 @@ class PoseSupport
     if (inliers > kFits || !at_landmark_)
     {
       at_landmark_ = covariance;
+      since_landmark_ = 0;
       supported_ = true;
     }
     else
       supported_ = supported_ && !isMostlyOdometry(*at_landmark_, covariance);
   }
   [[nodiscard]] bool supported() const { return supported_; }
+  /// Seconds since a landmark fitted, where odometry has most of the pose's covariance, which is now this.
+  [[nodiscard]] std::optional<double> spell(const Matrix3d& covariance) const
+  {
+    return at_landmark_ && isMostlyOdometry(*at_landmark_, covariance) ? std::optional(since_landmark_) : std::nullopt;
+  }
 
  private:
   static constexpr double kFits = 0.5;   // inliers: one detection rather shows a landmark than not
@@ -41,6 +48,7 @@ class PoseSupport
   }
 
   std::optional<Matrix3d> at_landmark_;  // covariance when a landmark fitted last, or at the start
+  double since_landmark_ = 0;            // [s]
   bool supported_ = true;
 };
 }  // namespace mrpt_ext

@@ -130,7 +130,7 @@ bool showsHeading(const Reading& reading, const LandmarkTable& map)
 SequentialPoseTest::SequentialPoseTest(const MotionModel& motion, const LandmarkTable& map)
     : decorrelator_(motion, map),
       null_model_(motion, defaultMaxRange(map)),
-      point_null_model_(motion, defaultMaxRange(map)),
+      slip_(motion, defaultMaxRange(map)),
       missed_(map.size()),
       spot_(motion, decorrelationDistance(map)),
       symmetric_(map, kMaxLogOdds)
@@ -144,7 +144,11 @@ void SequentialPoseTest::skip(const Frame& frame)
   for (const Reading& reading : scoredReadings(frame))
   {
     const auto [independent, correlated] = decorrelator_.split(reading);
-    for (const Reading& part : parts(independent)) (void)observeWithoutMap(part, 1);
+    for (const Reading& part : parts(independent))
+    {
+      (void)null_model_.observe(part, 1);
+      slip_.skip(part, 1);
+    }
     track(correlated);
     const std::string sensor = sensorKey(reading);
     spot_.count(sensor, reading.detections.size(), independent.detections.size());
@@ -156,7 +160,7 @@ void SequentialPoseTest::move(const OdometryMotion& motion)
 {
   decorrelator_.move(motion);
   null_model_.move(motion);
-  point_null_model_.move(motion);
+  slip_.move(motion);
   if (spot_.move(motion)) decorrelator_.clear();
   gap_ += motion.duration;
 }
@@ -178,22 +182,15 @@ void SequentialPoseTest::decayAfterGap(const Frame& frame)
 
 void SequentialPoseTest::endGap(const OdometryMotion& motion)
 {
-  log_odds_ = -std::log(std::exp(-log_odds_) + kSlipRate * (gap_ + motion.duration));
+  log_odds_ = -std::log(std::exp(-log_odds_) + SlipTest::kSlipRate * (gap_ + motion.duration));
   by_landmark_.restart(true);
   rivals_refuted_ = heading_seen_ = false;
 }
 
 void SequentialPoseTest::track(const Reading& correlated)
 {
-  for (const Detection& d : correlated.detections)
-    if (d.id == kNoId && d.bearing && !d.range) null_model_.track(correlated, d);
-}
-
-FeatureMixture::Outcome SequentialPoseTest::observeWithoutMap(const Reading& part, double default_max_range)
-{
-  const Detection& d = part.detections.front();
-  if (d.id != kNoId || !d.bearing) return {-std::log(measurementVolume(d, part.model, default_max_range))};
-  return d.range ? point_null_model_.observe(part, d) : null_model_.observe(part, d);
+  null_model_.track(correlated);
+  slip_.track(correlated);
 }
 
 void SequentialPoseTest::start(const std::vector<Reading>& readings, const LandmarkTable& map,
@@ -202,7 +199,6 @@ void SequentialPoseTest::start(const std::vector<Reading>& readings, const Landm
   reset();
   decorrelator_.clear();
   null_model_.clear();
-  point_null_model_.clear();
   ParticleSet particles = samples;
   log_odds_ =
       normalizeWeights(particles).log_sum - std::log(static_cast<double>(std::max<std::size_t>(1, samples.size())));
@@ -252,7 +248,8 @@ void SequentialPoseTest::test(const std::vector<Reading>& readings, const Landma
 void SequentialPoseTest::testDetection(const Reading& part, const LandmarkTable& map, ParticleSet& particles,
                                        const Spot& spot)
 {
-  const FeatureMixture::Outcome without_map = observeWithoutMap(part, defaultMaxRange(map));
+  const double max_range = defaultMaxRange(map);
+  const FeatureMixture::Outcome without_map = null_model_.observe(part, max_range);
   const std::optional<std::size_t> landmark = landmarkIn(part, map, particles);
   // A feature that the null model recognizes is a landmark that was seen before.
   if (landmark && without_map.isKnown()) seen_.add(*landmark);
@@ -266,7 +263,9 @@ void SequentialPoseTest::testDetection(const Reading& part, const LandmarkTable&
   }
   else
     ReadingScorer(part, map, LandmarkClutter{}, particles.origin).addTo(particles.poses(), particles.log_weight);
-  double log_ratio = normalizeWeights(particles).log_sum - without_map.log_density;
+  const double log_density = normalizeWeights(particles).log_sum;
+  slip_.count(part, log_density, max_range);
+  double log_ratio = log_density - without_map.log_density;
   if (is_feature) log_ratio = strays_[sensorKey(part)].counted(log_ratio, part.model);
   log_odds_ = std::min(log_odds_ + counted(part, landmark, log_ratio, spot), kMaxLogOdds);
 }

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "mrpt_ext/filter/integrity/feature_null_model.h"
 #include "mrpt_ext/filter/integrity/independent_detections.h"
 #include "mrpt_ext/filter/integrity/landmark_evidence.h"
 #include "mrpt_ext/filter/integrity/missed_landmarks.h"
-#include "mrpt_ext/filter/integrity/null_model.h"
-#include "mrpt_ext/filter/integrity/point_null_model.h"
 #include "mrpt_ext/filter/integrity/seen_landmarks.h"
+#include "mrpt_ext/filter/integrity/slip_test.h"
 #include "mrpt_ext/filter/integrity/spot_evidence.h"
 #include "mrpt_ext/filter/integrity/stray_detections.h"
 #include "mrpt_ext/filter/integrity/symmetric_rivals.h"
@@ -51,7 +51,6 @@ class SequentialPoseTest
   /// After a gap without detections longer than kDecayAfter [s] the robot may have slipped, and anonymous detections
   /// fit wrong poses too. Each second beyond takes kDecayPerS from positive log odds; for identified ones see endGap().
   static constexpr double kDecayPerS = 0.3, kDecayAfter = 5;
-  static constexpr double kSlipRate = 1e-3;  ///< [1/s] prior of slips that the noise of odometry does not cover
 
   SequentialPoseTest(const MotionModel& motion, const LandmarkTable& map);
 
@@ -72,6 +71,7 @@ class SequentialPoseTest
   {
     doubt();
     log_odds_ = 0;
+    slip_.clear();
   }
   /// The detections do not agree with the mode, and hypotheses compete with it. For the one that survives, what was
   /// known before counts as much as a start at most, and nothing counts against it.
@@ -89,8 +89,12 @@ class SequentialPoseTest
   void accept()
   {
     log_odds_ = kMaxLogOdds;
+    slip_.clear();
     symmetric_.accept();
   }
+  /// Odometry alone has moved the pose for so many seconds, and most of its variance is odometry's.
+  void suspectSlip(double seconds) { slip_.suspect(seconds); }
+  [[nodiscard]] bool slipRefuted() const { return slip_.refuted(); }
   [[nodiscard]] SymmetricRivals& rivals() { return symmetric_; }
 
   [[nodiscard]] double logOdds() const { return std::min(log_odds_, symmetric_.logOdds()); }
@@ -108,10 +112,8 @@ class SequentialPoseTest
   void move(const OdometryMotion& motion);
   /// Where detections return after a gap, and none of them is identified: earlier evidence counts less.
   void decayAfterGap(const Frame& frame);
-  /// The null model follows bearings that do not count.
+  /// The null models follow detections that do not count.
   void track(const Reading& correlated);
-  /// The only detection of a reading under the null hypothesis; it is remembered.
-  FeatureMixture::Outcome observeWithoutMap(const Reading& part, double default_max_range);
   /// Adds the log-likelihood ratio of the readings' independent detections; `particles` are weighted with them.
   void test(const std::vector<Reading>& readings, const LandmarkTable& map, ParticleSet particles);
   /// What SpotEvidence knows of a reading.
@@ -127,8 +129,8 @@ class SequentialPoseTest
                                const Spot& spot);
 
   DetectionDecorrelator decorrelator_;
-  NullModel null_model_;             // of anonymous bearings
-  PointNullModel point_null_model_;  // of those with ranges
+  FeatureNullModel null_model_;
+  SlipTest slip_;
   SeenLandmarks seen_;
   std::map<std::string, StrayDetections> strays_;  // by sensorKey()
   MissedLandmarks missed_;

@@ -23,19 +23,19 @@ constexpr double kWellWithin = 3;     // standard deviations of a pose
 constexpr double kNearStds = 8;       // of a detection
 
 /// A landmark in view of a draw.
-struct InView
+struct LandmarkInView
 {
   std::size_t landmark;
   LandmarkPrediction prediction;
   double share;  // of the detections
 };
 
-std::vector<InView> inView(const Reading& reading, const LandmarkTable& map, const MissedLandmarks& history,
-                           const ParticleSet& draws, std::size_t draw)
+std::vector<LandmarkInView> inView(const Reading& reading, const LandmarkTable& map, const MissedLandmarks& history,
+                                   const ParticleSet& draws, std::size_t draw)
 {
   const Pose2 pose = draws.pose(draw);
   const SensorBias bias = sensorBias(draws.poses(), draw, reading.sensor);
-  std::vector<InView> result;
+  std::vector<LandmarkInView> result;
   for (std::size_t k = 0; k < map.size(); ++k)
   {
     LandmarkPrediction prediction = predict(map[k], reading, pose);
@@ -46,10 +46,10 @@ std::vector<InView> inView(const Reading& reading, const LandmarkTable& map, con
   return result;
 }
 
-double totalShare(const std::vector<InView>& landmarks)
+double totalShare(const std::vector<LandmarkInView>& landmarks)
 {
   double sum = 0;
-  for (const InView& one : landmarks) sum += one.share;
+  for (const LandmarkInView& one : landmarks) sum += one.share;
   return sum;
 }
 
@@ -66,13 +66,13 @@ double logEvidence(const std::vector<Reading>& readings, const LandmarkTable& ma
     double log_likelihood = 0;
     for (const Reading& reading : readings)
     {
-      const std::vector<InView> landmarks = inView(reading, map, history, draws, i);
+      const std::vector<LandmarkInView> landmarks = inView(reading, map, history, draws, i);
       if (first) expected.push_back(std::max(1.0, totalShare(landmarks)));
       const double count = expected[next++], clutter = boundedClutter(reading.model.clutter_probability);
       for (const Detection& detection : reading.detections)
       {
         double density = clutter / measurementVolume(detection, reading.model, max_range);
-        for (const InView& one : landmarks)
+        for (const LandmarkInView& one : landmarks)
           if (isWithin(detection, one.prediction, kNearStds) && mayShow(detection, map[one.landmark]))
             density += (1 - clutter) / count * one.share * std::exp(logDensity(detection, one.prediction));
         log_likelihood += std::log(density);
