@@ -117,7 +117,7 @@ TEST(PointNullModel, AFeatureThatIsSeenAgainTellsWhereTheOthersAre)
     for (int k = 0; k < 5; ++k)
       for (const Vector2d& one : {post, beside}) (void)model.observe(laser(), of(one, {0, 0, 0}));
     model.move({{0, 0, 1}, 0, 1, 1});
-    const Pose2 slipped(0, 0, 1.1);  // by more than odometry measured
+    const Pose2 slipped{0, 0, 1.1};  // by more than odometry measured
     if (sees_post) (void)model.observe(laser(), of(post, slipped));
     return model.observe(laser(), of(beside, slipped)).log_density;
   };
