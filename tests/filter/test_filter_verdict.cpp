@@ -43,6 +43,7 @@ TEST(FilterVerdict, OneThatIsOnlyLikelierIsFollowedButNotOk)
   EXPECT_EQ(judge(modes, {}, {}).verdict, Verdict::ambiguous);
   EXPECT_TRUE(isDominant(modes, {}));
   EXPECT_FALSE(isDominant({{mode(0.8), mode(0.2)}, {}}, {}));
+  EXPECT_EQ(VerdictOptions{.min_best_weight = 0.7}.dominantWeight(), 0.7);
   const VerdictOptions lenient{.min_best_weight = 0.7};
   EXPECT_EQ(judge({{mode(0.8), mode(0.2)}, {}}, {}, lenient).verdict, Verdict::ok);
   EXPECT_TRUE(isDominant({{mode(0.8), mode(0.2)}, {}}, lenient));

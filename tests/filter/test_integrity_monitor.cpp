@@ -68,6 +68,28 @@ TEST(IntegrityMonitor, ClutterAtTheEndOfABlindSpellIsNotOk)
   EXPECT_EQ(monitor.verdict(modes, 1e4).verdict, Verdict::ok);
 }
 
+TEST(IntegrityMonitor, ThatAnAnonymousDetectionFitsAtTheEndOfABlindSpellIsNoProof)
+{
+  const auto verdict_after = [](int id, double seconds)
+  {
+    const MotionModel motion{.std_xy_per_m = 0.1, .std_phi_per_deg = 0, .std_phi_per_m = degToRad(0.5)};
+    IntegrityMonitor monitor({}, {}, motion, {}, kMap);
+    monitor.startVerified({});
+    (void)monitor.followMode(modesAt({1, 1, 0}), afterMoving(0, id));
+    monitor.update(report(1, 1), modesAt({1, 1, 0}));
+    Frame later = afterMoving(4, id);
+    later.motion.duration = seconds;
+    monitor.test(later, {}, false);
+    monitor.update(report(1, 1), modesAt({5, 1, 0}));
+    return monitor.verdict(modesAt({5, 1, 0}), 1e4);
+  };
+  const VerdictWithReason anonymous = verdict_after(kNoId, 8);
+  EXPECT_EQ(anonymous.verdict, Verdict::ambiguous);
+  EXPECT_NE(anonymous.reason.find("odometry alone led here"), std::string::npos) << anonymous.reason;
+  EXPECT_EQ(verdict_after(kNoId, 1).verdict, Verdict::ok) << "a short one";
+  EXPECT_EQ(verdict_after(1, 8).verdict, Verdict::ok) << "identified";
+}
+
 TEST(IntegrityMonitor, FewInliersOfOneSensorMakeRelocalizationDue)
 {
   IntegrityMonitor monitor = monitorOf();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <vector>
 
 namespace mrpt_ext::test_relative_points
 {
@@ -34,6 +35,30 @@ TEST(RelativePoints, AnUnknownTurnMovesFarPointsAcross)
   points.move({}, kTurned);
   EXPECT_NEAR(points.covariance(0)(0, 0), 0.04, 1e-12);
   EXPECT_NEAR(points.covariance(0)(1, 1), 0.01 + 9 * 0.04, 1e-12);
+}
+
+TEST(RelativePoints, TheUncertaintyOfAStepIsThatOfAllPoints)
+{
+  const std::vector<Vector2d> at{{3, 0.5}, {-1, 2}};
+  const Pose2 step{0.4, -0.2, 0.7};
+  const Matrix3d factor = (Matrix3d() << 0.1, 0, 0, 0.05, 0.08, 0, -0.03, 0.02, 0.06).finished();
+  RelativePoints points;
+  for (const Vector2d& point : at) points.add(point, Matrix2d::Zero());
+  points.move(step, factor * factor.transpose());
+  for (Eigen::Index k = 0; k < 2; ++k)
+  {
+    const auto seen_from = [&](const Vector3d& by) {
+      return transform(inverse(Pose2{step.x + by.x(), step.y + by.y(), step.phi + by.z()}), at[k]);
+    };
+    Eigen::Matrix<double, 2, 3> jacobian;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Vector3d by = 1e-6 * Vector3d::Unit(axis);
+      jacobian.col(axis) = (seen_from(by) - seen_from(-by)) / 2e-6;
+    }
+    const Matrix2d expected = jacobian * factor * factor.transpose() * jacobian.transpose();
+    EXPECT_NEAR((points.covariance(k) - expected).norm(), 0, 1e-8);
+  }
 }
 
 TEST(RelativePoints, OneThatIsSeenAgainTellsWhereTheOthersAre)

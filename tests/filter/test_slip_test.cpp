@@ -4,8 +4,6 @@
 
 #include <cmath>
 
-#include "mrpt_ext/geometry/measurement_jacobian.h"
-
 namespace mrpt_ext::test_slip_test
 {
 namespace
@@ -78,10 +76,31 @@ TEST(SlipTest, AnotherLandmarkThatThePoseExpectsRefutesIt)
 
 TEST(SlipTest, WhatThePoseDoesNotExpectSpeaksForASlip)
 {
-  SlipTest test = after(0.5);
-  for (int k = 0; k < 3; ++k) test.count(reading({1.0 + k, -2}), kUniform - 2, kMaxRange);
+  SlipTest test = after(10), without_clutter = after(10);
+  test.count(reading({3, -2}), kUniform - 2, kMaxRange);
+  for (SlipTest* each : {&test, &without_clutter}) each->count(reading({2, 1}), kUniform + 2.5, kMaxRange);
   EXPECT_FALSE(test.refuted());
+  EXPECT_TRUE(without_clutter.refuted());
   test.clear();
   EXPECT_TRUE(test.refuted());
+}
+
+TEST(SlipTest, HoweverMuchClutterTwoLandmarksRefuteIt)
+{
+  SlipTest test = after(10);
+  for (int k = 0; k < 50; ++k) test.count(reading({0.05 * k + 1, -2}), kUniform - 3, kMaxRange);
+  for (const Vector2d& landmark : {Vector2d(2, 1), Vector2d(-1, 3)})
+    test.count(reading(landmark), kUniform + 5, kMaxRange);
+  EXPECT_TRUE(test.refuted());
+}
+
+TEST(SlipTest, OnceRefutedItIsSuspectedAfterTheNextSpellOnly)
+{
+  SlipTest test = after(10);
+  test.count(reading({2, 1}), kUniform + 5, kMaxRange);
+  for (int k = 0; k < 20; ++k) test.count(reading({1.0 + 0.1 * k, -2}), kUniform - 3, kMaxRange);
+  EXPECT_TRUE(test.refuted());
+  test.suspect(10);
+  EXPECT_FALSE(test.refuted());
 }
 }  // namespace mrpt_ext::test_slip_test

@@ -39,7 +39,7 @@ CalibrationTrajectory passOver(const LocalizationInput& input, LocalizationConfi
 }  // namespace
 
 CalibrationTrajectory::CalibrationTrajectory(const LocalizationConfig& config)
-    : min_best_weight_(config.filter.verdict.min_best_weight),
+    : dominant_weight_(config.filter.verdict.dominantWeight()),
       needs_heading_(config.filter.heading_observable),
       independent_frames_(config.frames.independent)
 {
@@ -50,7 +50,7 @@ bool CalibrationTrajectory::add(const PoseEstimate& estimate)
   const bool is_ok = estimate.verdict == Verdict::ok, is_lost = estimate.verdict == Verdict::lost;
   added_ += 1;
   ok_ += is_ok ? 1 : 0;
-  const bool dominates = !is_lost && estimate.best_weight >= min_best_weight_;
+  const bool dominates = !is_lost && estimate.best_weight >= dominant_weight_;
   const bool counts = (independent_frames_ ? is_ok : is_ok || dominates) && (estimate.heading_known || !needs_heading_);
   if (!counts)
   {

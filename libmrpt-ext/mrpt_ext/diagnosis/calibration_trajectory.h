@@ -29,7 +29,7 @@ class CalibrationTrajectory
  private:
   void endUnverified();
 
-  double min_best_weight_;
+  double dominant_weight_;
   bool needs_heading_, independent_frames_;
   bool verified_ = false;              // an estimate was `ok` since the filter was lost
   bool interrupted_ = false;           // no mode dominated at some time since the last one

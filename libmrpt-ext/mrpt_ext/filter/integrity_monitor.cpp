@@ -68,9 +68,9 @@ void IntegrityMonitor::test(const Frame& frame, const ParticleSet& predicted, bo
   if (gap_ends_) pose_test_.endGap(frame.motion);
   support_.move(frame.motion.duration);
   // Identified landmarks cannot be taken for one another.
-  if (tested_mode_ && hasAnonymous(frame) && !hasIdentified(frame))
-    if (const auto spell =
-            support_.spell(predict(*tested_mode_, biases_, motion_, frame.motion).gaussianPose().covariance))
+  const std::optional<KalmanState>& mode = tested_mode_ ? tested_mode_ : verified_mode_;
+  if (mode && hasAnonymous(frame) && !hasIdentified(frame))
+    if (const auto spell = support_.spell(predict(*mode, biases_, motion_, frame.motion).gaussianPose().covariance))
       pose_test_.suspectSlip(*spell);
   if (counts)
     pose_test_.update(frame, map_, predicted);
@@ -126,7 +126,7 @@ void IntegrityMonitor::changeRivals(const GaussianPose& now, const Frame& frame)
 
 void IntegrityMonitor::rememberVerified(const KalmanState& mode)
 {
-  if (!pose_test_.verified()) return;
+  if (!pose_test_.verified() || !pose_test_.slipRefuted()) return;
   verified_mode_ = mode;
   start_region_.reset();
   pose_test_.rivals().rememberVerified();

@@ -26,7 +26,7 @@ class FeatureMixture
   {
     double log_density = 0;
     double share_new = 1;   ///< probability of a new feature, before the detection was seen
-    double share_each = 0;  ///< ... of one of those in view that has a rate of 1
+    double share_each = 0;  ///< ... of one of those in view, on average
     double new_given_detection = 1;
 
     /// Rather one of the features than a new one.
@@ -38,8 +38,8 @@ class FeatureMixture
   {
     const double p_new = known.any ? (new_ + 1) / (count_ + 2) : 1;
     const double mean_rate = known.in_view > 0 ? known.rates / known.in_view : 1;
-    const double p_each = (1 - p_new) / (mean_rate * std::max(1.0, known.in_view));
-    const double of_new = p_new * uniform, of_known = p_each * known.sum;
+    const double p_each = (1 - p_new) / std::max(1.0, known.in_view);
+    const double of_new = p_new * uniform, of_known = p_each * known.sum / mean_rate;
     const double density = clutter * uniform + (1 - clutter) * (of_new + of_known);
     return {std::log(density), p_new, p_each, of_new + of_known > 0 ? of_new / (of_new + of_known) : 1};
   }

@@ -1,6 +1,5 @@
 #include "mrpt_ext/filter/integrity/filter_verdict.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "mrpt_ext/filter/integrity/sequential_pose_test.h"
@@ -11,7 +10,6 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr double kDominant = 0.9;          // weight of a mode that is followed as the only one
 constexpr double kMinEffectiveForOk = 15;  // particles; fewer cannot estimate the covariance
 
 /// Standard deviations of a mode: position [m], both axes together, and heading [rad].
@@ -52,7 +50,7 @@ std::string whyImprecise(const Spread& spread, const VerdictOptions& options)
 
 bool isDominant(const ModeSet& modes, const VerdictOptions& options)
 {
-  return !modes.modes.empty() && modes.modes.front().weight >= std::min(kDominant, options.min_best_weight);
+  return !modes.modes.empty() && modes.modes.front().weight >= options.dominantWeight();
 }
 
 bool isUnimodal(const ModeSet& modes, const VerdictOptions& options)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -11,9 +12,12 @@ namespace mrpt_ext
 /// What `ok` requires of the best mode.
 struct VerdictOptions
 {
-  double min_best_weight = 0.998;       ///< one in exp(6) may be elsewhere, as for slips of odometry (slip_test.h)
+  double min_best_weight = 0.995;       ///< hypotheses that are injected to verify a mode have less than the rest
   double max_std_xy = 0.5;              ///< [m] standard deviation of the position: root of the sum of both variances
   double max_std_phi = degToRad(15.0);  ///< [rad] of the heading; infinite: it is not observable and does not count
+
+  /// Weight of a mode that is followed as the only one, if not enough for `ok`.
+  [[nodiscard]] double dominantWeight() const { return std::min(0.9, min_best_weight); }
 };
 
 struct VerdictWithReason
@@ -35,7 +39,7 @@ struct VerdictEvidence
   bool supported = true;       ///< by landmarks, not by odometry alone (pose_support.h, slip_test.h)
 };
 
-/// True when the best mode has nearly all of the weight, if not enough for `ok`.
+/// True when the best mode has the weight of one that is followed as the only one.
 [[nodiscard]] bool isDominant(const ModeSet& modes, const VerdictOptions& options);
 
 /// True when the posterior is one precise mode, whether the detections agree with it or not.

@@ -10,7 +10,7 @@ namespace mrpt_ext
 {
 namespace
 {
-constexpr std::size_t kMost = 100;  // those seen last
+constexpr std::size_t kMost = 40;  // those seen last, as many as the null models track
 
 std::vector<float> logLikelihoods(const Reading& part, const LandmarkTable& map, const Vector2d& origin,
                                   const PoseBatch& poses)

@@ -28,8 +28,7 @@ namespace mrpt_ext
 /// A filter whose particles missed the right pose converges to the best wrong one, and nearly all detections are
 /// inliers there: it was selected for that. The detections it was selected by are no evidence, nor are correlated ones.
 /// So only independent detections count (independent_detections.h), with their likelihood under the particles *before*
-/// they are weighted. Each adds its log-likelihood ratio against the null models (null_model.h,
-/// point_null_model.h). Under the null
+/// they are weighted. Each adds its log-likelihood ratio against the null model (feature_null_model.h). Under the null
 /// hypothesis the odds exceed 1/a with probability a at most, at any time (Ville's inequality); at the right pose they
 /// grow with every independent detection. Detections that repeat themselves at one spot neither prove nor refute
 /// (spot_evidence.h). Landmarks that the pose expects and nothing shows count as well, where detections are anonymous
@@ -71,13 +70,13 @@ class SequentialPoseTest
   {
     doubt();
     log_odds_ = 0;
-    slip_.clear();
   }
   /// The detections do not agree with the mode, and hypotheses compete with it. For the one that survives, what was
   /// known before counts as much as a start at most, and nothing counts against it.
   void doubt()
   {
     log_odds_ = std::clamp(log_odds_, 0.0, kAcceptLogOdds / 2);
+    slip_.clear();
     seen_.clear();
     strays_.clear();
     missed_.clear();

@@ -7,28 +7,29 @@ namespace mrpt_ext
 {
 void SlipTest::suspect(double seconds)
 {
-  log_odds_ = std::min(log_odds_, -std::log(std::clamp(kSlipRate * seconds, std::exp(-kMaxLogOdds), 1.0)));
+  const double prior = kSlipRate * seconds;
+  if (prior > 0) log_odds_ = std::clamp(-std::log(prior), 0.0, log_odds_);
   features_.clear();
 }
 
 void SlipTest::move(const OdometryMotion& motion)
 {
-  if (isSuspected()) features_.move(motion);
+  if (!refuted()) features_.move(motion);
 }
 
 void SlipTest::count(const Reading& part, double log_density, double max_range)
 {
-  if (!isSuspected()) return;
-  log_odds_ = std::min(log_odds_ + log_density - features_.observe(part, max_range).log_density, kMaxLogOdds);
+  if (refuted()) return;
+  log_odds_ = std::max(0.0, log_odds_ + log_density - features_.observe(part, max_range).log_density);
 }
 
 void SlipTest::skip(const Reading& part, double max_range)
 {
-  if (isSuspected()) (void)features_.observe(part, max_range);
+  if (!refuted()) (void)features_.observe(part, max_range);
 }
 
 void SlipTest::track(const Reading& correlated)
 {
-  if (isSuspected()) features_.track(correlated);
+  if (!refuted()) features_.track(correlated);
 }
 }  // namespace mrpt_ext

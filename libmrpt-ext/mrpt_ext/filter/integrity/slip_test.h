@@ -1,6 +1,8 @@
 #pragma once
 
 #include "mrpt_ext/filter/integrity/feature_null_model.h"
+#include "mrpt_ext/filter/motion/motion_model.h"
+#include "mrpt_ext/geometry/measurement.h"
 
 namespace mrpt_ext
 {
@@ -12,7 +14,7 @@ namespace mrpt_ext
 /// grows with time. Independent detections count with their likelihood under the pose before it is moved by them,
 /// against a null hypothesis of features that remembers nothing from before the spell: if odometry erred, that is lost
 /// as well. A precise pose is believed again with the first landmark it predicts, an imprecise one with the second or
-/// third.
+/// third. Once refuted, a slip is suspected again after the next spell only.
 class SlipTest
 {
  public:
@@ -22,7 +24,7 @@ class SlipTest
   SlipTest(const MotionModel& motion, double max_range) : features_(motion, max_range) {}
 
   /// Nothing speaks for a slip.
-  void clear() { log_odds_ = kMaxLogOdds; }
+  void clear() { log_odds_ = kRefutedLogOdds; }
   /// Odometry alone has moved the pose for so many seconds.
   void suspect(double seconds);
   void move(const OdometryMotion& motion);
@@ -36,12 +38,9 @@ class SlipTest
   [[nodiscard]] bool refuted() const { return log_odds_ >= kRefutedLogOdds; }
 
  private:
-  static constexpr double kMaxLogOdds = 14;     // nothing is counted there
-  static constexpr double kRefutedLogOdds = 6;  // one slip in exp(6) = 400 gets that far
+  static constexpr double kRefutedLogOdds = 6;  // of the poses that are believed one in exp(6) = 400 has slipped
 
-  [[nodiscard]] bool isSuspected() const { return log_odds_ < kMaxLogOdds; }
-
-  FeatureNullModel features_;  // seen since the spell
-  double log_odds_ = kMaxLogOdds;
+  FeatureNullModel features_;          // seen since the spell
+  double log_odds_ = kRefutedLogOdds;  // not below 0: clutter is no proof of a slip, and costs no later landmark
 };
 }  // namespace mrpt_ext
