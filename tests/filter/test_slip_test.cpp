@@ -37,7 +37,7 @@ TEST(SlipTest, NothingIsSuspectedAtFirst)
 {
   SlipTest test(kMotion, kMaxRange);
   EXPECT_TRUE(test.refuted());
-  for (int k = 0; k < 100; ++k) test.count(reading({2, 1}), kUniform - 1, kMaxRange);
+  for (int k = 0; k < 100; ++k) test.count(reading({2, 1}), kUniform - 1);
   EXPECT_TRUE(test.refuted());
 }
 
@@ -51,34 +51,34 @@ TEST(SlipTest, AShortSpellIsNoReasonToSuspectOne)
 TEST(SlipTest, APrecisePoseIsBelievedWithTheFirstLandmark)
 {
   SlipTest test = after(10);
-  test.count(reading({2, 1}), kUniform + 5, kMaxRange);
+  test.count(reading({2, 1}), kUniform + 5);
   EXPECT_TRUE(test.refuted());
 }
 
 TEST(SlipTest, AnImprecisePoseNeedsSeveralLandmarks)
 {
   SlipTest test = after(10);
-  test.count(reading({2, 1}), kUniform + 0.8, kMaxRange);
+  test.count(reading({2, 1}), kUniform + 0.8);
   EXPECT_FALSE(test.refuted()) << "it is as likely to fit by chance";
   // From now on it is expected without a map as well: as precisely as the pose does, and the more surely.
-  for (int k = 0; k < 20; ++k) test.count(reading({2, 1}), kUniform + 3, kMaxRange);
+  for (int k = 0; k < 20; ++k) test.count(reading({2, 1}), kUniform + 3);
   EXPECT_FALSE(test.refuted()) << "the same one proves nothing";
 }
 
 TEST(SlipTest, AnotherLandmarkThatThePoseExpectsRefutesIt)
 {
   SlipTest test = after(10);
-  test.count(reading({2, 1}), kUniform + 0.8, kMaxRange);
+  test.count(reading({2, 1}), kUniform + 0.8);
   EXPECT_FALSE(test.refuted());
-  test.count(reading({1, -2}), kUniform + 5, kMaxRange);
+  test.count(reading({1, -2}), kUniform + 5);
   EXPECT_TRUE(test.refuted());
 }
 
 TEST(SlipTest, WhatThePoseDoesNotExpectSpeaksForASlip)
 {
   SlipTest test = after(10), without_clutter = after(10);
-  test.count(reading({3, -2}), kUniform - 2, kMaxRange);
-  for (SlipTest* each : {&test, &without_clutter}) each->count(reading({2, 1}), kUniform + 2.5, kMaxRange);
+  test.count(reading({3, -2}), kUniform - 2);
+  for (SlipTest* each : {&test, &without_clutter}) each->count(reading({2, 1}), kUniform + 2.5);
   EXPECT_FALSE(test.refuted());
   EXPECT_TRUE(without_clutter.refuted());
   test.clear();
@@ -88,17 +88,16 @@ TEST(SlipTest, WhatThePoseDoesNotExpectSpeaksForASlip)
 TEST(SlipTest, HoweverMuchClutterTwoLandmarksRefuteIt)
 {
   SlipTest test = after(10);
-  for (int k = 0; k < 50; ++k) test.count(reading({0.05 * k + 1, -2}), kUniform - 3, kMaxRange);
-  for (const Vector2d& landmark : {Vector2d(2, 1), Vector2d(-1, 3)})
-    test.count(reading(landmark), kUniform + 5, kMaxRange);
+  for (int k = 0; k < 50; ++k) test.count(reading({0.05 * k + 1, -2}), kUniform - 3);
+  for (const Vector2d& landmark : {Vector2d(2, 1), Vector2d(-1, 3)}) test.count(reading(landmark), kUniform + 5);
   EXPECT_TRUE(test.refuted());
 }
 
 TEST(SlipTest, OnceRefutedItIsSuspectedAfterTheNextSpellOnly)
 {
   SlipTest test = after(10);
-  test.count(reading({2, 1}), kUniform + 5, kMaxRange);
-  for (int k = 0; k < 20; ++k) test.count(reading({1.0 + 0.1 * k, -2}), kUniform - 3, kMaxRange);
+  test.count(reading({2, 1}), kUniform + 5);
+  for (int k = 0; k < 20; ++k) test.count(reading({1.0 + 0.1 * k, -2}), kUniform - 3);
   EXPECT_TRUE(test.refuted());
   test.suspect(10);
   EXPECT_FALSE(test.refuted());

@@ -34,8 +34,7 @@ KeyTable filterKeys()
                "an iterated Kalman update and weighted by importance (up to 4000 particles). 0: never.")
       .number("ok_min_weight", "", filter.verdict.min_best_weight, ranges::kShare,
               "Minimum weight of the best mode for the verdict `ok`. A mode with 0.9, or with this if it is less, is "
-              "followed as "
-              "the only one.")
+              "followed as the only one.")
       .number("ok_max_std_m", "m", kUnset, ranges::kPositive,
               "Maximum standard deviation of the position for `ok`: root of the sum of both variances. Default: "
               "converged_within_m. Raise it where the sensors cannot give that.")

@@ -43,6 +43,12 @@ class FeatureMixture
     const double density = clutter * uniform + (1 - clutter) * (of_new + of_known);
     return {std::log(density), p_new, p_each, of_new + of_known > 0 ? of_new / (of_new + of_known) : 1};
   }
+  /// Whether a detection rather shows one of the features in view than something else, both as likely beforehand: by a
+  /// mixture that has counted nothing.
+  [[nodiscard]] static bool recognizes(const FeatureDensities& known, double uniform, double clutter)
+  {
+    return FeatureMixture().expect(known, uniform, clutter).isKnown();
+  }
   /// Counts a detection that was expected so.
   void count(const Outcome& expected)
   {

@@ -6,10 +6,10 @@
 
 namespace mrpt_ext
 {
-FeatureMixture::Outcome FeatureNullModel::observe(const Reading& part, double max_range)
+FeatureMixture::Outcome FeatureNullModel::observe(const Reading& part)
 {
   const Detection& d = part.detections.front();
-  if (d.id != kNoId || !d.bearing) return {-std::log(measurementVolume(d, part.model, max_range))};
+  if (d.id != kNoId || !d.bearing) return {-std::log(measurementVolume(d, part.model, max_range_))};
   return d.range ? points_.observe(part, d) : bearings_.observe(part, d);
 }
 

@@ -12,7 +12,7 @@ class FeatureNullModel
  public:
   /// `max_range` [m]: of a sensor that declares none.
   FeatureNullModel(const MotionModel& motion, double max_range)
-      : bearings_(motion, max_range), points_(motion, max_range)
+      : max_range_(max_range), bearings_(motion, max_range), points_(motion, max_range)
   {
   }
 
@@ -26,15 +26,13 @@ class FeatureNullModel
     bearings_.move(motion);
     points_.move(motion);
   }
-  /// The only detection of a reading; it is remembered. `max_range` [m]: of a sensor that declares none.
-  FeatureMixture::Outcome observe(const Reading& part, double max_range);
+  /// The only detection of a reading; it is remembered.
+  FeatureMixture::Outcome observe(const Reading& part);
   /// Follows the features that correlated detections show, which do not count.
   void track(const Reading& correlated);
 
-  /// Number of tracked features.
-  [[nodiscard]] std::size_t size() const { return bearings_.size() + points_.size(); }
-
  private:
+  double max_range_;
   NullModel bearings_;
   PointNullModel points_;
 };

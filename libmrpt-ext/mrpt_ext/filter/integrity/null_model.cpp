@@ -168,8 +168,6 @@ FeatureMixture::Outcome NullModel::observe(const Reading& reading, const Detecti
 void NullModel::track(const Reading& reading, const Detection& bearing)
 {
   const Match found = match(reading, bearing);
-  // One of the features in view against something else, both as likely beforehand: a mixture that has counted nothing.
-  if (FeatureMixture().expect(found.all, found.uniform, reading.model.clutter_probability).isKnown())
-    update(found, bearing);
+  if (FeatureMixture::recognizes(found.all, found.uniform, reading.model.clutter_probability)) update(found, bearing);
 }
 }  // namespace mrpt_ext

@@ -100,7 +100,6 @@ FeatureMixture::Outcome PointNullModel::observe(const Reading& reading, const De
 void PointNullModel::track(const Reading& reading, const Detection& detection)
 {
   const Match found = match(reading, detection);
-  // One of the features in view against something else, both as likely beforehand: a mixture that has counted nothing.
-  if (FeatureMixture().expect(found.all, found.uniform, reading.model.clutter_probability).isKnown()) update(found);
+  if (FeatureMixture::recognizes(found.all, found.uniform, reading.model.clutter_probability)) update(found);
 }
 }  // namespace mrpt_ext

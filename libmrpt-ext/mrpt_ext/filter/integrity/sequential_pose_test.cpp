@@ -146,8 +146,8 @@ void SequentialPoseTest::skip(const Frame& frame)
     const auto [independent, correlated] = decorrelator_.split(reading);
     for (const Reading& part : parts(independent))
     {
-      (void)null_model_.observe(part, 1);
-      slip_.skip(part, 1);
+      (void)null_model_.observe(part);
+      slip_.skip(part);
     }
     track(correlated);
     const std::string sensor = sensorKey(reading);
@@ -248,8 +248,7 @@ void SequentialPoseTest::test(const std::vector<Reading>& readings, const Landma
 void SequentialPoseTest::testDetection(const Reading& part, const LandmarkTable& map, ParticleSet& particles,
                                        const Spot& spot)
 {
-  const double max_range = defaultMaxRange(map);
-  const FeatureMixture::Outcome without_map = null_model_.observe(part, max_range);
+  const FeatureMixture::Outcome without_map = null_model_.observe(part);
   const std::optional<std::size_t> landmark = landmarkIn(part, map, particles);
   // A feature that the null model recognizes is a landmark that was seen before.
   if (landmark && without_map.isKnown()) seen_.add(*landmark);
@@ -264,7 +263,7 @@ void SequentialPoseTest::testDetection(const Reading& part, const LandmarkTable&
   else
     ReadingScorer(part, map, LandmarkClutter{}, particles.origin).addTo(particles.poses(), particles.log_weight);
   const double log_density = normalizeWeights(particles).log_sum;
-  slip_.count(part, log_density, max_range);
+  slip_.count(part, log_density);
   double log_ratio = log_density - without_map.log_density;
   if (is_feature) log_ratio = strays_[sensorKey(part)].counted(log_ratio, part.model);
   log_odds_ = std::min(log_odds_ + counted(part, landmark, log_ratio, spot), kMaxLogOdds);

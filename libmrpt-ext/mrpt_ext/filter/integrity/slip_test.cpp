@@ -17,15 +17,15 @@ void SlipTest::move(const OdometryMotion& motion)
   if (!refuted()) features_.move(motion);
 }
 
-void SlipTest::count(const Reading& part, double log_density, double max_range)
+void SlipTest::count(const Reading& part, double log_density)
 {
   if (refuted()) return;
-  log_odds_ = std::max(0.0, log_odds_ + log_density - features_.observe(part, max_range).log_density);
+  log_odds_ = std::max(0.0, log_odds_ + log_density - features_.observe(part).log_density);
 }
 
-void SlipTest::skip(const Reading& part, double max_range)
+void SlipTest::skip(const Reading& part)
 {
-  if (!refuted()) (void)features_.observe(part, max_range);
+  if (!refuted()) (void)features_.observe(part);
 }
 
 void SlipTest::track(const Reading& correlated)

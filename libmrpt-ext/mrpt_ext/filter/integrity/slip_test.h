@@ -28,10 +28,10 @@ class SlipTest
   /// Odometry alone has moved the pose for so many seconds.
   void suspect(double seconds);
   void move(const OdometryMotion& motion);
-  /// The only, independent detection of a reading, and its log density under the pose. `max_range`: as above.
-  void count(const Reading& part, double log_density, double max_range);
+  /// The only, independent detection of a reading, and its log density under the pose.
+  void count(const Reading& part, double log_density);
   /// The same for a detection that does not count for the pose: the null hypothesis remembers it.
-  void skip(const Reading& part, double max_range);
+  void skip(const Reading& part);
   /// Detections that are correlated with those before.
   void track(const Reading& correlated);
 
